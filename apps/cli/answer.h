@@ -1,0 +1,29 @@
+// What the answers of all verbs share: how a status is told, how a number is shown, how JSON begins.
+#ifndef CLI_ANSWER_H
+#define CLI_ANSWER_H
+#include "cli.h"
+#include "out/json.h"
+
+enum { YK_DIGITS = 6, YK_LABEL_SIZE = 256, YK_NAME_SIZE = 256 };
+
+// The code that `yoke explain` knows for a status; YK_CODE_NONE for YK_OK.
+YkCode yk_status_code(YkStatus status);
+// Adds a status other than YK_OK to the problems, in the words given.
+void yk_tell_status(YkSession *session, YkStatus status, const char *message);
+// 0 where the answer stands, 1 where the machine has none, 2 where the request was wrong.
+int yk_status_exit(YkStatus status);
+// The degrees of freedom: by rank where it could be measured, otherwise by Gruebler's count.
+int yk_freedom_of(const YkMechanism *mech);
+// "model", "status", "freedom" and, when the status is not ok, "message" and "code".
+void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char *message);
+// A value in the file's unit, with rounding noise (1e-13 of the machine's size) taken for zero.
+double yk_shown(const YkSession *session, double value, YkQuantity quantity);
+const char *yk_unit_of(const YkSession *session, YkQuantity quantity);
+// Adds "190.09 deg", to `digits` significant digits, in the file's unit; angles in radians also in degrees.
+void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits);
+// The configuration's label in a text of its own; the caller frees it.
+YkText yk_label_of(const YkState *state);
+// A position, or NaN where it is a rate that is not defined here.
+double yk_if_rates(const YkState *state, double value);
+
+#endif

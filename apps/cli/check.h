@@ -1,0 +1,23 @@
+// What the machine is, in each format.
+#ifndef CLI_CHECK_H
+#define CLI_CHECK_H
+#include "answer.h"
+
+enum { YK_FOUR_BARS_MAX = 64 };
+
+typedef struct YkCheckAnswer {
+    YkSession *session;
+    YkStatus status; // of assembling at the start
+    const char *message;
+    YkFourBar four_bars[YK_FOUR_BARS_MAX];
+    size_t four_bar_count;
+    size_t *bodies; // room for the bodies round a loop
+} YkCheckAnswer;
+
+void yk_check_text(const YkCheckAnswer *answer);
+void yk_check_json(const YkCheckAnswer *answer);
+void yk_check_csv(const YkCheckAnswer *answer);
+// Bodies round a loop, into answer->bodies; returns how many.
+size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop);
+
+#endif

@@ -1,0 +1,74 @@
+// The command `yoke`: what its files share. One verb, one question; results on standard output, all else on standard
+// error.
+#ifndef CLI_CLI_H
+#define CLI_CLI_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <yoke/yoke.h>
+#include "base/memory.h"
+#include "base/problems.h"
+#include "base/text.h"
+
+// What the shell gets to know.
+enum { YK_EXIT_DONE = 0, YK_EXIT_NO_ANSWER = 1, YK_EXIT_WRONG = 2 };
+
+typedef enum YkFormat { YK_FORMAT_TEXT, YK_FORMAT_JSON, YK_FORMAT_CSV } YkFormat;
+
+// --at theta1=30deg: a name and a value, apart.
+typedef struct YkPair {
+    const char *name, *value;
+} YkPair;
+typedef struct YkPairs {
+    YkPair *items;
+    size_t count, capacity;
+} YkPairs;
+typedef struct YkWords {
+    const char **items;
+    size_t count, capacity;
+} YkWords;
+
+typedef struct YkVerb YkVerb;
+
+// A command line, understood.
+typedef struct YkRequest {
+    YkArena *arena;     // copies of words
+    const YkVerb *verb; // NULL: none given
+    const char *file;   // the model; for `explain` a code
+    YkPairs at, rate, accel, param, effort;
+    YkWords trace;
+    const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
+    YkFormat format;
+    bool all, quiet, help, version, no_labels;
+} YkRequest;
+
+// One run: the request and what was made of it so far.
+typedef struct YkSession {
+    const YkRequest *request;
+    YkProblems *problems; // of the command line and of the answer: printed as "yoke: error: ..."
+    YkModel *model;
+    YkMechanism *mech;
+    YkState *state;
+    YkText out; // for standard output; written once, at the end
+} YkSession;
+
+struct YkVerb {
+    const char *name, *summary;
+    const char *usage; // "FILE [options]"
+    const char *about; // for --help: what it answers, a few lines
+    const char *example;
+    int (*run)(YkSession *session); // NULL: not part of this version yet
+};
+
+// Verbs, in the order in which they are listed; ends at name NULL.
+extern const YkVerb yk_verbs[];
+const YkVerb *yk_verb_find(const char *name);
+int yk_run_check(YkSession *session);
+int yk_run_solve(YkSession *session);
+int yk_run_sweep(YkSession *session);
+int yk_run_draw(YkSession *session);
+int yk_run_explain(YkSession *session);
+
+// Prints a list of problems on standard error; with quiet, only where there is an error among them.
+void yk_print_problems(YkProblems *problems, bool quiet);
+
+#endif

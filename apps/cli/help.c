@@ -1,0 +1,72 @@
+#include "help.h"
+#include <string.h>
+#include "options.h"
+
+enum { VERB_COLUMN = 10, OPTION_COLUMN = 26 };
+
+static void add_padded(YkText *text, const char *word, size_t length, size_t width)
+{
+    yk_text_puts(text, word);
+    yk_text_repeat(text, ' ', width > length ? width - length : 1);
+}
+
+void yk_help_tour(YkText *text)
+{
+    yk_text_format(text,
+                   "yoke %s: the workbench for planar machines. One file describes a machine; each verb asks one "
+                   "question of it.\n\n",
+                   yk_version());
+    yk_text_puts(text, "Start here:\n"
+                       "  yoke check machine.yaml                           what machine is it? can it move?\n"
+                       "  yoke solve machine.yaml --at theta1=30deg         where is everything, how fast?\n"
+                       "  yoke sweep machine.yaml --over theta1=0:360deg    how does it move?\n"
+                       "  yoke draw  machine.yaml -o machine.svg            what does it look like?\n\nVerbs:\n");
+    for (const YkVerb *verb = yk_verbs; verb->name; verb++) {
+        yk_text_puts(text, "  ");
+        add_padded(text, verb->name, strlen(verb->name), VERB_COLUMN);
+        yk_text_format(text, "%s%s\n", verb->summary, verb->run ? "" : " (not in this version yet)");
+    }
+    yk_text_puts(text, "\n`yoke VERB --help` tells what a verb takes. A machine file of a four-bar, to begin with:\n\n"
+                       "  name: Four-bar\n"
+                       "  bodies:\n"
+                       "    ground:  {points: {O: [0, 0], C: [100 mm, 0]}}\n"
+                       "    crank:   {points: {O: [0, 0], A: [40 mm, 0]}}\n"
+                       "    coupler: {points: {A: [0, 0], B: [120 mm, 0]}}\n"
+                       "    rocker:  {points: {C: [0, 0], B: [80 mm, 0]}}\n"
+                       "  joints:\n"
+                       "    O: {pin: [ground, crank], angle: theta1}\n"
+                       "    A: {pin: [crank, coupler], angle: theta2}\n"
+                       "    C: {pin: [ground, rocker], angle: theta3}\n"
+                       "    B: {pin: [coupler, rocker]}\n"
+                       "  drives: {theta1: 60 rpm * t}\n"
+                       "  start: {theta2: 45 deg, theta3: 90 deg}\n");
+}
+
+static void add_option(YkText *text, const YkOption *option)
+{
+    YkText form = {0};
+    if (option->letter) yk_text_format(&form, "-%c, ", option->letter);
+    yk_text_format(&form, "--%s%s%s", option->name, option->value ? " " : "", option->value ? option->value : "");
+    yk_text_puts(text, "  ");
+    add_padded(text, yk_text_get(&form), form.length, OPTION_COLUMN);
+    yk_text_format(text, "%s\n", option->help);
+    text->failed |= form.failed;
+    yk_text_free(&form);
+}
+
+void yk_help_verb(YkText *text, const YkVerb *verb)
+{
+    yk_text_format(text, "yoke %s %s\n", verb->name, verb->usage);
+    if (!verb->run) {
+        yk_text_format(text, "\nWill answer: %s. It is not part of this version yet.\n", verb->summary);
+        return;
+    }
+    yk_text_format(text, "\n%s\n\nOptions:\n", verb->about);
+    for (const YkOption *option = yk_options; option->name; option++)
+        if (yk_option_is_for(option, verb->name)) add_option(text, option);
+    yk_text_format(text,
+                   "\nExit code: 0 done, 1 the machine has no answer (the message says why), 2 the file or the options "
+                   "are wrong.\n"
+                   "FILE may be - for standard input.\n\nExample:\n  %s\n",
+                   verb->example);
+}

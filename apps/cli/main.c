@@ -1,0 +1,69 @@
+// yoke VERB FILE [options]: one verb, one question.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "help.h"
+#include "options.h"
+#include "session.h"
+
+// Colours only for people: on a terminal, and where nobody asked for none (https://no-color.org).
+static int wants_colour(void)
+{
+    const char *none = getenv("NO_COLOR"), *terminal = getenv("TERM");
+    return isatty(STDERR_FILENO) && !(none && *none) && !(terminal && strcmp(terminal, "dumb") == 0);
+}
+
+void yk_print_problems(YkProblems *problems, bool quiet)
+{
+    if (yk_problems_count(problems) == 0) return;
+    if (quiet && yk_problems_error_count(problems) == 0) return;
+    fputs(yk_problems_text(problems, wants_colour()), stderr);
+}
+
+static int refuse_verb(YkSession *session)
+{
+    const YkVerb *verb = session->request->verb;
+    yk_problem(session->problems, YK_CODE_VERB_LATER, (YkPlace){0}, "`yoke %s` (%s) is not part of this version yet",
+               verb->name, verb->summary);
+    yk_problem_hint(session->problems, "this version checks, solves, sweeps and draws");
+    return YK_EXIT_WRONG;
+}
+
+static int run(YkSession *session)
+{
+    const YkRequest *request = session->request;
+    if (yk_problems_error_count(session->problems) > 0) return YK_EXIT_WRONG;
+    if (request->version) {
+        yk_text_format(&session->out, "yoke %s\n", yk_version());
+        return yk_session_finish(session, YK_EXIT_DONE);
+    }
+    if (!request->verb || request->help) {
+        if (request->verb) {
+            yk_help_verb(&session->out, request->verb);
+        } else {
+            yk_help_tour(&session->out);
+        }
+        return yk_session_finish(session, YK_EXIT_DONE);
+    }
+    return request->verb->run ? request->verb->run(session) : refuse_verb(session);
+}
+
+int main(int argc, char **argv)
+{
+    YkRequest request = {.arena = yk_arena_new()};
+    YkSession session = {.request = &request, .problems = yk_problems_new()};
+    int exit_code = YK_EXIT_WRONG;
+    if (request.arena && session.problems) {
+        yk_problems_set_source(session.problems, "yoke", NULL, 0);
+        yk_options_read(argc, argv, &request, session.problems);
+        exit_code = run(&session);
+        yk_print_problems(session.problems, request.quiet);
+    } else {
+        fputs("yoke: error: out of memory\n", stderr);
+    }
+    yk_session_free(&session);
+    yk_problems_free(session.problems);
+    yk_request_free(&request);
+    return exit_code;
+}

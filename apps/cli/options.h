@@ -1,0 +1,25 @@
+// Options: a table says what there is, one loop reads it.
+#ifndef CLI_OPTIONS_H
+#define CLI_OPTIONS_H
+#include "cli.h"
+
+typedef enum YkOptionKind { YK_OPTION_SWITCH, YK_OPTION_WORD, YK_OPTION_WORDS, YK_OPTION_PAIRS } YkOptionKind;
+
+typedef struct YkOption {
+    const char *name;
+    char letter; // short form, or 0
+    YkOptionKind kind;
+    size_t offset;     // where it goes in YkRequest
+    const char *value; // what stands for its value in help
+    const char *verbs; // names of the verbs that take it, each between blanks; "*": all
+    const char *help;
+} YkOption;
+
+extern const YkOption yk_options[]; // ends at name NULL
+bool yk_option_is_for(const YkOption *option, const char *verb);
+
+// Reads a command line. Mistakes are added to `problems`, all of them.
+void yk_options_read(int argc, char **argv, YkRequest *request, YkProblems *problems);
+void yk_request_free(YkRequest *request);
+
+#endif

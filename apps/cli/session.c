@@ -1,0 +1,198 @@
+#include "session.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "out/file.h"
+
+static const YkPlace nowhere = {0};
+
+bool yk_session_refuse(YkSession *session, YkCode code, const char *format, const char *word)
+{
+    yk_problem(session->problems, code, nowhere, format, word);
+    return false;
+}
+
+static bool run_out(YkSession *session)
+{
+    return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+}
+
+static YkModel *load_model(YkSession *session, YkProblems *problems)
+{
+    const YkPairs *param = &session->request->param;
+    YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
+    if (!overrides) return NULL;
+    for (size_t i = 0; i < param->count; i++) overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
+    YkLoadOptions options = yk_default_load_options();
+    options.parameters = overrides;
+    options.parameter_count = param->count;
+    YkModel *model = yk_model_load(session->request->file, &options, problems);
+    free(overrides);
+    return model;
+}
+
+static void add_name(const char **names, size_t *count, const char *name)
+{
+    for (size_t i = 0; i < *count; i++)
+        if (strcmp(names[i], name) == 0) return;
+    names[(*count)++] = name;
+}
+
+// Compiles with the coordinates that are set as inputs: the swept one, then in the order given.
+static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *problems)
+{
+    const YkRequest *request = session->request;
+    const YkPairs *lists[] = {&request->at, &request->rate, &request->accel};
+    size_t count = 0, most = 1 + request->at.count + request->rate.count + request->accel.count;
+    const char **names = calloc(most, sizeof *names);
+    if (!names) return NULL;
+    if (swept) add_name(names, &count, swept);
+    for (size_t l = 0; l < 3; l++)
+        for (size_t i = 0; i < lists[l]->count; i++) add_name(names, &count, lists[l]->items[i].name);
+    YkCompileOptions options = yk_default_compile_options();
+    options.inputs = names;
+    options.input_count = count;
+    YkMechanism *mech = yk_mechanism_compile(session->model, &options, problems);
+    free((void *)names);
+    return mech;
+}
+
+bool yk_session_load(YkSession *session, const char *swept)
+{
+    if (!session->request->file) {
+        yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke %s` needs a model file",
+                   session->request->verb->name);
+        yk_problem_hint(session->problems, "yoke %s machine.yaml", session->request->verb->name);
+        return false;
+    }
+    YkProblems *problems = yk_problems_new();
+    if (!problems) return run_out(session);
+    session->model = load_model(session, problems);
+    if (session->model) session->mech = compile(session, swept, problems);
+    yk_print_problems(problems, session->request->quiet);
+    bool is_told = yk_problems_error_count(problems) > 0;
+    yk_problems_free(problems);
+    if (!session->mech && !is_told) return run_out(session);
+    return session->mech != NULL;
+}
+
+YkQuantity yk_quantity_of(bool is_distance, int order)
+{
+    static const YkQuantity angles[] = {YK_QUANTITY_ANGLE, YK_QUANTITY_ANGLE_RATE, YK_QUANTITY_ANGLE_ACCELERATION};
+    static const YkQuantity distances[] = {YK_QUANTITY_LENGTH, YK_QUANTITY_SPEED, YK_QUANTITY_ACCELERATION};
+    return is_distance ? distances[order] : angles[order];
+}
+
+bool yk_session_value(YkSession *session, const char *option, const char *name, const char *text, YkQuantity quantity,
+                      double *value)
+{
+    YkProblems *problems = yk_problems_new();
+    YkText source = {0};
+    if (!problems) return run_out(session);
+    yk_text_format(&source, "%s%s%s", option, *name ? " " : "", name);
+    yk_problems_set_source(problems, yk_text_get(&source), text, strlen(text));
+    bool good = yk_model_value(session->model, text, quantity, value, problems) == YK_OK && isfinite(*value);
+    yk_print_problems(problems, session->request->quiet);
+    if (!good && yk_problems_error_count(problems) == 0)
+        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q is not a value that can be used here", text);
+    yk_problems_free(problems);
+    yk_text_free(&source);
+    return good;
+}
+
+bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
+                      size_t *count)
+{
+    *count = fallback;
+    if (!text) return true;
+    size_t value = 0;
+    bool good = *text != '\0';
+    for (const char *c = text; good && *c; c++) {
+        good = *c >= '0' && *c <= '9' && value <= most;
+        value = 10 * value + (size_t)(*c - '0');
+    }
+    if (!good || value < 1 || value > most) {
+        yk_problem(session->problems, YK_CODE_OPTION_VALUE, nowhere, "%s takes a whole number from 1 to %z, not %q",
+                   option, most, text);
+        return false;
+    }
+    *count = value;
+    return true;
+}
+
+// The input that a coordinate is; refuses names that are none.
+static bool find_input(YkSession *session, const char *name, size_t *input, bool *is_distance)
+{
+    int coordinate = yk_coordinate_find(session->mech, name);
+    if (coordinate < 0)
+        return yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", name);
+    YkCoordinateInfo info = yk_coordinate_info(session->mech, (size_t)coordinate);
+    if (info.input < 0)
+        return yk_session_refuse(session, YK_CODE_NOT_AN_INPUT, "no freedom is left to set %q: the others fix it",
+                                 name);
+    *input = (size_t)info.input;
+    *is_distance = info.is_distance;
+    return true;
+}
+
+// Sets the order-th derivative of every coordinate that the list names.
+static bool set_inputs(YkSession *session, const char *option, const YkPairs *pairs, int order)
+{
+    for (size_t i = 0; i < pairs->count; i++) {
+        size_t input = 0;
+        bool is_distance = false;
+        double value = 0;
+        const YkPair *pair = &pairs->items[i];
+        if (!find_input(session, pair->name, &input, &is_distance)) return false;
+        if (!yk_session_value(session, option, pair->name, pair->value, yk_quantity_of(is_distance, order), &value))
+            return false;
+        YkMotion motion = yk_state_input(session->state, input);
+        *(order == 0 ? &motion.position : order == 1 ? &motion.velocity : &motion.acceleration) = value;
+        yk_state_set_input(session->state, input, motion);
+    }
+    return true;
+}
+
+bool yk_session_inputs(YkSession *session)
+{
+    const YkRequest *request = session->request;
+    double time = 0;
+    if (request->effort.count > 0)
+        return yk_session_refuse(session, YK_CODE_OPTION_LATER, "--effort %s: efforts are not part of this version yet",
+                                 request->effort.items[0].name);
+    session->state = yk_state_new(session->mech);
+    if (!session->state) return run_out(session);
+    if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &time)) return false;
+    YkStatus status = yk_state_set_time(session->state, time, session->problems);
+    if (status < 0) {
+        if (yk_problems_error_count(session->problems) == 0)
+            yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the drives have no value at this time%s", "");
+        return false;
+    }
+    return set_inputs(session, "--at", &request->at, 0) && set_inputs(session, "--rate", &request->rate, 1) &&
+           set_inputs(session, "--accel", &request->accel, 2);
+}
+
+int yk_session_finish(YkSession *session, int exit_code)
+{
+    const char *path = session->request->output;
+    bool good;
+    if (session->out.failed) {
+        good = run_out(session);
+    } else if (path && strcmp(path, "-") != 0) {
+        good = yk_file_write(path, yk_text_get(&session->out), session->out.length, session->problems);
+    } else {
+        good = yk_file_write_to(STDOUT_FILENO, "standard output", yk_text_get(&session->out), session->out.length,
+                                session->problems);
+    }
+    return good ? exit_code : YK_EXIT_WRONG;
+}
+
+void yk_session_free(YkSession *session)
+{
+    yk_state_free(session->state);
+    yk_mechanism_free(session->mech);
+    yk_model_free(session->model);
+    yk_text_free(&session->out);
+}

@@ -1,0 +1,25 @@
+// A run's steps that the verbs share: from the file to a pose, and the answer to where it should go.
+#ifndef CLI_SESSION_H
+#define CLI_SESSION_H
+#include "cli.h"
+
+// Loads the model and compiles it; coordinates that the command line sets are its inputs. `swept` (or NULL) is one
+// more, the first. False when the file or a name is wrong: all is printed then.
+bool yk_session_load(YkSession *session, const char *swept);
+// Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel. False when a value is wrong.
+bool yk_session_inputs(YkSession *session);
+// Reads a value of the command line; option and name ("--at", "theta1") stand for it in messages.
+bool yk_session_value(YkSession *session, const char *option, const char *name, const char *text, YkQuantity quantity,
+                      double *value);
+// Reads a count between 1 and `most`; `fallback` where text is NULL.
+bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
+                      size_t *count);
+// The quantity of a coordinate's order-th derivative.
+YkQuantity yk_quantity_of(bool is_distance, int order);
+// A refusal that needs no more words than these; returns false.
+bool yk_session_refuse(YkSession *session, YkCode code, const char *format, const char *word);
+// Writes the answer to -o FILE or standard output; returns `exit_code`, or YK_EXIT_WRONG when it could not be written.
+int yk_session_finish(YkSession *session, int exit_code);
+void yk_session_free(YkSession *session);
+
+#endif

@@ -1,0 +1,85 @@
+#include "solve.h"
+
+static void add_rates(YkJson *json, const YkState *state, const char *rate, double velocity, double acceleration)
+{
+    yk_json_number(json, rate, yk_if_rates(state, velocity));
+    yk_json_number(json, "acceleration", yk_if_rates(state, acceleration));
+}
+
+static void add_coordinates(YkSession *session, YkJson *json, const YkState *state)
+{
+    yk_json_object(json, "coordinates", YK_JSON_LINES);
+    for (size_t i = 0; i < yk_coordinate_count(session->mech); i++) {
+        YkMotion motion = yk_state_coordinate(state, i);
+        yk_json_object(json, yk_coordinate_info(session->mech, i).name, YK_JSON_INLINE);
+        yk_json_number(json, "position", motion.position);
+        add_rates(json, state, "velocity", motion.velocity, motion.acceleration);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
+static void add_bodies(YkSession *session, YkJson *json, const YkState *state)
+{
+    yk_json_object(json, "bodies", YK_JSON_LINES);
+    for (size_t i = 1; i < yk_model_body_count(session->model); i++) {
+        YkMotion motion = yk_state_body(state, i);
+        yk_json_object(json, yk_model_body_name(session->model, i), YK_JSON_INLINE);
+        yk_json_number(json, "angle", motion.position);
+        add_rates(json, state, "rate", motion.velocity, motion.acceleration);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
+static void add_vector(YkJson *json, const char *key, const double vector[2], bool is_known, const YkState *state)
+{
+    yk_json_list(json, key, YK_JSON_INLINE);
+    for (int i = 0; i < 2; i++) yk_json_number(json, NULL, is_known ? vector[i] : yk_if_rates(state, vector[i]));
+    yk_json_end(json);
+}
+
+static void add_points(YkSession *session, YkJson *json, const YkState *state)
+{
+    YkText name = {0};
+    yk_json_object(json, "points", YK_JSON_LINES);
+    for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
+        YkPointMotion motion = yk_state_point(state, i);
+        const char *body = yk_model_body_name(session->model, yk_model_point_body(session->model, i));
+        yk_text_clear(&name);
+        yk_text_format(&name, "%s.%s", body, yk_model_point_name(session->model, i));
+        yk_json_object(json, yk_text_get(&name), YK_JSON_INLINE);
+        add_vector(json, "position", motion.position, true, state);
+        add_vector(json, "velocity", motion.velocity, false, state);
+        add_vector(json, "acceleration", motion.acceleration, false, state);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+    json->text->failed |= name.failed;
+    yk_text_free(&name);
+}
+
+// Transmission angles of the dyads, by the label of their block.
+static void add_transmission(YkSession *session, YkJson *json, const YkState *state)
+{
+    yk_json_object(json, "transmission", YK_JSON_INLINE);
+    for (size_t i = 0; i < yk_block_count(session->mech); i++) {
+        YkBlockInfo block = yk_block_info(session->mech, i);
+        if (block.assur_class == 2) yk_json_number(json, block.label, yk_state_transmission(state, i));
+    }
+    yk_json_end(json);
+}
+
+void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
+{
+    YkText label = yk_label_of(state);
+    yk_json_object(json, NULL, YK_JSON_LINES);
+    yk_json_string(json, "label", yk_text_get(&label));
+    add_coordinates(session, json, state);
+    add_bodies(session, json, state);
+    add_points(session, json, state);
+    add_transmission(session, json, state);
+    yk_json_end(json);
+    json->text->failed |= label.failed;
+    yk_text_free(&label);
+}

@@ -1,0 +1,131 @@
+#include "out/table.h"
+#include "session.h"
+#include "solve.h"
+
+static void write_table(YkSession *session, YkTable *table)
+{
+    yk_text_puts(&session->out, "\n");
+    if (!yk_table_write(table, 2, &session->out)) session->out.failed = true;
+    yk_table_free(table);
+}
+
+static YkTable *motion_table(YkSession *session, const char *subject, bool is_distance)
+{
+    static const char *const heads[] = {"position", "velocity", "acceleration"};
+    YkTable *table = yk_table_new(4);
+    yk_table_head(table, subject, NULL);
+    for (int order = 0; order < 3; order++)
+        yk_table_head(table, heads[order], yk_unit_of(session, yk_quantity_of(is_distance, order)));
+    return table;
+}
+
+static void add_motion(YkSession *session, YkTable *table, const YkState *state, const char *name, YkMotion motion,
+                       bool is_distance)
+{
+    const double values[] = {motion.position, yk_if_rates(state, motion.velocity),
+                             yk_if_rates(state, motion.acceleration)};
+    yk_table_word(table, name);
+    for (int order = 0; order < 3; order++)
+        yk_table_number(table, yk_shown(session, values[order], yk_quantity_of(is_distance, order)), YK_DIGITS);
+}
+
+// Coordinates of one kind; inputs are marked.
+static void add_coordinates(YkSession *session, const YkState *state, bool is_distance)
+{
+    YkTable *table = motion_table(session, is_distance ? "distance" : "angle", is_distance);
+    YkText name = {0};
+    size_t count = 0;
+    for (size_t i = 0; i < yk_coordinate_count(session->mech); i++) {
+        YkCoordinateInfo info = yk_coordinate_info(session->mech, i);
+        if (info.is_distance != is_distance) continue;
+        yk_text_clear(&name);
+        yk_text_format(&name, "%s%s", info.name, info.input >= 0 ? " (input)" : "");
+        add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance);
+        count++;
+    }
+    yk_text_free(&name);
+    if (count > 0) {
+        write_table(session, table);
+    } else {
+        yk_table_free(table);
+    }
+}
+
+static void add_bodies(YkSession *session, const YkState *state)
+{
+    YkTable *table = motion_table(session, "body angle", false);
+    for (size_t i = 1; i < yk_model_body_count(session->model); i++)
+        add_motion(session, table, state, yk_model_body_name(session->model, i), yk_state_body(state, i), false);
+    write_table(session, table);
+}
+
+static void add_points(YkSession *session, const YkState *state)
+{
+    static const char *const heads[] = {"x", "y", "x'", "y'", "x''", "y''"};
+    YkTable *table = yk_table_new(7);
+    YkText name = {0};
+    yk_table_head(table, "point", NULL);
+    for (int i = 0; i < 6; i++) yk_table_head(table, heads[i], yk_unit_of(session, yk_quantity_of(true, i / 2)));
+    for (size_t p = 0; p < yk_model_point_count(session->model); p++) {
+        size_t body = yk_model_point_body(session->model, p);
+        if (body == 0) continue; // stands still where the file says
+        YkPointMotion m = yk_state_point(state, p);
+        const double *values[] = {m.position, m.velocity, m.acceleration};
+        yk_text_clear(&name);
+        yk_text_format(&name, "%s.%s", yk_model_body_name(session->model, body),
+                       yk_model_point_name(session->model, p));
+        yk_table_word(table, yk_text_get(&name));
+        for (int i = 0; i < 6; i++) {
+            double value = i < 2 ? values[0][i] : yk_if_rates(state, values[i / 2][i % 2]);
+            yk_table_number(table, yk_shown(session, value, yk_quantity_of(true, i / 2)), YK_DIGITS);
+        }
+    }
+    yk_text_free(&name);
+    write_table(session, table);
+}
+
+static void add_transmission(YkSession *session, const YkState *state)
+{
+    YkTable *table = yk_table_new(2);
+    size_t count = 0;
+    yk_table_head(table, "transmission angle at", NULL);
+    yk_table_head(table, "", yk_unit_of(session, YK_QUANTITY_ANGLE));
+    for (size_t i = 0; i < yk_block_count(session->mech); i++) {
+        YkBlockInfo block = yk_block_info(session->mech, i);
+        if (block.assur_class != 2 || block.kind == YK_BLOCK_PP) continue;
+        yk_table_word(table, block.label);
+        yk_table_number(table, yk_shown(session, yk_state_transmission(state, i), YK_QUANTITY_ANGLE), YK_DIGITS);
+        count++;
+    }
+    if (count > 0) {
+        write_table(session, table);
+    } else {
+        yk_table_free(table);
+    }
+}
+
+void yk_solve_text_head(YkSession *session, YkStatus status)
+{
+    int freedom = yk_freedom_of(session->mech);
+    yk_text_format(&session->out, "%s: %d degree%s of freedom", yk_model_name(session->model), freedom,
+                   freedom == 1 ? "" : "s");
+    if (status != YK_OK) yk_text_format(&session->out, "; %s", yk_status_name(status));
+    yk_text_puts(&session->out, "\n");
+}
+
+void yk_solve_text(YkSession *session, const YkState *state, size_t index)
+{
+    YkText label = yk_label_of(state);
+    if (session->request->all) {
+        yk_text_format(&session->out, "\nConfiguration %z: %s\n", index + 1, yk_text_get(&label));
+    } else if (label.length > 0) {
+        yk_text_format(&session->out, "Configuration %s\n", yk_text_get(&label));
+    }
+    add_coordinates(session, state, false);
+    add_coordinates(session, state, true);
+    add_bodies(session, state);
+    add_points(session, state);
+    add_transmission(session, state);
+    session->out.failed |= label.failed;
+    yk_text_free(&label);
+}

@@ -1,0 +1,41 @@
+// A sweep's answer, and its writers.
+#ifndef CLI_SWEEP_H
+#define CLI_SWEEP_H
+#include "answer.h"
+#include "range.h"
+
+enum { YK_RANGES_MAX = 32 };
+
+typedef struct YkColumn {
+    const char *name;
+    YkChannel channel;
+} YkColumn;
+
+typedef struct YkSweepAnswer {
+    YkSession *session;
+    YkOver over;
+    YkColumn *columns; // as --of names them; the swept variable is not among them
+    size_t column_count;
+    YkSweep *sweep;
+    YkStatus status;
+    YkText message;                // one sentence, where the status is not ok
+    YkText label;                  // of the configuration
+    YkRange ranges[YK_RANGES_MAX]; // where it closes, at a limit
+    size_t range_count;
+    const char *ranges_of; // the coordinate they are of, or NULL
+    YkQuantity ranges_quantity;
+    YkStroke *strokes; // of each column; ratio 0 where there is none
+} YkSweepAnswer;
+
+// A value of the table; NaN where it is not defined (rates at a dead point).
+double yk_sweep_cell(const YkSweepAnswer *answer, size_t row, size_t column);
+const char *yk_event_word(YkEvent event); // "limit", "dead-point", "change-point", "maximum", "minimum"
+// "theta1 from ... to ...", for every range.
+void yk_sweep_add_ranges(const YkSweepAnswer *answer, YkText *text);
+void yk_sweep_text(const YkSweepAnswer *answer);
+void yk_sweep_json(const YkSweepAnswer *answer);
+void yk_sweep_csv(const YkSweepAnswer *answer);
+// Draws the columns into --plot's file; false with a problem added.
+bool yk_sweep_plot(const YkSweepAnswer *answer, const char *path);
+
+#endif

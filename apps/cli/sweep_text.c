@@ -1,0 +1,95 @@
+#include "out/table.h"
+#include "sweep.h"
+
+enum { EVENT_DIGITS = 10 };
+
+static void write_table(YkText *out, YkTable *table, bool has_rows)
+{
+    if (has_rows) {
+        yk_text_puts(out, "\n");
+        if (!yk_table_write(table, 2, out)) out->failed = true;
+    }
+    yk_table_free(table);
+}
+
+static void add_rows(const YkSweepAnswer *answer)
+{
+    const YkSession *session = answer->session;
+    size_t rows = answer->sweep ? yk_sweep_row_count(answer->sweep) : 0;
+    YkTable *table = yk_table_new(answer->column_count + 1);
+    yk_table_head(table, answer->over.name, yk_unit_of(session, answer->over.quantity));
+    for (size_t c = 0; c < answer->column_count; c++)
+        yk_table_head(table, answer->columns[c].name, yk_unit_of(session, answer->columns[c].channel.quantity));
+    for (size_t row = 0; row < rows; row++) {
+        yk_table_number(table, yk_shown(session, yk_sweep_at(answer->sweep, row), answer->over.quantity), YK_DIGITS);
+        for (size_t c = 0; c < answer->column_count; c++)
+            yk_table_number(table,
+                            yk_shown(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel.quantity),
+                            YK_DIGITS);
+    }
+    write_table(&answer->session->out, table, rows > 0);
+}
+
+// "d5 = 1.2 m", or "at joint C".
+static void add_event_value(const YkSweepAnswer *answer, YkEvent event, YkText *text)
+{
+    if (event.kind == YK_EVENT_EXTREME) {
+        const YkColumn *column = &answer->columns[event.channel];
+        yk_text_format(text, "%s = ", column->name);
+        yk_add_value(answer->session, text, event.value, column->channel.quantity, EVENT_DIGITS);
+    } else if (event.block >= 0) {
+        yk_text_format(text, "at joint %s", yk_block_info(answer->session->mech, (size_t)event.block).label);
+    }
+}
+
+static void add_events(const YkSweepAnswer *answer)
+{
+    size_t count = answer->sweep ? yk_sweep_event_count(answer->sweep) : 0;
+    YkTable *table = yk_table_new(3);
+    YkText words = {0};
+    yk_table_head(table, "event", NULL);
+    yk_table_head(table, answer->over.name, yk_unit_of(answer->session, answer->over.quantity));
+    yk_table_head(table, "", NULL);
+    for (size_t i = 0; i < count; i++) {
+        YkEvent event = yk_sweep_event(answer->sweep, i);
+        yk_text_clear(&words);
+        add_event_value(answer, event, &words);
+        yk_table_word(table, yk_event_word(event));
+        yk_table_number(table, yk_shown(answer->session, event.at, answer->over.quantity), EVENT_DIGITS);
+        yk_table_word(table, yk_text_get(&words));
+    }
+    answer->session->out.failed |= words.failed;
+    yk_text_free(&words);
+    write_table(&answer->session->out, table, count > 0);
+}
+
+static void add_strokes(const YkSweepAnswer *answer)
+{
+    YkText *out = &answer->session->out;
+    for (size_t c = 0; answer->strokes && c < answer->column_count; c++) {
+        YkStroke stroke = answer->strokes[c];
+        if (stroke.ratio <= 0) continue;
+        yk_text_format(out, "\n%s: stroke ", answer->columns[c].name);
+        yk_add_value(answer->session, out, stroke.high - stroke.low, answer->columns[c].channel.quantity, EVENT_DIGITS);
+        yk_text_format(out, ", time ratio %e at constant speed", stroke.ratio);
+    }
+    yk_text_puts(out, "\n");
+}
+
+void yk_sweep_text(const YkSweepAnswer *answer)
+{
+    YkText *out = &answer->session->out;
+    yk_text_format(out, "%s: sweep over %s", yk_model_name(answer->session->model), answer->over.name);
+    if (answer->label.length > 0) yk_text_format(out, ", configuration %s", yk_text_get(&answer->label));
+    yk_text_puts(out, "\n");
+    add_rows(answer);
+    add_events(answer);
+    add_strokes(answer);
+    if (answer->status != YK_OK)
+        yk_text_format(out, "%s: %s\n", yk_status_name(answer->status), yk_text_get(&answer->message));
+    if (answer->range_count > 0) {
+        yk_text_puts(out, "closes for ");
+        yk_sweep_add_ranges(answer, out);
+        yk_text_puts(out, "\n");
+    }
+}

@@ -1,0 +1,58 @@
+// yoke check: what machine the file describes.
+#include <stdlib.h>
+#include "check.h"
+#include "session.h"
+
+size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop)
+{
+    size_t most = yk_model_body_count(answer->session->model);
+    size_t count = yk_loop_bodies(answer->session->mech, loop, answer->bodies, most);
+    return count < most ? count : most;
+}
+
+// Can it be put together at the start? The answer to the check does not depend on it, the exit code does.
+static YkStatus try_assembly(YkCheckAnswer *answer)
+{
+    YkState *state = answer->session->state;
+    YkStatus status = yk_state_assemble(state);
+    answer->message = yk_state_report(state)->message;
+    return status;
+}
+
+static void write_answer(const YkCheckAnswer *answer)
+{
+    switch (answer->session->request->format) {
+    case YK_FORMAT_TEXT:
+        yk_check_text(answer);
+        break;
+    case YK_FORMAT_JSON:
+        yk_check_json(answer);
+        break;
+    case YK_FORMAT_CSV:
+        yk_check_csv(answer);
+        break;
+    }
+}
+
+int yk_run_check(YkSession *session)
+{
+    if (!yk_session_load(session, NULL) || !yk_session_inputs(session)) return YK_EXIT_WRONG;
+    YkCheckAnswer *answer = calloc(1, sizeof *answer);
+    size_t *bodies = calloc(yk_model_body_count(session->model) + 1, sizeof *bodies);
+    int exit_code = YK_EXIT_WRONG;
+    if (answer && bodies) {
+        answer->session = session;
+        answer->bodies = bodies;
+        size_t found = yk_four_bars(session->mech, answer->four_bars, YK_FOUR_BARS_MAX);
+        answer->four_bar_count = found < YK_FOUR_BARS_MAX ? found : YK_FOUR_BARS_MAX;
+        answer->status = try_assembly(answer);
+        yk_tell_status(session, answer->status, answer->message);
+        write_answer(answer);
+        exit_code = yk_session_finish(session, yk_status_exit(answer->status));
+    } else {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    }
+    free(bodies);
+    free(answer);
+    return exit_code;
+}

@@ -1,0 +1,169 @@
+// yoke draw: the machine as a picture, at one pose or many.
+#include <stdlib.h>
+#include <string.h>
+#include "answer.h"
+#include "out/convert.h"
+#include "range.h"
+#include "session.h"
+
+enum { POSES_MAX = 1000, TRACE_STEPS = 720 };
+static const double full_turn = 6.28318530717958647692;
+
+typedef struct Drawer {
+    YkSession *session;
+    YkOver over;
+    bool has_range; // over.from, over.to stand
+    size_t poses;
+    size_t *points; // traced
+    YkDrawing *drawing;
+} Drawer;
+
+static bool find_points(Drawer *drawer)
+{
+    const YkWords *trace = &drawer->session->request->trace;
+    drawer->points = calloc(trace->count + 1, sizeof *drawer->points);
+    if (!drawer->points) return yk_session_refuse(drawer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = true;
+    for (size_t i = 0; i < trace->count; i++) {
+        drawer->points[i] = yk_model_find_point(drawer->session->model, trace->items[i]);
+        if (drawer->points[i] != (size_t)-1) continue;
+        good = yk_session_refuse(drawer->session, YK_CODE_NOT_A_POINT, "the machine has no point %q", trace->items[i]);
+        yk_problem_hint(drawer->session->problems, "a point is written body.point, as in `coupler.P`");
+    }
+    return good;
+}
+
+// Without --over a path is drawn over the range round the present pose in which the machine closes.
+static void choose_range(Drawer *drawer)
+{
+    YkState *state = drawer->session->state;
+    YkRange ranges[32];
+    if (drawer->has_range || yk_input_count(drawer->session->mech) != 1) return;
+    size_t coordinate = yk_input_coordinate(drawer->session->mech, 0);
+    double now = yk_state_input(state, 0).position;
+    size_t count = yk_closing_ranges(state, coordinate, ranges, 32);
+    for (size_t i = 0; i < count && i < 32; i++) {
+        if (now < ranges[i].from - 1e-9 || now > ranges[i].to + 1e-9) continue;
+        drawer->over.coordinate = (int)coordinate;
+        drawer->over.from = ranges[i].from;
+        drawer->over.to = ranges[i].to;
+        drawer->has_range = true;
+    }
+}
+
+// Moves the state to a place in the range; false where it does not close.
+static bool move_to(Drawer *drawer, YkState *state, double at)
+{
+    if (drawer->over.coordinate < 0) return yk_state_set_time(state, at, NULL) >= 0 && yk_state_solve(state) >= 0;
+    size_t input = (size_t)yk_coordinate_info(drawer->session->mech, (size_t)drawer->over.coordinate).input;
+    YkMotion motion = yk_state_input(state, input);
+    motion.position = at;
+    yk_state_set_input(state, input, motion);
+    return yk_state_solve(state) >= 0;
+}
+
+// Goes from where the state is to the start of the range in small steps, so that Newton's method can follow.
+static void approach(Drawer *drawer, YkState *state)
+{
+    double from = drawer->over.coordinate < 0 ? yk_state_time(state)
+                                              : yk_state_coordinate(state, (size_t)drawer->over.coordinate).position;
+    for (size_t i = 1; i <= TRACE_STEPS; i++)
+        move_to(drawer, state, from + (drawer->over.from - from) * (double)i / TRACE_STEPS);
+}
+
+// Walks the range once, adding the traced points' positions and, at equal distances, faint poses.
+static YkStatus walk(Drawer *drawer, YkState *state)
+{
+    double span = drawer->over.to - drawer->over.from;
+    bool is_turn = drawer->over.quantity == YK_QUANTITY_ANGLE && span > full_turn - 1e-9 && span < full_turn + 1e-9;
+    size_t gaps =
+        drawer->poses > 1 && !is_turn ? drawer->poses - 1 : drawer->poses; // over a turn the last pose is the first
+    size_t stride = gaps > 0 ? (TRACE_STEPS + gaps - 1) / gaps : 1, steps = gaps > 0 ? stride * gaps : TRACE_STEPS,
+           added = 0;
+    YkStatus status = YK_OK;
+    approach(drawer, state);
+    for (size_t i = 0; i <= steps && status == YK_OK; i++) {
+        if (!move_to(drawer, state, drawer->over.from + span * (double)i / (double)steps)) continue;
+        status = yk_drawing_trace(drawer->drawing, state);
+        if (gaps == 0 || i % stride != 0 || added >= drawer->poses || status != YK_OK) continue;
+        status = yk_drawing_pose(drawer->drawing, state);
+        added++;
+    }
+    return status;
+}
+
+static YkStatus gather(Drawer *drawer)
+{
+    YkSession *session = drawer->session;
+    YkStatus status = YK_OK;
+    if (session->request->trace.count > 0) choose_range(drawer);
+    if (drawer->has_range) {
+        YkState *moving = yk_state_new(session->mech);
+        if (!moving) return YK_NO_MEMORY;
+        status = yk_state_copy(moving, session->state);
+        if (status >= 0) status = walk(drawer, moving);
+        yk_state_free(moving);
+    }
+    return status < 0 ? status : yk_drawing_pose(drawer->drawing, session->state);
+}
+
+static bool draw(Drawer *drawer, YkFileKind kind)
+{
+    YkSession *session = drawer->session;
+    YkDrawOptions options = yk_default_draw_options();
+    options.labels = !session->request->no_labels;
+    options.traced_points = drawer->points;
+    options.traced_count = session->request->trace.count;
+    drawer->drawing = yk_drawing_new(session->mech, &options);
+    YkStatus status = drawer->drawing ? gather(drawer) : YK_NO_MEMORY;
+    const char *svg = status == YK_OK ? yk_drawing_svg(drawer->drawing) : NULL;
+    if (!svg) {
+        bool is_memory = status == YK_OK || status == YK_NO_MEMORY;
+        return yk_session_refuse(session, is_memory ? YK_CODE_OUT_OF_MEMORY : YK_CODE_OUTPUT_FAILED,
+                                 is_memory ? "out of memory%s" : "the pose cannot be drawn%s", "");
+    }
+    return yk_convert_svg(svg, kind, &session->out, session->problems);
+}
+
+// The kind of picture; standard output takes SVG.
+static bool read_kind(YkSession *session, YkFileKind *kind)
+{
+    const char *path = session->request->output;
+    *kind = path && strcmp(path, "-") != 0 ? yk_file_kind(path) : YK_FILE_SVG;
+    if (*kind != YK_FILE_OTHER) return true;
+    yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "-o writes .svg, .pdf or .png, not %q", path);
+    return false;
+}
+
+static bool prepare(Drawer *drawer)
+{
+    YkSession *session = drawer->session;
+    const YkRequest *request = session->request;
+    if (request->poses && !request->over) {
+        yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--poses needs --over NAME=FROM:TO%s", "");
+        yk_problem_hint(session->problems, "as in --over theta1=0:360deg --poses 12");
+        return false;
+    }
+    drawer->has_range = request->over != NULL;
+    if (request->over && !yk_over_split(session, request->over, &drawer->over)) return false;
+    if (!yk_session_count(session, "--poses", request->poses, POSES_MAX, 0, &drawer->poses)) return false;
+    const char *swept = request->over && strcmp(drawer->over.name, "t") != 0 ? drawer->over.name : NULL;
+    if (!yk_session_load(session, swept) || !yk_session_inputs(session)) return false;
+    return (!request->over || yk_over_read(session, &drawer->over)) && find_points(drawer);
+}
+
+int yk_run_draw(YkSession *session)
+{
+    Drawer drawer = {.session = session};
+    YkFileKind kind = YK_FILE_SVG;
+    int exit_code = YK_EXIT_WRONG;
+    if (read_kind(session, &kind) && prepare(&drawer)) {
+        YkStatus status = yk_state_assemble(session->state);
+        yk_tell_status(session, status, yk_state_report(session->state)->message);
+        exit_code = yk_status_exit(status);
+        if (status >= 0) exit_code = draw(&drawer, kind) ? yk_session_finish(session, exit_code) : YK_EXIT_WRONG;
+    }
+    yk_drawing_free(drawer.drawing);
+    free(drawer.points);
+    return exit_code;
+}

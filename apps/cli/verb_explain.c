@@ -1,0 +1,73 @@
+// yoke explain: what stands behind a message's code.
+#include <string.h>
+#include "session.h"
+
+enum { LINE = 100 };
+
+// "E0401", "e401", "401": the number, or -1. Any of the letters E, W, N may stand before it.
+static int read_code(const char *word)
+{
+    if (*word && strchr("EWNewn", *word)) word++;
+    int code = 0, digits = 0;
+    for (; *word >= '0' && *word <= '9' && digits < 5; word++, digits++) code = 10 * code + (*word - '0');
+    return *word == '\0' && digits > 0 ? code : -1;
+}
+
+static void add_code(YkText *text, int code)
+{
+    yk_text_puts(text, "E");
+    for (int power = 1000; power > code && power > 1; power /= 10) yk_text_puts(text, "0");
+    yk_text_format(text, "%d", code);
+}
+
+// Breaks a paragraph between words.
+static void add_wrapped(YkText *text, const char *paragraph)
+{
+    size_t column = 0;
+    while (*paragraph) {
+        size_t length = strcspn(paragraph, " ");
+        if (column > 0 && column + 1 + length > LINE) {
+            yk_text_puts(text, "\n");
+            column = 0;
+        }
+        if (column > 0) yk_text_puts(text, " ");
+        yk_text_add(text, paragraph, length);
+        column += length + (column > 0);
+        paragraph += length;
+        paragraph += strspn(paragraph, " ");
+    }
+    yk_text_puts(text, "\n");
+}
+
+static void list_codes(YkText *text)
+{
+    for (size_t i = 0; i < yk_code_count(); i++) {
+        int code = yk_code_at(i);
+        const char *words = yk_code_explain(code);
+        size_t sentence = strcspn(words, ".:;");
+        add_code(text, code);
+        yk_text_puts(text, "  ");
+        yk_text_add(text, words, sentence);
+        yk_text_puts(text, "\n");
+    }
+}
+
+int yk_run_explain(YkSession *session)
+{
+    const char *word = session->request->file;
+    if (word) {
+        int code = read_code(word);
+        const char *words = code >= 0 ? yk_code_explain(code) : NULL;
+        if (!words) {
+            yk_session_refuse(session, YK_CODE_UNKNOWN_CODE, "there is no message with the code %q", word);
+            yk_problem_hint(session->problems, "`yoke explain` lists all codes; one looks like E0401");
+            return YK_EXIT_WRONG;
+        }
+        add_code(&session->out, code);
+        yk_text_puts(&session->out, "\n");
+        add_wrapped(&session->out, words);
+    } else {
+        list_codes(&session->out);
+    }
+    return yk_session_finish(session, YK_EXIT_DONE);
+}

@@ -1,0 +1,37 @@
+# What `cmake --install` puts where. Everything is relocatable: the prefix may still change at install time.
+include(CMakePackageConfigHelpers)
+set(YOKE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/yoke)
+
+install(DIRECTORY include/yoke DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(TARGETS yoke_core ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS yoke_shared EXPORT yoke_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS yoke RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+# find_package(yoke) gives yoke::yoke
+install(EXPORT yoke_targets NAMESPACE yoke:: FILE yokeTargets.cmake DESTINATION ${YOKE_PACKAGE_DIR})
+configure_package_config_file(cmake/yokeConfig.cmake.in ${CMAKE_BINARY_DIR}/yokeConfig.cmake
+  INSTALL_DESTINATION ${YOKE_PACKAGE_DIR} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/yokeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/yokeConfig.cmake ${CMAKE_BINARY_DIR}/yokeConfigVersion.cmake DESTINATION ${YOKE_PACKAGE_DIR})
+
+# pkg-config: the prefix is found from the place of the .pc file
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+  set(YOKE_PC_PREFIX ${CMAKE_INSTALL_PREFIX})
+  set(YOKE_PC_LIBDIR ${CMAKE_INSTALL_FULL_LIBDIR})
+  set(YOKE_PC_INCLUDEDIR ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+else()
+  file(RELATIVE_PATH YOKE_PC_UP /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+  string(REGEX REPLACE "/$" "" YOKE_PC_UP "${YOKE_PC_UP}")
+  set(YOKE_PC_PREFIX "\${pcfiledir}/${YOKE_PC_UP}")
+  set(YOKE_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+  set(YOKE_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+configure_file(cmake/yoke.pc.in ${CMAKE_BINARY_DIR}/yoke.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
+  PATTERN "expected" EXCLUDE)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
+install(FILES completions/yoke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME yoke OPTIONAL)
+install(FILES completions/_yoke DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
+install(FILES completions/yoke.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d OPTIONAL)

@@ -1,0 +1,18 @@
+# Man pages: man/NAME.SECTION.scd -> NAME.SECTION, when scdoc is there.
+find_program(SCDOC scdoc)
+file(GLOB YOKE_MAN_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/man/*.scd)
+if(SCDOC AND YOKE_MAN_SOURCES)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/man)
+  foreach(source ${YOKE_MAN_SOURCES})
+    get_filename_component(page ${source} NAME_WLE)
+    set(output ${CMAKE_BINARY_DIR}/man/${page})
+    add_custom_command(OUTPUT ${output} COMMAND sh -c "exec \"$0\" < \"$1\" > \"$2\"" ${SCDOC} ${source} ${output}
+      DEPENDS ${source} COMMENT "Man page ${page}" VERBATIM)
+    list(APPEND YOKE_MAN_PAGES ${output})
+    string(REGEX REPLACE ".*\\." "" section ${page})
+    install(FILES ${output} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section})
+  endforeach()
+  add_custom_target(man ALL DEPENDS ${YOKE_MAN_PAGES})
+elseif(NOT SCDOC)
+  message(STATUS "scdoc not found: no man pages")
+endif()

@@ -1,0 +1,103 @@
+// The mechanism: the same machine by number - its graph, its loops, its freedom, and the order in which it is solved.
+// Constant after compiling; may be shared between threads.
+#ifndef YOKE_MECHANISM_H
+#define YOKE_MECHANISM_H
+
+#include <yoke/model.h>
+
+typedef struct YkMechanism YkMechanism;
+
+typedef struct YkCompileOptions {
+    // Coordinates that the caller sets (`--at`, a sweep's coordinate), by name; they come before the file's drives.
+    const char *const *inputs;
+    size_t input_count;
+} YkCompileOptions;
+
+YK_API YkCompileOptions yk_default_compile_options(void);
+
+// Compiles a model. The inputs are, until the freedom is used up: options->inputs, the drives, the coordinates of `start:`
+// in their order, then any. The model must outlive the mechanism. NULL with problems added (over-driven machines, coordinates
+// that close a loop, ...). Cost linear in the number of joints for machines made of dyads.
+YK_API YkMechanism *yk_mechanism_compile(const YkModel *model, const YkCompileOptions *options, YkProblems *problems);
+YK_API void yk_mechanism_free(YkMechanism *mech);
+YK_API const YkModel *yk_mechanism_model(const YkMechanism *mech);
+
+// Coordinates: those of the spanning tree, in the order of the file's joints; names that the program chose are `joint.angle`,
+// `joint.distance`. A driven or held coordinate is an input.
+typedef struct YkCoordinateInfo {
+    const char *name;
+    size_t joint;
+    bool is_distance;      // metres; otherwise radians
+    bool is_declared;      // named by the file
+    bool has_drive;        // an expression of time drives it
+    int input;             // its place among the inputs, or -1
+} YkCoordinateInfo;
+YK_API size_t yk_coordinate_count(const YkMechanism *mech);
+YK_API YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate);
+YK_API int yk_coordinate_find(const YkMechanism *mech, const char *name); // -1 where there is none
+YK_API size_t yk_input_count(const YkMechanism *mech);
+YK_API size_t yk_input_coordinate(const YkMechanism *mech, size_t input); // which coordinate input i is
+
+// Freedom, two ways: Gruebler's count 3 (bodies - 1) - sum of constraints, and by the rank of the loop equations.
+typedef struct YkFreedom {
+    int gruebler;
+    int by_rank;           // -1 when the machine could not be assembled to measure it
+    size_t redundant;      // constraints that repeat others = by_rank - gruebler
+    size_t driven;         // coordinates with a drive
+} YkFreedom;
+YK_API YkFreedom yk_mechanism_freedom(const YkMechanism *mech);
+
+// Loops of the spanning tree: the joint that closes each.
+YK_API size_t yk_loop_count(const YkMechanism *mech);
+YK_API size_t yk_loop_joint(const YkMechanism *mech, size_t loop);
+YK_API size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity); // in order round the loop
+
+// Blocks: what is solved together, in the order of solution.
+typedef enum YkBlockKind {
+    YK_BLOCK_RRR,     // dyad with two unknown angles: two circles meet
+    YK_BLOCK_RRP,     // dyad with an unknown angle and a distance along a known line: a circle meets a line
+    YK_BLOCK_RPR,     // dyad with an unknown angle and a distance along the line that turns with it
+    YK_BLOCK_PP,      // dyad with two unknown distances (RPP, PRP, PPR): two lines meet
+    YK_BLOCK_LINK,    // one unknown, two equations: repeats constraints
+    YK_BLOCK_CHECK,   // no unknown: a redundant loop, only checked
+    YK_BLOCK_GROUP    // a larger Assur group, solved by Newton's method
+} YkBlockKind;
+typedef struct YkBlockInfo {
+    YkBlockKind kind;
+    const char *label;          // name of the joint that labels its branch ("A"), unique among blocks
+    int assur_class;            // 2 for dyads, 3 and more for groups, 0 for LINK and CHECK
+    size_t unknowns, equations;
+    size_t joint_count;         // joints of the group, see yk_block_joint
+    size_t body_count;          // bodies that it places
+} YkBlockInfo;
+YK_API size_t yk_block_count(const YkMechanism *mech);
+YK_API YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block);
+YK_API size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index);
+YK_API size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index);
+YK_API const char *yk_block_kind_name(YkBlockKind kind);
+// Redundant constraints, by joint: closes loop `joint` but adds `count` constraints that others already imply.
+YK_API size_t yk_redundant_count(const YkMechanism *mech);
+YK_API size_t yk_redundant_joint(const YkMechanism *mech, size_t index);
+
+// The size by which lengths are measured, m (yk: largest length).
+YK_API double yk_mechanism_size(const YkMechanism *mech);
+
+// A channel: one number that can be asked of a pose. Names, as in `--of`:
+//   theta2, theta2.rate, theta2.accel      a coordinate (any joint: JOINT.angle, JOINT.distance)
+//   lever.angle, lever.angle.rate, .accel  a body's angle to the ground (lever.rate, lever.accel for short)
+//   ram.C.x, ram.C.y, ram.C.x.rate, .accel a point; also ram.C.speed
+//   C.transmission                         the transmission angle of the block labelled C, rad in [0, pi/2]
+typedef enum YkChannelKind { YK_CHANNEL_TIME, YK_CHANNEL_COORDINATE, YK_CHANNEL_JOINT_ANGLE, YK_CHANNEL_JOINT_DISTANCE, YK_CHANNEL_BODY,
+    YK_CHANNEL_POINT_X, YK_CHANNEL_POINT_Y, YK_CHANNEL_POINT_SPEED, YK_CHANNEL_TRANSMISSION } YkChannelKind;
+typedef struct YkChannel {
+    YkChannelKind kind;
+    int index;            // of the coordinate, joint, body, point or block
+    int order;            // 0 value, 1 rate, 2 acceleration
+    YkQuantity quantity;  // for its unit
+} YkChannel;
+// YK_OK, or YK_BAD_ARGUMENT with a problem (did you mean) added.
+YK_API YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems);
+// Its name as `--of` takes it; returns the length needed, writes at most capacity bytes with a final NUL.
+YK_API size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, size_t capacity);
+
+#endif

@@ -1,0 +1,57 @@
+// The model: one planar machine as its file describes it, by name, validated, in SI units and radians.
+#ifndef YOKE_MODEL_H
+#define YOKE_MODEL_H
+
+#include <stdbool.h>
+#include <yoke/problem.h>
+
+typedef struct YkModel YkModel;
+
+// A value that replaces what the file says: a parameter, as `--param NAME=VALUE` gives it.
+typedef struct YkOverride {
+    const char *name;
+    const char *value; // an expression of parameters, with units: "750 mm"
+} YkOverride;
+
+typedef struct YkLoadOptions {
+    const YkOverride *parameters;
+    size_t parameter_count;
+} YkLoadOptions;
+
+YK_API YkLoadOptions yk_default_load_options(void);
+
+// Reads and validates a model file. Every problem of the file is added to `problems`, whether it loads or not.
+// Returns NULL when there was an error. options may be NULL. Cost linear in the size of the file.
+YK_API YkModel *yk_model_load(const char *path, const YkLoadOptions *options, YkProblems *problems);
+// The same from memory; `name` stands for the file's name in messages.
+YK_API YkModel *yk_model_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
+                               YkProblems *problems);
+YK_API void yk_model_free(YkModel *model);
+
+// What the machine is made of. Body 0 is the ground. Names live as long as the model.
+YK_API const char *yk_model_name(const YkModel *model);
+YK_API size_t yk_model_body_count(const YkModel *model);
+YK_API const char *yk_model_body_name(const YkModel *model, size_t body);
+YK_API size_t yk_model_point_count(const YkModel *model);  // points of all bodies
+YK_API const char *yk_model_point_name(const YkModel *model, size_t point);
+YK_API size_t yk_model_point_body(const YkModel *model, size_t point);
+YK_API size_t yk_model_joint_count(const YkModel *model);
+YK_API const char *yk_model_joint_name(const YkModel *model, size_t joint);
+// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld") and its two bodies (side 0: first, 1: second).
+YK_API const char *yk_model_joint_kind(const YkModel *model, size_t joint);
+YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
+// Finds by name; (size_t)-1 where there is none. A point is asked for as "body.point".
+YK_API size_t yk_model_find_body(const YkModel *model, const char *name);
+YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_point);
+// A value with units in the model's own terms, as the command line takes them ("30deg", "a1/2", "0.5 rad/s").
+typedef enum YkQuantity {
+    YK_QUANTITY_NUMBER, YK_QUANTITY_ANGLE, YK_QUANTITY_LENGTH, YK_QUANTITY_TIME, YK_QUANTITY_ANGLE_RATE,
+    YK_QUANTITY_SPEED, YK_QUANTITY_ANGLE_ACCELERATION, YK_QUANTITY_ACCELERATION, YK_QUANTITY_FORCE, YK_QUANTITY_TORQUE
+} YkQuantity;
+// Reads `text` as such a quantity, converted to SI. Returns YK_OK or YK_BAD_ARGUMENT with a problem added.
+YK_API YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quantity, double *value,
+                               YkProblems *problems);
+// The unit in which the file gives such a quantity, for tables: name ("deg") and its size in SI (pi/180).
+YK_API const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size);
+
+#endif

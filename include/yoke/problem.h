@@ -1,0 +1,40 @@
+// Problems: what is wrong, or worth a look, in a model file or a request; many per run, each with its place.
+#ifndef YOKE_PROBLEM_H
+#define YOKE_PROBLEM_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <yoke/status.h>
+
+// A place in the source text. Lines and columns count from 1; columns count Unicode code points. line 0 = nowhere.
+typedef struct YkPlace {
+    uint32_t line, column;
+    uint32_t length; // how many columns the caret underlines; 0 = one
+} YkPlace;
+
+typedef enum YkSeverity { YK_NOTE, YK_WARNING, YK_ERROR } YkSeverity;
+
+typedef struct YkProblem {
+    YkSeverity severity;
+    int code;            // 123 prints as E0123 and is explained by yk_code_explain(123)
+    YkPlace place;
+    const char *message; // one sentence, no final stop; never contains control characters
+    const char *hint;    // what to do about it, or NULL
+} YkProblem;
+
+typedef struct YkProblems YkProblems;
+
+YK_API YkProblems *yk_problems_new(void); // NULL when out of memory
+YK_API void yk_problems_free(YkProblems *problems);
+YK_API size_t yk_problems_count(const YkProblems *problems);
+YK_API size_t yk_problems_error_count(const YkProblems *problems);
+YK_API const YkProblem *yk_problems_get(const YkProblems *problems, size_t index); // in order of place in the file
+// All problems as text: "file:line:col: error: message [E0123]", the source line, a caret line, "hint: ...".
+// Returned string belongs to `problems` and lives until its next use. colour: 1 writes ANSI colours.
+YK_API const char *yk_problems_text(YkProblems *problems, int colour);
+// The paragraph behind a code, or NULL where there is no such code; and the codes in ascending order.
+YK_API const char *yk_code_explain(int code);
+YK_API size_t yk_code_count(void);
+YK_API int yk_code_at(size_t index);
+
+#endif

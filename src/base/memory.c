@@ -1,0 +1,104 @@
+#include "base/memory.h"
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64 };
+
+typedef struct Chunk {
+    struct Chunk *older;
+} Chunk; // the memory follows
+
+struct YkArena {
+    Chunk *newest;
+    unsigned char *next, *end; // free memory of the newest chunk
+    size_t chunk_size;         // of the next chunk
+    bool failed;
+};
+
+YkArena *yk_arena_new(void)
+{
+    YkArena *arena = malloc(sizeof *arena);
+    if (arena) *arena = (YkArena){.chunk_size = CHUNK_MIN};
+    return arena;
+}
+
+void yk_arena_free(YkArena *arena)
+{
+    if (!arena) return;
+    for (Chunk *chunk = arena->newest, *older; chunk; chunk = older) {
+        older = chunk->older;
+        free(chunk);
+    }
+    free(arena);
+}
+
+static size_t padding(const unsigned char *address, size_t alignment)
+{
+    return (size_t)(-(uintptr_t)address & (alignment - 1));
+}
+
+// A chunk with room for `bytes` at any alignment. What was left of the chunk before is lost: less than it holds.
+static bool add_chunk(YkArena *arena, size_t bytes)
+{
+    size_t size = arena->chunk_size, needed = sizeof(Chunk) + ALIGN_LARGE + bytes;
+    if (needed < bytes) return false;
+    if (size < needed) size = needed;
+    Chunk *chunk = malloc(size);
+    if (!chunk) return false;
+    chunk->older = arena->newest;
+    arena->newest = chunk;
+    arena->next = (unsigned char *)(chunk + 1);
+    arena->end = (unsigned char *)chunk + size;
+    if (arena->chunk_size < CHUNK_MAX) arena->chunk_size *= 2;
+    return true;
+}
+
+void *yk_arena_alloc(YkArena *arena, size_t count, size_t size)
+{
+    if (!arena) return NULL;
+    if (size != 0 && count > PTRDIFF_MAX / size) {
+        arena->failed = true;
+        return NULL;
+    }
+    size_t bytes = count * size, alignment = bytes >= ALIGN_LARGE ? ALIGN_LARGE : ALIGN_SMALL;
+    if (bytes == 0) bytes = 1; // so that two empty arrays differ
+    size_t pad = padding(arena->next, alignment);
+    if (!arena->next || (size_t)(arena->end - arena->next) < pad || (size_t)(arena->end - arena->next) - pad < bytes) {
+        if (!add_chunk(arena, bytes)) {
+            arena->failed = true;
+            return NULL;
+        }
+        pad = padding(arena->next, alignment);
+    }
+    unsigned char *memory = arena->next + pad;
+    arena->next = memory + bytes;
+    return memset(memory, 0, bytes);
+}
+
+bool yk_arena_failed(const YkArena *arena)
+{
+    return !arena || arena->failed;
+}
+
+char *yk_arena_copy(YkArena *arena, const char *text, size_t length)
+{
+    char *copy = length < SIZE_MAX ? yk_arena_alloc(arena, length + 1, 1) : NULL;
+    if (copy && length > 0) memcpy(copy, text, length);
+    return copy;
+}
+
+bool yk_grow(void **items, size_t count, size_t *capacity, size_t size)
+{
+    if (count < *capacity) return true;
+    size_t wanted = *capacity < 8 ? 8 : 2 * *capacity;
+    if (wanted <= *capacity || wanted > PTRDIFF_MAX / size) return false;
+    // The caller's variable is a T *, not a void *: its bytes are copied, which is allowed for every type.
+    void *old;
+    memcpy(&old, items, sizeof old);
+    void *grown = realloc(old, wanted * size);
+    if (!grown) return false;
+    memcpy(items, &grown, sizeof grown);
+    *capacity = wanted;
+    return true;
+}

@@ -1,0 +1,23 @@
+// Memory: an arena that is filled while loading and compiling and freed at once.
+#ifndef BASE_MEMORY_H
+#define BASE_MEMORY_H
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct YkArena YkArena;
+
+YkArena *yk_arena_new(void);
+void yk_arena_free(YkArena *arena);
+// Zeroed memory for `count` things of `size` bytes, aligned to 64 bytes from 64 bytes on, to 16 below.
+// NULL on overflow or exhaustion; the arena then remembers: yk_arena_failed() stays true.
+void *yk_arena_alloc(YkArena *arena, size_t count, size_t size);
+bool yk_arena_failed(const YkArena *arena);
+char *yk_arena_copy(YkArena *arena, const char *text, size_t length); // adds a final NUL
+#define YK_NEW(arena, type, count) ((type *)yk_arena_alloc((arena), (count), sizeof(type)))
+
+// A growing array: capacity doubles. `items` is a pointer variable, `count` and `capacity` size_t variables.
+// Evaluates to true when there is room for one more (items may have moved), false when out of memory.
+bool yk_grow(void **items, size_t count, size_t *capacity, size_t size);
+#define YK_ROOM(items, count, capacity) yk_grow((void **)&(items), (count), &(capacity), sizeof *(items))
+
+#endif

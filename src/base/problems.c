@@ -1,0 +1,140 @@
+#include "base/problems.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/escape.h"
+#include "base/problem_list.h"
+
+YkProblems *yk_problems_new(void)
+{
+    YkProblems *problems = calloc(1, sizeof *problems);
+    if (!problems) return NULL;
+    problems->arena = yk_arena_new();
+    if (!problems->arena) {
+        free(problems);
+        return NULL;
+    }
+    return problems;
+}
+
+void yk_problems_free(YkProblems *problems)
+{
+    if (!problems) return;
+    yk_arena_free(problems->arena);
+    free(problems->source_name);
+    free(problems->source);
+    yk_text_free(&problems->printed);
+    free(problems);
+}
+
+static char *copy_bytes(const char *data, size_t length)
+{
+    char *copy = malloc(length + 1);
+    if (!copy) return NULL;
+    if (length > 0) memcpy(copy, data, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length)
+{
+    if (!problems) return;
+    free(problems->source_name);
+    free(problems->source);
+    if (text && length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) { // a byte order mark is no column
+        text += 3;
+        length -= 3;
+    }
+    // Without memory for the copies problems are still told, only not quoted.
+    problems->source_name = name ? copy_bytes(name, strlen(name)) : NULL;
+    problems->source = text ? copy_bytes(text, length) : NULL;
+    problems->source_length = problems->source ? length : 0;
+}
+
+// Formats into the arena, with control characters escaped; a fixed phrase when there is no memory for it.
+static const char *format_message(YkArena *arena, const char *format, va_list arguments)
+{
+    YkText raw = {0}, safe = {0};
+    yk_text_vformat(&raw, format, arguments);
+    yk_escape(&safe, yk_text_get(&raw), raw.length);
+    const char *message = NULL;
+    if (!raw.failed && !safe.failed) message = yk_arena_copy(arena, yk_text_get(&safe), safe.length);
+    yk_text_free(&raw);
+    yk_text_free(&safe);
+    return message ? message : "out of memory while describing a problem";
+}
+
+static bool is_before(YkPlace a, YkPlace b)
+{
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+}
+
+// Keeps the order by place, and by arrival where places are equal.
+static void insert_in_order(YkProblems *problems, size_t index)
+{
+    size_t at = problems->count;
+    const YkProblem *items = problems->items;
+    for (; at > 0 && is_before(items[index].place, items[problems->order[at - 1]].place); at--)
+        problems->order[at] = problems->order[at - 1];
+    problems->order[at] = (uint16_t)index;
+    problems->count++;
+}
+
+// The list is full. The last entry is as severe as the worst left out, so that no error is overlooked.
+static void leave_out(YkProblems *problems, YkSeverity severity)
+{
+    YkProblem *more = &problems->items[YK_PROBLEMS_MAX];
+    problems->last = NULL;
+    if (problems->count == YK_PROBLEMS_MAX) {
+        *more = (YkProblem){severity,
+                            YK_CODE_MORE_PROBLEMS,
+                            {0, 0, 0},
+                            "there are more problems than these",
+                            "correct the first ones and run again"};
+        problems->order[problems->count++] = YK_PROBLEMS_MAX;
+    }
+    if (more->severity < severity) more->severity = severity;
+}
+
+void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...)
+{
+    if (!problems) return;
+    YkSeverity severity = yk_code_severity((int)code);
+    if (problems->count >= YK_PROBLEMS_MAX) {
+        leave_out(problems, severity);
+        return;
+    }
+    size_t index = problems->count;
+    va_list arguments;
+    va_start(arguments, message);
+    const char *formatted = format_message(problems->arena, message, arguments);
+    va_end(arguments);
+    problems->items[index] = (YkProblem){severity, (int)code, place, formatted, NULL};
+    problems->last = &problems->items[index];
+    insert_in_order(problems, index);
+}
+
+void yk_problem_hint(YkProblems *problems, const char *hint, ...)
+{
+    if (!problems || !problems->last) return;
+    va_list arguments;
+    va_start(arguments, hint);
+    problems->last->hint = format_message(problems->arena, hint, arguments);
+    va_end(arguments);
+}
+
+size_t yk_problems_count(const YkProblems *problems)
+{
+    return problems ? problems->count : 0;
+}
+
+size_t yk_problems_error_count(const YkProblems *problems)
+{
+    size_t errors = 0;
+    for (size_t i = 0; i < yk_problems_count(problems); i++) errors += problems->items[i].severity == YK_ERROR;
+    return errors;
+}
+
+const YkProblem *yk_problems_get(const YkProblems *problems, size_t index)
+{
+    return index < yk_problems_count(problems) ? &problems->items[problems->order[index]] : NULL;
+}

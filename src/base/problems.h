@@ -1,0 +1,17 @@
+// The inside of YkProblems: how rooms report what they find.
+#ifndef BASE_PROBLEMS_H
+#define BASE_PROBLEMS_H
+#include <stdarg.h>
+#include <yoke/problem.h>
+#include "base/codes.h"
+
+enum { YK_PROBLEMS_MAX = 200 }; // after so many, one last problem says that there are more
+// Names the source and keeps a copy of its text for quoting lines (text may be NULL).
+void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length);
+// Adds a problem; message takes the formats of yk_text_format. problems may be NULL (nothing is recorded).
+// Severity comes from the code's entry in codes.def.
+void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...);
+// Adds a hint, formatted likewise, to the problem added last.
+void yk_problem_hint(YkProblems *problems, const char *hint, ...);
+
+#endif

@@ -1,0 +1,200 @@
+// From a closed loop to a block: what is known, what is unknown, and which closed form solves it.
+#include "compile/plan.h"
+
+typedef struct Parts { // of a loop
+    YkTermList known, arm[2];
+    int32_t root[2];
+    size_t angles;
+    YkTerm line[2];    // unknown distances, with their lines
+    bool line_turns[2];// the line belongs to an unknown orientation
+    size_t lines;
+    bool too_many;
+} Parts;
+
+static size_t angle_column(Parts *p, int32_t root)
+{
+    for (size_t k = 0; k < p->angles; k++)
+        if (p->root[k] == root) return k;
+    if (p->angles == 2) {
+        p->too_many = true;
+        return 0;
+    }
+    p->root[p->angles] = root;
+    return p->angles++;
+}
+
+static void sort_term(const YkPlan *plan, Parts *p, YkTerm term)
+{
+    const YkMechanism *mech = plan->mech;
+    int32_t root = mech->group_root[term.slot];
+    bool open_distance = term.distance != YK_NONE && !plan->distance_known[term.distance];
+    if (!open_distance && plan->root_known[root]) {
+        yk_terms_add(&p->known, term, 1);
+        return;
+    }
+    if (!plan->root_known[root]) {
+        size_t k = angle_column(p, root);
+        term.slot = mech->relative_slot[term.slot];
+        if (!open_distance) yk_terms_add(&p->arm[k], term, 1);
+    }
+    if (!open_distance) return;
+    if (p->lines == 2) {
+        p->too_many = true;
+        return;
+    }
+    p->line_turns[p->lines] = !plan->root_known[root];
+    p->line[p->lines++] = term;
+}
+
+static void sort_terms(const YkPlan *plan, Parts *p)
+{
+    const YkTermList *list = &plan->list;
+    yk_terms_clear(&p->known);
+    yk_terms_clear(&p->arm[0]);
+    yk_terms_clear(&p->arm[1]);
+    p->known.constant = list->constant;
+    p->known.plus = list->plus;
+    p->known.minus = list->minus;
+    for (size_t k = 0; k < list->count; k++) sort_term(plan, p, list->items[k]);
+}
+
+static bool is_zero_arm(const YkTermList *arm) { return arm->count == 0 && yk_norm(arm->constant) == 0; }
+
+static bool are_parallel(const YkTerm *a, const YkTerm *b) { return a->slot == b->slot && fabs(yk_cross(a->v, b->v)) < 1e-12; }
+
+// Which kind the parts make; false where they make none that can be solved.
+static bool kind_of(const Parts *p, YkBlockKind *kind)
+{
+    if (p->too_many) return false;
+    if (p->angles == 2 && p->lines == 0) {
+        *kind = YK_BLOCK_RRR;
+        return !is_zero_arm(&p->arm[0]) && !is_zero_arm(&p->arm[1]);
+    }
+    if (p->angles == 1 && p->lines == 1) {
+        *kind = p->line_turns[0] ? YK_BLOCK_RPR : YK_BLOCK_RRP;
+        return p->line_turns[0] || !is_zero_arm(&p->arm[0]);
+    }
+    if (p->angles == 0 && p->lines == 2) {
+        *kind = YK_BLOCK_PP;
+        return !are_parallel(&p->line[0], &p->line[1]);
+    }
+    *kind = p->angles + p->lines == 0 ? YK_BLOCK_CHECK : YK_BLOCK_LINK;
+    return p->angles == 0 || !is_zero_arm(&p->arm[0]);
+}
+
+// Angles in the order of their orientations, so that a branch's sign does not depend on the way round the loop.
+static void order_angles(Parts *p)
+{
+    if (p->angles < 2 || p->root[0] < p->root[1]) return;
+    YkTermList arm = p->arm[0];
+    int32_t root = p->root[0];
+    p->arm[0] = p->arm[1];
+    p->arm[1] = arm;
+    p->root[0] = p->root[1];
+    p->root[1] = root;
+}
+
+static void order_lines(Parts *p)
+{
+    if (p->lines < 2 || p->line[0].distance < p->line[1].distance) return;
+    YkTerm line = p->line[0];
+    p->line[0] = p->line[1];
+    p->line[1] = line;
+}
+
+YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints, size_t count)
+{
+    YkMechanism *mech = plan->mech;
+    if (!YK_ROOM(mech->blocks, mech->block_count, mech->block_capacity)) {
+        plan->failed = true;
+        return NULL;
+    }
+    YkBlock *block = &mech->blocks[mech->block_count];
+    *block = (YkBlock){.kind = kind, .first_joint = (uint32_t)mech->member_count, .joint_count = (uint32_t)count};
+    // labelled by the joint that closes its loop in the coordinates' tree, otherwise by its middle joint
+    int32_t label = joints[count / 2];
+    for (size_t k = 0; k < count; k++) {
+        const YkJoint *j = &mech->model->joints[joints[k]];
+        if (mech->tree.joint[j->body[0]] != joints[k] && mech->tree.joint[j->body[1]] != joints[k]) label = joints[k];
+        if (!YK_ROOM(mech->block_members, mech->member_count, mech->member_capacity)) {
+            plan->failed = true;
+            return NULL;
+        }
+        mech->block_members[mech->member_count++] = joints[k];
+    }
+    block->label = mech->model->joints[label].name;
+    block->assur_class = kind <= YK_BLOCK_PP ? 2 : 0;
+    block->first_body = (uint32_t)mech->member_count;
+    mech->block_count++;
+    return block;
+}
+
+void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters, size_t count)
+{
+    YkMechanism *mech = plan->mech;
+    block->first_body = (uint32_t)mech->member_count;
+    for (size_t c = 0; c < count; c++)
+        for (uint32_t k = plan->cluster_first[clusters[c]]; k < plan->cluster_first[clusters[c] + 1]; k++) {
+            if (!YK_ROOM(mech->block_members, mech->member_count, mech->member_capacity)) {
+                plan->failed = true;
+                return;
+            }
+            mech->block_members[mech->member_count++] = plan->cluster_member[k];
+        }
+    block->body_count = (uint32_t)mech->member_count - block->first_body;
+}
+
+static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
+{
+    YkMechanism *mech = plan->mech;
+    size_t columns = 0;
+    bool ok = yk_terms_store(&p->known, mech, &block->known);
+    for (size_t k = 0; k < p->angles; k++) {
+        ok = ok && yk_terms_store(&p->arm[k], mech, &block->arm[k]);
+        block->arm_is_constant[k] = p->arm[k].count == 0;
+        block->column[columns++] = (YkColumn){false, p->root[k]};
+    }
+    for (size_t k = 0; k < p->lines; k++) {
+        block->line_slot[k] = p->line[k].slot;
+        block->line[k] = p->line[k].v;
+        block->column[columns++] = (YkColumn){true, p->line[k].distance};
+    }
+    block->column_count = (uint32_t)columns;
+    if (!ok) plan->failed = true;
+}
+
+static void note_redundant(YkPlan *plan, const YkBlock *block)
+{
+    YkMechanism *mech = plan->mech;
+    if (block->kind != YK_BLOCK_LINK && block->kind != YK_BLOCK_CHECK) return;
+    if (!YK_ROOM(mech->redundant, mech->redundant_count, mech->redundant_capacity)) {
+        plan->failed = true;
+        return;
+    }
+    mech->redundant[mech->redundant_count++] = mech->block_members[block->first_joint + block->joint_count - 1];
+}
+
+bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count, size_t expected)
+{
+    Parts parts = {0};
+    YkBlockKind kind;
+    sort_terms(plan, &parts);
+    order_angles(&parts);
+    order_lines(&parts);
+    bool is_block = kind_of(&parts, &kind) && parts.angles + parts.lines == expected;
+    if (is_block) {
+        YkBlock *block = yk_plan_new_block(plan, kind, joints, count);
+        if (block) {
+            fill_block(plan, block, &parts);
+            note_redundant(plan, block);
+            yk_plan_step(plan, (YkStep){.kind = YK_STEP_BLOCK, .target = (int32_t)plan->mech->block_count - 1});
+            YkColumn learned[2] = {block->column[0], block->column[1]};
+            for (size_t k = 0; k < expected; k++) yk_plan_learn(plan, learned[k]);
+        }
+    }
+    if (parts.known.failed || parts.arm[0].failed || parts.arm[1].failed) plan->failed = true;
+    yk_terms_free(&parts.known);
+    yk_terms_free(&parts.arm[0]);
+    yk_terms_free(&parts.arm[1]);
+    return is_block;
+}

@@ -1,0 +1,135 @@
+// Channels: names of numbers that can be asked of a pose.
+#include <string.h>
+#include "base/problems.h"
+#include "base/text.h"
+#include "compile/mechanism.h"
+
+enum { NAME_MAX = 240 };
+
+static bool cut_suffix(char *name, const char *suffix)
+{
+    size_t n = strlen(name), m = strlen(suffix);
+    if (n <= m || strcmp(name + n - m, suffix) != 0) return false;
+    name[n - m] = 0;
+    return true;
+}
+
+static int find_joint(const YkMechanism *mech, const char *name) { return yk_names_find(&mech->model->joint_names, name); }
+static int find_body(const YkMechanism *mech, const char *name) { return yk_names_find(&mech->model->body_names, name); }
+
+static YkQuantity quantity_of(bool is_length, int order)
+{
+    static const YkQuantity lengths[] = {YK_QUANTITY_LENGTH, YK_QUANTITY_SPEED, YK_QUANTITY_ACCELERATION};
+    static const YkQuantity angles[] = {YK_QUANTITY_ANGLE, YK_QUANTITY_ANGLE_RATE, YK_QUANTITY_ANGLE_ACCELERATION};
+    return is_length ? lengths[order] : angles[order];
+}
+
+static bool set(YkChannel *channel, YkChannelKind kind, int index, int order, bool is_length)
+{
+    if (index < 0) return false;
+    *channel = (YkChannel){kind, index, order, quantity_of(is_length, order)};
+    return true;
+}
+
+static int find_block(const YkMechanism *mech, const char *label)
+{
+    for (size_t b = 0; b < mech->block_count; b++)
+        if (strcmp(mech->blocks[b].label, label) == 0) return (int)b;
+    return -1;
+}
+
+static bool parse_point(const YkMechanism *mech, char *name, int order, YkChannel *channel)
+{
+    if (cut_suffix(name, ".x")) return set(channel, YK_CHANNEL_POINT_X, yk_names_find(&mech->model->point_names, name), order, true);
+    if (cut_suffix(name, ".y")) return set(channel, YK_CHANNEL_POINT_Y, yk_names_find(&mech->model->point_names, name), order, true);
+    if (order == 0 && cut_suffix(name, ".speed")) {
+        if (!set(channel, YK_CHANNEL_POINT_SPEED, yk_names_find(&mech->model->point_names, name), 0, true)) return false;
+        channel->quantity = YK_QUANTITY_SPEED;
+        return true;
+    }
+    return false;
+}
+
+static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
+{
+    int order = cut_suffix(name, ".rate") ? 1 : cut_suffix(name, ".accel") ? 2 : 0;
+    if (strcmp(name, "t") == 0 && order == 0) {
+        *channel = (YkChannel){YK_CHANNEL_TIME, 0, 0, YK_QUANTITY_TIME};
+        return true;
+    }
+    int found = yk_coordinate_find(mech, name);
+    if (found >= 0) return set(channel, YK_CHANNEL_COORDINATE, found, order, mech->coordinates[found].is_distance);
+    if (order > 0 && find_body(mech, name) >= 0) return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
+    if (parse_point(mech, name, order, channel)) return true;
+    if (order == 0 && cut_suffix(name, ".transmission")) return set(channel, YK_CHANNEL_TRANSMISSION, find_block(mech, name), 0, false);
+    if (cut_suffix(name, ".angle")) {
+        int joint = find_joint(mech, name);
+        if (joint >= 0 && yk_part(mech->model->joints[joint].kind)->turns) return set(channel, YK_CHANNEL_JOINT_ANGLE, joint, order, false);
+        return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
+    }
+    if (cut_suffix(name, ".distance")) {
+        int joint = find_joint(mech, name);
+        if (joint >= 0 && mech->joint_distance[joint] == YK_NONE) return false;
+        return set(channel, YK_CHANNEL_JOINT_DISTANCE, joint, order, true);
+    }
+    return false;
+}
+
+static void suggest(const YkMechanism *mech, const char *name, YkProblems *problems)
+{
+    const char *near = NULL, *one;
+    for (size_t k = 0; k < mech->coordinate_count && k < 10000 && !near; k++) {
+        one = mech->coordinates[k].name;
+        near = yk_nearest(name, &one, 1);
+    }
+    if (near)
+        yk_problem_hint(problems, "did you mean %q?", near);
+    else
+        yk_problem_hint(problems, "ask for a coordinate (theta2, theta2.rate, theta2.accel), a body (lever.angle), a point (ram.C.x) "
+                                  "or a transmission angle (C.transmission)");
+}
+
+YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems)
+{
+    char copy[NAME_MAX];
+    size_t n = strlen(name);
+    if (n < NAME_MAX) {
+        memcpy(copy, name, n + 1);
+        if (parse(mech, copy, channel)) return YK_OK;
+    }
+    yk_problem(problems, YK_CODE_UNKNOWN_CHANNEL, (YkPlace){0}, "%q names nothing that can be asked of this machine", name);
+    suggest(mech, name, problems);
+    return YK_BAD_ARGUMENT;
+}
+
+size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, size_t capacity)
+{
+    static const char *const orders[] = {"", ".rate", ".accel"};
+    YkText name = {0};
+    const YkModel *model = mech->model;
+    switch (channel.kind) {
+    case YK_CHANNEL_TIME: yk_text_puts(&name, "t"); break;
+    case YK_CHANNEL_COORDINATE: yk_text_puts(&name, mech->coordinates[channel.index].name); break;
+    case YK_CHANNEL_JOINT_ANGLE: yk_text_format(&name, "%s.angle", model->joints[channel.index].name); break;
+    case YK_CHANNEL_JOINT_DISTANCE: yk_text_format(&name, "%s.distance", model->joints[channel.index].name); break;
+    case YK_CHANNEL_BODY: yk_text_format(&name, "%s.angle", model->bodies[channel.index].name); break;
+    case YK_CHANNEL_TRANSMISSION: yk_text_format(&name, "%s.transmission", mech->blocks[channel.index].label); break;
+    case YK_CHANNEL_POINT_X:
+    case YK_CHANNEL_POINT_Y:
+    case YK_CHANNEL_POINT_SPEED: {
+        const YkPoint *p = &model->points[channel.index];
+        const char *what = channel.kind == YK_CHANNEL_POINT_X ? "x" : channel.kind == YK_CHANNEL_POINT_Y ? "y" : "speed";
+        yk_text_format(&name, "%s.%s.%s", model->bodies[p->body].name, p->name, what);
+        break;
+    }
+    }
+    yk_text_puts(&name, orders[channel.order]);
+    const char *data = yk_text_get(&name);
+    size_t length = strlen(data), n = capacity > 0 && length >= capacity ? capacity - 1 : length;
+    if (capacity > 0) {
+        memcpy(text, data, n);
+        text[n] = 0;
+    }
+    yk_text_free(&name);
+    return length;
+}

@@ -1,0 +1,52 @@
+// The entry: model -> mechanism.
+#include <stdlib.h>
+#include "base/problems.h"
+#include "compile/closure.h"
+#include "compile/inputs.h"
+#include "compile/plan.h"
+
+YkCompileOptions yk_default_compile_options(void) { return (YkCompileOptions){NULL, 0}; }
+
+void yk_mechanism_free(YkMechanism *mech)
+{
+    if (!mech) return;
+    free(mech->steps);
+    free(mech->blocks);
+    free(mech->block_members);
+    free(mech->group_columns);
+    free(mech->group_loops);
+    free(mech->terms);
+    free(mech->redundant);
+    yk_arena_free(mech->arena);
+    free(mech);
+}
+
+static bool build(YkMechanism *mech, const YkCompileOptions *options, YkProblems *problems)
+{
+    YkIncidence incidence = {0};
+    mech->arena = yk_arena_new();
+    if (!mech->arena || !yk_incidence_build(&incidence, mech->arena, mech->model)) return false;
+    if (!yk_topology_orientations(mech, &incidence, problems)) return false;
+    if (!yk_topology_tree(mech, &incidence, problems)) return false;
+    mech->group_root = YK_NEW(mech->arena, int32_t, mech->orientation_count);
+    mech->relative_slot = YK_NEW(mech->arena, int32_t, mech->orientation_count);
+    mech->inputs = YK_NEW(mech->arena, int32_t, mech->coordinate_count + 1);
+    if (yk_arena_failed(mech->arena)) return false;
+    return yk_inputs_choose(mech, &incidence, options, problems);
+}
+
+YkMechanism *yk_mechanism_compile(const YkModel *model, const YkCompileOptions *options, YkProblems *problems)
+{
+    YkCompileOptions defaults = yk_default_compile_options();
+    YkMechanism *mech = calloc(1, sizeof *mech);
+    size_t errors = yk_problems_error_count(problems);
+    if (mech) {
+        mech->model = model;
+        mech->size = model->size;
+        if (build(mech, options ? options : &defaults, problems)) return mech;
+    }
+    if (problems && yk_problems_error_count(problems) == errors)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while compiling the machine");
+    yk_mechanism_free(mech);
+    return NULL;
+}

@@ -1,0 +1,104 @@
+// What callers ask of a mechanism.
+#include <string.h>
+#include "compile/mechanism.h"
+
+const YkModel *yk_mechanism_model(const YkMechanism *mech) { return mech->model; }
+double yk_mechanism_size(const YkMechanism *mech) { return mech->size; }
+
+size_t yk_coordinate_count(const YkMechanism *mech) { return mech->coordinate_count; }
+
+YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
+{
+    const YkTreeCoordinate *c = &mech->coordinates[coordinate];
+    return (YkCoordinateInfo){c->name, (size_t)c->joint, c->is_distance, c->is_declared, c->drive != YK_NONE, c->input};
+}
+
+int yk_coordinate_find(const YkMechanism *mech, const char *name)
+{
+    for (size_t k = 0; k < mech->coordinate_count; k++)
+        if (strcmp(mech->coordinates[k].name, name) == 0) return (int)k;
+    return -1;
+}
+
+int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance)
+{
+    size_t low = 0, high = mech->coordinate_count; // in the order of their joints
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (mech->coordinates[middle].joint < joint)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < mech->coordinate_count && mech->coordinates[low].joint == joint; low++)
+        if (mech->coordinates[low].is_distance == is_distance) return (int32_t)low;
+    return YK_NONE;
+}
+
+size_t yk_input_count(const YkMechanism *mech) { return mech->input_count; }
+size_t yk_input_coordinate(const YkMechanism *mech, size_t input) { return (size_t)mech->inputs[input]; }
+
+YkFreedom yk_mechanism_freedom(const YkMechanism *mech)
+{
+    YkFreedom f = {.gruebler = mech->gruebler, .by_rank = (int)mech->input_count};
+    f.redundant = (size_t)(f.by_rank - f.gruebler);
+    for (size_t k = 0; k < mech->coordinate_count; k++) f.driven += mech->coordinates[k].drive != YK_NONE;
+    return f;
+}
+
+size_t yk_loop_count(const YkMechanism *mech) { return mech->loop_count; }
+size_t yk_loop_joint(const YkMechanism *mech, size_t loop) { return (size_t)mech->loops[loop].joint; }
+
+static int32_t meeting(const YkTree *tree, int32_t a, int32_t b)
+{
+    while (a != b) {
+        if (tree->depth[a] >= tree->depth[b])
+            a = tree->parent[a];
+        else
+            b = tree->parent[b];
+    }
+    return a;
+}
+
+// From the joint's first body up to where both ends' paths meet, and down to its second body.
+size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity)
+{
+    const YkJoint *joint = &mech->model->joints[mech->loops[loop].joint];
+    const YkTree *tree = &mech->tree;
+    int32_t top = meeting(tree, joint->body[0], joint->body[1]);
+    size_t up = (size_t)(tree->depth[joint->body[0]] - tree->depth[top]), down = (size_t)(tree->depth[joint->body[1]] - tree->depth[top]);
+    size_t place = 0;
+    for (int32_t b = joint->body[0]; place <= up; b = tree->parent[b], place++)
+        if (place < capacity) bodies[place] = (size_t)b;
+    place = up + down;
+    for (int32_t b = joint->body[1]; b != top; b = tree->parent[b], place--)
+        if (place < capacity) bodies[place] = (size_t)b;
+    return up + down + 1;
+}
+
+size_t yk_block_count(const YkMechanism *mech) { return mech->block_count; }
+
+YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
+{
+    const YkBlock *b = &mech->blocks[block];
+    return (YkBlockInfo){b->kind, b->label, b->assur_class, b->column_count, b->kind == YK_BLOCK_GROUP ? 2 * b->loop_count : 2,
+                         b->joint_count, b->body_count};
+}
+
+size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
+{
+    return (size_t)mech->block_members[mech->blocks[block].first_joint + index];
+}
+size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index)
+{
+    return (size_t)mech->block_members[mech->blocks[block].first_body + index];
+}
+
+const char *yk_block_kind_name(YkBlockKind kind)
+{
+    static const char *const names[] = {"RRR dyad", "RRP dyad", "RPR dyad", "PP dyad", "redundant link", "redundant loop", "group"};
+    return names[kind];
+}
+
+size_t yk_redundant_count(const YkMechanism *mech) { return mech->redundant_count; }
+size_t yk_redundant_joint(const YkMechanism *mech, size_t index) { return (size_t)mech->redundant[index]; }

@@ -1,0 +1,202 @@
+#include "compile/inputs.h"
+#include <string.h>
+#include "base/problems.h"
+#include "compile/closure.h"
+#include "compile/plan.h"
+#include "num/matching.h"
+
+typedef struct Choice {
+    YkMechanism *mech;
+    const YkIncidence *incidence;
+    YkArena *arena;
+    YkProblems *problems;
+    int32_t *candidates;   // coordinates in order of preference
+    bool *is_candidate, *accepted;
+    size_t count, wanted, driven; // the first `wanted` were asked for, the next `driven` have drives
+} Choice;
+
+static void propose(Choice *c, int32_t coordinate)
+{
+    if (coordinate == YK_NONE || c->is_candidate[coordinate]) return;
+    c->is_candidate[coordinate] = true;
+    c->candidates[c->count++] = coordinate;
+}
+
+static void propose_declared(Choice *c, int32_t declared)
+{
+    const YkCoordinate *d = &c->mech->model->coordinates[declared];
+    propose(c, yk_tree_coordinate(c->mech, d->joint, d->is_distance));
+}
+
+static bool propose_all(Choice *c, const YkCompileOptions *options)
+{
+    YkMechanism *mech = c->mech;
+    const YkModel *model = mech->model;
+    for (size_t i = 0; i < options->input_count; i++) {
+        int found = yk_coordinate_find(mech, options->inputs[i]);
+        if (found < 0) {
+            yk_problem(c->problems, YK_CODE_UNKNOWN_INPUT, (YkPlace){0}, "there is no coordinate %q", options->inputs[i]);
+            yk_problem_hint(c->problems, "`yoke check` lists the coordinates of the machine");
+            return false;
+        }
+        propose(c, found);
+    }
+    c->wanted = c->count;
+    for (size_t k = 0; k < model->drive_count; k++) propose_declared(c, model->drives[k].coordinate);
+    c->driven = c->count - c->wanted;
+    for (size_t k = 0; k < model->start_count; k++)
+        if (!model->starts[k].is_rate) propose_declared(c, model->starts[k].coordinate);
+    for (size_t k = 0; k < model->start_count; k++) propose_declared(c, model->starts[k].coordinate);
+    for (size_t k = 0; k < mech->coordinate_count; k++) propose(c, (int32_t)k);
+    return true;
+}
+
+// Structural independence: each loop's two equations matched with its variables, then one equation a held coordinate.
+static bool accept_by_structure(Choice *c)
+{
+    YkMechanism *mech = c->mech;
+    size_t o = mech->orientation_count, columns = o + mech->distance_count, rows = 2 * mech->loop_count + c->count;
+    size_t entries = 2 * c->count, most = 1;
+    for (size_t l = 0; l < mech->loop_count; l++) {
+        entries += 4 * (size_t)mech->loops[l].sum.count;
+        if (mech->loops[l].sum.count > most) most = mech->loops[l].sum.count;
+    }
+    YkMatching m;
+    int32_t *row = YK_NEW(c->arena, int32_t, 2 * most + 2);
+    if (!row || !yk_matching_start(&m, c->arena, columns, rows, entries)) return false;
+    size_t matched = 0;
+    for (size_t l = 0; l < mech->loop_count; l++) {
+        const YkSum *sum = &mech->loops[l].sum;
+        size_t n = 0;
+        for (uint32_t k = 0; k < sum->count; k++) {
+            YkTerm t = mech->terms[sum->first + k];
+            if (t.slot > 0) row[n++] = t.slot;
+            if (t.distance != YK_NONE) row[n++] = (int32_t)o + t.distance;
+        }
+        for (int twice = 0; twice < 2; twice++) matched += yk_matching_add(&m, row, n, true);
+    }
+    size_t freedom = columns - 1 - matched; // column 0 is the ground's orientation
+    for (size_t k = 0; k < c->count && freedom > 0; k++) {
+        const YkTreeCoordinate *q = &mech->coordinates[c->candidates[k]];
+        YkJointAngle angle = yk_joint_angle(mech, q->joint);
+        size_t n = 0;
+        if (q->is_distance)
+            row[n++] = (int32_t)o + q->distance;
+        else if (angle.a != angle.b)
+            for (int end = 0; end < 2; end++)
+                if ((end ? angle.b : angle.a) > 0) row[n++] = end ? angle.b : angle.a;
+        if (n > 0 && yk_matching_add(&m, row, n, false)) {
+            c->accepted[k] = true;
+            freedom--;
+        }
+    }
+    return true;
+}
+
+static void take_accepted(Choice *c)
+{
+    YkMechanism *mech = c->mech;
+    mech->input_count = 0;
+    for (size_t k = 0; k < mech->coordinate_count; k++) mech->coordinates[k].input = YK_NONE;
+    for (size_t k = 0; k < c->count; k++) {
+        if (!c->accepted[k]) continue;
+        mech->coordinates[c->candidates[k]].input = (int32_t)mech->input_count;
+        mech->inputs[mech->input_count++] = c->candidates[k];
+    }
+}
+
+// Where groups are left or constraints repeat, counting is not enough: the rank of the assembled machine decides.
+static bool accept_by_rank(Choice *c)
+{
+    YkMechanism *mech = c->mech;
+    if (yk_variable_count(mech) > YK_CLOSURE_MAX) return true;
+    double *guess = YK_NEW(c->arena, double, mech->coordinate_count + 1);
+    bool *accepted = YK_NEW(c->arena, bool, c->count + 1);
+    if (!guess || !accepted) return false;
+    yk_inputs_guess(mech, guess);
+    int freedom = yk_closure_freedom(mech, guess, c->candidates, c->count, accepted);
+    if (freedom >= 0) memcpy(c->accepted, accepted, c->count * sizeof *accepted);
+    return true;
+}
+
+void yk_inputs_guess(const YkMechanism *mech, double *guess)
+{
+    const YkModel *model = mech->model;
+    for (size_t k = 0; k < mech->coordinate_count; k++) guess[k] = 0;
+    for (size_t s = 0; s < model->start_count; s++) {
+        const YkStart *start = &model->starts[s];
+        if (start->is_rate) continue;
+        int32_t k = yk_tree_coordinate(mech, model->coordinates[start->coordinate].joint, model->coordinates[start->coordinate].is_distance);
+        if (k != YK_NONE) guess[k] = start->value;
+    }
+    for (size_t k = 0; k < mech->coordinate_count; k++) {
+        YkJet jet;
+        int32_t drive = mech->coordinates[k].drive;
+        if (drive != YK_NONE && yk_model_eval(model, model->drives[drive].expr, 0, &jet, NULL) == YK_OK) guess[k] = jet.d[0];
+    }
+}
+
+static void report_overdriven(Choice *c)
+{
+    YkMechanism *mech = c->mech;
+    size_t used = 0, refused = 0;
+    for (size_t k = 0; k < c->wanted; k++)
+        if (c->accepted[k] && mech->coordinates[c->candidates[k]].drive == YK_NONE) used++;
+    for (size_t k = c->wanted; k < c->wanted + c->driven; k++) {
+        if (c->accepted[k] || refused++ < used) continue;
+        const YkTreeCoordinate *q = &mech->coordinates[c->candidates[k]];
+        yk_problem(c->problems, YK_CODE_OVERDRIVEN, mech->model->drives[q->drive].place,
+                   "%q is driven, but the other drives already fix it: the machine has %z freedom%s", q->name, mech->input_count,
+                   mech->input_count == 1 ? "" : "s");
+        yk_problem_hint(c->problems, "remove a drive, or a joint");
+    }
+    for (size_t k = 0; k < c->wanted; k++) {
+        if (c->accepted[k]) continue;
+        yk_problem(c->problems, YK_CODE_OVERDRIVEN, (YkPlace){0}, "coordinate %q cannot be set as well: the machine has %z freedom%s",
+                   mech->coordinates[c->candidates[k]].name, mech->input_count, mech->input_count == 1 ? "" : "s");
+    }
+}
+
+static bool plan(Choice *c, size_t *missing)
+{
+    YkPlan p;
+    YkArena *scratch = yk_arena_new();
+    bool ok = scratch && yk_plan_make(&p, c->mech, c->incidence, scratch);
+    if (ok) *missing = p.missing;
+    if (scratch) yk_plan_end(&p);
+    yk_arena_free(scratch);
+    return ok;
+}
+
+static bool choose(Choice *c, const YkCompileOptions *options)
+{
+    YkMechanism *mech = c->mech;
+    size_t errors = yk_problems_error_count(c->problems), missing = 0;
+    if (!propose_all(c, options) || !accept_by_structure(c)) return false;
+    take_accepted(c);
+    if (!plan(c, &missing)) return false;
+    if (mech->has_groups || missing > 0) { // twice at most: structure, then rank
+        if (!accept_by_rank(c)) return false;
+        take_accepted(c);
+        if (!plan(c, &missing)) return false;
+    }
+    report_overdriven(c);
+    if (missing > 0)
+        yk_problem(c->problems, YK_CODE_UNDETERMINED, (YkPlace){0},
+                   "%z unknowns of the machine are determined by no loop and no input", missing);
+    return yk_problems_error_count(c->problems) == errors;
+}
+
+bool yk_inputs_choose(YkMechanism *mech, const YkIncidence *incidence, const YkCompileOptions *options, YkProblems *problems)
+{
+    Choice c = {.mech = mech, .incidence = incidence, .problems = problems, .arena = yk_arena_new()};
+    bool ok = c.arena != NULL;
+    if (ok) {
+        c.candidates = YK_NEW(c.arena, int32_t, mech->coordinate_count + 1);
+        c.is_candidate = YK_NEW(c.arena, bool, mech->coordinate_count + 1);
+        c.accepted = YK_NEW(c.arena, bool, mech->coordinate_count + 1);
+        ok = !yk_arena_failed(c.arena) && choose(&c, options);
+    }
+    yk_arena_free(c.arena);
+    return ok;
+}

@@ -1,0 +1,133 @@
+// The inside of YkMechanism: the machine as sums of turned vectors, and the steps that solve it.
+//
+// Bodies that never turn against each other (joined by slides and welds) share an *orientation* o with one unit vector
+// e^(i Phi_o); a body keeps a constant angle `turn` to it. A joint that slides has a *distance* d. Every loop and every position
+// is a sum of vectors v e^(i Phi_o) and d v e^(i Phi_o). Orientation 0 is the ground's.
+// An angle that is an input ties two orientations together: they form a *group*, solved as one unknown.
+#ifndef COMPILE_MECHANISM_H
+#define COMPILE_MECHANISM_H
+#include <stdbool.h>
+#include <stdint.h>
+#include <yoke/mechanism.h>
+#include "model/model.h"
+
+// v e^(i Phi_slot), times the distance where there is one. Slots: the orientations, then their relative orientations.
+typedef struct YkTerm {
+    int32_t slot;      // 0: the ground
+    int32_t distance;  // or YK_NONE
+    YkVec v;
+} YkTerm;
+
+// constant + node[plus] - node[minus] + terms[first .. first + count)
+typedef struct YkSum {
+    YkVec constant;
+    int32_t plus, minus; // nodes, or YK_NONE
+    uint32_t first, count;
+} YkSum;
+
+// A spanning forest over the bodies: how to walk from body to body.
+typedef struct YkTree {
+    int32_t *parent, *joint; // YK_NONE at a root
+    int32_t *depth;
+} YkTree;
+
+typedef struct YkPlacing { // where a body is
+    int32_t orientation;
+    double turn;           // angle of the body to its orientation, rad
+    YkVec turn_unit;
+    YkSum origin;          // of the body's origin in the world; valid for bodies placed
+} YkPlacing;
+
+// A coordinate of the spanning tree.
+typedef struct YkTreeCoordinate {
+    const char *name;
+    int32_t joint;
+    bool is_distance, is_declared;
+    int32_t drive;         // of the model, or YK_NONE
+    int32_t input;         // or YK_NONE
+    int32_t distance;      // its distance variable, or YK_NONE
+} YkTreeCoordinate;
+
+typedef struct YkLoop {    // of the spanning tree: first body's point minus the second's
+    int32_t joint;
+    YkSum sum;             // slots are orientations; all distances included; no nodes
+} YkLoop;
+
+typedef enum YkStepKind {
+    YK_STEP_TURN,      // slot = parent slot turned by input
+    YK_STEP_COMPOSE,   // slot = parent slot turned by slot `other`
+    YK_STEP_DISTANCE,  // distance = input
+    YK_STEP_NODE,      // node = sum
+    YK_STEP_BLOCK      // solve a block
+} YkStepKind;
+
+typedef struct YkStep {
+    YkStepKind kind;
+    int32_t target;    // slot, distance, node or block
+    int32_t parent, other, input;
+    double offset, sign;
+    YkSum sum;
+} YkStep;
+
+typedef struct YkColumn { // an unknown
+    bool is_distance;
+    int32_t index;        // orientation (a group's root) or distance
+} YkColumn;
+
+typedef struct YkBlock {
+    YkBlockKind kind;
+    const char *label;
+    int32_t assur_class;
+    uint32_t first_joint, joint_count; // in block_members
+    uint32_t first_body, body_count;   // in block_members
+    // dyads: known part, arms (in relative slots, in the axes of the unknown), lines
+    YkSum known;
+    YkSum arm[2];                      // RRR: U, W; RRP: W; RPR: C; LINK: U
+    bool arm_is_constant[2];
+    int32_t line_slot[2];              // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
+    YkVec line[2];                     // constant unit vectors
+    YkColumn column[2];                // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
+    // groups
+    uint32_t first_column, column_count; // in group_columns
+    uint32_t first_loop, loop_count;     // in group_loops: all terms, known and unknown
+} YkBlock;
+
+struct YkMechanism {
+    YkArena *arena;
+    const YkModel *model;
+    double size;
+    // topology
+    YkPlacing *bodies;
+    size_t orientation_count, distance_count;
+    int32_t *orientation_body;       // a body of each orientation (the one with turn 0)
+    int32_t *joint_distance;         // per joint: its distance variable, or YK_NONE
+    YkTree tree;                     // of the coordinates
+    YkTreeCoordinate *coordinates; size_t coordinate_count;
+    YkLoop *loops;                 size_t loop_count;
+    int32_t *inputs;               size_t input_count;      // coordinates
+    // groups of orientations tied by inputs
+    int32_t *group_root;             // per orientation
+    int32_t *relative_slot;          // per orientation: slot of e^(i (Phi_o - Phi_root)); 0 at a root
+    size_t slot_count, node_count;
+    // solution
+    YkStep *steps;                 size_t step_count, step_capacity;
+    YkBlock *blocks;               size_t block_count, block_capacity;
+    int32_t *block_members;        size_t member_count, member_capacity;
+    YkColumn *group_columns;       size_t column_count, column_capacity;
+    YkSum *group_loops;            size_t group_loop_count, group_loop_capacity;
+    YkTerm *terms;                 size_t term_count, term_capacity;
+    int32_t *redundant;            size_t redundant_count, redundant_capacity; // joints
+    size_t largest_group;            // columns
+    bool has_groups;
+    int gruebler;
+};
+
+// Where a coordinate, an angle of any joint, comes from: angle = Phi_b - Phi_a + offset.
+typedef struct YkJointAngle { int32_t a, b; double offset; } YkJointAngle;
+YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
+// The tree's coordinate of a joint, or YK_NONE. O(log coordinates).
+int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
+// A body's point as a sum, appended to nothing: origin plus one term. The term is returned apart.
+YkTerm yk_body_term(const YkMechanism *mech, int32_t body, YkVec at);
+
+#endif

@@ -1,0 +1,29 @@
+// Building sums of turned vectors.
+#ifndef COMPILE_TERMS_H
+#define COMPILE_TERMS_H
+#include "compile/mechanism.h"
+
+// A sum under construction: like terms merge, what cancels exactly vanishes.
+typedef struct YkTermList {
+    YkVec constant;
+    int32_t plus, minus;
+    YkTerm *items;
+    size_t count, capacity;
+    bool failed; // out of memory
+} YkTermList;
+
+void yk_terms_free(YkTermList *list);
+void yk_terms_clear(YkTermList *list);
+void yk_terms_add(YkTermList *list, YkTerm term, double sign);
+// The point `at` of a body, from the body's origin.
+void yk_terms_add_point(YkTermList *list, const YkMechanism *mech, int32_t body, YkVec at, double sign);
+// A body's origin in the world (a body already placed).
+void yk_terms_add_origin(YkTermList *list, const YkMechanism *mech, int32_t body, double sign);
+// From the origin of body `from` over `joint` to the origin of its other body.
+void yk_terms_cross(YkTermList *list, const YkMechanism *mech, int32_t joint, int32_t from, double sign);
+// From the origin of `from` to the origin of `to` along the tree. Cost: length of the path.
+void yk_terms_walk(YkTermList *list, const YkMechanism *mech, const YkTree *tree, int32_t from, int32_t to);
+// Moves the list into the mechanism's terms. false when out of memory.
+bool yk_terms_store(const YkTermList *list, YkMechanism *mech, YkSum *sum);
+
+#endif

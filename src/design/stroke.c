@@ -1,0 +1,47 @@
+// The stroke of a machine whose input turns through: extreme positions and time ratio.
+#include <yoke/design.h>
+#include <stdlib.h>
+#include "base/vec.h"
+
+static YkStatus read_extremes(const YkSweep *sweep, YkStroke *stroke)
+{
+    size_t maxima = 0, minima = 0;
+    for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+        YkEvent e = yk_sweep_event(sweep, k);
+        if (e.kind != YK_EVENT_EXTREME) continue;
+        if (e.is_maximum) {
+            maxima++;
+            stroke->high = e.value;
+            stroke->high_at = e.at;
+        } else {
+            minima++;
+            stroke->low = e.value;
+            stroke->low_at = e.at;
+        }
+    }
+    return maxima == 1 && minima == 1 ? YK_OK : YK_BAD_ARGUMENT;
+}
+
+YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke)
+{
+    const YkMechanism *mech = yk_state_mechanism(state);
+    YkSweepOptions options = yk_default_sweep_options();
+    options.coordinate = (int)yk_input_coordinate(mech, input);
+    options.from = yk_state_input(state, input).position;
+    // a little more than a turn, so that an extreme at the very start is passed; what lies in the surplus counts once
+    options.to = options.from + 2 * YK_PI;
+    options.steps = 360;
+    YkState *probe = yk_state_new(mech);
+    if (!probe) return YK_NO_MEMORY;
+    yk_state_copy(probe, state);
+    YkSweep *sweep = yk_sweep_run(probe, &options, &channel, 1, NULL);
+    YkStatus status = sweep ? yk_sweep_status(sweep) : YK_NO_MEMORY;
+    if (sweep && status >= 0) status = read_extremes(sweep, stroke);
+    if (status == YK_OK) {
+        double there = fabs(yk_nearest_turn(stroke->high_at - stroke->low_at, YK_PI)), back = 2 * YK_PI - there;
+        stroke->ratio = there > back ? there / back : back / there;
+    }
+    yk_sweep_free(sweep);
+    yk_state_free(probe);
+    return status;
+}

@@ -1,0 +1,12 @@
+// The functions of expressions, by name.
+#ifndef EXPR_FUNCTION_H
+#define EXPR_FUNCTION_H
+#include "expr/expr.h"
+
+const char *yk_function_name(YkFunction function);
+int yk_function_arity(YkFunction function); // 1 or 2
+bool yk_function_find(const char *name, YkFunction *function);
+// What somebody may have meant who wrote an unknown function, or NULL.
+const char *yk_function_nearest(const char *name);
+
+#endif

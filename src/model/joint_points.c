@@ -1,0 +1,68 @@
+// Where a joint sits on each of its two bodies.
+#include <string.h>
+#include "model/load.h"
+
+// Pin and weld: one point known to both bodies, by the name in `at:` or by the joint's own name. On neither: both origins.
+static void share_point(YkLoader *loader, YkJoint *joint, const YkNode *at)
+{
+    const YkModel *model = loader->model;
+    const char *name = at ? at->text : joint->name;
+    for (int k = 0; k < 2; k++) joint->point[k] = yk_load_find_point(loader, joint->body[k], name);
+    if (joint->point[0] != YK_NONE && joint->point[1] != YK_NONE) return;
+    const char *kind = yk_part(joint->kind)->key;
+    const char *a = model->bodies[joint->body[0]].name, *b = model->bodies[joint->body[1]].name;
+    YkPlace place = at ? at->place : joint->place;
+    if (joint->point[0] == joint->point[1]) {
+        if (!at) return;
+        yk_problem(loader->problems, YK_CODE_POINT_ON_NEITHER, place, "%s %q: neither %q nor %q has a point %q", kind,
+                   joint->name, a, b, name);
+        const YkBody *body = &model->bodies[joint->body[1]];
+        const YkPoint *first = body->point_count ? model->points + body->first_point : NULL;
+        yk_load_hint_nearest(loader->problems, name, first, (size_t)body->point_count, sizeof *first);
+    } else if (!loader->has_unsupported) {
+        bool is_on_a = joint->point[0] != YK_NONE;
+        const char *with = is_on_a ? a : b, *without = is_on_a ? b : a;
+        yk_problem(loader->problems, YK_CODE_POINT_ON_ONE_BODY, place, "%s %q: %q has the point %q, but %q has not",
+                   kind, joint->name, with, name, without);
+        yk_problem_hint(loader->problems, "add `%s: [0, 0]` to the points of `%s`, in its own axes", name, without);
+    }
+}
+
+static int32_t named_point(YkLoader *loader, int32_t body, const YkNode *name)
+{
+    return name ? yk_load_point(loader, body, name) : YK_NONE;
+}
+
+void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node)
+{
+    const YkNode *at = yk_node_get(node, "at"), *from = yk_node_get(node, "from"), *to = yk_node_get(node, "to");
+    switch (joint->kind) {
+    case YK_PIN:
+    case YK_WELD:
+        if (at && !yk_load_expect(loader, at, YK_NODE_SCALAR, &(YkSubject){.noun = "at", .owner = joint->name})) return;
+        share_point(loader, joint, at);
+        break;
+    case YK_SLIDE:
+        joint->point[0] = named_point(loader, joint->body[0], from);
+        joint->point[1] = named_point(loader, joint->body[1], to);
+        break;
+    case YK_PIN_SLOT:
+        joint->point[0] = named_point(loader, joint->body[0], from);
+        joint->point[1] = at ? yk_load_point(loader, joint->body[1], at)
+                             : yk_load_find_point(loader, joint->body[1], joint->name);
+        break;
+    default: break;
+    }
+}
+
+void yk_load_finish_joints(YkLoader *loader)
+{
+    YkModel *model = loader->model;
+    for (size_t i = 0; i < model->joint_count; i++) {
+        YkJoint *joint = &model->joints[i];
+        for (int k = 0; k < 2; k++) {
+            joint->at[k] = joint->point[k] == YK_NONE ? yk_vec(0, 0) : model->points[joint->point[k]].at;
+        }
+        if (joint->along_expr) joint->along = yk_unit(joint->along_angle);
+    }
+}

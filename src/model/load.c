@@ -1,0 +1,156 @@
+// The loader: a model file becomes a YkModel, or a list of everything that is wrong with it.
+#include <stdlib.h>
+#include <string.h>
+#include "model/load.h"
+
+static const char *const keys[] = {"name",    "units", "parameters", "gravity", "bodies", "joints", "drives", "start",
+                                   "efforts", "forces", "springs",   "stops",   "gears",  "racks",  "belts",  "cams",
+                                   "laws",    "locks", NULL};
+
+YkLoadOptions yk_default_load_options(void) { return (YkLoadOptions){0}; }
+
+// The file's name without folder and ending.
+static const char *base_name(YkArena *arena, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *start = slash ? slash + 1 : path;
+    const char *dot = strrchr(start, '.');
+    size_t length = dot && dot != start ? (size_t)(dot - start) : strlen(start);
+    if (length == 0 || strcmp(start, "-") == 0) return "machine";
+    return yk_arena_copy(arena, start, length);
+}
+
+static void read_name(YkLoader *loader)
+{
+    YkModel *model = loader->model;
+    const YkNode *name = yk_node_get(loader->root, "name");
+    model->name = base_name(loader->arena, model->source_name);
+    if (yk_load_is_empty(name) || !yk_load_expect(loader, name, YK_NODE_SCALAR, &(YkSubject){.noun = "name"})) return;
+    if (name->length) model->name = name->text;
+}
+
+// First pass: every section, parameters before what uses them, bodies before joints, joints before coordinates.
+static void read_sections(YkLoader *loader)
+{
+    yk_load_check_keys(loader, loader->root, keys, &(YkSubject){.noun = "a model file"});
+    read_name(loader);
+    yk_load_units(loader);
+    yk_load_unsupported(loader);
+    yk_load_parameters(loader);
+    yk_load_overrides(loader);
+    yk_load_gravity(loader);
+    yk_load_bodies(loader);
+    if (loader->model->bodies && !loader->failed && !yk_arena_failed(loader->arena)) {
+        yk_load_joints(loader);
+        yk_load_drives(loader);
+        yk_load_starts(loader);
+        yk_load_efforts(loader);
+        yk_load_unused(loader);
+    }
+}
+
+// Second pass: names, dimensions, values; then what can be said of the machine only with values at hand.
+static void resolve(YkLoader *loader)
+{
+    yk_load_check_uses(loader);
+    yk_load_infer(loader);
+    yk_load_eval_parameters(loader);
+    yk_load_check_overrides(loader);
+    yk_load_eval_uses(loader);
+    yk_load_finish_masses(loader);
+    yk_load_finish_joints(loader);
+    yk_load_check_connected(loader);
+    yk_load_check_links(loader);
+}
+
+static bool is_out_of_memory(const YkLoader *loader)
+{
+    return loader->failed || loader->text.failed || yk_arena_failed(loader->arena);
+}
+
+static void load(YkLoader *loader)
+{
+    if (loader->root->kind != YK_NODE_MAP) {
+        yk_problem(loader->problems, YK_CODE_MODEL_NOT_MAP, loader->root->place,
+                   "a model file is a map of keys, this is %s", yk_node_kind_name(loader->root));
+        return;
+    }
+    read_sections(loader);
+    if (is_out_of_memory(loader)) return;
+    loader->dimensions = yk_dimensions_new(loader->arena, &loader->model->units); // it keeps a copy: after `units:`
+    if (loader->dimensions) resolve(loader);
+}
+
+static YkModel *new_model(const char *name)
+{
+    YkArena *arena = yk_arena_new();
+    YkModel *model = arena ? YK_NEW(arena, YkModel, 1) : NULL;
+    const char *source = model ? yk_arena_copy(arena, name, strlen(name)) : NULL;
+    if (!source) {
+        yk_arena_free(arena);
+        return NULL;
+    }
+    model->arena = arena;
+    model->source_name = source;
+    return model;
+}
+
+// Was there an error among what was reported since there were `errors` of them? A list that is full may have lost some.
+static bool has_new_errors(const YkProblems *problems, size_t errors)
+{
+    size_t now = yk_problems_error_count(problems);
+    return now > errors || (now > 0 && yk_problems_count(problems) > YK_PROBLEMS_MAX);
+}
+
+// Loads into a fresh model; false when there was an error.
+static bool fill(YkModel *model, const char *text, size_t length, const YkLoadOptions *options, YkProblems *problems)
+{
+    size_t errors = yk_problems_error_count(problems);
+    YkLoader loader = {.model = model, .arena = model->arena, .problems = problems, .options = options};
+    loader.root = yk_doc_parse(text, length, model->source_name, model->arena, problems);
+    if (loader.root) load(&loader);
+    bool done = loader.root && !has_new_errors(problems, errors);
+    if (is_out_of_memory(&loader) || (done && !yk_load_size(model))) {
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
+        done = false;
+    }
+    free(loader.uses);
+    yk_names_free(&loader.fixed);
+    yk_text_free(&loader.text);
+    return done;
+}
+
+YkModel *yk_model_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
+                        YkProblems *problems)
+{
+    YkProblems *own = problems ? NULL : yk_problems_new(); // errors are counted even where nobody reads them
+    YkModel *model = problems || own ? new_model(name) : NULL;
+    if (!model) {
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
+    } else if (!fill(model, text, length, options, problems ? problems : own)) {
+        yk_model_free(model);
+        model = NULL;
+    }
+    yk_problems_free(own);
+    return model;
+}
+
+YkModel *yk_model_load(const char *path, const YkLoadOptions *options, YkProblems *problems)
+{
+    size_t length = 0;
+    char *text = yk_doc_read_file(path, &length, problems);
+    YkModel *model = text ? yk_model_parse(text, length, path, options, problems) : NULL;
+    free(text);
+    return model;
+}
+
+void yk_model_free(YkModel *model)
+{
+    if (!model) return;
+    yk_names_free(&model->body_names);
+    yk_names_free(&model->joint_names);
+    yk_names_free(&model->parameter_names);
+    yk_names_free(&model->coordinate_names);
+    yk_names_free(&model->point_names);
+    yk_arena_free(model->arena); // the model itself lies in it
+}

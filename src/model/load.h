@@ -1,0 +1,158 @@
+// The loader's inside: what its files share while a tree of nodes becomes a YkModel.
+//
+// Reading and evaluating are two passes. The first reads every section, and leaves each expression that is more than a
+// number in a list of uses; the second checks the names in them, infers dimensions over the whole file, orders and
+// evaluates the parameters, then fills the targets. A value that could not be had is NaN, which the checks take for
+// "reported already".
+#ifndef MODEL_LOAD_H
+#define MODEL_LOAD_H
+#include "base/problems.h"
+#include "base/text.h"
+#include "doc/node.h"
+#include "model/model.h"
+
+enum { YK_NAME_MAX = 100, YK_COUNT_MAX = 10000000, YK_REPORTED = -2 };
+#define YK_VALUE_MAX 1e100
+
+#define YK_DIM(l, m, t, a) ((YkDimension){.length = (l), .mass = (m), .time = (t), .angle = (a)})
+#define YK_DIM_NUMBER YK_DIM(0, 0, 0, 0)
+#define YK_DIM_ANGLE YK_DIM(0, 0, 0, 1)
+#define YK_DIM_LENGTH YK_DIM(1, 0, 0, 0)
+#define YK_DIM_MASS YK_DIM(0, 1, 0, 0)
+#define YK_DIM_TIME YK_DIM(0, 0, 1, 0)
+#define YK_DIM_ANGLE_RATE YK_DIM(0, 0, -1, 1)
+#define YK_DIM_SPEED YK_DIM(1, 0, -1, 0)
+#define YK_DIM_ANGLE_ACCELERATION YK_DIM(0, 0, -2, 1)
+#define YK_DIM_ACCELERATION YK_DIM(1, 0, -2, 0)
+#define YK_DIM_FORCE YK_DIM(1, 1, -2, 0)
+#define YK_DIM_TORQUE YK_DIM(2, 1, -2, 0)
+#define YK_DIM_INERTIA YK_DIM(2, 1, 0, 0)
+
+// What an expression may mention besides parameters and pi.
+typedef enum YkScope { YK_SCOPE_CONSTANT, YK_SCOPE_TIME, YK_SCOPE_STATE } YkScope;
+
+// What a value is, for messages: "x of point `A` of `link1`" is {"x of ", "point", "A", "link1"}; all but noun optional.
+typedef struct YkSubject {
+    const char *axis, *noun, *part, *owner;
+} YkSubject;
+
+typedef struct YkWant {
+    YkDimension dimension;
+    YkScope scope;
+    YkSubject subject;
+} YkWant;
+
+// An expression waiting for its value.
+typedef struct YkUse {
+    YkExpr *expr;
+    YkDimension dimension;
+    YkScope scope;
+    const char *what;
+    double *target; // SI; NULL where only names and dimensions matter
+    bool is_bad;    // a name in it is unknown
+} YkUse;
+
+typedef struct YkLoader {
+    YkModel *model;
+    YkArena *arena; // the model's
+    YkProblems *problems;
+    const YkNode *root;
+    const YkLoadOptions *options;
+    YkDimensions *dimensions;
+    YkUse *uses;
+    size_t use_count, use_capacity;
+    size_t coordinate_capacity;
+    const YkExpr **replaced; // per parameter: what an override replaced, or NULL
+    YkNames fixed;           // names whose dimension is already fixed
+    YkText text;             // scratch
+    bool has_unsupported;    // gears and the like are there: do not complain about what they would explain
+    bool has_bad_joint;      // a joint's bodies are unknown: connections cannot be judged
+    bool noted_friction;
+    bool failed; // out of memory
+} YkLoader;
+
+// values.c: single values, pairs of values, and what kind a node is.
+const char *yk_load_subject(YkLoader *loader, const YkSubject *subject); // in scratch
+bool yk_load_is_empty(const YkNode *node);                               // nothing, `~` or `null`
+// Is it of this kind? Reports it as wrong or empty otherwise.
+bool yk_load_expect(YkLoader *loader, const YkNode *node, YkNodeKind kind, const YkSubject *subject);
+// The place where the expression of a scalar begins (behind its quote).
+YkPlace yk_load_text_place(const YkNode *node);
+// Reads a scalar; the target gets its value now (a plain number) or in the second pass. NULL when there was a mistake.
+YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, double *target);
+// Reads [x, y].
+bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target);
+// Reports a value that is not finite or too large; false then.
+bool yk_load_in_range(YkLoader *loader, YkPlace place, double value);
+
+// keys.c: sections and their keys.
+// A section of the file: a map, or NULL where it is missing, empty or (reported) something else.
+const YkNode *yk_load_section(YkLoader *loader, const char *key);
+// Reports every key of the map that is not among `keys` (NULL-terminated).
+void yk_load_check_keys(YkLoader *loader, const YkNode *map, const char *const *keys, const YkSubject *subject);
+const YkNode *yk_load_key(const YkNode *map, const char *key); // the key itself, for its place; NULL
+// As many as a section may hold? Reports it otherwise.
+bool yk_load_count_fits(YkLoader *loader, const YkNode *section, size_t count, const char *noun);
+
+// names.c: which names are allowed, and the nearest one.
+bool yk_load_name(YkLoader *loader, const YkNode *node, const char *noun);
+bool yk_load_symbol_name(YkLoader *loader, const YkNode *node, const char *noun); // for expressions
+// The nearest name among structs of `size` bytes that begin with their name, as a hint to the last problem; false when
+// none is near.
+bool yk_load_hint_nearest(YkProblems *problems, const char *name, const void *items, size_t count, size_t size);
+void yk_load_hint_nearest_key(YkLoader *loader, const char *name, const char *const *keys);
+void yk_load_hint_nearest_symbol(YkLoader *loader, const char *name); // parameters and coordinates
+
+// find.c: bodies and points by name; reported where there is none.
+int32_t yk_load_find_point(YkLoader *loader, int32_t body, const char *name); // YK_NONE, silent
+int32_t yk_load_body(YkLoader *loader, const YkNode *node);                   // YK_NONE, reported
+int32_t yk_load_point(YkLoader *loader, int32_t body, const YkNode *node);    // YK_NONE, reported
+int32_t yk_load_body_point(YkLoader *loader, const YkNode *node, int32_t *body); // "body.point"
+
+// coordinates.c
+// Declares the coordinate `name` of a joint; reports a name that is taken. Returns its index or YK_NONE.
+int32_t yk_load_declare(YkLoader *loader, const char *name, YkPlace place, int32_t joint, bool is_distance);
+// The coordinate that NAME, NAME.rate, JOINT.angle, JOINT.distance.rate, ... speak of; JOINT.angle declares it where it
+// has no name yet. YK_NONE where there is none; YK_REPORTED where the joint has no such freedom (reported).
+int32_t yk_load_coordinate(YkLoader *loader, const char *text, YkPlace place, bool *is_rate);
+// The same for a key of drives, start, efforts or stops: every failure is reported, also `.rate` where is_rate is NULL.
+int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rate);
+
+// The sections, one file each.
+void yk_load_units(YkLoader *loader);
+void yk_load_parameters(YkLoader *loader);
+void yk_load_overrides(YkLoader *loader);
+void yk_load_bodies(YkLoader *loader);
+void yk_load_points(YkLoader *loader, const YkNode *bodies, const YkNode **nodes);
+void yk_load_mass(YkLoader *loader, int32_t body, const YkNode *node);
+void yk_load_joints(YkLoader *loader);
+void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
+void yk_load_drives(YkLoader *loader);
+void yk_load_starts(YkLoader *loader);
+void yk_load_gravity(YkLoader *loader);
+void yk_load_efforts(YkLoader *loader);
+void yk_load_unused(YkLoader *loader);
+void yk_load_friction(YkLoader *loader, const YkNode *node, const YkJoint *joint);
+void yk_load_unsupported(YkLoader *loader);
+
+// The second pass.
+void yk_load_check_uses(YkLoader *loader);        // uses.c: the names in every expression
+void yk_load_infer(YkLoader *loader);             // uses.c: dimensions
+void yk_load_eval_parameters(YkLoader *loader);   // order.c: each once, those it needs first
+void yk_load_check_overrides(YkLoader *loader);   // overrides.c: against the dimension in the file
+void yk_load_eval_uses(YkLoader *loader);         // uses.c
+void yk_load_finish_masses(YkLoader *loader);     // mass.c
+void yk_load_finish_joints(YkLoader *loader);     // joint_points.c
+void yk_load_check_connected(YkLoader *loader);   // connected.c
+void yk_load_check_links(YkLoader *loader);       // links.c
+bool yk_load_size(YkModel *model);                // size.c; false when out of memory
+
+// outside.c: passes on what was found wrong in a value that stands nowhere in the file, each message beginning with the
+// value and, unless NULL, what it is for.
+void yk_load_pass_on(YkProblems *problems, const YkProblems *found, const char *value, const char *name);
+
+// The value of an expression at time t with what the model knows; a fault is reported unless it comes from a parameter
+// that has no value (reported already). False when there is none.
+bool yk_load_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
+
+#endif

@@ -1,0 +1,117 @@
+// Which names are allowed, and the nearest one to a name that is not there.
+#include <stdlib.h>
+#include <string.h>
+#include "expr/function.h"
+#include "model/load.h"
+
+enum { NEAREST_MAX = 10000 }; // as many as yk_nearest looks at
+
+// What a name means in every expression; NULL where it is free.
+static const char *reserved_meaning(const char *name)
+{
+    YkFunction function;
+    if (strcmp(name, "t") == 0) return "the time";
+    if (strcmp(name, "pi") == 0) return "a number";
+    return yk_function_find(name, &function) ? "a function" : NULL;
+}
+
+static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+static bool is_name(const YkNode *node, bool for_expressions)
+{
+    if (node->length == 0 || node->length > YK_NAME_MAX || !is_letter(node->text[0])) return false;
+    for (size_t i = 1; i < node->length; i++) {
+        char c = node->text[i];
+        if (!is_letter(c) && !is_digit(c) && (c != '-' || for_expressions)) return false;
+    }
+    return true;
+}
+
+static bool check_name(YkLoader *loader, const YkNode *node, const char *noun, bool for_expressions)
+{
+    if (node->kind != YK_NODE_SCALAR) {
+        YkSubject subject = {.noun = "name of a", .axis = noun};
+        return yk_load_expect(loader, node, YK_NODE_SCALAR, &subject);
+    }
+    if (is_name(node, for_expressions)) return true;
+    yk_problem(loader->problems, YK_CODE_BAD_NAME, node->place, "%q cannot be the name of a %s", node->text, noun);
+    yk_problem_hint(loader->problems, for_expressions
+                                          ? "use letters, digits and `_`, beginning with a letter, as in `l1`"
+                                          : "use letters, digits, `_` and `-`, beginning with a letter, as in `link-1`");
+    return false;
+}
+
+bool yk_load_name(YkLoader *loader, const YkNode *node, const char *noun)
+{
+    return check_name(loader, node, noun, false);
+}
+
+bool yk_load_symbol_name(YkLoader *loader, const YkNode *node, const char *noun)
+{
+    if (!check_name(loader, node, noun, true)) return false;
+    const char *meaning = reserved_meaning(node->text);
+    if (meaning) {
+        yk_problem(loader->problems, YK_CODE_RESERVED_NAME, node->place, "%q cannot be the name of a %s: it is %s",
+                   node->text, noun, meaning);
+    }
+    return !meaning;
+}
+
+// Names of structs that begin with their name, into a list.
+static size_t gather(const char **names, size_t room, const void *items, size_t count, size_t size)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < count && found < room; i++) {
+        const char *name = *(const char *const *)((const char *)items + i * size);
+        if (name) names[found++] = name;
+    }
+    return found;
+}
+
+// Looking for near names costs; once no more problems are recorded it is for nothing.
+static bool is_worth_a_hint(const YkProblems *problems, const char *name)
+{
+    return strlen(name) <= YK_NAME_MAX && yk_problems_count(problems) < YK_PROBLEMS_MAX;
+}
+
+static bool hint(YkProblems *problems, const char *nearest)
+{
+    if (nearest) yk_problem_hint(problems, "did you mean %q?", nearest);
+    return nearest != NULL;
+}
+
+bool yk_load_hint_nearest(YkProblems *problems, const char *name, const void *items, size_t count, size_t size)
+{
+    if (!is_worth_a_hint(problems, name) || count == 0) return false;
+    size_t room = count < NEAREST_MAX ? count : NEAREST_MAX;
+    const char **names = malloc(room * sizeof *names);
+    if (!names) return false;
+    bool found = hint(problems, yk_nearest(name, names, gather(names, room, items, count, size)));
+    free(names);
+    return found;
+}
+
+void yk_load_hint_nearest_key(YkLoader *loader, const char *name, const char *const *keys)
+{
+    size_t count = 0;
+    while (keys[count]) count++;
+    if (!is_worth_a_hint(loader->problems, name)) return;
+    if (hint(loader->problems, yk_nearest(name, keys, count))) return;
+    YkText text = {0};
+    for (size_t i = 0; i < count; i++) yk_text_format(&text, i ? ", %s" : "%s", keys[i]);
+    yk_problem_hint(loader->problems, "the keys here are: %s", yk_text_get(&text));
+    yk_text_free(&text);
+}
+
+void yk_load_hint_nearest_symbol(YkLoader *loader, const char *name)
+{
+    const YkModel *model = loader->model;
+    if (!is_worth_a_hint(loader->problems, name)) return;
+    const char **names = malloc(2 * NEAREST_MAX * sizeof *names);
+    if (!names) return;
+    size_t count = gather(names, NEAREST_MAX, model->parameters, model->parameter_count, sizeof *model->parameters);
+    count += gather(names + count, NEAREST_MAX, model->coordinates, model->coordinate_count, sizeof *model->coordinates);
+    hint(loader->problems, yk_nearest(name, names, count));
+    free(names);
+}

@@ -1,0 +1,43 @@
+// What a model is made of, for the outside.
+#include "model/model.h"
+
+const char *yk_model_name(const YkModel *model) { return model->name; }
+
+size_t yk_model_body_count(const YkModel *model) { return model->body_count; }
+
+const char *yk_model_body_name(const YkModel *model, size_t body)
+{
+    return body < model->body_count ? model->bodies[body].name : NULL;
+}
+
+size_t yk_model_point_count(const YkModel *model) { return model->point_count; }
+
+const char *yk_model_point_name(const YkModel *model, size_t point)
+{
+    return point < model->point_count ? model->points[point].name : NULL;
+}
+
+size_t yk_model_point_body(const YkModel *model, size_t point)
+{
+    return point < model->point_count ? (size_t)model->points[point].body : (size_t)-1;
+}
+
+size_t yk_model_joint_count(const YkModel *model) { return model->joint_count; }
+
+const char *yk_model_joint_name(const YkModel *model, size_t joint)
+{
+    return joint < model->joint_count ? model->joints[joint].name : NULL;
+}
+
+static size_t find(const YkNames *names, const char *name)
+{
+    int32_t index = name ? yk_names_find(names, name) : YK_NONE;
+    return index == YK_NONE ? (size_t)-1 : (size_t)index;
+}
+
+size_t yk_model_find_body(const YkModel *model, const char *name) { return find(&model->body_names, name); }
+
+size_t yk_model_find_point(const YkModel *model, const char *body_dot_point)
+{
+    return find(&model->point_names, body_dot_point);
+}

@@ -1,0 +1,12 @@
+// What the public door tells of a joint: its kind and its bodies.
+#include "model/model.h"
+
+const char *yk_model_joint_kind(const YkModel *model, size_t joint)
+{
+    return yk_part(model->joints[joint].kind)->key;
+}
+
+size_t yk_model_joint_body(const YkModel *model, size_t joint, int side)
+{
+    return (size_t)model->joints[joint].body[side != 0];
+}

@@ -1,0 +1,90 @@
+// Values from outside the file - the command line - in the model's own terms: its units, its parameters.
+#include <math.h>
+#include <string.h>
+#include "model/load.h"
+
+static YkDimension quantity_dimension(YkQuantity quantity)
+{
+    switch (quantity) {
+    case YK_QUANTITY_ANGLE: return YK_DIM_ANGLE;
+    case YK_QUANTITY_LENGTH: return YK_DIM_LENGTH;
+    case YK_QUANTITY_TIME: return YK_DIM_TIME;
+    case YK_QUANTITY_ANGLE_RATE: return YK_DIM_ANGLE_RATE;
+    case YK_QUANTITY_SPEED: return YK_DIM_SPEED;
+    case YK_QUANTITY_ANGLE_ACCELERATION: return YK_DIM_ANGLE_ACCELERATION;
+    case YK_QUANTITY_ACCELERATION: return YK_DIM_ACCELERATION;
+    case YK_QUANTITY_FORCE: return YK_DIM_FORCE;
+    case YK_QUANTITY_TORQUE: return YK_DIM_TORQUE;
+    case YK_QUANTITY_NUMBER: break;
+    }
+    return YK_DIM_NUMBER;
+}
+
+typedef struct Reading {
+    const YkModel *model;
+    YkDimensions *dimensions;
+    YkProblems *found;
+    bool is_bad;
+} Reading;
+
+// A name in the value: a parameter, whose dimension is known by now, or pi.
+static void check_name(void *context, const YkExpr *name)
+{
+    Reading *reading = context;
+    const YkModel *model = reading->model;
+    int32_t index = yk_names_find(&model->parameter_names, name->name);
+    if (index != YK_NONE) {
+        yk_dimensions_fix(reading->dimensions, name->name, model->parameters[index].dimension);
+    } else if (strcmp(name->name, "pi") == 0) {
+        yk_dimensions_fix(reading->dimensions, name->name, YK_DIM_NUMBER);
+    } else {
+        yk_problem(reading->found, YK_CODE_UNKNOWN_NAME, (YkPlace){0}, "there is no parameter %q", name->name);
+        yk_load_hint_nearest(reading->found, name->name, model->parameters, model->parameter_count,
+                             sizeof *model->parameters);
+        reading->is_bad = true;
+    }
+}
+
+static bool read_value(Reading *reading, const char *text, YkDimension dimension, YkArena *arena, double *value)
+{
+    YkExpr *expr = yk_expr_parse(text, strlen(text), (YkPlace){0}, arena, reading->found);
+    reading->dimensions = yk_dimensions_new(arena, &reading->model->units);
+    if (!expr || !reading->dimensions) return false;
+    yk_expr_names(expr, check_name, reading);
+    if (reading->is_bad) return false;
+    yk_dimensions_use(reading->dimensions, expr, dimension, "the value");
+    YkJet jet;
+    if (!yk_dimensions_run(reading->dimensions, reading->found)) return false;
+    if (!yk_load_eval(reading->model, expr, 0, &jet, reading->found)) return false;
+    if (!(fabs(jet.d[0]) <= YK_VALUE_MAX)) {
+        yk_problem(reading->found, YK_CODE_VALUE_RANGE, (YkPlace){0}, "it is beyond 1e100 in SI units");
+        return false;
+    }
+    *value = jet.d[0];
+    return true;
+}
+
+YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quantity, double *value,
+                        YkProblems *problems)
+{
+    YkArena *arena = yk_arena_new();
+    Reading reading = {.model = model, .found = yk_problems_new()};
+    bool done = false;
+    if (arena && reading.found) {
+        done = read_value(&reading, text, quantity_dimension(quantity), arena, value);
+        yk_load_pass_on(problems, reading.found, text, NULL);
+    }
+    if (!arena || !reading.found || yk_arena_failed(arena)) {
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while reading %q", text);
+    }
+    yk_problems_free(reading.found);
+    yk_arena_free(arena);
+    return done ? YK_OK : YK_BAD_ARGUMENT;
+}
+
+const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size)
+{
+    if ((unsigned)quantity >= YK_QUANTITY_COUNT) return NULL;
+    if (size) *size = yk_units_size(&model->units, quantity_dimension(quantity));
+    return model->unit_names[quantity];
+}

@@ -1,0 +1,83 @@
+// The inside of a drawing: poses gathered in metres, then laid out in pixels and written in layers.
+#ifndef OUT_DRAWING_H
+#define OUT_DRAWING_H
+#include <yoke/draw.h>
+#include "base/text.h"
+#include "base/vec.h"
+#include "model/model.h"
+
+// Where a body's axes lie: origin in metres, direction of x as a unit vector.
+typedef struct YkFrame {
+    YkVec origin, axis;
+} YkFrame;
+
+// A body's outline, once and for all in its own axes: the convex hull of its points. 1 corner: a dot, 2: a bar, more: a
+// plate.
+typedef struct YkOutline {
+    size_t first, count;
+} YkOutline;
+
+struct YkDrawing {
+    const YkMechanism *mech;
+    const YkModel *model;
+    YkDrawOptions options; // traced_points is our own copy
+    YkOutline *outlines;   // [body]
+    YkVec *corners;
+    size_t corner_count;
+    YkFrame *frames; // [pose][body]
+    size_t pose_count, pose_capacity;
+    YkVec *traces; // [position][traced point]
+    size_t trace_count, trace_capacity;
+    YkText svg;
+    double scale, width, height; // px per metre, px, px
+    YkVec low, high;             // what is drawn lies within, m
+    double bar;                  // width of a bar, px
+};
+
+static inline YkVec yk_frame_apply(YkFrame frame, YkVec at)
+{
+    return yk_add(frame.origin, yk_mul(frame.axis, at));
+}
+static inline const YkFrame *yk_drawing_frames(const YkDrawing *drawing, size_t pose)
+{
+    return drawing->frames + pose * drawing->model->body_count;
+}
+// A joint's point on body side 0 or 1, in metres.
+static inline YkVec yk_drawing_joint(const YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, int side)
+{
+    (void)drawing;
+    return yk_frame_apply(frames[joint->body[side]], joint->at[side]);
+}
+
+// Builds all outlines; false when out of memory. Cost O(points log points).
+bool yk_drawing_outline(YkDrawing *drawing);
+// Places all bodies as `state` has them. False when a body hangs on nothing that is placed, or is not finite.
+bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *frames);
+// Sets scale, size and bar width from all that was gathered.
+void yk_drawing_fit(YkDrawing *drawing);
+YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres);
+
+// Layers, from the back to the front; `pose` is the one whose joints are drawn.
+void yk_drawing_guides(YkDrawing *drawing); // ground rails and ground pins, hatched
+void yk_drawing_traces(YkDrawing *drawing);
+void yk_drawing_bodies(YkDrawing *drawing, size_t pose); // bars, plates, boxes, slots, pins
+void yk_drawing_labels(YkDrawing *drawing);              // names, at the last pose
+void yk_drawing_margin(YkDrawing *drawing);              // title and scale bar
+
+// Colours of a body: a light one to fill, a dark one for edges and words.
+typedef struct YkColour {
+    const char *fill, *edge;
+} YkColour;
+YkColour yk_drawing_colour(size_t body);
+
+// The stretch of its line that a slide or pin-slot passes in all poses, in metres from the joint's `from` point.
+typedef struct YkStretch {
+    double low, high;
+} YkStretch;
+YkStretch yk_drawing_stretch(const YkDrawing *drawing, const YkJoint *joint);
+// The lines of moving bodies along which others slide: they lie under everything.
+void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames);
+// Pins, boxes and slots of one pose.
+void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
+
+#endif

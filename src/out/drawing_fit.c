@@ -1,0 +1,62 @@
+// From metres to pixels: the scale that lets everything drawn fit the page.
+#include "out/drawing.h"
+#include <stdlib.h>
+
+static const double margin = 64, head = 30, foot = 26; // px
+
+static void include(YkDrawing *drawing, YkVec at)
+{
+    drawing->low = yk_vec(fmin(drawing->low.x, at.x), fmin(drawing->low.y, at.y));
+    drawing->high = yk_vec(fmax(drawing->high.x, at.x), fmax(drawing->high.y, at.y));
+}
+
+static void include_pose(YkDrawing *drawing, const YkFrame *frames)
+{
+    const YkModel *model = drawing->model;
+    for (size_t b = 0; b < model->body_count; b++)
+        for (size_t c = 0; c < drawing->outlines[b].count; c++)
+            include(drawing, yk_frame_apply(frames[b], drawing->corners[drawing->outlines[b].first + c]));
+    for (size_t j = 0; j < model->joint_count; j++)
+        for (int side = 0; side < 2; side++)
+            include(drawing, yk_drawing_joint(drawing, frames, &model->joints[j], side));
+}
+
+// The mean length of a link, m: the distance between the first two corners of an outline.
+static double mean_link(const YkDrawing *drawing)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t b = 0; b < drawing->model->body_count; b++) {
+        const YkVec *corner = drawing->corners + drawing->outlines[b].first;
+        if (drawing->outlines[b].count < 2) continue;
+        sum += yk_norm(yk_sub(corner[1], corner[0]));
+        count++;
+    }
+    return count > 0 ? sum / (double)count : 0;
+}
+
+void yk_drawing_fit(YkDrawing *drawing)
+{
+    double page = fmax(drawing->options.width, 4 * margin), tallest = 1.1 * page;
+    drawing->low = yk_vec(INFINITY, INFINITY);
+    drawing->high = yk_vec(-INFINITY, -INFINITY);
+    for (size_t pose = 0; pose < drawing->pose_count; pose++) include_pose(drawing, yk_drawing_frames(drawing, pose));
+    for (size_t i = 0; i < drawing->trace_count * drawing->options.traced_count; i++)
+        include(drawing, drawing->traces[i]);
+    if (!(drawing->low.x <= drawing->high.x)) drawing->low = drawing->high = yk_vec(0, 0);
+    YkVec extent = yk_sub(drawing->high, drawing->low);
+    double across = (page - 2 * margin) / extent.x, up = (tallest - 2 * margin) / extent.y;
+    drawing->scale = fmin(across, up);
+    if (!isfinite(drawing->scale)) drawing->scale = 1;
+    drawing->width = page;
+    drawing->height = extent.y * drawing->scale + 2 * margin + head + foot;
+    double bar = 0.085 * mean_link(drawing) * drawing->scale;
+    drawing->bar = fmin(fmax(bar > 0 ? bar : 10, 0.8), 12);
+}
+
+YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres)
+{
+    double middle = 0.5 * (drawing->low.x + drawing->high.x);
+    return yk_vec(0.5 * drawing->width + (metres.x - middle) * drawing->scale,
+                  head + margin + (drawing->high.y - metres.y) * drawing->scale);
+}

@@ -1,0 +1,97 @@
+#include "out/svg.h"
+#include "base/number.h"
+
+void yk_svg_number(YkText *svg, double value)
+{
+    char digits[YK_NUMBER_SIZE];
+    size_t length = yk_number_write_fixed(fabs(value) < 0.005 ? 0 : value, 2, digits);
+    bool has_point = false;
+    for (size_t i = 0; i < length; i++) has_point |= digits[i] == '.';
+    while (has_point && digits[length - 1] == '0') length--;
+    if (has_point && digits[length - 1] == '.') length--;
+    yk_text_add(svg, digits, length);
+}
+
+void yk_svg_escape(YkText *svg, const char *string)
+{
+    for (const char *c = string; *c; c++) {
+        unsigned char byte = (unsigned char)*c;
+        if (byte == '&') {
+            yk_text_puts(svg, "&amp;");
+        } else if (byte == '<') {
+            yk_text_puts(svg, "&lt;");
+        } else if (byte == '>') {
+            yk_text_puts(svg, "&gt;");
+        } else if (byte == '"') {
+            yk_text_puts(svg, "&quot;");
+        } else if (byte < 0x20) {
+            yk_text_puts(svg, "\xef\xbf\xbd");
+        } else {
+            yk_text_add(svg, c, 1);
+        }
+    }
+}
+
+static void add_attribute(YkText *svg, const char *name, double value)
+{
+    yk_text_format(svg, " %s=\"", name);
+    yk_svg_number(svg, value);
+    yk_text_puts(svg, "\"");
+}
+
+static void end_element(YkText *svg, const char *style)
+{
+    yk_text_format(svg, "%s%s/>\n", *style ? " " : "", style);
+}
+
+void yk_svg_line(YkText *svg, YkVec a, YkVec b, const char *style)
+{
+    yk_text_puts(svg, "<line");
+    add_attribute(svg, "x1", a.x);
+    add_attribute(svg, "y1", a.y);
+    add_attribute(svg, "x2", b.x);
+    add_attribute(svg, "y2", b.y);
+    end_element(svg, style);
+}
+
+void yk_svg_circle(YkText *svg, YkVec center, double radius, const char *style)
+{
+    yk_text_puts(svg, "<circle");
+    add_attribute(svg, "cx", center.x);
+    add_attribute(svg, "cy", center.y);
+    add_attribute(svg, "r", radius);
+    end_element(svg, style);
+}
+
+static void add_points(YkText *svg, const char *element, const YkVec *points, size_t count, const char *style)
+{
+    yk_text_format(svg, "<%s points=\"", element);
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0) yk_text_puts(svg, " ");
+        yk_svg_number(svg, points[i].x);
+        yk_text_puts(svg, ",");
+        yk_svg_number(svg, points[i].y);
+    }
+    yk_text_puts(svg, "\"");
+    end_element(svg, style);
+}
+
+void yk_svg_polygon(YkText *svg, const YkVec *corners, size_t count, const char *style)
+{
+    add_points(svg, "polygon", corners, count, style);
+}
+
+void yk_svg_polyline(YkText *svg, const YkVec *points, size_t count, const char *style)
+{
+    add_points(svg, "polyline", points, count, style);
+}
+
+void yk_svg_word(YkText *svg, YkVec at, const char *string, const char *style)
+{
+    yk_text_puts(svg, "<text");
+    add_attribute(svg, "x", at.x);
+    add_attribute(svg, "y", at.y);
+    yk_text_format(svg, "%s%s>", *style ? " " : "", style);
+    yk_svg_escape(svg, string);
+    yk_text_puts(svg, "</text>\n");
+}

@@ -1,0 +1,10 @@
+#include <yoke/yoke.h>
+
+#ifndef YOKE_VERSION
+#error "the build gives YOKE_VERSION, a string"
+#endif
+
+const char *yk_version(void)
+{
+    return YOKE_VERSION;
+}

@@ -1,0 +1,158 @@
+// Answers from a pose.
+#include <string.h>
+#include "solve/state.h"
+
+typedef struct Turn { YkVec e; double w, a; } Turn;
+
+static Turn turn_in(const YkSpace *space, int32_t slot)
+{
+    if (slot == 0) return (Turn){{1, 0}, 0, 0};
+    YkTurn t = yk_space_turn(space, slot);
+    return (Turn){{t.c[0], t.s[0]}, t.w[0], t.a[0]};
+}
+
+static YkMotion without_rates(YkMotion m, bool has_rates) { return has_rates ? m : (YkMotion){m.position, 0, 0}; }
+
+// The angle of a joint, nearest to a reference.
+static YkMotion joint_angle_in(const YkState *s, const YkSpace *space, int32_t joint, double reference)
+{
+    YkJointAngle j = yk_joint_angle(s->mech, joint);
+    Turn a = turn_in(space, j.a), b = turn_in(space, j.b);
+    YkVec e = yk_mul(b.e, yk_conj(a.e));
+    double angle = (j.a == j.b ? 0 : yk_atan2(e.y, e.x)) + j.offset;
+    return (YkMotion){yk_nearest_turn(angle, reference), b.w - a.w, b.a - a.a};
+}
+
+static YkMotion distance_in(const YkSpace *space, int32_t distance)
+{
+    YkSlide d = yk_space_slide(space, distance);
+    return (YkMotion){d.d[0], d.v[0], d.a[0]};
+}
+
+YkMotion yk_coordinate_in(const YkState *s, const YkSpace *space, size_t coordinate)
+{
+    const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
+    if (c->is_distance) return distance_in(space, c->distance);
+    return joint_angle_in(s, space, c->joint, s->reference[coordinate]);
+}
+
+YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)
+{
+    int32_t input = s->mech->coordinates[coordinate].input;
+    if (input != YK_NONE) { // as it was set, to the last bit and turn
+        const double *in = s->valid_input + 3 * input;
+        return (YkMotion){in[0], in[1], in[2]};
+    }
+    return without_rates(yk_coordinate_in(s, &s->space, coordinate), s->has_rates);
+}
+
+// Angles add up along the tree, so that a body's angle is as continuous as its coordinates.
+YkMotion yk_state_body(const YkState *s, size_t body)
+{
+    const YkMechanism *mech = s->mech;
+    YkMotion sum = {0, 0, 0};
+    for (int32_t b = (int32_t)body; mech->tree.parent[b] != YK_NONE; b = mech->tree.parent[b]) {
+        const YkJoint *joint = &mech->model->joints[mech->tree.joint[b]];
+        double way = joint->body[1] == b ? 1 : -1;
+        int32_t c = yk_tree_coordinate(mech, mech->tree.joint[b], false);
+        YkMotion m = c == YK_NONE ? (YkMotion){joint->turned, 0, 0} : yk_state_coordinate(s, (size_t)c);
+        sum.position += way * m.position;
+    }
+    Turn t = turn_in(&s->space, mech->bodies[body].orientation);
+    return without_rates((YkMotion){sum.position, t.w, t.a}, s->has_rates);
+}
+
+static void add_turned(YkVec out[3], const YkSpace *space, YkTerm term)
+{
+    Turn t = turn_in(space, term.slot);
+    YkVec v = yk_mul(t.e, term.v), iv = yk_quarter(v);
+    YkMotion d = {1, 0, 0};
+    if (term.distance != YK_NONE) d = distance_in(space, term.distance);
+    out[0] = yk_add(out[0], yk_scale(d.position, v));
+    out[1] = yk_add(out[1], yk_add(yk_scale(d.velocity, v), yk_scale(d.position * t.w, iv)));
+    out[2] = yk_add(out[2], yk_add(yk_scale(d.acceleration - d.position * t.w * t.w, v),
+                                   yk_scale(d.position * t.a + 2 * d.velocity * t.w, iv)));
+}
+
+static void add_plane(YkVec out[3], const YkSpace *space, int32_t node, double sign)
+{
+    if (node == YK_NONE) return;
+    YkPlane p = yk_space_plane(space, node);
+    out[0] = yk_add(out[0], yk_scale(sign, yk_vec(p.x[0], p.y[0])));
+    out[1] = yk_add(out[1], yk_scale(sign, yk_vec(p.vx[0], p.vy[0])));
+    out[2] = yk_add(out[2], yk_scale(sign, yk_vec(p.ax[0], p.ay[0])));
+}
+
+YkPointMotion yk_state_point(const YkState *s, size_t point)
+{
+    const YkMechanism *mech = s->mech;
+    const YkPoint *p = &mech->model->points[point];
+    const YkSum *origin = &mech->bodies[p->body].origin;
+    YkVec out[3] = {origin->constant, {0, 0}, {0, 0}};
+    add_plane(out, &s->space, origin->plus, 1);
+    add_plane(out, &s->space, origin->minus, -1);
+    for (uint32_t k = 0; k < origin->count; k++) add_turned(out, &s->space, mech->terms[origin->first + k]);
+    add_turned(out, &s->space, yk_body_term(mech, p->body, p->at));
+    YkPointMotion m = {{out[0].x, out[0].y}, {0, 0}, {0, 0}};
+    if (!s->has_rates) return m;
+    m.velocity[0] = out[1].x;
+    m.velocity[1] = out[1].y;
+    m.acceleration[0] = out[2].x;
+    m.acceleration[1] = out[2].y;
+    return m;
+}
+
+double yk_state_transmission(const YkState *s, size_t block)
+{
+    double m = s->space.block_margin[block];
+    return asin(sqrt(fmin(1, fmax(0, m))));
+}
+
+static double order_of(YkMotion m, int order) { return order == 0 ? m.position : order == 1 ? m.velocity : m.acceleration; }
+
+static double point_order(const YkPointMotion *m, int order, int axis)
+{
+    return order == 0 ? m->position[axis] : order == 1 ? m->velocity[axis] : m->acceleration[axis];
+}
+
+double yk_state_channel(const YkState *s, YkChannel c)
+{
+    size_t index = (size_t)c.index;
+    YkPointMotion p;
+    switch (c.kind) {
+    case YK_CHANNEL_TIME: return s->time;
+    case YK_CHANNEL_COORDINATE: return order_of(yk_state_coordinate(s, index), c.order);
+    case YK_CHANNEL_BODY: return order_of(yk_state_body(s, index), c.order);
+    case YK_CHANNEL_JOINT_DISTANCE:
+        return order_of(without_rates(distance_in(&s->space, s->mech->joint_distance[index]), s->has_rates), c.order);
+    case YK_CHANNEL_JOINT_ANGLE: { // of a joint that closes a loop: the difference of its bodies' continuous angles
+        const YkJoint *j = &s->mech->model->joints[index];
+        YkMotion a = yk_state_body(s, (size_t)j->body[0]), b = yk_state_body(s, (size_t)j->body[1]);
+        return order_of((YkMotion){b.position - a.position, b.velocity - a.velocity, b.acceleration - a.acceleration}, c.order);
+    }
+    case YK_CHANNEL_POINT_X:
+    case YK_CHANNEL_POINT_Y:
+        p = yk_state_point(s, index);
+        return point_order(&p, c.order, c.kind == YK_CHANNEL_POINT_Y);
+    case YK_CHANNEL_POINT_SPEED:
+        p = yk_state_point(s, index);
+        return hypot(p.velocity[0], p.velocity[1]);
+    case YK_CHANNEL_TRANSMISSION: return yk_state_transmission(s, index);
+    }
+    return 0;
+}
+
+size_t yk_state_label(const YkState *s, char *text, size_t capacity)
+{
+    size_t length = 0;
+    for (size_t b = 0; b < s->mech->block_count; b++) {
+        const YkBlock *block = &s->mech->blocks[b];
+        if (block->kind > YK_BLOCK_RPR && block->kind != YK_BLOCK_GROUP) continue;
+        const char *parts[3] = {length > 0 ? " " : "", block->label, s->branch[b] < 0 ? "-" : s->branch[b] > 0 ? "+" : "0"};
+        for (int k = 0; k < 3; k++)
+            for (const char *c = parts[k]; *c; c++, length++)
+                if (length + 1 < capacity) text[length] = *c;
+    }
+    if (capacity > 0) text[length < capacity ? length : capacity - 1] = 0;
+    return length;
+}

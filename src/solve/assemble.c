@@ -1,0 +1,330 @@
+#include "solve/assemble.h"
+#include <stdlib.h>
+#include <string.h>
+#include "compile/closure.h"
+
+enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096 };
+
+// --- preparation --------------------------------------------------------------------------------------------------------
+
+static bool has_branches(const YkBlock *b) { return b->kind <= YK_BLOCK_RPR || b->kind == YK_BLOCK_GROUP; }
+
+// The level after which each slot and distance is known; level 0 stands for "before any choice".
+typedef struct Known { size_t *slot, *distance; } Known;
+
+static void learn_step(const YkMechanism *mech, const YkStep *step, size_t level, Known *known)
+{
+    if (step->kind == YK_STEP_TURN || step->kind == YK_STEP_COMPOSE) known->slot[step->target] = level;
+    if (step->kind == YK_STEP_DISTANCE) known->distance[step->target] = level;
+    if (step->kind != YK_STEP_BLOCK) return;
+    const YkBlock *b = &mech->blocks[step->target];
+    for (uint32_t k = 0; k < b->column_count; k++) {
+        YkColumn c = b->kind == YK_BLOCK_GROUP ? mech->group_columns[b->first_column + k] : b->column[k];
+        (c.is_distance ? known->distance : known->slot)[c.index] = level;
+    }
+}
+
+static void cut_levels(YkSearch *search, const YkMechanism *mech, Known *known)
+{
+    search->first_step = mech->step_count;
+    for (size_t k = 0; k < mech->step_count; k++) {
+        const YkStep *step = &mech->steps[k];
+        if (step->kind == YK_STEP_BLOCK && has_branches(&mech->blocks[step->target])) {
+            if (search->level_count == 0)
+                search->first_step = k;
+            else
+                search->levels[search->level_count - 1].to = k;
+            search->levels[search->level_count++] = (YkLevel){.block = step->target, .from = k, .to = mech->step_count};
+        }
+        learn_step(mech, step, search->level_count, known);
+    }
+}
+
+static size_t level_of(const YkMechanism *mech, const Known *known, size_t coordinate)
+{
+    const YkTreeCoordinate *c = &mech->coordinates[coordinate];
+    if (c->is_distance) return known->distance[c->distance];
+    YkJointAngle j = yk_joint_angle(mech, c->joint);
+    return known->slot[j.a] > known->slot[j.b] ? known->slot[j.a] : known->slot[j.b];
+}
+
+// Coordinates sorted by level (counting sort).
+static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const Known *known)
+{
+    uint32_t *first = calloc(search->level_count + 2, sizeof *first);
+    if (!first) return false;
+    for (size_t k = 0; k < mech->coordinate_count; k++) first[level_of(mech, known, k) + 1]++;
+    for (size_t l = 0; l <= search->level_count; l++) first[l + 1] += first[l];
+    for (size_t l = 1; l <= search->level_count; l++) {
+        search->levels[l - 1].first_coordinate = first[l];
+        search->levels[l - 1].coordinate_count = first[l + 1] - first[l];
+    }
+    for (size_t k = 0; k < mech->coordinate_count; k++) search->coordinates[first[level_of(mech, known, k)]++] = (int32_t)k;
+    free(first);
+    return true;
+}
+
+static bool share_solutions(YkSearch *search, const YkMechanism *mech)
+{
+    double *next = search->solutions = calloc(mech->column_count * YK_GROUP_SOLUTIONS_MAX + 1, sizeof *next);
+    for (size_t l = 0; next && l < search->level_count; l++) {
+        search->levels[l].solutions = next;
+        if (mech->blocks[search->levels[l].block].kind == YK_BLOCK_GROUP)
+            next += mech->blocks[search->levels[l].block].column_count * YK_GROUP_SOLUTIONS_MAX;
+    }
+    return search->solutions != NULL;
+}
+
+YkSearch *yk_search_new(const YkMechanism *mech)
+{
+    YkSearch *search = calloc(1, sizeof *search);
+    if (!search) return NULL;
+    Known known = {calloc(mech->slot_count + 1, sizeof(size_t)), calloc(mech->distance_count + 1, sizeof(size_t))};
+    size_t choices = 0;
+    for (size_t b = 0; b < mech->block_count; b++) choices += has_branches(&mech->blocks[b]);
+    search->levels = calloc(choices + 1, sizeof *search->levels);
+    search->coordinates = calloc(mech->coordinate_count + 1, sizeof *search->coordinates);
+    search->best_branch = calloc(mech->block_count + 1, sizeof *search->best_branch);
+    search->best_x = calloc(mech->column_count + 1, sizeof(double));
+    search->kept_x = calloc(mech->column_count + 1, sizeof(double));
+    search->path = calloc(2 * mech->input_count + 1, sizeof(double));
+    search->wanted = calloc(3 * mech->input_count + 1, sizeof(double));
+    bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch && search->best_x &&
+              search->kept_x && search->path && search->wanted && yk_space_start(&search->kept, mech, 1, true);
+    if (ok) {
+        cut_levels(search, mech, &known);
+        ok = share_coordinates(search, mech, &known) && share_solutions(search, mech);
+    }
+    free(known.slot);
+    free(known.distance);
+    if (ok) return search;
+    yk_search_free(search);
+    return NULL;
+}
+
+void yk_search_free(YkSearch *search)
+{
+    if (!search) return;
+    yk_space_end(&search->kept);
+    free(search->levels);
+    free(search->coordinates);
+    free(search->best_branch);
+    free(search->best_x);
+    free(search->kept_x);
+    free(search->path);
+    free(search->wanted);
+    free(search->solutions);
+    free(search);
+}
+
+// --- searching ----------------------------------------------------------------------------------------------------------
+
+// What a coordinate adds to the distance from the guesses. Coordinates without a guess only decide between equals.
+static double coordinate_cost(const YkState *s, size_t k)
+{
+    const YkTreeCoordinate *c = &s->mech->coordinates[k];
+    if (c->input != YK_NONE) return 0;
+    double q = yk_coordinate_in(s, &s->spare, k).position, off = q - s->guess[k];
+    off = c->is_distance ? off / s->mech->size : yk_nearest_turn(off, 0);
+    return (s->is_guessed[k] ? 1 : 1e-8) * off * off;
+}
+
+static void choose(YkState *s, const YkLevel *level, size_t option)
+{
+    const YkBlock *b = &s->mech->blocks[level->block];
+    if (b->kind != YK_BLOCK_GROUP) {
+        s->branch[level->block] = option == 0 ? 1 : -1;
+        return;
+    }
+    memcpy(s->groups.x + b->first_column, level->solutions + option * b->column_count, b->column_count * sizeof(double));
+    s->branch[level->block] = 0; // its sign is taken when the solution stands
+}
+
+// Runs a level with one option; the cost of what becomes known, or infinity where it does not close.
+static double run_option(YkState *s, YkLevel *level, size_t option)
+{
+    YkRun run = yk_state_run(s, &s->spare);
+    choose(s, level, option);
+    yk_run_begin(&run);
+    yk_run_steps(&run, level->from, level->to);
+    if (yk_state_judge(s, &s->spare) < 0) return INFINITY;
+    if (s->mech->blocks[level->block].kind == YK_BLOCK_GROUP)
+        s->branch[level->block] = (signed char)yk_group_sign(&s->groups, s->mech, &s->spare, (size_t)level->block);
+    double cost = 0;
+    for (uint32_t k = 0; k < level->coordinate_count; k++)
+        cost += coordinate_cost(s, (size_t)s->search->coordinates[level->first_coordinate + k]);
+    return cost;
+}
+
+static void count_options(YkState *s, YkLevel *level)
+{
+    const YkBlock *b = &s->mech->blocks[level->block];
+    level->options = 2;
+    if (b->kind != YK_BLOCK_GROUP) return;
+    level->options = yk_group_search(&s->groups, s->mech, &s->spare, (size_t)level->block);
+    memcpy(level->solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
+}
+
+static bool is_singular_twin(const YkState *s) { return s->spare.margin[0] <= YK_SINGULAR_MARGIN; }
+
+// Tries all options of a level. Sorted by cost when `nearest`; those that do not close are dropped.
+static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
+{
+    size_t closing = 0, options;
+    level->before = before;
+    level->tried = 0;
+    count_options(s, level);
+    options = level->options;
+    for (size_t o = 0; o < options; o++) {
+        level->cost[o] = run_option(s, level, o);
+        if (!(level->cost[o] < INFINITY)) continue;
+        size_t place = closing++;
+        for (; nearest && place > 0 && level->cost[level->order[place - 1]] > level->cost[o]; place--)
+            level->order[place] = level->order[place - 1];
+        level->order[place] = (unsigned char)o;
+        // at a dead point both branches are one pose
+        if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s)) break;
+    }
+    level->options = closing;
+}
+
+typedef bool (*Leaf)(void *context, YkState *state, double cost);
+
+// Depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or the cap was reached.
+static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, void *context, size_t cap)
+{
+    YkSearch *q = s->search;
+    size_t depth = 0, leaves = 0;
+    YkRun run = yk_state_run(s, &s->spare);
+    s->groups.global = true;
+    yk_run_begin(&run);
+    yk_run_steps(&run, 0, q->first_step);
+    if (yk_state_judge(s, &s->spare) < 0) return true;
+    if (q->level_count == 0) return leaf(context, s, 0);
+    open_level(s, &q->levels[0], 0, nearest);
+    for (;;) {
+        YkLevel *level = &q->levels[depth];
+        size_t next = level->tried;
+        double cost = next < level->options ? level->before + level->cost[level->order[next]] : INFINITY;
+        if (next >= level->options || (bound && cost >= *bound)) {
+            if (depth-- == 0) return true;
+            continue;
+        }
+        level->tried++;
+        run_option(s, level, level->order[next]);
+        if (depth + 1 < q->level_count) {
+            open_level(s, &q->levels[++depth], cost, nearest);
+            continue;
+        }
+        if (!leaf(context, s, cost) || ++leaves >= cap) return false;
+    }
+}
+
+// --- the nearest ---------------------------------------------------------------------------------------------------------
+
+typedef struct Best { double cost; bool found; } Best;
+
+static bool keep_best(void *context, YkState *s, double cost)
+{
+    Best *best = context;
+    if (best->found && cost >= best->cost) return true;
+    *best = (Best){cost, true};
+    memcpy(s->search->best_branch, s->branch, s->mech->block_count);
+    if (s->mech->column_count > 0) memcpy(s->search->best_x, s->groups.x, s->mech->column_count * sizeof(double));
+    return true;
+}
+
+static void guess_groups(YkState *s, double *variables)
+{
+    size_t o = s->mech->orientation_count;
+    if (!variables) return;
+    yk_closure_guess(s->mech, s->guess, variables);
+    for (size_t k = 0; k < s->mech->column_count; k++) {
+        YkColumn c = s->mech->group_columns[k];
+        s->groups.x[k] = c.is_distance ? variables[o - 1 + (size_t)c.index] : variables[c.index - 1];
+    }
+}
+
+// Runs everything on the branches set. In machines with groups, from the solution in groups.x.
+static YkStatus run_whole(YkState *s)
+{
+    YkRun run = yk_state_run(s, &s->spare);
+    s->groups.global = true;
+    yk_run_begin(&run);
+    yk_run_steps(&run, 0, s->mech->step_count);
+    return yk_state_judge(s, &s->spare);
+}
+
+static YkStatus take(YkState *s, const signed char *branch, const double *x)
+{
+    memcpy(s->branch, branch, s->mech->block_count);
+    if (s->mech->column_count > 0) memcpy(s->groups.x, x, s->mech->column_count * sizeof(double));
+    YkStatus status = run_whole(s);
+    yk_state_tell(s, &s->spare, status);
+    if (status >= 0) yk_state_accept(s);
+    return status;
+}
+
+YkStatus yk_state_assemble(YkState *s)
+{
+    Best best = {INFINITY, false};
+    if (s->mech->has_groups) {
+        double *variables = calloc(yk_variable_count(s->mech) + 1, sizeof *variables);
+        guess_groups(s, variables);
+        free(variables);
+    }
+    search(s, true, &best.cost, keep_best, &best, LEAVES_MAX);
+    if (!best.found) {
+        yk_state_tell(s, &s->spare, YK_NO_ASSEMBLY);
+        return YK_NO_ASSEMBLY;
+    }
+    memcpy(s->reference, s->guess, s->mech->coordinate_count * sizeof *s->reference);
+    YkStatus status = take(s, s->search->best_branch, s->search->best_x);
+    if (status >= 0) yk_state_refer(s);
+    return status;
+}
+
+// --- all ------------------------------------------------------------------------------------------------------------------
+
+typedef struct Each {
+    bool (*visit)(void *, YkState *);
+    void *context;
+    size_t count;
+    bool stopped;
+} Each;
+
+// Shows the configuration in `spare` as the state's pose, then takes the pose back.
+static bool show(void *context, YkState *s, double cost)
+{
+    Each *each = context;
+    YkSpace pose = s->space;
+    bool has_pose = s->has_pose, has_rates = s->has_rates;
+    YkReport report = s->report;
+    (void)cost;
+    s->space = s->spare;
+    s->has_pose = true;
+    YkStatus status = yk_state_judge(s, &s->space);
+    yk_state_tell(s, &s->space, status);
+    s->has_rates = status != YK_SINGULAR;
+    each->count++;
+    each->stopped = !each->visit(each->context, s);
+    s->spare = s->space;
+    s->space = pose;
+    s->has_pose = has_pose;
+    s->has_rates = has_rates;
+    s->report = report;
+    return !each->stopped;
+}
+
+YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *context, bool *complete)
+{
+    Each each = {visit, context, 0, false};
+    size_t bytes = s->mech->column_count * sizeof(double);
+    memcpy(s->search->best_branch, s->branch, s->mech->block_count);
+    if (bytes > 0) memcpy(s->search->best_x, s->groups.x, bytes);
+    bool whole = search(s, false, NULL, show, &each, EACH_MAX);
+    memcpy(s->branch, s->search->best_branch, s->mech->block_count);
+    if (bytes > 0) memcpy(s->groups.x, s->search->best_x, bytes);
+    if (complete) *complete = (whole || each.stopped) && !s->mech->has_groups;
+    return each.count > 0 ? YK_OK : YK_NO_ASSEMBLY;
+}

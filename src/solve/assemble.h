@@ -1,0 +1,30 @@
+// Assembling: a depth-first search over the branches of all blocks.
+#ifndef SOLVE_ASSEMBLE_H
+#define SOLVE_ASSEMBLE_H
+#include "solve/state.h"
+
+typedef struct YkLevel {   // a block with branches, in the order of solution
+    int32_t block;
+    size_t from, to;       // steps: from its own to the next level's
+    uint32_t first_coordinate, coordinate_count; // that become known in these steps
+    size_t options, tried;
+    double cost[YK_GROUP_SOLUTIONS_MAX], before; // of each option; of all levels before
+    unsigned char order[YK_GROUP_SOLUTIONS_MAX];
+    double *solutions;     // groups: [option][column]
+} YkLevel;
+
+typedef struct YkSearch {
+    YkLevel *levels;
+    size_t level_count;
+    size_t first_step;     // of level 0: steps before it have no choice
+    int32_t *coordinates;  // by the level after which they are known
+    signed char *best_branch;
+    double *best_x, *kept_x, *path, *wanted;
+    double *solutions;
+    YkSpace kept;
+} YkSearch;
+
+YkSearch *yk_search_new(const YkMechanism *mech);
+void yk_search_free(YkSearch *search);
+
+#endif

@@ -1,0 +1,243 @@
+// Many poses at once: blocks of lanes through the same steps, then the asked channels.
+#include <yoke/batch.h>
+#include <stdlib.h>
+#include <string.h>
+#include "solve/state.h"
+
+// Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache. Tunable.
+enum { LANES = 128, LANES_MIN = 8 };
+#define CACHE_BYTES ((size_t)1 << 18)
+
+struct YkBatch {
+    const YkMechanism *mech;
+    YkState *state;            // its branches, its inputs for NULL arrays; poses of machines with groups are tracked in it
+    YkState *home;             // groups: every pose starts here
+    YkSpace space;
+    YkChannel *channels;
+    double *reference;         // per channel: its angle comes out nearest to this
+    int32_t (*turns)[2];       // per channel: orientations of its angle (a, b), and its offset
+    double *offset;
+    size_t channel_count, lanes;
+    double *constant;          // [3 * input + k][lane]: for NULL arrays
+    const double **lanes_of;   // the runner's view of this block's inputs
+    YkPlane point;             // scratch: one point's lanes
+    double *point_lanes;
+};
+
+static size_t lanes_for(const YkMechanism *mech)
+{
+    size_t per_lane = sizeof(double) * (4 * mech->slot_count + 3 * mech->distance_count + 6 * (mech->node_count + 4));
+    size_t lanes = CACHE_BYTES / (per_lane + 1);
+    return lanes > LANES ? LANES : lanes < LANES_MIN ? LANES_MIN : lanes & ~(size_t)7;
+}
+
+// A channel that is an angle: between which orientations, and near which value.
+static void prepare_angle(YkBatch *b, size_t k)
+{
+    const YkMechanism *mech = b->mech;
+    YkChannel c = b->channels[k];
+    int32_t joint = c.kind == YK_CHANNEL_COORDINATE ? mech->coordinates[c.index].joint : c.index;
+    b->turns[k][0] = b->turns[k][1] = 0;
+    b->offset[k] = 0;
+    if (c.kind == YK_CHANNEL_BODY) {
+        b->turns[k][1] = mech->bodies[c.index].orientation;
+        b->offset[k] = mech->bodies[c.index].turn;
+    } else if (c.kind == YK_CHANNEL_JOINT_ANGLE || (c.kind == YK_CHANNEL_COORDINATE && !mech->coordinates[c.index].is_distance)) {
+        YkJointAngle angle = yk_joint_angle(mech, joint);
+        b->turns[k][0] = angle.a;
+        b->turns[k][1] = angle.b;
+        b->offset[k] = angle.offset;
+    } else {
+        return;
+    }
+    YkChannel value = c;
+    value.order = 0;
+    b->reference[k] = yk_state_channel(b->state, value);
+}
+
+static void fill_constants(YkBatch *b)
+{
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++)
+        for (size_t k = 0; k < b->lanes; k++) b->constant[i * b->lanes + k] = b->state->input[i];
+}
+
+YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count)
+{
+    YkBatch *b = calloc(1, sizeof *b);
+    if (!b) return NULL;
+    size_t inputs = 3 * state->mech->input_count;
+    b->mech = state->mech;
+    b->lanes = lanes_for(b->mech);
+    b->channel_count = channel_count;
+    b->state = yk_state_new(b->mech);
+    b->home = yk_state_new(b->mech);
+    b->channels = calloc(channel_count + 1, sizeof *b->channels);
+    b->reference = calloc(channel_count + 1, sizeof *b->reference);
+    b->offset = calloc(channel_count + 1, sizeof *b->offset);
+    b->turns = calloc(channel_count + 1, sizeof *b->turns);
+    b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
+    b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
+    b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
+    if (!b->state || !b->home || !b->channels || !b->reference || !b->offset || !b->turns || !b->constant || !b->lanes_of || !b->point_lanes ||
+        !yk_space_start(&b->space, b->mech, b->lanes, false)) {
+        yk_batch_free(b);
+        return NULL;
+    }
+    yk_state_copy(b->state, state);
+    yk_state_copy(b->home, state);
+    double *p = b->point_lanes;
+    size_t n = b->lanes;
+    b->point = (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
+    for (size_t k = 0; k < channel_count; k++) {
+        b->channels[k] = channels[k];
+        prepare_angle(b, k);
+    }
+    fill_constants(b);
+    return b;
+}
+
+void yk_batch_free(YkBatch *b)
+{
+    if (!b) return;
+    yk_state_free(b->state);
+    yk_state_free(b->home);
+    yk_space_end(&b->space);
+    free(b->channels);
+    free(b->reference);
+    free(b->offset);
+    free(b->turns);
+    free(b->constant);
+    free(b->lanes_of);
+    free(b->point_lanes);
+    free(b);
+}
+
+// --- channels -----------------------------------------------------------------------------------------------------------
+
+static void write_angle(const YkBatch *b, size_t k, double *out, size_t n)
+{
+    YkTurn from = yk_space_turn(&b->space, b->turns[k][0]), to = yk_space_turn(&b->space, b->turns[k][1]);
+    int order = b->channels[k].order;
+    if (order == 0)
+        yk_lanes_angle(out, from, to, b->offset[k], b->reference[k], n);
+    else
+        yk_lanes_difference(out, order == 1 ? to.w : to.a, order == 1 ? from.w : from.a, n);
+}
+
+static void write_distance(const YkBatch *b, int32_t distance, int order, double *out, size_t n)
+{
+    YkSlide d = yk_space_slide(&b->space, distance);
+    memcpy(out, order == 0 ? d.d : order == 1 ? d.v : d.a, n * sizeof *out);
+}
+
+static void write_point(const YkBatch *b, const YkRun *run, YkChannel c, double *out, size_t n)
+{
+    const YkPoint *p = &b->mech->model->points[c.index];
+    YkTerm term = yk_body_term(b->mech, p->body, p->at);
+    YkSum origin = b->mech->bodies[p->body].origin;
+    if (term.slot == 0) origin.constant = yk_add(origin.constant, term.v);
+    yk_run_sum(run, &origin, b->point);
+    if (term.slot != 0) yk_lanes_add_turn(b->point, yk_space_turn(&b->space, term.slot), term.v, n);
+    if (c.kind == YK_CHANNEL_POINT_SPEED) {
+        for (size_t k = 0; k < n; k++) out[k] = sqrt(b->point.vx[k] * b->point.vx[k] + b->point.vy[k] * b->point.vy[k]);
+        return;
+    }
+    const double *x[] = {b->point.x, b->point.vx, b->point.ax}, *y[] = {b->point.y, b->point.vy, b->point.ay};
+    memcpy(out, (c.kind == YK_CHANNEL_POINT_X ? x : y)[c.order], n * sizeof *out);
+}
+
+static void write_channel(const YkBatch *b, const YkRun *run, size_t k, double *out)
+{
+    YkChannel c = b->channels[k];
+    size_t n = run->lanes;
+    switch (c.kind) {
+    case YK_CHANNEL_COORDINATE: {
+        const YkTreeCoordinate *q = &b->mech->coordinates[c.index];
+        if (q->input != YK_NONE)
+            memcpy(out, run->inputs[3 * q->input + c.order], n * sizeof *out);
+        else if (q->is_distance)
+            write_distance(b, q->distance, c.order, out, n);
+        else
+            write_angle(b, k, out, n);
+        break;
+    }
+    case YK_CHANNEL_BODY:
+    case YK_CHANNEL_JOINT_ANGLE: write_angle(b, k, out, n); break;
+    case YK_CHANNEL_JOINT_DISTANCE: write_distance(b, b->mech->joint_distance[c.index], c.order, out, n); break;
+    case YK_CHANNEL_POINT_X:
+    case YK_CHANNEL_POINT_Y:
+    case YK_CHANNEL_POINT_SPEED: write_point(b, run, c, out, n); break;
+    case YK_CHANNEL_TIME:
+    case YK_CHANNEL_TRANSMISSION:
+        for (size_t i = 0; i < n; i++) out[i] = b->state->time;
+        break;
+    }
+    bool is_rate = c.order > 0 || c.kind == YK_CHANNEL_POINT_SPEED;
+    yk_lanes_mask(out, b->space.margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
+}
+
+// --- running ------------------------------------------------------------------------------------------------------------
+
+static YkStatus worse(YkStatus a, YkStatus b) { return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b); }
+
+static YkStatus judge(YkBatch *b, signed char *status, size_t n)
+{
+    YkStatus worst = YK_OK;
+    double gap = YK_CLOSING_TOLERANCE * b->mech->size;
+    for (size_t k = 0; k < n; k++) {
+        bool closes = b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= gap;
+        YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
+        if (!closes) b->space.margin[k] = -1; // masks its answers
+        if (status) status[k] = (signed char)one;
+        worst = worse(worst, one);
+    }
+    return worst;
+}
+
+// Machines with groups, or a channel that only a state knows: pose by pose, each tracked from the batch's own state.
+static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *outputs, size_t pose)
+{
+    yk_state_copy(b->state, b->home);
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++) b->state->input[i] = inputs[i] ? inputs[i][pose] : b->constant[i * b->lanes];
+    YkStatus status = yk_state_solve(b->state);
+    if (status == YK_REDUNDANT) status = YK_OK;
+    if (status < 0) status = YK_LIMIT;
+    for (size_t k = 0; k < b->channel_count; k++) outputs[k][pose] = status < 0 ? 0 : yk_state_channel(b->state, b->channels[k]);
+    return status;
+}
+
+static bool needs_state(const YkBatch *b)
+{
+    if (b->mech->has_groups) return true;
+    for (size_t k = 0; k < b->channel_count; k++)
+        if (b->channels[k].kind == YK_CHANNEL_TRANSMISSION) return true;
+    return false;
+}
+
+static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status, size_t count)
+{
+    YkStatus worst = YK_OK;
+    for (size_t pose = 0; pose < count; pose++) {
+        YkStatus one = run_one(b, inputs, outputs, pose);
+        if (status) status[pose] = (signed char)one;
+        worst = worse(worst, one);
+    }
+    return worst;
+}
+
+YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status, size_t count)
+{
+    YkStatus worst = YK_OK;
+    if (needs_state(b)) return run_poses(b, inputs, outputs, status, count);
+    YkRun run = {b->mech, &b->space, b->lanes_of, b->state->branch, NULL, 0};
+    for (size_t at = 0; at < count; at += b->lanes) {
+        run.lanes = count - at < b->lanes ? count - at : b->lanes;
+        for (size_t i = 0; i < 3 * b->mech->input_count; i++)
+            b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
+        yk_run_begin(&run);
+        yk_run_steps(&run, 0, b->mech->step_count);
+        worst = worse(worst, judge(b, status ? status + at : NULL, run.lanes));
+        for (size_t k = 0; k < b->channel_count; k++) write_channel(b, &run, k, outputs[k] + at);
+    }
+    return worst;
+}

@@ -1,0 +1,176 @@
+// Lanes: how a kernel's loop is written once and runs on any instruction set with the same bits.
+//
+// A kernel is a body that is inlined into one function per instruction set; the public function chooses at run time.
+// Every operation is IEEE basic arithmetic in a fixed order (no fused operations, no reassociation), so that all of
+// them, and one lane or many, give the same bits. This file is the only place that knows about instruction sets.
+#ifndef SOLVE_LANES_H
+#define SOLVE_LANES_H
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+#include "solve/kernels.h"
+
+// A function that must vanish into its caller, so that it is compiled for the caller's instruction set.
+#if defined(__GNUC__)
+#define YK_INLINE static inline __attribute__((always_inline))
+#define YK_APART static __attribute__((noinline))
+#else
+#define YK_INLINE static inline
+#define YK_APART static
+#endif
+
+// Before a loop over lanes: no lane depends on another one.
+// YK_ONE_PASS: whether a loop that both places and differentiates is worth it; clang 14 vectorises the two only apart.
+#if defined(__clang__)
+#define YK_ONE_PASS false
+#pragma clang diagnostic ignored "-Wpass-failed" // a loop that stays scalar is slower, not wrong
+#define YK_EACH_LANE _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define YK_ONE_PASS true
+#define YK_EACH_LANE _Pragma("GCC ivdep")
+#else
+#define YK_ONE_PASS true
+#define YK_EACH_LANE
+#endif
+
+// YK_KERNEL(name, parameters, arguments) defines the public function `name` from the body name##_body; the last
+// parameter is the count n, which the arguments leave out. One lane takes a copy without a loop; few lanes take the
+// plain copy, since for them the call costs more than the width gains.
+#define YK_SPREAD(...) __VA_ARGS__
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES)
+#define YK_FEW_LANES 8
+#define YK_KERNEL(name, parameters, arguments)                                                                         \
+    __attribute__((target("avx512f"), noinline)) static void name##_avx512 parameters                                  \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }                                                                                                                  \
+    __attribute__((target("avx2"), noinline)) static void name##_avx2 parameters                                       \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }                                                                                                                  \
+    YK_APART void name##_plain parameters                                                                              \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }                                                                                                                  \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        if (n == 1)                                                                                                    \
+            name##_body(YK_SPREAD arguments, 1);                                                                       \
+        else if (n >= YK_FEW_LANES && __builtin_cpu_supports("avx512f"))                                               \
+            name##_avx512(YK_SPREAD arguments, n);                                                                     \
+        else if (n >= YK_FEW_LANES && __builtin_cpu_supports("avx2"))                                                  \
+            name##_avx2(YK_SPREAD arguments, n);                                                                       \
+        else                                                                                                           \
+            name##_plain(YK_SPREAD arguments, n);                                                                      \
+    }
+#else
+#define YK_KERNEL(name, parameters, arguments)                                                                         \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }
+#endif
+
+// One lane of a vector, its rate and its acceleration; of an orientation; of a distance.
+YK_INLINE YkVec lane_place(YkPlane p, size_t i)
+{
+    return yk_vec(p.x[i], p.y[i]);
+}
+YK_INLINE YkVec lane_rate(YkPlane p, size_t i)
+{
+    return yk_vec(p.vx[i], p.vy[i]);
+}
+YK_INLINE YkVec lane_accel(YkPlane p, size_t i)
+{
+    return yk_vec(p.ax[i], p.ay[i]);
+}
+YK_INLINE YkVec lane_unit(YkTurn t, size_t i)
+{
+    return yk_vec(t.c[i], t.s[i]);
+}
+
+YK_INLINE void lane_set_unit(YkTurn t, size_t i, YkVec e)
+{
+    t.c[i] = e.x;
+    t.s[i] = e.y;
+}
+
+// One lane of a vector that is known with its rate and acceleration.
+typedef struct Known {
+    YkVec place, rate, accel;
+} Known;
+
+YK_INLINE Known lane_known(YkPlane p, size_t i)
+{
+    return (Known){lane_place(p, i), lane_rate(p, i), lane_accel(p, i)};
+}
+
+// One lane of the rates and accelerations of an orientation and a distance.
+typedef struct Rates {
+    double w, v, turn_accel, slide_accel;
+} Rates;
+
+YK_INLINE void lane_set_rates(YkTurn t, YkSlide d, size_t i, Rates rates)
+{
+    t.w[i] = rates.w;
+    t.a[i] = rates.turn_accel;
+    d.v[i] = rates.v;
+    d.a[i] = rates.slide_accel;
+}
+
+YK_INLINE bool arm_varies(YkArm arm)
+{
+    return arm.lanes.x != NULL;
+}
+YK_INLINE YkVec arm_place(YkArm arm, bool varies, size_t i)
+{
+    return varies ? lane_place(arm.lanes, i) : arm.constant;
+}
+
+YK_INLINE Known arm_known(YkArm arm, bool varies, size_t i)
+{
+    const YkVec still = {0, 0};
+    return varies ? lane_known(arm.lanes, i) : (Known){arm.constant, still, still};
+}
+
+// The unit vector e = u e^(i line).
+YK_INLINE YkVec line_unit(YkTurn line, YkVec u, bool turns, size_t i)
+{
+    return turns ? yk_mul(lane_unit(line, i), u) : u;
+}
+
+// 1 / a, as a complex number.
+YK_INLINE YkVec vec_inverse(YkVec a)
+{
+    return yk_scale(1 / yk_dot(a, a), yk_conj(a));
+}
+
+// sqrt of a, of 0 where a is negative or NaN.
+YK_INLINE double root_of(double a)
+{
+    return sqrt(a > 0 ? a : 0);
+}
+
+// |a|, or something tiny and harmless for 0. (A choice between a and 1 would tempt compilers into dividing twice.)
+YK_INLINE double not_zero(double a)
+{
+    return fabs(a) + 1e-200;
+}
+
+// Keeps the least margin of a lane. `own` gets the block's, and is the same array where nobody asks for it. It counts
+// as -1 where the witness, a part of the solution, is NaN.
+YK_INLINE void lane_margin(double *margin, double *own, size_t i, double m, double witness)
+{
+    double before = margin[i], known = witness == witness ? m : -1;
+    own[i] = known;
+    margin[i] = known < before ? known : before;
+}
+
+// Keeps the largest gap of a lane. NaN counts as infinite.
+YK_INLINE void lane_gap(double *gap, size_t i, double g)
+{
+    double known = g == g ? g : (double)INFINITY;
+    gap[i] = known > gap[i] ? known : gap[i];
+}
+
+#endif

@@ -1,0 +1,25 @@
+// A path of the inputs: one coordinate, or time; and probing poses on it.
+#ifndef SOLVE_PATH_H
+#define SOLVE_PATH_H
+#include <yoke/sweep.h>
+#include "solve/state.h"
+
+typedef struct YkPath {
+    YkState *state;
+    int input;             // -1: time
+    double *others;        // the inputs as they were: [3 * input + k]
+} YkPath;
+
+// NULL others: out of memory.
+bool yk_path_start(YkPath *path, YkState *state, int coordinate);
+void yk_path_end(YkPath *path);
+// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path.
+void yk_path_set(YkPath *path, double at, bool along);
+// The same, and solves.
+YkStatus yk_path_probe(YkPath *path, double at, bool along);
+// Between a pose that closes and one that does not: the last value that closes, to rounding. The state ends there.
+double yk_path_limit(YkPath *path, double good, double bad);
+// One unit of path for tolerances: radians, seconds, or the machine's size.
+double yk_path_scale(const YkPath *path);
+
+#endif

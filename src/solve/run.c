@@ -1,0 +1,138 @@
+#include "solve/run.h"
+
+void yk_run_begin(const YkRun *run)
+{
+    for (size_t k = 0; k < run->lanes; k++) {
+        run->space->margin[k] = 1;
+        run->space->gap[k] = 0;
+    }
+}
+
+static void add_term(const YkRun *run, YkTerm term, YkPlane out)
+{
+    YkTurn turn = yk_space_turn(run->space, term.slot);
+    if (term.distance == YK_NONE)
+        yk_lanes_add_turn(out, turn, term.v, run->lanes);
+    else
+        yk_lanes_add_slide(out, turn, term.v, yk_space_slide(run->space, term.distance), run->lanes);
+}
+
+void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out)
+{
+    const YkTerm *terms = run->mech->terms + sum->first;
+    uint32_t k = 0;
+    if (sum->plus == YK_NONE && sum->minus == YK_NONE && sum->count > 0 && terms[0].distance == YK_NONE) {
+        yk_lanes_start_turn(out, sum->constant, yk_space_turn(run->space, terms[0].slot), terms[0].v, run->lanes);
+        k = 1;
+    } else {
+        yk_lanes_start(out, sum->constant, yk_space_plane(run->space, sum->plus), yk_space_plane(run->space, sum->minus), run->lanes);
+    }
+    for (; k < sum->count; k++) add_term(run, terms[k], out);
+}
+
+static YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
+{
+    YkArm arm = {.constant = block->arm[k].constant};
+    if (block->arm_is_constant[k]) return arm;
+    arm.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k);
+    yk_run_sum(run, &block->arm[k], arm.lanes);
+    return arm;
+}
+
+// Closed forms: positions and rates together.
+static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
+{
+    YkSpace *s = run->space;
+    size_t n = run->lanes;
+    double *own = s->block_margin ? s->block_margin + index * s->stride : NULL, branch = run->branch[index] < 0 ? -1 : 1;
+    YkPlane K = yk_space_scratch(s, YK_SCRATCH_KNOWN);
+    YkTurn line = yk_space_turn(s, b->line_slot[0]);
+    yk_run_sum(run, &b->known, K);
+    switch (b->kind) {
+    case YK_BLOCK_RRR:
+        yk_lanes_rrr_all(K, arm_of(run, b, 0), arm_of(run, b, 1), branch, yk_space_turn(s, b->column[0].index),
+                         yk_space_turn(s, b->column[1].index), s->margin, own, n);
+        break;
+    case YK_BLOCK_RRP:
+        yk_lanes_rrp_all(K, arm_of(run, b, 0), line, b->line[0], branch, yk_space_turn(s, b->column[0].index),
+                         yk_space_slide(s, b->column[1].index), s->margin, own, n);
+        break;
+    case YK_BLOCK_RPR:
+        yk_lanes_rpr_all(K, arm_of(run, b, 0), line, b->line[0], branch, yk_space_turn(s, b->column[0].index),
+                         yk_space_slide(s, b->column[1].index), s->margin, own, n);
+        break;
+    case YK_BLOCK_PP: {
+        YkTurn line2 = yk_space_turn(s, b->line_slot[1]);
+        YkSlide d1 = yk_space_slide(s, b->column[0].index), d2 = yk_space_slide(s, b->column[1].index);
+        yk_lanes_pp(K, line, b->line[0], line2, b->line[1], d1, d2, s->margin, own, n);
+        yk_lanes_pp_rates(K, line, b->line[0], line2, b->line[1], d1, d2, n);
+        break;
+    }
+    default: break;
+    }
+}
+
+// Blocks that repeat constraints: one unknown or none.
+static void run_redundant(const YkRun *run, const YkBlock *b)
+{
+    YkSpace *s = run->space;
+    YkPlane K = yk_space_scratch(s, YK_SCRATCH_KNOWN);
+    yk_run_sum(run, &b->known, K);
+    if (b->kind == YK_BLOCK_CHECK) {
+        yk_lanes_gap(K, s->gap, run->lanes);
+    } else if (b->column[0].is_distance) {
+        YkTurn line = yk_space_turn(s, b->line_slot[0]);
+        YkSlide d = yk_space_slide(s, b->column[0].index);
+        yk_lanes_guide(K, line, b->line[0], d, s->gap, run->lanes);
+        yk_lanes_guide_rates(K, line, b->line[0], d, run->lanes);
+    } else {
+        YkTurn out = yk_space_turn(s, b->column[0].index);
+        YkArm U = arm_of(run, b, 0);
+        yk_lanes_link(K, U, out, s->gap, run->lanes);
+        yk_lanes_link_rates(K, U, out, run->lanes);
+    }
+}
+
+static void run_block(const YkRun *run, size_t index)
+{
+    const YkBlock *b = &run->mech->blocks[index];
+    if (b->kind == YK_BLOCK_GROUP)
+        yk_group_solve(run->groups, run->mech, run->space, index, run->branch[index]);
+    else if (b->kind == YK_BLOCK_LINK || b->kind == YK_BLOCK_CHECK)
+        run_redundant(run, b);
+    else
+        run_dyad(run, b, index);
+}
+
+static void run_distance(const YkRun *run, const YkStep *step)
+{
+    const double *const *in = run->inputs + 3 * step->input;
+    YkSlide d = yk_space_slide(run->space, step->target);
+    for (size_t k = 0; k < run->lanes; k++) {
+        d.d[k] = in[0][k];
+        d.v[k] = in[1][k];
+        d.a[k] = in[2][k];
+    }
+}
+
+void yk_run_steps(const YkRun *run, size_t from, size_t to)
+{
+    for (size_t k = from; k < to; k++) {
+        const YkStep *step = &run->mech->steps[k];
+        const YkSpace *s = run->space;
+        switch (step->kind) {
+        case YK_STEP_TURN: {
+            const double *const *in = run->inputs + 3 * step->input;
+            yk_lanes_turn(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2], step->offset, step->sign,
+                          run->lanes);
+            break;
+        }
+        case YK_STEP_COMPOSE:
+            yk_lanes_compose(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), yk_space_turn(s, step->other), run->lanes);
+            break;
+        case YK_STEP_DISTANCE: run_distance(run, step); break;
+        case YK_STEP_NODE: yk_run_sum(run, &step->sum, yk_space_plane(s, step->target)); break;
+        case YK_STEP_BLOCK: run_block(run, (size_t)step->target); break;
+        }
+    }
+}

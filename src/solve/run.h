@@ -1,0 +1,22 @@
+// Runs the compiled steps over lanes.
+#ifndef SOLVE_RUN_H
+#define SOLVE_RUN_H
+#include "solve/group.h"
+#include "solve/space.h"
+
+typedef struct YkRun {
+    const YkMechanism *mech;
+    YkSpace *space;
+    const double *const *inputs;  // [3 * input + k]: lanes of position, velocity, acceleration
+    const signed char *branch;    // per block
+    YkGroupWork *groups;          // for GROUP blocks (one lane only), or NULL
+    size_t lanes;
+} YkRun;
+
+// Runs steps [from, to). The margins and gaps go on from where they are: call yk_run_begin before step 0.
+void yk_run_begin(const YkRun *run);
+void yk_run_steps(const YkRun *run, size_t from, size_t to);
+// A sum over lanes: constant + nodes + turned vectors.
+void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out);
+
+#endif

@@ -1,0 +1,35 @@
+#include "solve/space.h"
+#include <stdlib.h>
+#include <string.h>
+
+static size_t doubles(const YkSpace *s)
+{
+    return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 + (s->block_margin ? s->blocks : 0));
+}
+
+bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool with_margins)
+{
+    double dummy;
+    *space = (YkSpace){.stride = stride, .slots = mech->slot_count, .distances = mech->distance_count, .nodes = mech->node_count,
+                       .blocks = mech->block_count, .block_margin = with_margins ? &dummy : NULL};
+    size_t size = doubles(space) * sizeof(double);
+    space->memory = calloc(1, size + 64);
+    if (!space->memory) {
+        space->block_margin = NULL;
+        return false;
+    }
+    space->data = (double *)(((uintptr_t)space->memory + 63) & ~(uintptr_t)63);
+    space->margin = space->data + stride * (4 * space->slots + 3 * space->distances + 6 * (space->nodes + YK_SCRATCH_COUNT));
+    space->gap = space->margin + stride;
+    space->block_margin = with_margins ? space->gap + stride : NULL;
+    for (size_t k = 0; k < stride; k++) space->data[k] = 1; // slot 0, for whoever reads it: the ground's unit vector
+    return true;
+}
+
+void yk_space_end(YkSpace *space)
+{
+    free(space->memory);
+    *space = (YkSpace){0};
+}
+
+void yk_space_copy(YkSpace *to, const YkSpace *from) { memcpy(to->data, from->data, doubles(from) * sizeof(double)); }

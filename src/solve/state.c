@@ -1,0 +1,173 @@
+#include "solve/state.h"
+#include <stdlib.h>
+#include <string.h>
+#include "compile/closure.h"
+#include "compile/inputs.h"
+#include "solve/assemble.h"
+#include "solve/track.h"
+
+static bool allocate(YkState *s)
+{
+    const YkMechanism *mech = s->mech;
+    size_t inputs = mech->input_count, n = mech->coordinate_count;
+    s->input = calloc(3 * inputs + 1, sizeof *s->input);
+    s->valid_input = calloc(3 * inputs + 1, sizeof *s->valid_input);
+    s->input_lanes = calloc(3 * inputs + 1, sizeof *s->input_lanes);
+    s->reference = calloc(n + 1, sizeof *s->reference);
+    s->guess = calloc(n + 1, sizeof *s->guess);
+    s->is_guessed = calloc(n + 1, sizeof *s->is_guessed);
+    s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
+    s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
+    s->search = yk_search_new(mech);
+    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->is_guessed && s->branch && s->valid_x &&
+           s->search && yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
+           yk_group_start(&s->groups, mech);
+}
+
+static void mark_guesses(YkState *s)
+{
+    const YkModel *model = s->mech->model;
+    yk_inputs_guess(s->mech, s->guess);
+    for (size_t k = 0; k < model->start_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
+        int32_t q = model->starts[k].is_rate ? YK_NONE : yk_tree_coordinate(s->mech, c->joint, c->is_distance);
+        if (q != YK_NONE) s->is_guessed[q] = true;
+    }
+}
+
+YkState *yk_state_new(const YkMechanism *mech)
+{
+    YkState *s = calloc(1, sizeof *s);
+    if (!s) return NULL;
+    s->mech = mech;
+    if (!allocate(s)) {
+        yk_state_free(s);
+        return NULL;
+    }
+    for (size_t k = 0; k < 3 * mech->input_count; k++) s->input_lanes[k] = &s->input[k];
+    mark_guesses(s);
+    memcpy(s->reference, s->guess, mech->coordinate_count * sizeof *s->reference);
+    yk_state_set_time(s, 0, NULL);
+    return s;
+}
+
+void yk_state_free(YkState *s)
+{
+    if (!s) return;
+    yk_space_end(&s->space);
+    yk_space_end(&s->spare);
+    yk_group_end(&s->groups);
+    yk_search_free(s->search);
+    free(s->input);
+    free(s->valid_input);
+    free(s->input_lanes);
+    free(s->reference);
+    free(s->guess);
+    free(s->is_guessed);
+    free(s->branch);
+    free(s->valid_x);
+    free(s);
+}
+
+YkStatus yk_state_copy(YkState *to, const YkState *from)
+{
+    const YkMechanism *mech = to->mech;
+    if (mech != from->mech) return YK_BAD_ARGUMENT;
+    yk_space_copy(&to->space, &from->space);
+    memcpy(to->input, from->input, 3 * mech->input_count * sizeof *to->input);
+    memcpy(to->valid_input, from->valid_input, 3 * mech->input_count * sizeof *to->input);
+    memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);
+    memcpy(to->branch, from->branch, mech->block_count);
+    memcpy(to->valid_x, from->valid_x, mech->column_count * sizeof *to->valid_x);
+    if (mech->column_count > 0) memcpy(to->groups.x, from->groups.x, mech->column_count * sizeof *to->groups.x);
+    to->time = from->time;
+    to->has_pose = from->has_pose;
+    to->has_rates = from->has_rates;
+    to->report = from->report;
+    return YK_OK;
+}
+
+// --- inputs -------------------------------------------------------------------------------------------------------------
+
+YkStatus yk_state_set_time(YkState *s, double time, YkProblems *problems)
+{
+    const YkModel *model = s->mech->model;
+    YkStatus status = YK_OK;
+    s->time = time;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        const YkTreeCoordinate *c = &s->mech->coordinates[s->mech->inputs[i]];
+        YkJet jet = {{s->guess[s->mech->inputs[i]]}};
+        if (c->drive != YK_NONE) {
+            YkStatus one = yk_model_eval(model, model->drives[c->drive].expr, time, &jet, problems);
+            if (one != YK_OK) status = one;
+        }
+        if (c->drive != YK_NONE && status != YK_OK) continue;
+        for (int k = 0; k < 3; k++) s->input[3 * i + (size_t)k] = jet.d[k];
+    }
+    for (size_t k = 0; k < model->start_count; k++) { // rates of coordinates that are held and not driven
+        const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
+        int32_t q = model->starts[k].is_rate ? yk_tree_coordinate(s->mech, c->joint, c->is_distance) : YK_NONE;
+        if (q == YK_NONE || s->mech->coordinates[q].drive != YK_NONE || s->mech->coordinates[q].input == YK_NONE) continue;
+        s->input[3 * s->mech->coordinates[q].input + 1] = model->starts[k].value;
+    }
+    return status;
+}
+
+double yk_state_time(const YkState *s) { return s->time; }
+
+void yk_state_set_input(YkState *s, size_t input, YkMotion m)
+{
+    s->input[3 * input] = m.position;
+    s->input[3 * input + 1] = m.velocity;
+    s->input[3 * input + 2] = m.acceleration;
+}
+
+YkMotion yk_state_input(const YkState *s, size_t input)
+{
+    return (YkMotion){s->input[3 * input], s->input[3 * input + 1], s->input[3 * input + 2]};
+}
+
+// --- solving ------------------------------------------------------------------------------------------------------------
+
+YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
+{
+    if (!(space->margin[0] >= YK_LIMIT_MARGIN)) return YK_LIMIT;
+    if (!(space->gap[0] <= YK_CLOSING_TOLERANCE * s->mech->size)) return YK_NO_ASSEMBLY;
+    if (space->margin[0] <= YK_SINGULAR_MARGIN) return YK_SINGULAR;
+    return s->mech->redundant_count > 0 ? YK_REDUNDANT : YK_OK;
+}
+
+void yk_state_accept(YkState *s)
+{
+    YkSpace space = s->space;
+    s->space = s->spare;
+    s->spare = space;
+    memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
+    if (s->mech->column_count > 0) memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
+    s->has_pose = true;
+    s->has_rates = s->space.margin[0] > YK_SINGULAR_MARGIN;
+}
+
+void yk_state_refer(YkState *s)
+{
+    for (size_t k = 0; k < s->mech->coordinate_count; k++)
+        if (!s->mech->coordinates[k].is_distance) s->reference[k] = yk_coordinate_in(s, &s->space, k).position;
+}
+
+YkStatus yk_state_solve(YkState *s)
+{
+    if (s->mech->has_groups) return yk_state_track(s);
+    YkRun run = yk_state_run(s, &s->spare);
+    yk_run_begin(&run);
+    yk_run_steps(&run, 0, s->mech->step_count);
+    YkStatus status = yk_state_judge(s, &s->spare);
+    yk_state_tell(s, &s->spare, status);
+    if (status >= 0) yk_state_accept(s);
+    return status;
+}
+
+const YkMechanism *yk_state_mechanism(const YkState *s) { return s->mech; }
+int yk_state_branch(const YkState *s, size_t block) { return s->branch[block]; }
+void yk_state_set_branch(YkState *s, size_t block, int branch) { s->branch[block] = (signed char)((branch > 0) - (branch < 0)); }
+bool yk_state_has_rates(const YkState *s) { return s->has_rates; }
+const YkReport *yk_state_report(const YkState *s) { return &s->report; }

@@ -1,0 +1,47 @@
+// The inside of YkState.
+#ifndef SOLVE_STATE_H
+#define SOLVE_STATE_H
+#include <yoke/state.h>
+#include "solve/run.h"
+
+struct YkState {
+    const YkMechanism *mech;
+    YkSpace space, spare;       // the last valid pose; the one being tried
+    double *input;              // [3 * input + k]
+    const double **input_lanes; // pointers to the same, for the runner
+    double *valid_input;        // inputs of the valid pose
+    double *reference;          // per coordinate: its angle comes out nearest to this
+    double *guess;              // per coordinate, from `start:`
+    bool *is_guessed;
+    signed char *branch;        // per block; 0 where it has none
+    YkGroupWork groups;
+    double *valid_x;            // group columns of the valid pose
+    double time;
+    bool has_pose, has_rates;
+    YkReport report;
+    // assembling: see assemble.c
+    struct YkSearch *search;
+};
+
+static inline YkRun yk_state_run(YkState *state, YkSpace *space)
+{
+    return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1};
+}
+
+// Tolerances, in one place.
+#define YK_CLOSING_TOLERANCE 1e-12  // of the size: what a loop may miss and still count as closed
+#define YK_LIMIT_MARGIN (-1e-13)    // sin^2 below this does not close; between this and 0 it is rounding at a limit
+#define YK_SINGULAR_MARGIN 1e-14    // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
+
+// The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a redundant loop gapes).
+YkStatus yk_state_judge(const YkState *state, const YkSpace *space);
+// Fills the report for a status.
+void yk_state_tell(YkState *state, const YkSpace *space, YkStatus status);
+// Makes the spare space the pose.
+void yk_state_accept(YkState *state);
+// Makes the present angles the reference for the next.
+void yk_state_refer(YkState *state);
+// Coordinate angles and distances straight from a space.
+YkMotion yk_coordinate_in(const YkState *state, const YkSpace *space, size_t coordinate);
+
+#endif

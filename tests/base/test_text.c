@@ -1,0 +1,145 @@
+#include "check.h"
+#include <limits.h>
+#include <stdlib.h>
+#include "base/text.h"
+
+static void an_empty_text_is_an_empty_string(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    assert_string_equal(yk_text_get(&text), "");
+    yk_text_clear(&text);
+    yk_text_puts(&text, "");
+    assert_string_equal(yk_text_get(&text), "");
+    assert_false(text.failed);
+    yk_text_free(&text);
+    yk_text_free(&text);
+}
+
+static void pieces_add_up_to_any_length(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    char expected[9001] = "";
+    for (size_t i = 0; i < 3000; i++) {
+        yk_text_add(&text, &"abcdef"[i % 4], 3);
+        memcpy(expected + 3 * i, &"abcdef"[i % 4], 3);
+    }
+    assert_int_equal(text.length, 9000);
+    assert_string_equal(yk_text_get(&text), expected);
+    yk_text_free(&text);
+    assert_null(text.data);
+}
+
+static void clearing_keeps_the_memory(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_repeat(&text, 'x', 1000);
+    size_t capacity = text.capacity;
+    yk_text_clear(&text);
+    assert_string_equal(yk_text_get(&text), "");
+    assert_int_equal(text.capacity, capacity);
+    yk_text_repeat(&text, 'y', 3);
+    assert_string_equal(yk_text_get(&text), "yyy");
+    yk_text_free(&text);
+}
+
+// A sanitizer would stop at requests that malloc rightly refuses.
+const char *__asan_default_options(void);
+const char *__asan_default_options(void)
+{
+    return "allocator_may_return_null=1";
+}
+
+static void an_impossible_length_fails_and_keeps_what_was_there(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_puts(&text, "crank");
+    yk_text_repeat(&text, 'x', SIZE_MAX);
+    assert_true(text.failed);
+    yk_text_repeat(&text, 'x', SIZE_MAX / 2 - 100);
+    yk_text_puts(&text, " lever"); // after a hole nothing more is added
+    assert_string_equal(yk_text_get(&text), "crank");
+    yk_text_clear(&text);
+    assert_false(text.failed);
+    yk_text_free(&text);
+}
+
+// Formats with ours and with the C library, where both have the conversion.
+#define CHECK_SAME(theirs, ours, ...)                                                                                  \
+    do {                                                                                                               \
+        char expected[300];                                                                                            \
+        YkText text = {0};                                                                                             \
+        snprintf(expected, sizeof expected, theirs, __VA_ARGS__);                                                      \
+        yk_text_format(&text, ours, __VA_ARGS__);                                                                      \
+        assert_string_equal(yk_text_get(&text), expected);                                                             \
+        assert_int_equal(text.length, strlen(expected));                                                               \
+        yk_text_free(&text);                                                                                           \
+    } while (0)
+
+static void integers_strings_and_characters_are_formatted_as_by_printf(void **state)
+{
+    (void)state;
+    const int ints[] = {0, 1, -1, 9, 10, -10, 12345, INT_MAX, INT_MIN};
+    for (size_t i = 0; i < sizeof ints / sizeof *ints; i++) CHECK_SAME("<%d>", "<%d>", ints[i]);
+    CHECK_SAME("%u %u", "%u %u", 0u, UINT_MAX);
+    CHECK_SAME("%zu%zu", "%z%z", (size_t)7, SIZE_MAX);
+    CHECK_SAME("%s: %c%c %d%%", "%s: %c%c %d%%", "load", 'a', '-', 50);
+    CHECK_SAME("%s%s%s", "%s%s%s", "", "x", "");
+}
+
+static void doubles_are_written_shortest_or_to_six_digits(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_format(&text, "%g %e %g %e", 0.1, 1.0 / 3, 1e-7, 123456789.0);
+    assert_string_equal(yk_text_get(&text), "0.1 0.333333 1e-7 123457000");
+    yk_text_free(&text);
+}
+
+static void a_null_string_is_empty(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_format(&text, "[%s][%q]", (const char *)NULL, (const char *)NULL);
+    assert_string_equal(yk_text_get(&text), "[][``]");
+    yk_text_free(&text);
+}
+
+static void unknown_conversions_are_shown_and_take_no_argument(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_format(&text, "%y %d %", 3);
+    assert_string_equal(yk_text_get(&text), "%y 3 %");
+    yk_text_free(&text);
+}
+
+static void formats_add_to_what_is_there(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_puts(&text, "loop ");
+    yk_text_format(&text, "%d: %q", 2, "A");
+    yk_text_format(&text, ".");
+    assert_string_equal(yk_text_get(&text), "loop 2: `A`.");
+    yk_text_free(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_empty_text_is_an_empty_string),
+        cmocka_unit_test(pieces_add_up_to_any_length),
+        cmocka_unit_test(clearing_keeps_the_memory),
+        cmocka_unit_test(an_impossible_length_fails_and_keeps_what_was_there),
+        cmocka_unit_test(integers_strings_and_characters_are_formatted_as_by_printf),
+        cmocka_unit_test(doubles_are_written_shortest_or_to_six_digits),
+        cmocka_unit_test(a_null_string_is_empty),
+        cmocka_unit_test(unknown_conversions_are_shown_and_take_no_argument),
+        cmocka_unit_test(formats_add_to_what_is_there),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

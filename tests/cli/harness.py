@@ -1,0 +1,92 @@
+"""What the command's tests share: running the binary, and reading its answers strictly."""
+import csv
+import io
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+YOKE = os.environ.get("YOKE", "yoke")
+
+FOUR_BAR = """\
+name: Test four-bar
+units: {length: mm, angle: deg}
+parameters: {a: 40}
+bodies:
+  ground:  {points: {O: [0, 0], C: [100, 0]}}
+  crank:   {points: {O: [0, 0], A: [a, 0]}}
+  coupler: {points: {A: [0, 0], B: [120, 0], P: [60, 50]}}
+  rocker:  {points: {C: [0, 0], B: [80, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: theta1}
+  A: {pin: [crank, coupler], angle: theta2}
+  C: {pin: [ground, rocker], angle: theta3}
+  B: {pin: [coupler, rocker]}
+drives: {theta1: 60 + 90 deg/s * t}
+start: {theta2: -20, theta3: 90}
+"""
+
+# Ground 100, crank 90, coupler 60, rocker 40: the crank cannot turn through.
+ROCKER = FOUR_BAR.replace("a: 40", "a: 90").replace("B: [120, 0]", "B: [60, 0]").replace("B: [80, 0]", "B: [40, 0]").replace(
+    "theta1: 60 + 90 deg/s * t", "theta1: 20 + 90 deg/s * t").replace("theta2: -20", "theta2: -60")
+
+
+class Run:
+    """One call of the command: its exit code and both streams, as text."""
+
+    def __init__(self, *words, stdin=None, env=None):
+        environment = dict(os.environ, **(env or {}))
+        done = subprocess.run([YOKE, *words], input=stdin, capture_output=True, env=environment, timeout=120,
+                              encoding="utf-8", check=False)
+        self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
+
+    def json(self):
+        """The answer as JSON; NaN and Infinity, which Python would take, are errors."""
+        return json.loads(self.out, parse_constant=refuse_constant)
+
+    def csv(self):
+        """Head and rows, empty fields as None."""
+        lines = list(csv.reader(io.StringIO(self.out)))
+        return lines[0], [[float(field) if field else None for field in line] for line in lines[1:]]
+
+
+def refuse_constant(word):
+    raise ValueError("JSON has no %s" % word)
+
+
+class Case(unittest.TestCase):
+    """A test with a folder of its own, which holds a four-bar that turns and one that does not."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="yoke-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.four_bar = self.write("four-bar.yaml", FOUR_BAR)
+        self.rocker = self.write("rocker.yaml", ROCKER)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def good(self, *words, **options):
+        run = Run(*words, **options)
+        self.assertEqual(run.code, 0, run.err)
+        return run
+
+    def wrong(self, code, *words, **options):
+        """Exit 2 with this code on standard error, and nothing on standard output."""
+        run = Run(*words, **options)
+        self.assertEqual(run.code, 2, run.out + run.err)
+        self.assertIn("[E%04d]" % code, run.err)
+        self.assertEqual(run.out, "")
+        return run

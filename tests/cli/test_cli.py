@@ -1,0 +1,200 @@
+"""The command's front: verbs, options, help, explanations, where answers go. Run: YOKE=path/of/yoke python3 test_cli.py"""
+import os
+import stat
+import unittest
+
+from harness import Case, FOUR_BAR, Run
+
+LATER = ["derive", "gears", "cam", "simulate", "report", "code"]
+VERBS = ["check", "solve", "sweep", "draw", "explain"]
+
+
+class Front(Case):
+    def test_alone_it_shows_what_to_do_next(self):
+        run = self.good()
+        for word in VERBS + LATER + ["yoke check machine.yaml"]:
+            self.assertIn(word, run.out)
+        self.assertEqual(run.err, "")
+
+    def test_the_machine_in_the_tour_works(self):
+        text = self.good().out.split("to begin with:\n")[1]
+        model = "".join(line[2:] + "\n" for line in text.splitlines() if line.startswith("  "))
+        run = self.good("solve", "-", "--format", "json", stdin=model)
+        self.assertEqual(run.json()["status"], "ok")
+
+    def test_every_verb_has_help_with_an_example(self):
+        for verb in VERBS:
+            for words in ([verb, "--help"], [verb, "-h"], ["help", verb]):
+                run = self.good(*words)
+                self.assertIn("yoke " + verb, run.out)
+                self.assertIn("Example:", run.out)
+
+    def test_help_lists_only_what_the_verb_takes(self):
+        self.assertIn("--over", self.good("sweep", "--help").out)
+        self.assertNotIn("--over", self.good("solve", "--help").out)
+        self.assertNotIn("--trace", self.good("check", "--help").out)
+
+    def test_version_is_one_line(self):
+        self.assertRegex(self.good("--version").out, r"\Ayoke \d+\.\d+\.\d+\n\Z")
+
+    def test_verbs_of_later_versions_say_so(self):
+        for verb in LATER:
+            run = self.wrong(810, verb, self.four_bar)
+            self.assertIn("not part of this version yet", run.err)
+            self.assertIn("version", self.good(verb, "--help").out)
+
+
+class Mistakes(Case):
+    def test_an_unknown_verb_gets_the_nearest(self):
+        self.assertIn("did you mean `solve`?", self.wrong(801, "sovle", self.four_bar).err)
+        self.assertIn("hint:", self.wrong(801, "xyzzy").err)
+
+    def test_an_unknown_option_gets_the_nearest(self):
+        self.assertIn("did you mean `--format`?", self.wrong(802, "solve", self.four_bar, "--fromat", "json").err)
+        self.wrong(802, "solve", self.four_bar, "-z")
+
+    def test_an_option_of_another_verb_is_refused(self):
+        self.assertIn("--over", self.wrong(803, "solve", self.four_bar, "--over", "theta1=0:1").err)
+
+    def test_values_are_demanded_and_switches_take_none(self):
+        self.wrong(804, "solve", self.four_bar, "--at")
+        self.wrong(804, "solve", self.four_bar, "--at=")
+        self.wrong(805, "solve", self.four_bar, "--all=yes")
+
+    def test_formats_are_three(self):
+        self.wrong(806, "solve", self.four_bar, "--format", "xml")
+
+    def test_pairs_have_a_name_and_a_value(self):
+        for word in ("theta1", "=1", "theta1="):
+            self.wrong(807, "solve", self.four_bar, "--at", word)
+
+    def test_one_file_is_needed_and_no_more(self):
+        for verb in ("check", "solve", "sweep", "draw"):
+            self.wrong(808, verb)
+        self.wrong(809, "solve", self.four_bar, self.rocker)
+
+    def test_two_meanings_of_one_option_are_refused(self):
+        self.wrong(817, "solve", self.four_bar, "--time", "1s", "--time", "2s")
+        self.good("solve", self.four_bar, "--time", "1s", "--time", "1s")
+
+    def test_efforts_are_refused_not_ignored(self):
+        self.wrong(811, "solve", self.four_bar, "--effort", "theta1=3")
+
+    def test_all_mistakes_come_in_one_run(self):
+        run = self.wrong(802, "solve", self.four_bar, "--fromat", "json", "--at", "x", "--format", "xml")
+        for code in ("[E0802]", "[E0807]", "[E0806]"):
+            self.assertIn(code, run.err)
+
+    def test_a_missing_file_is_told(self):
+        run = Run("solve", self.path("none.yaml"))
+        self.assertEqual(run.code, 2)
+        self.assertIn("none.yaml", run.err)
+        self.assertRegex(run.err, r"\[E01\d\d\]")
+
+    def test_mistakes_in_the_file_are_quoted_with_their_place(self):
+        path = self.write("bad.yaml", FOUR_BAR.replace("pin: [crank, coupler]", "pin: [crank, couplr]"))
+        run = Run("check", path)
+        self.assertEqual(run.code, 2)
+        self.assertRegex(run.err, r"bad\.yaml:11:\d+: error: .*couplr")
+        self.assertIn("did you mean `coupler`?", run.err)
+        self.assertIn("^", run.err)
+
+    def test_words_with_control_characters_come_out_escaped(self):
+        run = Run("solve", self.four_bar, "--at", "th\x1b[31m=3")
+        self.assertEqual(run.code, 2)
+        self.assertNotIn("\x1b", run.err)
+
+
+class Words(Case):
+    def test_options_stand_before_or_behind_and_with_equals(self):
+        plain = self.good("solve", self.four_bar, "--at", "theta1=50", "--format", "csv").out
+        for words in (["--at=theta1=50", "solve", "--format=csv", self.four_bar], ["solve", "--format", "csv", "--at", "theta1=50", "--", self.four_bar]):
+            self.assertEqual(self.good(*words).out, plain)
+
+    def test_a_dash_reads_standard_input(self):
+        from_file = self.good("solve", self.four_bar, "--format", "csv").out
+        self.assertEqual(self.good("solve", "-", "--format", "csv", stdin=FOUR_BAR).out, from_file)
+
+    def test_no_colours_where_nobody_looks(self):
+        for env in ({}, {"NO_COLOR": "1"}, {"TERM": "dumb"}):
+            self.assertNotIn("\x1b", Run("solve", "none.yaml", env=env).err)
+
+    def test_quiet_keeps_errors(self):
+        self.assertIn("[E0801]", Run("--quiet", "sovle").err)
+        run = self.good("--quiet", "solve", self.four_bar)
+        self.assertEqual(run.err, "")
+
+
+class Explain(Case):
+    def test_every_listed_code_is_explained(self):
+        lines = self.good("explain").out.splitlines()
+        self.assertGreater(len(lines), 40)
+        codes = [line.split()[0] for line in lines]
+        self.assertEqual(codes, sorted(codes))
+        self.assertEqual(len(codes), len(set(codes)))
+        for code in codes:
+            run = self.good("explain", code)
+            self.assertTrue(run.out.startswith(code + "\n"))
+            self.assertGreater(len(run.out), 30)
+            self.assertLessEqual(max(map(len, run.out.splitlines())), 100)
+
+    def test_codes_are_read_kindly(self):
+        full = self.good("explain", "E0801").out
+        for word in ("e801", "801", "W0801", "0801"):
+            self.assertEqual(self.good("explain", word).out, full)
+
+    def test_what_is_no_code_is_refused(self):
+        for word in ("E9999", "hello", "E", "-1x", "E08011111111111111111"):
+            if word.startswith("-"):
+                continue
+            self.wrong(816, "explain", word)
+
+
+class Output(Case):
+    def test_o_writes_the_answer_into_a_file(self):
+        shown = self.good("solve", self.four_bar, "--format", "json").out
+        run = self.good("solve", self.four_bar, "--format", "json", "-o", self.path("out.json"))
+        self.assertEqual(run.out, "")
+        self.assertEqual(self.read("out.json").decode(), shown)
+
+    def test_nothing_is_left_beside_the_output(self):
+        before = set(os.listdir(self.folder))
+        self.good("solve", self.four_bar, "-o", self.path("out.txt"))
+        self.assertEqual(set(os.listdir(self.folder)), before | {"out.txt"})
+
+    def test_a_missing_folder_is_told(self):
+        self.wrong(701, "solve", self.four_bar, "-o", self.path("no/such/out.txt"))
+        self.wrong(701, "draw", self.four_bar, "-o", self.path("no/such/out.svg"))
+
+    def test_a_folder_is_no_output(self):
+        self.wrong(703, "solve", self.four_bar, "-o", self.folder)
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_a_forbidden_folder_is_told(self):
+        locked = self.path("locked")
+        os.mkdir(locked)
+        os.chmod(locked, stat.S_IRUSR | stat.S_IXUSR)
+        self.addCleanup(os.chmod, locked, stat.S_IRWXU)
+        self.wrong(702, "solve", self.four_bar, "-o", os.path.join(locked, "out.txt"))
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_a_full_disk_is_told(self):
+        self.wrong(704, "solve", self.four_bar, "-o", "/dev/full")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_a_full_standard_output_is_told(self):
+        import subprocess
+        from harness import YOKE
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([YOKE, "check", self.four_bar], stdout=full, stderr=subprocess.PIPE, encoding="utf-8", check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("[E0704]", done.stderr)
+
+    def test_a_failed_run_leaves_the_old_output_alone(self):
+        self.write("out.txt", "what stood before")
+        self.wrong(802, "solve", self.four_bar, "-o", self.path("out.txt"), "--nonsense")
+        self.assertEqual(self.read("out.txt"), b"what stood before")
+
+
+if __name__ == "__main__":
+    unittest.main()

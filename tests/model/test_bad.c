@@ -1,0 +1,135 @@
+// Every diagnostic that a file can cause has a small file in tests/bad/ that causes it.
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "model/fixture.h"
+
+enum { FILES_MAX = 500 };
+static char names[FILES_MAX][300];
+static size_t file_count;
+
+static int list_files(void **state)
+{
+    (void)state;
+    DIR *folder = opendir(YOKE_ROOT "/tests/bad");
+    if (!folder) return -1;
+    for (const struct dirent *entry = readdir(folder); entry && file_count < FILES_MAX; entry = readdir(folder)) {
+        if (strstr(entry->d_name, ".yaml")) snprintf(names[file_count++], sizeof names[0], "%s", entry->d_name);
+    }
+    closedir(folder);
+    return file_count > 0 ? 0 : -1;
+}
+
+static YkProblems *load(const char *name, int *has_model)
+{
+    char path[600];
+    snprintf(path, sizeof path, YOKE_ROOT "/tests/bad/%s", name);
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(path, NULL, problems);
+    *has_model = model != NULL;
+    yk_model_free(model);
+    return problems;
+}
+
+// "E0401-unknown-body.yaml": the code, and the severity it must have there.
+static void each_file_causes_the_problem_in_its_name_at_a_place(void **state)
+{
+    (void)state;
+    int wrong = 0, has_model = 0;
+    for (size_t i = 0; i < file_count; i++) {
+        int code = atoi(names[i] + 1);
+        YkSeverity severity = names[i][0] == 'E' ? YK_ERROR : names[i][0] == 'W' ? YK_WARNING : YK_NOTE;
+        YkProblems *problems = load(names[i], &has_model);
+        const YkProblem *problem = fixture_problem(problems, code);
+        if (!problem || problem->place.line == 0 || problem->place.column == 0 || problem->severity != severity ||
+            has_model != (severity != YK_ERROR)) {
+            print_error("%s:\n%s\n", names[i], yk_problems_text(problems, 0));
+            wrong++;
+        }
+        yk_problems_free(problems);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+// A message is a sentence without a stop; text and explanation exist.
+static void each_problem_is_told_in_the_same_form(void **state)
+{
+    (void)state;
+    int wrong = 0, has_model = 0;
+    for (size_t i = 0; i < file_count; i++) {
+        YkProblems *problems = load(names[i], &has_model);
+        for (size_t k = 0; k < yk_problems_count(problems); k++) {
+            const YkProblem *problem = yk_problems_get(problems, k);
+            size_t length = strlen(problem->message);
+            int is_good = length > 0 && problem->message[length - 1] != '.' && !strstr(problem->message, "(null)") &&
+                          yk_code_explain(problem->code) && (!problem->hint || problem->hint[0]);
+            if (!is_good) print_error("%s: %s\n", names[i], problem->message);
+            wrong += !is_good;
+        }
+        yk_problems_free(problems);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+// No file holds what these speak of: the machine's memory, too many problems, the file system, values from outside,
+// and a file of ten million entries.
+static const int not_by_a_file[] = {
+    YK_CODE_OUT_OF_MEMORY,   YK_CODE_MORE_PROBLEMS,  YK_CODE_FILE_NOT_FOUND,   YK_CODE_FILE_DIRECTORY,
+    YK_CODE_FILE_UNREADABLE, YK_CODE_FILE_TOO_LARGE, YK_CODE_UNKNOWN_OVERRIDE, YK_CODE_OVERRIDE_DIMENSION,
+    YK_CODE_TOO_MANY};
+
+static int has_file(int code)
+{
+    for (size_t i = 0; i < file_count; i++) {
+        if (atoi(names[i] + 1) == code) return 1;
+    }
+    return 0;
+}
+
+static void each_code_of_a_file_has_a_file(void **state)
+{
+    (void)state;
+    int missing = 0;
+    for (size_t i = 0; i < yk_code_count(); i++) {
+        int code = yk_code_at(i), is_needed = code < 500;
+        for (size_t k = 0; k < sizeof not_by_a_file / sizeof *not_by_a_file; k++) {
+            if (not_by_a_file[k] == code) is_needed = 0;
+        }
+        if (is_needed == has_file(code)) continue;
+        print_error("E%04d: %s\n", code, is_needed ? "no file in tests/bad causes it" : "a file, but listed without");
+        missing++;
+    }
+    assert_int_equal(missing, 0);
+}
+
+// Cut anywhere, a file must be loaded or refused, never more.
+static void every_beginning_of_a_bad_file_is_survived(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < file_count; i++) {
+        char path[600], text[2000];
+        snprintf(path, sizeof path, YOKE_ROOT "/tests/bad/%s", names[i]);
+        FILE *file = fopen(path, "rb");
+        assert_non_null(file);
+        size_t length = fread(text, 1, sizeof text, file);
+        fclose(file);
+        for (size_t cut = 0; cut <= length; cut += length > 300 ? 7 : 1) {
+            YkProblems *problems = yk_problems_new();
+            YkModel *model = yk_model_parse(text, cut, "cut", NULL, problems);
+            assert_int_equal(model == NULL, yk_problems_error_count(problems) > 0);
+            yk_model_free(model);
+            yk_problems_free(problems);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_file_causes_the_problem_in_its_name_at_a_place),
+        cmocka_unit_test(each_problem_is_told_in_the_same_form),
+        cmocka_unit_test(each_code_of_a_file_has_a_file),
+        cmocka_unit_test(every_beginning_of_a_bad_file_is_survived),
+    };
+    return cmocka_run_group_tests(tests, list_files, NULL);
+}

@@ -1,0 +1,146 @@
+// Loading survives the failure of any one allocation, and of all from any one on: it is refused, nothing leaks, nothing
+// crashes. Works by interposing malloc, so only with glibc and without sanitizers that do the same.
+#include <stdlib.h>
+#include "model/examples.h"
+#include "model/fixture.h"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
+#define IS_SANITIZED 1
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
+#define CAN_INTERPOSE 1
+#endif
+
+#ifdef CAN_INTERPOSE
+extern void *__libc_malloc(size_t size);
+extern void *__libc_calloc(size_t count, size_t size);
+extern void *__libc_realloc(void *memory, size_t size);
+extern void __libc_free(void *memory);
+
+static long countdown = -1; // allocations until one fails; below 0: none fails
+static int fails_for_good, has_failed;
+static long live;           // blocks that are not freed
+
+static int must_fail(void)
+{
+    if (countdown < 0) return 0;
+    if (countdown > 0) return countdown--, 0;
+    if (!fails_for_good) countdown = -1;
+    has_failed = 1;
+    return 1;
+}
+
+void *malloc(size_t size)
+{
+    void *memory = must_fail() ? NULL : __libc_malloc(size);
+    live += memory != NULL;
+    return memory;
+}
+
+void *calloc(size_t count, size_t size)
+{
+    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
+    live += memory != NULL;
+    return memory;
+}
+
+void *realloc(void *old, size_t size)
+{
+    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
+    live += memory && !old;
+    return memory;
+}
+
+void free(void *memory)
+{
+    live -= memory != NULL;
+    __libc_free(memory);
+}
+
+// Loads while allocation number k fails. True when k is beyond the last one, so that the load was undisturbed.
+static int load_while_failing(const char *text, const YkLoadOptions *options, long k, int is_good)
+{
+    YkProblems *problems = yk_problems_new();
+    assert_non_null(problems);
+    has_failed = 0;
+    countdown = k;
+    YkModel *model = yk_model_parse(text, strlen(text), "test", options, problems);
+    countdown = -1;
+    int undisturbed = !has_failed;
+    if (undisturbed) assert_int_equal(model != NULL, is_good);
+    if (!undisturbed && !model) assert_true(yk_problems_count(problems) > 0); // it says why
+    yk_model_free(model);
+    yk_problems_free(problems);
+    return undisturbed;
+}
+
+static void check_all(const char *text, const YkLoadOptions *options, int is_good)
+{
+    for (fails_for_good = 0; fails_for_good < 2; fails_for_good++) {
+        long k = 0, before = live;
+        while (!load_while_failing(text, options, k, is_good)) {
+            if (live != before) print_error("leak of %ld blocks when allocation %ld fails\n", live - before, k);
+            assert_true(live == before);
+            k++;
+        }
+        assert_true(k > 20); // there was something to fail
+    }
+    fails_for_good = 0;
+}
+
+static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state;
+    const YkOverride override = {"l1", "0.12 m"};
+    check_all(quick_return, NULL, 1);
+    check_all(toggle, &(YkLoadOptions){&override, 1}, 1);
+    check_all(double_pendulum, NULL, 1);
+}
+
+static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
+{
+    (void)state;
+    check_all(epicyclic, NULL, 0);
+    check_all(cam, NULL, 0);
+    check_all("parameters: {a: b, b: a, c: 1/0, l1: 3 m}\nbodies: {k: {points: {A: [l2, 0]}, mass: -1}, m: {}}\n"
+              "joints: {O: {pin: [ground, kk]}, A: {pin: [k, m], angle: q, at: B}}\n"
+              "drives: {O.angle: 3, qq: 2, q: q}\nstart: {A.angle.rate: 1}\nspeed: 3\n",
+              NULL, 0);
+}
+
+static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state;
+    YkModel *model = fixture_load(toggle);
+    int undisturbed = 0;
+    for (long k = 0; !undisturbed; k++) {
+        long before = live;
+        double value = 0;
+        has_failed = 0;
+        countdown = k;
+        YkStatus status = yk_model_value(model, "l1/2 + 3 mm", YK_QUANTITY_LENGTH, &value, NULL);
+        countdown = -1;
+        undisturbed = !has_failed;
+        if (status == YK_OK) CHECK_NEAR(value, 0.053, 1e-16);
+        if (undisturbed) assert_int_equal(status, YK_OK);
+        assert_true(live == before);
+    }
+    yk_model_free(model);
+}
+#else
+static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
+static void a_bad_file_is_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
+static void a_value_is_read_or_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_good_file_is_loaded_or_refused_whichever_allocation_fails),
+        cmocka_unit_test(a_bad_file_is_refused_whichever_allocation_fails),
+        cmocka_unit_test(a_value_is_read_or_refused_whichever_allocation_fails),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
