@@ -31,6 +31,7 @@ static bool allocate(YkPlan *plan)
     plan->root_known = YK_NEW(a, bool, orientations);
     plan->distance_known = YK_NEW(a, bool, mech->distance_count + 1);
     plan->joint_used = YK_NEW(a, bool, joints);
+    plan->body_placed = YK_NEW(a, bool, bodies);
     plan->anchors = yk_arena_alloc(a, bodies, sizeof *plan->anchors);
     plan->anchor_count = YK_NEW(a, int32_t, bodies);
     plan->queue = YK_NEW(a, int32_t, bodies + 1);
@@ -173,32 +174,43 @@ static void enqueue(YkPlan *plan, int32_t cluster)
     plan->queue[plan->tail++ % (plan->mech->model->body_count + 1)] = cluster;
 }
 
-// A body of the cluster now stands at the origin in plan->list; so do all others of its cluster.
+// A body next to one that is placed, over a joint of the cluster.
+static void place_beside(YkPlan *plan, int32_t placed, int32_t joint)
+{
+    int32_t body = yk_other_body(plan->mech->model, joint, placed);
+    if (plan->body_placed[body]) return;
+    yk_terms_clear(&plan->list);
+    yk_terms_add_origin(&plan->list, plan->mech, placed, 1);
+    yk_terms_cross(&plan->list, plan->mech, joint, placed, 1);
+    set_origin(plan, body);
+    plan->body_placed[body] = true;
+}
+
+static void announce(YkPlan *plan, int32_t body)
+{
+    for (uint32_t e = plan->incidence->first[body]; e < plan->incidence->first[body + 1]; e++) {
+        int32_t joint = plan->incidence->joint[e], c = plan->cluster[yk_other_body(plan->mech->model, joint, body)];
+        if (plan->cluster_known[c]) continue;
+        if (plan->anchor_count[c] < 4) plan->anchors[c][plan->anchor_count[c]++] = joint;
+        enqueue(plan, c);
+    }
+}
+
+// The entry's origin is in plan->list. From it up to the root of its cluster's tree, then all others from their parents.
 static void place_cluster(YkPlan *plan, int32_t entry)
 {
-    YkMechanism *mech = plan->mech;
+    const YkTree *tree = &plan->cluster_tree;
     int32_t c = plan->cluster[entry];
     plan->cluster_known[c] = true;
     plan->unknown_clusters--;
     set_origin(plan, entry);
-    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) {
+    plan->body_placed[entry] = true;
+    for (int32_t b = entry; tree->parent[b] != YK_NONE; b = tree->parent[b]) place_beside(plan, b, tree->joint[b]);
+    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents stand before children
         int32_t b = plan->cluster_member[k];
-        // members come parents first: a member's origin is its parent's plus one joint; the entry's path is turned round
-        if (b == entry) continue;
-        yk_terms_clear(&plan->list);
-        yk_terms_add_origin(&plan->list, mech, entry, 1);
-        yk_terms_walk(&plan->list, mech, &plan->cluster_tree, entry, b);
-        set_origin(plan, b);
+        if (!plan->body_placed[b]) place_beside(plan, tree->parent[b], tree->joint[b]);
     }
-    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) {
-        int32_t b = plan->cluster_member[k];
-        for (uint32_t e = plan->incidence->first[b]; e < plan->incidence->first[b + 1]; e++) {
-            int32_t joint = plan->incidence->joint[e], d = plan->cluster[yk_other_body(mech->model, joint, b)];
-            if (plan->cluster_known[d]) continue;
-            if (plan->anchor_count[d] < 4) plan->anchors[d][plan->anchor_count[d]++] = joint;
-            enqueue(plan, d);
-        }
-    }
+    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) announce(plan, plan->cluster_member[k]);
 }
 
 void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body)

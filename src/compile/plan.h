@@ -24,7 +24,7 @@ typedef struct YkPlan {
     int32_t *orientation_next;   // list of the bodies of an orientation
     int32_t *orientation_first;
     // what is known so far
-    bool *cluster_known, *root_known, *distance_known, *joint_used;
+    bool *cluster_known, *root_known, *distance_known, *joint_used, *body_placed;
     int32_t (*anchors)[4];       // per cluster: joints to known clusters
     int32_t *anchor_count;
     int32_t *queue;              // clusters to look at

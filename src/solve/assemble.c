@@ -64,15 +64,30 @@ static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const K
     return true;
 }
 
-static bool share_solutions(YkSearch *search, const YkMechanism *mech)
+static size_t options_max(const YkMechanism *mech, const YkLevel *level)
 {
-    double *next = search->solutions = calloc(mech->column_count * YK_GROUP_SOLUTIONS_MAX + 1, sizeof *next);
-    for (size_t l = 0; next && l < search->level_count; l++) {
-        search->levels[l].solutions = next;
-        if (mech->blocks[search->levels[l].block].kind == YK_BLOCK_GROUP)
-            next += mech->blocks[search->levels[l].block].column_count * YK_GROUP_SOLUTIONS_MAX;
+    return mech->blocks[level->block].kind == YK_BLOCK_GROUP ? YK_GROUP_SOLUTIONS_MAX : 2;
+}
+
+static bool share_options(YkSearch *search, const YkMechanism *mech)
+{
+    size_t total = 0;
+    for (size_t l = 0; l < search->level_count; l++) total += options_max(mech, &search->levels[l]);
+    double *solutions = search->solutions = calloc(mech->column_count * YK_GROUP_SOLUTIONS_MAX + 1, sizeof *solutions);
+    double *costs = search->costs = calloc(total + 1, sizeof *costs);
+    unsigned char *orders = search->orders = calloc(total + 1, 1);
+    if (!solutions || !costs || !orders) return false;
+    for (size_t l = 0; l < search->level_count; l++) {
+        YkLevel *level = &search->levels[l];
+        level->solutions = solutions;
+        level->cost = costs;
+        level->order = orders;
+        costs += options_max(mech, level);
+        orders += options_max(mech, level);
+        if (mech->blocks[level->block].kind == YK_BLOCK_GROUP)
+            solutions += mech->blocks[level->block].column_count * YK_GROUP_SOLUTIONS_MAX;
     }
-    return search->solutions != NULL;
+    return true;
 }
 
 YkSearch *yk_search_new(const YkMechanism *mech)
@@ -93,7 +108,7 @@ YkSearch *yk_search_new(const YkMechanism *mech)
               search->kept_x && search->path && search->wanted && yk_space_start(&search->kept, mech, 1, true);
     if (ok) {
         cut_levels(search, mech, &known);
-        ok = share_coordinates(search, mech, &known) && share_solutions(search, mech);
+        ok = share_coordinates(search, mech, &known) && share_options(search, mech);
     }
     free(known.slot);
     free(known.distance);
@@ -114,6 +129,8 @@ void yk_search_free(YkSearch *search)
     free(search->path);
     free(search->wanted);
     free(search->solutions);
+    free(search->costs);
+    free(search->orders);
     free(search);
 }
 
@@ -161,7 +178,7 @@ static void count_options(YkState *s, YkLevel *level)
     const YkBlock *b = &s->mech->blocks[level->block];
     level->options = 2;
     if (b->kind != YK_BLOCK_GROUP) return;
-    level->options = yk_group_search(&s->groups, s->mech, &s->spare, (size_t)level->block);
+    level->options = (uint32_t)yk_group_search(&s->groups, s->mech, &s->spare, (size_t)level->block);
     memcpy(level->solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
@@ -185,7 +202,7 @@ static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
         // at a dead point both branches are one pose
         if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s)) break;
     }
-    level->options = closing;
+    level->options = (uint32_t)closing;
 }
 
 typedef bool (*Leaf)(void *context, YkState *state, double cost);

@@ -7,9 +7,10 @@ typedef struct YkLevel {   // a block with branches, in the order of solution
     int32_t block;
     size_t from, to;       // steps: from its own to the next level's
     uint32_t first_coordinate, coordinate_count; // that become known in these steps
-    size_t options, tried;
-    double cost[YK_GROUP_SOLUTIONS_MAX], before; // of each option; of all levels before
-    unsigned char order[YK_GROUP_SOLUTIONS_MAX];
+    uint32_t options, tried;
+    double before;         // cost of all levels before
+    double *cost;          // of each option
+    unsigned char *order;  // options that close, nearest first
     double *solutions;     // groups: [option][column]
 } YkLevel;
 
@@ -20,7 +21,8 @@ typedef struct YkSearch {
     int32_t *coordinates;  // by the level after which they are known
     signed char *best_branch;
     double *best_x, *kept_x, *path, *wanted;
-    double *solutions;
+    double *solutions, *costs; // the levels' own, in one piece each
+    unsigned char *orders;
     YkSpace kept;
 } YkSearch;
 

@@ -183,9 +183,8 @@ static YkStatus worse(YkStatus a, YkStatus b) { return a < 0 || b < 0 ? (a < b ?
 static YkStatus judge(YkBatch *b, signed char *status, size_t n)
 {
     YkStatus worst = YK_OK;
-    double gap = YK_CLOSING_TOLERANCE * b->mech->size;
     for (size_t k = 0; k < n; k++) {
-        bool closes = b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= gap;
+        bool closes = b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
         YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
         if (!closes) b->space.margin[k] = -1; // masks its answers
         if (status) status[k] = (signed char)one;

@@ -80,7 +80,10 @@ static void write_sentence(YkReport *r, const Sentence *sentence, const char *la
 void yk_state_tell(YkState *s, const YkSpace *space, YkStatus status)
 {
     YkReport *r = &s->report;
-    *r = (YkReport){.status = status, .block = -1, .joint = -1};
+    r->status = status;
+    r->block = r->joint = -1;
+    r->gap = r->determinant = 0;
+    r->message[0] = 0;
     if (status == YK_OK || status == YK_REDUNDANT) return;
     YkSpace view = *space;
     const Sentence *sentence = status == YK_LIMIT ? &past_limit : status == YK_SINGULAR ? &dead_point : &no_assembly;

@@ -132,7 +132,7 @@ YkMotion yk_state_input(const YkState *s, size_t input)
 YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
 {
     if (!(space->margin[0] >= YK_LIMIT_MARGIN)) return YK_LIMIT;
-    if (!(space->gap[0] <= YK_CLOSING_TOLERANCE * s->mech->size)) return YK_NO_ASSEMBLY;
+    if (!(space->gap[0] <= yk_gap_tolerance(s->mech, space->margin[0]))) return YK_NO_ASSEMBLY;
     if (space->margin[0] <= YK_SINGULAR_MARGIN) return YK_SINGULAR;
     return s->mech->redundant_count > 0 ? YK_REDUNDANT : YK_OK;
 }

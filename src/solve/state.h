@@ -33,6 +33,12 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 #define YK_LIMIT_MARGIN (-1e-13)    // sin^2 below this does not close; between this and 0 it is rounding at a limit
 #define YK_SINGULAR_MARGIN 1e-14    // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
 
+// What a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding over the sine.
+static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
+{
+    return mech->size * (YK_CLOSING_TOLERANCE + 4e-16 / sqrt(fmax(margin, YK_SINGULAR_MARGIN)));
+}
+
 // The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a redundant loop gapes).
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);
 // Fills the report for a status.

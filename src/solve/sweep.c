@@ -19,9 +19,12 @@ struct YkSweep {
     size_t event_count, event_capacity;
     double *margins;       // [depth][3][block]
     double *slope, *slope_at; // per channel: last nonzero derivative along the path, and where
+    double *sums;          // per channel: scratch
+    double *flipped_at;    // per block: its last change point (NaN: none yet)
     YkStatus status;
     double worst_residual, from;
     bool failed;
+    int limit_block;
 };
 
 YkSweepOptions yk_default_sweep_options(void) { return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180}; }
@@ -107,21 +110,81 @@ static void watch_extremes(YkSweep *w, double at)
 
 // --- verified progress --------------------------------------------------------------------------------------------------
 
-static bool stop_at_limit(YkSweep *w, double good, double bad)
+// Where a double zero lies between a and b: the root of the margin runs through it as a straight line.
+static double touch(double a, double ma, double b, double mb)
 {
-    int block = w->path.state->report.block;
-    double at = yk_path_limit(&w->path, good, bad);
-    add_event(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = block});
+    double ra = sqrt(fmax(ma, 0)), rb = sqrt(fmax(mb, 0));
+    return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
+}
+
+static void mark_limit(YkSweep *w, double at)
+{
+    add_event(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->limit_block});
     w->status = YK_LIMIT;
-    return false;
+}
+
+static bool was_flipped_near(const YkSweep *w, size_t block, double at)
+{
+    return fabs(w->flipped_at[block] - at) < 1e-4 * yk_path_scale(&w->path); // false for NaN
+}
+
+static double sine_at(YkSweep *w, size_t block, double at)
+{
+    const YkState *s = w->path.state;
+    const YkSpace *space = yk_path_probe(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
+    return sqrt(fmax(0, space->block_margin[block]));
+}
+
+// Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
+static double refine_touch(YkSweep *w, size_t block, double at)
+{
+    double d = 2e-4 * yk_path_scale(&w->path);
+    for (int k = 0; k < 2; k++) {
+        double before = sine_at(w, block, at - d), after = sine_at(w, block, at + d);
+        if (!(before + after > 0)) return at;
+        double moved = d * (before - after) / (before + after);
+        if (fabs(moved) > 1e-3 * d + 1e-6 * yk_path_scale(&w->path)) return at;
+        at += moved;
+    }
+    return at;
 }
 
 static void flip(YkSweep *w, size_t block, double at)
 {
     YkState *s = w->path.state;
+    at = refine_touch(w, block, at);
     s->branch[block] = (signed char)-s->branch[block];
+    w->flipped_at[block] = at;
     add_event(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
-    if (w->row_count > 0 && w->at[w->row_count - 1] == at) w->row_status[w->row_count - 1] = YK_CHANGE_POINT;
+}
+
+static bool advance(YkSweep *w, double a, double b, size_t depth);
+static bool go_on(YkSweep *w, double from, double to, size_t depth);
+
+// The machine closes at `good` and not at `bad`. Where it stops, a block may have come to a change point beyond which only its other
+// sign fits the rest (a redundant link, a later dyad): then the motion goes on. Otherwise this is a limit.
+static bool stop_or_pass(YkSweep *w, double good, double bad, size_t depth)
+{
+    YkState *s = w->path.state;
+    w->limit_block = s->report.block;
+    double at = yk_path_limit(&w->path, good, bad), beyond = at + copysign(2e-5 * yk_path_scale(&w->path), bad - at);
+    bool fits = fabs(beyond - at) < fabs(bad - at) && w->margin_count == s->mech->block_count && depth + 1 < DEPTH_MAX;
+    double *margins = margins_of(w, depth, 0);
+    read_margins(w, margins);
+    for (size_t k = 0; fits && k < w->margin_count; k++) {
+        if (!has_margin(w, k) || margins[k] > 1e-8 || was_flipped_near(w, k, at)) continue;
+        s->branch[k] = (signed char)-s->branch[k];
+        bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
+        s->branch[k] = (signed char)-s->branch[k];
+        if (!passes) continue;
+        flip(w, k, touch(at, margins[k], beyond, s->space.block_margin[k]));
+        yk_path_probe(&w->path, beyond, true);
+        read_margins(w, margins_of(w, depth + 1, 0));
+        return advance(w, beyond, bad, depth + 1);
+    }
+    yk_path_probe(&w->path, at, true);
+    mark_limit(w, at);
+    return false;
 }
 
 // Could the margin reach zero between its three samples? Not if it stays well above its own variation; nor where it is
@@ -131,13 +194,6 @@ static bool may_vanish(double a, double m, double b)
     double least = fmin(a, fmin(m, b)), most = fmax(a, fmax(m, b));
     if (a <= YK_SINGULAR_MARGIN || b <= YK_SINGULAR_MARGIN) return m < 0.1 * most;
     return least < 0.2 * (most - least);
-}
-
-// Where a double zero lies between a and b: the root of the margin runs through it as a straight line.
-static double touch(double a, double ma, double b, double mb)
-{
-    double ra = sqrt(fmax(ma, 0)), rb = sqrt(fmax(mb, 0));
-    return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
 }
 
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
@@ -151,6 +207,7 @@ static Verdict look(YkSweep *w, double a, double b, size_t depth)
         if (!has_margin(w, k) || !may_vanish(ma[k], mm[k], mb[k])) continue;
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
+        if (was_flipped_near(w, k, b)) continue;
         flip(w, k, touch(a, ma[k], b, mb[k]));
         touched = true;
     }
@@ -162,29 +219,34 @@ static void flip_at(YkSweep *w, double a, const double *margins)
 {
     if (a == w->from || w->margin_count != w->path.state->mech->block_count) return;
     for (size_t k = 0; k < w->margin_count; k++)
-        if (has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN) flip(w, k, a);
+        if (has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && !was_flipped_near(w, k, a)) flip(w, k, a);
 }
 
 // From the valid pose at a (margins known at this depth) to b. False when stopped.
 static bool advance(YkSweep *w, double a, double b, size_t depth)
 {
     double middle = 0.5 * (a + b);
-    if (yk_path_probe(&w->path, middle, true) < 0) return stop_at_limit(w, a, middle);
+    if (yk_path_probe(&w->path, middle, true) < 0) return stop_or_pass(w, a, middle, depth) && go_on(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 1));
-    if (yk_path_probe(&w->path, b, true) < 0) return stop_at_limit(w, middle, b);
+    if (yk_path_probe(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 2));
     if (w->path.state->mech->has_groups) return true; // tracked: checked on the way
     Verdict verdict = look(w, a, b, depth);
-    if (verdict == FINER) {
-        double *next = margins_of(w, depth + 1, 0);
-        memcpy(next, margins_of(w, depth, 0), w->margin_count * sizeof *next);
-        if (!advance(w, a, middle, depth + 1)) return false;
-        read_margins(w, next);
-        flip_at(w, middle, next);
-        if (!advance(w, middle, b, depth + 1)) return false;
-    }
-    if (verdict == TOUCHED && yk_path_probe(&w->path, b, true) < 0) return stop_at_limit(w, a, b);
-    return true;
+    if (verdict == TOUCHED && yk_path_probe(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
+    if (verdict != FINER) return true;
+    double *next = margins_of(w, depth + 1, 0);
+    memcpy(next, margins_of(w, depth, 0), w->margin_count * sizeof *next);
+    return advance(w, a, middle, depth + 1) && go_on(w, middle, b, depth);
+}
+
+// The state stands at `from`, reached a moment ago: on to `to`, one level down.
+static bool go_on(YkSweep *w, double from, double to, size_t depth)
+{
+    if (depth + 1 >= DEPTH_MAX) return yk_path_probe(&w->path, to, true) >= 0 || stop_or_pass(w, from, to, depth);
+    double *margins = margins_of(w, depth + 1, 0);
+    read_margins(w, margins);
+    flip_at(w, from, margins);
+    return advance(w, from, to, depth + 1);
 }
 
 // In verified sub-steps from a to b.
@@ -211,15 +273,76 @@ static bool record(YkSweep *w, double at)
 {
     YkState *s = w->path.state;
     YkStatus status = yk_path_probe(&w->path, at, false);
-    if (status < 0) return stop_at_limit(w, w->row_count > 0 ? w->at[w->row_count - 1] : at, at);
+    if (status < 0) {
+        w->limit_block = s->report.block;
+        mark_limit(w, w->row_count > 0 ? w->at[w->row_count - 1] : at);
+        return false;
+    }
     size_t row = w->row_count++;
     w->at[row] = at;
     w->row_status[row] = (signed char)status;
     for (size_t c = 0; c < w->channel_count; c++) w->values[row * w->channel_count + c] = yk_state_channel(s, w->channels[c]);
-    YkResiduals r = yk_state_residuals(s);
-    w->worst_residual = fmax(w->worst_residual, r.position);
+    w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR) add_event(w, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});
     return true;
+}
+
+// The singular event of a row that proved to be a change point says nothing more.
+static size_t drop_singular(YkSweep *w, double at)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < w->event_count; k++)
+        if (w->events[k].kind != YK_EVENT_SINGULAR || w->events[k].at != at) w->events[kept++] = w->events[k];
+    return kept;
+}
+
+// A row on a change point itself: J is singular there, but the motion is smooth through it, so its rates are the limits from both
+// sides: interpolated from four poses on each (Lagrange, error O(h^8)). The blocks that touch have the other sign on the near side.
+static void fill_change_row(YkSweep *w, size_t row, const double *margins, double way)
+{
+    enum { SIDE = 4 };
+    YkState *s = w->path.state;
+    double at = w->at[row], h = 0.01 * yk_path_scale(&w->path) * way, *sums = w->sums;
+    bool ok = true;
+    for (size_t c = 0; c < w->channel_count; c++) sums[c] = 0;
+    for (int side = 1; side >= -1; side -= 2) {
+        for (int k = 1; k <= SIDE; k++) {
+            double weight = 0.5;
+            for (int j = 1; j <= SIDE; j++)
+                if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
+            ok = ok && yk_path_probe(&w->path, at + side * k * h, false) >= 0;
+            for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * yk_state_channel(s, w->channels[c]);
+        }
+        for (size_t k = 0; k < w->margin_count; k++) // to the near side, and back
+            if (has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN) s->branch[k] = (signed char)-s->branch[k];
+    }
+    yk_path_probe(&w->path, at, true);
+    if (!ok) return;
+    w->row_status[row] = YK_CHANGE_POINT;
+    for (size_t c = 0; c < w->channel_count; c++)
+        if (w->channels[c].order > 0 || w->channels[c].kind == YK_CHANNEL_POINT_SPEED) w->values[row * w->channel_count + c] = sums[c];
+}
+
+// After a row that came out singular: does the motion go on beyond with the touching blocks' other sign?
+static void try_change_row(YkSweep *w)
+{
+    size_t row = w->row_count - 1;
+    double way = w->options.to > w->options.from ? 1 : -1, *margins = margins_of(w, 0, 0);
+    YkState *s = w->path.state;
+    if (w->row_status[row] != YK_SINGULAR || w->margin_count != s->mech->block_count || s->mech->has_groups || row == 0) return;
+    read_margins(w, margins);
+    flip_at(w, w->at[row], margins);
+    fill_change_row(w, row, margins, way);
+    if (w->row_status[row] == YK_CHANGE_POINT) {
+        w->event_count = drop_singular(w, w->at[row]);
+        return;
+    }
+    for (size_t k = 0; k < w->margin_count; k++) // a limit after all: take the signs back
+        if (was_flipped_near(w, k, w->at[row])) {
+            s->branch[k] = (signed char)-s->branch[k];
+            w->flipped_at[k] = NAN;
+            w->event_count--;
+        }
 }
 
 static void run(YkSweep *w)
@@ -244,6 +367,7 @@ static void run(YkSweep *w)
         double next = k == o->steps ? o->to : o->from + (o->to - o->from) * (double)k / (double)o->steps;
         if (!progress(w, last, next) || !record(w, next)) return;
         yk_path_probe(&w->path, next, true);
+        try_change_row(w);
         last = next;
     }
 }
@@ -258,8 +382,11 @@ static bool allocate(YkSweep *w)
     w->margins = calloc(3 * (DEPTH_MAX + 1) * w->margin_count, sizeof *w->margins);
     w->slope = calloc(w->channel_count + 1, sizeof *w->slope);
     w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
+    w->sums = calloc(w->channel_count + 1, sizeof *w->sums);
+    w->flipped_at = calloc(w->margin_count, sizeof *w->flipped_at);
+    for (size_t k = 0; w->flipped_at && k < w->margin_count; k++) w->flipped_at[k] = NAN;
     w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->at && w->values && w->row_status && w->margins && w->slope && w->slope_at && w->channels;
+    return w->at && w->values && w->row_status && w->margins && w->slope && w->slope_at && w->sums && w->flipped_at && w->channels;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -302,6 +429,8 @@ void yk_sweep_free(YkSweep *w)
     free(w->margins);
     free(w->slope);
     free(w->slope_at);
+    free(w->sums);
+    free(w->flipped_at);
     free(w->channels);
     free(w);
 }

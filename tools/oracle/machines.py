@@ -46,7 +46,7 @@ def four_bar(name, source, names, d, a, b, c, start, coupler_point=None, bodies=
     ], points, start, [t2])
 
 
-# ---------------------------------------------------------------------------------------------------- the founders' five
+# ---------------------------------------------------------------------------------------------------- the files of the format
 
 def quick_return(a1=1, a2=1):
     return Machine("quick-return", "issue 2: figures to the digits printed; range of the crank in closed form", [
@@ -197,7 +197,7 @@ case(four_bar("chebyshev", "SL-CHEB (4:2:5)", ("theta", "gamma", "beta"), 4, 5, 
 ], [dict(over="theta", **{"from": rad(60), "to": rad("36.87")}, steps=600, of=["coupler.P.x", "coupler.P.y"], only_ends=True,
          extremes={"coupler.P.y": [4.0, 4.009753733082251]}, extreme_tolerance=2e-6),
     dict(over="theta", **{"from": rad(60), "to": rad(120)}, steps=60, of=["coupler.P.y"], limit=CHEB_HIGH,
-         ranges=[[CHEB_LOW, CHEB_HIGH]]),
+         ranges=[[-CHEB_HIGH, -CHEB_LOW], [CHEB_LOW, CHEB_HIGH]]),  # the mirrored crank has an assembly of the same sign
     dict(over="theta", **{"from": rad(60), "to": rad(0)}, steps=60, of=["coupler.P.y"], limit=CHEB_LOW)])
 
 # the linkage closes while OP = 2 r cos(theta/2) >= l - s
