@@ -6,7 +6,7 @@ enum { NAMES_SHOWN = 8 };
 typedef struct Groups {
     int32_t *parent; // towards the group's representative
     int32_t *size;
-    int32_t *next;   // bodies of one group in file order: first is the representative's `first`
+    int32_t *next; // bodies of one group in file order: first is the representative's `first`
     int32_t *first, *last;
 } Groups;
 
@@ -34,8 +34,10 @@ static void link_members(Groups *groups, int32_t count)
     for (int32_t i = 0; i < count; i++) groups->first[i] = groups->last[i] = groups->next[i] = YK_NONE;
     for (int32_t i = 0; i < count; i++) {
         int32_t group = find(groups, i), last = groups->last[group];
-        if (last == YK_NONE) groups->first[group] = i;
-        else groups->next[last] = i;
+        if (last == YK_NONE)
+            groups->first[group] = i;
+        else
+            groups->next[last] = i;
         groups->last[group] = i;
     }
 }
@@ -60,8 +62,10 @@ void yk_load_check_connected(YkLoader *loader)
 {
     const YkModel *model = loader->model;
     size_t count = model->body_count;
-    Groups groups = {.parent = YK_NEW(loader->arena, int32_t, count), .size = YK_NEW(loader->arena, int32_t, count),
-                     .next = YK_NEW(loader->arena, int32_t, count), .first = YK_NEW(loader->arena, int32_t, count),
+    Groups groups = {.parent = YK_NEW(loader->arena, int32_t, count),
+                     .size = YK_NEW(loader->arena, int32_t, count),
+                     .next = YK_NEW(loader->arena, int32_t, count),
+                     .first = YK_NEW(loader->arena, int32_t, count),
                      .last = YK_NEW(loader->arena, int32_t, count)};
     if (yk_arena_failed(loader->arena) || loader->has_bad_joint) return;
     for (size_t i = 0; i < count; i++) {

@@ -2,7 +2,8 @@
 #include <string.h>
 #include "model/load.h"
 
-// Pin and weld: one point known to both bodies, by the name in `at:` or by the joint's own name. On neither: both origins.
+// Pin and weld: one point known to both bodies, by the name in `at:` or by the joint's own name. On neither: both
+// origins.
 static void share_point(YkLoader *loader, YkJoint *joint, const YkNode *at)
 {
     const YkModel *model = loader->model;
@@ -48,10 +49,11 @@ void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node)
         break;
     case YK_PIN_SLOT:
         joint->point[0] = named_point(loader, joint->body[0], from);
-        joint->point[1] = at ? yk_load_point(loader, joint->body[1], at)
-                             : yk_load_find_point(loader, joint->body[1], joint->name);
+        joint->point[1] =
+            at ? yk_load_point(loader, joint->body[1], at) : yk_load_find_point(loader, joint->body[1], joint->name);
         break;
-    default: break;
+    default:
+        break;
     }
 }
 

@@ -139,9 +139,13 @@ void yk_load_joints(YkLoader *loader)
     for (size_t i = 0; i < section->count; i++) {
         const YkNode *key = section->pairs[i].key;
         int32_t existing;
-        model->joints[i] = (YkJoint){.name = key->text, .place = key->place, .kind = YK_PART_COUNT,
-                                     .body = {YK_NONE, YK_NONE}, .point = {YK_NONE, YK_NONE},
-                                     .angle = YK_NONE, .distance = YK_NONE};
+        model->joints[i] = (YkJoint){.name = key->text,
+                                     .place = key->place,
+                                     .kind = YK_PART_COUNT,
+                                     .body = {YK_NONE, YK_NONE},
+                                     .point = {YK_NONE, YK_NONE},
+                                     .angle = YK_NONE,
+                                     .distance = YK_NONE};
         yk_load_name(loader, key, "joint");
         loader->failed |= !yk_names_add(&model->joint_names, key->text, (int32_t)i, &existing);
     }

@@ -3,11 +3,14 @@
 #include <string.h>
 #include "model/load.h"
 
-static const char *const keys[] = {"name",    "units", "parameters", "gravity", "bodies", "joints", "drives", "start",
-                                   "efforts", "forces", "springs",   "stops",   "gears",  "racks",  "belts",  "cams",
-                                   "laws",    "locks", NULL};
+static const char *const keys[] = {"name",  "units",   "parameters", "gravity", "bodies", "joints", "drives",
+                                   "start", "efforts", "forces",     "springs", "stops",  "gears",  "racks",
+                                   "belts", "cams",    "laws",       "locks",   NULL};
 
-YkLoadOptions yk_default_load_options(void) { return (YkLoadOptions){0}; }
+YkLoadOptions yk_default_load_options(void)
+{
+    return (YkLoadOptions){0};
+}
 
 // The file's name without folder and ending.
 static const char *base_name(YkArena *arena, const char *path)

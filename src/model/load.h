@@ -31,7 +31,8 @@ enum { YK_NAME_MAX = 100, YK_COUNT_MAX = 10000000, YK_REPORTED = -2 };
 // What an expression may mention besides parameters and pi.
 typedef enum YkScope { YK_SCOPE_CONSTANT, YK_SCOPE_TIME, YK_SCOPE_STATE } YkScope;
 
-// What a value is, for messages: "x of point `A` of `link1`" is {"x of ", "point", "A", "link1"}; all but noun optional.
+// What a value is, for messages: "x of point `A` of `link1`" is {"x of ", "point", "A", "link1"}; all but noun
+// optional.
 typedef struct YkSubject {
     const char *axis, *noun, *part, *owner;
 } YkSubject;
@@ -104,9 +105,9 @@ void yk_load_hint_nearest_key(YkLoader *loader, const char *name, const char *co
 void yk_load_hint_nearest_symbol(YkLoader *loader, const char *name); // parameters and coordinates
 
 // find.c: bodies and points by name; reported where there is none.
-int32_t yk_load_find_point(YkLoader *loader, int32_t body, const char *name); // YK_NONE, silent
-int32_t yk_load_body(YkLoader *loader, const YkNode *node);                   // YK_NONE, reported
-int32_t yk_load_point(YkLoader *loader, int32_t body, const YkNode *node);    // YK_NONE, reported
+int32_t yk_load_find_point(YkLoader *loader, int32_t body, const char *name);    // YK_NONE, silent
+int32_t yk_load_body(YkLoader *loader, const YkNode *node);                      // YK_NONE, reported
+int32_t yk_load_point(YkLoader *loader, int32_t body, const YkNode *node);       // YK_NONE, reported
 int32_t yk_load_body_point(YkLoader *loader, const YkNode *node, int32_t *body); // "body.point"
 
 // coordinates.c
@@ -136,16 +137,16 @@ void yk_load_friction(YkLoader *loader, const YkNode *node, const YkJoint *joint
 void yk_load_unsupported(YkLoader *loader);
 
 // The second pass.
-void yk_load_check_uses(YkLoader *loader);        // uses.c: the names in every expression
-void yk_load_infer(YkLoader *loader);             // uses.c: dimensions
-void yk_load_eval_parameters(YkLoader *loader);   // order.c: each once, those it needs first
-void yk_load_check_overrides(YkLoader *loader);   // overrides.c: against the dimension in the file
-void yk_load_eval_uses(YkLoader *loader);         // uses.c
-void yk_load_finish_masses(YkLoader *loader);     // mass.c
-void yk_load_finish_joints(YkLoader *loader);     // joint_points.c
-void yk_load_check_connected(YkLoader *loader);   // connected.c
-void yk_load_check_links(YkLoader *loader);       // links.c
-bool yk_load_size(YkModel *model);                // size.c; false when out of memory
+void yk_load_check_uses(YkLoader *loader);      // uses.c: the names in every expression
+void yk_load_infer(YkLoader *loader);           // uses.c: dimensions
+void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, those it needs first
+void yk_load_check_overrides(YkLoader *loader); // overrides.c: against the dimension in the file
+void yk_load_eval_uses(YkLoader *loader);       // uses.c
+void yk_load_finish_masses(YkLoader *loader);   // mass.c
+void yk_load_finish_joints(YkLoader *loader);   // joint_points.c
+void yk_load_check_connected(YkLoader *loader); // connected.c
+void yk_load_check_links(YkLoader *loader);     // links.c
+bool yk_load_size(YkModel *model);              // size.c; false when out of memory
 
 // outside.c: passes on what was found wrong in a value that stands nowhere in the file, each message beginning with the
 // value and, unless NULL, what it is for.

@@ -52,7 +52,8 @@ static bool keys_agree(YkLoader *loader, int32_t index, const YkNode *node)
     size_t before = yk_problems_count(loader->problems);
     if (index == 0) {
         static const char *const keys[] = {"mass", "center", "inertia", "rod"};
-        for (size_t i = 0; i < 4; i++) refuse(loader, node, keys[i], YK_CODE_GROUND_KEY, "%q is fixed and has no %s", name);
+        for (size_t i = 0; i < 4; i++)
+            refuse(loader, node, keys[i], YK_CODE_GROUND_KEY, "%q is fixed and has no %s", name);
     } else if (yk_node_get(node, "rod")) {
         if (!yk_node_get(node, "mass")) {
             refuse(loader, node, "rod", YK_CODE_NEEDS_MASS, "%q has no mass, so `%s` says nothing", name);
@@ -95,8 +96,8 @@ static void finish_rod(YkLoader *loader, YkBody *body)
 static void finish_body(YkLoader *loader, YkBody *body)
 {
     if (body->mass_expr && body->mass <= 0) {
-        yk_problem(loader->problems, YK_CODE_BAD_MASS, body->mass_expr->place, "the mass of %q is %g; it must be positive",
-                   body->name, body->mass);
+        yk_problem(loader->problems, YK_CODE_BAD_MASS, body->mass_expr->place,
+                   "the mass of %q is %g; it must be positive", body->name, body->mass);
         if (body->mass == 0) yk_problem_hint(loader->problems, "for a body without mass leave `mass` out");
     }
     if (body->inertia_expr && body->inertia < 0) {

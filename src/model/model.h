@@ -1,4 +1,5 @@
-// The inside of YkModel: what compile, derive, design and out read. SI and radians; filled by the loader, then constant.
+// The inside of YkModel: what compile, derive, design and out read. SI and radians; filled by the loader, then
+// constant.
 #ifndef MODEL_MODEL_H
 #define MODEL_MODEL_H
 #include <stdbool.h>
@@ -14,16 +15,16 @@
 typedef struct YkParameter {
     const char *name;
     YkPlace place;
-    YkExpr *expr;         // after overrides
+    YkExpr *expr; // after overrides
     YkDimension dimension;
-    double value;         // SI
+    double value; // SI
 } YkParameter;
 
 typedef struct YkPoint {
     const char *name;
     YkPlace place;
     int32_t body;
-    YkVec at;             // in the body's axes, m
+    YkVec at; // in the body's axes, m
     YkExpr *x, *y;
 } YkPoint;
 
@@ -32,24 +33,25 @@ typedef struct YkBody {
     YkPlace place;
     int32_t first_point, point_count; // its points stand together in model->points
     bool has_mass;
-    double mass, inertia; // kg; kg m^2 about the centre of mass
-    YkVec center;         // of mass, in the body's axes, m
+    double mass, inertia;                                   // kg; kg m^2 about the centre of mass
+    YkVec center;                                           // of mass, in the body's axes, m
     YkExpr *mass_expr, *inertia_expr, *center_x, *center_y; // NULL where not given
-    int32_t rod[2];       // points of `rod`, or YK_NONE
+    int32_t rod[2];                                         // points of `rod`, or YK_NONE
 } YkBody;
 
 typedef struct YkJoint {
     const char *name;
     YkPlace place;
     YkPartKind kind;
-    int32_t body[2];      // a, b
-    int32_t point[2];     // pin: the point on a and on b; slide, pin-slot, weld: `from` on a, `to` (or `at`) on b; YK_NONE = origin
-    YkVec at[2];          // the same in each body's axes, m
-    YkVec along;          // unit direction of the line in a's axes (slide, pin-slot): exact for x and y
-    double along_angle;   // rad
-    double turned;        // b's constant angle to a (slide, weld), rad
-    YkExpr *along_expr, *turned_expr;   // NULL where default or x / y
-    int32_t angle, distance;            // declared coordinates, or YK_NONE
+    int32_t body[2];  // a, b
+    int32_t point[2]; // pin: the point on a and on b; slide, pin-slot, weld: `from` on a, `to` (or `at`) on b; YK_NONE
+                      // = origin
+    YkVec at[2];      // the same in each body's axes, m
+    YkVec along;      // unit direction of the line in a's axes (slide, pin-slot): exact for x and y
+    double along_angle;               // rad
+    double turned;                    // b's constant angle to a (slide, weld), rad
+    YkExpr *along_expr, *turned_expr; // NULL where default or x / y
+    int32_t angle, distance;          // declared coordinates, or YK_NONE
 } YkJoint;
 
 // A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mention of `JOINT.angle` or
@@ -59,13 +61,13 @@ typedef struct YkCoordinate {
     YkPlace place;
     int32_t joint;
     bool is_distance;
-    int32_t drive;        // index into drives, or YK_NONE
+    int32_t drive; // index into drives, or YK_NONE
 } YkCoordinate;
 
 typedef struct YkDrive {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr;         // of t and parameters
+    YkExpr *expr; // of t and parameters
 } YkDrive;
 
 // `start:` in file order: a coordinate's position or rate (`theta1.rate`).
@@ -80,7 +82,7 @@ typedef struct YkStart {
 typedef struct YkEffort {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr;         // of t, parameters, coordinates, rates
+    YkExpr *expr; // of t, parameters, coordinates, rates
 } YkEffort;
 
 enum { YK_QUANTITY_COUNT = YK_QUANTITY_TORQUE + 1 };
@@ -91,19 +93,27 @@ struct YkModel {
     const char *source_name; // as given to the loader, for messages
     YkUnits units;
     const char *unit_names[YK_QUANTITY_COUNT]; // in which the file gives each quantity: "mm/s"
-    YkParameter *parameters;   size_t parameter_count;
-    YkBody *bodies;            size_t body_count;       // [0] is ground
-    YkPoint *points;           size_t point_count;
-    YkJoint *joints;           size_t joint_count;
-    YkCoordinate *coordinates; size_t coordinate_count; // in file order
-    YkDrive *drives;           size_t drive_count;
-    YkStart *starts;           size_t start_count;
-    YkEffort *efforts;         size_t effort_count;
+    YkParameter *parameters;
+    size_t parameter_count;
+    YkBody *bodies;
+    size_t body_count; // [0] is ground
+    YkPoint *points;
+    size_t point_count;
+    YkJoint *joints;
+    size_t joint_count;
+    YkCoordinate *coordinates;
+    size_t coordinate_count; // in file order
+    YkDrive *drives;
+    size_t drive_count;
+    YkStart *starts;
+    size_t start_count;
+    YkEffort *efforts;
+    size_t effort_count;
     bool has_gravity;
-    YkVec gravity;             // m/s^2
+    YkVec gravity; // m/s^2
     YkExpr *gravity_x, *gravity_y;
-    double size;               // m: largest distance between two points of one body (origin counted where a joint uses it);
-                               // the largest start distance if that is more; 1 where all is zero. Lengths are measured by it.
+    double size; // m: largest distance between two points of one body (origin counted where a joint uses it);
+                 // the largest start distance if that is more; 1 where all is zero. Lengths are measured by it.
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
 

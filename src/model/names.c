@@ -15,8 +15,14 @@ static const char *reserved_meaning(const char *name)
     return yk_function_find(name, &function) ? "a function" : NULL;
 }
 
-static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
 
 static bool is_name(const YkNode *node, bool for_expressions)
 {
@@ -36,9 +42,9 @@ static bool check_name(YkLoader *loader, const YkNode *node, const char *noun, b
     }
     if (is_name(node, for_expressions)) return true;
     yk_problem(loader->problems, YK_CODE_BAD_NAME, node->place, "%q cannot be the name of a %s", node->text, noun);
-    yk_problem_hint(loader->problems, for_expressions
-                                          ? "use letters, digits and `_`, beginning with a letter, as in `l1`"
-                                          : "use letters, digits, `_` and `-`, beginning with a letter, as in `link-1`");
+    yk_problem_hint(loader->problems,
+                    for_expressions ? "use letters, digits and `_`, beginning with a letter, as in `l1`"
+                                    : "use letters, digits, `_` and `-`, beginning with a letter, as in `link-1`");
     return false;
 }
 
@@ -111,7 +117,8 @@ void yk_load_hint_nearest_symbol(YkLoader *loader, const char *name)
     const char **names = malloc(2 * NEAREST_MAX * sizeof *names);
     if (!names) return;
     size_t count = gather(names, NEAREST_MAX, model->parameters, model->parameter_count, sizeof *model->parameters);
-    count += gather(names + count, NEAREST_MAX, model->coordinates, model->coordinate_count, sizeof *model->coordinates);
+    count +=
+        gather(names + count, NEAREST_MAX, model->coordinates, model->coordinate_count, sizeof *model->coordinates);
     hint(loader->problems, yk_nearest(name, names, count));
     free(names);
 }

@@ -10,8 +10,8 @@ typedef enum Visit { NEW, OPEN, DONE } Visit;
 
 typedef struct Order {
     YkLoader *loader;
-    int32_t *needs;  // needs[first[i]] .. needs[first[i + 1]]: what parameter i mentions
-    size_t *first;   // [parameters + 1]
+    int32_t *needs; // needs[first[i]] .. needs[first[i + 1]]: what parameter i mentions
+    size_t *first;  // [parameters + 1]
     size_t count, capacity;
     unsigned char *visit; // Visit per parameter
     size_t *next;         // which need to look at next

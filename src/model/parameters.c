@@ -12,8 +12,8 @@ static void read_parameter(YkLoader *loader, YkParameter *parameter, const YkPai
         loader->failed |= !yk_names_add(&loader->model->parameter_names, parameter->name, index, &existing);
     }
     if (!yk_load_expect(loader, pair->value, YK_NODE_SCALAR, &subject)) return;
-    YkExpr *expr = yk_expr_parse(pair->value->text, pair->value->length, yk_load_text_place(pair->value),
-                                 loader->arena, loader->problems);
+    YkExpr *expr = yk_expr_parse(pair->value->text, pair->value->length, yk_load_text_place(pair->value), loader->arena,
+                                 loader->problems);
     parameter->expr = is_named ? expr : NULL;
 }
 

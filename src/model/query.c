@@ -1,16 +1,25 @@
 // What a model is made of, for the outside.
 #include "model/model.h"
 
-const char *yk_model_name(const YkModel *model) { return model->name; }
+const char *yk_model_name(const YkModel *model)
+{
+    return model->name;
+}
 
-size_t yk_model_body_count(const YkModel *model) { return model->body_count; }
+size_t yk_model_body_count(const YkModel *model)
+{
+    return model->body_count;
+}
 
 const char *yk_model_body_name(const YkModel *model, size_t body)
 {
     return body < model->body_count ? model->bodies[body].name : NULL;
 }
 
-size_t yk_model_point_count(const YkModel *model) { return model->point_count; }
+size_t yk_model_point_count(const YkModel *model)
+{
+    return model->point_count;
+}
 
 const char *yk_model_point_name(const YkModel *model, size_t point)
 {
@@ -22,7 +31,10 @@ size_t yk_model_point_body(const YkModel *model, size_t point)
     return point < model->point_count ? (size_t)model->points[point].body : (size_t)-1;
 }
 
-size_t yk_model_joint_count(const YkModel *model) { return model->joint_count; }
+size_t yk_model_joint_count(const YkModel *model)
+{
+    return model->joint_count;
+}
 
 const char *yk_model_joint_name(const YkModel *model, size_t joint)
 {
@@ -35,7 +47,10 @@ static size_t find(const YkNames *names, const char *name)
     return index == YK_NONE ? (size_t)-1 : (size_t)index;
 }
 
-size_t yk_model_find_body(const YkModel *model, const char *name) { return find(&model->body_names, name); }
+size_t yk_model_find_body(const YkModel *model, const char *name)
+{
+    return find(&model->body_names, name);
+}
 
 size_t yk_model_find_point(const YkModel *model, const char *body_dot_point)
 {

@@ -1,5 +1,5 @@
-// The size of a machine: the largest distance between two points of one body. Found on the convex hull (Andrew 1979) with
-// rotating calipers (Shamos 1978), since a frame may have as many points as the machine has links: n log n.
+// The size of a machine: the largest distance between two points of one body. Found on the convex hull (Andrew 1979)
+// with rotating calipers (Shamos 1978), since a frame may have as many points as the machine has links: n log n.
 #include <math.h>
 #include <stdlib.h>
 #include "model/load.h"
@@ -11,7 +11,10 @@ static int by_x_then_y(const void *a, const void *b)
     return (p->y > q->y) - (p->y < q->y);
 }
 
-static double cross(YkVec o, YkVec a, YkVec b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+static double cross(YkVec o, YkVec a, YkVec b)
+{
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
 
 // Adds a point to a chain that turns left; the chain keeps at least `least` points.
 static size_t extend(YkVec *hull, size_t count, size_t least, YkVec p)
@@ -31,7 +34,10 @@ static size_t convex_hull(const YkVec *points, size_t count, YkVec *hull)
     return n > 1 ? n - 1 : n; // the last is the first again
 }
 
-static double distance(YkVec a, YkVec b) { return hypot(a.x - b.x, a.y - b.y); }
+static double distance(YkVec a, YkVec b)
+{
+    return hypot(a.x - b.x, a.y - b.y);
+}
 
 static double diameter(const YkVec *hull, size_t n)
 {

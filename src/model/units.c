@@ -13,9 +13,8 @@ typedef struct Entry {
         .key = #field, .dimension = {__VA_ARGS__}, .size_offset = offsetof(YkUnits, field),                            \
         .name_offset = offsetof(YkUnits, field##_name)                                                                 \
     }
-static const Entry entries[] = {
-    ENTRY(length, .length = 1), ENTRY(mass, .mass = 1), ENTRY(time, .time = 1), ENTRY(angle, .angle = 1),
-    ENTRY(force, .length = 1, .mass = 1, .time = -2)};
+static const Entry entries[] = {ENTRY(length, .length = 1), ENTRY(mass, .mass = 1), ENTRY(time, .time = 1),
+                                ENTRY(angle, .angle = 1), ENTRY(force, .length = 1, .mass = 1, .time = -2)};
 static const char *const keys[] = {"length", "mass", "time", "angle", "force", NULL};
 
 // Of exactly this dimension? For units an angle and a number are different things: `angle: %` is a mistake.

@@ -1,5 +1,5 @@
-// Keys that kinematics does not compute with: forces, springs, stops, friction. Their names and units are checked, so that
-// a file stands when a later version reads it, and one note says that they are not used.
+// Keys that kinematics does not compute with: forces, springs, stops, friction. Their names and units are checked, so
+// that a file stands when a later version reads it, and one note says that they are not used.
 #include <string.h>
 #include "model/load.h"
 
@@ -74,7 +74,8 @@ static void check_spring(YkLoader *loader, const YkPair *pair)
     if (!yk_load_expect(loader, pair->value, YK_NODE_MAP, &subject)) return;
     yk_load_check_keys(loader, pair->value, keys, &subject);
     const YkNode *along = yk_node_get(pair->value, "along");
-    const YkNode *between = along ? yk_node_get(pair->value, "between") : require(loader, pair->value, "between", &subject);
+    const YkNode *between =
+        along ? yk_node_get(pair->value, "between") : require(loader, pair->value, "between", &subject);
     bool turns = false;
     if (along && yk_load_expect(loader, along, YK_NODE_SCALAR, &(YkSubject){.noun = "along", .owner = name})) {
         int32_t coordinate = yk_load_coordinate_key(loader, along, NULL);

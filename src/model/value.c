@@ -6,16 +6,26 @@
 static YkDimension quantity_dimension(YkQuantity quantity)
 {
     switch (quantity) {
-    case YK_QUANTITY_ANGLE: return YK_DIM_ANGLE;
-    case YK_QUANTITY_LENGTH: return YK_DIM_LENGTH;
-    case YK_QUANTITY_TIME: return YK_DIM_TIME;
-    case YK_QUANTITY_ANGLE_RATE: return YK_DIM_ANGLE_RATE;
-    case YK_QUANTITY_SPEED: return YK_DIM_SPEED;
-    case YK_QUANTITY_ANGLE_ACCELERATION: return YK_DIM_ANGLE_ACCELERATION;
-    case YK_QUANTITY_ACCELERATION: return YK_DIM_ACCELERATION;
-    case YK_QUANTITY_FORCE: return YK_DIM_FORCE;
-    case YK_QUANTITY_TORQUE: return YK_DIM_TORQUE;
-    case YK_QUANTITY_NUMBER: break;
+    case YK_QUANTITY_ANGLE:
+        return YK_DIM_ANGLE;
+    case YK_QUANTITY_LENGTH:
+        return YK_DIM_LENGTH;
+    case YK_QUANTITY_TIME:
+        return YK_DIM_TIME;
+    case YK_QUANTITY_ANGLE_RATE:
+        return YK_DIM_ANGLE_RATE;
+    case YK_QUANTITY_SPEED:
+        return YK_DIM_SPEED;
+    case YK_QUANTITY_ANGLE_ACCELERATION:
+        return YK_DIM_ANGLE_ACCELERATION;
+    case YK_QUANTITY_ACCELERATION:
+        return YK_DIM_ACCELERATION;
+    case YK_QUANTITY_FORCE:
+        return YK_DIM_FORCE;
+    case YK_QUANTITY_TORQUE:
+        return YK_DIM_TORQUE;
+    case YK_QUANTITY_NUMBER:
+        break;
     }
     return YK_DIM_NUMBER;
 }

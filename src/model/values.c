@@ -85,8 +85,7 @@ static double plain_value(const YkExpr *expr)
 
 static YkExpr *waiting_expression(YkLoader *loader, const YkNode *node, const YkWant *want, double *target)
 {
-    YkExpr *expr =
-        yk_expr_parse(node->text, node->length, yk_load_text_place(node), loader->arena, loader->problems);
+    YkExpr *expr = yk_expr_parse(node->text, node->length, yk_load_text_place(node), loader->arena, loader->problems);
     if (!expr) return NULL;
     const char *what = yk_load_subject(loader, &want->subject);
     what = yk_arena_copy(loader->arena, what, strlen(what));
@@ -94,8 +93,8 @@ static YkExpr *waiting_expression(YkLoader *loader, const YkNode *node, const Yk
         loader->failed = true;
         return NULL;
     }
-    loader->uses[loader->use_count++] = (YkUse){
-        .expr = expr, .dimension = want->dimension, .scope = want->scope, .what = what, .target = target};
+    loader->uses[loader->use_count++] =
+        (YkUse){.expr = expr, .dimension = want->dimension, .scope = want->scope, .what = what, .target = target};
     return expr;
 }
 

@@ -5,7 +5,10 @@
 static const YkPart *const catalogue[YK_PART_COUNT] = {
     [YK_PIN] = &yk_part_pin, [YK_SLIDE] = &yk_part_slide, [YK_PIN_SLOT] = &yk_part_pin_slot, [YK_WELD] = &yk_part_weld};
 
-const YkPart *yk_part(YkPartKind kind) { return (unsigned)kind < YK_PART_COUNT ? catalogue[kind] : NULL; }
+const YkPart *yk_part(YkPartKind kind)
+{
+    return (unsigned)kind < YK_PART_COUNT ? catalogue[kind] : NULL;
+}
 
 YkPartKind yk_part_find(const char *key)
 {

@@ -6,6 +6,7 @@
 // solves its two unknowns. Source of the dyads: Assur groups of class II, e.g. Nikravesh 1988 ch. 2; Waldron & Kinzel 2004 ch. 5.
 #ifndef SOLVE_KERNELS_H
 #define SOLVE_KERNELS_H
+#include <stdbool.h>
 #include <stddef.h>
 #include "base/vec.h"
 
@@ -76,6 +77,8 @@ void yk_lanes_angle(double *out, YkTurn a, YkTurn b, double offset, double refer
 void yk_lanes_difference(double *out, const double *b, const double *a, size_t n); // b - a; either may be NULL (zero)
 // value = margin >= least ? value : 0 (and NaN never passes).
 void yk_lanes_mask(double *value, const double *margin, double least, size_t n);
+// *well = whether every lane has margin > least and gap <= most (NaN has not): the usual case, in which nothing need be masked.
+void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);
 
 // sin and cos of many angles; identical to the scalar pair below. Cody-Waite reduction in three parts + minimax polynomials, within 1 ulp
 // for |x| <= 1e5 (source cited); libm beyond. And atan2 within 2 ulp.

@@ -54,3 +54,14 @@ YK_INLINE void yk_lanes_mask_body(double *value, const double *margin, double le
     for (size_t i = 0; i < n; i++) value[i] = margin[i] >= least ? value[i] : 0;
 }
 YK_KERNEL(yk_lanes_mask, (double *value, const double *margin, double least, size_t n), (value, margin, least))
+
+YK_INLINE void yk_lanes_well_body(bool *well, const double *margin, const double *gap, double least, double most,
+                                  size_t n)
+{
+    uint64_t bad = 0;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) bad |= margin[i] > least && gap[i] <= most ? 0u : 1u;
+    *well = bad == 0;
+}
+YK_KERNEL(yk_lanes_well, (bool *well, const double *margin, const double *gap, double least, double most, size_t n),
+          (well, margin, gap, least, most))

@@ -23,10 +23,10 @@ typedef struct Chord {
     double h, along, g2;
 } Chord;
 
-YK_INLINE Chord chord_of(YkVec K, Circle W, YkVec e)
+YK_INLINE Chord chord_of(YkVec K, Circle W, YkVec e, bool axial)
 {
-    double h = yk_cross(K, e);
-    return (Chord){e, h, yk_dot(e, K), (W.radius - h) * (W.radius + h)};
+    double h = -cross_with(e, K, axial);
+    return (Chord){e, h, dot_with(e, K, axial), (W.radius - h) * (W.radius + h)};
 }
 
 // -g, from the distance as it is stored: whoever has the distance finds the same bits.
@@ -35,43 +35,41 @@ YK_INLINE double minus_g(Chord known, double d)
     return d + known.along;
 }
 
-YK_INLINE Rates rrp_rates(Known K, Known W, bool varies, double spin, double spin_rate, bool turns, Chord chord,
-                          YkVec q, YkVec E, double d)
+YK_INLINE Rates rrp_rates(Form form, Known K, Known W, double spin, double spin_rate, Chord chord, YkVec q, YkVec E,
+                          double d)
 {
     YkVec e = chord.e, ie = yk_quarter(e), G = K.rate, H = K.accel;
     double inverse = minus_g(chord, d) * (1 / chord.g2); // -1 / g; this division need not wait for the root
-    if (varies) G = yk_add(G, yk_mul(W.rate, E));
-    if (turns) G = yk_add(G, yk_scale(d * spin, ie));
-    double w = yk_cross(e, G) * inverse, v = yk_dot(q, G) * inverse;
+    if (form.varies) G = yk_add(G, yk_mul(W.rate, E));
+    if (form.turns) G = yk_add(G, yk_scale(d * spin, ie));
+    double w = cross_with(e, G, form.axial) * inverse, v = yk_dot(q, G) * inverse;
     H = yk_sub(H, yk_scale(w * w, q));
-    if (varies) H = yk_add(H, yk_mul(yk_add(W.accel, yk_scale(2 * w, yk_quarter(W.rate))), E));
-    if (turns) H = yk_add(H, yk_sub(yk_scale(d * spin_rate + 2 * v * spin, ie), yk_scale(d * spin * spin, e)));
-    return (Rates){w, v, yk_cross(e, H) * inverse, yk_dot(q, H) * inverse};
+    if (form.varies) H = yk_add(H, yk_mul(yk_add(W.accel, yk_scale(2 * w, yk_quarter(W.rate))), E));
+    if (form.turns) H = yk_add(H, yk_sub(yk_scale(d * spin_rate + 2 * v * spin, ie), yk_scale(d * spin * spin, e)));
+    return (Rates){w, v, cross_with(e, H, form.axial) * inverse, yk_dot(q, H) * inverse};
 }
 
-// The loop over the lanes, with what is asked and what varies known when it is compiled.
-YK_INLINE void rrp_loop(bool places, bool rates, bool varies, bool turns, YkPlane K, YkArm W, YkTurn line, YkVec u,
-                        double branch, YkTurn out, YkSlide d, double *margin, double *own, size_t n)
+YK_INLINE void rrp_loop(Form form, YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
+                        double *margin, double *own, size_t n)
 {
     Circle constant = circle_of(W.constant);
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        Circle circle = varies ? circle_of(lane_place(W.lanes, i)) : constant;
-        Chord known = chord_of(lane_place(K, i), circle, line_unit(line, u, turns, i));
-        double at = places ? -branch * root_of(known.g2) - known.along : d.d[i];
-        YkVec q = yk_mul(known.e, yk_vec(-minus_g(known, at), known.h));
-        YkVec E = yk_mul(q, circle.inverse);
-        if (places) {
+        Circle circle = form.varies ? circle_of(lane_place(W.lanes, i)) : constant;
+        Chord known = chord_of(lane_place(K, i), circle, line_unit(line, u, form.turns, i), form.axial);
+        double at = form.places ? -branch * root_of(known.g2) - known.along : d.d[i];
+        YkVec q = times(yk_vec(-minus_g(known, at), known.h), known.e, form.axial);
+        YkVec E = times(q, circle.inverse, form.axial);
+        if (form.places) {
             double m = known.g2 * circle.inverse_square;
             d.d[i] = at;
             lane_set_unit(out, i, E);
             lane_margin(margin, own, i, m, m);
         }
-        if (rates) {
-            double spin = turns ? line.w[i] : 0, spin_rate = turns ? line.a[i] : 0;
-            Known arm = arm_known(W, varies, i);
-            lane_set_rates(out, d, i,
-                           rrp_rates(lane_known(K, i), arm, varies, spin, spin_rate, turns, known, q, E, at));
+        if (form.rates) {
+            double spin = form.turns ? line.w[i] : 0, spin_rate = form.turns ? line.a[i] : 0;
+            Known arm = arm_known(W, form.varies, i);
+            lane_set_rates(out, d, i, rrp_rates(form, lane_known(K, i), arm, spin, spin_rate, known, q, E, at));
         }
     }
 }
@@ -80,7 +78,8 @@ YK_INLINE void rrp_loop(bool places, bool rates, bool varies, bool turns, YkPlan
 YK_APART void rrp_varying(bool places, bool rates, YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
                           YkSlide d, double *margin, double *own, size_t n)
 {
-    rrp_loop(places, rates, true, line.c != NULL, K, W, line, u, branch, out, d, margin, own, n);
+    Form form = {places, rates, true, line.c != NULL, false};
+    rrp_loop(form, K, W, line, u, branch, out, d, margin, own, n);
 }
 
 YK_INLINE void rrp_choose(bool places, bool rates, YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
@@ -89,9 +88,11 @@ YK_INLINE void rrp_choose(bool places, bool rates, YkPlane K, YkArm W, YkTurn li
     if (arm_varies(W))
         rrp_varying(places, rates, K, W, line, u, branch, out, d, margin, own, n);
     else if (line.c)
-        rrp_loop(places, rates, false, true, K, W, line, u, branch, out, d, margin, own, n);
+        rrp_loop((Form){places, rates, false, true, false}, K, W, line, u, branch, out, d, margin, own, n);
+    else if (is_axial(u) && is_axial(W.constant))
+        rrp_loop((Form){places, rates, false, false, true}, K, W, line, u, branch, out, d, margin, own, n);
     else
-        rrp_loop(places, rates, false, false, K, W, line, u, branch, out, d, margin, own, n);
+        rrp_loop((Form){places, rates, false, false, false}, K, W, line, u, branch, out, d, margin, own, n);
 }
 
 YK_INLINE void yk_lanes_rrp_body(YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,

@@ -52,11 +52,11 @@ void yk_lanes_start(YkPlane out, YkVec constant, YkPlane plus, YkPlane minus, si
     start_row(out.ay, 0, p.ay, m.ay, n);
 }
 
-YK_INLINE void sum_turn(YkPlane out, bool adds, YkVec constant, YkTurn turn, YkVec v, size_t n)
+YK_INLINE void sum_turn(YkPlane out, bool adds, YkVec constant, YkTurn turn, YkVec v, bool axial, size_t n)
 {
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        YkVec z = yk_mul(lane_unit(turn, i), v);
+        YkVec z = times(lane_unit(turn, i), v, axial);
         put(out, adds, i, adds ? z : yk_add(constant, z), spin_rate(z, turn.w[i]), spin_accel(z, turn.w[i], turn.a[i]));
     }
 }
@@ -64,8 +64,10 @@ YK_INLINE void sum_turn(YkPlane out, bool adds, YkVec constant, YkTurn turn, YkV
 YK_INLINE void yk_lanes_start_turn_body(YkPlane out, YkVec constant, YkTurn turn, YkVec v, size_t n)
 {
     const YkPlane none = {0};
-    if (turn.c)
-        sum_turn(out, false, constant, turn, v, n);
+    if (turn.c && is_axial(v))
+        sum_turn(out, false, constant, turn, v, true, n);
+    else if (turn.c)
+        sum_turn(out, false, constant, turn, v, false, n);
     else
         yk_lanes_start(out, yk_add(constant, v), none, none, n);
 }
@@ -73,7 +75,10 @@ YK_KERNEL(yk_lanes_start_turn, (YkPlane out, YkVec constant, YkTurn turn, YkVec 
 
 YK_INLINE void yk_lanes_add_turn_body(YkPlane out, YkTurn turn, YkVec v, size_t n)
 {
-    sum_turn(out, true, yk_vec(0, 0), turn, v, n);
+    if (is_axial(v))
+        sum_turn(out, true, yk_vec(0, 0), turn, v, true, n);
+    else
+        sum_turn(out, true, yk_vec(0, 0), turn, v, false, n);
 }
 YK_KERNEL(yk_lanes_add_turn, (YkPlane out, YkTurn turn, YkVec v, size_t n), (out, turn, v))
 

@@ -127,6 +127,33 @@ YK_INLINE YkVec arm_place(YkArm arm, bool varies, size_t i)
     return varies ? lane_place(arm.lanes, i) : arm.constant;
 }
 
+// What a loop over lanes is compiled for: what is asked of it, what varies from lane to lane.
+typedef struct Form {
+    bool places, rates; // finds positions; velocities and accelerations
+    bool varies;        // an arm has lanes
+    bool turns;         // a line turns
+    bool axial; // constant vectors point along x (real numbers), as most points and slides do: half the products go
+} Form;
+
+YK_INLINE bool is_axial(YkVec v)
+{
+    return v.y == 0;
+}
+
+// Products with a constant v that is real where `axial`.
+YK_INLINE YkVec times(YkVec a, YkVec v, bool axial)
+{
+    return axial ? yk_scale(v.x, a) : yk_mul(a, v);
+}
+YK_INLINE double dot_with(YkVec v, YkVec a, bool axial)
+{
+    return axial ? v.x * a.x : yk_dot(v, a);
+}
+YK_INLINE double cross_with(YkVec v, YkVec a, bool axial)
+{
+    return axial ? v.x * a.y : yk_cross(v, a);
+}
+
 YK_INLINE Known arm_known(YkArm arm, bool varies, size_t i)
 {
     const YkVec still = {0, 0};

@@ -1,7 +1,7 @@
 #include "solve/track.h"
 #include <string.h>
 
-enum { STEP_FLOOR = 44 }; // halvings before a limit is declared: 2^-44 of the path
+#define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: where not even such a step succeeds, there is a limit
 
 // Runs everything at the inputs as they stand, from the guess in groups.x.
 static YkStatus run_here(YkState *s)
@@ -34,23 +34,29 @@ static double path_length(const YkState *s)
     return longest;
 }
 
-// Puts the group's unknowns where velocity and acceleration (along the path) predict them.
-static void predict(YkState *s, const YkSpace *space, double h)
+// Puts the group's unknowns where velocity and acceleration (along the path) predict them; at a dead point, where they stand.
+// Returns the largest change: radians, or lengths over the size.
+static double predict(YkState *s, const YkSpace *space, double h)
 {
+    bool has_rates = space->margin[0] > YK_SINGULAR_MARGIN;
+    double largest = 0;
     for (size_t k = 0; k < s->mech->column_count; k++) {
         YkColumn c = s->mech->group_columns[k];
-        double v, a;
-        if (c.is_distance) {
+        double v = 0, a = 0;
+        if (has_rates && c.is_distance) {
             YkSlide d = yk_space_slide(space, c.index);
             v = d.v[0];
             a = d.a[0];
-        } else {
+        } else if (has_rates) {
             YkTurn t = yk_space_turn(space, c.index);
             v = t.w[0];
             a = t.a[0];
         }
-        s->groups.x[k] = s->valid_x[k] + h * (v + 0.5 * h * a);
+        double change = h * (v + 0.5 * h * a);
+        s->groups.x[k] = s->valid_x[k] + change;
+        largest = fmax(largest, fabs(change) / (c.is_distance ? s->mech->size : 1));
     }
+    return largest;
 }
 
 // Inputs at `at` of the path from `base` (its inputs at 0), with the path itself as rate.
@@ -74,15 +80,21 @@ static void accept_along(YkState *s)
     memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
 }
 
-// One step of the path; false when even the smallest fails.
+// What Newton's method may correct of a prediction. From a dead point, which predicts nothing, the unknowns move as the root of
+// the step, and the determinant's sign says which way.
+static double correction_max(const YkState *s, double way)
+{
+    return s->space.margin[0] > YK_SINGULAR_MARGIN ? 0.25 * way + 1e-9 : 0.01;
+}
+
+// One step of the path; false when even the smallest fails. Newton's correction must be small against the predicted way: what it
+// reaches is then the continuation and no other solution. Towards a limit steps shrink with the distance that is left.
 static bool advance(YkState *s, Tracker *t, const double *ends)
 {
-    for (int halving = 0; halving < STEP_FLOOR; halving++) {
-        double h = fmin(t->h, 1 - t->at);
-        predict(s, &s->space, h);
+    while (t->at + t->h > t->at && t->h > STEP_FLOOR) {
+        double h = fmin(t->h, 1 - t->at), way = predict(s, &s->space, h);
         set_path(s, ends, t->at + h);
-        YkStatus status = run_here(s);
-        if (status >= 0 && s->groups.moved <= 0.1 * h * t->longest + 0.02 * fmin(1, s->space.margin[0] * 100)) {
+        if (way < 0.5 && run_here(s) >= 0 && s->groups.moved <= correction_max(s, way)) {
             accept_along(s);
             t->at += h;
             t->h = fmin(2 * t->h, 0.05 / fmax(t->longest, 1e-300));

@@ -2,26 +2,25 @@
 #ifndef TESTS_MODEL_EXAMPLES_H
 #define TESTS_MODEL_EXAMPLES_H
 
-static const char quick_return[] =
-    "name: Whitworth quick-return\n"
-    "parameters: {a1: 1 m, a2: 1 m, l1: 3/4 m, l2: 7/4 m, l4: 2/3 m}\n"
-    "bodies:\n"
-    "  ground:  {points: {O1: [0, a1], O2: [0, 0], C0: [0, a1 + a2]}}\n"
-    "  crank:   {points: {O1: [0, 0], A: [l1, 0]}}\n"
-    "  lever:   {points: {O2: [0, 0], B: [l2, 0]}}\n"
-    "  block:   {points: {A: [0, 0]}}\n"
-    "  coupler: {points: {B: [0, 0], C: [l4, 0]}}\n"
-    "  ram:     {points: {C: [0, 0]}}\n"
-    "joints:\n"
-    "  O1: {pin: [ground, crank], angle: theta1}\n"
-    "  O2: {pin: [ground, lever], angle: theta2}\n"
-    "  S:  {slide: [lever, block], along: x, distance: d3}\n"
-    "  A:  {pin: [crank, block]}\n"
-    "  B:  {pin: [lever, coupler], angle: theta4}\n"
-    "  C:  {pin: [coupler, ram]}\n"
-    "  R:  {slide: [ground, ram], along: x, from: C0, distance: d5}\n"
-    "drives: {theta1: 30 deg - 0.5 rad/s * t}\n"
-    "start:  {theta2: 60 deg, d3: 1.5 m, theta4: -20 deg, d5: 1.2 m}\n";
+static const char quick_return[] = "name: Whitworth quick-return\n"
+                                   "parameters: {a1: 1 m, a2: 1 m, l1: 3/4 m, l2: 7/4 m, l4: 2/3 m}\n"
+                                   "bodies:\n"
+                                   "  ground:  {points: {O1: [0, a1], O2: [0, 0], C0: [0, a1 + a2]}}\n"
+                                   "  crank:   {points: {O1: [0, 0], A: [l1, 0]}}\n"
+                                   "  lever:   {points: {O2: [0, 0], B: [l2, 0]}}\n"
+                                   "  block:   {points: {A: [0, 0]}}\n"
+                                   "  coupler: {points: {B: [0, 0], C: [l4, 0]}}\n"
+                                   "  ram:     {points: {C: [0, 0]}}\n"
+                                   "joints:\n"
+                                   "  O1: {pin: [ground, crank], angle: theta1}\n"
+                                   "  O2: {pin: [ground, lever], angle: theta2}\n"
+                                   "  S:  {slide: [lever, block], along: x, distance: d3}\n"
+                                   "  A:  {pin: [crank, block]}\n"
+                                   "  B:  {pin: [lever, coupler], angle: theta4}\n"
+                                   "  C:  {pin: [coupler, ram]}\n"
+                                   "  R:  {slide: [ground, ram], along: x, from: C0, distance: d5}\n"
+                                   "drives: {theta1: 30 deg - 0.5 rad/s * t}\n"
+                                   "start:  {theta2: 60 deg, d3: 1.5 m, theta4: -20 deg, d5: 1.2 m}\n";
 
 static const char toggle[] =
     "name: Toggle linkage\n"

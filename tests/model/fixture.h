@@ -21,7 +21,10 @@ static inline YkModel *fixture_load_with(const char *text, const YkLoadOptions *
     assert_non_null(model);
     return model;
 }
-static inline YkModel *fixture_load(const char *text) { return fixture_load_with(text, NULL); }
+static inline YkModel *fixture_load(const char *text)
+{
+    return fixture_load_with(text, NULL);
+}
 
 // Loads a text that must be wrong, and gives what was found.
 static inline YkProblems *fixture_refuse_with(const char *text, const YkLoadOptions *options)
@@ -34,7 +37,10 @@ static inline YkProblems *fixture_refuse_with(const char *text, const YkLoadOpti
     assert_true(yk_problems_error_count(problems) > 0);
     return problems;
 }
-static inline YkProblems *fixture_refuse(const char *text) { return fixture_refuse_with(text, NULL); }
+static inline YkProblems *fixture_refuse(const char *text)
+{
+    return fixture_refuse_with(text, NULL);
+}
 
 // The first problem of this code, or NULL.
 static inline const YkProblem *fixture_problem(const YkProblems *problems, int code)

@@ -73,10 +73,9 @@ static void each_problem_is_told_in_the_same_form(void **state)
 
 // No file holds what these speak of: the machine's memory, too many problems, the file system, values from outside,
 // and a file of ten million entries.
-static const int not_by_a_file[] = {
-    YK_CODE_OUT_OF_MEMORY,   YK_CODE_MORE_PROBLEMS,  YK_CODE_FILE_NOT_FOUND,   YK_CODE_FILE_DIRECTORY,
-    YK_CODE_FILE_UNREADABLE, YK_CODE_FILE_TOO_LARGE, YK_CODE_UNKNOWN_OVERRIDE, YK_CODE_OVERRIDE_DIMENSION,
-    YK_CODE_TOO_MANY};
+static const int not_by_a_file[] = {YK_CODE_OUT_OF_MEMORY,    YK_CODE_MORE_PROBLEMS,      YK_CODE_FILE_NOT_FOUND,
+                                    YK_CODE_FILE_DIRECTORY,   YK_CODE_FILE_UNREADABLE,    YK_CODE_FILE_TOO_LARGE,
+                                    YK_CODE_UNKNOWN_OVERRIDE, YK_CODE_OVERRIDE_DIMENSION, YK_CODE_TOO_MANY};
 
 static int has_file(int code)
 {
@@ -123,6 +122,49 @@ static void every_beginning_of_a_bad_file_is_survived(void **state)
     }
 }
 
+// Random damage: bytes replaced, dropped, doubled, or pieces swapped for words of the format.
+static size_t damage(char *text, size_t length, uint64_t *seed)
+{
+    static const char *const words[] = {"{",     "}",      "[",     "]", ": ",   ", ",    "x",     "-1",
+                                        "1e9",   "ground", "crank", "O", "rod",  "angle", "theta", "pin",
+                                        "slide", "''",     "~",     "0", "mass", ".rate", "t",     "\n"};
+    for (int i = 0; i < 3; i++) {
+        const char *word = words[check_random(seed) % (sizeof words / sizeof *words)];
+        size_t at = check_random(seed) % (length + 1), size = strlen(word), cut = check_random(seed) % 5;
+        if (at + cut > length) cut = length - at;
+        memmove(text + at + size, text + at + cut, length - at - cut);
+        memcpy(text + at, word, size);
+        length = length - cut + size;
+    }
+    return length;
+}
+
+static void a_damaged_file_is_loaded_or_refused(void **state)
+{
+    (void)state;
+    static const char sound[] =
+        "units: {length: mm}\nparameters: {l: 100, m: 2 kg}\ngravity: [0, -9.81 m/s^2]\nbodies:\n"
+        "  ground: {points: {O: [0, 0], Q: [5, 0]}}\n"
+        "  crank: {points: {O: [0, 0], A: [l, 0]}, mass: m, rod: [O, A]}\n"
+        "  link: {points: {A: [0, 0]}, mass: 1, inertia: 2}\njoints:\n"
+        "  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, link], at: A}\n"
+        "  S: {pin-slot: [ground, link], at: A, from: Q, along: 30 deg, distance: s}\n"
+        "drives: {theta: 2 rad/s * t}\nstart: {s: 3, S.angle.rate: 1}\nefforts: {s: -3 * s}\n";
+    for (uint64_t round = 0; round < 3000; round++) {
+        char text[sizeof sound + 100];
+        uint64_t seed = round;
+        memcpy(text, sound, sizeof sound);
+        size_t length = damage(text, sizeof sound - 1, &seed);
+        YkProblems *problems = yk_problems_new();
+        YkModel *model = yk_model_parse(text, length, "damaged", NULL, problems);
+        if ((model == NULL) != (yk_problems_error_count(problems) > 0)) print_error("seed %d\n", (int)round);
+        assert_int_equal(model == NULL, yk_problems_error_count(problems) > 0);
+        assert_non_null(yk_problems_text(problems, 0));
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -130,6 +172,7 @@ int main(void)
         cmocka_unit_test(each_problem_is_told_in_the_same_form),
         cmocka_unit_test(each_code_of_a_file_has_a_file),
         cmocka_unit_test(every_beginning_of_a_bad_file_is_survived),
+        cmocka_unit_test(a_damaged_file_is_loaded_or_refused),
     };
     return cmocka_run_group_tests(tests, list_files, NULL);
 }

@@ -7,7 +7,8 @@ static void the_ground_is_body_zero_wherever_it_stands(void **state)
 {
     (void)state;
     const char *texts[] = {"bodies: {b: {}}\n" PINNED, "bodies: {b: {}, ground: {points: {Q: [1, 2]}}}\n" PINNED,
-                           "bodies: {ground: {points: {Q: [1, 2]}}, b: {}}\n" PINNED, "bodies: {b: , ground: }\n" PINNED};
+                           "bodies: {ground: {points: {Q: [1, 2]}}, b: {}}\n" PINNED,
+                           "bodies: {b: , ground: }\n" PINNED};
     for (size_t i = 0; i < 4; i++) {
         YkModel *model = fixture_load(texts[i]);
         assert_int_equal(yk_model_body_count(model), 2);
@@ -21,7 +22,8 @@ static void the_ground_is_body_zero_wherever_it_stands(void **state)
 static void points_of_a_body_stand_together_and_know_their_body(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load("bodies: {b: {points: {P: [1, 2], Q: [3, 4]}}, ground: {points: {P: [5, 6]}}}\n" PINNED);
+    YkModel *model =
+        fixture_load("bodies: {b: {points: {P: [1, 2], Q: [3, 4]}}, ground: {points: {P: [5, 6]}}}\n" PINNED);
     for (size_t i = 0; i < model->body_count; i++) {
         const YkBody *body = &model->bodies[i];
         for (int32_t k = 0; k < body->point_count; k++) assert_int_equal(model->points[body->first_point + k].body, i);
@@ -72,8 +74,9 @@ static void a_rod_has_its_centre_and_inertia_at_any_place_and_direction(void **s
         char text[300];
         double x = check_uniform(&seed, -1, 1), y = check_uniform(&seed, -1, 1), m = check_uniform(&seed, 0.1, 9);
         double u = check_uniform(&seed, -1, 1), v = check_uniform(&seed, -1, 1);
-        snprintf(text, sizeof text, "bodies: {b: {points: {P: [%.17g, %.17g], Q: [%.17g, %.17g]}, mass: %.17g, rod: [P, Q]}}\n" PINNED,
-                 x, y, u, v, m);
+        snprintf(text, sizeof text,
+                 "bodies: {b: {points: {P: [%.17g, %.17g], Q: [%.17g, %.17g]}, mass: %.17g, rod: [P, Q]}}\n" PINNED, x,
+                 y, u, v, m);
         YkModel *model = fixture_load(text);
         const YkBody *body = fixture_body(model, "b");
         // Independently: a thousand equal pieces of the rod.
@@ -143,9 +146,12 @@ static void mistakes_in_masses_are_refused_where_they_stand(void **state)
     refused_body("{points: {P: [0, 0], Q: [1, 0]}, mass: 1, rod: [P, Q, P]}", YK_CODE_COMPONENTS, 60, "two points");
     refused_body("{points: {P: [0, 0], Q: [1, 0]}, mass: 1, rod: [P, R]}", YK_CODE_UNKNOWN_POINT, 64, "no point `R`");
     refused_body("{points: {P: [0, 0]}, mass: 1, rod: [P, P]}", YK_CODE_ZERO_ROD, 49, "itself");
-    refused_body("{points: {P: [1, 0], Q: [1, 0]}, mass: 1, rod: [P, Q]}", YK_CODE_ZERO_ROD, 10, "`P` and `Q` coincide");
-    refused_body("{points: {P: [0, 0], Q: [1, 0]}, mass: 1, rod: [P, Q], inertia: 2}", YK_CODE_RIVAL_KEYS, 68, "inertia");
-    refused_body("{points: {P: [0, 0], Q: [1, 0]}, mass: 1, rod: [P, Q], center: [0, 0]}", YK_CODE_RIVAL_KEYS, 68, "center");
+    refused_body("{points: {P: [1, 0], Q: [1, 0]}, mass: 1, rod: [P, Q]}", YK_CODE_ZERO_ROD, 10,
+                 "`P` and `Q` coincide");
+    refused_body("{points: {P: [0, 0], Q: [1, 0]}, mass: 1, rod: [P, Q], inertia: 2}", YK_CODE_RIVAL_KEYS, 68,
+                 "inertia");
+    refused_body("{points: {P: [0, 0], Q: [1, 0]}, mass: 1, rod: [P, Q], center: [0, 0]}", YK_CODE_RIVAL_KEYS, 68,
+                 "center");
     refused_body("{mass: 3, masss: 3}", YK_CODE_UNKNOWN_KEY, 23, "mass");
 }
 

@@ -27,7 +27,8 @@ static void a_large_group_is_cut_in_its_message(void **state)
     size_t n = (size_t)snprintf(text, sizeof text, "bodies: {");
     for (int i = 0; i < 100; i++) n += (size_t)snprintf(text + n, sizeof text - n, "b%d: {}, ", i);
     n += (size_t)snprintf(text + n, sizeof text - n, "}\njoints: {");
-    for (int i = 1; i < 100; i++) n += (size_t)snprintf(text + n, sizeof text - n, "J%d: {pin: [b%d, b%d]}, ", i, i - 1, i);
+    for (int i = 1; i < 100; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "J%d: {pin: [b%d, b%d]}, ", i, i - 1, i);
     snprintf(text + n, sizeof text - n, "}\n");
     YkProblems *problems = fixture_refuse(text);
     assert_int_equal(yk_problems_error_count(problems), 1);
@@ -78,9 +79,12 @@ static void two_pins_at_the_origin_are_a_link_of_no_length(void **state)
 {
     (void)state;
     assert_int_equal(warnings("bodies: {b: {}, c: {}}\njoints: {A: {pin: [ground, b]}, B: {pin: [b, c]}}\n",
-                              "`b` is a link of no length: its points `origin` and `origin`"), 1);
+                              "`b` is a link of no length: its points `origin` and `origin`"),
+                     1);
     assert_int_equal(warnings("bodies: {b: {}, c: {}, d: {}}\n"
-                              "joints: {A: {pin: [ground, b]}, B: {pin: [b, c]}, C: {pin: [b, d]}}\n", ""), 0);
+                              "joints: {A: {pin: [ground, b]}, B: {pin: [b, c]}, C: {pin: [b, d]}}\n",
+                              ""),
+                     0);
 }
 
 int main(void)

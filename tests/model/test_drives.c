@@ -33,7 +33,8 @@ static void many_coordinates_keep_their_order(void **state)
     size_t n = (size_t)snprintf(text, sizeof text, "bodies: {");
     for (int i = 0; i < 100; i++) n += (size_t)snprintf(text + n, sizeof text - n, "b%d: {}, ", i);
     n += (size_t)snprintf(text + n, sizeof text - n, "}\njoints: {");
-    for (int i = 0; i < 100; i++) n += (size_t)snprintf(text + n, sizeof text - n, "J%d: {pin: [ground, b%d], angle: q%d}, ", i, i, i);
+    for (int i = 0; i < 100; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "J%d: {pin: [ground, b%d], angle: q%d}, ", i, i, i);
     snprintf(text + n, sizeof text - n, "}\n");
     YkModel *model = fixture_load(text);
     assert_int_equal(model->coordinate_count, 100);
@@ -140,9 +141,10 @@ static void starts_and_efforts_are_checked_alike(void **state)
 static void each_use_has_its_own_dimension(void **state)
 {
     (void)state;
-    const char *wrong[] = {"drives: {phi: 3 mm}",       "start: {phi: 3 m}",     "start: {phi.rate: 3 m/s}",
-                           "start: {J-2.distance: 3 s}", "efforts: {phi: 3 N}",   "efforts: {J-2.distance: 3 N*m}",
-                           "gravity: [0, 9.81 m/s]",     "start: {J-2.distance.rate: 1 rad/s}"};
+    const char *wrong[] = {"drives: {phi: 3 mm}",      "start: {phi: 3 m}",
+                           "start: {phi.rate: 3 m/s}", "start: {J-2.distance: 3 s}",
+                           "efforts: {phi: 3 N}",      "efforts: {J-2.distance: 3 N*m}",
+                           "gravity: [0, 9.81 m/s]",   "start: {J-2.distance.rate: 1 rad/s}"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char text[600];
         snprintf(text, sizeof text, MACHINE "%s\n", wrong[i]);

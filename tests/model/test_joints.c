@@ -131,7 +131,8 @@ static void the_bodies_of_a_joint_are_two_different_ones(void **state)
 static void the_points_of_a_joint_are_on_both_bodies_or_on_neither(void **state)
 {
     (void)state;
-    refused_joint("{pin: [ground, a], at: A}", YK_CODE_POINT_ON_ONE_BODY, 29, "`a` has the point `A`, but `ground` has not");
+    refused_joint("{pin: [ground, a], at: A}", YK_CODE_POINT_ON_ONE_BODY, 29,
+                  "`a` has the point `A`, but `ground` has not");
     refused_joint("{pin: [ground, a], at: AA}", YK_CODE_POINT_ON_NEITHER, 29, "did you mean `A`");
     refused_joint("{weld: [ground, b], at: P}", YK_CODE_POINT_ON_ONE_BODY, 30, "weld `J`");
     refused_joint("{slide: [ground, b], from: X}", YK_CODE_UNKNOWN_POINT, 33, "`ground` has no point `X`");

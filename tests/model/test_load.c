@@ -155,8 +155,8 @@ static void a_machine_without_a_name_has_that_of_its_file(void **state)
     (void)state;
     const struct {
         const char *path, *name;
-    } cases[] = {{"a/b/crank.yaml", "crank"}, {"crank", "crank"}, {"x/.hidden", ".hidden"}, {"-", "machine"},
-                 {"a.b/c.d.yaml", "c.d"}, {"folder/", "machine"}};
+    } cases[] = {{"a/b/crank.yaml", "crank"}, {"crank", "crank"},    {"x/.hidden", ".hidden"}, {"-", "machine"},
+                 {"a.b/c.d.yaml", "c.d"},     {"folder/", "machine"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         YkModel *model = yk_model_parse(CRANK, strlen(CRANK), cases[i].path, NULL, NULL);
         assert_non_null(model);
@@ -180,8 +180,8 @@ static void every_mistake_of_a_file_is_told_in_one_run(void **state)
                                           "  wheel: {}\n"
                                           "joints: {O: {pin: [ground, cronk]}, P: {hinge: [ground, crank]}}\n"
                                           "drives: {theta: 3}\n");
-    const int codes[] = {YK_CODE_UNKNOWN_KEY,  YK_CODE_PARAMETER_CYCLE, YK_CODE_RESERVED_NAME, YK_CODE_EVALUATION,
-                         YK_CODE_COMPONENTS,   YK_CODE_GROUND_KEY,      YK_CODE_UNKNOWN_NAME,  YK_CODE_BAD_MASS,
+    const int codes[] = {YK_CODE_UNKNOWN_KEY,  YK_CODE_PARAMETER_CYCLE, YK_CODE_RESERVED_NAME,     YK_CODE_EVALUATION,
+                         YK_CODE_COMPONENTS,   YK_CODE_GROUND_KEY,      YK_CODE_UNKNOWN_NAME,      YK_CODE_BAD_MASS,
                          YK_CODE_UNKNOWN_BODY, YK_CODE_JOINT_KIND,      YK_CODE_UNKNOWN_COORDINATE};
     for (size_t i = 0; i < sizeof codes / sizeof *codes; i++) {
         if (!fixture_problem(problems, codes[i])) print_error("E%04d is missing\n", codes[i]);

@@ -21,7 +21,7 @@ extern void __libc_free(void *memory);
 
 static long countdown = -1; // allocations until one fails; below 0: none fails
 static int fails_for_good, has_failed;
-static long live;           // blocks that are not freed
+static long live; // blocks that are not freed
 
 static int must_fail(void)
 {
@@ -130,9 +130,18 @@ static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
     yk_model_free(model);
 }
 #else
-static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
-static void a_bad_file_is_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
-static void a_value_is_read_or_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
+static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
+static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
+static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
 #endif
 
 int main(void)

@@ -3,7 +3,10 @@
 #include "base/text.h"
 #include "model/fixture.h"
 
-static double value(const YkModel *model, const char *name) { return fixture_parameter(model, name)->value; }
+static double value(const YkModel *model, const char *name)
+{
+    return fixture_parameter(model, name)->value;
+}
 
 static void parameters_may_be_defined_in_any_order(void **state)
 {
@@ -45,8 +48,7 @@ static void a_chain_of_a_hundred_thousand_definitions_is_evaluated(void **state)
 static void a_circle_is_reported_once_with_the_names_along_it(void **state)
 {
     (void)state;
-    fixture_refused("parameters: {a: b + 1, b: 2*c, c: a}\n" CRANK, YK_CODE_PARAMETER_CYCLE, 1, 14,
-                    "a -> b -> c -> a");
+    fixture_refused("parameters: {a: b + 1, b: 2*c, c: a}\n" CRANK, YK_CODE_PARAMETER_CYCLE, 1, 14, "a -> b -> c -> a");
     fixture_refused("parameters: {x: x}\n" CRANK, YK_CODE_PARAMETER_CYCLE, 1, 14, "x -> x");
 }
 

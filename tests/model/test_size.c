@@ -74,7 +74,8 @@ static void the_origin_counts_where_a_joint_uses_it(void **state)
     (void)state;
     CHECK_NEAR(size_of_text("bodies: {b: {points: {A: [3, 4], B: [3, 3]}}}\njoints: {O: {pin: [ground, b]}}\n"), 5, 0);
     CHECK_NEAR(size_of_text("bodies: {ground: {points: {A: [0, 0]}}, b: {points: {A: [3, 4], B: [3, 3]}}}\n"
-                            "joints: {A: {pin: [ground, b]}}\n"), 1, 0);
+                            "joints: {A: {pin: [ground, b]}}\n"),
+               1, 0);
 }
 
 static void a_longer_start_distance_counts_and_nothing_at_all_is_one(void **state)

@@ -1,4 +1,5 @@
-// Keys that kinematics does not compute with are read, checked and noted; those that would change the motion are refused.
+// Keys that kinematics does not compute with are read, checked and noted; those that would change the motion are
+// refused.
 #include "model/fixture.h"
 
 #define MACHINE                                                                                                        \
@@ -25,13 +26,18 @@ static void check_notes(const char *text, size_t notes)
 static void forces_springs_stops_and_friction_load_with_a_note_each(void **state)
 {
     (void)state;
-    check_notes(MACHINE "forces: {F1: {on: ram, at: C, value: [-F, 0]}, F2: {on: ram, value: [0, F*sin(phi)], axes: body}}\n", 1);
-    check_notes(MACHINE "springs: {k1: {between: [ground.P, ram.C], stiffness: 800 N/m, length: 0.2 m, damping: 5 N*s/m}}\n", 1);
+    check_notes(MACHINE
+                "forces: {F1: {on: ram, at: C, value: [-F, 0]}, F2: {on: ram, value: [0, F*sin(phi)], axes: body}}\n",
+                1);
+    check_notes(MACHINE
+                "springs: {k1: {between: [ground.P, ram.C], stiffness: 800 N/m, length: 0.2 m, damping: 5 N*s/m}}\n",
+                1);
     check_notes(MACHINE "springs: {k2: {along: phi, stiffness: 3 N*m, damping: 1 N*m*s, angle: 30 deg}}\n", 1);
     check_notes(MACHINE "stops: {phi: [-30 deg, 200 deg]}\n", 1);
     check_notes(MACHINE "forces: {}\nsprings:\nstops: {}\n", 0);
     check_notes("bodies: {a: {}, b: {}}\njoints: {O: {pin: [ground, a], friction: {coulomb: 0.1, radius: 8 mm}}, "
-                "A: {slide: [a, b], friction: {viscous: 2 N*s/m}}}\n", 1);
+                "A: {slide: [a, b], friction: {viscous: 2 N*s/m}}}\n",
+                1);
 }
 
 static void refused(const char *section, int code, unsigned column, const char *part)

@@ -71,8 +71,8 @@ static void wrong_values_are_refused_with_their_text(void **state)
     const struct {
         const char *text;
         YkQuantity quantity;
-    } wrong[] = {{"", YK_QUANTITY_ANGLE},      {"abc", YK_QUANTITY_ANGLE},   {"3 mm", YK_QUANTITY_ANGLE},
-                 {"a1", YK_QUANTITY_ANGLE},    {"t", YK_QUANTITY_TIME},      {"theta", YK_QUANTITY_ANGLE},
+    } wrong[] = {{"", YK_QUANTITY_ANGLE},      {"abc", YK_QUANTITY_ANGLE},       {"3 mm", YK_QUANTITY_ANGLE},
+                 {"a1", YK_QUANTITY_ANGLE},    {"t", YK_QUANTITY_TIME},          {"theta", YK_QUANTITY_ANGLE},
                  {"1/0", YK_QUANTITY_NUMBER},  {"1e300 km", YK_QUANTITY_LENGTH}, {"3 3", YK_QUANTITY_NUMBER},
                  {"1e101", YK_QUANTITY_NUMBER}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {

@@ -1,5 +1,5 @@
-// What the tests of the kernels share: motions in long double, built by the product rule from chosen solutions, so that every
-// kernel has an answer that is known beforehand; and lanes to put them in.
+// What the tests of the kernels share: motions in long double, built by the product rule from chosen solutions, so that
+// every kernel has an answer that is known beforehand; and lanes to put them in.
 #ifndef TESTS_LANES_CHECK_H
 #define TESTS_LANES_CHECK_H
 #include <complex.h>
@@ -11,13 +11,18 @@
 typedef long double complex Complex;
 
 // A vector (or, real, a distance) with its rate and acceleration.
-typedef struct Motion { Complex value, rate, accel; } Motion;
+typedef struct Motion {
+    Complex value, rate, accel;
+} Motion;
 
 static inline Motion motion_add(Motion a, Motion b)
 {
     return (Motion){a.value + b.value, a.rate + b.rate, a.accel + b.accel};
 }
-static inline Motion motion_minus(Motion a) { return (Motion){-a.value, -a.rate, -a.accel}; }
+static inline Motion motion_minus(Motion a)
+{
+    return (Motion){-a.value, -a.rate, -a.accel};
+}
 static inline Motion motion_times(Motion a, Motion b)
 {
     return (Motion){a.value * b.value, a.rate * b.value + a.value * b.rate,
@@ -30,12 +35,16 @@ static inline Motion motion_turn(Motion angle)
     Complex e = cosl(phi) + I * sinl(phi);
     return (Motion){e, I * w * e, (I * a - w * w) * e};
 }
-static inline Motion motion_constant(Complex value) { return (Motion){value, 0, 0}; }
+static inline Motion motion_constant(Complex value)
+{
+    return (Motion){value, 0, 0};
+}
 
 // Random motions, their numbers doubles.
 static inline Motion random_real(uint64_t *seed, double low, double high)
 {
-    double value = check_uniform(seed, low, high), rate = check_uniform(seed, -2, 2), accel = check_uniform(seed, -2, 2);
+    double value = check_uniform(seed, low, high), rate = check_uniform(seed, -2, 2),
+           accel = check_uniform(seed, -2, 2);
     return (Motion){value, rate, accel};
 }
 static inline Motion random_plane(uint64_t *seed, double size)
@@ -43,10 +52,16 @@ static inline Motion random_plane(uint64_t *seed, double size)
     Motion x = random_real(seed, -size, size), y = random_real(seed, -size, size);
     return (Motion){x.value + I * y.value, x.rate + I * y.rate, x.accel + I * y.accel};
 }
-static inline Motion random_angle(uint64_t *seed) { return random_real(seed, -3.14, 3.14); }
+static inline Motion random_angle(uint64_t *seed)
+{
+    return random_real(seed, -3.14, 3.14);
+}
 
 // Rows of lanes, taken one after another.
-typedef struct Pool { double rows[96][LANES]; size_t used; } Pool;
+typedef struct Pool {
+    double rows[96][LANES];
+    size_t used;
+} Pool;
 
 static inline double *pool_row(Pool *pool)
 {
@@ -63,7 +78,10 @@ static inline YkTurn pool_turn(Pool *pool)
 {
     return (YkTurn){pool_row(pool), pool_row(pool), pool_row(pool), pool_row(pool)};
 }
-static inline YkSlide pool_slide(Pool *pool) { return (YkSlide){pool_row(pool), pool_row(pool), pool_row(pool)}; }
+static inline YkSlide pool_slide(Pool *pool)
+{
+    return (YkSlide){pool_row(pool), pool_row(pool), pool_row(pool)};
+}
 static inline YkPlane pool_plane(Pool *pool)
 {
     return (YkPlane){pool_row(pool), pool_row(pool), pool_row(pool), pool_row(pool), pool_row(pool), pool_row(pool)};
@@ -97,12 +115,18 @@ static inline Motion get_turn(YkTurn t, size_t i)
     long double w = t.c ? t.w[i] : 0, a = t.c ? t.a[i] : 0;
     return (Motion){e, I * w * e, (I * a - w * w) * e};
 }
-static inline Motion get_slide(YkSlide d, size_t i) { return (Motion){d.d[i], d.v[i], d.a[i]}; }
+static inline Motion get_slide(YkSlide d, size_t i)
+{
+    return (Motion){d.d[i], d.v[i], d.a[i]};
+}
 static inline Motion get_arm(YkArm arm, size_t i)
 {
     return arm.lanes.x ? get_plane(arm.lanes, i) : motion_constant(arm.constant.x + I * arm.constant.y);
 }
-static inline Motion vec_motion(YkVec v) { return motion_constant(v.x + I * v.y); }
+static inline Motion vec_motion(YkVec v)
+{
+    return motion_constant(v.x + I * v.y);
+}
 
 static inline void check_plane(YkPlane p, size_t i, Motion m, double tolerance)
 {
@@ -128,8 +152,14 @@ static inline void check_slide_rates(YkSlide d, size_t i, Motion m, double toler
     CHECK_NEAR(d.a[i], (double)creall(m.accel), tolerance);
 }
 
-static inline double cross_of(Complex a, Complex b) { return (double)cimagl(conjl(a) * b); }
-static inline double dot_of(Complex a, Complex b) { return (double)creall(conjl(a) * b); }
+static inline double cross_of(Complex a, Complex b)
+{
+    return (double)cimagl(conjl(a) * b);
+}
+static inline double dot_of(Complex a, Complex b)
+{
+    return (double)creall(conjl(a) * b);
+}
 
 // A random arm: constant for all lanes, or with lanes of its own. Longer than 0.3.
 static inline YkArm random_arm(Pool *pool, uint64_t *seed, bool varies)

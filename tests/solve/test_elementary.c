@@ -27,7 +27,8 @@ static void sincos_is_within_one_unit(void **state)
     uint64_t seed = 11;
     double worst = 0;
     for (size_t r = 0; r < 6; r++)
-        for (int i = 0; i < 170000; i++) worst = fmax(worst, worst_of_sincos(check_uniform(&seed, -ranges[r], ranges[r])));
+        for (int i = 0; i < 170000; i++)
+            worst = fmax(worst, worst_of_sincos(check_uniform(&seed, -ranges[r], ranges[r])));
     CHECK_NEAR(worst, 0, 1);
 }
 
@@ -50,7 +51,8 @@ static void sincos_is_within_one_unit_at_multiples_of_a_quarter_turn(void **stat
 static void sincos_of_tiny_and_huge_arguments(void **state)
 {
     (void)state;
-    const double x[] = {DBL_TRUE_MIN, DBL_MIN, 1e-300, 1e-20, 1e-8, 99999.9, 100000.1, 102943.7, 102945, 2e5, 1e10, 1e22, DBL_MAX};
+    const double x[] = {DBL_TRUE_MIN, DBL_MIN, 1e-300, 1e-20, 1e-8, 99999.9, 100000.1,
+                        102943.7,     102945,  2e5,    1e10,  1e22, DBL_MAX};
     for (size_t i = 0; i < sizeof x / sizeof *x; i++) {
         CHECK_NEAR(worst_of_sincos(x[i]), 0, 1);
         CHECK_NEAR(worst_of_sincos(-x[i]), 0, 1);
@@ -80,7 +82,8 @@ static void lanes_have_the_bits_of_one_at_a_time(void **state)
     uint64_t seed = 12;
     for (int far = 0; far < 2; far++)
         for (size_t n = 1; n <= N; n = n < 20 ? n + 1 : n * 3 / 2) {
-            for (size_t i = 0; i < n; i++) x[i] = ldexp(check_uniform(&seed, -1, 1), (int)(check_random(&seed) % 40) - 24);
+            for (size_t i = 0; i < n; i++)
+                x[i] = ldexp(check_uniform(&seed, -1, 1), (int)(check_random(&seed) % 40) - 24);
             if (far) x[n / 2] = n % 2 ? 1e7 : INFINITY;
             yk_sincos_lanes(x, s, c, n);
             for (size_t i = 0; i < n; i++) {
@@ -99,8 +102,10 @@ static void atan2_is_within_two_units(void **state)
     double worst = 0;
     for (int i = 0; i < 1000000; i++) {
         int spread = i % 3 == 0 ? 0 : i % 3 == 1 ? 8 : 900; // both alike, and with any ratio
-        double y = ldexp(check_uniform(&seed, -1, 1), spread ? (int)(check_random(&seed) % (unsigned)spread) - spread / 2 : 0);
-        double x = ldexp(check_uniform(&seed, -1, 1), spread ? (int)(check_random(&seed) % (unsigned)spread) - spread / 2 : 0);
+        double y =
+            ldexp(check_uniform(&seed, -1, 1), spread ? (int)(check_random(&seed) % (unsigned)spread) - spread / 2 : 0);
+        double x =
+            ldexp(check_uniform(&seed, -1, 1), spread ? (int)(check_random(&seed) % (unsigned)spread) - spread / 2 : 0);
         worst = fmax(worst, units_off(yk_atan2(y, x), atan2l(y, x)));
     }
     CHECK_NEAR(worst, 0, 2);
@@ -110,8 +115,8 @@ static void atan2_is_within_two_units(void **state)
 static void atan2_at_its_corners(void **state)
 {
     (void)state;
-    const double at[] = {0.0, -0.0, 1, -1, DBL_TRUE_MIN, -DBL_TRUE_MIN, DBL_MIN, 1e300, -1e300, DBL_MAX, -DBL_MAX, INFINITY,
-                         -INFINITY, 0.41421356237309503, 0x1p1000, 0x1p-1000};
+    const double at[] = {0.0,    -0.0,    1,        -1,       DBL_TRUE_MIN, -DBL_TRUE_MIN,       DBL_MIN,  1e300,
+                         -1e300, DBL_MAX, -DBL_MAX, INFINITY, -INFINITY,    0.41421356237309503, 0x1p1000, 0x1p-1000};
     const size_t count = sizeof at / sizeof *at;
     for (size_t i = 0; i < count; i++)
         for (size_t j = 0; j < count; j++) {

@@ -8,7 +8,8 @@ static void measures(uint64_t seed, bool has_a, bool has_b)
     YkTurn a = has_a ? pool_turn(&pool) : (YkTurn){0}, b = has_b ? pool_turn(&pool) : (YkTurn){0};
     static long double difference[LANES];
     for (size_t i = 0; i < LANES; i++) {
-        Motion one = has_a ? random_angle(&seed) : motion_constant(0), two = has_b ? random_angle(&seed) : motion_constant(0);
+        Motion one = has_a ? random_angle(&seed) : motion_constant(0),
+               two = has_b ? random_angle(&seed) : motion_constant(0);
         if (has_a) put_turn(a, i, one);
         if (has_b) put_turn(b, i, two);
         difference[i] = creall(two.value - one.value);
@@ -98,6 +99,32 @@ static void mask_lets_only_good_lanes_pass(void **state)
     }
 }
 
+static void one_bad_lane_is_enough_to_be_unwell(void **state)
+{
+    (void)state;
+    for (size_t n = 1; n <= 40; n++) {
+        double margin[40], gap[40];
+        for (size_t i = 0; i < n; i++) margin[i] = 0.5, gap[i] = 1e-13;
+        bool well = false;
+        yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
+        assert_true(well);
+        const double bad[] = {1e-14, -1, (double)NAN};
+        for (size_t i = 0; i < n; i++)
+            for (size_t k = 0; k < 3; k++) {
+                margin[i] = bad[k];
+                yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
+                assert_false(well);
+                margin[i] = 0.5;
+                gap[i] = k == 2 ? bad[k] : 1.1e-12;
+                yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
+                assert_false(well);
+                gap[i] = 1e-12; // the tolerance itself is well
+            }
+        yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
+        assert_true(well);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -106,6 +133,7 @@ int main(void)
         cmocka_unit_test(angle_on_the_axes_and_diagonals),
         cmocka_unit_test(difference_takes_absent_rows_for_zero),
         cmocka_unit_test(mask_lets_only_good_lanes_pass),
+        cmocka_unit_test(one_bad_lane_is_enough_to_be_unwell),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

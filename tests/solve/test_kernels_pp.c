@@ -10,17 +10,22 @@ typedef struct Case {
     Motion one[LANES], two[LANES]; // the chosen solution
 } Case;
 
-static Motion direction(YkTurn line, YkVec u, size_t i) { return motion_times(vec_motion(u), get_turn(line, i)); }
+static Motion direction(YkTurn line, YkVec u, size_t i)
+{
+    return motion_times(vec_motion(u), get_turn(line, i));
+}
 
 static Motion left_over(const Case *c, size_t i, Motion d1, Motion d2)
 {
-    Motion first = motion_times(d1, direction(c->line1, c->u1, i)), second = motion_times(d2, direction(c->line2, c->u2, i));
+    Motion first = motion_times(d1, direction(c->line1, c->u1, i)),
+           second = motion_times(d2, direction(c->line2, c->u2, i));
     return motion_add(get_plane(c->K, i), motion_add(first, second));
 }
 
 static Case make(Pool *pool, uint64_t seed, bool turns1, bool turns2)
 {
-    Case c = {.K = pool_plane(pool), .line1 = random_line(pool, &seed, turns1), .line2 = random_line(pool, &seed, turns2)};
+    Case c = {
+        .K = pool_plane(pool), .line1 = random_line(pool, &seed, turns1), .line2 = random_line(pool, &seed, turns2)};
     c.u1 = random_unit(&seed), c.u2 = random_unit(&seed), c.d1 = pool_slide(pool), c.d2 = pool_slide(pool);
     c.margin = pool_full(pool, 1), c.own = pool_full(pool, 7);
     for (size_t i = 0; i < LANES; i++) {

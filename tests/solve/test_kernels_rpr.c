@@ -53,7 +53,8 @@ static void finds(uint64_t seed, bool varies, bool turns)
             double near = fmin(1, fabs(r)) * fmin(1, length), cube = near * near * near;
             if (near < 1e-2) continue; // dead points and K = 0 magnify rounding
             CHECK_NEAR(c.margin[i], r * r / (length * length), 1e-14 / near);
-            Motion unit = get_turn(c.out, i), left = motion_add(get_plane(c.K, i), arm_in_plane(&c, i, get_slide(c.d, i), unit));
+            Motion unit = get_turn(c.out, i),
+                   left = motion_add(get_plane(c.K, i), arm_in_plane(&c, i, get_slide(c.d, i), unit));
             CHECK_NEAR((double)cabsl(left.value), 0, 4e-15);
             CHECK_NEAR((double)cabsl(unit.value), 1, 4e-15 / near);
             assert_true(determinant(&c, i, get_slide(c.d, i), unit) * branch > 0);

@@ -11,7 +11,10 @@ typedef struct Case {
     Motion phi[LANES], distance[LANES]; // the chosen solution
 } Case;
 
-static Motion direction(const Case *c, size_t i) { return motion_times(vec_motion(c->u), get_turn(c->line, i)); }
+static Motion direction(const Case *c, size_t i)
+{
+    return motion_times(vec_motion(c->u), get_turn(c->line, i));
+}
 
 static Case make(Pool *pool, uint64_t seed, bool varies, bool turns)
 {
@@ -47,7 +50,8 @@ static void finds(uint64_t seed, bool varies, bool turns)
             CHECK_NEAR(c.own[i], c.margin[i], 0);
             if (near < 1e-2) continue; // dead points magnify rounding
             Motion q = motion_times(get_arm(c.W, i), get_turn(c.out, i));
-            Motion left = motion_add(get_plane(c.K, i), motion_add(q, motion_times(get_slide(c.d, i), direction(&c, i))));
+            Motion left =
+                motion_add(get_plane(c.K, i), motion_add(q, motion_times(get_slide(c.d, i), direction(&c, i))));
             CHECK_NEAR((double)cabsl(left.value), 0, 4e-15);
             CHECK_NEAR((double)cabsl(get_turn(c.out, i).value), 1, 6e-15);
             assert_true(determinant(&c, i, get_turn(c.out, i).value) * branch > 0);

@@ -1,7 +1,10 @@
 // Orientations against e^(i angle) in long double.
 #include "lanes_check.h"
 
-static Motion opposite_or_same(Motion angle, double sign) { return sign < 0 ? motion_minus(angle) : angle; }
+static Motion opposite_or_same(Motion angle, double sign)
+{
+    return sign < 0 ? motion_minus(angle) : angle;
+}
 
 static void turns(uint64_t seed, bool has_parent, bool is_reversed)
 {
@@ -87,7 +90,8 @@ static void compose_adds_angles_and_rates(void **state)
     yk_lanes_compose(out, a, ground, LANES);
     for (size_t k = 0; k < 4; k++) assert_memory_equal(copies[k], rows[k], sizeof pool.rows[0]);
     yk_lanes_compose(out, ground, ground, LANES);
-    for (size_t i = 0; i < LANES; i++) CHECK_NEAR(fabs(out.c[i] - 1) + fabs(out.s[i]) + fabs(out.w[i]) + fabs(out.a[i]), 0, 0);
+    for (size_t i = 0; i < LANES; i++)
+        CHECK_NEAR(fabs(out.c[i] - 1) + fabs(out.s[i]) + fabs(out.w[i]) + fabs(out.a[i]), 0, 0);
 }
 
 int main(void)

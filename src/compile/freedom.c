@@ -1,0 +1,308 @@
+// The freedom by rank, part by part. Counting is not enough where constraints repeat each other: only the Jacobian of the closed
+// loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
+#include <stdlib.h>
+#include <string.h>
+#include "compile/closure.h"
+#include "num/dense.h"
+
+// A machine falls into parts that share only the ground: their variables, loops and candidates, sorted by part.
+typedef struct Parts {
+    int32_t *of_variable, *column;     // per variable: its part, its place in it
+    size_t count;
+    uint32_t *variable_first, *loop_first, *candidate_first; // per part
+    int32_t *variables, *loops, *candidates;
+} Parts;
+
+typedef struct Work { // on one part; x holds all variables of the machine
+    const YkMechanism *mech;
+    const int32_t *variables, *loops, *column;
+    size_t m, n;
+    double *x, *residual, *J, *A, *tau, *step, *old, *center, *basis;
+    size_t *order;
+    uint64_t seed;
+} Work;
+
+// --- parts --------------------------------------------------------------------------------------------------------------
+
+static int32_t leader(int32_t *up, int32_t v)
+{
+    while (up[v] != v) v = up[v] = up[up[v]];
+    return v;
+}
+
+static void join_terms(const YkMechanism *mech, const YkSum *sum, int32_t *up)
+{
+    int32_t o = (int32_t)mech->orientation_count - 1, last = YK_NONE;
+    for (uint32_t k = 0; k < sum->count; k++) {
+        YkTerm t = mech->terms[sum->first + k];
+        int32_t both[2] = {t.slot - 1, t.distance == YK_NONE ? YK_NONE : o + t.distance};
+        for (int i = 0; i < 2; i++) {
+            if (both[i] < 0) continue;
+            if (last != YK_NONE) up[leader(up, last)] = leader(up, both[i]);
+            last = both[i];
+        }
+    }
+}
+
+static int32_t loop_variable(const YkMechanism *mech, size_t loop)
+{
+    const YkSum *sum = &mech->loops[loop].sum;
+    if (sum->count == 0) return YK_NONE;
+    YkTerm t = mech->terms[sum->first];
+    return t.slot > 0 ? t.slot - 1 : (int32_t)mech->orientation_count - 1 + t.distance;
+}
+
+// A variable that the coordinate measures, or YK_NONE where its angle is constant.
+static int32_t coordinate_variable(const YkMechanism *mech, int32_t coordinate)
+{
+    const YkTreeCoordinate *c = &mech->coordinates[coordinate];
+    if (c->is_distance) return (int32_t)mech->orientation_count - 1 + c->distance;
+    YkJointAngle angle = yk_joint_angle(mech, c->joint);
+    return angle.a == angle.b ? YK_NONE : (angle.a > 0 ? angle.a : angle.b) - 1;
+}
+
+// items[i] belongs to part key[i] (or to none): sorted by part, in order within.
+static void sort_by_part(const int32_t *key, size_t count, size_t parts, uint32_t *first, int32_t *items)
+{
+    for (size_t i = 0; i < count; i++)
+        if (key[i] >= 0) first[key[i] + 2]++;
+    for (size_t p = 0; p < parts; p++) first[p + 2] += first[p + 1];
+    for (size_t i = 0; i < count; i++)
+        if (key[i] >= 0) items[first[key[i] + 1]++] = (int32_t)i;
+}
+
+static int32_t part_of(const Parts *p, int32_t variable) { return variable == YK_NONE ? YK_NONE : p->of_variable[variable]; }
+
+// Loops tie their variables together, and angles of the tree the two orientations between which they are.
+static void find_parts(Parts *p, const YkMechanism *mech, int32_t *up)
+{
+    size_t n = yk_variable_count(mech);
+    for (size_t v = 0; v < n; v++) up[v] = (int32_t)v;
+    for (size_t l = 0; l < mech->loop_count; l++) join_terms(mech, &mech->loops[l].sum, up);
+    for (size_t k = 0; k < mech->coordinate_count; k++) {
+        YkJointAngle angle = yk_joint_angle(mech, mech->coordinates[k].joint);
+        if (angle.a > 0 && angle.b > 0) up[leader(up, angle.a - 1)] = leader(up, angle.b - 1);
+    }
+    for (size_t v = 0; v < n; v++)
+        if (leader(up, (int32_t)v) == (int32_t)v) p->of_variable[v] = (int32_t)p->count++;
+    for (size_t v = 0; v < n; v++) p->of_variable[v] = p->of_variable[leader(up, (int32_t)v)];
+}
+
+static bool sort_parts(Parts *p, const YkMechanism *mech, const int32_t *candidates, size_t count, YkArena *arena)
+{
+    size_t n = yk_variable_count(mech), most = n + mech->loop_count + count + 1;
+    int32_t *key = YK_NEW(arena, int32_t, most);
+    p->of_variable = YK_NEW(arena, int32_t, n + 1);
+    p->column = YK_NEW(arena, int32_t, n + 1);
+    p->variables = YK_NEW(arena, int32_t, n + 1);
+    p->loops = YK_NEW(arena, int32_t, mech->loop_count + 1);
+    p->candidates = YK_NEW(arena, int32_t, count + 1);
+    if (yk_arena_failed(arena)) return false;
+    find_parts(p, mech, key);
+    p->variable_first = YK_NEW(arena, uint32_t, p->count + 2);
+    p->loop_first = YK_NEW(arena, uint32_t, p->count + 2);
+    p->candidate_first = YK_NEW(arena, uint32_t, p->count + 2);
+    if (yk_arena_failed(arena)) return false;
+    sort_by_part(p->of_variable, n, p->count, p->variable_first, p->variables);
+    for (size_t v = 0; v < n; v++) p->column[p->variables[v]] = (int32_t)v - (int32_t)p->variable_first[p->of_variable[p->variables[v]]];
+    for (size_t l = 0; l < mech->loop_count; l++) key[l] = part_of(p, loop_variable(mech, l));
+    sort_by_part(key, mech->loop_count, p->count, p->loop_first, p->loops);
+    for (size_t k = 0; k < count; k++) key[k] = part_of(p, coordinate_variable(mech, candidates[k]));
+    sort_by_part(key, count, p->count, p->candidate_first, p->candidates);
+    return true;
+}
+
+// --- closing ------------------------------------------------------------------------------------------------------------
+
+static bool is_angle(const Work *w, size_t column) { return (size_t)w->variables[column] < w->mech->orientation_count - 1; }
+
+static void save(const Work *w, double *to)
+{
+    for (size_t j = 0; j < w->n; j++) to[j] = w->x[w->variables[j]];
+}
+static void restore(Work *w, const double *from)
+{
+    for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] = from[j];
+}
+
+// Moves each variable by up to `by` radians, or times the machine's size.
+static void disturb(Work *w, double by)
+{
+    for (size_t j = 0; j < w->n; j++) {
+        w->seed = w->seed * 6364136223846793005u + 1442695040888963407u;
+        double r = (double)(w->seed >> 11) * 0x1p-52 - 1;
+        w->x[w->variables[j]] += by * r * (is_angle(w, j) ? 1 : w->mech->size);
+    }
+}
+
+// Residuals over the size, in dimensionless variables: angles, and distances over the size. Returns their length.
+static double evaluate(Work *w)
+{
+    double sum = 0, size = w->mech->size;
+    memset(w->J, 0, w->m * w->n * sizeof *w->J);
+    for (size_t l = 0; l < w->m / 2; l++)
+        yk_closure_loop(w->mech, (size_t)w->loops[l], w->x, w->residual + 2 * l, w->J + 2 * l * w->n, w->n, w->column);
+    for (size_t i = 0; i < w->m; i++) {
+        w->residual[i] /= size;
+        sum += w->residual[i] * w->residual[i];
+        for (size_t j = 0; j < w->n; j++)
+            if (is_angle(w, j)) w->J[i * w->n + j] /= size;
+    }
+    return sqrt(sum);
+}
+
+// One Levenberg step: least squares of [J; mu I] step = [-r; 0].
+static void damped_step(Work *w, double mu)
+{
+    size_t rows = w->m + w->n;
+    memset(w->A, 0, rows * w->n * sizeof *w->A);
+    memcpy(w->A, w->J, w->m * w->n * sizeof *w->A);
+    for (size_t j = 0; j < w->n; j++) w->A[(w->m + j) * w->n + j] = mu;
+    double *b = w->residual + w->m;
+    for (size_t i = 0; i < rows; i++) b[i] = i < w->m ? -w->residual[i] : 0;
+    size_t rank = yk_qr_factor(rows, w->n, w->A, w->order, w->tau, 1e-14);
+    yk_qr_solve(rows, w->n, w->A, w->order, w->tau, rank, b, w->step);
+    for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += w->step[j] * (is_angle(w, j) ? 1 : w->mech->size);
+}
+
+static bool close_loops(Work *w)
+{
+    double mu = 0.1, now = evaluate(w);
+    for (int iteration = 0; iteration < 200 && now > 1e-13 && mu < 1e8; iteration++) {
+        save(w, w->old);
+        damped_step(w, mu);
+        double then = evaluate(w);
+        if (then < now) {
+            now = then;
+            mu *= 0.2;
+        } else {
+            restore(w, w->old);
+            evaluate(w);
+            mu = mu * 5 + 1e-12;
+        }
+    }
+    return now <= 1e-10;
+}
+
+// --- rank ---------------------------------------------------------------------------------------------------------------
+
+static size_t factor(Work *w)
+{
+    memcpy(w->A, w->J, w->m * w->n * sizeof *w->A);
+    return yk_qr_factor(w->m, w->n, w->A, w->order, w->tau, 1e-9);
+}
+
+static double dot(const double *a, const double *b, size_t n)
+{
+    double sum = 0;
+    for (size_t k = 0; k < n; k++) sum += a[k] * b[k];
+    return sum;
+}
+
+// Makes `v` orthogonal to rows[count][n] of length 1; true, and v of length 1, when more than `tolerance` of it is left.
+static bool orthogonalise(double *v, const double *rows, size_t count, size_t n, double tolerance)
+{
+    for (int twice = 0; twice < 2; twice++)
+        for (size_t r = 0; r < count; r++) {
+            double along = dot(v, rows + r * n, n);
+            for (size_t k = 0; k < n; k++) v[k] -= along * rows[r * n + k];
+        }
+    double length = sqrt(dot(v, v, n));
+    if (!(length > tolerance)) return false;
+    for (size_t k = 0; k < n; k++) v[k] /= length;
+    return true;
+}
+
+// The motions that the factored Jacobian leaves, as orthonormal rows basis[n - rank][n]. Source: Golub & Van Loan 2013, 5.5.
+static size_t free_motions(Work *w, size_t rank)
+{
+    size_t n = w->n, f = 0;
+    for (size_t j = rank; j < n; j++) {
+        double *v = w->basis + f * n;
+        memset(v, 0, n * sizeof *v);
+        v[w->order[j]] = 1;
+        for (size_t i = rank; i-- > 0;) {
+            double sum = w->A[i * n + j];
+            for (size_t k = i + 1; k < rank; k++) sum += w->A[i * n + k] * v[w->order[k]];
+            v[w->order[i]] = -sum / w->A[i * n + i];
+        }
+        f += orthogonalise(v, w->basis, f, n, 0);
+    }
+    return f;
+}
+
+// How fast a coordinate changes in each free motion.
+static void rates_of(const Work *w, int32_t coordinate, size_t f, double *rates)
+{
+    const YkTreeCoordinate *c = &w->mech->coordinates[coordinate];
+    YkJointAngle angle = yk_joint_angle(w->mech, c->joint);
+    for (size_t k = 0; k < f; k++) {
+        const double *v = w->basis + k * w->n;
+        if (c->is_distance)
+            rates[k] = v[w->column[coordinate_variable(w->mech, coordinate)]];
+        else
+            rates[k] = (angle.b > 0 ? v[w->column[angle.b - 1]] : 0) - (angle.a > 0 ? v[w->column[angle.a - 1]] : 0);
+    }
+}
+
+// A candidate is an input when it moves in a way that those before it do not tell.
+static void accept(Work *w, const int32_t *candidates, const int32_t *members, size_t count, size_t rank, bool *accepted)
+{
+    size_t f = free_motions(w, rank), taken = 0;
+    double *told = w->A; // rows of length f <= n, in an orthonormal basis
+    for (size_t k = 0; k < count; k++) {
+        accepted[members[k]] = false;
+        if (taken == f) continue;
+        rates_of(w, candidates[members[k]], f, told + taken * f);
+        accepted[members[k]] = orthogonalise(told + taken * f, told, taken, f, 1e-8);
+        taken += accepted[members[k]];
+    }
+}
+
+// At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than their
+// neighbours.
+static size_t freedom_here(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
+{
+    size_t best = 0;
+    save(w, w->center);
+    for (int k = 0; k < 3; k++) {
+        restore(w, w->center);
+        if (k > 0) disturb(w, 0.02);
+        if (!close_loops(w)) continue;
+        size_t rank = factor(w);
+        if (k > 0 && rank <= best) continue;
+        best = rank;
+        accept(w, candidates, members, count, rank, accepted);
+    }
+    return w->n - best;
+}
+
+static bool work_start(Work *w)
+{
+    size_t rows = w->m + w->n;
+    w->old = calloc(5 * w->n + w->m + rows + (w->m + rows + w->n) * w->n + 1, sizeof *w->old);
+    w->order = calloc(w->n + 1, sizeof *w->order);
+    if (!w->old || !w->order) return false;
+    w->center = w->old + w->n;
+    w->step = w->center + w->n;
+    w->tau = w->step + w->n;
+    w->residual = w->tau + w->n; // and the right side behind it
+    w->J = w->residual + w->m + rows;
+    w->A = w->J + w->m * w->n;
+    w->basis = w->A + rows * w->n;
+    return true;
+}
+
+// From the guesses, then from about them: the first pose that closes and moves; -1 when none closes. A machine with repeated
+// constraints can often be put together in ways that are rigid as well: these count only when nothing else is found.
+static int measure(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
+{
+    int freedom = -1;
+    double *guess = w->old + 5 * w->n + w->m + (w->m + w->n) + (2 * w->m + 2 * w->n) * w->n;
+    (void)guess;
+    for (int attempt = 0; attempt < 6 && freedom <= 0; attempt++) {
+        if (attempt > 0) disturb(w, attempt < 3 ? 0.1 : 1);
+        if (close_loops(w)) freedom = (int)freedom_here(w, candidates, members, count, accepted);
+    }
+    return freedom;
+}
