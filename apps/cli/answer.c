@@ -42,11 +42,16 @@ static const char *words_of(YkStatus status, const char *message)
 {
     if (message && *message) return message;
     switch (status) {
-    case YK_REDUNDANT: return "some constraints repeat others; the machine moves as long as its dimensions are exact";
-    case YK_CHANGE_POINT: return "two configurations meet here";
-    case YK_SINGULAR: return "a dead point, where velocities and accelerations are not determined";
-    case YK_NO_MEMORY: return "out of memory";
-    default: return yk_status_name(status);
+    case YK_REDUNDANT:
+        return "some constraints repeat others; the machine moves as long as its dimensions are exact";
+    case YK_CHANGE_POINT:
+        return "two configurations meet here";
+    case YK_SINGULAR:
+        return "a dead point, where velocities and accelerations are not determined";
+    case YK_NO_MEMORY:
+        return "out of memory";
+    default:
+        return yk_status_name(status);
     }
 }
 

@@ -1,6 +1,7 @@
 // The check for a reader who takes the first course: counts with their sum, loops by name, the order of solution.
 #include "check.h"
 #include "out/table.h"
+#include "out/words.h"
 
 enum { LIST_MAX = 400 }; // lines of a list; a machine of thousands of links is told by its counts
 
@@ -125,7 +126,7 @@ static void add_names(const YkCheckAnswer *answer, size_t block, bool of_joints,
 {
     const YkMechanism *mech = answer->session->mech;
     size_t shown = at_most(count);
-    yk_text_clear(words);
+    yk_words_renew(words);
     for (size_t i = 0; i < shown; i++) {
         size_t index = of_joints ? yk_block_joint(mech, block, i) : yk_block_body(mech, block, i);
         yk_text_format(words, "%s%s", i > 0 ? ", " : "", of_joints ? joint(answer, index) : body(answer, index));
@@ -137,13 +138,13 @@ static void add_block(const YkCheckAnswer *answer, YkTable *table, size_t b, YkT
 {
     static const char *const classes[] = {"-", "I", "II", "III", "IV", "V", "VI"};
     YkBlockInfo block = yk_block_info(answer->session->mech, b);
-    yk_text_clear(words);
+    yk_words_renew(words);
     yk_text_format(words, "%z", b + 1);
     yk_table_word(table, yk_text_get(words));
     yk_table_word(table, yk_block_kind_name(block.kind));
     yk_table_word(table, block.assur_class >= 0 && block.assur_class <= 6 ? classes[block.assur_class] : "over VI");
     yk_table_word(table, block.label ? block.label : "");
-    yk_text_clear(words);
+    yk_words_renew(words);
     yk_text_format(words, "%z", block.unknowns);
     yk_table_word(table, yk_text_get(words));
     add_names(answer, b, true, block.joint_count, words);

@@ -1,3 +1,4 @@
+#include "out/words.h"
 #include "solve.h"
 
 static void add_rates(YkJson *json, const YkState *state, const char *rate, double velocity, double acceleration)
@@ -46,7 +47,7 @@ static void add_points(YkSession *session, YkJson *json, const YkState *state)
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
         YkPointMotion motion = yk_state_point(state, i);
         const char *body = yk_model_body_name(session->model, yk_model_point_body(session->model, i));
-        yk_text_clear(&name);
+        yk_words_renew(&name);
         yk_text_format(&name, "%s.%s", body, yk_model_point_name(session->model, i));
         yk_json_object(json, yk_text_get(&name), YK_JSON_INLINE);
         add_vector(json, "position", motion.position, true, state);

@@ -1,4 +1,5 @@
 #include "out/table.h"
+#include "out/words.h"
 #include "session.h"
 #include "solve.h"
 
@@ -38,11 +39,12 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++) {
         YkCoordinateInfo info = yk_coordinate_info(session->mech, i);
         if (info.is_distance != is_distance) continue;
-        yk_text_clear(&name);
+        yk_words_renew(&name);
         yk_text_format(&name, "%s%s", info.name, info.input >= 0 ? " (input)" : "");
         add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance);
         count++;
     }
+    session->out.failed |= name.failed;
     yk_text_free(&name);
     if (count > 0) {
         write_table(session, table);
@@ -71,7 +73,7 @@ static void add_points(YkSession *session, const YkState *state)
         if (body == 0) continue; // stands still where the file says
         YkPointMotion m = yk_state_point(state, p);
         const double *values[] = {m.position, m.velocity, m.acceleration};
-        yk_text_clear(&name);
+        yk_words_renew(&name);
         yk_text_format(&name, "%s.%s", yk_model_body_name(session->model, body),
                        yk_model_point_name(session->model, p));
         yk_table_word(table, yk_text_get(&name));
@@ -80,6 +82,7 @@ static void add_points(YkSession *session, const YkState *state)
             yk_table_number(table, yk_shown(session, value, yk_quantity_of(true, i / 2)), YK_DIGITS);
         }
     }
+    session->out.failed |= name.failed;
     yk_text_free(&name);
     write_table(session, table);
 }

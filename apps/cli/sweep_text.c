@@ -1,4 +1,5 @@
 #include "out/table.h"
+#include "out/words.h"
 #include "sweep.h"
 
 enum { EVENT_DIGITS = 10 };
@@ -52,7 +53,7 @@ static void add_events(const YkSweepAnswer *answer)
     yk_table_head(table, "", NULL);
     for (size_t i = 0; i < count; i++) {
         YkEvent event = yk_sweep_event(answer->sweep, i);
-        yk_text_clear(&words);
+        yk_words_renew(&words);
         add_event_value(answer, event, &words);
         yk_table_word(table, yk_event_word(event));
         yk_table_number(table, yk_shown(answer->session, event.at, answer->over.quantity), EVENT_DIGITS);

@@ -196,5 +196,5 @@ bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count, size_t exp
     yk_terms_free(&parts.known);
     yk_terms_free(&parts.arm[0]);
     yk_terms_free(&parts.arm[1]);
-    return is_block;
+    return is_block && !plan->failed;
 }

@@ -75,18 +75,41 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
     return false;
 }
 
-static void suggest(const YkMechanism *mech, const char *name, YkProblems *problems)
+static const char *nearest(const char *name, const YkNames *names) { return yk_nearest(name, names->keys, names->capacity); }
+
+// The name that somebody may have meant, its ending kept.
+static bool suggest_name(const YkMechanism *mech, const char *asked, char *name, YkProblems *problems)
 {
-    const char *near = NULL, *one;
-    for (size_t k = 0; k < mech->coordinate_count && k < 10000 && !near; k++) {
-        one = mech->coordinates[k].name;
-        near = yk_nearest(name, &one, 1);
+    const YkModel *model = mech->model;
+    const struct { const char *suffix; const YkNames *names[2]; } kinds[] = {
+        {".x", {&model->point_names}},      {".y", {&model->point_names}},
+        {".speed", {&model->point_names}},  {".angle", {&model->body_names, &model->joint_names}},
+        {".distance", {&model->joint_names}}, {".transmission", {&model->joint_names}},
+        {"", {&model->coordinate_names, &model->body_names}}};
+    bool is_derivative = cut_suffix(name, ".rate") || cut_suffix(name, ".accel");
+    size_t k = 0;
+    while (*kinds[k].suffix && !cut_suffix(name, kinds[k].suffix)) k++;
+    const char *near = nearest(name, kinds[k].names[0]);
+    bool may_be_second = kinds[k].names[1] && (*kinds[k].suffix || is_derivative); // a body alone is no number
+    if (!near && may_be_second) near = nearest(name, kinds[k].names[1]);
+    if (!near || strcmp(near, name) == 0) return false;
+    YkText meant = {0};
+    yk_text_format(&meant, "%s%s", near, asked + strlen(name));
+    yk_problem_hint(problems, "did you mean %q?", yk_text_get(&meant));
+    yk_text_free(&meant);
+    return true;
+}
+
+static void suggest(const YkMechanism *mech, const char *asked, YkProblems *problems)
+{
+    char copy[NAME_MAX];
+    size_t n = strlen(asked);
+    if (n < NAME_MAX) {
+        memcpy(copy, asked, n + 1);
+        if (suggest_name(mech, asked, copy, problems)) return;
     }
-    if (near)
-        yk_problem_hint(problems, "did you mean %q?", near);
-    else
-        yk_problem_hint(problems, "ask for a coordinate (theta2, theta2.rate, theta2.accel), a body (lever.angle), a point (ram.C.x) "
-                                  "or a transmission angle (C.transmission)");
+    yk_problem_hint(problems, "ask for a coordinate (theta2, theta2.rate, theta2.accel), a body (lever.angle), a point (ram.C.x) "
+                              "or a transmission angle (C.transmission)");
 }
 
 YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems)

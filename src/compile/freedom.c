@@ -1,5 +1,6 @@
 // The freedom by rank, part by part. Counting is not enough where constraints repeat each other: only the Jacobian of the closed
 // loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
@@ -17,7 +18,7 @@ typedef struct Work { // on one part; x holds all variables of the machine
     const YkMechanism *mech;
     const int32_t *variables, *loops, *column;
     size_t m, n;
-    double *x, *residual, *J, *A, *tau, *step, *old, *center, *basis;
+    double *x, *residual, *J, *A, *tau, *step, *old, *guess, *center, *basis;
     size_t *order;
     uint64_t seed;
 } Work;
@@ -261,7 +262,7 @@ static void accept(Work *w, const int32_t *candidates, const int32_t *members, s
 
 // At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than their
 // neighbours.
-static size_t freedom_here(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
+static int freedom_here(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
 {
     size_t best = 0;
     save(w, w->center);
@@ -274,19 +275,20 @@ static size_t freedom_here(Work *w, const int32_t *candidates, const int32_t *me
         best = rank;
         accept(w, candidates, members, count, rank, accepted);
     }
-    return w->n - best;
+    return (int)(w->n - best);
 }
 
 static bool work_start(Work *w)
 {
     size_t rows = w->m + w->n;
-    w->old = calloc(5 * w->n + w->m + rows + (w->m + rows + w->n) * w->n + 1, sizeof *w->old);
-    w->order = calloc(w->n + 1, sizeof *w->order);
+    w->old = calloc(6 * w->n + w->m + rows + (w->m + rows + w->n) * w->n, sizeof *w->old);
+    w->order = calloc(w->n, sizeof *w->order);
     if (!w->old || !w->order) return false;
-    w->center = w->old + w->n;
+    w->guess = w->old + w->n;
+    w->center = w->guess + w->n;
     w->step = w->center + w->n;
     w->tau = w->step + w->n;
-    w->residual = w->tau + w->n; // and the right side behind it
+    w->residual = w->tau + w->n; // and the right side of a step behind it
     w->J = w->residual + w->m + rows;
     w->A = w->J + w->m * w->n;
     w->basis = w->A + rows * w->n;
@@ -294,15 +296,53 @@ static bool work_start(Work *w)
 }
 
 // From the guesses, then from about them: the first pose that closes and moves; -1 when none closes. A machine with repeated
-// constraints can often be put together in ways that are rigid as well: these count only when nothing else is found.
+// constraints can often be put together in rigid ways as well: these count only when nothing else is found.
 static int measure(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
 {
     int freedom = -1;
-    double *guess = w->old + 5 * w->n + w->m + (w->m + w->n) + (2 * w->m + 2 * w->n) * w->n;
-    (void)guess;
+    save(w, w->guess);
     for (int attempt = 0; attempt < 6 && freedom <= 0; attempt++) {
+        restore(w, w->guess);
         if (attempt > 0) disturb(w, attempt < 3 ? 0.1 : 1);
-        if (close_loops(w)) freedom = (int)freedom_here(w, candidates, members, count, accepted);
+        if (close_loops(w)) freedom = freedom_here(w, candidates, members, count, accepted);
     }
     return freedom;
+}
+
+// The freedom of one part, -1 where it is not measured; *enough becomes false when out of memory.
+static int part_freedom(Work *w, const Parts *p, size_t part, const int32_t *candidates, bool *accepted, bool *enough)
+{
+    const int32_t *members = p->candidates + p->candidate_first[part];
+    size_t count = p->candidate_first[part + 1] - p->candidate_first[part];
+    int freedom = -1;
+    w->variables = p->variables + p->variable_first[part];
+    w->loops = p->loops + p->loop_first[part];
+    w->n = p->variable_first[part + 1] - p->variable_first[part];
+    w->m = 2 * (p->loop_first[part + 1] - p->loop_first[part]);
+    if (w->m == 0) return (int)w->n; // an open chain: the caller's choice is right
+    if (w->n > YK_CLOSURE_MAX) return -1;
+    if (work_start(w))
+        freedom = measure(w, candidates, members, count, accepted);
+    else
+        *enough = false;
+    free(w->old);
+    free(w->order);
+    return freedom;
+}
+
+bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const int32_t *candidates, size_t count, bool *accepted, int *freedom)
+{
+    Parts parts = {0};
+    YkArena *arena = yk_arena_new();
+    Work w = {.mech = mech, .seed = 20261121};
+    bool ok = arena && (w.x = YK_NEW(arena, double, yk_variable_count(mech) + 1)) && sort_parts(&parts, mech, candidates, count, arena);
+    *freedom = 0;
+    if (ok) yk_closure_guess(mech, guess, w.x);
+    w.column = parts.column;
+    for (size_t p = 0; ok && p < parts.count; p++) {
+        int one = part_freedom(&w, &parts, p, candidates, accepted, &ok);
+        *freedom = one < 0 || *freedom < 0 ? -1 : *freedom + one;
+    }
+    yk_arena_free(arena);
+    return ok;
 }

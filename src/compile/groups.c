@@ -25,30 +25,27 @@ static size_t column_id(const YkMechanism *mech, YkColumn c)
     return c.is_distance ? mech->orientation_count + (size_t)c.index : (size_t)c.index;
 }
 
-static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
+static void reach_body(Rest *r, int32_t body, int32_t parent, int32_t joint)
 {
-    YkPlan *plan = r->plan;
-    int32_t c = plan->cluster[body];
     r->tree.parent[body] = parent;
     r->tree.joint[body] = joint;
     r->tree.depth[body] = r->tree.depth[parent] + 1;
     r->is_reached[body] = true;
     r->queue[r->tail++] = body;
+}
+
+// The rest of the cluster hangs on its first body reached: up to the root of the cluster's own tree, then outwards from there.
+static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
+{
+    const YkPlan *plan = r->plan;
+    const YkTree *tree = &plan->cluster_tree;
+    int32_t c = plan->cluster[body];
+    reach_body(r, body, parent, joint);
     plan->joint_used[joint] = true;
-    // the rest of the cluster hangs on this body along the cluster's own tree: walk outwards until all are reached
-    for (bool more = true; more;) {
-        more = false;
-        for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) {
-            int32_t b = plan->cluster_member[k], up = plan->cluster_tree.parent[b];
-            if (up == YK_NONE || r->is_reached[b] == r->is_reached[up]) continue;
-            int32_t to = r->is_reached[b] ? up : b, from = r->is_reached[b] ? b : up;
-            r->tree.parent[to] = from;
-            r->tree.joint[to] = plan->cluster_tree.joint[b];
-            r->tree.depth[to] = r->tree.depth[from] + 1;
-            r->is_reached[to] = true;
-            r->queue[r->tail++] = to;
-            more = true;
-        }
+    for (int32_t b = body; tree->parent[b] != YK_NONE; b = tree->parent[b]) reach_body(r, tree->parent[b], b, tree->joint[b]);
+    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents stand before children
+        int32_t b = plan->cluster_member[k];
+        if (!r->is_reached[b]) reach_body(r, b, tree->parent[b], tree->joint[b]);
     }
 }
 

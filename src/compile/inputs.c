@@ -1,5 +1,4 @@
 #include "compile/inputs.h"
-#include <string.h>
 #include "base/problems.h"
 #include "compile/closure.h"
 #include "compile/plan.h"
@@ -108,15 +107,11 @@ static void take_accepted(Choice *c)
 // Where groups are left or constraints repeat, counting is not enough: the rank of the assembled machine decides.
 static bool accept_by_rank(Choice *c)
 {
-    YkMechanism *mech = c->mech;
-    if (yk_variable_count(mech) > YK_CLOSURE_MAX) return true;
-    double *guess = YK_NEW(c->arena, double, mech->coordinate_count + 1);
-    bool *accepted = YK_NEW(c->arena, bool, c->count + 1);
-    if (!guess || !accepted) return false;
-    yk_inputs_guess(mech, guess);
-    int freedom = yk_closure_freedom(mech, guess, c->candidates, c->count, accepted);
-    if (freedom >= 0) memcpy(c->accepted, accepted, c->count * sizeof *accepted);
-    return true;
+    int freedom;
+    double *guess = YK_NEW(c->arena, double, c->mech->coordinate_count + 1);
+    if (!guess) return false;
+    yk_inputs_guess(c->mech, guess);
+    return yk_closure_freedom(c->mech, guess, c->candidates, c->count, c->accepted, &freedom);
 }
 
 void yk_inputs_guess(const YkMechanism *mech, double *guess)
@@ -136,9 +131,11 @@ void yk_inputs_guess(const YkMechanism *mech, double *guess)
     }
 }
 
-static void report_overdriven(Choice *c)
+// What was asked for must have been accepted; false where it was not.
+static bool report_overdriven(Choice *c)
 {
     YkMechanism *mech = c->mech;
+    bool ok = true;
     size_t used = 0, refused = 0;
     for (size_t k = 0; k < c->wanted; k++)
         if (c->accepted[k] && mech->coordinates[c->candidates[k]].drive == YK_NONE) used++;
@@ -149,12 +146,15 @@ static void report_overdriven(Choice *c)
                    "%q is driven, but the other drives already fix it: the machine has %z freedom%s", q->name, mech->input_count,
                    mech->input_count == 1 ? "" : "s");
         yk_problem_hint(c->problems, "remove a drive, or a joint");
+        ok = false;
     }
     for (size_t k = 0; k < c->wanted; k++) {
         if (c->accepted[k]) continue;
         yk_problem(c->problems, YK_CODE_OVERDRIVEN, (YkPlace){0}, "coordinate %q cannot be set as well: the machine has %z freedom%s",
                    mech->coordinates[c->candidates[k]].name, mech->input_count, mech->input_count == 1 ? "" : "s");
+        ok = false;
     }
+    return ok;
 }
 
 static bool plan(Choice *c, size_t *missing)
@@ -171,7 +171,7 @@ static bool plan(Choice *c, size_t *missing)
 static bool choose(Choice *c, const YkCompileOptions *options)
 {
     YkMechanism *mech = c->mech;
-    size_t errors = yk_problems_error_count(c->problems), missing = 0;
+    size_t missing = 0;
     if (!propose_all(c, options) || !accept_by_structure(c)) return false;
     take_accepted(c);
     if (!plan(c, &missing)) return false;
@@ -180,11 +180,11 @@ static bool choose(Choice *c, const YkCompileOptions *options)
         take_accepted(c);
         if (!plan(c, &missing)) return false;
     }
-    report_overdriven(c);
+    bool ok = report_overdriven(c);
     if (missing > 0)
         yk_problem(c->problems, YK_CODE_UNDETERMINED, (YkPlace){0},
                    "%z unknowns of the machine are determined by no loop and no input", missing);
-    return yk_problems_error_count(c->problems) == errors;
+    return ok && missing == 0;
 }
 
 bool yk_inputs_choose(YkMechanism *mech, const YkIncidence *incidence, const YkCompileOptions *options, YkProblems *problems)

@@ -102,6 +102,7 @@ struct YkMechanism {
     int32_t *orientation_body;       // a body of each orientation (the one with turn 0)
     int32_t *joint_distance;         // per joint: its distance variable, or YK_NONE
     YkTree tree;                     // of the coordinates
+    int32_t *tree_order;             // bodies, parents before children
     YkTreeCoordinate *coordinates; size_t coordinate_count;
     YkLoop *loops;                 size_t loop_count;
     int32_t *inputs;               size_t input_count;      // coordinates

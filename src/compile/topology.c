@@ -174,7 +174,8 @@ static void report_closing_coordinate(const YkMechanism *mech, int32_t joint, Yk
     yk_problem(problems, YK_CODE_COORDINATE_CLOSES_LOOP, mech->model->coordinates[c].place,
                "coordinate %q of joint %q closes a loop of joints that all have coordinates", mech->model->coordinates[c].name, j->name);
     yk_problem_hint(problems, "coordinates are measured along the spanning tree: leave one joint of each loop without a name; "
-                              "its angle can still be asked for as `%s.angle`", j->name);
+                              "its value can still be asked for as `%s.%s`",
+                    j->name, j->angle != YK_NONE ? "angle" : "distance");
 }
 
 static bool build_tables(YkMechanism *mech, YkProblems *problems)
@@ -210,7 +211,7 @@ bool yk_topology_tree(YkMechanism *mech, const YkIncidence *incidence, YkProblem
     mech->tree.parent = YK_NEW(mech->arena, int32_t, n);
     mech->tree.joint = YK_NEW(mech->arena, int32_t, n);
     mech->tree.depth = YK_NEW(mech->arena, int32_t, n);
-    g.queue = YK_NEW(mech->arena, int32_t, n);
+    g.queue = mech->tree_order = YK_NEW(mech->arena, int32_t, n);
     g.stack = YK_NEW(mech->arena, int32_t, n);
     g.is_reached = YK_NEW(mech->arena, bool, n);
     if (yk_arena_failed(mech->arena)) return false;

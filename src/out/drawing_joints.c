@@ -2,11 +2,12 @@
 // joints.
 #include "out/drawing.h"
 #include "out/svg.h"
+#include "out/words.h"
 
 // A run of attributes: fill, edge and its width.
 static void set_style(YkText *style, const char *fill, const char *edge, double width)
 {
-    yk_text_clear(style);
+    yk_words_renew(style);
     yk_text_format(style, "fill=\"%s\" stroke=\"%s\" stroke-width=\"", fill, edge);
     yk_svg_number(style, width);
     yk_text_puts(style, "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"");

@@ -7,8 +7,10 @@ bool yk_path_start(YkPath *path, YkState *state, int coordinate)
     size_t n = 3 * state->mech->input_count;
     *path = (YkPath){.state = state, .input = coordinate < 0 ? -1 : state->mech->coordinates[coordinate].input};
     path->others = malloc((n + 1) * sizeof *path->others);
-    if (path->others) memcpy(path->others, state->input, n * sizeof *path->others);
-    return path->others != NULL;
+    if (!path->others) return false;
+    memcpy(path->others, state->input, n * sizeof *path->others);
+    path->last = path->input < 0 ? state->time : state->valid_input[3 * path->input];
+    return true;
 }
 
 void yk_path_end(YkPath *path)
@@ -37,11 +39,27 @@ void yk_path_set(YkPath *path, double at, bool along)
     if (along) s->input[3 * path->input + 1] = 1;
 }
 
+// Where a dyad's base vanishes, at a folded rhombus say, any angle closes it and none follows: the pose a few roundings back on
+// the way stands for this one.
+static YkStatus solve_beside(YkPath *path, double at, bool along)
+{
+    YkState *s = path->state;
+    yk_path_set(path, at - 1e-15 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
+    YkStatus status = yk_state_solve(s);
+    if (status >= 0 && path->input >= 0) s->valid_input[3 * path->input] = at;
+    return status;
+}
+
 YkStatus yk_path_probe(YkPath *path, double at, bool along)
 {
+    if (at != path->last) path->way = at > path->last ? 1 : -1;
     yk_path_set(path, at, along);
     YkStatus status = yk_state_solve(path->state);
-    if (status >= 0) yk_state_refer(path->state);
+    if (status < 0 && path->state->has_pose) status = solve_beside(path, at, along);
+    if (path->input < 0) path->state->time = at;
+    if (status < 0) return status;
+    yk_state_refer(path->state);
+    path->last = at;
     return status;
 }
 

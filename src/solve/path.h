@@ -7,6 +7,7 @@
 typedef struct YkPath {
     YkState *state;
     int input;             // -1: time
+    double last, way;      // where the last pose that closed stands; +1 or -1: the way to it
     double *others;        // the inputs as they were: [3 * input + k]
 } YkPath;
 

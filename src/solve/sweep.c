@@ -130,8 +130,9 @@ static bool was_flipped_near(const YkSweep *w, size_t block, double at)
 
 static double sine_at(YkSweep *w, size_t block, double at)
 {
-    const YkState *s = w->path.state;
-    const YkSpace *space = yk_path_probe(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
+    YkState *s = w->path.state;
+    yk_path_set(&w->path, at, true); // and no reference: on one side of the change point this is the other branch
+    const YkSpace *space = yk_state_solve(s) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
     return sqrt(fmax(0, space->block_margin[block]));
 }
 
@@ -316,6 +317,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
         for (size_t k = 0; k < w->margin_count; k++) // to the near side, and back
             if (has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN) s->branch[k] = (signed char)-s->branch[k];
     }
+    yk_path_probe(&w->path, at + h, true); // from where its signs are now
     yk_path_probe(&w->path, at, true);
     if (!ok) return;
     w->row_status[row] = YK_CHANGE_POINT;

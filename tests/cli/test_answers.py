@@ -282,8 +282,10 @@ class Check(Case):
         self.assertEqual(sorted(round(length, 12) for length in answer["four_bars"][0]["lengths"]), [0.04, 0.08, 0.1, 0.12])
 
     def test_the_class_follows_the_lengths(self):
-        four_bars = self.good("check", self.rocker, "--format", "json").json()["four_bars"]
-        self.assertIn("triple-rocker", four_bars[0]["class"].replace(" ", "-"))
+        # Frame 100, coupler 60, rocker 40 mm: with 90 the rocker, being shortest, turns; with 70 nothing does (40 + 100 > 60 + 70).
+        for a, name in (("90 mm", "rocker-crank"), ("70 mm", "triple-rocker")):
+            four_bars = self.good("check", self.rocker, "--param", "a=" + a, "--format", "json").json()["four_bars"]
+            self.assertIn(name, four_bars[0]["class"].replace(" ", "-"))
 
     def test_what_cannot_be_put_together_is_told_with_exit_1(self):
         run = Run("check", self.four_bar, "--param", "a=400 mm")

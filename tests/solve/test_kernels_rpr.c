@@ -23,7 +23,8 @@ static Case make(Pool *pool, uint64_t seed, bool varies, bool turns)
     Case c = {.K = pool_plane(pool), .C = random_arm(pool, &seed, varies), .inner = random_line(pool, &seed, turns)};
     c.u = random_unit(&seed), c.out = pool_turn(pool), c.d = pool_slide(pool);
     c.margin = pool_full(pool, 1), c.own = pool_full(pool, 7);
-    if (seed % 2 && !varies) c.C.constant = yk_vec(0, 0); // the line through the pin is the commonest
+    if (seed % 2 && !varies) c.C.constant = yk_vec(0, 0);  // the line through the pin is the commonest,
+    if (seed % 3) c.u = yk_vec(seed % 3 == 1 ? -1 : 1, 0); // and along an axis
     for (size_t i = 0; i < LANES; i++) {
         c.phi[i] = random_angle(&seed), c.distance[i] = random_real(&seed, -3, 3);
         put_plane(c.K, i, motion_minus(arm_in_plane(&c, i, c.distance[i], motion_turn(c.phi[i]))));

@@ -21,6 +21,8 @@ static Case make(Pool *pool, uint64_t seed, bool varies, bool turns)
     Case c = {.K = pool_plane(pool), .W = random_arm(pool, &seed, varies), .line = random_line(pool, &seed, turns)};
     c.u = random_unit(&seed), c.out = pool_turn(pool), c.d = pool_slide(pool);
     c.margin = pool_full(pool, 1), c.own = pool_full(pool, 7);
+    if (seed % 3 == 0) c.u = yk_vec(seed % 2 ? -1 : 1, 0); // along the axes, as most are
+    if (seed % 3 == 0 && !varies) c.W.constant.y = 0;
     for (size_t i = 0; i < LANES; i++) {
         c.phi[i] = random_angle(&seed), c.distance[i] = random_real(&seed, -2, 2);
         Motion q = motion_times(get_arm(c.W, i), motion_turn(c.phi[i]));

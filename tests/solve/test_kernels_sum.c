@@ -13,6 +13,7 @@ static Case make(Pool *pool, uint64_t seed)
     Case c = {pool_plane(pool), pool_plane(pool), pool_plane(pool), pool_turn(pool), pool_slide(pool), {0, 0}, {0, 0}};
     c.constant = yk_vec(check_uniform(&seed, -2, 2), check_uniform(&seed, -2, 2));
     c.v = yk_vec(check_uniform(&seed, -2, 2), check_uniform(&seed, -2, 2));
+    if (seed % 2) c.v.y = 0; // along an axis, as most are
     for (size_t i = 0; i < LANES; i++) {
         put_plane(c.plus, i, random_plane(&seed, 2)), put_plane(c.minus, i, random_plane(&seed, 2));
         put_turn(c.turn, i, random_angle(&seed)), put_slide(c.slide, i, random_real(&seed, -2, 2));

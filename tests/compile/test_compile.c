@@ -1,0 +1,120 @@
+// Compiling: what it costs as machines grow, and that the same model gives the same mechanism.
+#include <time.h>
+#include "ladder.h"
+#include "machine.h"
+#include "table.h"
+
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
+// Seconds a link, the best of a few runs: the processor's time, since other programs run beside.
+static double cost_per_link(Story story, size_t links, int runs, size_t blocks, size_t inputs)
+{
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(story.text, story.length, "long.yaml", NULL, problems);
+    if (!model) print_error("%s", yk_problems_text(problems, 0));
+    assert_non_null(model);
+    double best = INFINITY;
+    for (int run = 0; run < runs; run++) {
+        double start = seconds();
+        YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+        double taken = seconds() - start;
+        if (!mech) print_error("%s", yk_problems_text(problems, 0));
+        assert_non_null(mech);
+        assert_int_equal(yk_block_count(mech), blocks);
+        assert_int_equal(yk_input_count(mech), inputs);
+        best = fmin(best, taken);
+        yk_mechanism_free(mech);
+    }
+    yk_model_free(model);
+    yk_problems_free(problems);
+    free(story.text);
+    return best / (double)links;
+}
+
+static void check_growth(const char *what, double few, double many)
+{
+    print_message("%s: %.0f and %.0f ns a link\n", what, 1e9 * few, 1e9 * many);
+    assert_true(many <= 2 * few + 200e-9); // what is added covers the clock's grain where few links take no time
+}
+
+static void a_ladder_of_four_bars_costs_the_same_per_link_however_long(void **state)
+{
+    (void)state;
+    double first = cost_per_link(ladder(1000), 2001, 20, 1000, 1);
+    double second = cost_per_link(ladder(10000), 20001, 8, 10000, 1);
+    double third = cost_per_link(ladder(100000), 200001, 3, 100000, 1);
+    check_growth("ladder of 1e3, 1e4 four-bars", first, second);
+    check_growth("ladder of 1e4, 1e5 four-bars", second, third);
+}
+
+static void a_driven_chain_costs_the_same_per_link_however_long(void **state)
+{
+    (void)state;
+    double first = cost_per_link(chain(1000), 1000, 20, 0, 1000);
+    double second = cost_per_link(chain(10000), 10000, 8, 0, 10000);
+    double third = cost_per_link(chain(100000), 100000, 3, 0, 100000);
+    check_growth("chain of 1e3, 1e4 driven links", first, second);
+    check_growth("chain of 1e4, 1e5 driven links", second, third);
+}
+
+// The origin of the last body of a chain must not be a sum over all before it.
+static void sums_stay_short_however_deep_the_machine(void **state)
+{
+    (void)state;
+    Story story = chain(3000);
+    Machine m = machine(story.text);
+    for (size_t b = 0; b < m.model->body_count; b++) assert_true(m.mech->bodies[b].origin.count <= 4);
+    assert_true(m.mech->term_count < 20 * m.model->body_count);
+    machine_free(&m);
+    free(story.text);
+}
+
+static void compiling_twice_gives_the_same(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Machine a = machine(machines[k].source);
+        YkMechanism *b = yk_mechanism_compile(a.model, NULL, a.problems);
+        assert_non_null(b);
+        assert_int_equal(a.mech->step_count, b->step_count);
+        assert_int_equal(a.mech->term_count, b->term_count);
+        for (size_t s = 0; s < b->step_count; s++) {
+            assert_int_equal(a.mech->steps[s].kind, b->steps[s].kind);
+            assert_int_equal(a.mech->steps[s].target, b->steps[s].target);
+        }
+        for (size_t t = 0; t < b->term_count; t++) {
+            assert_int_equal(a.mech->terms[t].slot, b->terms[t].slot);
+            assert_int_equal(a.mech->terms[t].distance, b->terms[t].distance);
+            assert_memory_equal(&a.mech->terms[t].v, &b->terms[t].v, sizeof(YkVec));
+        }
+        yk_mechanism_free(b);
+        machine_free(&a);
+    }
+}
+
+static void a_refusal_leaves_the_model_as_it_was(void **state)
+{
+    (void)state;
+    const char *both[] = {"theta4", "gamma"};
+    Machine m = machine("four-bar");
+    assert_null(yk_mechanism_compile(m.model, &(YkCompileOptions){both, 2}, m.problems));
+    YkMechanism *mech = yk_mechanism_compile(m.model, NULL, m.problems);
+    assert_non_null(mech);
+    assert_ptr_equal(yk_mechanism_model(mech), m.model);
+    CHECK_NEAR(yk_mechanism_size(mech), m.model->size, 0);
+    yk_mechanism_free(mech);
+    yk_mechanism_free(NULL);
+    machine_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ladder_of_four_bars_costs_the_same_per_link_however_long),
+        cmocka_unit_test(a_driven_chain_costs_the_same_per_link_however_long),
+        cmocka_unit_test(sums_stay_short_however_deep_the_machine),
+        cmocka_unit_test(compiling_twice_gives_the_same),
+        cmocka_unit_test(a_refusal_leaves_the_model_as_it_was),
+    };
+    return cmocka_run_group_tests_name("compile/compile", tests, NULL, NULL);
+}

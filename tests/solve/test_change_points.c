@@ -1,0 +1,178 @@
+// Change points: the motion goes on as the kind it was, the event is told, and nothing is ever NaN - whether rows fall on the
+// change point or beside it.
+#include "four_bar.h"
+
+static const char *const four_bar_names[] = {"coupler.angle", "theta4", "coupler.angle.rate", "theta4.rate",
+                                             "theta4.accel"};
+static const size_t step_counts[] = {1, 2, 3, 4, 5, 7, 8, 11, 12, 24, 36, 72, 100, 360, 720, 1001};
+enum { COUNTS = sizeof step_counts / sizeof step_counts[0], NAMES = 5 };
+
+static void check_no_nan(const YkSweep *sweep)
+{
+    for (size_t row = 0; row < yk_sweep_row_count(sweep); row++)
+        for (size_t c = 0; c < NAMES; c++) assert_true(isfinite(yk_sweep_value(sweep, row, c)));
+}
+
+// What a motion must be: coupler and rocker at a crank angle (continuous), and the rocker's rate per crank rate.
+typedef void (*Motion)(double theta, double *coupler, double *rocker, double *rocker_rate);
+
+static void parallel(double theta, double *coupler, double *rocker, double *rocker_rate)
+{
+    *coupler = 0;
+    *rocker = theta;
+    *rocker_rate = 1;
+}
+
+// Crank 2, coupler 4, rocker 2 on 4: the antiparallelogram; the rocker's half angle by tan(theta/2) tan(theta4/2) = const.
+static void antiparallel(double theta, double *coupler, double *rocker, double *rocker_rate)
+{
+    double k = -(4.0 + 2.0) / (4.0 - 2.0); // tan(theta4/2) = -(b + a)/(b - a) tan(theta/2): theta4 turns the other way
+    double turns = rint(theta / (2 * YK_PI)), half = 0.5 * (theta - 2 * YK_PI * turns);
+    *rocker = 2 * atan2(k * sin(half), cos(half)) - 2 * YK_PI * turns;
+    double bx = 4 + 2 * cos(*rocker) - 2 * cos(theta), by = 2 * sin(*rocker) - 2 * sin(theta);
+    *coupler = atan2(by, bx);
+    double c = cos(half), s = k * sin(half);
+    *rocker_rate = k / (c * c + s * s);
+}
+
+// The kite whose rocker rests: B stays on O2, the coupler lies on the crank.
+static void resting(double theta, double *coupler, double *rocker, double *rocker_rate)
+{
+    *coupler = theta + YK_PI;
+    *rocker = YK_PI;
+    *rocker_rate = 0;
+}
+
+static void check_motion(FourBar f, Motion motion, double start, double to, size_t steps, double rate)
+{
+    double coupler, rocker, rocker_rate;
+    motion(start, &coupler, &rocker, &rocker_rate);
+    FourBarPose plus = four_bar_pose(f, start, 1);
+    int branch = fabs(angle_between(plus.rocker, rocker)) < 1e-9 ? 1 : -1;
+    Machine m = four_bar_machine(f, start, branch);
+    yk_state_set_input(m.state, 0, (YkMotion){start, rate, 0});
+    YkSweep *sweep = machine_sweep(&m, "theta2", start, to, steps, four_bar_names, NAMES);
+    if (yk_sweep_status(sweep) < 0)
+        print_error("from %.17g to %.17g in %zu steps: stopped after %zu\n", start, to, steps, yk_sweep_row_count(sweep));
+    assert_true(yk_sweep_status(sweep) >= 0);
+    assert_int_equal(yk_sweep_row_count(sweep), steps + 1);
+    check_no_nan(sweep);
+    double turns[2] = {yk_sweep_value(sweep, 0, 0) - coupler, yk_sweep_value(sweep, 0, 1) - rocker}; // whole ones
+    CHECK_NEAR(angle_between(turns[0], 0), 0, 1e-9);
+    CHECK_NEAR(angle_between(turns[1], 0), 0, 1e-9);
+    for (size_t row = 0; row <= steps; row++) {
+        motion(yk_sweep_at(sweep, row), &coupler, &rocker, &rocker_rate);
+        double off = fmax(fabs(yk_sweep_value(sweep, row, 0) - coupler - turns[0]),
+                          fabs(yk_sweep_value(sweep, row, 1) - rocker - turns[1]));
+        if (!(off <= 1e-7))
+            print_error("%zu steps, row %zu at %.17g: coupler %g for %g, rocker %g for %g\n", steps, row,
+                        yk_sweep_at(sweep, row), yk_sweep_value(sweep, row, 0), coupler,
+                        yk_sweep_value(sweep, row, 1), rocker);
+        CHECK_NEAR(off, 0, 1e-7);
+        if (yk_sweep_row_status(sweep, row) != YK_SINGULAR)
+            CHECK_NEAR(yk_sweep_value(sweep, row, 3), rocker_rate * rate, 1e-6);
+    }
+    // every multiple of pi strictly inside the sweep is told
+    double low = fmin(start, to), high = fmax(start, to);
+    for (double at = YK_PI * ceil(low / YK_PI + 1e-9); at < high - 1e-9; at += YK_PI) {
+        bool told = false;
+        for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+            YkEvent e = yk_sweep_event(sweep, k);
+            told |= e.kind == YK_EVENT_CHANGE_POINT && e.block == 0 && fabs(e.at - at) <= 1e-8;
+        }
+        if (!told) print_error("%zu steps from %g to %g: nothing told of %g\n", steps, start, to, at);
+        assert_true(told);
+    }
+    yk_sweep_free(sweep);
+    machine_free(&m);
+}
+
+static const FourBar parallelogram = {2, 4, 2, 4}, kite = {1, 1, 2, 2}, rhombus = {1, 1, 1, 1};
+
+static void check_in_all_steps(FourBar f, Motion motion)
+{
+    static const double starts[] = {1, 0.5 * YK_PI, -2.5, 0.01};
+    for (size_t s = 0; s < sizeof starts / sizeof starts[0]; s++)
+        for (size_t k = 0; k < COUNTS; k++)
+            for (int way = -1; way <= 1; way += 2) {
+                check_motion(f, motion, starts[s], starts[s] + way * 2 * YK_PI, step_counts[k], 1);
+                check_motion(f, motion, starts[s], way * 4 * YK_PI, step_counts[k], -2); // ends on a change point
+            }
+}
+
+static void test_a_parallelogram_stays_parallel(void **unused)
+{
+    (void)unused;
+    check_in_all_steps(parallelogram, parallel);
+}
+
+static void test_an_antiparallelogram_stays_antiparallel(void **unused)
+{
+    (void)unused;
+    check_in_all_steps(parallelogram, antiparallel);
+}
+
+static void test_the_rocker_of_a_folded_kite_rests(void **unused)
+{
+    (void)unused;
+    check_in_all_steps(kite, resting);
+}
+
+// A rhombus passes 0 with its dyad's base vanishing: any angle would close there.
+static void test_a_rhombus_stays_a_rhombus(void **unused)
+{
+    (void)unused;
+    check_in_all_steps(rhombus, parallel);
+}
+
+// A sweep that ends just before the change point, one that creeps over it, and one that goes on. Within 1e-7 rad of it a
+// pose is singular and belongs to both kinds: there the only promise is that it is told.
+static void creep_over(double width, size_t steps, bool promised)
+{
+    Machine m = machine_load("parallelogram");
+    double before = YK_PI - width, after = YK_PI + width;
+    YkSweep *near = machine_sweep(&m, "theta2", 1, before, 3, four_bar_names, NAMES);
+    YkSweep *creep = machine_sweep(&m, "theta2", before, after, steps, four_bar_names, NAMES);
+    YkSweep *far = machine_sweep(&m, "theta2", after, 6, 5, four_bar_names, NAMES);
+    assert_int_equal(yk_sweep_row_count(far), 6);
+    check_no_nan(near);
+    check_no_nan(creep);
+    check_no_nan(far);
+    double off = fabs(angle_between(yk_sweep_value(far, 5, 0), 0));
+    if (promised && off > 1e-7) print_error("crept over %g in %zu steps\n", width, steps);
+    if (promised) CHECK_NEAR(off, 0, 1e-7);
+    assert_true(yk_sweep_event_count(creep) + yk_sweep_event_count(near) > 0);
+    yk_sweep_free(near);
+    yk_sweep_free(creep);
+    yk_sweep_free(far);
+    machine_free(&m);
+}
+
+static void test_a_creep_through_a_change_point_keeps_the_kind(void **unused)
+{
+    (void)unused;
+    static const double widths[] = {1e-1, 1e-3, 1e-4, 3e-5, 1e-5, 1e-6, 3e-7};
+    for (size_t steps = 1; steps < 60; steps += 7)
+        for (size_t k = 0; k < sizeof widths / sizeof widths[0]; k++) creep_over(widths[k], steps, true);
+}
+
+static void test_a_creep_within_rounding_of_a_change_point_is_told(void **unused)
+{
+    (void)unused;
+    static const double widths[] = {9e-8, 1e-8, 1e-10, 1e-13};
+    for (size_t steps = 1; steps < 60; steps += 7)
+        for (size_t k = 0; k < sizeof widths / sizeof widths[0]; k++) creep_over(widths[k], steps, false);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_parallelogram_stays_parallel),
+        cmocka_unit_test(test_an_antiparallelogram_stays_antiparallel),
+        cmocka_unit_test(test_the_rocker_of_a_folded_kite_rests),
+        cmocka_unit_test(test_a_rhombus_stays_a_rhombus),
+        cmocka_unit_test(test_a_creep_through_a_change_point_keeps_the_kind),
+        cmocka_unit_test(test_a_creep_within_rounding_of_a_change_point_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
