@@ -28,7 +28,7 @@ const char *yk_event_word(YkEvent event)
 void yk_sweep_add_ranges(const YkSweepAnswer *answer, YkText *text)
 {
     for (size_t i = 0; i < answer->range_count; i++) {
-        yk_text_format(text, "%s from ", i == 0 ? answer->ranges_of : i + 1 == answer->range_count ? ", and" : ",");
+        yk_text_format(text, "%s%s from ", i > 0 ? ", and " : "", answer->ranges_of);
         yk_add_value(answer->session, text, answer->ranges[i].from, answer->ranges_quantity, 12);
         yk_text_puts(text, " to ");
         yk_add_value(answer->session, text, answer->ranges[i].to, answer->ranges_quantity, 12);

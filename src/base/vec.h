@@ -19,6 +19,10 @@ static inline double yk_cross(YkVec a, YkVec b) { return a.x * b.y - a.y * b.x; 
 static inline double yk_norm(YkVec a) { return hypot(a.x, a.y); }
 static inline YkVec yk_unit(double angle) { return yk_vec(cos(angle), sin(angle)); }
 // The angle nearest to `reference` that equals `angle` modulo a turn.
-static inline double yk_nearest_turn(double angle, double reference) { return angle - 2 * YK_PI * rint((angle - reference) / (2 * YK_PI)); }
+static inline double yk_nearest_turn(double angle, double reference)
+{
+    double off = angle - reference;
+    return fabs(off) < YK_PI ? angle : angle - 2 * YK_PI * rint(off / (2 * YK_PI));
+}
 
 #endif

@@ -38,6 +38,9 @@ typedef struct YkPlacing { // where a body is
     YkSum origin;          // of the body's origin in the world; valid for bodies placed
 } YkPlacing;
 
+// Where the angle of a joint comes from: Phi_b - Phi_a + offset.
+typedef struct YkJointAngle { int32_t a, b; double offset; } YkJointAngle;
+
 // A coordinate of the spanning tree.
 typedef struct YkTreeCoordinate {
     const char *name;
@@ -46,6 +49,7 @@ typedef struct YkTreeCoordinate {
     int32_t drive;         // of the model, or YK_NONE
     int32_t input;         // or YK_NONE
     int32_t distance;      // its distance variable, or YK_NONE
+    YkJointAngle angle;    // of its joint
 } YkTreeCoordinate;
 
 typedef struct YkLoop {    // of the spanning tree: first body's point minus the second's
@@ -123,8 +127,7 @@ struct YkMechanism {
     int gruebler;
 };
 
-// Where a coordinate, an angle of any joint, comes from: angle = Phi_b - Phi_a + offset.
-typedef struct YkJointAngle { int32_t a, b; double offset; } YkJointAngle;
+// The angle of any joint.
 YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
 // The tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);

@@ -147,6 +147,7 @@ static void add_coordinate(YkMechanism *mech, int32_t joint, bool is_distance)
     YkTreeCoordinate *c = &mech->coordinates[mech->coordinate_count++];
     *c = (YkTreeCoordinate){.joint = joint, .is_distance = is_distance, .is_declared = declared != YK_NONE,
                             .drive = YK_NONE, .input = YK_NONE, .distance = YK_NONE};
+    c->angle = yk_joint_angle(mech, joint);
     if (is_distance) c->distance = mech->joint_distance[joint];
     if (declared != YK_NONE) {
         c->name = mech->model->coordinates[declared].name;

@@ -13,16 +13,6 @@ static Turn turn_in(const YkSpace *space, int32_t slot)
 
 static YkMotion without_rates(YkMotion m, bool has_rates) { return has_rates ? m : (YkMotion){m.position, 0, 0}; }
 
-// The angle of a joint, nearest to a reference.
-static YkMotion joint_angle_in(const YkState *s, const YkSpace *space, int32_t joint, double reference)
-{
-    YkJointAngle j = yk_joint_angle(s->mech, joint);
-    Turn a = turn_in(space, j.a), b = turn_in(space, j.b);
-    YkVec e = yk_mul(b.e, yk_conj(a.e));
-    double angle = (j.a == j.b ? 0 : yk_atan2(e.y, e.x)) + j.offset;
-    return (YkMotion){yk_nearest_turn(angle, reference), b.w - a.w, b.a - a.a};
-}
-
 static YkMotion distance_in(const YkSpace *space, int32_t distance)
 {
     YkSlide d = yk_space_slide(space, distance);
@@ -33,7 +23,10 @@ YkMotion yk_coordinate_in(const YkState *s, const YkSpace *space, size_t coordin
 {
     const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
     if (c->is_distance) return distance_in(space, c->distance);
-    return joint_angle_in(s, space, c->joint, s->reference[coordinate]);
+    Turn a = turn_in(space, c->angle.a), b = turn_in(space, c->angle.b);
+    YkVec e = yk_mul(b.e, yk_conj(a.e));
+    double angle = (c->angle.a == c->angle.b ? 0 : yk_atan2(e.y, e.x)) + c->angle.offset;
+    return (YkMotion){yk_nearest_turn(angle, s->reference[coordinate]), b.w - a.w, b.a - a.a};
 }
 
 YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)

@@ -3,7 +3,8 @@
 #include <string.h>
 #include "compile/closure.h"
 
-enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096 };
+// Where the search ends: configurations seen; blocks opened before the first configuration was found, and after it (besides one a block).
+enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096, OPENED_BEFORE = 1 << 20, OPENED_AFTER = 1 << 16 };
 
 // --- preparation --------------------------------------------------------------------------------------------------------
 
@@ -44,7 +45,7 @@ static size_t level_of(const YkMechanism *mech, const Known *known, size_t coord
 {
     const YkTreeCoordinate *c = &mech->coordinates[coordinate];
     if (c->is_distance) return known->distance[c->distance];
-    YkJointAngle j = yk_joint_angle(mech, c->joint);
+    YkJointAngle j = c->angle;
     return known->slot[j.a] > known->slot[j.b] ? known->slot[j.a] : known->slot[j.b];
 }
 
@@ -207,11 +208,12 @@ static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
 
 typedef bool (*Leaf)(void *context, YkState *state, double cost);
 
-// Depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or the cap was reached.
+// Depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or a cap was reached: with up to
+// about 14 blocks of two branches all is seen; in longer machines the first configuration takes the nearest branch of each block in turn.
 static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, void *context, size_t cap)
 {
     YkSearch *q = s->search;
-    size_t depth = 0, leaves = 0;
+    size_t depth = 0, leaves = 0, opened = 0;
     YkRun run = yk_state_run(s, &s->spare);
     s->groups.global = true;
     yk_run_begin(&run);
@@ -230,6 +232,7 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
         level->tried++;
         run_option(s, level, level->order[next]);
         if (depth + 1 < q->level_count) {
+            if (++opened > q->level_count + (leaves > 0 ? OPENED_AFTER : OPENED_BEFORE)) return false;
             open_level(s, &q->levels[++depth], cost, nearest);
             continue;
         }

@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define REFER_MARGIN 1e-10 // a pose less than 1e-5 from a change point is no reference
+
 bool yk_path_start(YkPath *path, YkState *state, int coordinate)
 {
     size_t n = 3 * state->mech->input_count;
@@ -50,16 +52,27 @@ static YkStatus solve_beside(YkPath *path, double at, bool along)
     return status;
 }
 
-YkStatus yk_path_probe(YkPath *path, double at, bool along)
+YkStatus yk_path_try(YkPath *path, double at, bool along)
 {
     if (at != path->last) path->way = at > path->last ? 1 : -1;
     yk_path_set(path, at, along);
     YkStatus status = yk_state_solve(path->state);
     if (status < 0 && path->state->has_pose) status = solve_beside(path, at, along);
     if (path->input < 0) path->state->time = at;
-    if (status < 0) return status;
-    yk_state_refer(path->state);
-    path->last = at;
+    if (status >= 0) path->last = at;
+    return status;
+}
+
+void yk_path_refer(YkPath *path)
+{
+    YkState *s = path->state;
+    if (s->space.margin[0] > REFER_MARGIN) yk_state_refer(s);
+}
+
+YkStatus yk_path_probe(YkPath *path, double at, bool along)
+{
+    YkStatus status = yk_path_try(path, at, along);
+    if (status >= 0) yk_path_refer(path);
     return status;
 }
 

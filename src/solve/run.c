@@ -30,13 +30,16 @@ void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out)
     for (; k < sum->count; k++) add_term(run, terms[k], out);
 }
 
-static YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
+static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 {
-    YkArm arm = {.constant = block->arm[k].constant};
-    if (block->arm_is_constant[k]) return arm;
-    arm.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k);
+    YkArm arm = {.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k)};
     yk_run_sum(run, &block->arm[k], arm.lanes);
     return arm;
+}
+
+static inline YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
+{
+    return block->arm_is_constant[k] ? (YkArm){.constant = block->arm[k].constant} : varying_arm(run, block, k);
 }
 
 // Closed forms: positions and rates together.

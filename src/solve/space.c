@@ -19,7 +19,9 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
         return false;
     }
     space->data = (double *)(((uintptr_t)space->memory + 63) & ~(uintptr_t)63);
-    space->margin = space->data + stride * (4 * space->slots + 3 * space->distances + 6 * (space->nodes + YK_SCRATCH_COUNT));
+    space->slides = space->data + stride * 4 * space->slots;
+    space->planes = space->slides + stride * 3 * space->distances;
+    space->margin = space->planes + stride * 6 * (space->nodes + YK_SCRATCH_COUNT);
     space->gap = space->margin + stride;
     space->block_margin = with_margins ? space->gap + stride : NULL;
     for (size_t k = 0; k < stride; k++) space->data[k] = 1; // slot 0, for whoever reads it: the ground's unit vector

@@ -7,7 +7,8 @@
 typedef struct YkSpace {
     size_t stride;          // lanes there is room for
     size_t slots, distances, nodes, blocks;
-    double *data;           // 64-byte aligned
+    double *data;           // 64-byte aligned: orientations,
+    double *slides, *planes;// then distances, then nodes and scratch
     double *margin;         // least sin^2 over the blocks: negative where something does not close
     double *gap;            // largest miss of redundant loops, m
     double *block_margin;   // [block][lane], or NULL
@@ -28,14 +29,14 @@ static inline YkTurn yk_space_turn(const YkSpace *space, int32_t slot)
 static inline YkSlide yk_space_slide(const YkSpace *space, int32_t distance)
 {
     size_t n = space->stride;
-    double *p = space->data + n * (4 * space->slots + 3 * (size_t)distance);
+    double *p = space->slides + 3 * n * (size_t)distance;
     return (YkSlide){p, p + n, p + 2 * n};
 }
 // Nodes, then three planes of scratch (YK_SCRATCH_KNOWN, ...).
 static inline YkPlane yk_space_plane(const YkSpace *space, int32_t node)
 {
     size_t n = space->stride;
-    double *p = space->data + n * (4 * space->slots + 3 * space->distances + 6 * (size_t)node);
+    double *p = space->planes + 6 * n * (size_t)node;
     return node == YK_NONE ? (YkPlane){NULL, NULL, NULL, NULL, NULL, NULL} : (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
 }
 enum { YK_SCRATCH_KNOWN, YK_SCRATCH_ARM_1, YK_SCRATCH_ARM_2, YK_SCRATCH_COUNT };

@@ -70,23 +70,43 @@ static double slope_here(const YkSweep *w, YkChannel c)
     return fabs(slope) * yk_path_scale(&w->path) > 1e-10 * (w->path.state->mech->size + fabs(value)) ? slope : 0;
 }
 
+// Takes the signs of the blocks from before the change points between `at` and `here` to after them, or back.
+static void exchange_signs(YkSweep *w, double at, double here)
+{
+    for (size_t k = 0; k < w->event_count; k++) {
+        const YkEvent *e = &w->events[k];
+        bool between = (e->at - at) * (here - e->at) >= 0;
+        if (e->kind == YK_EVENT_CHANGE_POINT && between) w->path.state->branch[e->block] = (signed char)-w->path.state->branch[e->block];
+    }
+}
+
+// Solves at a place that the sweep has passed, on the branch that it had there.
+static YkStatus look_back(YkSweep *w, double at, double here)
+{
+    exchange_signs(w, at, here);
+    YkStatus status = yk_path_try(&w->path, at, true);
+    exchange_signs(w, at, here);
+    return status;
+}
+
 static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, double slope)
 {
-    YkChannel c = w->channels[channel];
+    YkChannel value = w->channels[channel], rate = value;
+    double here = to;
+    rate.order = 1;
     for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->path); k++) {
         double middle = 0.5 * (from + to);
-        if (yk_path_probe(&w->path, middle, true) < 0) break;
-        YkChannel rate = c;
-        rate.order = 1;
+        if (look_back(w, middle, here) < 0) break;
         if (yk_state_channel(w->path.state, rate) * slope > 0)
             from = middle;
         else
             to = middle;
     }
     double at = 0.5 * (from + to);
-    if (yk_path_probe(&w->path, at, true) < 0) return;
-    double value = yk_state_channel(w->path.state, c);
-    add_event(w, (YkEvent){.kind = YK_EVENT_EXTREME, .at = at, .block = -1, .channel = channel, .value = value, .is_maximum = (slope > 0) == (w->options.to > w->options.from)});
+    if (look_back(w, at, here) < 0) return;
+    add_event(w, (YkEvent){.kind = YK_EVENT_EXTREME, .at = at, .block = -1, .channel = channel,
+                           .value = yk_state_channel(w->path.state, value),
+                           .is_maximum = (slope > 0) == (w->options.to > w->options.from)});
 }
 
 // The state stands at `at`, verified: looks whether a channel turned round since it was last seen moving.
@@ -100,7 +120,7 @@ static void watch_extremes(YkSweep *w, double at)
         if (w->slope[c] * slope < 0 && fabs(slope) < 1e6 * yk_path_scale(&w->path)) {
             bisect_extreme(w, c, w->slope_at[c], at, w->slope[c]);
             moved = true;
-            yk_path_probe(&w->path, at, true);
+            yk_path_try(&w->path, at, true);
         }
         w->slope[c] = slope;
         w->slope_at[c] = at;
@@ -130,9 +150,8 @@ static bool was_flipped_near(const YkSweep *w, size_t block, double at)
 
 static double sine_at(YkSweep *w, size_t block, double at)
 {
-    YkState *s = w->path.state;
-    yk_path_set(&w->path, at, true); // and no reference: on one side of the change point this is the other branch
-    const YkSpace *space = yk_state_solve(s) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
+    const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
+    const YkSpace *space = yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
     return sqrt(fmax(0, space->block_margin[block]));
 }
 
@@ -227,13 +246,13 @@ static void flip_at(YkSweep *w, double a, const double *margins)
 static bool advance(YkSweep *w, double a, double b, size_t depth)
 {
     double middle = 0.5 * (a + b);
-    if (yk_path_probe(&w->path, middle, true) < 0) return stop_or_pass(w, a, middle, depth) && go_on(w, middle, b, depth);
+    if (yk_path_try(&w->path, middle, true) < 0) return stop_or_pass(w, a, middle, depth) && go_on(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 1));
-    if (yk_path_probe(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
+    if (yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 2));
-    if (w->path.state->mech->has_groups) return true; // tracked: checked on the way
-    Verdict verdict = look(w, a, b, depth);
-    if (verdict == TOUCHED && yk_path_probe(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
+    Verdict verdict = w->path.state->mech->has_groups ? CLEAR : look(w, a, b, depth); // groups are tracked: checked on the way
+    if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
+    if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch are references
     if (verdict != FINER) return true;
     double *next = margins_of(w, depth + 1, 0);
     memcpy(next, margins_of(w, depth, 0), w->margin_count * sizeof *next);
