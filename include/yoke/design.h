@@ -22,7 +22,8 @@ typedef struct YkStroke {
     double low_at, high_at;     // input angles there, rad, to 1e-9
     double ratio;               // input angle of the slower stroke over the faster one, >= 1
 } YkStroke;
-// YK_OK; YK_LIMIT when the input cannot turn through; YK_BAD_ARGUMENT when the channel has not exactly two extremes.
+// YK_OK; YK_LIMIT when the input cannot turn through; YK_BAD_ARGUMENT when it does not turn at all (a distance) or the channel has
+// not exactly two extremes.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);
 
 #endif

@@ -82,17 +82,17 @@ static YkFourBar make(const Pins *pins, const int32_t body[4], const int32_t joi
 
 typedef struct Found { YkFourBar *items; size_t count, capacity; } Found;
 
-// All rings through a frame in which the two sides meet the frame at joints j0 < j3 (each ring once).
+// All rings through a frame, the first body of its ring, in which the two sides meet the frame at joints j0 < j3 (each ring once).
 static void search_from(const Pins *pins, int32_t frame, Found *found)
 {
     for (uint32_t a = pins->first[frame]; a < pins->first[frame + 1]; a++) {
         int32_t j0 = pins->joint[a], A = beyond(pins, j0, frame);
         for (uint32_t c = pins->first[A]; c < pins->first[A + 1]; c++) {
             int32_t j1 = pins->joint[c], C = beyond(pins, j1, A);
-            if (j1 == j0 || C == frame) continue;
+            if (j1 == j0 || A <= frame || C <= frame) continue;
             for (uint32_t b = pins->first[C]; b < pins->first[C + 1]; b++) {
                 int32_t j2 = pins->joint[b], B = beyond(pins, j2, C);
-                if (j2 == j1 || B == A || B == frame) continue;
+                if (j2 == j1 || B == A || B <= frame) continue;
                 for (uint32_t e = pins->first[B]; e < pins->first[B + 1]; e++) {
                     int32_t j3 = pins->joint[e];
                     if (j3 <= j0 || j3 == j2 || beyond(pins, j3, B) != frame) continue;
@@ -110,7 +110,9 @@ size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capaci
     Pins pins = {.mech = mech};
     Found found = {four_bars, 0, capacity};
     YkArena *arena = yk_arena_new();
-    if (arena && gather(&pins, arena)) search_from(&pins, 0, &found);
+    bool ok = arena && gather(&pins, arena);
+    if (ok) search_from(&pins, 0, &found);
+    for (size_t frame = 1; ok && found.count == 0 && frame < mech->model->body_count; frame++) search_from(&pins, (int32_t)frame, &found);
     yk_arena_free(arena);
     return found.count;
 }

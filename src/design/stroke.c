@@ -1,7 +1,10 @@
 // The stroke of a machine whose input turns through: extreme positions and time ratio.
 #include <yoke/design.h>
-#include <stdlib.h>
+#include <stdbool.h>
 #include "base/vec.h"
+
+// Is an extreme found at `at` the one found before at `first`, a turn later?
+static bool is_again(size_t found, double first, double at) { return found > 0 && fabs(at - first - 2 * YK_PI) < 1e-6; }
 
 static YkStatus read_extremes(const YkSweep *sweep, YkStroke *stroke)
 {
@@ -9,11 +12,11 @@ static YkStatus read_extremes(const YkSweep *sweep, YkStroke *stroke)
     for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
         YkEvent e = yk_sweep_event(sweep, k);
         if (e.kind != YK_EVENT_EXTREME) continue;
-        if (e.is_maximum) {
+        if (e.is_maximum && !is_again(maxima, stroke->high_at, e.at)) {
             maxima++;
             stroke->high = e.value;
             stroke->high_at = e.at;
-        } else {
+        } else if (!e.is_maximum && !is_again(minima, stroke->low_at, e.at)) {
             minima++;
             stroke->low = e.value;
             stroke->low_at = e.at;
@@ -26,11 +29,12 @@ YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *st
 {
     const YkMechanism *mech = yk_state_mechanism(state);
     YkSweepOptions options = yk_default_sweep_options();
+    if (input >= yk_input_count(mech) || yk_coordinate_info(mech, yk_input_coordinate(mech, input)).is_distance) return YK_BAD_ARGUMENT;
     options.coordinate = (int)yk_input_coordinate(mech, input);
     options.from = yk_state_input(state, input).position;
-    // a little more than a turn, so that an extreme at the very start is passed; what lies in the surplus counts once
-    options.to = options.from + 2 * YK_PI;
-    options.steps = 360;
+    // a degree more than a turn, so that an extreme at the very start is passed; what lies in the surplus counts once
+    options.to = options.from + 361 * YK_PI / 180;
+    options.steps = 361;
     YkState *probe = yk_state_new(mech);
     if (!probe) return YK_NO_MEMORY;
     yk_state_copy(probe, state);

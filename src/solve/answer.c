@@ -23,10 +23,10 @@ YkMotion yk_coordinate_in(const YkState *s, const YkSpace *space, size_t coordin
 {
     const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
     if (c->is_distance) return distance_in(space, c->distance);
-    Turn a = turn_in(space, c->angle.a), b = turn_in(space, c->angle.b);
-    YkVec e = yk_mul(b.e, yk_conj(a.e));
-    double angle = (c->angle.a == c->angle.b ? 0 : yk_atan2(e.y, e.x)) + c->angle.offset;
-    return (YkMotion){yk_nearest_turn(angle, s->reference[coordinate]), b.w - a.w, b.a - a.a};
+    YkTurn a = yk_space_turn(space, c->angle.a), b = yk_space_turn(space, c->angle.b);
+    YkMotion m = {0, (b.c ? b.w[0] : 0) - (a.c ? a.w[0] : 0), (b.c ? b.a[0] : 0) - (a.c ? a.a[0] : 0)};
+    yk_lanes_angle(&m.position, a, b, c->angle.offset, s->reference[coordinate], 1); // as the batch does: the same bits
+    return m;
 }
 
 YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)

@@ -5,7 +5,8 @@
 #include "solve/state.h"
 
 // Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache. Tunable.
-enum { LANES = 128, LANES_MIN = 8 };
+// Rows lie a little further apart: rows a multiple of 4096 bytes from each other get in each other's way.
+enum { LANES = 96, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 struct YkBatch {
@@ -17,6 +18,7 @@ struct YkBatch {
     double *reference;         // per channel: its angle comes out nearest to this
     int32_t (*turns)[2];       // per channel: orientations of its angle (a, b), and its offset
     double *offset;
+    double ***row;             // per channel: the lanes it is made in, which are led straight to its output; or NULL
     size_t channel_count, lanes;
     double *constant;          // [3 * input + k][lane]: for NULL arrays
     const double **lanes_of;   // the runner's view of this block's inputs
@@ -55,6 +57,33 @@ static void prepare_angle(YkBatch *b, size_t k)
     b->reference[k] = yk_state_channel(b->state, value);
 }
 
+// The pointer to the lanes that hold a channel as it is asked: a distance, a rate against the ground. NULL where it takes work.
+static double **row_of(YkBatch *b, size_t k)
+{
+    const YkMechanism *mech = b->mech;
+    YkChannel c = b->channels[k];
+    const YkTreeCoordinate *q = c.kind == YK_CHANNEL_COORDINATE ? &mech->coordinates[c.index] : NULL;
+    if (q && q->input != YK_NONE) return NULL;
+    if (c.kind == YK_CHANNEL_JOINT_DISTANCE || (q && q->is_distance)) {
+        YkSlide *d = &b->space.slide[q ? q->distance : mech->joint_distance[c.index]];
+        return c.order == 0 ? &d->d : c.order == 1 ? &d->v : &d->a;
+    }
+    if (c.order > 0 && b->turns[k][0] == 0 && b->turns[k][1] != 0) {
+        YkTurn *t = &b->space.turn[b->turns[k][1]];
+        return c.order == 1 ? &t->w : &t->a;
+    }
+    return NULL;
+}
+
+// A row can be led to one channel only; whoever asks for it again gets a copy.
+static double **free_row_of(YkBatch *b, size_t k)
+{
+    double **row = row_of(b, k);
+    for (size_t j = 0; row && j < k; j++)
+        if (b->row[j] == row) return NULL;
+    return row;
+}
+
 static void fill_constants(YkBatch *b)
 {
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
@@ -75,11 +104,12 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
     b->reference = calloc(channel_count + 1, sizeof *b->reference);
     b->offset = calloc(channel_count + 1, sizeof *b->offset);
     b->turns = calloc(channel_count + 1, sizeof *b->turns);
+    b->row = calloc(channel_count + 1, sizeof *b->row);
     b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
     b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    if (!b->state || !b->home || !b->channels || !b->reference || !b->offset || !b->turns || !b->constant || !b->lanes_of || !b->point_lanes ||
-        !yk_space_start(&b->space, b->mech, b->lanes, false)) {
+    if (!b->state || !b->home || !b->channels || !b->reference || !b->offset || !b->turns || !b->row || !b->constant || !b->lanes_of || !b->point_lanes ||
+        !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, false)) {
         yk_batch_free(b);
         return NULL;
     }
@@ -91,6 +121,7 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
     for (size_t k = 0; k < channel_count; k++) {
         b->channels[k] = channels[k];
         prepare_angle(b, k);
+        b->row[k] = free_row_of(b, k);
     }
     fill_constants(b);
     return b;
@@ -106,6 +137,7 @@ void yk_batch_free(YkBatch *b)
     free(b->reference);
     free(b->offset);
     free(b->turns);
+    free(b->row);
     free(b->constant);
     free(b->lanes_of);
     free(b->point_lanes);
@@ -146,7 +178,7 @@ static void write_point(const YkBatch *b, const YkRun *run, YkChannel c, double 
     memcpy(out, (c.kind == YK_CHANNEL_POINT_X ? x : y)[c.order], n * sizeof *out);
 }
 
-static void write_channel(const YkBatch *b, const YkRun *run, size_t k, double *out)
+static void make_channel(const YkBatch *b, const YkRun *run, size_t k, double *out)
 {
     YkChannel c = b->channels[k];
     size_t n = run->lanes;
@@ -172,6 +204,15 @@ static void write_channel(const YkBatch *b, const YkRun *run, size_t k, double *
         for (size_t i = 0; i < n; i++) out[i] = b->state->time;
         break;
     }
+}
+
+// masks: some lanes may not close, or stand at a dead point.
+static void write_channel(const YkBatch *b, const YkRun *run, size_t k, bool masks, double *out)
+{
+    YkChannel c = b->channels[k];
+    size_t n = run->lanes;
+    if (!b->row[k]) make_channel(b, run, k, out);
+    if (!masks) return;
     bool is_rate = c.order > 0 || c.kind == YK_CHANNEL_POINT_SPEED;
     yk_lanes_mask(out, b->space.margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
 }
@@ -183,6 +224,12 @@ static YkStatus worse(YkStatus a, YkStatus b) { return a < 0 || b < 0 ? (a < b ?
 static YkStatus judge(YkBatch *b, signed char *status, size_t n)
 {
     YkStatus worst = YK_OK;
+    bool well;
+    yk_lanes_well(&well, b->space.margin, b->space.gap, YK_SINGULAR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
+    if (well) {
+        if (status) memset(status, YK_OK, n);
+        return YK_OK;
+    }
     for (size_t k = 0; k < n; k++) {
         bool closes = b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
         YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
@@ -233,10 +280,13 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
         for (size_t i = 0; i < 3 * b->mech->input_count; i++)
             b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
+        for (size_t k = 0; k < b->channel_count; k++)
+            if (b->row[k]) *b->row[k] = outputs[k] + at;
         yk_run_begin(&run);
         yk_run_steps(&run, 0, b->mech->step_count);
-        worst = worse(worst, judge(b, status ? status + at : NULL, run.lanes));
-        for (size_t k = 0; k < b->channel_count; k++) write_channel(b, &run, k, outputs[k] + at);
+        YkStatus here = judge(b, status ? status + at : NULL, run.lanes);
+        worst = worse(worst, here);
+        for (size_t k = 0; k < b->channel_count; k++) write_channel(b, &run, k, here != YK_OK, outputs[k] + at);
     }
     return worst;
 }

@@ -21,24 +21,33 @@ void yk_path_end(YkPath *path)
     path->others = NULL;
 }
 
+// The fastest input: rad/s, or sizes of the machine a second.
+static double fastest(const YkState *s)
+{
+    double rate = 0;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        bool is_distance = s->mech->coordinates[s->mech->inputs[i]].is_distance;
+        rate = fmax(rate, fabs(s->input[3 * i + 1]) / (is_distance ? s->mech->size : 1));
+    }
+    return rate;
+}
+
 double yk_path_scale(const YkPath *path)
 {
-    if (path->input < 0) return 1;
+    if (path->input < 0) return 1 / fmax(1, fastest(path->state));
     const YkMechanism *mech = path->state->mech;
     return mech->coordinates[mech->inputs[path->input]].is_distance ? mech->size : 1;
 }
 
-void yk_path_set(YkPath *path, double at, bool along)
+YkStatus yk_path_set(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
-    if (path->input < 0) {
-        yk_state_set_time(s, at, NULL);
-        return;
-    }
+    if (path->input < 0) return yk_state_set_time(s, at, NULL);
     memcpy(s->input, path->others, 3 * s->mech->input_count * sizeof *s->input);
     for (size_t i = 0; along && i < s->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     s->input[3 * path->input] = at;
     if (along) s->input[3 * path->input + 1] = 1;
+    return YK_OK;
 }
 
 // Where a dyad's base vanishes, at a folded rhombus say, any angle closes it and none follows: the pose a few roundings back on
@@ -46,8 +55,8 @@ void yk_path_set(YkPath *path, double at, bool along)
 static YkStatus solve_beside(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
-    yk_path_set(path, at - 1e-15 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
-    YkStatus status = yk_state_solve(s);
+    YkStatus status = yk_path_set(path, at - 1e-15 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
+    if (status == YK_OK) status = yk_state_solve(s);
     if (status >= 0 && path->input >= 0) s->valid_input[3 * path->input] = at;
     return status;
 }
@@ -55,8 +64,9 @@ static YkStatus solve_beside(YkPath *path, double at, bool along)
 YkStatus yk_path_try(YkPath *path, double at, bool along)
 {
     if (at != path->last) path->way = at > path->last ? 1 : -1;
-    yk_path_set(path, at, along);
-    YkStatus status = yk_state_solve(path->state);
+    YkStatus status = yk_path_set(path, at, along);
+    if (status < 0) return status;
+    status = yk_state_solve(path->state);
     if (status < 0 && path->state->has_pose) status = solve_beside(path, at, along);
     if (path->input < 0) path->state->time = at;
     if (status >= 0) path->last = at;

@@ -14,8 +14,9 @@ typedef struct YkPath {
 // NULL others: out of memory.
 bool yk_path_start(YkPath *path, YkState *state, int coordinate);
 void yk_path_end(YkPath *path);
-// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path.
-void yk_path_set(YkPath *path, double at, bool along);
+// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. YK_BAD_MODEL where a drive has no
+// value at that time.
+YkStatus yk_path_set(YkPath *path, double at, bool along);
 // The same, and solves: to look, and (probe) to go on from there, with the pose's angles as the reference of the next.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
 // The reference stays where the pose is all but singular: it may still be the other branch's, which need not be near.
@@ -23,7 +24,7 @@ void yk_path_refer(YkPath *path);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);
 // Between a pose that closes and one that does not: the last value that closes, to rounding. The state ends there.
 double yk_path_limit(YkPath *path, double good, double bad);
-// One unit of path for tolerances: radians, seconds, or the machine's size.
+// One unit of path for tolerances: a radian, or the machine's size; of time what the fastest drive takes for it now, at most 1 s.
 double yk_path_scale(const YkPath *path);
 
 #endif

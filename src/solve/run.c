@@ -1,11 +1,12 @@
 #include "solve/run.h"
+#include <string.h>
 
 void yk_run_begin(const YkRun *run)
 {
-    for (size_t k = 0; k < run->lanes; k++) {
-        run->space->margin[k] = 1;
-        run->space->gap[k] = 0;
-    }
+    double *margin = run->space->margin;
+    size_t n = run->lanes;
+    for (size_t k = 0; k < n; k++) margin[k] = 1;
+    memset(run->space->gap, 0, n * sizeof(double));
 }
 
 static void add_term(const YkRun *run, YkTerm term, YkPlane out)
@@ -39,7 +40,8 @@ static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 
 static inline YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
 {
-    return block->arm_is_constant[k] ? (YkArm){.constant = block->arm[k].constant} : varying_arm(run, block, k);
+    if (!block->arm_is_constant[k]) return varying_arm(run, block, k);
+    return (YkArm){block->arm[k].constant, yk_space_plane(run->space, YK_NONE)};
 }
 
 // Closed forms: positions and rates together.

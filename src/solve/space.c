@@ -7,6 +7,19 @@ static size_t doubles(const YkSpace *s)
     return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 + (s->block_margin ? s->blocks : 0));
 }
 
+static size_t plane_count(const YkSpace *s) { return 1 + s->nodes + YK_SCRATCH_COUNT; }
+
+static void point_at_lanes(YkSpace *s)
+{
+    size_t n = s->stride;
+    double *p = s->data + 4 * n;
+    for (size_t k = 1; k < s->slots; k++, p += 4 * n) s->turn[k] = (YkTurn){p, p + n, p + 2 * n, p + 3 * n};
+    p = s->data + 4 * n * s->slots;
+    for (size_t k = 0; k < s->distances; k++, p += 3 * n) s->slide[k] = (YkSlide){p, p + n, p + 2 * n};
+    for (size_t k = 1; k < plane_count(s); k++, p += 6 * n)
+        s->plane[k] = (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
+}
+
 bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool with_margins)
 {
     double dummy;
@@ -14,7 +27,11 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
                        .blocks = mech->block_count, .block_margin = with_margins ? &dummy : NULL};
     size_t size = doubles(space) * sizeof(double);
     space->memory = calloc(1, size + 64);
-    if (!space->memory) {
+    space->turn = calloc(space->slots + 1, sizeof *space->turn);
+    space->slide = calloc(space->distances + 1, sizeof *space->slide);
+    space->plane = calloc(plane_count(space), sizeof *space->plane);
+    if (!space->memory || !space->turn || !space->slide || !space->plane) {
+        yk_space_end(space);
         space->block_margin = NULL;
         return false;
     }
@@ -24,6 +41,7 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
     space->margin = space->planes + stride * 6 * (space->nodes + YK_SCRATCH_COUNT);
     space->gap = space->margin + stride;
     space->block_margin = with_margins ? space->gap + stride : NULL;
+    point_at_lanes(space);
     for (size_t k = 0; k < stride; k++) space->data[k] = 1; // slot 0, for whoever reads it: the ground's unit vector
     return true;
 }
@@ -31,6 +49,9 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
 void yk_space_end(YkSpace *space)
 {
     free(space->memory);
+    free(space->turn);
+    free(space->slide);
+    free(space->plane);
     *space = (YkSpace){0};
 }
 

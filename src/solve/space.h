@@ -12,6 +12,10 @@ typedef struct YkSpace {
     double *margin;         // least sin^2 over the blocks: negative where something does not close
     double *gap;            // largest miss of redundant loops, m
     double *block_margin;   // [block][lane], or NULL
+    // Where the lanes are, made once: built anew for every call, they cost more than the arithmetic of one pose.
+    YkTurn *turn;           // [slot]
+    YkSlide *slide;         // [distance]
+    YkPlane *plane;         // [1 + node], then scratch; 0 is the absent one
     void *memory;
 } YkSpace;
 
@@ -20,25 +24,11 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
 void yk_space_end(YkSpace *space);
 void yk_space_copy(YkSpace *to, const YkSpace *from);
 
-static inline YkTurn yk_space_turn(const YkSpace *space, int32_t slot)
-{
-    size_t n = space->stride;
-    double *p = space->data + 4 * n * (size_t)slot;
-    return slot == 0 ? (YkTurn){NULL, NULL, NULL, NULL} : (YkTurn){p, p + n, p + 2 * n, p + 3 * n};
-}
-static inline YkSlide yk_space_slide(const YkSpace *space, int32_t distance)
-{
-    size_t n = space->stride;
-    double *p = space->slides + 3 * n * (size_t)distance;
-    return (YkSlide){p, p + n, p + 2 * n};
-}
+// Slot 0 and node YK_NONE have no lanes.
+static inline YkTurn yk_space_turn(const YkSpace *space, int32_t slot) { return space->turn[slot]; }
+static inline YkSlide yk_space_slide(const YkSpace *space, int32_t distance) { return space->slide[distance]; }
 // Nodes, then three planes of scratch (YK_SCRATCH_KNOWN, ...).
-static inline YkPlane yk_space_plane(const YkSpace *space, int32_t node)
-{
-    size_t n = space->stride;
-    double *p = space->planes + 6 * n * (size_t)node;
-    return node == YK_NONE ? (YkPlane){NULL, NULL, NULL, NULL, NULL, NULL} : (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
-}
+static inline YkPlane yk_space_plane(const YkSpace *space, int32_t node) { return space->plane[node == YK_NONE ? 0 : node + 1]; }
 enum { YK_SCRATCH_KNOWN, YK_SCRATCH_ARM_1, YK_SCRATCH_ARM_2, YK_SCRATCH_COUNT };
 static inline YkPlane yk_space_scratch(const YkSpace *space, int which)
 {

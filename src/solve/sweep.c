@@ -22,6 +22,7 @@ struct YkSweep {
     double *sums;          // per channel: scratch
     double *flipped_at;    // per block: its last change point (NaN: none yet)
     YkStatus status;
+    YkProblems *problems;
     double worst_residual, from;
     bool failed;
     int limit_block;
@@ -117,7 +118,7 @@ static void watch_extremes(YkSweep *w, double at)
         if (!is_smooth(w->channels[c])) continue;
         double slope = slope_here(w, w->channels[c]);
         if (slope == 0) continue;
-        if (w->slope[c] * slope < 0 && fabs(slope) < 1e6 * yk_path_scale(&w->path)) {
+        if (w->slope[c] * slope < 0 && fabs(slope) * yk_path_scale(&w->path) < 1e6) {
             bisect_extreme(w, c, w->slope_at[c], at, w->slope[c]);
             moved = true;
             yk_path_try(&w->path, at, true);
@@ -137,10 +138,13 @@ static double touch(double a, double ma, double b, double mb)
     return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
 }
 
-static void mark_limit(YkSweep *w, double at)
+// The sweep ends at `at`, since the machine does not close at `bad` - or no drive says where it is to be then.
+static void mark_limit(YkSweep *w, double at, double bad)
 {
-    add_event(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->limit_block});
-    w->status = YK_LIMIT;
+    w->status = yk_path_set(&w->path, bad, true) < 0 ? YK_BAD_MODEL : YK_LIMIT;
+    if (w->status == YK_BAD_MODEL) yk_state_set_time(w->path.state, bad, w->problems);
+    add_event(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->status == YK_LIMIT ? w->limit_block : -1});
+    yk_path_probe(&w->path, at, true);
 }
 
 static bool was_flipped_near(const YkSweep *w, size_t block, double at)
@@ -202,8 +206,7 @@ static bool stop_or_pass(YkSweep *w, double good, double bad, size_t depth)
         read_margins(w, margins_of(w, depth + 1, 0));
         return advance(w, beyond, bad, depth + 1);
     }
-    yk_path_probe(&w->path, at, true);
-    mark_limit(w, at);
+    mark_limit(w, at, bad);
     return false;
 }
 
@@ -251,6 +254,7 @@ static bool advance(YkSweep *w, double a, double b, size_t depth)
     if (yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 2));
     Verdict verdict = w->path.state->mech->has_groups ? CLEAR : look(w, a, b, depth); // groups are tracked: checked on the way
+    if (is_coarse(w, a, b, scale) && depth + 1 < DEPTH_MAX) verdict = FINER;
     if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch are references
     if (verdict != FINER) return true;
@@ -295,7 +299,7 @@ static bool record(YkSweep *w, double at)
     YkStatus status = yk_path_probe(&w->path, at, false);
     if (status < 0) {
         w->limit_block = s->report.block;
-        mark_limit(w, w->row_count > 0 ? w->at[w->row_count - 1] : at);
+        mark_limit(w, w->row_count > 0 ? w->at[w->row_count - 1] : at, at);
         return false;
     }
     size_t row = w->row_count++;

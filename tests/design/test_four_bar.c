@@ -151,6 +151,20 @@ static void every_ring_of_four_pins_on_the_ground_is_found_once(void **state)
     assert_true(total > 20);
 }
 
+static void where_no_ring_stands_on_the_ground_one_that_floats_is_found(void **state)
+{
+    (void)state;
+    Machine m = machine("bodies:\n  arm: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") LINK("b", "A", "B", "3.5") LINK("c", "Q", "B", "3")
+                        "joints: {P: {pin: [ground, arm]}, Q: {pin: [arm, c]}, B: {pin: [b, c]}, A: {pin: [a, b]}, O: {pin: [arm, a]}}\n"
+                        "start: {P.angle: 1, O.angle: 1}\n");
+    YkFourBar found[4];
+    assert_int_equal(yk_four_bars(m.mech, found, 4), 1); // once, though it could be told from any of its bodies
+    assert_string_equal(yk_model_body_name(m.model, found[0].body[0]), "arm");
+    assert_string_equal(yk_model_body_name(m.model, found[0].body[1]), "a"); // the side whose angle is an input
+    assert_int_equal(found[0].kind, YK_CRANK_ROCKER);
+    machine_free(&m);
+}
+
 static void the_gallery_is_classified_as_its_names_say(void **state)
 {
     (void)state;
@@ -192,6 +206,7 @@ int main(void)
         cmocka_unit_test(the_four_inversions_of_a_grashof_chain_are_all_told),
         cmocka_unit_test(equal_sums_are_change_points_in_any_order_and_unit),
         cmocka_unit_test(every_ring_of_four_pins_on_the_ground_is_found_once),
+        cmocka_unit_test(where_no_ring_stands_on_the_ground_one_that_floats_is_found),
         cmocka_unit_test(the_gallery_is_classified_as_its_names_say),
         cmocka_unit_test(the_count_is_told_where_there_is_no_room),
         cmocka_unit_test(classes_have_names_of_their_own),
