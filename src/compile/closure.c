@@ -8,7 +8,8 @@ static void add_entry(double *J, size_t n, size_t column, YkVec entry)
     J[n + column] += entry.y;
 }
 
-void yk_closure_loop(const YkMechanism *mech, size_t loop, const double *x, double *residual, double *J, size_t n, const int32_t *column)
+void yk_closure_loop(const YkMechanism *mech, size_t loop, const double *x, double *residual, double *J, size_t n,
+                     const int32_t *column)
 {
     const YkSum *sum = &mech->loops[loop].sum;
     size_t o = mech->orientation_count - 1;
@@ -19,7 +20,8 @@ void yk_closure_loop(const YkMechanism *mech, size_t loop, const double *x, doub
         double d = t.distance == YK_NONE ? 1 : x[sliding];
         YkVec turned = t.slot == 0 ? t.v : yk_mul(yk_unit(x[turning]), t.v);
         total = yk_add(total, yk_scale(d, turned));
-        if (J && t.slot > 0) add_entry(J, n, column ? (size_t)column[turning] : turning, yk_scale(d, yk_quarter(turned)));
+        if (J && t.slot > 0)
+            add_entry(J, n, column ? (size_t)column[turning] : turning, yk_scale(d, yk_quarter(turned)));
         if (J && t.distance != YK_NONE) add_entry(J, n, column ? (size_t)column[sliding] : sliding, turned);
     }
     residual[0] = total.x;
@@ -41,7 +43,8 @@ YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint)
     return (YkJointAngle){a->orientation, b->orientation, b->turn - a->turn};
 }
 
-// The first body of an orientation that the tree reaches gives it its angle: that of the body before, turned by the joint.
+// The first body of an orientation that the tree reaches gives it its angle: that of the body before, turned by the
+// joint.
 static void guess_orientation(const YkMechanism *mech, int32_t body, const double *coordinates, double *x)
 {
     int32_t joint = mech->tree.joint[body], to = mech->bodies[body].orientation;

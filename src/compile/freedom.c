@@ -1,5 +1,5 @@
-// The freedom by rank, part by part. Counting is not enough where constraints repeat each other: only the Jacobian of the closed
-// loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
+// The freedom by rank, part by part. Counting is not enough where constraints repeat each other: only the Jacobian of
+// the closed loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 // A machine falls into parts that share only the ground: their variables, loops and candidates, sorted by part.
 typedef struct Parts {
-    int32_t *of_variable, *column;     // per variable: its part, its place in it
+    int32_t *of_variable, *column; // per variable: its part, its place in it
     size_t count;
     uint32_t *variable_first, *loop_first, *candidate_first; // per part
     int32_t *variables, *loops, *candidates;
@@ -23,7 +23,8 @@ typedef struct Work { // on one part; x holds all variables of the machine
     uint64_t seed;
 } Work;
 
-// --- parts --------------------------------------------------------------------------------------------------------------
+// --- parts
+// --------------------------------------------------------------------------------------------------------------
 
 static int32_t leader(int32_t *up, int32_t v)
 {
@@ -72,7 +73,10 @@ static void sort_by_part(const int32_t *key, size_t count, size_t parts, uint32_
         if (key[i] >= 0) items[first[key[i] + 1]++] = (int32_t)i;
 }
 
-static int32_t part_of(const Parts *p, int32_t variable) { return variable == YK_NONE ? YK_NONE : p->of_variable[variable]; }
+static int32_t part_of(const Parts *p, int32_t variable)
+{
+    return variable == YK_NONE ? YK_NONE : p->of_variable[variable];
+}
 
 // Loops tie their variables together, and angles of the tree the two orientations between which they are.
 static void find_parts(Parts *p, const YkMechanism *mech, int32_t *up)
@@ -105,7 +109,8 @@ static bool sort_parts(Parts *p, const YkMechanism *mech, const int32_t *candida
     p->candidate_first = YK_NEW(arena, uint32_t, p->count + 2);
     if (yk_arena_failed(arena)) return false;
     sort_by_part(p->of_variable, n, p->count, p->variable_first, p->variables);
-    for (size_t v = 0; v < n; v++) p->column[p->variables[v]] = (int32_t)v - (int32_t)p->variable_first[p->of_variable[p->variables[v]]];
+    for (size_t v = 0; v < n; v++)
+        p->column[p->variables[v]] = (int32_t)v - (int32_t)p->variable_first[p->of_variable[p->variables[v]]];
     for (size_t l = 0; l < mech->loop_count; l++) key[l] = part_of(p, loop_variable(mech, l));
     sort_by_part(key, mech->loop_count, p->count, p->loop_first, p->loops);
     for (size_t k = 0; k < count; k++) key[k] = part_of(p, coordinate_variable(mech, candidates[k]));
@@ -113,9 +118,13 @@ static bool sort_parts(Parts *p, const YkMechanism *mech, const int32_t *candida
     return true;
 }
 
-// --- closing ------------------------------------------------------------------------------------------------------------
+// --- closing
+// ------------------------------------------------------------------------------------------------------------
 
-static bool is_angle(const Work *w, size_t column) { return (size_t)w->variables[column] < w->mech->orientation_count - 1; }
+static bool is_angle(const Work *w, size_t column)
+{
+    return (size_t)w->variables[column] < w->mech->orientation_count - 1;
+}
 
 static void save(const Work *w, double *to)
 {
@@ -185,7 +194,8 @@ static bool close_loops(Work *w)
     return now <= 1e-10;
 }
 
-// --- rank ---------------------------------------------------------------------------------------------------------------
+// --- rank
+// ---------------------------------------------------------------------------------------------------------------
 
 static size_t factor(Work *w)
 {
@@ -200,7 +210,8 @@ static double dot(const double *a, const double *b, size_t n)
     return sum;
 }
 
-// Makes `v` orthogonal to rows[count][n] of length 1; true, and v of length 1, when more than `tolerance` of it is left.
+// Makes `v` orthogonal to rows[count][n] of length 1; true, and v of length 1, when more than `tolerance` of it is
+// left.
 static bool orthogonalise(double *v, const double *rows, size_t count, size_t n, double tolerance)
 {
     for (int twice = 0; twice < 2; twice++)
@@ -214,7 +225,8 @@ static bool orthogonalise(double *v, const double *rows, size_t count, size_t n,
     return true;
 }
 
-// The motions that the factored Jacobian leaves, as orthonormal rows basis[n - rank][n]. Source: Golub & Van Loan 2013, 5.5.
+// The motions that the factored Jacobian leaves, as orthonormal rows basis[n - rank][n]. Source: Golub & Van Loan
+// 2013, 5.5.
 static size_t free_motions(Work *w, size_t rank)
 {
     size_t n = w->n, f = 0;
@@ -247,7 +259,8 @@ static void rates_of(const Work *w, int32_t coordinate, size_t f, double *rates)
 }
 
 // A candidate is an input when it moves in a way that those before it do not tell.
-static void accept(Work *w, const int32_t *candidates, const int32_t *members, size_t count, size_t rank, bool *accepted)
+static void accept(Work *w, const int32_t *candidates, const int32_t *members, size_t count, size_t rank,
+                   bool *accepted)
 {
     size_t f = free_motions(w, rank), taken = 0;
     double *told = w->A; // rows of length f <= n, in an orthonormal basis
@@ -260,8 +273,8 @@ static void accept(Work *w, const int32_t *candidates, const int32_t *members, s
     }
 }
 
-// At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than their
-// neighbours.
+// At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than
+// their neighbours.
 static int freedom_here(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
 {
     size_t best = 0;
@@ -295,8 +308,8 @@ static bool work_start(Work *w)
     return true;
 }
 
-// From the guesses, then from about them: the first pose that closes and moves; -1 when none closes. A machine with repeated
-// constraints can often be put together in rigid ways as well: these count only when nothing else is found.
+// From the guesses, then from about them: the first pose that closes and moves; -1 when none closes. A machine with
+// repeated constraints can often be put together in rigid ways as well: these count only when nothing else is found.
 static int measure(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
 {
     int freedom = -1;
@@ -330,12 +343,14 @@ static int part_freedom(Work *w, const Parts *p, size_t part, const int32_t *can
     return freedom;
 }
 
-bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const int32_t *candidates, size_t count, bool *accepted, int *freedom)
+bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const int32_t *candidates, size_t count,
+                        bool *accepted, int *freedom)
 {
     Parts parts = {0};
     YkArena *arena = yk_arena_new();
     Work w = {.mech = mech, .seed = 20261121};
-    bool ok = arena && (w.x = YK_NEW(arena, double, yk_variable_count(mech) + 1)) && sort_parts(&parts, mech, candidates, count, arena);
+    bool ok = arena && (w.x = YK_NEW(arena, double, yk_variable_count(mech) + 1)) &&
+              sort_parts(&parts, mech, candidates, count, arena);
     *freedom = 0;
     if (ok) yk_closure_guess(mech, guess, w.x);
     w.column = parts.column;

@@ -7,6 +7,10 @@ void yk_run_begin(const YkRun *run)
     size_t n = run->lanes;
     for (size_t k = 0; k < n; k++) margin[k] = 1;
     memset(run->space->gap, 0, n * sizeof(double));
+    for (size_t i = 0; i < run->mech->input_count; i++) { // inputs that are no numbers close nothing
+        const double *x = run->inputs[3 * i], *v = run->inputs[3 * i + 1], *a = run->inputs[3 * i + 2];
+        for (size_t k = 0; k < n; k++) margin[k] = 0 * x[k] + 0 * v[k] + 0 * a[k] == 0 ? margin[k] : -1;
+    }
 }
 
 static void add_term(const YkRun *run, YkTerm term, YkPlane out)

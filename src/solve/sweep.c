@@ -90,6 +90,14 @@ static YkStatus look_back(YkSweep *w, double at, double here)
     return status;
 }
 
+// Where a change point leaves no rates in the last digits of `at`, the motion turns round in it.
+static double at_change_point(const YkSweep *w, double at)
+{
+    for (size_t k = w->event_count; k-- > 0;)
+        if (w->events[k].kind == YK_EVENT_CHANGE_POINT && fabs(w->events[k].at - at) < 1e-5 * yk_path_scale(&w->path)) return w->events[k].at;
+    return at;
+}
+
 static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, double slope)
 {
     YkChannel value = w->channels[channel], rate = value;
@@ -104,6 +112,7 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
             to = middle;
     }
     double at = 0.5 * (from + to);
+    if (w->path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
     if (look_back(w, at, here) < 0) return;
     add_event(w, (YkEvent){.kind = YK_EVENT_EXTREME, .at = at, .block = -1, .channel = channel,
                            .value = yk_state_channel(w->path.state, value),
@@ -245,22 +254,35 @@ static void flip_at(YkSweep *w, double a, const double *margins)
         if (has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && !was_flipped_near(w, k, a)) flip(w, k, a);
 }
 
+// Over time: do the drives go farther between a and b than the path may be left unseen?
+static bool is_coarse(YkSweep *w, double a, double b)
+{
+    if (w->path.input >= 0 || yk_path_set(&w->path, 0.5 * (a + b), true) < 0) return false;
+    double scale = yk_path_scale(&w->path);
+    if (yk_path_set(&w->path, b, true) < 0) return false;
+    return fabs(b - a) > 1.001 * w->options.turn_max * fmin(scale, yk_path_scale(&w->path));
+}
+
+static bool halve(YkSweep *w, double a, double b, size_t depth)
+{
+    double middle = 0.5 * (a + b), *next = margins_of(w, depth + 1, 0);
+    memcpy(next, margins_of(w, depth, 0), w->margin_count * sizeof *next);
+    return advance(w, a, middle, depth + 1) && go_on(w, middle, b, depth);
+}
+
 // From the valid pose at a (margins known at this depth) to b. False when stopped.
 static bool advance(YkSweep *w, double a, double b, size_t depth)
 {
     double middle = 0.5 * (a + b);
+    if (depth + 1 < DEPTH_MAX && is_coarse(w, a, b)) return halve(w, a, b, depth);
     if (yk_path_try(&w->path, middle, true) < 0) return stop_or_pass(w, a, middle, depth) && go_on(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 1));
     if (yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 2));
     Verdict verdict = w->path.state->mech->has_groups ? CLEAR : look(w, a, b, depth); // groups are tracked: checked on the way
-    if (is_coarse(w, a, b, scale) && depth + 1 < DEPTH_MAX) verdict = FINER;
     if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch are references
-    if (verdict != FINER) return true;
-    double *next = margins_of(w, depth + 1, 0);
-    memcpy(next, margins_of(w, depth, 0), w->margin_count * sizeof *next);
-    return advance(w, a, middle, depth + 1) && go_on(w, middle, b, depth);
+    return verdict == FINER ? halve(w, a, b, depth) : true;
 }
 
 // The state stands at `from`, reached a moment ago: on to `to`, one level down.
@@ -370,7 +392,7 @@ static void try_change_row(YkSweep *w)
         }
 }
 
-static void run(YkSweep *w)
+static void run_rows(YkSweep *w)
 {
     const YkSweepOptions *o = &w->options;
     double last = o->from;
@@ -395,6 +417,13 @@ static void run(YkSweep *w)
         try_change_row(w);
         last = next;
     }
+}
+
+// The state ends at the last pose, with the motion's own rates.
+static void run(YkSweep *w)
+{
+    run_rows(w);
+    yk_path_probe(&w->path, w->path.last, false);
 }
 
 static bool allocate(YkSweep *w)
@@ -430,6 +459,7 @@ YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkCha
     if (!w) return NULL;
     w->options = *options;
     w->channel_count = channel_count;
+    w->problems = problems;
     if (!yk_path_start(&w->path, state, options->coordinate) || !allocate(w)) {
         yk_sweep_free(w);
         return NULL;

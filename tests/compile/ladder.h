@@ -1,11 +1,15 @@
-// Long machines as text, for cost: a ladder of four-bars, each driving the next, and an open chain with a drive at every joint.
+// Long machines as text, for cost: a ladder of four-bars, each driving the next, and an open chain with a drive at
+// every joint.
 #ifndef TESTS_COMPILE_LADDER_H
 #define TESTS_COMPILE_LADDER_H
 #include <stdarg.h>
 #include <stdlib.h>
 #include "check.h"
 
-typedef struct Story { char *text; size_t length, room; } Story;
+typedef struct Story {
+    char *text;
+    size_t length, room;
+} Story;
 
 static inline Story story_new(size_t room)
 {
@@ -30,11 +34,15 @@ static inline Story ladder(size_t count)
     tell(&s, "bodies:\n  ground: {points: {O0: [0, 0]");
     for (size_t k = 1; k <= count; k++) tell(&s, ", O%zu: [%zu, 0]", k, 2 * k);
     tell(&s, "}}\n");
-    for (size_t k = 0; k <= count; k++) tell(&s, "  c%zu: {points: {O%zu: [0, 0], A%zu: [1, 0], B%zu: [1, 0]}}\n", k, k, k, k + 1);
+    for (size_t k = 0; k <= count; k++)
+        tell(&s, "  c%zu: {points: {O%zu: [0, 0], A%zu: [1, 0], B%zu: [1, 0]}}\n", k, k, k, k + 1);
     for (size_t k = 1; k <= count; k++) tell(&s, "  r%zu: {points: {B%zu: [0, 0], A%zu: [2, 0]}}\n", k, k, k);
     tell(&s, "joints:\n  O0: {pin: [ground, c0], angle: t0}\n");
     for (size_t k = 1; k <= count; k++)
-        tell(&s, "  O%zu: {pin: [ground, c%zu], angle: t%zu}\n  B%zu: {pin: [c%zu, r%zu], angle: p%zu}\n  A%zu: {pin: [r%zu, c%zu]}\n", k, k, k, k, k - 1, k, k, k, k, k);
+        tell(&s,
+             "  O%zu: {pin: [ground, c%zu], angle: t%zu}\n  B%zu: {pin: [c%zu, r%zu], angle: p%zu}\n  A%zu: {pin: "
+             "[r%zu, c%zu]}\n",
+             k, k, k, k, k - 1, k, k, k, k, k);
     tell(&s, "drives: {t0: 60 deg}\n");
     return s;
 }

@@ -1,5 +1,6 @@
-// What the tests of compile and design share: a machine from text or from the gallery, and where its bodies are, computed
-// without orientations, sums or plans: joint after joint along the tree, in complex numbers with a complex step.
+// What the tests of compile and design share: a machine from text or from the gallery, and where its bodies are,
+// computed without orientations, sums or plans: joint after joint along the tree, in complex numbers with a complex
+// step.
 #ifndef TESTS_COMPILE_MACHINE_H
 #define TESTS_COMPILE_MACHINE_H
 #include <complex.h>
@@ -33,7 +34,7 @@ static inline Machine machine_try_with(const char *source, const YkLoadOptions *
         m.model = yk_model_parse(source, strlen(source), "test.yaml", load, m.problems);
     } else {
         char path[512];
-        snprintf(path, sizeof path, YOKE_ROOT "/examples/%s.yaml", source);
+        snprintf(path, sizeof path, YOKE_ROOT "/examples/%.100s.yaml", source);
         m.model = yk_model_load(path, load, m.problems);
     }
     if (!m.model) print_error("%s\n%s", source, yk_problems_text(m.problems, 0));
@@ -41,7 +42,10 @@ static inline Machine machine_try_with(const char *source, const YkLoadOptions *
     m.mech = yk_mechanism_compile(m.model, options, m.problems);
     return m;
 }
-static inline Machine machine_try(const char *source, const YkCompileOptions *options) { return machine_try_with(source, NULL, options); }
+static inline Machine machine_try(const char *source, const YkCompileOptions *options)
+{
+    return machine_try_with(source, NULL, options);
+}
 
 static inline Machine machine_with(const char *source, const YkCompileOptions *options)
 {
@@ -50,7 +54,10 @@ static inline Machine machine_with(const char *source, const YkCompileOptions *o
     assert_non_null(m.mech);
     return m;
 }
-static inline Machine machine(const char *source) { return machine_with(source, NULL); }
+static inline Machine machine(const char *source)
+{
+    return machine_with(source, NULL);
+}
 
 // Must be refused with this code; message or hint of the first such problem holds `part`.
 static inline void machine_refused(const char *source, const YkCompileOptions *options, int code, const char *part)
@@ -61,16 +68,20 @@ static inline void machine_refused(const char *source, const YkCompileOptions *o
         const YkProblem *p = yk_problems_get(m.problems, k);
         is_right = is_right || (p->code == code && (strstr(p->message, part) || (p->hint && strstr(p->hint, part))));
     }
-    if (m.mech || !is_right) print_error("expected E%04d (%s) of\n%s\nfound\n%s", code, part, source, yk_problems_text(m.problems, 0));
+    if (m.mech || !is_right)
+        print_error("expected E%04d (%s) of\n%s\nfound\n%s", code, part, source, yk_problems_text(m.problems, 0));
     assert_null(m.mech);
     assert_true(is_right);
     machine_free(&m);
 }
 
-// --- bodies without the engine ------------------------------------------------------------------------------------------
+// --- bodies without the engine
+// ------------------------------------------------------------------------------------------
 
 // A vector whose components carry a complex step.
-typedef struct Vector { double complex x, y; } Vector;
+typedef struct Vector {
+    double complex x, y;
+} Vector;
 
 typedef struct Pose {
     double complex *angle;    // per body
@@ -83,7 +94,10 @@ static inline Vector turned(double complex angle, double x, double y)
     double complex c = ccos(angle), s = csin(angle);
     return (Vector){c * x - s * y, s * x + c * y};
 }
-static inline Vector sum(Vector a, Vector b, double sign) { return (Vector){a.x + sign * b.x, a.y + sign * b.y}; }
+static inline Vector sum(Vector a, Vector b, double sign)
+{
+    return (Vector){a.x + sign * b.x, a.y + sign * b.y};
+}
 
 // Where the joint's place on its first body, moved along its line, is; and its place on the second body.
 static inline Vector first_point(const YkModel *model, const Pose *pose, size_t joint)
@@ -186,7 +200,8 @@ static inline void random_variables(const YkMechanism *mech, uint64_t *seed, dou
         x[k] = k < o ? check_uniform(seed, -3.2, 3.2) : check_uniform(seed, -2, 2) * mech->size;
 }
 
-// --- what a mechanism is, as one line ----------------------------------------------------------------------------------
+// --- what a mechanism is, as one line
+// ----------------------------------------------------------------------------------
 
 static inline void add_text(char *text, size_t capacity, const char *format, const char *a, const char *b)
 {
@@ -216,7 +231,8 @@ static inline void describe_inputs(const YkMechanism *mech, char *text, size_t c
 static inline void describe_coordinates(const YkMechanism *mech, char *text, size_t capacity)
 {
     text[0] = 0;
-    for (size_t k = 0; k < yk_coordinate_count(mech); k++) add_text(text, capacity, "%s%s%s", yk_coordinate_info(mech, k).name, "");
+    for (size_t k = 0; k < yk_coordinate_count(mech); k++)
+        add_text(text, capacity, "%s%s%s", yk_coordinate_info(mech, k).name, "");
 }
 
 #endif

@@ -43,7 +43,8 @@ static void names_and_channels_are_one_to_one(void **state)
         check_round_trip(&m, (YkChannel){YK_CHANNEL_TIME, 0, 0, YK_QUANTITY_TIME});
         for (int order = 0; order < 3; order++) {
             for (size_t c = 0; c < yk_coordinate_count(m.mech); c++)
-                check_round_trip(&m, (YkChannel){YK_CHANNEL_COORDINATE, (int)c, order, quantity(yk_coordinate_info(m.mech, c).is_distance, order)});
+                check_round_trip(&m, (YkChannel){YK_CHANNEL_COORDINATE, (int)c, order,
+                                                 quantity(yk_coordinate_info(m.mech, c).is_distance, order)});
             for (size_t b = 0; b < yk_model_body_count(m.model); b++)
                 if (yk_names_find(&m.model->joint_names, yk_model_body_name(m.model, b)) == YK_NONE)
                     check_round_trip(&m, (YkChannel){YK_CHANNEL_BODY, (int)b, order, quantity(false, order)});
@@ -53,7 +54,8 @@ static void names_and_channels_are_one_to_one(void **state)
                 if (order == 0) check_round_trip(&m, (YkChannel){YK_CHANNEL_POINT_SPEED, (int)p, 0, YK_QUANTITY_SPEED});
             }
         }
-        for (size_t b = 0; b < yk_block_count(m.mech); b++) check_round_trip(&m, (YkChannel){YK_CHANNEL_TRANSMISSION, (int)b, 0, YK_QUANTITY_ANGLE});
+        for (size_t b = 0; b < yk_block_count(m.mech); b++)
+            check_round_trip(&m, (YkChannel){YK_CHANNEL_TRANSMISSION, (int)b, 0, YK_QUANTITY_ANGLE});
         machine_free(&m);
     }
 }
@@ -67,7 +69,8 @@ static void joints_off_the_tree_can_be_asked_for_too(void **state)
         char name[100];
         for (int order = 0; order < 3; order++) {
             static const char *const ends[] = {"", ".rate", ".accel"};
-            snprintf(name, sizeof name, "%s.%s%s", m.model->joints[j].name, part->turns ? "angle" : "distance", ends[order]);
+            snprintf(name, sizeof name, "%s.%s%s", m.model->joints[j].name, part->turns ? "angle" : "distance",
+                     ends[order]);
             YkChannel channel = parse(&m, name);
             assert_int_equal(channel.kind, part->turns ? YK_CHANNEL_JOINT_ANGLE : YK_CHANNEL_JOINT_DISTANCE);
             assert_int_equal(channel.index, j);
@@ -82,7 +85,12 @@ static void the_names_of_the_manual_parse_as_it_says(void **state)
 {
     (void)state;
     Machine m = machine("quick-return");
-    static const struct { const char *name; YkChannelKind kind; int order; YkQuantity quantity; } cases[] = {
+    static const struct {
+        const char *name;
+        YkChannelKind kind;
+        int order;
+        YkQuantity quantity;
+    } cases[] = {
         {"t", YK_CHANNEL_TIME, 0, YK_QUANTITY_TIME},
         {"theta2", YK_CHANNEL_COORDINATE, 0, YK_QUANTITY_ANGLE},
         {"theta2.rate", YK_CHANNEL_COORDINATE, 1, YK_QUANTITY_ANGLE_RATE},
@@ -110,23 +118,45 @@ static void the_names_of_the_manual_parse_as_it_says(void **state)
 static void unknown_names_are_refused_with_a_hint(void **state)
 {
     (void)state;
-    static const struct { const char *name, *hint; } cases[] = {
-        {"theta3", "did you mean `theta"}, {"thetta4", "`theta4`"}, {"theta2.rat", "ask for"}, {"Theta4", "`theta4`"}, {"levr.angle", "`lever.angle`"},
-        {"ram.B.x", "`ram.C"}, {"nothing.at.all", "ask for a coordinate"}, {"", "ask for a coordinate"}, {".rate", "ask for"}, {"t.rate", ""},
-        {"ram.C", ""}, {"ram.C.z", ""}, {"ram.C.speed.rate", ""}, {"S.angle", ""}, {"A.distance", ""}, {"B.transmission", ""}, {"lever", ""},
-        {"C.transmission.rate", ""}, {"theta2.rate.rate", ""}, {"ground..x", ""},
+    static const struct {
+        const char *name, *hint;
+    } cases[] = {
+        {"theta3", "did you mean `theta"},
+        {"thetta4", "`theta4`"},
+        {"theta2.rat", "ask for"},
+        {"Theta4", "`theta4`"},
+        {"levr.angle", "`lever.angle`"},
+        {"ram.B.x", "`ram.C"},
+        {"nothing.at.all", "ask for a coordinate"},
+        {"", "ask for a coordinate"},
+        {".rate", "ask for"},
+        {"t.rate", ""},
+        {"ram.C", ""},
+        {"ram.C.z", ""},
+        {"ram.C.speed.rate", ""},
+        {"S.angle", ""},
+        {"A.distance", ""},
+        {"B.transmission", ""},
+        {"lever", ""},
+        {"C.transmission.rate", ""},
+        {"theta2.rate.rate", ""},
+        {"ground..x", ""},
     };
     Machine m = machine("quick-return");
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         YkChannel channel;
         YkProblems *problems = yk_problems_new();
         YkStatus status = yk_channel_parse(m.mech, cases[k].name, &channel, problems);
-        bool is_right = status == YK_BAD_ARGUMENT && yk_problems_count(problems) == 1 && yk_problems_get(problems, 0)->code == YK_CODE_UNKNOWN_CHANNEL &&
+        bool is_right = status == YK_BAD_ARGUMENT && yk_problems_count(problems) == 1 &&
+                        yk_problems_get(problems, 0)->code == YK_CODE_UNKNOWN_CHANNEL &&
                         yk_problems_get(problems, 0)->hint && strstr(yk_problems_get(problems, 0)->hint, cases[k].hint);
-        if (!is_right) print_error("`%s` should have the hint %s:\n%s", cases[k].name, cases[k].hint, yk_problems_text(problems, 0));
+        if (!is_right)
+            print_error("`%s` should have the hint %s:\n%s", cases[k].name, cases[k].hint,
+                        yk_problems_text(problems, 0));
         assert_true(is_right);
         yk_problems_free(problems);
-        assert_int_equal(yk_channel_parse(m.mech, cases[k].name, &channel, NULL), YK_BAD_ARGUMENT); // nor is a list needed
+        assert_int_equal(yk_channel_parse(m.mech, cases[k].name, &channel, NULL),
+                         YK_BAD_ARGUMENT); // nor is a list needed
     }
     machine_free(&m);
 }

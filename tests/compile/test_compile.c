@@ -4,7 +4,10 @@
 #include "machine.h"
 #include "table.h"
 
-static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
+static double seconds(void)
+{
+    return (double)clock() / CLOCKS_PER_SEC;
+}
 
 // Seconds a link, the best of a few runs: the processor's time, since other programs run beside.
 static double cost_per_link(Story story, size_t links, int runs, size_t blocks, size_t inputs)

@@ -2,19 +2,24 @@
 #include "machine.h"
 #include "table.h"
 
-// The awkward Stephenson: three arms on a ternary link, driven by its output. Names end in `k`; `drive` holds the output's angle.
+// The awkward Stephenson: three arms on a ternary link, driven by its output. Names end in `k`; `drive` holds the
+// output's angle.
 static size_t add_bodies(char *text, size_t capacity, const char *k, const char *output)
 {
-    return (size_t)snprintf(text, capacity,
-                            "  crank%s: {points: {P%s: [0, 0], A%s: [1, 0]}}\n  coupler%s: {points: {A%s: [0, 0], B%s: [3.5, 0], C%s: [2, 1.5]}}\n"
-                            "  rocker%s: {points: {Q%s: [0, 0], B%s: [3, 0]}}\n  link%s: {points: {C%s: [0, 0], %s: [4.5, 0]}}\n",
-                            k, k, k, k, k, k, k, k, k, k, k, k, output);
+    return (size_t)snprintf(
+        text, capacity,
+        "  crank%s: {points: {P%s: [0, 0], A%s: [1, 0]}}\n  coupler%s: {points: {A%s: [0, 0], B%s: [3.5, 0], C%s: [2, "
+        "1.5]}}\n"
+        "  rocker%s: {points: {Q%s: [0, 0], B%s: [3, 0]}}\n  link%s: {points: {C%s: [0, 0], %s: [4.5, 0]}}\n",
+        k, k, k, k, k, k, k, k, k, k, k, k, output);
 }
 static size_t add_joints(char *text, size_t capacity, const char *k, const char *driver, const char *output)
 {
     return (size_t)snprintf(text, capacity,
-                            "  %s: {pin: [%s, link%s], angle: v%s}\n  P%s: {pin: [ground, crank%s], angle: p%s}\n  A%s: {pin: [crank%s, coupler%s], angle: a%s}\n"
-                            "  Q%s: {pin: [ground, rocker%s], angle: q%s}\n  B%s: {pin: [coupler%s, rocker%s]}\n  C%s: {pin: [coupler%s, link%s]}\n",
+                            "  %s: {pin: [%s, link%s], angle: v%s}\n  P%s: {pin: [ground, crank%s], angle: p%s}\n  "
+                            "A%s: {pin: [crank%s, coupler%s], angle: a%s}\n"
+                            "  Q%s: {pin: [ground, rocker%s], angle: q%s}\n  B%s: {pin: [coupler%s, rocker%s]}\n  C%s: "
+                            "{pin: [coupler%s, link%s]}\n",
                             output, driver, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k);
 }
 
@@ -25,15 +30,19 @@ static void groups_that_feed_each_other_are_solved_in_order(void **state)
     for (int order = 0; order < 2; order++) {
         char text[6000];
         size_t n = (size_t)snprintf(text, sizeof text,
-                                    "bodies:\n  ground: {points: {O: [6, 2.5], P1: [0, 0], Q1: [4, 0], P2: [-6, -2.5], Q2: [-2, -2.5]}}\n  output: {points: {O: [0, 0], D1: [2.5, 0]}}\n");
+                                    "bodies:\n  ground: {points: {O: [6, 2.5], P1: [0, 0], Q1: [4, 0], P2: [-6, -2.5], "
+                                    "Q2: [-2, -2.5]}}\n  output: {points: {O: [0, 0], D1: [2.5, 0]}}\n");
         n += add_bodies(text + n, sizeof text - n, "1", "D1");
         n += add_bodies(text + n, sizeof text - n, "2", "D2");
-        n += (size_t)snprintf(text + n, sizeof text - n, "  arm: {points: {A1: [0, 0], D2: [2.5, 0]}}\njoints:\n  O: {pin: [ground, output], angle: w}\n");
+        n += (size_t)snprintf(
+            text + n, sizeof text - n,
+            "  arm: {points: {A1: [0, 0], D2: [2.5, 0]}}\njoints:\n  O: {pin: [ground, output], angle: w}\n");
         if (order) n += add_joints(text + n, sizeof text - n, "2", "arm", "D2");
         n += add_joints(text + n, sizeof text - n, "1", "output", "D1");
         if (!order) n += add_joints(text + n, sizeof text - n, "2", "arm", "D2");
         n += (size_t)snprintf(text + n, sizeof text - n, "  W: {weld: [crank1, arm], at: A1}\n");
-        snprintf(text + n, sizeof text - n, "drives: {w: 120 deg}\nstart: {p1: 120 deg, a1: -90 deg, q1: 119 deg, v1: -101 deg}\n");
+        snprintf(text + n, sizeof text - n,
+                 "drives: {w: 120 deg}\nstart: {p1: 120 deg, a1: -90 deg, q1: 119 deg, v1: -101 deg}\n");
         Machine m = machine(text);
         YkFreedom f = yk_mechanism_freedom(m.mech);
         assert_int_equal(f.gruebler, 1);

@@ -42,7 +42,8 @@ static void each_loop_is_a_ring_of_joints(void **state)
             assert_int_equal(bodies[0], yk_model_joint_body(m.model, joint, 0));
             assert_int_equal(bodies[count - 1], yk_model_joint_body(m.model, joint, 1));
             for (size_t i = 0; i + 1 < count; i++) {
-                bool is_up = m.mech->tree.parent[bodies[i]] == (int32_t)bodies[i + 1], is_down = m.mech->tree.parent[bodies[i + 1]] == (int32_t)bodies[i];
+                bool is_up = m.mech->tree.parent[bodies[i]] == (int32_t)bodies[i + 1],
+                     is_down = m.mech->tree.parent[bodies[i + 1]] == (int32_t)bodies[i];
                 assert_true(is_up || is_down);
                 for (size_t j = i + 1; j < count; j++) assert_true(bodies[i] != bodies[j]);
             }
@@ -68,8 +69,15 @@ static void coordinates_know_their_joint_and_drive(void **state)
 {
     (void)state;
     Machine m = machine("quick-return");
-    static const struct { const char *name, *joint; bool is_distance, has_drive; int input; } cases[] = {
-        {"theta1", "O1", false, true, 0}, {"theta2", "O2", false, false, -1}, {"d3", "S", true, false, -1}, {"theta4", "B", false, false, -1}, {"d5", "R", true, false, -1}};
+    static const struct {
+        const char *name, *joint;
+        bool is_distance, has_drive;
+        int input;
+    } cases[] = {{"theta1", "O1", false, true, 0},
+                 {"theta2", "O2", false, false, -1},
+                 {"d3", "S", true, false, -1},
+                 {"theta4", "B", false, false, -1},
+                 {"d5", "R", true, false, -1}};
     assert_int_equal(yk_coordinate_count(m.mech), 5);
     for (size_t k = 0; k < 5; k++) {
         YkCoordinateInfo info = yk_coordinate_info(m.mech, k);
@@ -96,7 +104,8 @@ static void coordinates_are_found_by_joint_and_kind(void **state)
             for (int is_distance = 0; is_distance < 2; is_distance++) {
                 int32_t expected = YK_NONE;
                 for (size_t c = 0; c < m.mech->coordinate_count; c++)
-                    if (m.mech->coordinates[c].joint == (int32_t)j && m.mech->coordinates[c].is_distance == is_distance) expected = (int32_t)c;
+                    if (m.mech->coordinates[c].joint == (int32_t)j && m.mech->coordinates[c].is_distance == is_distance)
+                        expected = (int32_t)c;
                 assert_int_equal(yk_tree_coordinate(m.mech, (int32_t)j, is_distance), expected);
             }
         machine_free(&m);

@@ -1,14 +1,17 @@
-// Which coordinates are inputs: those asked for, then drives, then `start:`, then others; too many are reported by name.
+// Which coordinates are inputs: those asked for, then drives, then `start:`, then others; too many are reported by
+// name.
 #include "compile/inputs.h"
 #include "machine.h"
 #include "table.h"
 
-#define FIVE_BAR                                                                                                                  \
-    "bodies:\n"                                                                                                                   \
-    "  ground: {points: {L: [0, 0], R: [2, 0]}}\n" LINK("a", "L", "A", "1") LINK("b", "A", "P", "2") LINK("c", "R", "C", "1") LINK("d", "C", "P", "2") \
-    "joints:\n"                                                                                                                   \
-    "  L: {pin: [ground, a], angle: p}\n  R: {pin: [ground, c], angle: q}\n  A: {pin: [a, b], angle: u}\n  C: {pin: [c, d], angle: v}\n" \
-    "  P: {pin: [b, d]}\n"
+#define FIVE_BAR                                                                                                       \
+    "bodies:\n"                                                                                                        \
+    "  ground: {points: {L: [0, 0], R: [2, 0]}}\n" LINK("a", "L", "A", "1") LINK("b", "A", "P", "2")                   \
+        LINK("c", "R", "C", "1")                                                                                       \
+            LINK("d", "C", "P", "2") "joints:\n"                                                                       \
+                                     "  L: {pin: [ground, a], angle: p}\n  R: {pin: [ground, c], angle: q}\n  A: "     \
+                                     "{pin: [a, b], angle: u}\n  C: {pin: [c, d], angle: v}\n"                         \
+                                     "  P: {pin: [b, d]}\n"
 
 static void check_inputs(const char *source, const char *const *asked, size_t count, const char *expected)
 {
@@ -68,15 +71,20 @@ static void a_coordinate_asked_for_replaces_one_drive_only(void **state)
 static void driven_coordinates_that_depend_on_each_other_are_reported_by_name(void **state)
 {
     (void)state;
-    machine_refused("bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") LINK("b", "A", "B", "3.5") LINK("c", "Q", "B", "3")
-                    "joints: {O: {pin: [ground, a], angle: p}, A: {pin: [a, b], angle: q}, Q: {pin: [ground, c], angle: r}, B: {pin: [b, c]}}\n"
-                    "drives: {p: 1, r: 2}\n",
-                    NULL, YK_CODE_OVERDRIVEN, "`r` is driven, but the other drives already fix it: the machine has 1 freedom");
-    machine_refused(FIVE_BAR "drives: {q: 1, p: 2, v: 3}\n", NULL, YK_CODE_OVERDRIVEN, "`v` is driven, but the other drives already fix it: the machine has 2 freedoms");
-    machine_refused("bodies:\n  ground: {points: {A: [0, 0], B: [2, 0]}}\n" LINK("a", "A", "C", "1.5") LINK("b", "B", "C", "1.2")
-                    "joints: {A: {pin: [ground, a], angle: p}, B: {pin: [ground, b], angle: q}, C: {pin: [a, b]}}\n"
-                    "drives: {q: 2}\n",
-                    NULL, YK_CODE_OVERDRIVEN, "`q` is driven, but the other drives already fix it: the machine has 0 freedoms");
+    machine_refused(
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") LINK("b", "A", "B", "3.5")
+            LINK("c", "Q", "B", "3") "joints: {O: {pin: [ground, a], angle: p}, A: {pin: [a, b], angle: q}, Q: {pin: "
+                                     "[ground, c], angle: r}, B: {pin: [b, c]}}\n"
+                                     "drives: {p: 1, r: 2}\n",
+        NULL, YK_CODE_OVERDRIVEN, "`r` is driven, but the other drives already fix it: the machine has 1 freedom");
+    machine_refused(FIVE_BAR "drives: {q: 1, p: 2, v: 3}\n", NULL, YK_CODE_OVERDRIVEN,
+                    "`v` is driven, but the other drives already fix it: the machine has 2 freedoms");
+    machine_refused(
+        "bodies:\n  ground: {points: {A: [0, 0], B: [2, 0]}}\n" LINK("a", "A", "C", "1.5")
+            LINK("b", "B", "C",
+                 "1.2") "joints: {A: {pin: [ground, a], angle: p}, B: {pin: [ground, b], angle: q}, C: {pin: [a, b]}}\n"
+                        "drives: {q: 2}\n",
+        NULL, YK_CODE_OVERDRIVEN, "`q` is driven, but the other drives already fix it: the machine has 0 freedoms");
 }
 
 // Counting alone would let three drives pass on three freedoms, two of them on the same four-bar.
@@ -103,8 +111,10 @@ static void a_drive_on_a_redundant_machine_is_judged_by_rank(void **state)
 static void too_many_asked_for_are_reported_by_name(void **state)
 {
     (void)state;
-    machine_refused("four-bar", &(YkCompileOptions){ASKED("theta4", "gamma")}, YK_CODE_OVERDRIVEN, "coordinate `gamma` cannot be set as well");
-    machine_refused(FIVE_BAR, &(YkCompileOptions){ASKED("p", "q", "u")}, YK_CODE_OVERDRIVEN, "`u` cannot be set as well: the machine has 2 freedoms");
+    machine_refused("four-bar", &(YkCompileOptions){ASKED("theta4", "gamma")}, YK_CODE_OVERDRIVEN,
+                    "coordinate `gamma` cannot be set as well");
+    machine_refused(FIVE_BAR, &(YkCompileOptions){ASKED("p", "q", "u")}, YK_CODE_OVERDRIVEN,
+                    "`u` cannot be set as well: the machine has 2 freedoms");
 }
 
 static void unknown_ones_are_reported_by_name(void **state)
@@ -140,7 +150,8 @@ static void undeclared_machines_get_names_of_their_joints(void **state)
         assert_int_equal(info.joint, k);
     }
     machine_free(&m);
-    m = machine("bodies: {a: {points: {K: [1, 0]}}, ground: {}}\njoints: {K: {pin-slot: [ground, a], along: x}, P: {slide: [ground, a], along: y}}\n");
+    m = machine("bodies: {a: {points: {K: [1, 0]}}, ground: {}}\njoints: {K: {pin-slot: [ground, a], along: x}, P: "
+                "{slide: [ground, a], along: y}}\n");
     describe_coordinates(m.mech, text, sizeof text);
     assert_string_equal(text, "P.distance"); // a slide is preferred to a pin-slot, which closes the loop
     machine_free(&m);
@@ -149,8 +160,9 @@ static void undeclared_machines_get_names_of_their_joints(void **state)
 static void names_may_be_given_by_mention(void **state)
 {
     (void)state;
-    check_inputs("bodies: {a: {}, b: {}}\njoints: {P: {pin: [ground, a]}, S: {slide: [a, b], along: x}}\ndrives: {S.distance: 1}\nstart: {P.angle: 1}\n", NULL, 0,
-                 "S.distance, P.angle");
+    check_inputs("bodies: {a: {}, b: {}}\njoints: {P: {pin: [ground, a]}, S: {slide: [a, b], along: x}}\ndrives: "
+                 "{S.distance: 1}\nstart: {P.angle: 1}\n",
+                 NULL, 0, "S.distance, P.angle");
     check_inputs(undeclared, ASKED("Q.angle"), "Q.angle");
 }
 

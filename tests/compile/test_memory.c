@@ -1,5 +1,6 @@
-// Compiling survives the failure of any one allocation, and of all from any one on: it is refused, nothing leaks, nothing crashes,
-// and what is not refused is the same mechanism. Interposes malloc, so only with glibc and without sanitizers that do the same.
+// Compiling survives the failure of any one allocation, and of all from any one on: it is refused, nothing leaks,
+// nothing crashes, and what is not refused is the same mechanism. Interposes malloc, so only with glibc and without
+// sanitizers that do the same.
 #include "machine.h"
 #include "table.h"
 
@@ -20,7 +21,7 @@ extern void __libc_free(void *memory);
 
 static long countdown = -1; // allocations until one fails; below 0: none fails
 static bool fails_for_good, has_failed;
-static long live;           // blocks that are not freed
+static long live; // blocks that are not freed
 
 static bool must_fail(void)
 {
@@ -66,7 +67,10 @@ typedef struct Summary {
 
 static Summary summarise(const YkMechanism *mech)
 {
-    Summary s = {.steps = mech->step_count, .terms = mech->term_count, .redundant = yk_redundant_count(mech), .freedom = yk_mechanism_freedom(mech)};
+    Summary s = {.steps = mech->step_count,
+                 .terms = mech->term_count,
+                 .redundant = yk_redundant_count(mech),
+                 .freedom = yk_mechanism_freedom(mech)};
     describe_inputs(mech, s.inputs, sizeof s.inputs);
     describe_blocks(mech, s.blocks, sizeof s.blocks);
     return s;
@@ -83,7 +87,8 @@ static void check_equal(const Summary *a, const Summary *b)
 }
 
 // Compiles while allocation number k fails. True when k is beyond the last one, so that nothing was disturbed.
-static bool compile_while_failing(const YkModel *model, const YkCompileOptions *options, long k, const Summary *expected)
+static bool compile_while_failing(const YkModel *model, const YkCompileOptions *options, long k,
+                                  const Summary *expected)
 {
     YkProblems *problems = yk_problems_new();
     assert_non_null(problems);
@@ -134,8 +139,12 @@ static void what_is_wrong_is_refused_whichever_allocation_fails(void **state)
     (void)state;
     const char *both[] = {"theta4", "gamma"};
     check_all("four-bar", &(YkCompileOptions){both, 2});
-    check_all("bodies: {a: {}, b: {}}\njoints: {S: {slide: [ground, a], along: x}, T: {slide: [a, b], along: y}, U: {slide: [b, ground], along: 0.3, turned: 1}}\n", NULL);
-    check_all("bodies: {a: {}, b: {}}\njoints: {S: {pin: [ground, a], angle: p}, T: {slide: [a, b], along: y, distance: q}, U: {pin: [b, ground], angle: r}}\n", NULL);
+    check_all("bodies: {a: {}, b: {}}\njoints: {S: {slide: [ground, a], along: x}, T: {slide: [a, b], along: y}, U: "
+              "{slide: [b, ground], along: 0.3, turned: 1}}\n",
+              NULL);
+    check_all("bodies: {a: {}, b: {}}\njoints: {S: {pin: [ground, a], angle: p}, T: {slide: [a, b], along: y, "
+              "distance: q}, U: {pin: [b, ground], angle: r}}\n",
+              NULL);
 }
 
 static void channels_are_read_and_written_whichever_allocation_fails(void **state)
@@ -165,9 +174,18 @@ static void channels_are_read_and_written_whichever_allocation_fails(void **stat
     machine_free(&m);
 }
 #else
-static void a_machine_is_compiled_or_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
-static void what_is_wrong_is_refused_whichever_allocation_fails(void **state) { (void)state, skip(); }
-static void channels_are_read_and_written_whichever_allocation_fails(void **state) { (void)state, skip(); }
+static void a_machine_is_compiled_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
+static void what_is_wrong_is_refused_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
+static void channels_are_read_and_written_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
 #endif
 
 int main(void)

@@ -1,5 +1,6 @@
-// The order of solution: which blocks, with which labels, in which order, for every machine of the table; and what any plan must
-// satisfy: each body is placed once, each block needs only what stands before it, each unknown is found exactly once.
+// The order of solution: which blocks, with which labels, in which order, for every machine of the table; and what any
+// plan must satisfy: each body is placed once, each block needs only what stands before it, each unknown is found
+// exactly once.
 #include "compile/plan.h"
 #include "machine.h"
 #include "table.h"
@@ -15,7 +16,8 @@ static void freedom_inputs_loops_and_blocks_are_as_known(void **state)
         char inputs[200], blocks[400];
         describe_inputs(m.mech, inputs, sizeof inputs);
         describe_blocks(m.mech, blocks, sizeof blocks);
-        if (f.gruebler != known->gruebler || f.by_rank != known->by_rank || strcmp(blocks, known->blocks)) print_error("%s\n", known->source);
+        if (f.gruebler != known->gruebler || f.by_rank != known->by_rank || strcmp(blocks, known->blocks))
+            print_error("%s\n", known->source);
         assert_int_equal(f.gruebler, known->gruebler);
         assert_int_equal(f.by_rank, known->by_rank);
         assert_int_equal(f.redundant, known->by_rank - known->gruebler);
@@ -43,7 +45,8 @@ static void gruebler_counts_three_a_body_less_what_joints_take(void **state)
     }
 }
 
-// --- laws of any plan ---------------------------------------------------------------------------------------------------
+// --- laws of any plan
+// ---------------------------------------------------------------------------------------------------
 
 typedef struct Seen {
     bool *slot, *distance, *node;
@@ -120,7 +123,8 @@ static void run_step(const YkMechanism *mech, Seen *seen, const YkStep *step)
 
 static void check_plan(const YkMechanism *mech)
 {
-    Seen seen = {calloc(mech->slot_count + 1, sizeof(bool)), calloc(mech->distance_count + 1, sizeof(bool)), calloc(mech->node_count + 1, sizeof(bool))};
+    Seen seen = {calloc(mech->slot_count + 1, sizeof(bool)), calloc(mech->distance_count + 1, sizeof(bool)),
+                 calloc(mech->node_count + 1, sizeof(bool))};
     assert_true(seen.slot && seen.distance && seen.node);
     seen.slot[0] = true;
     for (size_t s = 0; s < mech->step_count; s++) run_step(mech, &seen, &mech->steps[s]);
@@ -161,7 +165,8 @@ static void every_choice_of_inputs_gives_a_valid_plan_or_is_refused(void **state
                 check_plan(m.mech);
                 planned++;
             } else {
-                assert_int_equal(yk_problems_get(m.problems, yk_problems_count(m.problems) - 1)->code, YK_CODE_OVERDRIVEN);
+                assert_int_equal(yk_problems_get(m.problems, yk_problems_count(m.problems) - 1)->code,
+                                 YK_CODE_OVERDRIVEN);
                 refused++;
             }
             machine_free(&m);
@@ -190,7 +195,8 @@ static void blocks_list_the_bodies_and_joints_they_place_once(void **state)
             if (info.kind == YK_BLOCK_GROUP) assert_true(info.equations >= info.unknowns && info.assur_class >= 3);
             for (size_t i = 0; i < info.body_count; i++) placed[yk_block_body(m.mech, b, i)]++;
             for (size_t i = 0; i < info.joint_count; i++) used[yk_block_joint(m.mech, b, i)]++;
-            for (size_t other = 0; other < b; other++) assert_string_not_equal(info.label, yk_block_info(m.mech, other).label);
+            for (size_t other = 0; other < b; other++)
+                assert_string_not_equal(info.label, yk_block_info(m.mech, other).label);
         }
         assert_int_equal(placed[0], 0);
         for (size_t b = 0; b < yk_model_body_count(m.model); b++) assert_true(placed[b] <= 1);
@@ -203,8 +209,13 @@ static void blocks_list_the_bodies_and_joints_they_place_once(void **state)
 static void redundant_joints_are_named(void **state)
 {
     (void)state;
-    static const struct { const char *source, *joint; } cases[] = {
-        {"three-crank-parallelogram", "A3"}, {"doubled-guide", "lower"}, {tied_parallelogram, "N"}, {cardan, "V"}, {braced_square, "Cp"}};
+    static const struct {
+        const char *source, *joint;
+    } cases[] = {{"three-crank-parallelogram", "A3"},
+                 {"doubled-guide", "lower"},
+                 {tied_parallelogram, "N"},
+                 {cardan, "V"},
+                 {braced_square, "Cp"}};
     for (size_t k = 0; k < 5; k++) {
         Machine m = machine(cases[k].source);
         assert_int_equal(yk_redundant_count(m.mech), 1);
@@ -243,18 +254,25 @@ static void clusters_inside_groups_are_walked_from_any_end(void **state)
         assert_non_null(text);
         // the awkward Stephenson, its coupler's point A held over a long chain of welds
         n += (size_t)snprintf(text + n, room - n,
-                              "bodies:\n  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [6, 2.5]}}\n" LINK("crank", "O2", "A", "1")
-                                  LINK("rocker", "O4", "B", "3") LINK("link", "C", "D", "4.5") LINK("output", "O6", "D", "2.5")
-                              "  w0: {points: {%s}}\n",
+                              "bodies:\n  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [6, 2.5]}}\n" LINK(
+                                  "crank", "O2", "A", "1") LINK("rocker", "O4", "B", "3") LINK("link", "C", "D", "4.5")
+                                  LINK("output", "O6", "D", "2.5") "  w0: {points: {%s}}\n",
                               far_end ? "B: [3.5, 0], C: [2, 1.5]" : "A: [0, 0]");
         for (int k = 1; k < CHAIN; k++)
-            n += (size_t)snprintf(text + n, room - n, "  w%d: {%s}\n", k, k < CHAIN - 1 ? "" : far_end ? "points: {A: [0, 0]}" : "points: {B: [3.5, 0], C: [2, 1.5]}");
+            n += (size_t)snprintf(text + n, room - n, "  w%d: {%s}\n", k,
+                                  k < CHAIN - 1 ? ""
+                                  : far_end     ? "points: {A: [0, 0]}"
+                                                : "points: {B: [3.5, 0], C: [2, 1.5]}");
         n += (size_t)snprintf(text + n, room - n,
-                              "joints:\n  O6: {pin: [ground, output], angle: t6}\n  D: {pin: [output, link], angle: t5}\n  O2: {pin: [ground, crank], angle: t2}\n"
-                              "  A: {pin: [crank, w%d], angle: t3}\n  O4: {pin: [ground, rocker], angle: t4}\n  B: {pin: [w%d, rocker]}\n  C: {pin: [w%d, link]}\n",
+                              "joints:\n  O6: {pin: [ground, output], angle: t6}\n  D: {pin: [output, link], angle: "
+                              "t5}\n  O2: {pin: [ground, crank], angle: t2}\n"
+                              "  A: {pin: [crank, w%d], angle: t3}\n  O4: {pin: [ground, rocker], angle: t4}\n  B: "
+                              "{pin: [w%d, rocker]}\n  C: {pin: [w%d, link]}\n",
                               far_end ? CHAIN - 1 : 0, far_end ? 0 : CHAIN - 1, far_end ? 0 : CHAIN - 1);
-        for (int k = 1; k < CHAIN; k++) n += (size_t)snprintf(text + n, room - n, "  W%d: {weld: [w%d, w%d]}\n", k, k - 1, k);
-        snprintf(text + n, room - n, "drives: {t6: 120 deg}\nstart: {t2: 120 deg, t3: -90 deg, t4: 119 deg, t5: -101 deg}\n");
+        for (int k = 1; k < CHAIN; k++)
+            n += (size_t)snprintf(text + n, room - n, "  W%d: {weld: [w%d, w%d]}\n", k, k - 1, k);
+        snprintf(text + n, room - n,
+                 "drives: {t6: 120 deg}\nstart: {t2: 120 deg, t3: -90 deg, t4: 119 deg, t5: -101 deg}\n");
         Machine m = machine(text);
         assert_int_equal(yk_block_count(m.mech), 1);
         assert_int_equal(yk_block_info(m.mech, 0).kind, YK_BLOCK_GROUP);

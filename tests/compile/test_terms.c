@@ -1,4 +1,5 @@
-// Sums of turned vectors: like terms merge, what cancels vanishes, and a walk along the tree is the way between two bodies.
+// Sums of turned vectors: like terms merge, what cancels vanishes, and a walk along the tree is the way between two
+// bodies.
 #include "compile/terms.h"
 #include "machine.h"
 #include "table.h"
@@ -40,7 +41,7 @@ static void what_the_ground_holds_goes_into_the_constant(void **state)
     yk_terms_clear(&list);
     yk_terms_add(&list, (YkTerm){0, YK_NONE, {1, 2}}, 3);
     yk_terms_add(&list, (YkTerm){0, YK_NONE, {1, 1}}, -1);
-    yk_terms_add(&list, (YkTerm){0, 4, {1, 0}}, 1); // unless it slides
+    yk_terms_add(&list, (YkTerm){0, 4, {1, 0}}, 1);       // unless it slides
     yk_terms_add(&list, (YkTerm){5, YK_NONE, {0, 0}}, 1); // nothing is nothing
     assert_int_equal(list.count, 1);
     assert_int_equal(list.items[0].distance, 4);

@@ -1,11 +1,13 @@
-// The graph: orientations, the spanning tree that follows the file's coordinates, and loops that say what the bodies say.
+// The graph: orientations, the spanning tree that follows the file's coordinates, and loops that say what the bodies
+// say.
 #include "compile/topology.h"
 #include "machine.h"
 #include "table.h"
 
 enum { TEXT_MAX = 8000, BODIES_MAX = 12 };
 
-// --- the tree -----------------------------------------------------------------------------------------------------------
+// --- the tree
+// -----------------------------------------------------------------------------------------------------------
 
 static bool in_tree(const YkMechanism *mech, size_t joint)
 {
@@ -62,7 +64,8 @@ static void random_text(uint64_t *seed, char *text, bool *closes_loop)
 {
     static const char *const kinds[] = {"pin", "slide", "pin-slot", "weld"};
     int32_t forest[BODIES_MAX];
-    size_t bodies = 2 + (size_t)(check_random(seed) % (BODIES_MAX - 2)), extra = (size_t)(check_random(seed) % 5), n = 0;
+    size_t bodies = 2 + (size_t)(check_random(seed) % (BODIES_MAX - 2)), extra = (size_t)(check_random(seed) % 5),
+           n = 0;
     n += (size_t)snprintf(text, TEXT_MAX, "bodies:\n");
     for (size_t b = 1; b < bodies; b++) n += (size_t)snprintf(text + n, TEXT_MAX - n, "  b%zu: {}\n", b);
     n += (size_t)snprintf(text + n, TEXT_MAX - n, "joints:\n");
@@ -122,7 +125,9 @@ static void random_trees_hold_every_named_coordinate_unless_names_close_a_loop(v
         if (ok == closes_loop) print_error("trial %d of seed 31\n%s%s", trial, text, yk_problems_text(problems, 0));
         assert_int_equal(ok, !closes_loop);
         if (ok) check_tree(&mech);
-        if (!ok) assert_int_equal(yk_problems_get(problems, yk_problems_count(problems) - 1)->code, YK_CODE_COORDINATE_CLOSES_LOOP);
+        if (!ok)
+            assert_int_equal(yk_problems_get(problems, yk_problems_count(problems) - 1)->code,
+                             YK_CODE_COORDINATE_CLOSES_LOOP);
         *(ok ? &taken : &refused) += 1;
         free(mech.terms);
         yk_arena_free(mech.arena);
@@ -135,13 +140,17 @@ static void random_trees_hold_every_named_coordinate_unless_names_close_a_loop(v
 static void a_named_coordinate_that_closes_a_loop_is_reported_where_it_stands(void **state)
 {
     (void)state;
-    machine_refused("bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") LINK("b", "A", "B", "3.5") LINK("c", "Q", "B", "3")
-                    "joints: {O: {pin: [ground, a], angle: p}, A: {pin: [a, b], angle: q}, B: {pin: [b, c], angle: r}, Q: {pin: [ground, c], angle: s}}\n",
-                    NULL, YK_CODE_COORDINATE_CLOSES_LOOP, "closes a loop of joints that all have coordinates");
+    machine_refused(
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") LINK("b", "A", "B", "3.5")
+            LINK("c", "Q", "B", "3") "joints: {O: {pin: [ground, a], angle: p}, A: {pin: [a, b], angle: q}, B: {pin: "
+                                     "[b, c], angle: r}, Q: {pin: [ground, c], angle: s}}\n",
+        NULL, YK_CODE_COORDINATE_CLOSES_LOOP, "closes a loop of joints that all have coordinates");
     // a slide has no angle to ask for
-    machine_refused("bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") "  b: {}\n" LINK("c", "Q", "B", "3")
-                    "joints: {O: {pin: [ground, a], angle: p}, S: {slide: [a, b], along: x, distance: s}, Q: {pin: [ground, c], angle: q}, B: {slide: [c, b], along: y, distance: d}}\n",
-                    NULL, YK_CODE_COORDINATE_CLOSES_LOOP, "`S.distance`");
+    machine_refused(
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n" LINK("a", "O", "A", "1") "  b: {}\n" LINK(
+            "c", "Q", "B", "3") "joints: {O: {pin: [ground, a], angle: p}, S: {slide: [a, b], along: x, distance: s}, "
+                                "Q: {pin: [ground, c], angle: q}, B: {slide: [c, b], along: y, distance: d}}\n",
+        NULL, YK_CODE_COORDINATE_CLOSES_LOOP, "`S.distance`");
 }
 
 static void undeclared_trees_are_shallow(void **state)
@@ -155,7 +164,8 @@ static void undeclared_trees_are_shallow(void **state)
     machine_free(&m);
 }
 
-// --- loops --------------------------------------------------------------------------------------------------------------
+// --- loops
+// --------------------------------------------------------------------------------------------------------------
 
 static void loop_sums_are_the_first_bodys_point_minus_the_seconds(void **state)
 {
@@ -183,13 +193,17 @@ static void loop_sums_are_the_first_bodys_point_minus_the_seconds(void **state)
     }
 }
 
-// --- orientations -------------------------------------------------------------------------------------------------------
+// --- orientations
+// -------------------------------------------------------------------------------------------------------
 
 static size_t orientation_of(const Machine *m, const char *body)
 {
     return (size_t)m->mech->bodies[yk_model_find_body(m->model, body)].orientation;
 }
-static double turn_of(const Machine *m, const char *body) { return m->mech->bodies[yk_model_find_body(m->model, body)].turn; }
+static double turn_of(const Machine *m, const char *body)
+{
+    return m->mech->bodies[yk_model_find_body(m->model, body)].turn;
+}
 
 static void slides_and_welds_share_an_orientation_and_add_their_turns(void **state)
 {
@@ -214,10 +228,10 @@ static void slides_and_welds_share_an_orientation_and_add_their_turns(void **sta
     machine_free(&m);
 }
 
-#define RING_OF_SLIDES(turned)                                                                                                    \
-    "bodies: {ground: {}, a: {}, b: {}}\n"                                                                                        \
-    "joints: {S: {slide: [ground, a], along: x, turned: 100 deg}, T: {slide: [a, b], along: y, turned: 200 deg}, U: {slide: [b, ground], along: 0.3, turned: " turned \
-    "}}\n"
+#define RING_OF_SLIDES(turned)                                                                                         \
+    "bodies: {ground: {}, a: {}, b: {}}\n"                                                                             \
+    "joints: {S: {slide: [ground, a], along: x, turned: 100 deg}, T: {slide: [a, b], along: y, turned: 200 deg}, U: "  \
+    "{slide: [b, ground], along: 0.3, turned: " turned "}}\n"
 
 static void turns_round_a_loop_must_add_up_to_whole_turns(void **state)
 {

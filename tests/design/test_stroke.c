@@ -39,14 +39,21 @@ static YkStroke stroke(Ready *r, const char *channel)
     return s;
 }
 
-static double turn_between(double a, double b) { return remainder(a - b, 2 * YK_PI); }
+static double turn_between(double a, double b)
+{
+    return remainder(a - b, 2 * YK_PI);
+}
 
-// --- quick returns: Khurmi and Gupta, Theory of Machines, ch. 5 ----------------------------------------------------------
+// --- quick returns: Khurmi and Gupta, Theory of Machines, ch. 5
+// ----------------------------------------------------------
 
 static void shapers_have_the_time_ratio_and_stroke_of_the_textbook(void **state)
 {
     (void)state;
-    static const struct { const char *c, *r; double ratio; } cases[] = {{"300", "120", 1.7099527817214106}, {"240", "120", 2}}; // examples 5.1, 5.2
+    static const struct {
+        const char *c, *r;
+        double ratio;
+    } cases[] = {{"300", "120", 1.7099527817214106}, {"240", "120", 2}}; // examples 5.1, 5.2
     for (size_t k = 0; k < 2; k++) {
         const YkOverride values[] = {{"c", cases[k].c}, {"r", cases[k].r}};
         Ready r = ready("crank-slotted-lever", &(YkLoadOptions){values, 2});
@@ -87,15 +94,19 @@ static void the_time_ratio_does_not_ask_which_way_the_crank_starts(void **state)
     done(&r);
 }
 
-// --- slider-cranks ------------------------------------------------------------------------------------------------------
+// --- slider-cranks
+// ------------------------------------------------------------------------------------------------------
 
 static void slider_crank(char *text, size_t capacity, double a, double b, double c, double start)
 {
     snprintf(text, capacity,
              "parameters: {a: %.17g, b: %.17g, c: %.17g, go: %.17g rad}\n"
-             "bodies:\n  ground: {points: {K: [0, 0], G: [0, c]}}\n" LINK("crank", "K", "A", "a") LINK("rod", "A", "B", "b") "  block: {points: {B: [0, 0]}}\n"
-             "joints: {K: {pin: [ground, crank], angle: th}, A: {pin: [crank, rod]}, B: {pin: [rod, block]}, S: {slide: [ground, block], along: x, from: G, distance: d}}\n"
-             "drives: {th: go + 1 rad/s * t}\nstart: {d: b}\n",
+             "bodies:\n  ground: {points: {K: [0, 0], G: [0, c]}}\n" LINK("crank", "K", "A", "a")
+                 LINK("rod", "A", "B",
+                      "b") "  block: {points: {B: [0, 0]}}\n"
+                           "joints: {K: {pin: [ground, crank], angle: th}, A: {pin: [crank, rod]}, B: {pin: [rod, "
+                           "block]}, S: {slide: [ground, block], along: x, from: G, distance: d}}\n"
+                           "drives: {th: go + 1 rad/s * t}\nstart: {d: b}\n",
              a, b, c, start);
 }
 
@@ -105,14 +116,16 @@ static void offset_slider_cranks_have_the_closed_forms(void **state)
     uint64_t seed = 71;
     for (int trial = 0; trial < 60; trial++) {
         char text[1500];
-        double a = check_uniform(&seed, 0.2, 1), b = a * check_uniform(&seed, 1.8, 5), c = (b - a) * check_uniform(&seed, -0.9, 0.9);
+        double a = check_uniform(&seed, 0.2, 1), b = a * check_uniform(&seed, 1.8, 5),
+               c = (b - a) * check_uniform(&seed, -0.9, 0.9);
         slider_crank(text, sizeof text, a, b, c, check_uniform(&seed, -3, 3));
         Ready r = ready(text, NULL);
         YkStroke s = stroke(&r, "d");
         // stretched: crank and rod in line; folded: rod back over the crank
         double out = asin(c / (a + b)), in = YK_PI + asin(c / (b - a));
         double there = fabs(in - out), back = 2 * YK_PI - there;
-        if (fabs(s.high - sqrt((a + b) * (a + b) - c * c)) > 1e-12) print_error("trial %d of seed 71: %g %g %g\n", trial, a, b, c);
+        if (fabs(s.high - sqrt((a + b) * (a + b) - c * c)) > 1e-12)
+            print_error("trial %d of seed 71: %g %g %g\n", trial, a, b, c);
         CHECK_NEAR(s.high, sqrt((a + b) * (a + b) - c * c), 1e-12 * b);
         CHECK_NEAR(s.low, sqrt((b - a) * (b - a) - c * c), 1e-12 * b);
         CHECK_NEAR(turn_between(s.high_at, out), 0, 1e-9);
@@ -152,14 +165,16 @@ static void the_state_is_left_as_it_was(void **state)
     done(&r);
 }
 
-// Rockers: the angle between the extremes of a crank-rocker from the two triangles in which crank and coupler are in line.
+// Rockers: the angle between the extremes of a crank-rocker from the two triangles in which crank and coupler are in
+// line.
 static void crank_rockers_swing_between_their_stretched_and_folded_positions(void **state)
 {
     (void)state;
     Ready r = ready("four-bar", NULL); // 100, 40, 120, 80 mm
     YkStroke s = stroke(&r, "theta4");
     double f = 100, a = 40, c = 120, b = 80;
-    double stretched = acos((f * f + b * b - (a + c) * (a + c)) / (2 * f * b)), folded = acos((f * f + b * b - (c - a) * (c - a)) / (2 * f * b));
+    double stretched = acos((f * f + b * b - (a + c) * (a + c)) / (2 * f * b)),
+           folded = acos((f * f + b * b - (c - a) * (c - a)) / (2 * f * b));
     CHECK_NEAR(s.high - s.low, stretched - folded, 1e-12); // angles at the rocker's pivot
     CHECK_NEAR(s.high, YK_PI - folded, 1e-12);
     done(&r);

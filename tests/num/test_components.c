@@ -67,7 +67,8 @@ static void a_long_path_and_a_long_ring_need_no_recursion(void **state)
     (void)state;
     enum { LONG = 300000 };
     uint32_t *first = calloc(LONG + 1, sizeof *first);
-    int32_t *target = calloc(LONG, sizeof *target), *component = calloc(LONG, sizeof *component), *work = calloc(5 * LONG, sizeof *work);
+    int32_t *target = calloc(LONG, sizeof *target), *component = calloc(LONG, sizeof *component),
+            *work = calloc(5 * LONG, sizeof *work);
     assert_true(first && target && component && work);
     for (int ring = 0; ring < 2; ring++) {
         for (uint32_t v = 0; v <= LONG; v++) first[v] = v < LONG - 1 || ring ? v : LONG - 1;
