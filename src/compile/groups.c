@@ -16,8 +16,13 @@ typedef struct Rest {
     uint32_t *column_first; // columns of loop l: columns[column_first[l] ..)
     int32_t *columns;
     size_t loop_count, column_total, column_capacity;
+    uint32_t *path_first;   // joints round loop l, its closing joint last: path[path_first[l] ..)
+    int32_t *path;
+    size_t path_count, path_capacity;
     YkMatching matching;
     int32_t *component;
+    uint32_t *joint_stamp, *cluster_stamp; // the component that took them last, plus one
+    int32_t *joints, *clusters;            // of the component being emitted
 } Rest;
 
 static size_t column_id(const YkMechanism *mech, YkColumn c)
@@ -41,7 +46,6 @@ static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
     const YkTree *tree = &plan->cluster_tree;
     int32_t c = plan->cluster[body];
     reach_body(r, body, parent, joint);
-    plan->joint_used[joint] = true;
     for (int32_t b = body; tree->parent[b] != YK_NONE; b = tree->parent[b]) reach_body(r, tree->parent[b], b, tree->joint[b]);
     for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents stand before children
         int32_t b = plan->cluster_member[k];
@@ -71,6 +75,14 @@ static void grow(Rest *r)
     }
 }
 
+static void note_path(Rest *r, int32_t joint)
+{
+    if (YK_ROOM(r->path, r->path_count, r->path_capacity))
+        r->path[r->path_count++] = joint;
+    else
+        r->plan->failed = true;
+}
+
 // Round the loop: over the joint, then both ends back until they meet or stand on known bodies.
 static void loop_terms(Rest *r, int32_t joint)
 {
@@ -83,9 +95,11 @@ static void loop_terms(Rest *r, int32_t joint)
         bool a_known = yk_plan_body_known(plan, a), b_known = yk_plan_body_known(plan, b);
         if (a_known && b_known) break;
         if (b_known || (!a_known && r->tree.depth[a] >= r->tree.depth[b])) {
+            note_path(r, r->tree.joint[a]);
             yk_terms_cross(&plan->list, mech, r->tree.joint[a], a, -1);
             a = r->tree.parent[a];
         } else {
+            note_path(r, r->tree.joint[b]);
             yk_terms_cross(&plan->list, mech, r->tree.joint[b], b, 1);
             b = r->tree.parent[b];
         }
@@ -127,14 +141,16 @@ static bool make_loops(Rest *r)
         if (plan->joint_used[j]) continue;
         if (yk_plan_body_known(plan, joint->body[0]) && yk_plan_body_known(plan, joint->body[1])) continue;
         if (r->tree.joint[joint->body[0]] == (int32_t)j || r->tree.joint[joint->body[1]] == (int32_t)j) continue;
-        plan->joint_used[j] = true;
+        r->path_first[r->loop_count] = (uint32_t)r->path_count;
         loop_terms(r, (int32_t)j);
+        note_path(r, (int32_t)j);
         if (!yk_terms_store(&plan->list, plan->mech, &r->loop_sum[r->loop_count])) return false;
         r->column_first[r->loop_count] = (uint32_t)r->column_total;
         r->loop_joint[r->loop_count++] = (int32_t)j;
         if (!loop_columns(r)) return false;
     }
     r->column_first[r->loop_count] = (uint32_t)r->column_total;
+    r->path_first[r->loop_count] = (uint32_t)r->path_count;
     return true;
 }
 
@@ -197,26 +213,58 @@ static void add_group_loop(YkPlan *plan, YkSum sum)
     mech->group_loops[mech->group_loop_count++] = sum;
 }
 
+// The joints round the component's loops, those that close them last, and the clusters it places; stamps keep each once.
+static size_t gather_joints(Rest *r, const int32_t *members, size_t count, uint32_t stamp)
+{
+    size_t joints = 0;
+    for (int closing = 0; closing < 2; closing++)
+        for (size_t k = 0; k < count; k++) {
+            uint32_t last = r->path_first[members[k] + 1] - 1;
+            for (uint32_t e = closing ? last : r->path_first[members[k]]; e < last + (uint32_t)closing; e++) {
+                if (r->joint_stamp[r->path[e]] == stamp) continue;
+                r->joint_stamp[r->path[e]] = stamp;
+                r->joints[joints++] = r->path[e];
+                r->plan->joint_used[r->path[e]] = true;
+            }
+        }
+    return joints;
+}
+
+static size_t gather_clusters(Rest *r, size_t joints, uint32_t stamp)
+{
+    const YkPlan *plan = r->plan;
+    size_t clusters = 0;
+    for (size_t k = 0; k < joints; k++)
+        for (int end = 0; end < 2; end++) {
+            int32_t c = plan->cluster[plan->mech->model->joints[r->joints[k]].body[end]];
+            if (plan->cluster_known[c] || r->cluster_stamp[c] == stamp) continue;
+            r->cluster_stamp[c] = stamp;
+            r->clusters[clusters++] = c;
+        }
+    return clusters;
+}
+
 // members: the loops of the component, in file order.
-static void emit_group(Rest *r, const int32_t *members, size_t count, int32_t *joints)
+static void emit_group(Rest *r, const int32_t *members, size_t count, uint32_t stamp)
 {
     YkPlan *plan = r->plan;
     YkMechanism *mech = plan->mech;
     size_t first_column = mech->column_count, first_loop = mech->group_loop_count;
     for (size_t k = 0; k < count; k++) {
         int32_t l = members[k];
-        joints[k] = r->loop_joint[l];
         add_group_loop(plan, r->loop_sum[l]);
         for (int row = 0; row < 2; row++)
             if (r->matching.column_of[2 * l + row] >= 0) add_group_column(plan, r->matching.column_of[2 * l + row]);
     }
-    YkBlock *block = plan->failed ? NULL : yk_plan_new_block(plan, YK_BLOCK_GROUP, joints, count);
+    size_t joints = gather_joints(r, members, count, stamp);
+    YkBlock *block = plan->failed ? NULL : yk_plan_new_block(plan, YK_BLOCK_GROUP, r->joints, joints);
     if (!block) return;
     block->first_column = (uint32_t)first_column;
     block->column_count = (uint32_t)(mech->column_count - first_column);
     block->first_loop = (uint32_t)first_loop;
     block->loop_count = (uint32_t)count;
     block->assur_class = count == 1 ? 2 : count == 2 ? 3 : 4;
+    yk_plan_block_bodies(plan, block, r->clusters, gather_clusters(r, joints, stamp));
     mech->has_groups = true;
     if (block->column_count > mech->largest_group) mech->largest_group = block->column_count;
     if (2 * count > mech->largest_group) mech->largest_group = 2 * count;
@@ -224,18 +272,37 @@ static void emit_group(Rest *r, const int32_t *members, size_t count, int32_t *j
     for (size_t k = first_column; k < mech->column_count; k++) yk_plan_learn(plan, mech->group_columns[k]);
 }
 
-// Loops sorted by component, file order within.
-static bool emit_groups(Rest *r, size_t count)
+// Does the component need nothing of the others, and determine all that is in it?
+static bool stands_alone(const Rest *r, const int32_t *members, size_t count)
+{
+    for (size_t k = 0; k < count; k++)
+        for (uint32_t e = r->column_first[members[k]]; e < r->column_first[members[k] + 1]; e++) {
+            int32_t row = r->matching.row_of[r->columns[e]];
+            if (row < 0 || r->component[row / 2] != r->component[members[k]]) return false;
+        }
+    return count > 0;
+}
+
+// Emits the components that stand alone, or all; returns how many. Loops sorted by component, file order within.
+static size_t emit_groups(Rest *r, size_t count, bool all)
 {
     YkArena *arena = r->plan->arena;
+    size_t emitted = 0;
     uint32_t *first = YK_NEW(arena, uint32_t, count + 2);
-    int32_t *members = YK_NEW(arena, int32_t, r->loop_count + 1), *joints = YK_NEW(arena, int32_t, r->loop_count + 1);
-    if (yk_arena_failed(arena)) return false;
+    int32_t *members = YK_NEW(arena, int32_t, r->loop_count + 1);
+    if (yk_arena_failed(arena)) {
+        r->plan->failed = true;
+        return 0;
+    }
     for (size_t l = 0; l < r->loop_count; l++) first[r->component[l] + 2]++;
     for (size_t c = 0; c < count; c++) first[c + 2] += first[c + 1];
     for (size_t l = 0; l < r->loop_count; l++) members[first[r->component[l] + 1]++] = (int32_t)l;
-    for (size_t c = 0; c < count; c++) emit_group(r, members + first[c], first[c + 1] - first[c], joints);
-    return true;
+    for (size_t c = 0; c < count; c++) {
+        if (!all && !stands_alone(r, members + first[c], first[c + 1] - first[c])) continue;
+        emit_group(r, members + first[c], first[c + 1] - first[c], (uint32_t)c + 1);
+        emitted++;
+    }
+    return emitted;
 }
 
 // Every body left now hangs on known ones, in the order it was reached.
@@ -248,25 +315,52 @@ static void place_rest(Rest *r)
     }
 }
 
-void yk_plan_groups(YkPlan *plan)
+static bool allocate(Rest *r)
+{
+    YkArena *a = r->plan->arena;
+    size_t bodies = r->plan->mech->model->body_count, joints = r->plan->mech->model->joint_count;
+    r->tree.parent = YK_NEW(a, int32_t, bodies);
+    r->tree.joint = YK_NEW(a, int32_t, bodies);
+    r->tree.depth = YK_NEW(a, int32_t, bodies);
+    r->is_reached = YK_NEW(a, bool, bodies);
+    r->queue = YK_NEW(a, int32_t, bodies + 1);
+    r->clusters = YK_NEW(a, int32_t, bodies + 1);
+    r->cluster_stamp = YK_NEW(a, uint32_t, bodies + 1);
+    r->loop_joint = YK_NEW(a, int32_t, joints + 1);
+    r->loop_sum = YK_NEW(a, YkSum, joints + 1);
+    r->column_first = YK_NEW(a, uint32_t, joints + 2);
+    r->path_first = YK_NEW(a, uint32_t, joints + 2);
+    r->joints = YK_NEW(a, int32_t, joints + 1);
+    r->joint_stamp = YK_NEW(a, uint32_t, joints + 1);
+    return !yk_arena_failed(a);
+}
+
+// One round: groups that need nothing unknown become blocks. Where there are none, or in the last round, all do, and every body left
+// is placed. Returns whether to go on.
+static bool round_of_groups(YkPlan *plan, bool last)
 {
     Rest r = {.plan = plan};
-    YkArena *a = plan->arena;
-    size_t bodies = plan->mech->model->body_count, joints = plan->mech->model->joint_count, components = 0;
-    r.tree.parent = YK_NEW(a, int32_t, bodies);
-    r.tree.joint = YK_NEW(a, int32_t, bodies);
-    r.tree.depth = YK_NEW(a, int32_t, bodies);
-    r.is_reached = YK_NEW(a, bool, bodies);
-    r.queue = YK_NEW(a, int32_t, bodies + 1);
-    r.loop_joint = YK_NEW(a, int32_t, joints + 1);
-    r.loop_sum = YK_NEW(a, YkSum, joints + 1);
-    r.column_first = YK_NEW(a, uint32_t, joints + 2);
-    if (yk_arena_failed(a)) {
-        plan->failed = true;
-        return;
+    size_t components = 0, emitted = 0;
+    bool ok = allocate(&r);
+    if (ok) {
+        grow(&r);
+        ok = make_loops(&r) && !plan->failed && match(&r) && order(&r, &components);
     }
-    grow(&r);
-    if (!make_loops(&r) || !match(&r) || !order(&r, &components) || !emit_groups(&r, components)) plan->failed = true;
-    if (!plan->failed) place_rest(&r);
+    if (ok) emitted = emit_groups(&r, components, last);
+    if (ok && emitted == 0 && !plan->failed) {
+        emit_groups(&r, components, true);
+        last = true;
+    }
+    if (!ok) plan->failed = true;
+    if (last && !plan->failed) place_rest(&r);
     free(r.columns);
+    free(r.path);
+    return !last && !plan->failed;
+}
+
+// What hangs on a group may be dyads again, so peeling goes on after each round. The number of rounds is bounded, for linear cost.
+void yk_plan_groups(YkPlan *plan)
+{
+    enum { ROUNDS_MAX = 64 };
+    for (int k = 1; plan->unknown_clusters > 0 && round_of_groups(plan, k == ROUNDS_MAX); k++) yk_plan_peel(plan);
 }

@@ -191,7 +191,7 @@ static void announce(YkPlan *plan, int32_t body)
     for (uint32_t e = plan->incidence->first[body]; e < plan->incidence->first[body + 1]; e++) {
         int32_t joint = plan->incidence->joint[e], c = plan->cluster[yk_other_body(plan->mech->model, joint, body)];
         if (plan->cluster_known[c]) continue;
-        if (plan->anchor_count[c] < 4) plan->anchors[c][plan->anchor_count[c]++] = joint;
+        if (plan->anchor_count[c] < YK_ANCHORS_MAX) plan->anchors[c][plan->anchor_count[c]++] = joint;
         enqueue(plan, c);
     }
 }

@@ -7,6 +7,8 @@
 #include "compile/terms.h"
 #include "compile/topology.h"
 
+enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters than that tell nothing new
+
 typedef struct YkPlan {
     YkMechanism *mech;
     const YkIncidence *incidence;
@@ -25,7 +27,7 @@ typedef struct YkPlan {
     int32_t *orientation_first;
     // what is known so far
     bool *cluster_known, *root_known, *distance_known, *joint_used, *body_placed;
-    int32_t (*anchors)[4];       // per cluster: joints to known clusters
+    int32_t (*anchors)[YK_ANCHORS_MAX]; // per cluster: joints to known clusters
     int32_t *anchor_count;
     int32_t *queue;              // clusters to look at
     bool *is_queued;
