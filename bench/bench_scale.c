@@ -21,12 +21,15 @@ static char *ladder(size_t n)
     at += (size_t)sprintf(text + at, "name: ladder\nbodies:\n  ground: {points: {");
     for (size_t i = 0; i <= n; i++) at += (size_t)sprintf(text + at, "%sO%zu: [%zu, 0]", i ? ", " : "", i, i);
     at += (size_t)sprintf(text + at, "}}\n");
-    for (size_t i = 0; i <= n; i++) at += (size_t)sprintf(text + at, "  c%zu: {points: {O%zu: [0, 0], A%zu: [0, 1]}}\n", i, i, i);
-    for (size_t i = 0; i < n; i++) at += (size_t)sprintf(text + at, "  b%zu: {points: {A%zu: [0, 0], A%zu: [1, 0]}}\n", i, i, i + 1);
+    for (size_t i = 0; i <= n; i++)
+        at += (size_t)sprintf(text + at, "  c%zu: {points: {O%zu: [0, 0], A%zu: [0, 1]}}\n", i, i, i);
+    for (size_t i = 0; i < n; i++)
+        at += (size_t)sprintf(text + at, "  b%zu: {points: {A%zu: [0, 0], A%zu: [1, 0]}}\n", i, i, i + 1);
     at += (size_t)sprintf(text + at, "joints:\n");
     for (size_t i = 0; i <= n; i++) at += (size_t)sprintf(text + at, "  O%zu: {pin: [ground, c%zu]}\n", i, i);
     for (size_t i = 0; i < n; i++)
-        at += (size_t)sprintf(text + at, "  A%zu: {pin: [c%zu, b%zu]}\n  B%zu: {pin: [b%zu, c%zu], at: A%zu}\n", i, i, i, i, i, i + 1, i + 1);
+        at += (size_t)sprintf(text + at, "  A%zu: {pin: [c%zu, b%zu]}\n  B%zu: {pin: [b%zu, c%zu], at: A%zu}\n", i, i,
+                              i, i, i, i + 1, i + 1);
     sprintf(text + at, "drives: {O0.angle: 0.3 rad/s * t}\n");
     return text;
 }
@@ -49,7 +52,8 @@ static void measure(size_t n)
     if (status >= 0) status = yk_state_solve(state);
     double t5 = now();
     YkMotion last = yk_state_body(state, n + 1);
-    printf("%8zu links %6.1f MB: load %7.1f, compile %7.1f, state %6.1f, assemble %7.1f, solve %6.1f ns a link; status %s, last crank %.15g\n",
+    printf("%8zu links %6.1f MB: load %7.1f, compile %7.1f, state %6.1f, assemble %7.1f, solve %6.1f ns a link; status "
+           "%s, last crank %.15g\n",
            2 * n + 1, (double)length * 1e-6, (t1 - t0) / links * 1e9, (t2 - t1) / links * 1e9, (t3 - t2) / links * 1e9,
            (t4 - t3) / links * 1e9, (t5 - t4) / links * 1e9, yk_status_name(status), last.position);
     yk_state_free(state);

@@ -5,8 +5,8 @@ typedef struct Parts { // of a loop
     YkTermList known, arm[2];
     int32_t root[2];
     size_t angles;
-    YkTerm line[2];    // unknown distances, with their lines
-    bool line_turns[2];// the line belongs to an unknown orientation
+    YkTerm line[2];     // unknown distances, with their lines
+    bool line_turns[2]; // the line belongs to an unknown orientation
     size_t lines;
     bool too_many;
 } Parts;
@@ -58,9 +58,15 @@ static void sort_terms(const YkPlan *plan, Parts *p)
     for (size_t k = 0; k < list->count; k++) sort_term(plan, p, list->items[k]);
 }
 
-static bool is_zero_arm(const YkTermList *arm) { return arm->count == 0 && yk_norm(arm->constant) == 0; }
+static bool is_zero_arm(const YkTermList *arm)
+{
+    return arm->count == 0 && yk_norm(arm->constant) == 0;
+}
 
-static bool are_parallel(const YkTerm *a, const YkTerm *b) { return a->slot == b->slot && fabs(yk_cross(a->v, b->v)) < 1e-12; }
+static bool are_parallel(const YkTerm *a, const YkTerm *b)
+{
+    return a->slot == b->slot && fabs(yk_cross(a->v, b->v)) < 1e-12;
+}
 
 // Which kind the parts make; false where they make none that can be solved.
 static bool kind_of(const Parts *p, YkBlockKind *kind)

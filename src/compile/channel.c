@@ -14,8 +14,14 @@ static bool cut_suffix(char *name, const char *suffix)
     return true;
 }
 
-static int find_joint(const YkMechanism *mech, const char *name) { return yk_names_find(&mech->model->joint_names, name); }
-static int find_body(const YkMechanism *mech, const char *name) { return yk_names_find(&mech->model->body_names, name); }
+static int find_joint(const YkMechanism *mech, const char *name)
+{
+    return yk_names_find(&mech->model->joint_names, name);
+}
+static int find_body(const YkMechanism *mech, const char *name)
+{
+    return yk_names_find(&mech->model->body_names, name);
+}
 
 static YkQuantity quantity_of(bool is_length, int order)
 {
@@ -40,10 +46,13 @@ static int find_block(const YkMechanism *mech, const char *label)
 
 static bool parse_point(const YkMechanism *mech, char *name, int order, YkChannel *channel)
 {
-    if (cut_suffix(name, ".x")) return set(channel, YK_CHANNEL_POINT_X, yk_names_find(&mech->model->point_names, name), order, true);
-    if (cut_suffix(name, ".y")) return set(channel, YK_CHANNEL_POINT_Y, yk_names_find(&mech->model->point_names, name), order, true);
+    if (cut_suffix(name, ".x"))
+        return set(channel, YK_CHANNEL_POINT_X, yk_names_find(&mech->model->point_names, name), order, true);
+    if (cut_suffix(name, ".y"))
+        return set(channel, YK_CHANNEL_POINT_Y, yk_names_find(&mech->model->point_names, name), order, true);
     if (order == 0 && cut_suffix(name, ".speed")) {
-        if (!set(channel, YK_CHANNEL_POINT_SPEED, yk_names_find(&mech->model->point_names, name), 0, true)) return false;
+        if (!set(channel, YK_CHANNEL_POINT_SPEED, yk_names_find(&mech->model->point_names, name), 0, true))
+            return false;
         channel->quantity = YK_QUANTITY_SPEED;
         return true;
     }
@@ -59,12 +68,15 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
     }
     int found = yk_coordinate_find(mech, name);
     if (found >= 0) return set(channel, YK_CHANNEL_COORDINATE, found, order, mech->coordinates[found].is_distance);
-    if (order > 0 && find_body(mech, name) >= 0) return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
+    if (order > 0 && find_body(mech, name) >= 0)
+        return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
     if (parse_point(mech, name, order, channel)) return true;
-    if (order == 0 && cut_suffix(name, ".transmission")) return set(channel, YK_CHANNEL_TRANSMISSION, find_block(mech, name), 0, false);
+    if (order == 0 && cut_suffix(name, ".transmission"))
+        return set(channel, YK_CHANNEL_TRANSMISSION, find_block(mech, name), 0, false);
     if (cut_suffix(name, ".angle")) {
         int joint = find_joint(mech, name);
-        if (joint >= 0 && yk_part(mech->model->joints[joint].kind)->turns) return set(channel, YK_CHANNEL_JOINT_ANGLE, joint, order, false);
+        if (joint >= 0 && yk_part(mech->model->joints[joint].kind)->turns)
+            return set(channel, YK_CHANNEL_JOINT_ANGLE, joint, order, false);
         return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
     }
     if (cut_suffix(name, ".distance")) {
@@ -75,17 +87,25 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
     return false;
 }
 
-static const char *nearest(const char *name, const YkNames *names) { return yk_nearest(name, names->keys, names->capacity); }
+static const char *nearest(const char *name, const YkNames *names)
+{
+    return yk_nearest(name, names->keys, names->capacity);
+}
 
 // The name that somebody may have meant, its ending kept.
 static bool suggest_name(const YkMechanism *mech, const char *asked, char *name, YkProblems *problems)
 {
     const YkModel *model = mech->model;
-    const struct { const char *suffix; const YkNames *names[2]; } kinds[] = {
-        {".x", {&model->point_names}},      {".y", {&model->point_names}},
-        {".speed", {&model->point_names}},  {".angle", {&model->body_names, &model->joint_names}},
-        {".distance", {&model->joint_names}}, {".transmission", {&model->joint_names}},
-        {"", {&model->coordinate_names, &model->body_names}}};
+    const struct {
+        const char *suffix;
+        const YkNames *names[2];
+    } kinds[] = {{".x", {&model->point_names}},
+                 {".y", {&model->point_names}},
+                 {".speed", {&model->point_names}},
+                 {".angle", {&model->body_names, &model->joint_names}},
+                 {".distance", {&model->joint_names}},
+                 {".transmission", {&model->joint_names}},
+                 {"", {&model->coordinate_names, &model->body_names}}};
     bool is_derivative = cut_suffix(name, ".rate") || cut_suffix(name, ".accel");
     size_t k = 0;
     while (*kinds[k].suffix && !cut_suffix(name, kinds[k].suffix)) k++;
@@ -108,8 +128,9 @@ static void suggest(const YkMechanism *mech, const char *asked, YkProblems *prob
         memcpy(copy, asked, n + 1);
         if (suggest_name(mech, asked, copy, problems)) return;
     }
-    yk_problem_hint(problems, "ask for a coordinate (theta2, theta2.rate, theta2.accel), a body (lever.angle), a point (ram.C.x) "
-                              "or a transmission angle (C.transmission)");
+    yk_problem_hint(problems,
+                    "ask for a coordinate (theta2, theta2.rate, theta2.accel), a body (lever.angle), a point (ram.C.x) "
+                    "or a transmission angle (C.transmission)");
 }
 
 YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems)
@@ -120,7 +141,8 @@ YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *
         memcpy(copy, name, n + 1);
         if (parse(mech, copy, channel)) return YK_OK;
     }
-    yk_problem(problems, YK_CODE_UNKNOWN_CHANNEL, (YkPlace){0}, "%q names nothing that can be asked of this machine", name);
+    yk_problem(problems, YK_CODE_UNKNOWN_CHANNEL, (YkPlace){0}, "%q names nothing that can be asked of this machine",
+               name);
     suggest(mech, name, problems);
     return YK_BAD_ARGUMENT;
 }
@@ -131,17 +153,31 @@ size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, s
     YkText name = {0};
     const YkModel *model = mech->model;
     switch (channel.kind) {
-    case YK_CHANNEL_TIME: yk_text_puts(&name, "t"); break;
-    case YK_CHANNEL_COORDINATE: yk_text_puts(&name, mech->coordinates[channel.index].name); break;
-    case YK_CHANNEL_JOINT_ANGLE: yk_text_format(&name, "%s.angle", model->joints[channel.index].name); break;
-    case YK_CHANNEL_JOINT_DISTANCE: yk_text_format(&name, "%s.distance", model->joints[channel.index].name); break;
-    case YK_CHANNEL_BODY: yk_text_format(&name, "%s.angle", model->bodies[channel.index].name); break;
-    case YK_CHANNEL_TRANSMISSION: yk_text_format(&name, "%s.transmission", mech->blocks[channel.index].label); break;
+    case YK_CHANNEL_TIME:
+        yk_text_puts(&name, "t");
+        break;
+    case YK_CHANNEL_COORDINATE:
+        yk_text_puts(&name, mech->coordinates[channel.index].name);
+        break;
+    case YK_CHANNEL_JOINT_ANGLE:
+        yk_text_format(&name, "%s.angle", model->joints[channel.index].name);
+        break;
+    case YK_CHANNEL_JOINT_DISTANCE:
+        yk_text_format(&name, "%s.distance", model->joints[channel.index].name);
+        break;
+    case YK_CHANNEL_BODY:
+        yk_text_format(&name, "%s.angle", model->bodies[channel.index].name);
+        break;
+    case YK_CHANNEL_TRANSMISSION:
+        yk_text_format(&name, "%s.transmission", mech->blocks[channel.index].label);
+        break;
     case YK_CHANNEL_POINT_X:
     case YK_CHANNEL_POINT_Y:
     case YK_CHANNEL_POINT_SPEED: {
         const YkPoint *p = &model->points[channel.index];
-        const char *what = channel.kind == YK_CHANNEL_POINT_X ? "x" : channel.kind == YK_CHANNEL_POINT_Y ? "y" : "speed";
+        const char *what = channel.kind == YK_CHANNEL_POINT_X   ? "x"
+                           : channel.kind == YK_CHANNEL_POINT_Y ? "y"
+                                                                : "speed";
         yk_text_format(&name, "%s.%s.%s", model->bodies[p->body].name, p->name, what);
         break;
     }

@@ -5,7 +5,10 @@
 #include "compile/inputs.h"
 #include "compile/plan.h"
 
-YkCompileOptions yk_default_compile_options(void) { return (YkCompileOptions){NULL, 0}; }
+YkCompileOptions yk_default_compile_options(void)
+{
+    return (YkCompileOptions){NULL, 0};
+}
 
 void yk_mechanism_free(YkMechanism *mech)
 {

@@ -1,5 +1,5 @@
-// What peeling leaves: larger Assur groups. Their loops are matched with unknowns, and the strong components of the matching
-// are solved one after another. Source: Duff & Reid 1978; Pothen & Fan 1990.
+// What peeling leaves: larger Assur groups. Their loops are matched with unknowns, and the strong components of the
+// matching are solved one after another. Source: Duff & Reid 1978; Pothen & Fan 1990.
 #include <stdlib.h>
 #include "compile/plan.h"
 #include "num/components.h"
@@ -7,16 +7,16 @@
 
 typedef struct Rest {
     YkPlan *plan;
-    YkTree tree;            // over the bodies left, rooted at known bodies
+    YkTree tree; // over the bodies left, rooted at known bodies
     bool *is_reached;
     int32_t *queue;
     size_t tail;
-    int32_t *loop_joint;    // joints that close loops
+    int32_t *loop_joint; // joints that close loops
     YkSum *loop_sum;
     uint32_t *column_first; // columns of loop l: columns[column_first[l] ..)
     int32_t *columns;
     size_t loop_count, column_total, column_capacity;
-    uint32_t *path_first;   // joints round loop l, its closing joint last: path[path_first[l] ..)
+    uint32_t *path_first; // joints round loop l, its closing joint last: path[path_first[l] ..)
     int32_t *path;
     size_t path_count, path_capacity;
     YkMatching matching;
@@ -39,14 +39,16 @@ static void reach_body(Rest *r, int32_t body, int32_t parent, int32_t joint)
     r->queue[r->tail++] = body;
 }
 
-// The rest of the cluster hangs on its first body reached: up to the root of the cluster's own tree, then outwards from there.
+// The rest of the cluster hangs on its first body reached: up to the root of the cluster's own tree, then outwards from
+// there.
 static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
 {
     const YkPlan *plan = r->plan;
     const YkTree *tree = &plan->cluster_tree;
     int32_t c = plan->cluster[body];
     reach_body(r, body, parent, joint);
-    for (int32_t b = body; tree->parent[b] != YK_NONE; b = tree->parent[b]) reach_body(r, tree->parent[b], b, tree->joint[b]);
+    for (int32_t b = body; tree->parent[b] != YK_NONE; b = tree->parent[b])
+        reach_body(r, tree->parent[b], b, tree->joint[b]);
     for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents stand before children
         int32_t b = plan->cluster_member[k];
         if (!r->is_reached[b]) reach_body(r, b, tree->parent[b], tree->joint[b]);
@@ -127,7 +129,8 @@ static bool loop_columns(Rest *r)
         YkTerm term = plan->list.items[k];
         int32_t root = mech->group_root[term.slot], d = term.distance;
         if (!plan->root_known[root] && !add_column(r, from, column_id(mech, (YkColumn){false, root}))) return false;
-        if (d != YK_NONE && !plan->distance_known[d] && !add_column(r, from, column_id(mech, (YkColumn){true, d}))) return false;
+        if (d != YK_NONE && !plan->distance_known[d] && !add_column(r, from, column_id(mech, (YkColumn){true, d})))
+            return false;
     }
     return true;
 }
@@ -161,7 +164,8 @@ static bool match(Rest *r)
     if (!yk_matching_start(&r->matching, r->plan->arena, columns, 2 * r->loop_count, 2 * r->column_total)) return false;
     for (size_t l = 0; l < r->loop_count; l++)
         for (int row = 0; row < 2; row++)
-            yk_matching_add(&r->matching, r->columns + r->column_first[l], r->column_first[l + 1] - r->column_first[l], true);
+            yk_matching_add(&r->matching, r->columns + r->column_first[l], r->column_first[l + 1] - r->column_first[l],
+                            true);
     return true;
 }
 
@@ -213,7 +217,8 @@ static void add_group_loop(YkPlan *plan, YkSum sum)
     mech->group_loops[mech->group_loop_count++] = sum;
 }
 
-// The joints round the component's loops, those that close them last, and the clusters it places; stamps keep each once.
+// The joints round the component's loops, those that close them last, and the clusters it places; stamps keep each
+// once.
 static size_t gather_joints(Rest *r, const int32_t *members, size_t count, uint32_t stamp)
 {
     size_t joints = 0;
@@ -335,8 +340,8 @@ static bool allocate(Rest *r)
     return !yk_arena_failed(a);
 }
 
-// One round: groups that need nothing unknown become blocks. Where there are none, or in the last round, all do, and every body left
-// is placed. Returns whether to go on.
+// One round: groups that need nothing unknown become blocks. Where there are none, or in the last round, all do, and
+// every body left is placed. Returns whether to go on.
 static bool round_of_groups(YkPlan *plan, bool last)
 {
     Rest r = {.plan = plan};
@@ -358,7 +363,8 @@ static bool round_of_groups(YkPlan *plan, bool last)
     return !last && !plan->failed;
 }
 
-// What hangs on a group may be dyads again, so peeling goes on after each round. The number of rounds is bounded, for linear cost.
+// What hangs on a group may be dyads again, so peeling goes on after each round. The number of rounds is bounded, for
+// linear cost.
 void yk_plan_groups(YkPlan *plan)
 {
     enum { ROUNDS_MAX = 64 };

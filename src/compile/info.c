@@ -2,10 +2,19 @@
 #include <string.h>
 #include "compile/mechanism.h"
 
-const YkModel *yk_mechanism_model(const YkMechanism *mech) { return mech->model; }
-double yk_mechanism_size(const YkMechanism *mech) { return mech->size; }
+const YkModel *yk_mechanism_model(const YkMechanism *mech)
+{
+    return mech->model;
+}
+double yk_mechanism_size(const YkMechanism *mech)
+{
+    return mech->size;
+}
 
-size_t yk_coordinate_count(const YkMechanism *mech) { return mech->coordinate_count; }
+size_t yk_coordinate_count(const YkMechanism *mech)
+{
+    return mech->coordinate_count;
+}
 
 YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
 {
@@ -35,8 +44,14 @@ int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_dista
     return YK_NONE;
 }
 
-size_t yk_input_count(const YkMechanism *mech) { return mech->input_count; }
-size_t yk_input_coordinate(const YkMechanism *mech, size_t input) { return (size_t)mech->inputs[input]; }
+size_t yk_input_count(const YkMechanism *mech)
+{
+    return mech->input_count;
+}
+size_t yk_input_coordinate(const YkMechanism *mech, size_t input)
+{
+    return (size_t)mech->inputs[input];
+}
 
 YkFreedom yk_mechanism_freedom(const YkMechanism *mech)
 {
@@ -46,8 +61,14 @@ YkFreedom yk_mechanism_freedom(const YkMechanism *mech)
     return f;
 }
 
-size_t yk_loop_count(const YkMechanism *mech) { return mech->loop_count; }
-size_t yk_loop_joint(const YkMechanism *mech, size_t loop) { return (size_t)mech->loops[loop].joint; }
+size_t yk_loop_count(const YkMechanism *mech)
+{
+    return mech->loop_count;
+}
+size_t yk_loop_joint(const YkMechanism *mech, size_t loop)
+{
+    return (size_t)mech->loops[loop].joint;
+}
 
 static int32_t meeting(const YkTree *tree, int32_t a, int32_t b)
 {
@@ -66,7 +87,8 @@ size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size
     const YkJoint *joint = &mech->model->joints[mech->loops[loop].joint];
     const YkTree *tree = &mech->tree;
     int32_t top = meeting(tree, joint->body[0], joint->body[1]);
-    size_t up = (size_t)(tree->depth[joint->body[0]] - tree->depth[top]), down = (size_t)(tree->depth[joint->body[1]] - tree->depth[top]);
+    size_t up = (size_t)(tree->depth[joint->body[0]] - tree->depth[top]),
+           down = (size_t)(tree->depth[joint->body[1]] - tree->depth[top]);
     size_t place = 0;
     for (int32_t b = joint->body[0]; place <= up; b = tree->parent[b], place++)
         if (place < capacity) bodies[place] = (size_t)b;
@@ -76,13 +98,21 @@ size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size
     return up + down + 1;
 }
 
-size_t yk_block_count(const YkMechanism *mech) { return mech->block_count; }
+size_t yk_block_count(const YkMechanism *mech)
+{
+    return mech->block_count;
+}
 
 YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
 {
     const YkBlock *b = &mech->blocks[block];
-    return (YkBlockInfo){b->kind, b->label, b->assur_class, b->column_count, b->kind == YK_BLOCK_GROUP ? 2 * b->loop_count : 2,
-                         b->joint_count, b->body_count};
+    return (YkBlockInfo){b->kind,
+                         b->label,
+                         b->assur_class,
+                         b->column_count,
+                         b->kind == YK_BLOCK_GROUP ? 2 * b->loop_count : 2,
+                         b->joint_count,
+                         b->body_count};
 }
 
 size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
@@ -96,9 +126,16 @@ size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index)
 
 const char *yk_block_kind_name(YkBlockKind kind)
 {
-    static const char *const names[] = {"RRR dyad", "RRP dyad", "RPR dyad", "PP dyad", "redundant link", "redundant loop", "group"};
+    static const char *const names[] = {"RRR dyad",       "RRP dyad",       "RPR dyad", "PP dyad",
+                                        "redundant link", "redundant loop", "group"};
     return names[kind];
 }
 
-size_t yk_redundant_count(const YkMechanism *mech) { return mech->redundant_count; }
-size_t yk_redundant_joint(const YkMechanism *mech, size_t index) { return (size_t)mech->redundant[index]; }
+size_t yk_redundant_count(const YkMechanism *mech)
+{
+    return mech->redundant_count;
+}
+size_t yk_redundant_joint(const YkMechanism *mech, size_t index)
+{
+    return (size_t)mech->redundant[index];
+}

@@ -9,7 +9,7 @@ typedef struct Choice {
     const YkIncidence *incidence;
     YkArena *arena;
     YkProblems *problems;
-    int32_t *candidates;   // coordinates in order of preference
+    int32_t *candidates; // coordinates in order of preference
     bool *is_candidate, *accepted;
     size_t count, wanted, driven; // the first `wanted` were asked for, the next `driven` have drives
 } Choice;
@@ -34,7 +34,8 @@ static bool propose_all(Choice *c, const YkCompileOptions *options)
     for (size_t i = 0; i < options->input_count; i++) {
         int found = yk_coordinate_find(mech, options->inputs[i]);
         if (found < 0) {
-            yk_problem(c->problems, YK_CODE_UNKNOWN_INPUT, (YkPlace){0}, "there is no coordinate %q", options->inputs[i]);
+            yk_problem(c->problems, YK_CODE_UNKNOWN_INPUT, (YkPlace){0}, "there is no coordinate %q",
+                       options->inputs[i]);
             yk_problem_hint(c->problems, "`yoke check` lists the coordinates of the machine");
             return false;
         }
@@ -121,13 +122,15 @@ void yk_inputs_guess(const YkMechanism *mech, double *guess)
     for (size_t s = 0; s < model->start_count; s++) {
         const YkStart *start = &model->starts[s];
         if (start->is_rate) continue;
-        int32_t k = yk_tree_coordinate(mech, model->coordinates[start->coordinate].joint, model->coordinates[start->coordinate].is_distance);
+        int32_t k = yk_tree_coordinate(mech, model->coordinates[start->coordinate].joint,
+                                       model->coordinates[start->coordinate].is_distance);
         if (k != YK_NONE) guess[k] = start->value;
     }
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         YkJet jet;
         int32_t drive = mech->coordinates[k].drive;
-        if (drive != YK_NONE && yk_model_eval(model, model->drives[drive].expr, 0, &jet, NULL) == YK_OK) guess[k] = jet.d[0];
+        if (drive != YK_NONE && yk_model_eval(model, model->drives[drive].expr, 0, &jet, NULL) == YK_OK)
+            guess[k] = jet.d[0];
     }
 }
 
@@ -143,14 +146,15 @@ static bool report_overdriven(Choice *c)
         if (c->accepted[k] || refused++ < used) continue;
         const YkTreeCoordinate *q = &mech->coordinates[c->candidates[k]];
         yk_problem(c->problems, YK_CODE_OVERDRIVEN, mech->model->drives[q->drive].place,
-                   "%q is driven, but the other drives already fix it: the machine has %z freedom%s", q->name, mech->input_count,
-                   mech->input_count == 1 ? "" : "s");
+                   "%q is driven, but the other drives already fix it: the machine has %z freedom%s", q->name,
+                   mech->input_count, mech->input_count == 1 ? "" : "s");
         yk_problem_hint(c->problems, "remove a drive, or a joint");
         ok = false;
     }
     for (size_t k = 0; k < c->wanted; k++) {
         if (c->accepted[k]) continue;
-        yk_problem(c->problems, YK_CODE_OVERDRIVEN, (YkPlace){0}, "coordinate %q cannot be set as well: the machine has %z freedom%s",
+        yk_problem(c->problems, YK_CODE_OVERDRIVEN, (YkPlace){0},
+                   "coordinate %q cannot be set as well: the machine has %z freedom%s",
                    mech->coordinates[c->candidates[k]].name, mech->input_count, mech->input_count == 1 ? "" : "s");
         ok = false;
     }
@@ -187,7 +191,8 @@ static bool choose(Choice *c, const YkCompileOptions *options)
     return ok && missing == 0;
 }
 
-bool yk_inputs_choose(YkMechanism *mech, const YkIncidence *incidence, const YkCompileOptions *options, YkProblems *problems)
+bool yk_inputs_choose(YkMechanism *mech, const YkIncidence *incidence, const YkCompileOptions *options,
+                      YkProblems *problems)
 {
     Choice c = {.mech = mech, .incidence = incidence, .problems = problems, .arena = yk_arena_new()};
     bool ok = c.arena != NULL;

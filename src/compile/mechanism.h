@@ -1,9 +1,9 @@
 // The inside of YkMechanism: the machine as sums of turned vectors, and the steps that solve it.
 //
 // Bodies that never turn against each other (joined by slides and welds) share an *orientation* o with one unit vector
-// e^(i Phi_o); a body keeps a constant angle `turn` to it. A joint that slides has a *distance* d. Every loop and every position
-// is a sum of vectors v e^(i Phi_o) and d v e^(i Phi_o). Orientation 0 is the ground's.
-// An angle that is an input ties two orientations together: they form a *group*, solved as one unknown.
+// e^(i Phi_o); a body keeps a constant angle `turn` to it. A joint that slides has a *distance* d. Every loop and every
+// position is a sum of vectors v e^(i Phi_o) and d v e^(i Phi_o). Orientation 0 is the ground's. An angle that is an
+// input ties two orientations together: they form a *group*, solved as one unknown.
 #ifndef COMPILE_MECHANISM_H
 #define COMPILE_MECHANISM_H
 #include <stdbool.h>
@@ -13,8 +13,8 @@
 
 // v e^(i Phi_slot), times the distance where there is one. Slots: the orientations, then their relative orientations.
 typedef struct YkTerm {
-    int32_t slot;      // 0: the ground
-    int32_t distance;  // or YK_NONE
+    int32_t slot;     // 0: the ground
+    int32_t distance; // or YK_NONE
     YkVec v;
 } YkTerm;
 
@@ -33,41 +33,44 @@ typedef struct YkTree {
 
 typedef struct YkPlacing { // where a body is
     int32_t orientation;
-    double turn;           // angle of the body to its orientation, rad
+    double turn; // angle of the body to its orientation, rad
     YkVec turn_unit;
-    YkSum origin;          // of the body's origin in the world; valid for bodies placed
+    YkSum origin; // of the body's origin in the world; valid for bodies placed
 } YkPlacing;
 
 // Where the angle of a joint comes from: Phi_b - Phi_a + offset.
-typedef struct YkJointAngle { int32_t a, b; double offset; } YkJointAngle;
+typedef struct YkJointAngle {
+    int32_t a, b;
+    double offset;
+} YkJointAngle;
 
 // A coordinate of the spanning tree.
 typedef struct YkTreeCoordinate {
     const char *name;
     int32_t joint;
     bool is_distance, is_declared;
-    int32_t drive;         // of the model, or YK_NONE
-    int32_t input;         // or YK_NONE
-    int32_t distance;      // its distance variable, or YK_NONE
-    YkJointAngle angle;    // of its joint
+    int32_t drive;      // of the model, or YK_NONE
+    int32_t input;      // or YK_NONE
+    int32_t distance;   // its distance variable, or YK_NONE
+    YkJointAngle angle; // of its joint
 } YkTreeCoordinate;
 
-typedef struct YkLoop {    // of the spanning tree: first body's point minus the second's
+typedef struct YkLoop { // of the spanning tree: first body's point minus the second's
     int32_t joint;
-    YkSum sum;             // slots are orientations; all distances included; no nodes
+    YkSum sum; // slots are orientations; all distances included; no nodes
 } YkLoop;
 
 typedef enum YkStepKind {
-    YK_STEP_TURN,      // slot = parent slot turned by input
-    YK_STEP_COMPOSE,   // slot = parent slot turned by slot `other`
-    YK_STEP_DISTANCE,  // distance = input
-    YK_STEP_NODE,      // node = sum
-    YK_STEP_BLOCK      // solve a block
+    YK_STEP_TURN,     // slot = parent slot turned by input
+    YK_STEP_COMPOSE,  // slot = parent slot turned by slot `other`
+    YK_STEP_DISTANCE, // distance = input
+    YK_STEP_NODE,     // node = sum
+    YK_STEP_BLOCK     // solve a block
 } YkStepKind;
 
 typedef struct YkStep {
     YkStepKind kind;
-    int32_t target;    // slot, distance, node or block
+    int32_t target; // slot, distance, node or block
     int32_t parent, other, input;
     double offset, sign;
     YkSum sum;
@@ -75,7 +78,7 @@ typedef struct YkStep {
 
 typedef struct YkColumn { // an unknown
     bool is_distance;
-    int32_t index;        // orientation (a group's root) or distance
+    int32_t index; // orientation (a group's root) or distance
 } YkColumn;
 
 typedef struct YkBlock {
@@ -86,11 +89,11 @@ typedef struct YkBlock {
     uint32_t first_body, body_count;   // in block_members
     // dyads: known part, arms (in relative slots, in the axes of the unknown), lines
     YkSum known;
-    YkSum arm[2];                      // RRR: U, W; RRP: W; RPR: C; LINK: U
+    YkSum arm[2]; // RRR: U, W; RRP: W; RPR: C; LINK: U
     bool arm_is_constant[2];
-    int32_t line_slot[2];              // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
-    YkVec line[2];                     // constant unit vectors
-    YkColumn column[2];                // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
+    int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
+    YkVec line[2];        // constant unit vectors
+    YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
     // groups
     uint32_t first_column, column_count; // in group_columns
     uint32_t first_loop, loop_count;     // in group_loops: all terms, known and unknown
@@ -103,26 +106,36 @@ struct YkMechanism {
     // topology
     YkPlacing *bodies;
     size_t orientation_count, distance_count;
-    int32_t *orientation_body;       // a body of each orientation (the one with turn 0)
-    int32_t *joint_distance;         // per joint: its distance variable, or YK_NONE
-    YkTree tree;                     // of the coordinates
-    int32_t *tree_order;             // bodies, parents before children
-    YkTreeCoordinate *coordinates; size_t coordinate_count;
-    YkLoop *loops;                 size_t loop_count;
-    int32_t *inputs;               size_t input_count;      // coordinates
+    int32_t *orientation_body; // a body of each orientation (the one with turn 0)
+    int32_t *joint_distance;   // per joint: its distance variable, or YK_NONE
+    YkTree tree;               // of the coordinates
+    int32_t *tree_order;       // bodies, parents before children
+    YkTreeCoordinate *coordinates;
+    size_t coordinate_count;
+    YkLoop *loops;
+    size_t loop_count;
+    int32_t *inputs;
+    size_t input_count; // coordinates
     // groups of orientations tied by inputs
-    int32_t *group_root;             // per orientation
-    int32_t *relative_slot;          // per orientation: slot of e^(i (Phi_o - Phi_root)); 0 at a root
+    int32_t *group_root;    // per orientation
+    int32_t *relative_slot; // per orientation: slot of e^(i (Phi_o - Phi_root)); 0 at a root
     size_t slot_count, node_count;
     // solution
-    YkStep *steps;                 size_t step_count, step_capacity;
-    YkBlock *blocks;               size_t block_count, block_capacity;
-    int32_t *block_members;        size_t member_count, member_capacity;
-    YkColumn *group_columns;       size_t column_count, column_capacity;
-    YkSum *group_loops;            size_t group_loop_count, group_loop_capacity;
-    YkTerm *terms;                 size_t term_count, term_capacity;
-    int32_t *redundant;            size_t redundant_count, redundant_capacity; // joints
-    size_t largest_group;            // columns
+    YkStep *steps;
+    size_t step_count, step_capacity;
+    YkBlock *blocks;
+    size_t block_count, block_capacity;
+    int32_t *block_members;
+    size_t member_count, member_capacity;
+    YkColumn *group_columns;
+    size_t column_count, column_capacity;
+    YkSum *group_loops;
+    size_t group_loop_count, group_loop_capacity;
+    YkTerm *terms;
+    size_t term_count, term_capacity;
+    int32_t *redundant;
+    size_t redundant_count, redundant_capacity; // joints
+    size_t largest_group;                       // columns
     bool has_groups;
     int gruebler;
 };

@@ -1,9 +1,12 @@
-// Peeling: a cluster joined to what is known by two joints, or two clusters joined to it and to each other, with two unknowns
-// between them, form a dyad: one loop solves it. Each cluster is looked at when a neighbour becomes known, so that the whole
-// costs time linear in the number of joints. Source: Assur groups of class II; Galletti 1986.
+// Peeling: a cluster joined to what is known by two joints, or two clusters joined to it and to each other, with two
+// unknowns between them, form a dyad: one loop solves it. Each cluster is looked at when a neighbour becomes known, so
+// that the whole costs time linear in the number of joints. Source: Assur groups of class II; Galletti 1986.
 #include "compile/plan.h"
 
-typedef struct Columns { YkColumn items[8]; size_t count; } Columns;
+typedef struct Columns {
+    YkColumn items[8];
+    size_t count;
+} Columns;
 
 static void add_column(Columns *columns, bool is_distance, int32_t index)
 {
@@ -12,7 +15,10 @@ static void add_column(Columns *columns, bool is_distance, int32_t index)
     if (columns->count < 8) columns->items[columns->count++] = (YkColumn){is_distance, index};
 }
 
-static int32_t root_of_body(const YkPlan *plan, int32_t body) { return plan->mech->group_root[plan->mech->bodies[body].orientation]; }
+static int32_t root_of_body(const YkPlan *plan, int32_t body)
+{
+    return plan->mech->group_root[plan->mech->bodies[body].orientation];
+}
 
 static void add_body(const YkPlan *plan, Columns *columns, int32_t body)
 {

@@ -14,7 +14,8 @@ void yk_plan_step(YkPlan *plan, YkStep step)
 static bool allocate(YkPlan *plan)
 {
     const YkMechanism *mech = plan->mech;
-    size_t bodies = mech->model->body_count, joints = mech->model->joint_count + 1, orientations = mech->orientation_count;
+    size_t bodies = mech->model->body_count, joints = mech->model->joint_count + 1,
+           orientations = mech->orientation_count;
     YkArena *a = plan->arena;
     plan->angle_input = YK_NEW(a, int32_t, joints);
     plan->distance_input = YK_NEW(a, int32_t, joints);
@@ -60,7 +61,8 @@ static void reset(YkPlan *plan)
     }
 }
 
-// --- groups of orientations -------------------------------------------------------------------------------------------
+// --- groups of orientations
+// -------------------------------------------------------------------------------------------
 
 static void tie(YkPlan *plan, int32_t joint, int32_t from, int32_t root)
 {
@@ -76,8 +78,12 @@ static void tie(YkPlan *plan, int32_t joint, int32_t from, int32_t root)
         mech->relative_slot[o] = (int32_t)mech->slot_count++;
         parent = from == root ? 0 : mech->relative_slot[from];
     }
-    yk_plan_step(plan, (YkStep){.kind = YK_STEP_TURN, .target = root == 0 ? o : mech->relative_slot[o], .parent = parent,
-                                .input = plan->angle_input[joint], .offset = -angle.offset, .sign = forward ? 1 : -1});
+    yk_plan_step(plan, (YkStep){.kind = YK_STEP_TURN,
+                                .target = root == 0 ? o : mech->relative_slot[o],
+                                .parent = parent,
+                                .input = plan->angle_input[joint],
+                                .offset = -angle.offset,
+                                .sign = forward ? 1 : -1});
 }
 
 // Breadth first over orientations, along the joints whose angle is an input. The queue is the group's own list.
@@ -114,12 +120,14 @@ static void make_groups(YkPlan *plan)
     }
 }
 
-// --- clusters -----------------------------------------------------------------------------------------------------------
+// --- clusters
+// -----------------------------------------------------------------------------------------------------------
 
 static bool is_rigid(const YkPlan *plan, int32_t joint)
 {
     const YkPart *part = yk_part(plan->mech->model->joints[joint].kind);
-    return (!part->turns || plan->angle_input[joint] != YK_NONE) && (!part->slides || plan->distance_input[joint] != YK_NONE);
+    return (!part->turns || plan->angle_input[joint] != YK_NONE) &&
+           (!part->slides || plan->distance_input[joint] != YK_NONE);
 }
 
 static void make_clusters(YkPlan *plan)
@@ -152,7 +160,8 @@ static void make_clusters(YkPlan *plan)
     plan->cluster_first[plan->cluster_count] = (uint32_t)tail;
 }
 
-// --- placing ------------------------------------------------------------------------------------------------------------
+// --- placing
+// ------------------------------------------------------------------------------------------------------------
 
 enum { TERMS_MAX = 3 }; // a longer origin becomes a node of its own, so that sums stay short however deep the machine
 
@@ -196,7 +205,8 @@ static void announce(YkPlan *plan, int32_t body)
     }
 }
 
-// The entry's origin is in plan->list. From it up to the root of its cluster's tree, then all others from their parents.
+// The entry's origin is in plan->list. From it up to the root of its cluster's tree, then all others from their
+// parents.
 static void place_cluster(YkPlan *plan, int32_t entry)
 {
     const YkTree *tree = &plan->cluster_tree;
@@ -210,7 +220,8 @@ static void place_cluster(YkPlan *plan, int32_t entry)
         int32_t b = plan->cluster_member[k];
         if (!plan->body_placed[b]) place_beside(plan, tree->parent[b], tree->joint[b]);
     }
-    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) announce(plan, plan->cluster_member[k]);
+    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++)
+        announce(plan, plan->cluster_member[k]);
 }
 
 void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body)
@@ -235,20 +246,25 @@ void yk_plan_learn(YkPlan *plan, YkColumn column)
     int32_t o = root;
     do {
         if (o != root)
-            yk_plan_step(plan, (YkStep){.kind = YK_STEP_COMPOSE, .target = o, .parent = root, .other = mech->relative_slot[o]});
-        for (int32_t b = plan->orientation_first[o]; b != YK_NONE; b = plan->orientation_next[b]) enqueue(plan, plan->cluster[b]);
+            yk_plan_step(
+                plan, (YkStep){.kind = YK_STEP_COMPOSE, .target = o, .parent = root, .other = mech->relative_slot[o]});
+        for (int32_t b = plan->orientation_first[o]; b != YK_NONE; b = plan->orientation_next[b])
+            enqueue(plan, plan->cluster[b]);
         o = plan->group_next[o];
     } while (o != root);
 }
 
-// --- what closes without need --------------------------------------------------------------------------------------------
+// --- what closes without need
+// --------------------------------------------------------------------------------------------
 
 static void check_leftover_joints(YkPlan *plan)
 {
     const YkModel *model = plan->mech->model;
     for (size_t j = 0; j < model->joint_count; j++) {
         const YkJoint *joint = &model->joints[j];
-        if (plan->joint_used[j] || !yk_plan_body_known(plan, joint->body[0]) || !yk_plan_body_known(plan, joint->body[1])) continue;
+        if (plan->joint_used[j] || !yk_plan_body_known(plan, joint->body[0]) ||
+            !yk_plan_body_known(plan, joint->body[1]))
+            continue;
         int32_t index = (int32_t)j, d = plan->mech->joint_distance[j];
         yk_terms_clear(&plan->list);
         yk_terms_add_origin(&plan->list, plan->mech, joint->body[0], 1);
@@ -298,4 +314,7 @@ bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence,
     return !plan->failed && !plan->list.failed;
 }
 
-void yk_plan_end(YkPlan *plan) { yk_terms_free(&plan->list); }
+void yk_plan_end(YkPlan *plan)
+{
+    yk_terms_free(&plan->list);
+}

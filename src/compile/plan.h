@@ -1,7 +1,8 @@
 // The plan: in which order the machine is solved when certain coordinates are inputs.
 //
-// Bodies whose pose relative to each other is an input form a *cluster*. From the ground's cluster outwards the plan peels
-// what two unknowns and one loop determine (dyads); what is left falls into groups by matching and strong components.
+// Bodies whose pose relative to each other is an input form a *cluster*. From the ground's cluster outwards the plan
+// peels what two unknowns and one loop determine (dyads); what is left falls into groups by matching and strong
+// components.
 #ifndef COMPILE_PLAN_H
 #define COMPILE_PLAN_H
 #include "compile/terms.h"
@@ -12,44 +13,49 @@ enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters than that tell not
 typedef struct YkPlan {
     YkMechanism *mech;
     const YkIncidence *incidence;
-    YkArena *arena;              // scratch
+    YkArena *arena; // scratch
     YkProblems *problems;
     int32_t *angle_input, *distance_input; // per joint: input, or YK_NONE
     // clusters
-    int32_t *cluster;            // per body
+    int32_t *cluster; // per body
     size_t cluster_count;
-    uint32_t *cluster_first;     // members of cluster c: cluster_member[first[c] .. first[c + 1])
+    uint32_t *cluster_first; // members of cluster c: cluster_member[first[c] .. first[c + 1])
     int32_t *cluster_member;
     YkTree cluster_tree;
     // groups of orientations
-    int32_t *group_next;         // circular list of the orientations of a group
-    int32_t *orientation_next;   // list of the bodies of an orientation
+    int32_t *group_next;       // circular list of the orientations of a group
+    int32_t *orientation_next; // list of the bodies of an orientation
     int32_t *orientation_first;
     // what is known so far
     bool *cluster_known, *root_known, *distance_known, *joint_used, *body_placed;
     int32_t (*anchors)[YK_ANCHORS_MAX]; // per cluster: joints to known clusters
     int32_t *anchor_count;
-    int32_t *queue;              // clusters to look at
+    int32_t *queue; // clusters to look at
     bool *is_queued;
     size_t head, tail, unknown_clusters;
     YkTermList list;
-    size_t missing;              // unknowns that nothing determines
-    bool failed;                 // out of memory
+    size_t missing; // unknowns that nothing determines
+    bool failed;    // out of memory
 } YkPlan;
 
-// Makes steps and blocks for the inputs of mech->inputs. false when out of memory. plan->missing > 0: more inputs needed.
+// Makes steps and blocks for the inputs of mech->inputs. false when out of memory. plan->missing > 0: more inputs
+// needed.
 bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, YkArena *scratch);
 void yk_plan_end(YkPlan *plan);
 
 // Between the plan's files.
 void yk_plan_step(YkPlan *plan, YkStep step);
-bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count, size_t expected); // from plan->list, a closed loop
+bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count,
+                   size_t expected); // from plan->list, a closed loop
 YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints, size_t count);
 void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters, size_t count);
 void yk_plan_learn(YkPlan *plan, YkColumn column);
-void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body);   // the cluster beyond the joint is now known
+void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body); // the cluster beyond the joint is now known
 void yk_plan_peel(YkPlan *plan);
 void yk_plan_groups(YkPlan *plan);
-static inline bool yk_plan_body_known(const YkPlan *plan, int32_t body) { return plan->cluster_known[plan->cluster[body]]; }
+static inline bool yk_plan_body_known(const YkPlan *plan, int32_t body)
+{
+    return plan->cluster_known[plan->cluster[body]];
+}
 
 #endif

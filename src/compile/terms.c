@@ -97,7 +97,8 @@ void yk_terms_walk(YkTermList *list, const YkMechanism *mech, const YkTree *tree
 
 bool yk_terms_store(const YkTermList *list, YkMechanism *mech, YkSum *sum)
 {
-    *sum = (YkSum){list->constant, list->plus, list->minus, (uint32_t)mech->term_count, 0}; // counts what is stored, also on failure
+    *sum = (YkSum){list->constant, list->plus, list->minus, (uint32_t)mech->term_count,
+                   0}; // counts what is stored, also on failure
     for (size_t k = 0; k < list->count; k++) {
         if (!YK_ROOM(mech->terms, mech->term_count, mech->term_capacity)) return false;
         mech->terms[mech->term_count++] = list->items[k];

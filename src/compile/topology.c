@@ -17,7 +17,10 @@ bool yk_incidence_build(YkIncidence *incidence, YkArena *arena, const YkModel *m
 }
 
 // Does the joint keep the angle between its bodies?
-static bool keeps_angle(const YkJoint *joint) { return !yk_part(joint->kind)->turns; }
+static bool keeps_angle(const YkJoint *joint)
+{
+    return !yk_part(joint->kind)->turns;
+}
 
 // Where a slide or weld comes back to a body that already has its turn: they must agree.
 static void check_turn(const YkMechanism *mech, const YkJoint *joint, YkProblems *problems, bool *ok)
@@ -28,7 +31,9 @@ static void check_turn(const YkMechanism *mech, const YkJoint *joint, YkProblems
     yk_problem(problems, YK_CODE_TURNS_DISAGREE, joint->place,
                "joint %q would turn %q by %e deg against what the other slides and welds allow", joint->name,
                mech->model->bodies[joint->body[1]].name, off * 180 / YK_PI);
-    yk_problem_hint(problems, "a slide or weld keeps the angle of its bodies: give `turned:` so that the angles round the loop add up");
+    yk_problem_hint(
+        problems,
+        "a slide or weld keeps the angle of its bodies: give `turned:` so that the angles round the loop add up");
     *ok = false;
 }
 
@@ -73,7 +78,10 @@ bool yk_topology_orientations(YkMechanism *mech, const YkIncidence *incidence, Y
     return ok;
 }
 
-static bool is_declared(const YkJoint *joint) { return joint->angle != YK_NONE || joint->distance != YK_NONE; }
+static bool is_declared(const YkJoint *joint)
+{
+    return joint->angle != YK_NONE || joint->distance != YK_NONE;
+}
 
 typedef struct Growth { // of the spanning tree
     YkMechanism *mech;
@@ -145,8 +153,12 @@ static void add_coordinate(YkMechanism *mech, int32_t joint, bool is_distance)
     const YkJoint *j = &mech->model->joints[joint];
     int32_t declared = is_distance ? j->distance : j->angle;
     YkTreeCoordinate *c = &mech->coordinates[mech->coordinate_count++];
-    *c = (YkTreeCoordinate){.joint = joint, .is_distance = is_distance, .is_declared = declared != YK_NONE,
-                            .drive = YK_NONE, .input = YK_NONE, .distance = YK_NONE};
+    *c = (YkTreeCoordinate){.joint = joint,
+                            .is_distance = is_distance,
+                            .is_declared = declared != YK_NONE,
+                            .drive = YK_NONE,
+                            .input = YK_NONE,
+                            .distance = YK_NONE};
     c->angle = yk_joint_angle(mech, joint);
     if (is_distance) c->distance = mech->joint_distance[joint];
     if (declared != YK_NONE) {
@@ -173,9 +185,11 @@ static void report_closing_coordinate(const YkMechanism *mech, int32_t joint, Yk
     const YkJoint *j = &mech->model->joints[joint];
     int32_t c = j->angle != YK_NONE ? j->angle : j->distance;
     yk_problem(problems, YK_CODE_COORDINATE_CLOSES_LOOP, mech->model->coordinates[c].place,
-               "coordinate %q of joint %q closes a loop of joints that all have coordinates", mech->model->coordinates[c].name, j->name);
-    yk_problem_hint(problems, "coordinates are measured along the spanning tree: leave one joint of each loop without a name; "
-                              "its value can still be asked for as `%s.%s`",
+               "coordinate %q of joint %q closes a loop of joints that all have coordinates",
+               mech->model->coordinates[c].name, j->name);
+    yk_problem_hint(problems,
+                    "coordinates are measured along the spanning tree: leave one joint of each loop without a name; "
+                    "its value can still be asked for as `%s.%s`",
                     j->name, j->angle != YK_NONE ? "angle" : "distance");
 }
 

@@ -4,7 +4,10 @@
 #include "compile/mechanism.h"
 
 // Joints of each body: incidence.joint[first[b] .. first[b + 1]).
-typedef struct YkIncidence { uint32_t *first; int32_t *joint; } YkIncidence;
+typedef struct YkIncidence {
+    uint32_t *first;
+    int32_t *joint;
+} YkIncidence;
 
 bool yk_incidence_build(YkIncidence *incidence, YkArena *arena, const YkModel *model);
 static inline int32_t yk_other_body(const YkModel *model, int32_t joint, int32_t body)

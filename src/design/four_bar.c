@@ -1,4 +1,5 @@
-// Four-bars inside a machine and their Grashof class. Source: Grashof 1883; names as in Norton, Design of Machinery, ch. 2.
+// Four-bars inside a machine and their Grashof class. Source: Grashof 1883; names as in Norton, Design of Machinery,
+// ch. 2.
 #include <yoke/design.h>
 #include "base/vec.h"
 #include "compile/mechanism.h"
@@ -16,19 +17,25 @@ static YkFourBarClass classify(const double length[4])
     double excess = 2 * (length[shortest] + length[longest]) - sum; // of s + l over p + q
     if (fabs(excess) <= 1e-12 * sum) return YK_CHANGE_POINT_FOUR_BAR;
     if (excess > 0) return YK_TRIPLE_ROCKER;
-    static const YkFourBarClass inversions[] = {YK_DRAG_LINK, YK_CRANK_ROCKER, YK_DOUBLE_ROCKER_GRASHOF, YK_ROCKER_CRANK};
+    static const YkFourBarClass inversions[] = {YK_DRAG_LINK, YK_CRANK_ROCKER, YK_DOUBLE_ROCKER_GRASHOF,
+                                                YK_ROCKER_CRANK};
     return inversions[shortest];
 }
 
 const char *yk_four_bar_name(YkFourBarClass kind)
 {
-    static const char *const names[] = {"crank-rocker (Grashof)", "rocker-crank (Grashof)", "drag link (Grashof double crank)",
-                                        "double rocker (Grashof)", "change-point four-bar", "triple rocker (non-Grashof)"};
+    static const char *const names[] = {
+        "crank-rocker (Grashof)",  "rocker-crank (Grashof)", "drag link (Grashof double crank)",
+        "double rocker (Grashof)", "change-point four-bar",  "triple rocker (non-Grashof)"};
     return names[kind];
 }
 
 // The pins of each body.
-typedef struct Pins { const YkMechanism *mech; uint32_t *first; int32_t *joint; } Pins;
+typedef struct Pins {
+    const YkMechanism *mech;
+    uint32_t *first;
+    int32_t *joint;
+} Pins;
 
 static bool gather(Pins *pins, YkArena *arena)
 {
@@ -37,7 +44,8 @@ static bool gather(Pins *pins, YkArena *arena)
     pins->joint = YK_NEW(arena, int32_t, 2 * model->joint_count + 1);
     if (yk_arena_failed(arena)) return false;
     for (size_t j = 0; j < model->joint_count; j++)
-        for (int end = 0; end < 2 && model->joints[j].kind == YK_PIN; end++) pins->first[model->joints[j].body[end] + 2]++;
+        for (int end = 0; end < 2 && model->joints[j].kind == YK_PIN; end++)
+            pins->first[model->joints[j].body[end] + 2]++;
     for (size_t b = 0; b < model->body_count; b++) pins->first[b + 2] += pins->first[b + 1];
     for (size_t j = 0; j < model->joint_count; j++)
         for (int end = 0; end < 2 && model->joints[j].kind == YK_PIN; end++)
@@ -74,15 +82,20 @@ static YkFourBar make(const Pins *pins, const int32_t body[4], const int32_t joi
     }
     for (size_t k = 0; k < 4; k++) {
         int32_t b = (int32_t)f.body[k];
-        f.length[k] = yk_norm(yk_sub(place_on(pins, (int32_t)f.joint[k], b), place_on(pins, (int32_t)f.joint[(k + 3) % 4], b)));
+        f.length[k] =
+            yk_norm(yk_sub(place_on(pins, (int32_t)f.joint[k], b), place_on(pins, (int32_t)f.joint[(k + 3) % 4], b)));
     }
     f.kind = classify(f.length);
     return f;
 }
 
-typedef struct Found { YkFourBar *items; size_t count, capacity; } Found;
+typedef struct Found {
+    YkFourBar *items;
+    size_t count, capacity;
+} Found;
 
-// All rings through a frame, the first body of its ring, in which the two sides meet the frame at joints j0 < j3 (each ring once).
+// All rings through a frame, the first body of its ring, in which the two sides meet the frame at joints j0 < j3 (each
+// ring once).
 static void search_from(const Pins *pins, int32_t frame, Found *found)
 {
     for (uint32_t a = pins->first[frame]; a < pins->first[frame + 1]; a++) {
@@ -97,7 +110,8 @@ static void search_from(const Pins *pins, int32_t frame, Found *found)
                     int32_t j3 = pins->joint[e];
                     if (j3 <= j0 || j3 == j2 || beyond(pins, j3, B) != frame) continue;
                     if (found->count < found->capacity)
-                        found->items[found->count] = make(pins, (int32_t[]){frame, A, C, B}, (int32_t[]){j0, j1, j2, j3});
+                        found->items[found->count] =
+                            make(pins, (int32_t[]){frame, A, C, B}, (int32_t[]){j0, j1, j2, j3});
                     found->count++;
                 }
             }
@@ -112,7 +126,8 @@ size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capaci
     YkArena *arena = yk_arena_new();
     bool ok = arena && gather(&pins, arena);
     if (ok) search_from(&pins, 0, &found);
-    for (size_t frame = 1; ok && found.count == 0 && frame < mech->model->body_count; frame++) search_from(&pins, (int32_t)frame, &found);
+    for (size_t frame = 1; ok && found.count == 0 && frame < mech->model->body_count; frame++)
+        search_from(&pins, (int32_t)frame, &found);
     yk_arena_free(arena);
     return found.count;
 }

@@ -4,7 +4,10 @@
 #include "base/vec.h"
 
 // Is an extreme found at `at` the one found before at `first`, a turn later?
-static bool is_again(size_t found, double first, double at) { return found > 0 && fabs(at - first - 2 * YK_PI) < 1e-6; }
+static bool is_again(size_t found, double first, double at)
+{
+    return found > 0 && fabs(at - first - 2 * YK_PI) < 1e-6;
+}
 
 static YkStatus read_extremes(const YkSweep *sweep, YkStroke *stroke)
 {
@@ -29,7 +32,8 @@ YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *st
 {
     const YkMechanism *mech = yk_state_mechanism(state);
     YkSweepOptions options = yk_default_sweep_options();
-    if (input >= yk_input_count(mech) || yk_coordinate_info(mech, yk_input_coordinate(mech, input)).is_distance) return YK_BAD_ARGUMENT;
+    if (input >= yk_input_count(mech) || yk_coordinate_info(mech, yk_input_coordinate(mech, input)).is_distance)
+        return YK_BAD_ARGUMENT;
     options.coordinate = (int)yk_input_coordinate(mech, input);
     options.from = yk_state_input(state, input).position;
     // a degree more than a turn, so that an extreme at the very start is passed; what lies in the surplus counts once

@@ -46,8 +46,14 @@ static int32_t follow(Search *s, int32_t v)
 
 size_t yk_components(size_t n, const uint32_t *first, const int32_t *target, int32_t *component, int32_t *work)
 {
-    Search s = {.first = first, .target = target, .component = component, .index = work, .low = work + n,
-                .edge = work + 2 * n, .path = work + 3 * n, .open = work + 4 * n};
+    Search s = {.first = first,
+                .target = target,
+                .component = component,
+                .index = work,
+                .low = work + n,
+                .edge = work + 2 * n,
+                .path = work + 3 * n,
+                .open = work + 4 * n};
     for (size_t v = 0; v < n; v++) s.index[v] = component[v] = -1;
     for (size_t root = 0; root < n; root++) {
         if (s.index[root] >= 0) continue;

@@ -120,7 +120,8 @@ size_t yk_qr_factor(size_t m, size_t n, double *A, size_t *order, double *tau, d
     return rank;
 }
 
-void yk_qr_solve(size_t m, size_t n, const double *A, const size_t *order, const double *tau, size_t rank, double *b, double *x)
+void yk_qr_solve(size_t m, size_t n, const double *A, const size_t *order, const double *tau, size_t rank, double *b,
+                 double *x)
 {
     for (size_t k = 0; k < rank; k++) {
         double sum = b[k];

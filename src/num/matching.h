@@ -9,13 +9,13 @@
 
 typedef struct YkMatching {
     size_t columns, row_capacity, entry_capacity;
-    size_t rows;             // rows added so far
-    uint32_t *first;         // row r has the columns entries[first[r]] .. entries[first[r + 1] - 1]
+    size_t rows;     // rows added so far
+    uint32_t *first; // row r has the columns entries[first[r]] .. entries[first[r + 1] - 1]
     int32_t *entries;
-    int32_t *row_of;         // column -> row, -1 free
-    int32_t *column_of;      // row -> column, -1 unmatched
-    uint32_t *seen;          // per row: stamp of the last search that visited it
-    uint32_t *next;          // per row: next entry to try in this search
+    int32_t *row_of;    // column -> row, -1 free
+    int32_t *column_of; // row -> column, -1 unmatched
+    uint32_t *seen;     // per row: stamp of the last search that visited it
+    uint32_t *next;     // per row: next entry to try in this search
     int32_t *stack;
     uint32_t stamp;
 } YkMatching;

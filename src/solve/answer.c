@@ -55,44 +55,15 @@ YkMotion yk_state_body(const YkState *s, size_t body)
     return without_rates((YkMotion){sum.position, t.w, t.a}, s->has_rates);
 }
 
-static void add_turned(YkVec out[3], const YkSpace *space, YkTerm term)
-{
-    Turn t = turn_in(space, term.slot);
-    YkVec v = yk_mul(t.e, term.v), iv = yk_quarter(v);
-    YkMotion d = {1, 0, 0};
-    if (term.distance != YK_NONE) d = distance_in(space, term.distance);
-    out[0] = yk_add(out[0], yk_scale(d.position, v));
-    out[1] = yk_add(out[1], yk_add(yk_scale(d.velocity, v), yk_scale(d.position * t.w, iv)));
-    out[2] = yk_add(out[2], yk_add(yk_scale(d.acceleration - d.position * t.w * t.w, v),
-                                   yk_scale(d.position * t.a + 2 * d.velocity * t.w, iv)));
-}
-
-static void add_plane(YkVec out[3], const YkSpace *space, int32_t node, double sign)
-{
-    if (node == YK_NONE) return;
-    YkPlane p = yk_space_plane(space, node);
-    out[0] = yk_add(out[0], yk_scale(sign, yk_vec(p.x[0], p.y[0])));
-    out[1] = yk_add(out[1], yk_scale(sign, yk_vec(p.vx[0], p.vy[0])));
-    out[2] = yk_add(out[2], yk_scale(sign, yk_vec(p.ax[0], p.ay[0])));
-}
-
+// By the lanes' arithmetic, as the batch does: the same bits.
 YkPointMotion yk_state_point(const YkState *s, size_t point)
 {
-    const YkMechanism *mech = s->mech;
-    const YkPoint *p = &mech->model->points[point];
-    const YkSum *origin = &mech->bodies[p->body].origin;
-    YkVec out[3] = {origin->constant, {0, 0}, {0, 0}};
-    add_plane(out, &s->space, origin->plus, 1);
-    add_plane(out, &s->space, origin->minus, -1);
-    for (uint32_t k = 0; k < origin->count; k++) add_turned(out, &s->space, mech->terms[origin->first + k]);
-    add_turned(out, &s->space, yk_body_term(mech, p->body, p->at));
-    YkPointMotion m = {{out[0].x, out[0].y}, {0, 0}, {0, 0}};
-    if (!s->has_rates) return m;
-    m.velocity[0] = out[1].x;
-    m.velocity[1] = out[1].y;
-    m.acceleration[0] = out[2].x;
-    m.acceleration[1] = out[2].y;
-    return m;
+    double x[6];
+    YkSpace view = s->space;
+    YkRun run = {.mech = s->mech, .space = &view, .lanes = 1};
+    yk_run_point(&run, point, (YkPlane){x, x + 1, x + 2, x + 3, x + 4, x + 5});
+    if (!s->has_rates) return (YkPointMotion){{x[0], x[1]}, {0, 0}, {0, 0}};
+    return (YkPointMotion){{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}};
 }
 
 double yk_state_transmission(const YkState *s, size_t block)
@@ -129,7 +100,7 @@ double yk_state_channel(const YkState *s, YkChannel c)
         return point_order(&p, c.order, c.kind == YK_CHANNEL_POINT_Y);
     case YK_CHANNEL_POINT_SPEED:
         p = yk_state_point(s, index);
-        return hypot(p.velocity[0], p.velocity[1]);
+        return sqrt(p.velocity[0] * p.velocity[0] + p.velocity[1] * p.velocity[1]); // the batch's bits: no hypot
     case YK_CHANNEL_TRANSMISSION: return yk_state_transmission(s, index);
     }
     return 0;

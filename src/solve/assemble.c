@@ -313,6 +313,17 @@ typedef struct Each {
     bool stopped;
 } Each;
 
+// The margin of all blocks: the search ran them level by level.
+static void gather_margin(const YkState *s, YkSpace *space)
+{
+    space->margin[0] = 1;
+    for (size_t b = 0; b < s->mech->block_count; b++) {
+        YkBlockKind kind = s->mech->blocks[b].kind;
+        if (kind == YK_BLOCK_LINK || kind == YK_BLOCK_CHECK) continue;
+        space->margin[0] = fmin(space->margin[0], space->block_margin[b]);
+    }
+}
+
 // Shows the configuration in `spare` as the state's pose, then takes the pose back.
 static bool show(void *context, YkState *s, double cost)
 {
@@ -323,6 +334,7 @@ static bool show(void *context, YkState *s, double cost)
     (void)cost;
     s->space = s->spare;
     s->has_pose = true;
+    gather_margin(s, &s->space);
     YkStatus status = yk_state_judge(s, &s->space);
     yk_state_tell(s, &s->space, status);
     s->has_rates = status != YK_SINGULAR;
@@ -339,11 +351,14 @@ static bool show(void *context, YkState *s, double cost)
 YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *context, bool *complete)
 {
     Each each = {visit, context, 0, false};
-    size_t bytes = s->mech->column_count * sizeof(double);
+    size_t bytes = s->mech->column_count * sizeof(double), inputs = 3 * s->mech->input_count * sizeof(double);
+    memcpy(s->search->wanted, s->valid_input, inputs); // the poses shown have the present inputs
+    memcpy(s->valid_input, s->input, inputs);
     memcpy(s->search->best_branch, s->branch, s->mech->block_count);
     if (bytes > 0) memcpy(s->search->best_x, s->groups.x, bytes);
     bool whole = search(s, false, NULL, show, &each, EACH_MAX);
     memcpy(s->branch, s->search->best_branch, s->mech->block_count);
+    memcpy(s->valid_input, s->search->wanted, inputs);
     if (bytes > 0) memcpy(s->groups.x, s->search->best_x, bytes);
     if (complete) *complete = (whole || each.stopped) && !s->mech->has_groups;
     return each.count > 0 ? YK_OK : YK_NO_ASSEMBLY;

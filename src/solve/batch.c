@@ -11,13 +11,11 @@ enum { LANES = 96, LANES_MIN = 8, LANES_APART = 8 };
 
 struct YkBatch {
     const YkMechanism *mech;
-    YkState *state;            // its branches, its inputs for NULL arrays; poses of machines with groups are tracked in it
+    YkState *state;            // its branches, its reference angles, its inputs for NULL arrays; poses of machines with groups are tracked in it
     YkState *home;             // groups: every pose starts here
     YkSpace space;
     YkChannel *channels;
-    double *reference;         // per channel: its angle comes out nearest to this
-    int32_t (*turns)[2];       // per channel: orientations of its angle (a, b), and its offset
-    double *offset;
+    int32_t (*turns)[2];       // per channel: orientations of its angle (a, b)
     double ***row;             // per channel: the lanes it is made in, which are led straight to its output; or NULL
     size_t channel_count, lanes;
     double *constant;          // [3 * input + k][lane]: for NULL arrays
@@ -33,28 +31,18 @@ static size_t lanes_for(const YkMechanism *mech)
     return lanes > LANES ? LANES : lanes < LANES_MIN ? LANES_MIN : lanes & ~(size_t)7;
 }
 
-// A channel that is an angle: between which orientations, and near which value.
+// A channel that is an angle: between which orientations.
 static void prepare_angle(YkBatch *b, size_t k)
 {
     const YkMechanism *mech = b->mech;
     YkChannel c = b->channels[k];
-    int32_t joint = c.kind == YK_CHANNEL_COORDINATE ? mech->coordinates[c.index].joint : c.index;
+    const YkTreeCoordinate *q = c.kind == YK_CHANNEL_COORDINATE ? &mech->coordinates[c.index] : NULL;
     b->turns[k][0] = b->turns[k][1] = 0;
-    b->offset[k] = 0;
-    if (c.kind == YK_CHANNEL_BODY) {
-        b->turns[k][1] = mech->bodies[c.index].orientation;
-        b->offset[k] = mech->bodies[c.index].turn;
-    } else if (c.kind == YK_CHANNEL_JOINT_ANGLE || (c.kind == YK_CHANNEL_COORDINATE && !mech->coordinates[c.index].is_distance)) {
-        YkJointAngle angle = yk_joint_angle(mech, joint);
-        b->turns[k][0] = angle.a;
-        b->turns[k][1] = angle.b;
-        b->offset[k] = angle.offset;
-    } else {
-        return;
-    }
-    YkChannel value = c;
-    value.order = 0;
-    b->reference[k] = yk_state_channel(b->state, value);
+    if (c.kind == YK_CHANNEL_BODY) b->turns[k][1] = mech->bodies[c.index].orientation;
+    if (c.kind != YK_CHANNEL_JOINT_ANGLE && !(q && !q->is_distance)) return;
+    YkJointAngle angle = q ? q->angle : yk_joint_angle(mech, c.index);
+    b->turns[k][0] = angle.a;
+    b->turns[k][1] = angle.b;
 }
 
 // The pointer to the lanes that hold a channel as it is asked: a distance, a rate against the ground. NULL where it takes work.
@@ -101,14 +89,12 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
     b->state = yk_state_new(b->mech);
     b->home = yk_state_new(b->mech);
     b->channels = calloc(channel_count + 1, sizeof *b->channels);
-    b->reference = calloc(channel_count + 1, sizeof *b->reference);
-    b->offset = calloc(channel_count + 1, sizeof *b->offset);
     b->turns = calloc(channel_count + 1, sizeof *b->turns);
     b->row = calloc(channel_count + 1, sizeof *b->row);
     b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
     b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    if (!b->state || !b->home || !b->channels || !b->reference || !b->offset || !b->turns || !b->row || !b->constant || !b->lanes_of || !b->point_lanes ||
+    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->constant || !b->lanes_of || !b->point_lanes ||
         !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, false)) {
         yk_batch_free(b);
         return NULL;
@@ -134,8 +120,6 @@ void yk_batch_free(YkBatch *b)
     yk_state_free(b->home);
     yk_space_end(&b->space);
     free(b->channels);
-    free(b->reference);
-    free(b->offset);
     free(b->turns);
     free(b->row);
     free(b->constant);
@@ -146,14 +130,57 @@ void yk_batch_free(YkBatch *b)
 
 // --- channels -----------------------------------------------------------------------------------------------------------
 
-static void write_angle(const YkBatch *b, size_t k, double *out, size_t n)
+static void write_coordinate_angle(const YkBatch *b, const YkRun *run, size_t coordinate, double *out, size_t n)
+{
+    const YkTreeCoordinate *q = &b->mech->coordinates[coordinate];
+    YkTurn from = yk_space_turn(&b->space, q->angle.a), to = yk_space_turn(&b->space, q->angle.b);
+    if (q->input != YK_NONE)
+        memcpy(out, run->inputs[3 * q->input], n * sizeof *out);
+    else
+        yk_lanes_angle(out, from, to, q->angle.offset, b->state->reference[coordinate], n);
+}
+
+// A body's angle: the sum along the tree, as yk_state_body adds it.
+static void write_body_angle(const YkBatch *b, const YkRun *run, size_t body, double *out, double *one, size_t n)
+{
+    const YkMechanism *mech = b->mech;
+    for (size_t k = 0; k < n; k++) out[k] = 0;
+    for (int32_t at = (int32_t)body; mech->tree.parent[at] != YK_NONE; at = mech->tree.parent[at]) {
+        const YkJoint *joint = &mech->model->joints[mech->tree.joint[at]];
+        int32_t coordinate = yk_tree_coordinate(mech, mech->tree.joint[at], false);
+        double way = joint->body[1] == at ? 1 : -1;
+        if (coordinate != YK_NONE) write_coordinate_angle(b, run, (size_t)coordinate, one, n);
+        for (size_t k = 0; k < n; k++) out[k] += way * (coordinate != YK_NONE ? one[k] : joint->turned);
+    }
+}
+
+// The angle of a joint: the difference of its bodies'.
+static void write_joint_angle(const YkBatch *b, const YkRun *run, size_t joint, double *out, size_t n)
+{
+    const YkJoint *j = &b->mech->model->joints[joint];
+    write_body_angle(b, run, (size_t)j->body[1], out, b->point.x, n);
+    write_body_angle(b, run, (size_t)j->body[0], b->point.y, b->point.x, n);
+    for (size_t k = 0; k < n; k++) out[k] -= b->point.y[k];
+}
+
+static void write_turning(const YkBatch *b, size_t k, double *out, size_t n)
 {
     YkTurn from = yk_space_turn(&b->space, b->turns[k][0]), to = yk_space_turn(&b->space, b->turns[k][1]);
-    int order = b->channels[k].order;
-    if (order == 0)
-        yk_lanes_angle(out, from, to, b->offset[k], b->reference[k], n);
+    bool is_rate = b->channels[k].order == 1;
+    yk_lanes_difference(out, is_rate ? to.w : to.a, is_rate ? from.w : from.a, n);
+}
+
+static void write_angle(const YkBatch *b, const YkRun *run, size_t k, double *out, size_t n)
+{
+    YkChannel c = b->channels[k];
+    if (c.order > 0)
+        write_turning(b, k, out, n);
+    else if (c.kind == YK_CHANNEL_COORDINATE)
+        write_coordinate_angle(b, run, (size_t)c.index, out, n);
+    else if (c.kind == YK_CHANNEL_BODY)
+        write_body_angle(b, run, (size_t)c.index, out, b->point.x, n);
     else
-        yk_lanes_difference(out, order == 1 ? to.w : to.a, order == 1 ? from.w : from.a, n);
+        write_joint_angle(b, run, (size_t)c.index, out, n);
 }
 
 static void write_distance(const YkBatch *b, int32_t distance, int order, double *out, size_t n)
@@ -164,12 +191,7 @@ static void write_distance(const YkBatch *b, int32_t distance, int order, double
 
 static void write_point(const YkBatch *b, const YkRun *run, YkChannel c, double *out, size_t n)
 {
-    const YkPoint *p = &b->mech->model->points[c.index];
-    YkTerm term = yk_body_term(b->mech, p->body, p->at);
-    YkSum origin = b->mech->bodies[p->body].origin;
-    if (term.slot == 0) origin.constant = yk_add(origin.constant, term.v);
-    yk_run_sum(run, &origin, b->point);
-    if (term.slot != 0) yk_lanes_add_turn(b->point, yk_space_turn(&b->space, term.slot), term.v, n);
+    yk_run_point(run, (size_t)c.index, b->point);
     if (c.kind == YK_CHANNEL_POINT_SPEED) {
         for (size_t k = 0; k < n; k++) out[k] = sqrt(b->point.vx[k] * b->point.vx[k] + b->point.vy[k] * b->point.vy[k]);
         return;
@@ -190,11 +212,11 @@ static void make_channel(const YkBatch *b, const YkRun *run, size_t k, double *o
         else if (q->is_distance)
             write_distance(b, q->distance, c.order, out, n);
         else
-            write_angle(b, k, out, n);
+            write_angle(b, run, k, out, n);
         break;
     }
     case YK_CHANNEL_BODY:
-    case YK_CHANNEL_JOINT_ANGLE: write_angle(b, k, out, n); break;
+    case YK_CHANNEL_JOINT_ANGLE: write_angle(b, run, k, out, n); break;
     case YK_CHANNEL_JOINT_DISTANCE: write_distance(b, b->mech->joint_distance[c.index], c.order, out, n); break;
     case YK_CHANNEL_POINT_X:
     case YK_CHANNEL_POINT_Y:
@@ -213,7 +235,8 @@ static void write_channel(const YkBatch *b, const YkRun *run, size_t k, bool mas
     size_t n = run->lanes;
     if (!b->row[k]) make_channel(b, run, k, out);
     if (!masks) return;
-    bool is_rate = c.order > 0 || c.kind == YK_CHANNEL_POINT_SPEED;
+    bool is_input = c.kind == YK_CHANNEL_COORDINATE && b->mech->coordinates[c.index].input != YK_NONE; // known at a dead point too
+    bool is_rate = (c.order > 0 && !is_input) || c.kind == YK_CHANNEL_POINT_SPEED;
     yk_lanes_mask(out, b->space.margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
 }
 

@@ -91,7 +91,7 @@ double yk_path_limit(YkPath *path, double good, double bad)
     for (int k = 0; k < 100; k++) {
         double middle = 0.5 * (good + bad);
         if (middle == good || middle == bad || fabs(bad - good) < 1e-15 * yk_path_scale(path)) break;
-        if (yk_path_probe(path, middle, true) >= 0)
+        if (yk_path_probe(path, middle, true) >= 0 && path->state->space.margin[0] >= 0) // not by tolerance
             good = middle;
         else
             bad = middle;

@@ -54,7 +54,8 @@ static void scan_closed_form(Scan *scan)
         double m = closes ? scan->path.state->space.margin[0] : -1;
         if (closes && !scan->is_open) open_range(scan, k == 0 ? at : yk_path_limit(&scan->path, at, at_of(scan, k - 1)));
         if (!closes && scan->is_open) close_range(scan, yk_path_limit(&scan->path, at_of(scan, k - 1), at));
-        if (closes && k >= 2 && margin[0] > margin[1] && margin[1] <= m && margin[1] < 0.01 && margin[0] > 0 &&
+        bool dips = closes && k >= 2 && margin[0] > margin[1] && margin[1] <= m; // and all three close
+        if (dips && margin[1] > -1 && margin[1] < 0.01 && margin[0] > 0 &&
             bottom(scan, at_of(scan, k - 2), at, &gap)) {
             close_range(scan, yk_path_limit(&scan->path, at_of(scan, k - 2), gap));
             open_range(scan, yk_path_limit(&scan->path, at, gap));

@@ -35,6 +35,16 @@ void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out)
     for (; k < sum->count; k++) add_term(run, terms[k], out);
 }
 
+void yk_run_point(const YkRun *run, size_t point, YkPlane out)
+{
+    const YkPoint *p = &run->mech->model->points[point];
+    YkTerm term = yk_body_term(run->mech, p->body, p->at);
+    YkSum origin = run->mech->bodies[p->body].origin;
+    if (term.slot == 0) origin.constant = yk_add(origin.constant, term.v);
+    yk_run_sum(run, &origin, out);
+    if (term.slot != 0) yk_lanes_add_turn(out, yk_space_turn(run->space, term.slot), term.v, run->lanes);
+}
+
 static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 {
     YkArm arm = {.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k)};

@@ -18,5 +18,7 @@ void yk_run_begin(const YkRun *run);
 void yk_run_steps(const YkRun *run, size_t from, size_t to);
 // A sum over lanes: constant + nodes + turned vectors.
 void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out);
+// Where a point of the model is, after all steps.
+void yk_run_point(const YkRun *run, size_t point, YkPlane out);
 
 #endif
