@@ -28,6 +28,7 @@ static bool build(YkMechanism *mech, const YkCompileOptions *options, YkProblems
 {
     YkIncidence incidence = {0};
     mech->arena = yk_arena_new();
+    if (!YK_ROOM(mech->terms, 0, mech->term_capacity)) return false; // never NULL: sums may be empty
     if (!mech->arena || !yk_incidence_build(&incidence, mech->arena, mech->model)) return false;
     if (!yk_topology_orientations(mech, &incidence, problems)) return false;
     if (!yk_topology_tree(mech, &incidence, problems)) return false;

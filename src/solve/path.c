@@ -57,8 +57,11 @@ static YkStatus solve_beside(YkPath *path, double at, bool along)
     YkState *s = path->state;
     YkStatus status = yk_path_set(path, at - 1e-15 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
     if (status == YK_OK) status = yk_state_solve(s);
-    if (status >= 0 && path->input >= 0) s->valid_input[3 * path->input] = at;
-    return status;
+    if (status < 0) return status;
+    if (path->input >= 0) s->valid_input[3 * path->input] = at;
+    s->has_rates = false;
+    yk_state_tell(s, &s->space, YK_SINGULAR);
+    return YK_SINGULAR;
 }
 
 YkStatus yk_path_try(YkPath *path, double at, bool along)
@@ -73,10 +76,22 @@ YkStatus yk_path_try(YkPath *path, double at, bool along)
     return status;
 }
 
+double yk_path_margin(const YkState *s, const YkSpace *space, size_t block)
+{
+    const YkBlock *b = &s->mech->blocks[block];
+    double m = space->block_margin[block];
+    if (b->kind != YK_BLOCK_RPR || !b->arm_is_constant[0] || b->line_slot[0] != 0) return m;
+    double r = yk_space_slide(space, b->column[1].index).d[0] + yk_dot(b->line[0], b->arm[0].constant);
+    return fmin(m, r * r / (s->mech->size * s->mech->size));
+}
+
 void yk_path_refer(YkPath *path)
 {
     YkState *s = path->state;
-    if (s->space.margin[0] > REFER_MARGIN) yk_state_refer(s);
+    bool is_far = s->space.margin[0] > REFER_MARGIN;
+    for (size_t b = 0; is_far && b < s->mech->block_count; b++)
+        if (s->mech->blocks[b].kind == YK_BLOCK_RPR) is_far = yk_path_margin(s, &s->space, b) > REFER_MARGIN;
+    if (is_far) yk_state_refer(s);
 }
 
 YkStatus yk_path_probe(YkPath *path, double at, bool along)

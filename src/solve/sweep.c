@@ -44,11 +44,9 @@ static double *margins_of(const YkSweep *w, size_t depth, size_t which) { return
 
 static void read_margins(const YkSweep *w, double *margins)
 {
-    const YkSpace *space = &w->path.state->space;
-    if (space->blocks == w->margin_count)
-        memcpy(margins, space->block_margin, w->margin_count * sizeof *margins);
-    else
-        margins[0] = space->margin[0];
+    const YkState *s = w->path.state;
+    if (s->mech->block_count != w->margin_count) margins[0] = s->space.margin[0];
+    for (size_t k = 0; s->mech->block_count == w->margin_count && k < w->margin_count; k++) margins[k] = yk_path_margin(s, &s->space, k);
 }
 
 static bool has_margin(const YkSweep *w, size_t block)
@@ -165,7 +163,7 @@ static double sine_at(YkSweep *w, size_t block, double at)
 {
     const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
     const YkSpace *space = yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
-    return sqrt(fmax(0, space->block_margin[block]));
+    return sqrt(fmax(0, yk_path_margin(s, space, block)));
 }
 
 // Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
@@ -210,7 +208,7 @@ static bool stop_or_pass(YkSweep *w, double good, double bad, size_t depth)
         bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
         s->branch[k] = (signed char)-s->branch[k];
         if (!passes) continue;
-        flip(w, k, touch(at, margins[k], beyond, s->space.block_margin[k]));
+        flip(w, k, touch(at, margins[k], beyond, yk_path_margin(s, &s->space, k)));
         yk_path_probe(&w->path, beyond, true);
         read_margins(w, margins_of(w, depth + 1, 0));
         return advance(w, beyond, bad, depth + 1);
@@ -279,7 +277,8 @@ static bool advance(YkSweep *w, double a, double b, size_t depth)
     read_margins(w, margins_of(w, depth, 1));
     if (yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 2));
-    Verdict verdict = w->path.state->mech->has_groups ? CLEAR : look(w, a, b, depth); // groups are tracked: checked on the way
+    bool is_tracked = w->path.state->mech->has_groups && w->margin_count != w->path.state->mech->block_count; // checked on the way
+    Verdict verdict = is_tracked ? CLEAR : look(w, a, b, depth);
     if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch are references
     return verdict == FINER ? halve(w, a, b, depth) : true;

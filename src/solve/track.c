@@ -1,6 +1,7 @@
 #include "solve/track.h"
 #include <string.h>
 
+#define DEPARTURE 1e-8     // rad, or lengths over the size: the first step from a dead point
 #define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: where not even such a step succeeds, there is a limit
 
 // Runs everything at the inputs as they stand, from the guess in groups.x.
@@ -34,29 +35,47 @@ static double path_length(const YkState *s)
     return longest;
 }
 
-// Puts the group's unknowns where velocity and acceleration (along the path) predict them; at a dead point, where they stand.
-// Returns the largest change: radians, or lengths over the size.
-static double predict(YkState *s, const YkSpace *space, double h)
+// Velocity and acceleration (along the path) of a group's unknown.
+static YkMotion rates_of(const YkState *s, YkColumn c)
 {
-    bool has_rates = space->margin[0] > YK_SINGULAR_MARGIN;
+    if (c.is_distance) {
+        YkSlide d = yk_space_slide(&s->space, c.index);
+        return (YkMotion){0, d.v[0], d.a[0]};
+    }
+    YkTurn t = yk_space_turn(&s->space, c.index);
+    return (YkMotion){0, t.w[0], t.a[0]};
+}
+
+static double column_size(const YkState *s, YkColumn c) { return c.is_distance ? s->mech->size : 1; }
+static bool at_dead_point(const YkState *s) { return !(s->space.margin[0] > YK_SINGULAR_MARGIN); }
+
+// Puts the group's unknowns where velocity and acceleration predict them; at a dead point, where they stand.
+// Returns the largest change: radians, or lengths over the size.
+static double predict(YkState *s, double h)
+{
     double largest = 0;
     for (size_t k = 0; k < s->mech->column_count; k++) {
         YkColumn c = s->mech->group_columns[k];
-        double v = 0, a = 0;
-        if (has_rates && c.is_distance) {
-            YkSlide d = yk_space_slide(space, c.index);
-            v = d.v[0];
-            a = d.a[0];
-        } else if (has_rates) {
-            YkTurn t = yk_space_turn(space, c.index);
-            v = t.w[0];
-            a = t.a[0];
-        }
-        double change = h * (v + 0.5 * h * a);
+        YkMotion m = at_dead_point(s) ? (YkMotion){0, 0, 0} : rates_of(s, c);
+        double change = h * (m.velocity + 0.5 * h * m.acceleration);
         s->groups.x[k] = s->valid_x[k] + change;
-        largest = fmax(largest, fabs(change) / (c.is_distance ? s->mech->size : 1));
+        largest = fmax(largest, fabs(change) / column_size(s, c));
     }
     return largest;
+}
+
+// Puts the unknowns `way` along the direction of their velocity: next to a dead point it is the one in which two solutions part.
+static bool kick(YkState *s, double way)
+{
+    double largest = 0;
+    for (size_t k = 0; k < s->mech->column_count; k++) {
+        YkColumn c = s->mech->group_columns[k];
+        largest = fmax(largest, fabs(rates_of(s, c).velocity) / column_size(s, c));
+    }
+    if (!(largest > 0 && isfinite(largest))) return false;
+    for (size_t k = 0; k < s->mech->column_count; k++)
+        s->groups.x[k] = s->valid_x[k] + way / largest * rates_of(s, s->mech->group_columns[k]).velocity;
+    return true;
 }
 
 // Inputs at `at` of the path from `base` (its inputs at 0), with the path itself as rate.
@@ -84,7 +103,7 @@ static void accept_along(YkState *s)
 // the step, and the determinant's sign says which way.
 static double correction_max(const YkState *s, double way)
 {
-    return s->space.margin[0] > YK_SINGULAR_MARGIN ? 0.25 * way + 1e-9 : 0.01;
+    return at_dead_point(s) ? 0.01 : 0.25 * way + 1e-9;
 }
 
 // One step of the path; false when even the smallest fails. Newton's correction must be small against the predicted way: what it
@@ -92,7 +111,7 @@ static double correction_max(const YkState *s, double way)
 static bool advance(YkState *s, Tracker *t, const double *ends)
 {
     while (t->at + t->h > t->at && t->h > STEP_FLOOR) {
-        double h = fmin(t->h, 1 - t->at), way = predict(s, &s->space, h);
+        double h = fmin(t->h, 1 - t->at), way = predict(s, h);
         set_path(s, ends, t->at + h);
         if (way < 0.5 && run_here(s) >= 0 && s->groups.moved <= correction_max(s, way)) {
             accept_along(s);
@@ -103,6 +122,22 @@ static bool advance(YkState *s, Tracker *t, const double *ends)
         t->h = 0.5 * h;
     }
     return false;
+}
+
+// From a dead point the unknowns move as the root of the input's way; how fast is not known there. Tries amplitudes either way:
+// Newton's method and the determinant's sign tell which one the solution has.
+static void depart(YkState *s, Tracker *t, const double *ends)
+{
+    double h = fmin(1, DEPARTURE / t->longest), base = sqrt(h * t->longest);
+    for (int k = -14; k < 16; k++) {
+        double way = ldexp(k % 2 ? -base : base, k / 2);
+        if (!kick(s, way)) return;
+        set_path(s, ends, h);
+        if (run_here(s) < 0 || !(s->groups.moved <= 0.4 * fabs(way))) continue;
+        accept_along(s);
+        t->at = h;
+        return;
+    }
 }
 
 YkStatus yk_state_track(YkState *s)
@@ -122,9 +157,10 @@ YkStatus yk_state_track(YkState *s)
     yk_space_copy(&s->search->kept, &s->space); // to come back to on failure
     memcpy(s->search->kept_x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
     set_path(s, ends, 0);
-    YkStatus status = run_here(s); // rates along the path at its start
-    if (status >= 0) accept_along(s);
-    bool ok = status >= 0;
+    YkStatus status = run_here(s); // rates along the path at its start; at a dead point rounding may give the other sign there
+    bool ok = status >= 0 || at_dead_point(s);
+    if (ok) accept_along(s);
+    if (ok && at_dead_point(s) && t.longest > STEP_FLOOR) depart(s, &t, ends);
     while (ok && t.at < 1) ok = advance(s, &t, ends);
     memcpy(s->input, wanted, 3 * n * sizeof *wanted);
     if (ok) {

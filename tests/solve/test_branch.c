@@ -2,7 +2,7 @@
 // forward and back, against the closed form. YOKE_TEST_FOUR_BARS=100000 in the environment runs the full check.
 #include "four_bar.h"
 
-enum { FOUR_BARS = 4000, TURN = 360, SIZES = 5 };
+enum { FOUR_BARS = 10000, TURN = 360, SIZES = 5 };
 static const size_t step_counts[SIZES] = {8, 12, 24, 72, TURN};
 static const char *const names[] = {"coupler.angle", "theta4", "gamma"};
 static double finest[TURN + 1][3];

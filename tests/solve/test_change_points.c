@@ -125,6 +125,43 @@ static void test_a_rhombus_stays_a_rhombus(void **unused)
     check_in_all_steps(rhombus, parallel);
 }
 
+// A slotted lever whose pivot lies on the crank pin's circle: beta = 90 deg + theta/2, s = 2 sin(theta/2) through 0, where the
+// pin stands in the pivot and the lever's line is any.
+static void test_a_slotted_lever_passes_its_own_pivot(void **unused)
+{
+    (void)unused;
+    static const char model[] = "bodies:\n"
+                                "  ground: {points: {O: [0, 0], Q: [1, 0]}}\n"
+                                "  crank: {points: {O: [0, 0], A: [1, 0]}}\n"
+                                "  lever: {points: {Q: [0, 0]}}\n"
+                                "  block: {points: {A: [0, 0]}}\n"
+                                "joints:\n"
+                                "  O: {pin: [ground, crank], angle: theta}\n"
+                                "  Q: {pin: [ground, lever], angle: beta}\n"
+                                "  S: {slide: [lever, block], along: x, distance: s}\n"
+                                "  A: {pin: [crank, block]}\n"
+                                "start: {theta: 1, beta: 2, s: 1}\n";
+    static const char *const of[] = {"beta", "s", "beta.rate", "s.rate"};
+    for (size_t k = 0; k < COUNTS; k++)
+        for (int way = -1; way <= 1; way += 2) {
+            Machine m = machine_parse(model, true);
+            yk_state_set_input(m.state, 0, (YkMotion){1, 2, 0});
+            double to = way < 0 ? -2 : 8;
+            YkSweep *sweep = machine_sweep(&m, "theta", 1, to, step_counts[k], of, 4);
+            assert_int_equal(yk_sweep_row_count(sweep), step_counts[k] + 1);
+            for (size_t row = 0; row <= step_counts[k]; row++) {
+                double theta = yk_sweep_at(sweep, row);
+                CHECK_NEAR(yk_sweep_value(sweep, row, 0), 0.5 * YK_PI + 0.5 * theta, 1e-7);
+                CHECK_NEAR(yk_sweep_value(sweep, row, 1), 2 * sin(0.5 * theta), 1e-7);
+                CHECK_NEAR(yk_sweep_value(sweep, row, 2), 1, 1e-6);
+                CHECK_NEAR(yk_sweep_value(sweep, row, 3), 2 * cos(0.5 * theta), 1e-6);
+            }
+            assert_int_equal(count_events(sweep, YK_EVENT_CHANGE_POINT), 1);
+            yk_sweep_free(sweep);
+            machine_free(&m);
+        }
+}
+
 // A sweep that ends just before the change point, one that creeps over it, and one that goes on. Within 1e-7 rad of it a
 // pose is singular and belongs to both kinds: there the only promise is that it is told.
 static void creep_over(double width, size_t steps, bool promised)
@@ -171,6 +208,7 @@ int main(void)
         cmocka_unit_test(test_an_antiparallelogram_stays_antiparallel),
         cmocka_unit_test(test_the_rocker_of_a_folded_kite_rests),
         cmocka_unit_test(test_a_rhombus_stays_a_rhombus),
+        cmocka_unit_test(test_a_slotted_lever_passes_its_own_pivot),
         cmocka_unit_test(test_a_creep_through_a_change_point_keeps_the_kind),
         cmocka_unit_test(test_a_creep_within_rounding_of_a_change_point_is_told),
     };

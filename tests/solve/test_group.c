@@ -92,9 +92,9 @@ static void test_coarse_steps_lead_where_fine_ones_do(void **unused)
 {
     (void)unused;
     check_steps("stephenson-awkward", 2.0, 2.7);
-    check_steps("stephenson-awkward", 2.6, 1.5);
+    check_steps("stephenson-awkward", 2.6, 1.85);
     check_steps("double-butterfly", 0, 0.5);
-    check_steps("double-butterfly", 0, -0.4);
+    check_steps("double-butterfly", 0, -0.15);
 }
 
 // The awkward input is the other end of a machine of two dyads: driven from its crank, the same poses.
@@ -151,7 +151,9 @@ static void check_limit(const char *file, double way)
     assert_true(yk_state_transmission(m.state, 0) < 1e-4); // the determinant vanishes there
     // beyond: refused, and kept; back: the same solution
     assert_true(machine_solve(&m, e.at + way * 1e-6, 1, 0) < 0);
-    assert_true(strlen(yk_state_report(m.state)->message) > 20);
+    const char *message = yk_state_report(m.state)->message;
+    assert_non_null(strstr(message, yk_block_info(m.mech, 0).label));
+    assert_null(strstr(message, "misses by")); // there is no telling by how much
     assert_true(machine_solve(&m, start, 1, 0) >= 0);
     read(&m, q);
     CHECK_NEAR(off_by(&m, q, home), 0, 1e-9);
