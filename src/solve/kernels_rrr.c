@@ -6,17 +6,17 @@
 // likewise.
 #include "solve/lanes.h"
 
-// What the lengths of two arms give: (U+W)^2, (U-W)^2, (U+W) (U-W), 1 / (4 U^2 W^2), 1 / U, 1 / W.
+// What the lengths of two arms give: (U+W)^2, (U-W)^2, (U+W) (U-W), 1 / (4 U^2 W^2), U W, 1 / U, 1 / W.
 typedef struct Pair {
-    double outer, inner, product, scale;
+    double outer, inner, product, scale, rectangle;
     YkVec inverse_U, inverse_W;
 } Pair;
 
 YK_INLINE Pair pair_of(YkVec U, YkVec W)
 {
     double U2 = yk_dot(U, U), W2 = yk_dot(W, W), sum = sqrt(U2) + sqrt(W2), difference = sqrt(U2) - sqrt(W2);
-    return (Pair){sum * sum,         difference * difference, sum * difference,
-                  1 / (4 * U2 * W2), vec_inverse(U),          vec_inverse(W)};
+    return (Pair){sum * sum, difference * difference, sum * difference, 1 / (4 * U2 * W2), sqrt(U2 * W2), vec_inverse(U),
+                  vec_inverse(W)};
 }
 
 // One lane before any root: 4 D^2, and 1 / L^2 and 1 / (4 D^2) by one division that need not wait for it. Where D^2 <=
@@ -30,6 +30,14 @@ YK_INLINE Triangle triangle_of(YkVec K, Pair arms)
     double L2 = yk_dot(K, K), square = (arms.outer - L2) * (L2 - arms.inner);
     double factor = not_zero(square), inverse = 1 / (L2 * factor);
     return (Triangle){L2, square, factor * inverse, L2 * inverse};
+}
+
+// sin^2 of the angle between the arms. What does not close is measured by the base where that is short: a gap of 1e-9 is
+// nothing to arms of 1, but to a base of 1e-8 it is.
+YK_INLINE double rrr_margin(Triangle known, Pair arms)
+{
+    double m = known.square * arms.scale, shortness = arms.rectangle * known.per_L2;
+    return m < 0 ? m * (shortness > 1 ? shortness : 1) : m;
 }
 
 // The solution: the arms as they stand, and D.
@@ -94,7 +102,7 @@ YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, Y
         if (places) {
             lane_set_unit(out1, i, e1);
             lane_set_unit(out2, i, e2);
-            lane_margin(margin, own, i, known.square * arms.scale, e1.x);
+            lane_margin(margin, own, i, rrr_margin(known, arms), e1.x);
         }
         if (rates) {
             Known u = arm_known(U, U_varies, i), w = arm_known(W, W_varies, i);

@@ -69,6 +69,29 @@ static void test_a_limit_is_found_to_1e_8_rad_both_ways(void **unused)
     }
 }
 
+// Crank and frame alike: the dyad's base all but vanishes where it does not close any more. The last pose still has links of
+// their own length.
+static void test_links_keep_their_length_at_a_limit_with_a_short_base(void **unused)
+{
+    (void)unused;
+    for (double difference = 0.1; difference > 1e-9; difference *= 0.1) {
+        FourBar f = {1, 0.5 + difference, 0.5, 1};
+        double limit = 2 * asin(0.5 * (f.b - f.c));
+        Machine m = four_bar_machine(f, 0.5, 1);
+        YkSweep *sweep = machine_sweep(&m, "theta2", 0.5, -0.5, 10, NULL, 0);
+        assert_int_equal(yk_sweep_status(sweep), YK_LIMIT);
+        CHECK_NEAR(yk_sweep_event(sweep, yk_sweep_event_count(sweep) - 1).at, limit, 1e-10);
+        for (double beyond = 0; beyond < 1e-9; beyond = 10 * beyond + 1e-17) {
+            machine_solve(&m, limit - beyond, 1, 0);
+            double x = machine_ask(&m, "coupler.B.x") - machine_ask(&m, "coupler.A.x");
+            double y = machine_ask(&m, "coupler.B.y") - machine_ask(&m, "coupler.A.y");
+            CHECK_NEAR(hypot(x, y), f.b, 1e-12);
+        }
+        yk_sweep_free(sweep);
+        machine_free(&m);
+    }
+}
+
 static void test_the_quick_return_stops_where_its_coupler_is_stretched(void **unused)
 {
     (void)unused;
@@ -301,6 +324,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_limit_is_found_to_1e_8_rad_both_ways),
+        cmocka_unit_test(test_links_keep_their_length_at_a_limit_with_a_short_base),
         cmocka_unit_test(test_the_quick_return_stops_where_its_coupler_is_stretched),
         cmocka_unit_test(test_a_narrow_gap_is_not_jumped),
         cmocka_unit_test(test_a_fast_drive_over_time_jumps_neither_limit_nor_change_point),
