@@ -14,7 +14,8 @@ typedef struct FourBarPose {
     bool closes;
 } FourBarPose;
 
-// Where the circles about A and O4 meet; branch = sign of cross(AB, O4B), which is - of the block's determinant order's.
+// Where the circles about A and O4 meet; branch = sign of cross(AB, O4B), which is - of the block's determinant
+// order's.
 static inline FourBarPose four_bar_pose(FourBar f, double theta, int branch)
 {
     double ax = f.a * cos(theta), ay = f.a * sin(theta), dx = f.d - ax, dy = -ay, l2 = dx * dx + dy * dy, l = sqrt(l2);
@@ -23,7 +24,10 @@ static inline FourBarPose four_bar_pose(FourBar f, double theta, int branch)
     return (FourBarPose){atan2(by - ay, bx - ax), atan2(by, bx - f.d), off2 >= 0};
 }
 
-static inline double link_length_sum(FourBar f) { return f.a + f.b + f.c + f.d; }
+static inline double link_length_sum(FourBar f)
+{
+    return f.a + f.b + f.c + f.d;
+}
 
 // Grashof's s + l - p - q over the sum of lengths: negative where a link turns through.
 static inline double grashof_excess(FourBar f)

@@ -121,17 +121,45 @@ static inline size_t count_events(const YkSweep *sweep, YkEventKind kind)
 }
 
 // a - b, modulo a turn, in (-pi, pi].
-static inline double angle_between(double a, double b) { return remainder(a - b, 2 * YK_PI); }
+static inline double angle_between(double a, double b)
+{
+    return remainder(a - b, 2 * YK_PI);
+}
 
 // The examples that load; the machine that has no loop and no drive is one of them.
-static const char *const all_examples[] = {
-    "andrews",           "change-point-four-bar", "chebyshev",          "crank-slotted-lever", "double-butterfly",
-    "double-pendulum",   "doubled-guide",         "drag-link",          "elliptic-trammel",    "excavator",
-    "five-bar",          "four-bar",              "hoeken",             "inverted-slider-crank", "jansen",
-    "kite",              "klann",                 "marghitu",           "non-grashof",         "offset-slider-crank",
-    "oscillating-cylinder", "parallelogram",      "peaucellier",        "pmks-slider-crank",   "quick-return",
-    "scotch-yoke",       "slider-crank",          "stephenson-awkward", "stephenson-six-bar",
-    "three-crank-parallelogram", "toggle",        "watt-six-bar",       "whitworth-kg"};
+static const char *const all_examples[] = {"andrews",
+                                           "change-point-four-bar",
+                                           "chebyshev",
+                                           "crank-slotted-lever",
+                                           "double-butterfly",
+                                           "double-pendulum",
+                                           "doubled-guide",
+                                           "drag-link",
+                                           "elliptic-trammel",
+                                           "excavator",
+                                           "five-bar",
+                                           "four-bar",
+                                           "hoeken",
+                                           "inverted-slider-crank",
+                                           "jansen",
+                                           "kite",
+                                           "klann",
+                                           "marghitu",
+                                           "non-grashof",
+                                           "offset-slider-crank",
+                                           "oscillating-cylinder",
+                                           "parallelogram",
+                                           "peaucellier",
+                                           "pmks-slider-crank",
+                                           "quick-return",
+                                           "scotch-yoke",
+                                           "slider-crank",
+                                           "stephenson-awkward",
+                                           "stephenson-six-bar",
+                                           "three-crank-parallelogram",
+                                           "toggle",
+                                           "watt-six-bar",
+                                           "whitworth-kg"};
 enum { EXAMPLE_COUNT = sizeof all_examples / sizeof all_examples[0] };
 
 // A place fixed in a body, as the answers for the body's angle and one of its points give it. False where the body has

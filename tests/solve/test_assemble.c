@@ -1,9 +1,10 @@
-// Assembling: the nearest configuration by trying all, all of them by Newton's method from anywhere, labels that keep their
-// meaning, and words for what cannot be assembled.
+// Assembling: the nearest configuration by trying all, all of them by Newton's method from anywhere, labels that keep
+// their meaning, and words for what cannot be assembled.
 #include "four_bar.h"
 #include "solve/state.h"
 
-// --- all configurations -----------------------------------------------------------------------------------------------------
+// --- all configurations
+// -----------------------------------------------------------------------------------------------------
 
 enum { POSES_MAX = 64, COORDINATES_MAX = 16 };
 typedef struct Pose {
@@ -68,9 +69,10 @@ static size_t nearest_pose(const Machine *m, const Poses *poses, const double *q
 static const struct {
     const char *file;
     size_t count;
-} counts[] = {{"four-bar", 2},           {"slider-crank", 2}, {"oscillating-cylinder", 2}, {"elliptic-trammel", 1},
-              {"quick-return", 2},       {"five-bar", 2},     {"stephenson-six-bar", 4},   {"jansen", 8},
-              {"inverted-slider-crank", 2}, {"scotch-yoke", 1}, {"excavator", 4},          {"double-pendulum", 1}};
+} counts[] = {{"four-bar", 2},           {"slider-crank", 2}, {"oscillating-cylinder", 2},
+              {"elliptic-trammel", 1},   {"quick-return", 2}, {"five-bar", 2},
+              {"stephenson-six-bar", 4}, {"jansen", 8},       {"inverted-slider-crank", 2},
+              {"scotch-yoke", 1},        {"excavator", 4},    {"double-pendulum", 1}};
 enum { COUNTS = sizeof counts / sizeof counts[0] };
 
 static void test_there_are_as_many_configurations_as_the_dyads_have_and_all_close(void **unused)
@@ -159,7 +161,8 @@ static void test_complete_says_whether_all_were_enumerated(void **unused)
     machine_free(&group);
 }
 
-// --- Newton's method in absolute coordinates finds no other -------------------------------------------------------------------
+// --- Newton's method in absolute coordinates finds no other
+// -------------------------------------------------------------------
 
 enum { UNKNOWNS_MAX = 48 };
 
@@ -274,7 +277,8 @@ static void check_no_other(const char *file, int starts)
     assert_true(n <= UNKNOWNS_MAX);
     for (int k = 0; k < starts; k++) {
         double z[UNKNOWNS_MAX], size = yk_mechanism_size(m.mech);
-        for (size_t j = 0; j < n; j++) z[j] = j % 3 == 2 ? check_uniform(&seed, -YK_PI, YK_PI) : check_uniform(&seed, -1.5 * size, 1.5 * size);
+        for (size_t j = 0; j < n; j++)
+            z[j] = j % 3 == 2 ? check_uniform(&seed, -YK_PI, YK_PI) : check_uniform(&seed, -1.5 * size, 1.5 * size);
         if (!newton(&m, z, n)) continue;
         size_t at = 0;
         while (at < poses.count && !is_pose(&m, z, &poses.at[at])) at++;
@@ -305,7 +309,8 @@ static void test_newtons_method_finds_no_other_of_a_group(void **unused)
     check_no_other("double-butterfly", 200);
 }
 
-// --- the nearest ------------------------------------------------------------------------------------------------------------
+// --- the nearest
+// ------------------------------------------------------------------------------------------------------------
 
 static void check_nearest(const char *file, int tries)
 {
@@ -319,7 +324,8 @@ static void check_nearest(const char *file, int tries)
             YkCoordinateInfo info = yk_coordinate_info(m.mech, q);
             if (info.input >= 0) continue;
             m.state->is_guessed[q] = true;
-            m.state->guess[q] = info.is_distance ? check_uniform(&seed, -1, 1) * yk_mechanism_size(m.mech) : check_uniform(&seed, -7, 7);
+            m.state->guess[q] = info.is_distance ? check_uniform(&seed, -1, 1) * yk_mechanism_size(m.mech)
+                                                 : check_uniform(&seed, -7, 7);
         }
         assert_true(yk_state_assemble(m.state) >= 0);
         size_t due = nearest_pose(&m, &poses, m.state->guess);
@@ -349,7 +355,8 @@ static void test_the_nearest_to_the_guess_is_taken(void **unused)
     check_nearest("stephenson-awkward", 200);
 }
 
-// --- labels -----------------------------------------------------------------------------------------------------------------
+// --- labels
+// -----------------------------------------------------------------------------------------------------------------
 
 // Followed over a sweep in small steps, a configuration keeps its label; so a label means the same at every pose.
 static void check_labels(const char *file, double span)
@@ -382,18 +389,20 @@ static void test_a_label_means_the_same_at_every_pose(void **unused)
     check_labels("quick-return", 2.7);
 }
 
-// --- no assembly, dead points ---------------------------------------------------------------------------------------------------
+// --- no assembly, dead points
+// ---------------------------------------------------------------------------------------------------
 
 static void check_gap(FourBar f, double theta, double gap)
 {
     char text[1024];
-    snprintf(text, sizeof text,
-             "bodies:\n  ground: {points: {O2: [0, 0], O4: [%.17g, 0]}}\n  crank: {points: {O2: [0, 0], A: [%.17g, 0]}}\n"
-             "  coupler: {points: {A: [0, 0], B: [%.17g, 0]}}\n  rocker: {points: {O4: [0, 0], B: [%.17g, 0]}}\njoints:\n"
-             "  O2: {pin: [ground, crank], angle: theta2}\n  A: {pin: [crank, coupler], angle: gamma}\n"
-             "  O4: {pin: [ground, rocker], angle: theta4}\n  B: {pin: [coupler, rocker]}\n"
-             "start: {theta2: %.17g, gamma: 0, theta4: 0}\n",
-             f.d, f.a, f.b, f.c, theta);
+    snprintf(
+        text, sizeof text,
+        "bodies:\n  ground: {points: {O2: [0, 0], O4: [%.17g, 0]}}\n  crank: {points: {O2: [0, 0], A: [%.17g, 0]}}\n"
+        "  coupler: {points: {A: [0, 0], B: [%.17g, 0]}}\n  rocker: {points: {O4: [0, 0], B: [%.17g, 0]}}\njoints:\n"
+        "  O2: {pin: [ground, crank], angle: theta2}\n  A: {pin: [crank, coupler], angle: gamma}\n"
+        "  O4: {pin: [ground, rocker], angle: theta4}\n  B: {pin: [coupler, rocker]}\n"
+        "start: {theta2: %.17g, gamma: 0, theta4: 0}\n",
+        f.d, f.a, f.b, f.c, theta);
     Machine m = machine_parse(text, false);
     assert_int_equal(yk_state_assemble(m.state), YK_NO_ASSEMBLY);
     const YkReport *report = yk_state_report(m.state);

@@ -1,4 +1,5 @@
-// Batches: bit for bit what one pose a call gives, over every channel; lanes that do not close, blocks that are not full.
+// Batches: bit for bit what one pose a call gives, over every channel; lanes that do not close, blocks that are not
+// full.
 #include "machine.h"
 #include "compile/mechanism.h"
 
@@ -58,7 +59,10 @@ static YkStatus run(YkBatch *batch, const Machine *m, bool with_status, size_t c
     return yk_batch_run(batch, in, out, with_status ? status : NULL, count);
 }
 
-static bool same_bits(double a, double b) { return memcmp(&a, &b, sizeof a) == 0 || (a == 0 && b == 0); }
+static bool same_bits(double a, double b)
+{
+    return memcmp(&a, &b, sizeof a) == 0 || (a == 0 && b == 0);
+}
 
 // A pose of the batch against a state that solves it.
 static void check_pose(const char *file, const Machine *m, size_t k)
@@ -205,7 +209,8 @@ static void test_the_worst_status_is_returned(void **unused)
 {
     (void)unused;
     Machine m = machine_load("non-grashof");
-    YkChannel of[3] = {machine_channel(&m, "theta4"), machine_channel(&m, "theta4.rate"), machine_channel(&m, "theta2.rate")};
+    YkChannel of[3] = {machine_channel(&m, "theta4"), machine_channel(&m, "theta4.rate"),
+                       machine_channel(&m, "theta2.rate")};
     memcpy(channels, of, sizeof of);
     channel_count = 3;
     YkBatch *batch = yk_batch_new(m.state, channels, 3);

@@ -1,5 +1,5 @@
-// No pose is reported on a branch other than the one that was assembled: random Grashof four-bars, coarse and fine sweeps,
-// forward and back, against the closed form. YOKE_TEST_FOUR_BARS=100000 in the environment runs the full check.
+// No pose is reported on a branch other than the one that was assembled: random Grashof four-bars, coarse and fine
+// sweeps, forward and back, against the closed form. YOKE_TEST_FOUR_BARS=100000 in the environment runs the full check.
 #include "four_bar.h"
 
 enum { FOUR_BARS = 10000, TURN = 360, SIZES = 5 };
@@ -89,11 +89,11 @@ static void test_random_grashof_four_bars_keep_their_branch(void **unused)
 static void test_known_hard_ratios_keep_their_branch(void **unused)
 {
     (void)unused;
-    static const FourBar hard[] = {{0.5, 1.2, 0.8, 1},        // a published flip of warm-started Newton
-                                   {1, 1.2, 0.8, 0.5},        // its drag link
-                                   {0.1, 1, 1, 1},            // hardly moves
-                                   {1, 2, 2.0001, 2.9999},    // stretched at pi: sine 1e-2
-                                   {1, 1.01, 1.02, 0.985}};   // nearly a rhombus: the dyad's base nearly vanishes
+    static const FourBar hard[] = {{0.5, 1.2, 0.8, 1},      // a published flip of warm-started Newton
+                                   {1, 1.2, 0.8, 0.5},      // its drag link
+                                   {0.1, 1, 1, 1},          // hardly moves
+                                   {1, 2, 2.0001, 2.9999},  // stretched at pi: sine 1e-2
+                                   {1, 1.01, 1.02, 0.985}}; // nearly a rhombus: the dyad's base nearly vanishes
     for (size_t k = 0; k < sizeof hard / sizeof hard[0]; k++)
         for (int branch = -1; branch <= 1; branch += 2)
             for (double theta = -3; theta < 3; theta += 0.7)

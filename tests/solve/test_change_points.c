@@ -1,5 +1,5 @@
-// Change points: the motion goes on as the kind it was, the event is told, and nothing is ever NaN - whether rows fall on the
-// change point or beside it.
+// Change points: the motion goes on as the kind it was, the event is told, and nothing is ever NaN - whether rows fall
+// on the change point or beside it.
 #include "four_bar.h"
 
 static const char *const four_bar_names[] = {"coupler.angle", "theta4", "coupler.angle.rate", "theta4.rate",
@@ -23,7 +23,8 @@ static void parallel(double theta, double *coupler, double *rocker, double *rock
     *rocker_rate = 1;
 }
 
-// Crank 2, coupler 4, rocker 2 on 4: the antiparallelogram; the rocker's half angle by tan(theta/2) tan(theta4/2) = const.
+// Crank 2, coupler 4, rocker 2 on 4: the antiparallelogram; the rocker's half angle by tan(theta/2) tan(theta4/2) =
+// const.
 static void antiparallel(double theta, double *coupler, double *rocker, double *rocker_rate)
 {
     double k = -(4.0 + 2.0) / (4.0 - 2.0); // tan(theta4/2) = -(b + a)/(b - a) tan(theta/2): theta4 turns the other way
@@ -53,7 +54,8 @@ static void check_motion(FourBar f, Motion motion, double start, double to, size
     yk_state_set_input(m.state, 0, (YkMotion){start, rate, 0});
     YkSweep *sweep = machine_sweep(&m, "theta2", start, to, steps, four_bar_names, NAMES);
     if (yk_sweep_status(sweep) < 0)
-        print_error("from %.17g to %.17g in %zu steps: stopped after %zu\n", start, to, steps, yk_sweep_row_count(sweep));
+        print_error("from %.17g to %.17g in %zu steps: stopped after %zu\n", start, to, steps,
+                    yk_sweep_row_count(sweep));
     assert_true(yk_sweep_status(sweep) >= 0);
     assert_int_equal(yk_sweep_row_count(sweep), steps + 1);
     check_no_nan(sweep);
@@ -66,8 +68,8 @@ static void check_motion(FourBar f, Motion motion, double start, double to, size
                           fabs(yk_sweep_value(sweep, row, 1) - rocker - turns[1]));
         if (!(off <= 1e-7))
             print_error("%zu steps, row %zu at %.17g: coupler %g for %g, rocker %g for %g\n", steps, row,
-                        yk_sweep_at(sweep, row), yk_sweep_value(sweep, row, 0), coupler,
-                        yk_sweep_value(sweep, row, 1), rocker);
+                        yk_sweep_at(sweep, row), yk_sweep_value(sweep, row, 0), coupler, yk_sweep_value(sweep, row, 1),
+                        rocker);
         CHECK_NEAR(off, 0, 1e-7);
         if (yk_sweep_row_status(sweep, row) != YK_SINGULAR)
             CHECK_NEAR(yk_sweep_value(sweep, row, 3), rocker_rate * rate, 1e-6);
@@ -125,8 +127,8 @@ static void test_a_rhombus_stays_a_rhombus(void **unused)
     check_in_all_steps(rhombus, parallel);
 }
 
-// A slotted lever whose pivot lies on the crank pin's circle: beta = 90 deg + theta/2, s = 2 sin(theta/2) through 0, where the
-// pin stands in the pivot and the lever's line is any.
+// A slotted lever whose pivot lies on the crank pin's circle: beta = 90 deg + theta/2, s = 2 sin(theta/2) through 0,
+// where the pin stands in the pivot and the lever's line is any.
 static void test_a_slotted_lever_passes_its_own_pivot(void **unused)
 {
     (void)unused;
@@ -162,8 +164,8 @@ static void test_a_slotted_lever_passes_its_own_pivot(void **unused)
         }
 }
 
-// A sweep that ends just before the change point, one that creeps over it, and one that goes on. Within 1e-7 rad of it a
-// pose is singular and belongs to both kinds: there the only promise is that it is told.
+// A sweep that ends just before the change point, one that creeps over it, and one that goes on. Within 1e-7 rad of it
+// a pose is singular and belongs to both kinds: there the only promise is that it is told.
 static void creep_over(double width, size_t steps, bool promised)
 {
     Machine m = machine_load("parallelogram");

@@ -3,7 +3,8 @@
 
 enum { POSES = 360 };
 
-// --- slider-crank ---------------------------------------------------------------------------------------------------------
+// --- slider-crank
+// ---------------------------------------------------------------------------------------------------------
 
 // x = r cos + l cos(phi) with sin(phi) = r sin / l and the rates by differentiation; crank rate w, acceleration a.
 static void slider_crank(double r, double l, double theta, double w, double a, double *x, double *v, double *acc)
@@ -66,7 +67,8 @@ static void test_the_offset_slider_crank(void **unused)
     machine_free(&m);
 }
 
-// --- slots and guides -------------------------------------------------------------------------------------------------------
+// --- slots and guides
+// -------------------------------------------------------------------------------------------------------
 
 static void test_the_scotch_yoke_is_harmonic(void **unused)
 {
@@ -102,7 +104,8 @@ static void test_the_trammel_draws_its_ellipse(void **unused)
     machine_free(&m);
 }
 
-// --- linkages -------------------------------------------------------------------------------------------------------------
+// --- linkages
+// -------------------------------------------------------------------------------------------------------------
 
 // K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4), Freudenstein 1955; and its derivative.
 static void test_the_four_bar_obeys_freudensteins_equation(void **unused)
@@ -187,14 +190,16 @@ static void test_cranks_in_parallel_move_alike(void **unused)
     machine_free(&m);
 }
 
-// --- drives between moving bodies -------------------------------------------------------------------------------------------
+// --- drives between moving bodies
+// -------------------------------------------------------------------------------------------
 
 // A triangle's angle between sides a and b over side c, with rate and acceleration from those of c.
 static YkMotion opposite_angle(double a, double b, YkMotion c)
 {
     double cosine = (a * a + b * b - c.position * c.position) / (2 * a * b), sine = sqrt(1 - cosine * cosine);
     double rate = c.position * c.velocity / (a * b * sine);
-    double accel = (c.velocity * c.velocity + c.position * c.acceleration) / (a * b * sine) - rate * rate * cosine / sine;
+    double accel =
+        (c.velocity * c.velocity + c.position * c.acceleration) / (a * b * sine) - rate * rate * cosine / sine;
     return (YkMotion){acos(cosine), rate, accel};
 }
 
@@ -206,13 +211,15 @@ static void test_the_excavator_follows_its_cylinders(void **unused)
         double t = 0.03 * k;
         assert_int_equal(yk_state_set_time(m.state, t, NULL), YK_OK);
         assert_true(yk_state_solve(m.state) >= 0);
-        YkMotion s1 = {1.7 + 0.1 * sin(0.5 * t), 0.05 * cos(0.5 * t), -0.025 * sin(0.5 * t)}, s2 = {2.1 - 0.08 * t, -0.08, 0};
+        YkMotion s1 = {1.7 + 0.1 * sin(0.5 * t), 0.05 * cos(0.5 * t), -0.025 * sin(0.5 * t)},
+                 s2 = {2.1 - 0.08 * t, -0.08, 0};
         // boom: triangle O (ground), B (ground), C (boom)
         YkMotion at_O = opposite_angle(hypot(0.5, 0.4), hypot(1.5, 0.3), s1);
         double theta1 = atan2(-0.4, 0.5) + at_O.position - atan2(0.3, 1.5);
         // stick: triangle A, D (boom), E (stick)
         YkMotion at_A = opposite_angle(hypot(2.2 - 4, 0.6), hypot(0.6, 0.2), s2);
-        double direct = atan2(0.6, 2.2 - 4), theta2 = direct - at_A.position - atan2(0.2, -0.6), mirrored = direct + at_A.position - atan2(0.2, -0.6);
+        double direct = atan2(0.6, 2.2 - 4), theta2 = direct - at_A.position - atan2(0.2, -0.6),
+               mirrored = direct + at_A.position - atan2(0.2, -0.6);
         double found = machine_ask(&m, "theta2");
         double sign = fabs(angle_between(found, theta2)) < fabs(angle_between(found, mirrored)) ? -1 : 1;
         CHECK_NEAR(angle_between(machine_ask(&m, "theta1"), theta1), 0, 1e-12);

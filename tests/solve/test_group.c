@@ -1,5 +1,5 @@
-// Groups without closed form: their solutions close, are followed without a jump, stop at limits and come back; and what
-// dyads in the same machine promise holds there too.
+// Groups without closed form: their solutions close, are followed without a jump, stop at limits and come back; and
+// what dyads in the same machine promise holds there too.
 #include "machine.h"
 
 enum { SOLUTIONS_MAX = 64, COORDINATES_MAX = 16 };
@@ -183,7 +183,8 @@ static void test_the_awkward_limit_is_the_easy_outputs_extreme(void **unused)
     bool met = false;
     for (int b = 0; b < 4; b++) {
         for (size_t k = 0; k < 2; k++) yk_state_set_branch(easy.state, k, (b >> k) & 1 ? 1 : -1);
-        if (machine_solve(&easy, crank, 1, 0) < 0 || fabs(angle_between(machine_ask(&easy, "link.angle"), link)) > 1e-6) continue;
+        if (machine_solve(&easy, crank, 1, 0) < 0 || fabs(angle_between(machine_ask(&easy, "link.angle"), link)) > 1e-6)
+            continue;
         YkSweep *turn = machine_sweep(&easy, "theta2", crank, crank + 2 * YK_PI, 100, of, 1);
         for (size_t k = 0; k < yk_sweep_event_count(turn); k++) {
             YkEvent e = yk_sweep_event(turn, k);
@@ -198,7 +199,8 @@ static void test_the_awkward_limit_is_the_easy_outputs_extreme(void **unused)
     machine_free(&awkward);
 }
 
-// --- dyads beside a group -------------------------------------------------------------------------------------------------------
+// --- dyads beside a group
+// -------------------------------------------------------------------------------------------------------
 
 // The awkward machine with a four-bar on its output: crank 1, coupler b, rocker c on a frame of 3, in line at 2.25 rad.
 static const char with_four_bar[] =

@@ -1,14 +1,14 @@
-// The same machine elsewhere: moved, turned, mirrored, measured in other units, written in another order, run backwards. Its
-// answers map back to 1e-12.
+// The same machine elsewhere: moved, turned, mirrored, measured in other units, written in another order, run
+// backwards. Its answers map back to 1e-12.
 #include "machine.h"
 
-// A quick-return and a four-bar on one crank, so that every kind of dyad takes part. (X, Y): moved; phi: turned; m = -1:
-// mirrored; k: all lengths.
+// A quick-return and a four-bar on one crank, so that every kind of dyad takes part. (X, Y): moved; phi: turned; m =
+// -1: mirrored; k: all lengths.
 #define HEAD                                                                                                           \
-    "parameters: {X: 0, Y: 0, phi: 0, m: 1, k: 1, c: cos(phi), s: sin(phi), a1: k, l1: 3/4*k, l2: 7/4*k, l4: 2/3*k}\n"   \
+    "parameters: {X: 0, Y: 0, phi: 0, m: 1, k: 1, c: cos(phi), s: sin(phi), a1: k, l1: 3/4*k, l2: 7/4*k, l4: 2/3*k}\n" \
     "bodies:\n"
 #define GROUND                                                                                                         \
-    "  ground:  {points: {O1: [X - s*m*a1, Y + c*m*a1], O2: [X, Y], C0: [X - 2*s*m*a1, Y + 2*c*m*a1],"                   \
+    "  ground:  {points: {O1: [X - s*m*a1, Y + c*m*a1], O2: [X, Y], C0: [X - 2*s*m*a1, Y + 2*c*m*a1],"                 \
     " O4: [X + 2.5*c*k - s*m*a1, Y + 2.5*s*k + c*m*a1]}}\n"
 #define CRANK "  crank:   {points: {O1: [0, 0], A: [l1, 0], D: [0.4*k, 0.3*k*m]}}\n"
 #define LEVER "  lever:   {points: {O2: [0, 0], B: [l2, 0]}}\n"
@@ -18,23 +18,23 @@
 #define BAR "  bar:     {points: {D: [0, 0], E: [2*k, 0.1*k*m], P: [k, k*m]}}\n"
 #define ROCKER "  rocker:  {points: {O4: [0, 0], E: [1.5*k, 0]}}\n"
 #define TREE                                                                                                           \
-    "  O1: {pin: [ground, crank], angle: theta1}\n"                                                                     \
-    "  O2: {pin: [ground, lever], angle: theta2}\n"                                                                     \
-    "  S:  {slide: [lever, block], along: x, distance: d3}\n"                                                           \
-    "  B:  {pin: [lever, coupler], angle: theta4}\n"                                                                    \
-    "  R:  {slide: [ground, ram], along: phi, from: C0, distance: d5}\n"                                                \
-    "  D:  {pin: [crank, bar], angle: delta}\n"                                                                         \
+    "  O1: {pin: [ground, crank], angle: theta1}\n"                                                                    \
+    "  O2: {pin: [ground, lever], angle: theta2}\n"                                                                    \
+    "  S:  {slide: [lever, block], along: x, distance: d3}\n"                                                          \
+    "  B:  {pin: [lever, coupler], angle: theta4}\n"                                                                   \
+    "  R:  {slide: [ground, ram], along: phi, from: C0, distance: d5}\n"                                               \
+    "  D:  {pin: [crank, bar], angle: delta}\n"                                                                        \
     "  O4: {pin: [ground, rocker], angle: epsilon}\n"
 #define CLOSING                                                                                                        \
-    "  A:  {pin: [crank, block]}\n"                                                                                     \
-    "  C:  {pin: [coupler, ram]}\n"                                                                                     \
+    "  A:  {pin: [crank, block]}\n"                                                                                    \
+    "  C:  {pin: [coupler, ram]}\n"                                                                                    \
     "  E:  {pin: [bar, rocker]}\n"
 #define START                                                                                                          \
-    "start: {theta1: phi + m*0.5, theta2: phi + m*1.1, d3: 1.5*k, theta4: -m*0.35, d5: 1.2*k, delta: -m*0.5, epsilon: "   \
+    "start: {theta1: phi + m*0.5, theta2: phi + m*1.1, d3: 1.5*k, theta4: -m*0.35, d5: 1.2*k, delta: -m*0.5, "         \
+    "epsilon: "                                                                                                        \
     "phi + m*2}\n"
 
-static const char in_order[] =
-    HEAD GROUND CRANK LEVER BLOCK COUPLER RAM BAR ROCKER "joints:\n" TREE CLOSING START;
+static const char in_order[] = HEAD GROUND CRANK LEVER BLOCK COUPLER RAM BAR ROCKER "joints:\n" TREE CLOSING START;
 static const char in_another_order[] =
     HEAD ROCKER BAR GROUND RAM BLOCK COUPLER LEVER CRANK "joints:\n" CLOSING TREE START;
 static const char in_millimetres[] =
@@ -196,8 +196,7 @@ static void test_a_machine_run_backwards(void **unused)
 static void test_a_joint_written_the_other_way_round(void **unused)
 {
     (void)unused;
-    static const char swapped[] =
-        HEAD GROUND CRANK LEVER BLOCK COUPLER RAM BAR ROCKER
+    static const char swapped[] = HEAD GROUND CRANK LEVER BLOCK COUPLER RAM BAR ROCKER
         "joints:\n"
         "  O1: {pin: [crank, ground], angle: theta1}\n"
         "  O2: {pin: [lever, ground], angle: theta2}\n"
@@ -213,7 +212,8 @@ static void test_a_joint_written_the_other_way_round(void **unused)
         double theta = 0.1 + 2.9 * pose / 100;
         assert_int_equal(machine_solve(&a, theta, 1.5, -0.5), YK_OK);
         assert_int_equal(machine_solve(&b, -theta, -1.5, 0.5), YK_OK);
-        for (size_t k = 0; k < 5; k++) check_motion(ask(&b, negative[k]), mapped(ask(&a, negative[k]), -1, 0, 1), true, 1);
+        for (size_t k = 0; k < 5; k++)
+            check_motion(ask(&b, negative[k]), mapped(ask(&a, negative[k]), -1, 0, 1), true, 1);
         check_motion(ask(&b, "d3"), mapped(ask(&a, "d3"), -1, 0, 1), false, 1); // the lever in the block's axes
         check_points(&a, &b, none);
     }

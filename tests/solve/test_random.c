@@ -1,5 +1,5 @@
-// No answer is NaN or infinite without a status that says so: random machines of every dyad, of every size, often degenerate.
-// YOKE_TEST_RANDOM=1000000 in the environment runs as many machines as one has patience for.
+// No answer is NaN or infinite without a status that says so: random machines of every dyad, of every size, often
+// degenerate. YOKE_TEST_RANDOM=1000000 in the environment runs as many machines as one has patience for.
 #include "machine.h"
 
 enum { MACHINES = 6000 };
@@ -20,24 +20,31 @@ static double draw_angle(uint64_t *seed)
 
 static const char *const bodies[] = {
     // RRR
-    "bodies: {ground: {points: {O: [0, 0], Q: [d, 0]}}, crank: {points: {O: [0, 0], A: [a, 0]}}, coupler: {points: {A: [0, 0], "
+    "bodies: {ground: {points: {O: [0, 0], Q: [d, 0]}}, crank: {points: {O: [0, 0], A: [a, 0]}}, coupler: {points: {A: "
+    "[0, 0], "
     "B: [b, 0], P: [e, b]}}, rocker: {points: {Q: [0, 0], B: [c, 0]}}}\n"
-    "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, coupler], angle: u}, Q: {pin: [ground, rocker], angle: v}, "
+    "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, coupler], angle: u}, Q: {pin: [ground, "
+    "rocker], angle: v}, "
     "B: {pin: [coupler, rocker]}}\n",
     // RRP
-    "bodies: {ground: {points: {O: [0, 0], G: [0, e]}}, crank: {points: {O: [0, 0], A: [a, 0]}}, rod: {points: {A: [0, 0], B: [b, 0], "
+    "bodies: {ground: {points: {O: [0, 0], G: [0, e]}}, crank: {points: {O: [0, 0], A: [a, 0]}}, rod: {points: {A: [0, "
+    "0], B: [b, 0], "
     "P: [c, d]}}, piston: {points: {B: [0, 0]}}}\n"
     "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, rod], angle: u}, B: {pin: [rod, piston]}, "
     "R: {slide: [ground, piston], along: 0.3, from: G, distance: v}}\n",
     // RPR
-    "bodies: {ground: {points: {O: [0, 0], Q: [d, 0]}}, crank: {points: {O: [0, 0], A: [a, 0]}}, lever: {points: {Q: [0, 0], P: [b, c]}}, "
+    "bodies: {ground: {points: {O: [0, 0], Q: [d, 0]}}, crank: {points: {O: [0, 0], A: [a, 0]}}, lever: {points: {Q: "
+    "[0, 0], P: [b, c]}}, "
     "block: {points: {A: [0, 0]}}}\n"
-    "joints: {O: {pin: [ground, crank], angle: theta}, Q: {pin: [ground, lever], angle: u}, S: {slide: [lever, block], along: x, distance: v}, "
+    "joints: {O: {pin: [ground, crank], angle: theta}, Q: {pin: [ground, lever], angle: u}, S: {slide: [lever, block], "
+    "along: x, distance: v}, "
     "A: {pin: [crank, block]}}\n",
     // PP, two slots that may be parallel
-    "bodies: {ground: {points: {O: [0, 0]}}, crank: {points: {O: [0, 0], A: [a, 0], P: [b, c]}}, cross: {points: {A: [0, 0]}}, "
+    "bodies: {ground: {points: {O: [0, 0]}}, crank: {points: {O: [0, 0], A: [a, 0], P: [b, c]}}, cross: {points: {A: "
+    "[0, 0]}}, "
     "table: {points: {T: [0, 0]}}}\n"
-    "joints: {O: {pin: [ground, crank], angle: theta}, R: {slide: [ground, table], along: x, distance: u}, V: {slide: [table, cross], "
+    "joints: {O: {pin: [ground, crank], angle: theta}, R: {slide: [ground, table], along: x, distance: u}, V: {slide: "
+    "[table, cross], "
     "along: e / (1 m), distance: v}, A: {pin: [crank, cross]}}\n"};
 enum { KINDS = sizeof bodies / sizeof bodies[0] };
 
@@ -85,9 +92,11 @@ static void check_one(uint64_t seed)
     char text[2048];
     double l[5];
     for (int k = 0; k < 5; k++) l[k] = draw_length(&seed);
-    snprintf(text, sizeof text,
-             "parameters: {a: %.17g, b: %.17g, c: %.17g, d: %.17g, e: %.17g}\n%sstart: {theta: %.17g, u: %.17g, v: %.17g}\n", l[0],
-             l[1], l[2], l[3], l[4], bodies[check_random(&seed) % KINDS], draw_angle(&seed), draw_angle(&seed), draw_angle(&seed));
+    snprintf(
+        text, sizeof text,
+        "parameters: {a: %.17g, b: %.17g, c: %.17g, d: %.17g, e: %.17g}\n%sstart: {theta: %.17g, u: %.17g, v: %.17g}\n",
+        l[0], l[1], l[2], l[3], l[4], bodies[check_random(&seed) % KINDS], draw_angle(&seed), draw_angle(&seed),
+        draw_angle(&seed));
     Machine m = machine_parse(text, false);
     YkStatus status = yk_state_assemble(m.state);
     check_report(&m, status);
@@ -121,8 +130,9 @@ static void test_random_sweeps_hold_numbers(void **unused)
         char text[2048];
         double l[5];
         for (int i = 0; i < 5; i++) l[i] = draw_length(&seed);
-        snprintf(text, sizeof text, "parameters: {a: %.17g, b: %.17g, c: %.17g, d: %.17g, e: %.17g}\n%sstart: {theta: 1}\n",
-                 l[0], l[1], l[2], l[3], l[4], bodies[check_random(&seed) % KINDS]);
+        snprintf(text, sizeof text,
+                 "parameters: {a: %.17g, b: %.17g, c: %.17g, d: %.17g, e: %.17g}\n%sstart: {theta: 1}\n", l[0], l[1],
+                 l[2], l[3], l[4], bodies[check_random(&seed) % KINDS]);
         Machine m = machine_parse(text, false);
         static const char *const of[] = {"theta", "u", "v", "u.rate", "v.accel"};
         if (yk_state_assemble(m.state) >= 0) {

@@ -17,7 +17,8 @@ static bool is_among(const YkRange *ranges, size_t count, double from, double to
 {
     for (size_t k = 0; k < count; k++) {
         double length = ranges[k].to - ranges[k].from;
-        if (fabs(length - (to - from)) <= 2 * tolerance && fabs(angle_between(ranges[k].from, from)) <= tolerance) return true;
+        if (fabs(length - (to - from)) <= 2 * tolerance && fabs(angle_between(ranges[k].from, from)) <= tolerance)
+            return true;
     }
     return false;
 }
@@ -33,7 +34,8 @@ static void check_ranges(FourBar f, double theta, int branch)
     if (low == 0 || high == YK_PI) due_count = 1;
     Machine m = four_bar_machine(f, theta, branch);
     size_t count = yk_closing_ranges(m.state, 0, found, CAPACITY);
-    if (count != due_count) print_error("%.17g %.17g %.17g %.17g at %.17g: %zu ranges\n", f.a, f.b, f.c, f.d, theta, count);
+    if (count != due_count)
+        print_error("%.17g %.17g %.17g %.17g at %.17g: %zu ranges\n", f.a, f.b, f.c, f.d, theta, count);
     assert_int_equal(count, due_count);
     if (low == 0 && high == YK_PI)
         CHECK_NEAR(found[0].to - found[0].from, 2 * YK_PI, 1e-15);
@@ -79,7 +81,8 @@ static void test_a_narrow_range_is_found(void **unused)
 {
     (void)unused;
     for (double width = 0.1; width > 1e-4; width *= 0.5) {
-        // B of a rocker r on (0, 0) ... the crank pin (cos, sin) must come within `reach` of (1 - offset, 0) on both sides
+        // B of a rocker r on (0, 0) ... the crank pin (cos, sin) must come within `reach` of (1 - offset, 0) on both
+        // sides
         FourBar f = {1, 0.5 * width, 0.5 * width, 1}; // |A O4| = 2 sin(theta/2) <= width
         double low, high;
         closing_angles(f, &low, &high);
@@ -114,7 +117,8 @@ static void test_a_cylinder_closes_between_its_triangles_limits(void **unused)
     double a = hypot(0.5, 0.4), b = hypot(1.5, 0.3);
     size_t count = yk_closing_ranges(m.state, (size_t)yk_coordinate_find(m.mech, "s1"), found, CAPACITY);
     bool there = false; // and, seen from the other side, the same with a negative length
-    for (size_t k = 0; k < count; k++) there |= fabs(found[k].from - (b - a)) <= 1e-10 && fabs(found[k].to - (b + a)) <= 1e-10;
+    for (size_t k = 0; k < count; k++)
+        there |= fabs(found[k].from - (b - a)) <= 1e-10 && fabs(found[k].to - (b + a)) <= 1e-10;
     assert_true(there);
     assert_true(count == 1 || count == 2);
     machine_free(&m);
@@ -123,7 +127,8 @@ static void test_a_cylinder_closes_between_its_triangles_limits(void **unused)
 static void test_a_full_turn_is_one_range(void **unused)
 {
     (void)unused;
-    static const char *const files[] = {"four-bar", "slider-crank", "jansen", "parallelogram", "scotch-yoke", "double-pendulum"};
+    static const char *const files[] = {"four-bar",      "slider-crank", "jansen",
+                                        "parallelogram", "scotch-yoke",  "double-pendulum"};
     for (size_t k = 0; k < sizeof files / sizeof files[0]; k++) {
         Machine m = machine_load(files[k]);
         YkRange found[CAPACITY];

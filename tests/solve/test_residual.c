@@ -4,12 +4,16 @@
 
 enum { STEPS = 720 };
 
-// What the joints of a pose miss, measured by the answers; velocities and accelerations over the largest in the machine.
+// What the joints of a pose miss, measured by the answers; velocities and accelerations over the largest in the
+// machine.
 typedef struct Misses {
     double place, rate, accel;
 } Misses;
 
-static void keep(double *worst, double miss) { *worst = miss <= *worst ? *worst : miss; }
+static void keep(double *worst, double miss)
+{
+    *worst = miss <= *worst ? *worst : miss;
+}
 
 static void add_point_joint(Misses *worst, Misses *scale, const Place *a, const Place *b)
 {
@@ -48,8 +52,8 @@ static Misses misses_of(const Machine *m)
                     scale.accel > 0 ? worst.accel / scale.accel : 0};
 }
 
-// The least sine of a transmission angle: rounding in a pose grows by its inverse in rates, by its square in accelerations,
-// and shows in loops that repeat others.
+// The least sine of a transmission angle: rounding in a pose grows by its inverse in rates, by its square in
+// accelerations, and shows in loops that repeat others.
 static double least_sine(const Machine *m)
 {
     double least = 1;

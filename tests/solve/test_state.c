@@ -2,7 +2,8 @@
 #include "machine.h"
 #include "compile/mechanism.h"
 
-// --- rates against differences --------------------------------------------------------------------------------------------
+// --- rates against differences
+// --------------------------------------------------------------------------------------------
 
 enum { CHANNELS_MAX = 512 };
 typedef struct Channels {
@@ -62,7 +63,8 @@ static void check_channel(const char *file, YkChannel c, const double v[5], doub
     double slope = (v[0] - 8 * v[1] + 8 * v[3] - v[4]) / (12 * h);
     double bend = (-v[0] + 16 * v[1] - 30 * v[2] + 16 * v[3] - v[4]) / (12 * h * h);
     double most = fmax(size, fmax(fabs(rate), sqrt(fabs(accel) * size)));
-    if (fabs(rate - slope) > 1e-7 * most || fabs(accel - bend) > 1e-7 * fmax(most, fabs(accel)) + 1e-13 * size / (h * h))
+    if (fabs(rate - slope) > 1e-7 * most ||
+        fabs(accel - bend) > 1e-7 * fmax(most, fabs(accel)) + 1e-13 * size / (h * h))
         print_error("%s: channel kind %d index %d: %.12g for %.12g, %.12g for %.12g\n", file, c.kind, c.index, rate,
                     slope, accel, bend);
     CHECK_NEAR(rate, slope, 1e-7 * most);
@@ -130,7 +132,8 @@ static void test_rates_are_the_differences_of_positions_in_every_example(void **
     for (size_t k = 0; k < EXAMPLE_COUNT; k++) check_example(all_examples[k]);
 }
 
-// --- dead points ----------------------------------------------------------------------------------------------------------
+// --- dead points
+// ----------------------------------------------------------------------------------------------------------
 
 // The rocker as input of a crank-rocker: it is dead where crank and coupler are in line.
 static const char rocker_driven[] = "parameters: {a: 0.5, b: 1.2, c: 0.8, d: 1}\n"
@@ -149,7 +152,8 @@ static const char rocker_driven[] = "parameters: {a: 0.5, b: 1.2, c: 0.8, d: 1}\
 static void test_nothing_is_nan_at_any_distance_from_a_dead_point(void **unused)
 {
     (void)unused;
-    // crank and coupler folded: |O2 B| = b - a = 0.7, so cos(theta4) = (0.7^2 - c^2 - d^2) / (2 c d) from O4 ... by cosines
+    // crank and coupler folded: |O2 B| = b - a = 0.7, so cos(theta4) = (0.7^2 - c^2 - d^2) / (2 c d) from O4 ... by
+    // cosines
     double dead = acos((0.7 * 0.7 - 0.64 - 1) / (2 * 0.8));
     double stretched = acos((1.7 * 1.7 - 0.64 - 1) / (2 * 0.8));
     for (int side = 0; side < 2; side++)
@@ -171,9 +175,11 @@ static void test_nothing_is_nan_at_any_distance_from_a_dead_point(void **unused)
                     CHECK_NEAR(machine_ask(&m, "theta2.rate"), 0, 0);
                 }
                 if (status == YK_LIMIT) assert_true(report->gap >= 0 && report->block == 0);
-                static const char *const names[] = {"theta2", "theta2.rate", "theta2.accel", "gamma", "coupler.B.x",
-                                                    "coupler.B.speed", "B.transmission", "coupler.angle.accel"};
-                for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) assert_true(isfinite(machine_ask(&m, names[k])));
+                static const char *const names[] = {"theta2",         "theta2.rate",        "theta2.accel",
+                                                    "gamma",          "coupler.B.x",        "coupler.B.speed",
+                                                    "B.transmission", "coupler.angle.accel"};
+                for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
+                    assert_true(isfinite(machine_ask(&m, names[k])));
                 YkResiduals r = yk_state_residuals(m.state);
                 assert_true(r.position <= 1e-12 && isfinite(r.velocity) && isfinite(r.acceleration));
                 machine_free(&m);
@@ -203,14 +209,16 @@ static void test_inputs_that_are_no_numbers_are_refused_with_a_status(void **unu
 {
     (void)unused;
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1e300, -1e308};
-    static const char *const files[] = {"four-bar", "slider-crank", "excavator", "oscillating-cylinder", "elliptic-trammel",
-                                        "stephenson-awkward", "double-butterfly", "three-crank-parallelogram"};
+    static const char *const files[] = {
+        "four-bar",         "slider-crank",       "excavator",        "oscillating-cylinder",
+        "elliptic-trammel", "stephenson-awkward", "double-butterfly", "three-crank-parallelogram"};
     for (size_t f = 0; f < sizeof files / sizeof files[0]; f++)
         for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
             Machine m = machine_load(files[f]);
             double start = yk_state_input(m.state, 0).position;
             YkStatus status = machine_solve(&m, bad[k], 1, 0);
-            if (!isfinite(bad[k]) && status >= 0) print_error("%s with %g: %s\n", files[f], bad[k], yk_status_name(status));
+            if (!isfinite(bad[k]) && status >= 0)
+                print_error("%s with %g: %s\n", files[f], bad[k], yk_status_name(status));
             if (!isfinite(bad[k])) assert_true(status < 0);
             YkResiduals r = yk_state_residuals(m.state);
             assert_true(isfinite(r.position) && isfinite(r.velocity) && isfinite(r.acceleration));
@@ -219,7 +227,8 @@ static void test_inputs_that_are_no_numbers_are_refused_with_a_status(void **unu
         }
 }
 
-// --- copies, inputs, reference --------------------------------------------------------------------------------------------
+// --- copies, inputs, reference
+// --------------------------------------------------------------------------------------------
 
 static void test_a_copy_answers_alike_and_goes_its_own_way(void **unused)
 {

@@ -1,13 +1,14 @@
-// Sweeps: what a row holds, where a limit lies, extremes between rows, and that nothing is jumped - over a coordinate or
-// over time, however far apart the rows.
+// Sweeps: what a row holds, where a limit lies, extremes between rows, and that nothing is jumped - over a coordinate
+// or over time, however far apart the rows.
 #include "four_bar.h"
 
 static const char *const names[] = {"coupler.angle", "theta4", "theta4.rate", "theta4.accel"};
 
-// --- limits -------------------------------------------------------------------------------------------------------------
+// --- limits
+// -------------------------------------------------------------------------------------------------------------
 
-// Crank angles in [0, pi] between which a four-bar that is no crank closes, from the triangle inequality for the distance
-// |b - c| <= |A O4| <= b + c.
+// Crank angles in [0, pi] between which a four-bar that is no crank closes, from the triangle inequality for the
+// distance |b - c| <= |A O4| <= b + c.
 static void closing_angles(FourBar f, double *low, double *high)
 {
     double inner = fabs(f.b - f.c), outer = f.b + f.c;
@@ -31,7 +32,8 @@ static void check_limit(FourBar f, double theta, int branch, double to, double l
         print_error("%.17g %.17g %.17g %.17g from %.17g to %.17g in %zu steps\n", f.a, f.b, f.c, f.d, theta, to, steps);
     CHECK_NEAR(last.at, limit, 1e-8);
     // the rows before are there, on their branch
-    size_t rows = yk_sweep_row_count(sweep), due = (size_t)floor(fabs(limit - theta) / fabs(to - theta) * (double)steps * (1 - 1e-9));
+    size_t rows = yk_sweep_row_count(sweep),
+           due = (size_t)floor(fabs(limit - theta) / fabs(to - theta) * (double)steps * (1 - 1e-9));
     assert_int_equal(rows, due + 1);
     for (size_t row = 0; row < rows; row++) {
         FourBarPose p = four_bar_pose(f, yk_sweep_at(sweep, row), branch);
@@ -69,8 +71,8 @@ static void test_a_limit_is_found_to_1e_8_rad_both_ways(void **unused)
     }
 }
 
-// Crank and frame alike: the dyad's base all but vanishes where it does not close any more. The last pose still has links of
-// their own length.
+// Crank and frame alike: the dyad's base all but vanishes where it does not close any more. The last pose still has
+// links of their own length.
 static void test_links_keep_their_length_at_a_limit_with_a_short_base(void **unused)
 {
     (void)unused;
@@ -111,7 +113,8 @@ static void test_the_quick_return_stops_where_its_coupler_is_stretched(void **un
     machine_free(&m);
 }
 
-// --- nothing is jumped ----------------------------------------------------------------------------------------------------
+// --- nothing is jumped
+// ----------------------------------------------------------------------------------------------------
 
 static void test_a_narrow_gap_is_not_jumped(void **unused)
 {
@@ -128,54 +131,54 @@ static void test_a_narrow_gap_is_not_jumped(void **unused)
     }
 }
 
+static const char driven_by_time[] = "parameters: {w: 1 rad/s, a: 2, b: 4, c: 2, d: 4}\n"
+                                     "bodies:\n"
+                                     "  ground:  {points: {O2: [0, 0], O4: [d, 0]}}\n"
+                                     "  crank:   {points: {O2: [0, 0], A: [a, 0]}}\n"
+                                     "  coupler: {points: {A: [0, 0], B: [b, 0]}}\n"
+                                     "  rocker:  {points: {O4: [0, 0], B: [c, 0]}}\n"
+                                     "joints:\n"
+                                     "  O2: {pin: [ground, crank], angle: theta2}\n"
+                                     "  A:  {pin: [crank, coupler], angle: gamma}\n"
+                                     "  O4: {pin: [ground, rocker], angle: theta4}\n"
+                                     "  B:  {pin: [coupler, rocker]}\n"
+                                     "drives: {theta2: 1 + w * t}\n"
+                                     "start: {gamma: -1, theta4: 1}\n";
+
+// At w rad/s; with the lengths of the file (a parallelogram), or those of the non-Grashof example.
+static Machine drive_by_time(double w, bool stops)
+{
+    char value[64];
+    snprintf(value, sizeof value, "%.17g rad/s", w);
+    YkOverride changes[] = {{"w", value}, {"a", "5"}, {"b", "6"}, {"c", "7"}, {"d", "10"}};
+    Machine m = machine_parse_with(driven_by_time, changes, stops ? 5 : 1);
+    assert_true(yk_state_assemble(m.state) >= 0);
+    return m;
+}
+
+static void check_parallel_over_time(double w, size_t steps)
+{
+    Machine m = drive_by_time(w, false);
+    YkSweep *sweep = machine_sweep(&m, NULL, 0, 3.3 * 2 * YK_PI / w, steps, names, 4);
+    assert_true(yk_sweep_status(sweep) >= 0);
+    for (size_t row = 0; row <= steps; row++) {
+        CHECK_NEAR(yk_sweep_value(sweep, row, 0), 0, 1e-6);
+        CHECK_NEAR(yk_sweep_value(sweep, row, 1), 1 + w * yk_sweep_at(sweep, row), 1e-6);
+    }
+    assert_int_equal(count_events(sweep, YK_EVENT_CHANGE_POINT), 6);
+    yk_sweep_free(sweep);
+    machine_free(&m);
+}
+
 static void test_a_fast_drive_over_time_jumps_neither_limit_nor_change_point(void **unused)
 {
     (void)unused;
     static const double rpm[] = {1, 60, 3000, 30000};
     for (size_t k = 0; k < 4; k++) {
-        char value[64];
-        double w = rpm[k] * YK_PI / 30, turn = 2 * YK_PI / w;
-        Machine m = machine_load("non-grashof"), p = machine_load("parallelogram");
-        machine_free(&m);
-        machine_free(&p);
-        static const char parallel[] = "parameters: {w: 1}\n"
-                                       "bodies:\n"
-                                       "  ground:  {points: {O2: [0, 0], O4: [d, 0]}}\n"
-                                       "  crank:   {points: {O2: [0, 0], A: [a, 0]}}\n"
-                                       "  coupler: {points: {A: [0, 0], B: [b, 0]}}\n"
-                                       "  rocker:  {points: {O4: [0, 0], B: [c, 0]}}\n"
-                                       "joints:\n"
-                                       "  O2: {pin: [ground, crank], angle: theta2}\n"
-                                       "  A:  {pin: [crank, coupler], angle: gamma}\n"
-                                       "  O4: {pin: [ground, rocker], angle: theta4}\n"
-                                       "  B:  {pin: [coupler, rocker]}\n"
-                                       "drives: {theta2: 1 + w * t}\n"
-                                       "start: {gamma: -1, theta4: 1}\n";
-        char text[1024];
-        snprintf(text, sizeof text, "%s", strchr(parallel, '\n') + 1);
-        char model[1400];
-        snprintf(model, sizeof model, "parameters: {w: 1 rad/s, a: 2, b: 4, c: 2, d: 4}\n%s", text);
-        snprintf(value, sizeof value, "%.17g rad/s", w);
-        YkOverride fast[] = {{"w", value}, {"a", "5"}, {"b", "6"}, {"c", "7"}, {"d", "10"}};
-        p = machine_parse_with(model, fast, 1);
-        assert_int_equal(yk_state_assemble(p.state), YK_OK);
-        for (size_t steps = 1; steps <= 4; steps++) {
-            YkSweep *sweep = machine_sweep(&p, NULL, 0, 3.3 * turn, steps, names, 4);
-            assert_true(yk_sweep_status(sweep) >= 0);
-            for (size_t row = 0; row <= steps; row++) {
-                double theta = 1 + w * yk_sweep_at(sweep, row);
-                CHECK_NEAR(yk_sweep_value(sweep, row, 0), 0, 1e-6);
-                CHECK_NEAR(yk_sweep_value(sweep, row, 1), theta, 1e-6);
-            }
-            assert_int_equal(count_events(sweep, YK_EVENT_CHANGE_POINT), 6);
-            yk_sweep_free(sweep);
-            assert_int_equal(yk_state_set_time(p.state, 0, NULL), YK_OK);
-            assert_int_equal(yk_state_assemble(p.state), YK_OK);
-        }
-        machine_free(&p);
-        m = machine_parse_with(model, fast, 5);
-        assert_true(yk_state_assemble(m.state) >= 0);
-        YkSweep *sweep = machine_sweep(&m, NULL, 0, turn, 1, names, 4);
+        double w = rpm[k] * YK_PI / 30;
+        for (size_t steps = 1; steps <= 4; steps++) check_parallel_over_time(w, steps);
+        Machine m = drive_by_time(w, true);
+        YkSweep *sweep = machine_sweep(&m, NULL, 0, 2 * YK_PI / w, 1, names, 4);
         assert_int_equal(yk_sweep_status(sweep), YK_LIMIT);
         CHECK_NEAR(yk_sweep_event(sweep, yk_sweep_event_count(sweep) - 1).at * w + 1, acos(-0.44), 1e-8);
         yk_sweep_free(sweep);
@@ -203,12 +206,14 @@ static void test_a_drive_without_a_value_ends_a_sweep_over_time(void **unused)
     machine_free(&m);
 }
 
-// --- rows ---------------------------------------------------------------------------------------------------------------
+// --- rows
+// ---------------------------------------------------------------------------------------------------------------
 
 static void test_rows_are_what_solving_pose_by_pose_gives(void **unused)
 {
     (void)unused;
-    static const char *const of[] = {"theta2", "gamma", "theta4", "gamma.rate", "theta4.accel", "coupler.P.x", "coupler.P.speed"};
+    static const char *const of[] = {"theta2",       "gamma",       "theta4",         "gamma.rate",
+                                     "theta4.accel", "coupler.P.x", "coupler.P.speed"};
     Machine m = machine_load("four-bar"), n = machine_load("four-bar");
     yk_state_set_input(m.state, 0, (YkMotion){1, 2.5, -3});
     YkSweep *sweep = machine_sweep(&m, "theta2", 1, 7, 50, of, 7);
@@ -277,7 +282,8 @@ static void test_a_bad_range_is_refused(void **unused)
     machine_free(&m);
 }
 
-// --- extremes -------------------------------------------------------------------------------------------------------------
+// --- extremes
+// -------------------------------------------------------------------------------------------------------------
 
 static void test_extremes_of_the_slider_crank_are_its_dead_centres(void **unused)
 {
