@@ -2,7 +2,10 @@
 #include <string.h>
 #include "solve/state.h"
 
-typedef struct Turn { YkVec e; double w, a; } Turn;
+typedef struct Turn {
+    YkVec e;
+    double w, a;
+} Turn;
 
 static Turn turn_in(const YkSpace *space, int32_t slot)
 {
@@ -11,7 +14,10 @@ static Turn turn_in(const YkSpace *space, int32_t slot)
     return (Turn){{t.c[0], t.s[0]}, t.w[0], t.a[0]};
 }
 
-static YkMotion without_rates(YkMotion m, bool has_rates) { return has_rates ? m : (YkMotion){m.position, 0, 0}; }
+static YkMotion without_rates(YkMotion m, bool has_rates)
+{
+    return has_rates ? m : (YkMotion){m.position, 0, 0};
+}
 
 static YkMotion distance_in(const YkSpace *space, int32_t distance)
 {
@@ -72,7 +78,10 @@ double yk_state_transmission(const YkState *s, size_t block)
     return asin(sqrt(fmin(1, fmax(0, m))));
 }
 
-static double order_of(YkMotion m, int order) { return order == 0 ? m.position : order == 1 ? m.velocity : m.acceleration; }
+static double order_of(YkMotion m, int order)
+{
+    return order == 0 ? m.position : order == 1 ? m.velocity : m.acceleration;
+}
 
 static double point_order(const YkPointMotion *m, int order, int axis)
 {
@@ -84,15 +93,19 @@ double yk_state_channel(const YkState *s, YkChannel c)
     size_t index = (size_t)c.index;
     YkPointMotion p;
     switch (c.kind) {
-    case YK_CHANNEL_TIME: return s->time;
-    case YK_CHANNEL_COORDINATE: return order_of(yk_state_coordinate(s, index), c.order);
-    case YK_CHANNEL_BODY: return order_of(yk_state_body(s, index), c.order);
+    case YK_CHANNEL_TIME:
+        return s->time;
+    case YK_CHANNEL_COORDINATE:
+        return order_of(yk_state_coordinate(s, index), c.order);
+    case YK_CHANNEL_BODY:
+        return order_of(yk_state_body(s, index), c.order);
     case YK_CHANNEL_JOINT_DISTANCE:
         return order_of(without_rates(distance_in(&s->space, s->mech->joint_distance[index]), s->has_rates), c.order);
     case YK_CHANNEL_JOINT_ANGLE: { // of a joint that closes a loop: the difference of its bodies' continuous angles
         const YkJoint *j = &s->mech->model->joints[index];
         YkMotion a = yk_state_body(s, (size_t)j->body[0]), b = yk_state_body(s, (size_t)j->body[1]);
-        return order_of((YkMotion){b.position - a.position, b.velocity - a.velocity, b.acceleration - a.acceleration}, c.order);
+        return order_of((YkMotion){b.position - a.position, b.velocity - a.velocity, b.acceleration - a.acceleration},
+                        c.order);
     }
     case YK_CHANNEL_POINT_X:
     case YK_CHANNEL_POINT_Y:
@@ -101,7 +114,8 @@ double yk_state_channel(const YkState *s, YkChannel c)
     case YK_CHANNEL_POINT_SPEED:
         p = yk_state_point(s, index);
         return sqrt(p.velocity[0] * p.velocity[0] + p.velocity[1] * p.velocity[1]); // the batch's bits: no hypot
-    case YK_CHANNEL_TRANSMISSION: return yk_state_transmission(s, index);
+    case YK_CHANNEL_TRANSMISSION:
+        return yk_state_transmission(s, index);
     }
     return 0;
 }
@@ -112,7 +126,10 @@ size_t yk_state_label(const YkState *s, char *text, size_t capacity)
     for (size_t b = 0; b < s->mech->block_count; b++) {
         const YkBlock *block = &s->mech->blocks[b];
         if (block->kind > YK_BLOCK_RPR && block->kind != YK_BLOCK_GROUP) continue;
-        const char *parts[3] = {length > 0 ? " " : "", block->label, s->branch[b] < 0 ? "-" : s->branch[b] > 0 ? "+" : "0"};
+        const char *parts[3] = {length > 0 ? " " : "", block->label,
+                                s->branch[b] < 0   ? "-"
+                                : s->branch[b] > 0 ? "+"
+                                                   : "0"};
         for (int k = 0; k < 3; k++)
             for (const char *c = parts[k]; *c; c++, length++)
                 if (length + 1 < capacity) text[length] = *c;

@@ -3,15 +3,22 @@
 #include <string.h>
 #include "compile/closure.h"
 
-// Where the search ends: configurations seen; blocks opened before the first configuration was found, and after it (besides one a block).
+// Where the search ends: configurations seen; blocks opened before the first configuration was found, and after it
+// (besides one a block).
 enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096, OPENED_BEFORE = 1 << 20, OPENED_AFTER = 1 << 16 };
 
-// --- preparation --------------------------------------------------------------------------------------------------------
+// --- preparation
+// --------------------------------------------------------------------------------------------------------
 
-static bool has_branches(const YkBlock *b) { return b->kind <= YK_BLOCK_RPR || b->kind == YK_BLOCK_GROUP; }
+static bool has_branches(const YkBlock *b)
+{
+    return b->kind <= YK_BLOCK_RPR || b->kind == YK_BLOCK_GROUP;
+}
 
 // The level after which each slot and distance is known; level 0 stands for "before any choice".
-typedef struct Known { size_t *slot, *distance; } Known;
+typedef struct Known {
+    size_t *slot, *distance;
+} Known;
 
 static void learn_step(const YkMechanism *mech, const YkStep *step, size_t level, Known *known)
 {
@@ -60,7 +67,8 @@ static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const K
         search->levels[l - 1].first_coordinate = first[l];
         search->levels[l - 1].coordinate_count = first[l + 1] - first[l];
     }
-    for (size_t k = 0; k < mech->coordinate_count; k++) search->coordinates[first[level_of(mech, known, k)]++] = (int32_t)k;
+    for (size_t k = 0; k < mech->coordinate_count; k++)
+        search->coordinates[first[level_of(mech, known, k)]++] = (int32_t)k;
     free(first);
     return true;
 }
@@ -105,8 +113,9 @@ YkSearch *yk_search_new(const YkMechanism *mech)
     search->kept_x = calloc(mech->column_count + 1, sizeof(double));
     search->path = calloc(2 * mech->input_count + 1, sizeof(double));
     search->wanted = calloc(3 * mech->input_count + 1, sizeof(double));
-    bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch && search->best_x &&
-              search->kept_x && search->path && search->wanted && yk_space_start(&search->kept, mech, 1, true);
+    bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch &&
+              search->best_x && search->kept_x && search->path && search->wanted &&
+              yk_space_start(&search->kept, mech, 1, true);
     if (ok) {
         cut_levels(search, mech, &known);
         ok = share_coordinates(search, mech, &known) && share_options(search, mech);
@@ -135,7 +144,8 @@ void yk_search_free(YkSearch *search)
     free(search);
 }
 
-// --- searching ----------------------------------------------------------------------------------------------------------
+// --- searching
+// ----------------------------------------------------------------------------------------------------------
 
 // What a coordinate adds to the distance from the guesses. Coordinates without a guess only decide between equals.
 static double coordinate_cost(const YkState *s, size_t k)
@@ -154,7 +164,8 @@ static void choose(YkState *s, const YkLevel *level, size_t option)
         s->branch[level->block] = option == 0 ? 1 : -1;
         return;
     }
-    memcpy(s->groups.x + b->first_column, level->solutions + option * b->column_count, b->column_count * sizeof(double));
+    memcpy(s->groups.x + b->first_column, level->solutions + option * b->column_count,
+           b->column_count * sizeof(double));
     s->branch[level->block] = 0; // its sign is taken when the solution stands
 }
 
@@ -183,7 +194,10 @@ static void count_options(YkState *s, YkLevel *level)
     memcpy(level->solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
-static bool is_singular_twin(const YkState *s) { return s->spare.margin[0] <= YK_SINGULAR_MARGIN; }
+static bool is_singular_twin(const YkState *s)
+{
+    return s->spare.margin[0] <= YK_SINGULAR_MARGIN;
+}
 
 // Tries all options of a level. Sorted by cost when `nearest`; those that do not close are dropped.
 static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
@@ -201,15 +215,17 @@ static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
             level->order[place] = level->order[place - 1];
         level->order[place] = (unsigned char)o;
         // at a dead point both branches are one pose
-        if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s)) break;
+        if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s))
+            break;
     }
     level->options = (uint32_t)closing;
 }
 
 typedef bool (*Leaf)(void *context, YkState *state, double cost);
 
-// Depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or a cap was reached: with up to
-// about 14 blocks of two branches all is seen; in longer machines the first configuration takes the nearest branch of each block in turn.
+// Depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or a cap was
+// reached: with up to about 14 blocks of two branches all is seen; in longer machines the first configuration takes the
+// nearest branch of each block in turn.
 static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, void *context, size_t cap)
 {
     YkSearch *q = s->search;
@@ -240,9 +256,13 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
     }
 }
 
-// --- the nearest ---------------------------------------------------------------------------------------------------------
+// --- the nearest
+// ---------------------------------------------------------------------------------------------------------
 
-typedef struct Best { double cost; bool found; } Best;
+typedef struct Best {
+    double cost;
+    bool found;
+} Best;
 
 static bool keep_best(void *context, YkState *s, double cost)
 {
@@ -304,7 +324,8 @@ YkStatus yk_state_assemble(YkState *s)
     return status;
 }
 
-// --- all ------------------------------------------------------------------------------------------------------------------
+// --- all
+// ------------------------------------------------------------------------------------------------------------------
 
 typedef struct Each {
     bool (*visit)(void *, YkState *);

@@ -3,22 +3,22 @@
 #define SOLVE_ASSEMBLE_H
 #include "solve/state.h"
 
-typedef struct YkLevel {   // a block with branches, in the order of solution
+typedef struct YkLevel { // a block with branches, in the order of solution
     int32_t block;
-    size_t from, to;       // steps: from its own to the next level's
+    size_t from, to;                             // steps: from its own to the next level's
     uint32_t first_coordinate, coordinate_count; // that become known in these steps
     uint32_t options, tried;
-    double before;         // cost of all levels before
-    double *cost;          // of each option
-    unsigned char *order;  // options that close, nearest first
-    double *solutions;     // groups: [option][column]
+    double before;        // cost of all levels before
+    double *cost;         // of each option
+    unsigned char *order; // options that close, nearest first
+    double *solutions;    // groups: [option][column]
 } YkLevel;
 
 typedef struct YkSearch {
     YkLevel *levels;
     size_t level_count;
-    size_t first_step;     // of level 0: steps before it have no choice
-    int32_t *coordinates;  // by the level after which they are known
+    size_t first_step;    // of level 0: steps before it have no choice
+    int32_t *coordinates; // by the level after which they are known
     signed char *best_branch;
     double *best_x, *kept_x, *path, *wanted;
     double *solutions, *costs; // the levels' own, in one piece each

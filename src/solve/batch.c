@@ -4,23 +4,24 @@
 #include <string.h>
 #include "solve/state.h"
 
-// Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache. Tunable.
-// Rows lie a little further apart: rows a multiple of 4096 bytes from each other get in each other's way.
+// Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache.
+// Tunable. Rows lie a little further apart: rows a multiple of 4096 bytes from each other get in each other's way.
 enum { LANES = 96, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 struct YkBatch {
     const YkMechanism *mech;
-    YkState *state;            // its branches, its reference angles, its inputs for NULL arrays; poses of machines with groups are tracked in it
-    YkState *home;             // groups: every pose starts here
+    YkState *state; // its branches, its reference angles, its inputs for NULL arrays; poses of machines with groups are
+                    // tracked in it
+    YkState *home;  // groups: every pose starts here
     YkSpace space;
     YkChannel *channels;
-    int32_t (*turns)[2];       // per channel: orientations of its angle (a, b)
-    double ***row;             // per channel: the lanes it is made in, which are led straight to its output; or NULL
+    int32_t (*turns)[2]; // per channel: orientations of its angle (a, b)
+    double ***row;       // per channel: the lanes it is made in, which are led straight to its output; or NULL
     size_t channel_count, lanes;
-    double *constant;          // [3 * input + k][lane]: for NULL arrays
-    const double **lanes_of;   // the runner's view of this block's inputs
-    YkPlane point;             // scratch: one point's lanes
+    double *constant;        // [3 * input + k][lane]: for NULL arrays
+    const double **lanes_of; // the runner's view of this block's inputs
+    YkPlane point;           // scratch: one point's lanes
     double *point_lanes;
 };
 
@@ -45,7 +46,8 @@ static void prepare_angle(YkBatch *b, size_t k)
     b->turns[k][1] = angle.b;
 }
 
-// The pointer to the lanes that hold a channel as it is asked: a distance, a rate against the ground. NULL where it takes work.
+// The pointer to the lanes that hold a channel as it is asked: a distance, a rate against the ground. NULL where it
+// takes work.
 static double **row_of(YkBatch *b, size_t k)
 {
     const YkMechanism *mech = b->mech;
@@ -94,8 +96,8 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
     b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
     b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->constant || !b->lanes_of || !b->point_lanes ||
-        !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, false)) {
+    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->constant || !b->lanes_of ||
+        !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, false)) {
         yk_batch_free(b);
         return NULL;
     }
@@ -128,7 +130,8 @@ void yk_batch_free(YkBatch *b)
     free(b);
 }
 
-// --- channels -----------------------------------------------------------------------------------------------------------
+// --- channels
+// -----------------------------------------------------------------------------------------------------------
 
 static void write_coordinate_angle(const YkBatch *b, const YkRun *run, size_t coordinate, double *out, size_t n)
 {
@@ -216,11 +219,17 @@ static void make_channel(const YkBatch *b, const YkRun *run, size_t k, double *o
         break;
     }
     case YK_CHANNEL_BODY:
-    case YK_CHANNEL_JOINT_ANGLE: write_angle(b, run, k, out, n); break;
-    case YK_CHANNEL_JOINT_DISTANCE: write_distance(b, b->mech->joint_distance[c.index], c.order, out, n); break;
+    case YK_CHANNEL_JOINT_ANGLE:
+        write_angle(b, run, k, out, n);
+        break;
+    case YK_CHANNEL_JOINT_DISTANCE:
+        write_distance(b, b->mech->joint_distance[c.index], c.order, out, n);
+        break;
     case YK_CHANNEL_POINT_X:
     case YK_CHANNEL_POINT_Y:
-    case YK_CHANNEL_POINT_SPEED: write_point(b, run, c, out, n); break;
+    case YK_CHANNEL_POINT_SPEED:
+        write_point(b, run, c, out, n);
+        break;
     case YK_CHANNEL_TIME:
     case YK_CHANNEL_TRANSMISSION:
         for (size_t i = 0; i < n; i++) out[i] = b->state->time;
@@ -235,14 +244,19 @@ static void write_channel(const YkBatch *b, const YkRun *run, size_t k, bool mas
     size_t n = run->lanes;
     if (!b->row[k]) make_channel(b, run, k, out);
     if (!masks) return;
-    bool is_input = c.kind == YK_CHANNEL_COORDINATE && b->mech->coordinates[c.index].input != YK_NONE; // known at a dead point too
+    bool is_input =
+        c.kind == YK_CHANNEL_COORDINATE && b->mech->coordinates[c.index].input != YK_NONE; // known at a dead point too
     bool is_rate = (c.order > 0 && !is_input) || c.kind == YK_CHANNEL_POINT_SPEED;
     yk_lanes_mask(out, b->space.margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
 }
 
-// --- running ------------------------------------------------------------------------------------------------------------
+// --- running
+// ------------------------------------------------------------------------------------------------------------
 
-static YkStatus worse(YkStatus a, YkStatus b) { return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b); }
+static YkStatus worse(YkStatus a, YkStatus b)
+{
+    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
+}
 
 static YkStatus judge(YkBatch *b, signed char *status, size_t n)
 {
@@ -254,7 +268,8 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
         return YK_OK;
     }
     for (size_t k = 0; k < n; k++) {
-        bool closes = b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
+        bool closes =
+            b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
         YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
         if (!closes) b->space.margin[k] = -1; // masks its answers
         if (status) status[k] = (signed char)one;
@@ -267,11 +282,13 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
 static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *outputs, size_t pose)
 {
     yk_state_copy(b->state, b->home);
-    for (size_t i = 0; i < 3 * b->mech->input_count; i++) b->state->input[i] = inputs[i] ? inputs[i][pose] : b->constant[i * b->lanes];
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++)
+        b->state->input[i] = inputs[i] ? inputs[i][pose] : b->constant[i * b->lanes];
     YkStatus status = yk_state_solve(b->state);
     if (status == YK_REDUNDANT) status = YK_OK;
     if (status < 0) status = YK_LIMIT;
-    for (size_t k = 0; k < b->channel_count; k++) outputs[k][pose] = status < 0 ? 0 : yk_state_channel(b->state, b->channels[k]);
+    for (size_t k = 0; k < b->channel_count; k++)
+        outputs[k][pose] = status < 0 ? 0 : yk_state_channel(b->state, b->channels[k]);
     return status;
 }
 
@@ -283,7 +300,8 @@ static bool needs_state(const YkBatch *b)
     return false;
 }
 
-static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status, size_t count)
+static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
+                          size_t count)
 {
     YkStatus worst = YK_OK;
     for (size_t pose = 0; pose < count; pose++) {
@@ -294,7 +312,8 @@ static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const
     return worst;
 }
 
-YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status, size_t count)
+YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
+                      size_t count)
 {
     YkStatus worst = YK_OK;
     if (needs_state(b)) return run_poses(b, inputs, outputs, status, count);

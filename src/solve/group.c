@@ -44,7 +44,13 @@ typedef struct Group {
 static Group group_of(YkGroupWork *w, const YkMechanism *mech, const YkSpace *space, size_t index)
 {
     const YkBlock *b = &mech->blocks[index];
-    return (Group){mech, space, b, mech->group_columns + b->first_column, 2 * b->loop_count, b->column_count, w->x + b->first_column};
+    return (Group){mech,
+                   space,
+                   b,
+                   mech->group_columns + b->first_column,
+                   2 * b->loop_count,
+                   b->column_count,
+                   w->x + b->first_column};
 }
 
 static int find_column(const Group *g, bool is_distance, int32_t index)
@@ -55,7 +61,11 @@ static int find_column(const Group *g, bool is_distance, int32_t index)
 }
 
 // Unit vector of an orientation: known, or its group's unknown root turned by the relative orientation.
-typedef struct Arrow { YkVec e; double w, a; int column; } Arrow;
+typedef struct Arrow {
+    YkVec e;
+    double w, a;
+    int column;
+} Arrow;
 
 static Arrow arrow_of(const Group *g, int32_t slot, const double *x)
 {
@@ -139,7 +149,10 @@ static double newton_step(YkGroupWork *w, const Group *g)
     return rank == g->n ? 1 : 0;
 }
 
-static double column_size(const Group *g, size_t k) { return g->columns[k].is_distance ? g->mech->size : 1; }
+static double column_size(const Group *g, size_t k)
+{
+    return g->columns[k].is_distance ? g->mech->size : 1;
+}
 
 // A step that would turn an angle by more than a quarter, or a distance by more than the size, is shortened.
 static double step_length(const YkGroupWork *w, const Group *g)
@@ -172,7 +185,8 @@ static bool iterate(YkGroupWork *w, const Group *g)
     return now <= 1e-12 * size;
 }
 
-// Known parts of velocity (order 1) or acceleration (order 2) of all loops, with the unknowns' own rates as given in `rate`.
+// Known parts of velocity (order 1) or acceleration (order 2) of all loops, with the unknowns' own rates as given in
+// `rate`.
 static void known_rates(const Group *g, int order, const double *rate, double *out)
 {
     for (size_t l = 0; 2 * l < g->m; l++) {

@@ -6,20 +6,20 @@
 enum { YK_GROUP_SOLUTIONS_MAX = 32 };
 
 typedef struct YkGroupWork {
-    double *x;            // [group column]: guess in, solution out (angles rad, distances m)
+    double *x; // [group column]: guess in, solution out (angles rad, distances m)
     double *residual, *J, *A, *scale, *step, *trial, *tau;
     int *pivot;
     size_t *order;
-    double *solutions;    // [YK_GROUP_SOLUTIONS_MAX][largest group]
-    bool global;          // damp the steps and start anywhere (assembling); otherwise only a nearby solution will do (tracking)
-    double moved;         // how far the last solution was from its guess: largest change, rad or lengths over the size
+    double *solutions; // [YK_GROUP_SOLUTIONS_MAX][largest group]
+    bool global;  // damp the steps and start anywhere (assembling); otherwise only a nearby solution will do (tracking)
+    double moved; // how far the last solution was from its guess: largest change, rad or lengths over the size
     void *memory;
 } YkGroupWork;
 
 bool yk_group_start(YkGroupWork *work, const YkMechanism *mech);
 void yk_group_end(YkGroupWork *work);
-// Solves block `index` in lane 0 from work->x: positions, and rates from the same factors. Sets the margin negative when it fails or,
-// with branch != 0, when the determinant's sign is another.
+// Solves block `index` in lane 0 from work->x: positions, and rates from the same factors. Sets the margin negative
+// when it fails or, with branch != 0, when the determinant's sign is another.
 void yk_group_solve(YkGroupWork *work, const YkMechanism *mech, YkSpace *space, size_t index, int branch);
 // The sign of the block's determinant at its present pose (+1, -1; 0 when singular).
 int yk_group_sign(YkGroupWork *work, const YkMechanism *mech, YkSpace *space, size_t index);

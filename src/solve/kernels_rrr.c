@@ -15,8 +15,8 @@ typedef struct Pair {
 YK_INLINE Pair pair_of(YkVec U, YkVec W)
 {
     double U2 = yk_dot(U, U), W2 = yk_dot(W, W), sum = sqrt(U2) + sqrt(W2), difference = sqrt(U2) - sqrt(W2);
-    return (Pair){sum * sum, difference * difference, sum * difference, 1 / (4 * U2 * W2), sqrt(U2 * W2), vec_inverse(U),
-                  vec_inverse(W)};
+    return (Pair){sum * sum,     difference * difference, sum * difference, 1 / (4 * U2 * W2),
+                  sqrt(U2 * W2), vec_inverse(U),          vec_inverse(W)};
 }
 
 // One lane before any root: 4 D^2, and 1 / L^2 and 1 / (4 D^2) by one division that need not wait for it. Where D^2 <=
@@ -32,8 +32,8 @@ YK_INLINE Triangle triangle_of(YkVec K, Pair arms)
     return (Triangle){L2, square, factor * inverse, L2 * inverse};
 }
 
-// sin^2 of the angle between the arms. What does not close is measured by the base where that is short: a gap of 1e-9 is
-// nothing to arms of 1, but to a base of 1e-8 it is.
+// sin^2 of the angle between the arms. What does not close is measured by the base where that is short: a gap of 1e-9
+// is nothing to arms of 1, but to a base of 1e-8 it is.
 YK_INLINE double rrr_margin(Triangle known, Pair arms)
 {
     double m = known.square * arms.scale, shortness = arms.rectangle * known.per_L2;

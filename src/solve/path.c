@@ -50,8 +50,8 @@ YkStatus yk_path_set(YkPath *path, double at, bool along)
     return YK_OK;
 }
 
-// Where a dyad's base vanishes, at a folded rhombus say, any angle closes it and none follows: the pose a few roundings back on
-// the way stands for this one.
+// Where a dyad's base vanishes, at a folded rhombus say, any angle closes it and none follows: the pose a few roundings
+// back on the way stands for this one.
 static YkStatus solve_beside(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;

@@ -6,28 +6,30 @@
 
 typedef struct YkPath {
     YkState *state;
-    int input;             // -1: time
-    double last, way;      // where the last pose that closed stands; +1 or -1: the way to it
-    double *others;        // the inputs as they were: [3 * input + k]
+    int input;        // -1: time
+    double last, way; // where the last pose that closed stands; +1 or -1: the way to it
+    double *others;   // the inputs as they were: [3 * input + k]
 } YkPath;
 
 // NULL others: out of memory.
 bool yk_path_start(YkPath *path, YkState *state, int coordinate);
 void yk_path_end(YkPath *path);
-// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. YK_BAD_MODEL where a drive has no
-// value at that time.
+// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. YK_BAD_MODEL where
+// a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
 // The same, and solves: to look, and (probe) to go on from there, with the pose's angles as the reference of the next.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
-// What vanishes where a block's branches meet: sin^2 of its transmission angle. Where a line turns about a pin and through a point
-// that comes to the pin, that angle keeps its size up to the end, and the distance between the two tells: over the size, squared.
+// What vanishes where a block's branches meet: sin^2 of its transmission angle. Where a line turns about a pin and
+// through a point that comes to the pin, that angle keeps its size up to the end, and the distance between the two
+// tells: over the size, squared.
 double yk_path_margin(const YkState *s, const YkSpace *space, size_t block);
 // The reference stays where the pose is all but singular: it may still be the other branch's, which need not be near.
 void yk_path_refer(YkPath *path);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);
 // Between a pose that closes and one that does not: the last value that closes, to rounding. The state ends there.
 double yk_path_limit(YkPath *path, double good, double bad);
-// One unit of path for tolerances: a radian, or the machine's size; of time what the fastest drive takes for it now, at most 1 s.
+// One unit of path for tolerances: a radian, or the machine's size; of time what the fastest drive takes for it now, at
+// most 1 s.
 double yk_path_scale(const YkPath *path);
 
 #endif

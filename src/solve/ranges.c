@@ -12,7 +12,10 @@ typedef struct Scan {
     bool is_open;
 } Scan;
 
-static double at_of(const Scan *scan, int k) { return scan->low + (scan->high - scan->low) * k / SAMPLES; }
+static double at_of(const Scan *scan, int k)
+{
+    return scan->low + (scan->high - scan->low) * k / SAMPLES;
+}
 
 static void open_range(Scan *scan, double at)
 {
@@ -52,11 +55,11 @@ static void scan_closed_form(Scan *scan)
         double at = at_of(scan, k), gap;
         bool closes = yk_path_probe(&scan->path, at, true) >= 0;
         double m = closes ? scan->path.state->space.margin[0] : -1;
-        if (closes && !scan->is_open) open_range(scan, k == 0 ? at : yk_path_limit(&scan->path, at, at_of(scan, k - 1)));
+        if (closes && !scan->is_open)
+            open_range(scan, k == 0 ? at : yk_path_limit(&scan->path, at, at_of(scan, k - 1)));
         if (!closes && scan->is_open) close_range(scan, yk_path_limit(&scan->path, at_of(scan, k - 1), at));
         bool dips = closes && k >= 2 && margin[0] > margin[1] && margin[1] <= m; // and all three close
-        if (dips && margin[1] > -1 && margin[1] < 0.01 && margin[0] > 0 &&
-            bottom(scan, at_of(scan, k - 2), at, &gap)) {
+        if (dips && margin[1] > -1 && margin[1] < 0.01 && margin[0] > 0 && bottom(scan, at_of(scan, k - 2), at, &gap)) {
             close_range(scan, yk_path_limit(&scan->path, at_of(scan, k - 2), gap));
             open_range(scan, yk_path_limit(&scan->path, at, gap));
         }
@@ -83,7 +86,9 @@ static double follow(Scan *scan, YkState *home, double from, double to)
 static void join_ends(Scan *scan)
 {
     size_t n = scan->count < scan->capacity ? scan->count : scan->capacity;
-    if (n < 2 || scan->count > scan->capacity || scan->ranges[0].from > scan->low || scan->ranges[n - 1].to < scan->high) return;
+    if (n < 2 || scan->count > scan->capacity || scan->ranges[0].from > scan->low ||
+        scan->ranges[n - 1].to < scan->high)
+        return;
     scan->ranges[0].from = scan->ranges[n - 1].from - 2 * YK_PI;
     scan->count--;
 }

@@ -55,11 +55,17 @@ static double gap_of(YkState *s, YkSpace *space, int index)
 }
 
 // A sentence: head, the joint's label, middle, a number, tail. Written without allocation.
-typedef struct Sentence { const char *head, *middle, *tail; } Sentence;
-static const Sentence no_assembly = {"the loop that joint `", "` closes cannot be assembled with these inputs: it misses by ", " m"};
-static const Sentence past_limit = {"past a limit position: on this configuration the loop that joint `", "` closes misses by ", " m"};
-static const Sentence dead_point = {"dead point at joint `", "`: the sine of its transmission angle is ", ", so velocities are not determined"};
-static const Sentence past_group = {"past a limit position: the group that joint `", "` labels does not close near its last pose", NULL}; // no number
+typedef struct Sentence {
+    const char *head, *middle, *tail;
+} Sentence;
+static const Sentence no_assembly = {"the loop that joint `",
+                                     "` closes cannot be assembled with these inputs: it misses by ", " m"};
+static const Sentence past_limit = {"past a limit position: on this configuration the loop that joint `",
+                                    "` closes misses by ", " m"};
+static const Sentence dead_point = {"dead point at joint `", "`: the sine of its transmission angle is ",
+                                    ", so velocities are not determined"};
+static const Sentence past_group = {"past a limit position: the group that joint `",
+                                    "` labels does not close near its last pose", NULL}; // no number
 static const Sentence unfit = {"the constraint that joint `", "` repeats does not fit: its loop misses by ", " m"};
 
 static void append(char *message, size_t capacity, const char *part, size_t most)
@@ -75,7 +81,8 @@ static void write_sentence(YkReport *r, const Sentence *sentence, const char *la
     yk_number_write_digits(value, 3, number);
     r->message[0] = 0;
     const char *parts[] = {sentence->head, label, sentence->middle, number, sentence->tail};
-    for (size_t k = 0; k < (sentence->tail ? 5 : 3); k++) append(r->message, sizeof r->message, parts[k], k == 1 ? 80 : sizeof r->message);
+    for (size_t k = 0; k < (sentence->tail ? 5 : 3); k++)
+        append(r->message, sizeof r->message, parts[k], k == 1 ? 80 : sizeof r->message);
 }
 
 void yk_state_tell(YkState *s, const YkSpace *space, YkStatus status)

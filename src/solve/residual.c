@@ -1,7 +1,11 @@
-// How well a pose closes, measured in the loops of the tree from the answers themselves: independent of the steps that solved it.
+// How well a pose closes, measured in the loops of the tree from the answers themselves: independent of the steps that
+// solved it.
 #include "solve/state.h"
 
-typedef struct Angle { YkVec e; double w, a; } Angle;
+typedef struct Angle {
+    YkVec e;
+    double w, a;
+} Angle;
 
 static Angle angle_of(const YkState *s, int32_t slot)
 {

@@ -30,7 +30,8 @@ void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out)
         yk_lanes_start_turn(out, sum->constant, yk_space_turn(run->space, terms[0].slot), terms[0].v, run->lanes);
         k = 1;
     } else {
-        yk_lanes_start(out, sum->constant, yk_space_plane(run->space, sum->plus), yk_space_plane(run->space, sum->minus), run->lanes);
+        yk_lanes_start(out, sum->constant, yk_space_plane(run->space, sum->plus),
+                       yk_space_plane(run->space, sum->minus), run->lanes);
     }
     for (; k < sum->count; k++) add_term(run, terms[k], out);
 }
@@ -63,7 +64,8 @@ static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
 {
     YkSpace *s = run->space;
     size_t n = run->lanes;
-    double *own = s->block_margin ? s->block_margin + index * s->stride : NULL, branch = run->branch[index] < 0 ? -1 : 1;
+    double *own = s->block_margin ? s->block_margin + index * s->stride : NULL,
+           branch = run->branch[index] < 0 ? -1 : 1;
     YkPlane K = yk_space_scratch(s, YK_SCRATCH_KNOWN);
     YkTurn line = yk_space_turn(s, b->line_slot[0]);
     yk_run_sum(run, &b->known, K);
@@ -87,7 +89,8 @@ static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
         yk_lanes_pp_rates(K, line, b->line[0], line2, b->line[1], d1, d2, n);
         break;
     }
-    default: break;
+    default:
+        break;
     }
 }
 
@@ -142,16 +145,23 @@ void yk_run_steps(const YkRun *run, size_t from, size_t to)
         switch (step->kind) {
         case YK_STEP_TURN: {
             const double *const *in = run->inputs + 3 * step->input;
-            yk_lanes_turn(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2], step->offset, step->sign,
-                          run->lanes);
+            yk_lanes_turn(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2],
+                          step->offset, step->sign, run->lanes);
             break;
         }
         case YK_STEP_COMPOSE:
-            yk_lanes_compose(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), yk_space_turn(s, step->other), run->lanes);
+            yk_lanes_compose(yk_space_turn(s, step->target), yk_space_turn(s, step->parent),
+                             yk_space_turn(s, step->other), run->lanes);
             break;
-        case YK_STEP_DISTANCE: run_distance(run, step); break;
-        case YK_STEP_NODE: yk_run_sum(run, &step->sum, yk_space_plane(s, step->target)); break;
-        case YK_STEP_BLOCK: run_block(run, (size_t)step->target); break;
+        case YK_STEP_DISTANCE:
+            run_distance(run, step);
+            break;
+        case YK_STEP_NODE:
+            yk_run_sum(run, &step->sum, yk_space_plane(s, step->target));
+            break;
+        case YK_STEP_BLOCK:
+            run_block(run, (size_t)step->target);
+            break;
         }
     }
 }

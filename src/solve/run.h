@@ -7,9 +7,9 @@
 typedef struct YkRun {
     const YkMechanism *mech;
     YkSpace *space;
-    const double *const *inputs;  // [3 * input + k]: lanes of position, velocity, acceleration
-    const signed char *branch;    // per block
-    YkGroupWork *groups;          // for GROUP blocks (one lane only), or NULL
+    const double *const *inputs; // [3 * input + k]: lanes of position, velocity, acceleration
+    const signed char *branch;   // per block
+    YkGroupWork *groups;         // for GROUP blocks (one lane only), or NULL
     size_t lanes;
 } YkRun;
 

@@ -4,10 +4,14 @@
 
 static size_t doubles(const YkSpace *s)
 {
-    return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 + (s->block_margin ? s->blocks : 0));
+    return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 +
+                        (s->block_margin ? s->blocks : 0));
 }
 
-static size_t plane_count(const YkSpace *s) { return 1 + s->nodes + YK_SCRATCH_COUNT; }
+static size_t plane_count(const YkSpace *s)
+{
+    return 1 + s->nodes + YK_SCRATCH_COUNT;
+}
 
 static void point_at_lanes(YkSpace *s)
 {
@@ -23,8 +27,12 @@ static void point_at_lanes(YkSpace *s)
 bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool with_margins)
 {
     double dummy;
-    *space = (YkSpace){.stride = stride, .slots = mech->slot_count, .distances = mech->distance_count, .nodes = mech->node_count,
-                       .blocks = mech->block_count, .block_margin = with_margins ? &dummy : NULL};
+    *space = (YkSpace){.stride = stride,
+                       .slots = mech->slot_count,
+                       .distances = mech->distance_count,
+                       .nodes = mech->node_count,
+                       .blocks = mech->block_count,
+                       .block_margin = with_margins ? &dummy : NULL};
     size_t size = doubles(space) * sizeof(double);
     space->memory = calloc(1, size + 64);
     space->turn = calloc(space->slots + 1, sizeof *space->turn);
@@ -55,4 +63,7 @@ void yk_space_end(YkSpace *space)
     *space = (YkSpace){0};
 }
 
-void yk_space_copy(YkSpace *to, const YkSpace *from) { memcpy(to->data, from->data, doubles(from) * sizeof(double)); }
+void yk_space_copy(YkSpace *to, const YkSpace *from)
+{
+    memcpy(to->data, from->data, doubles(from) * sizeof(double));
+}

@@ -1,21 +1,22 @@
-// The space in which steps run: lanes of orientations, distances, nodes and scratch, one lane a pose, in one allocation.
+// The space in which steps run: lanes of orientations, distances, nodes and scratch, one lane a pose, in one
+// allocation.
 #ifndef SOLVE_SPACE_H
 #define SOLVE_SPACE_H
 #include "compile/mechanism.h"
 #include "solve/kernels.h"
 
 typedef struct YkSpace {
-    size_t stride;          // lanes there is room for
+    size_t stride; // lanes there is room for
     size_t slots, distances, nodes, blocks;
-    double *data;           // 64-byte aligned: orientations,
-    double *slides, *planes;// then distances, then nodes and scratch
-    double *margin;         // least sin^2 over the blocks: negative where something does not close
-    double *gap;            // largest miss of redundant loops, m
-    double *block_margin;   // [block][lane], or NULL
+    double *data;            // 64-byte aligned: orientations,
+    double *slides, *planes; // then distances, then nodes and scratch
+    double *margin;          // least sin^2 over the blocks: negative where something does not close
+    double *gap;             // largest miss of redundant loops, m
+    double *block_margin;    // [block][lane], or NULL
     // Where the lanes are, made once: built anew for every call, they cost more than the arithmetic of one pose.
-    YkTurn *turn;           // [slot]
-    YkSlide *slide;         // [distance]
-    YkPlane *plane;         // [1 + node], then scratch; 0 is the absent one
+    YkTurn *turn;   // [slot]
+    YkSlide *slide; // [distance]
+    YkPlane *plane; // [1 + node], then scratch; 0 is the absent one
     void *memory;
 } YkSpace;
 
@@ -25,10 +26,19 @@ void yk_space_end(YkSpace *space);
 void yk_space_copy(YkSpace *to, const YkSpace *from);
 
 // Slot 0 and node YK_NONE have no lanes.
-static inline YkTurn yk_space_turn(const YkSpace *space, int32_t slot) { return space->turn[slot]; }
-static inline YkSlide yk_space_slide(const YkSpace *space, int32_t distance) { return space->slide[distance]; }
+static inline YkTurn yk_space_turn(const YkSpace *space, int32_t slot)
+{
+    return space->turn[slot];
+}
+static inline YkSlide yk_space_slide(const YkSpace *space, int32_t distance)
+{
+    return space->slide[distance];
+}
 // Nodes, then three planes of scratch (YK_SCRATCH_KNOWN, ...).
-static inline YkPlane yk_space_plane(const YkSpace *space, int32_t node) { return space->plane[node == YK_NONE ? 0 : node + 1]; }
+static inline YkPlane yk_space_plane(const YkSpace *space, int32_t node)
+{
+    return space->plane[node == YK_NONE ? 0 : node + 1];
+}
 enum { YK_SCRATCH_KNOWN, YK_SCRATCH_ARM_1, YK_SCRATCH_ARM_2, YK_SCRATCH_COUNT };
 static inline YkPlane yk_space_scratch(const YkSpace *space, int which)
 {

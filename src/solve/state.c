@@ -19,9 +19,9 @@ static bool allocate(YkState *s)
     s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
     s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
     s->search = yk_search_new(mech);
-    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->is_guessed && s->branch && s->valid_x &&
-           s->search && yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
-           yk_group_start(&s->groups, mech);
+    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->is_guessed && s->branch &&
+           s->valid_x && s->search && yk_space_start(&s->space, mech, 1, true) &&
+           yk_space_start(&s->spare, mech, 1, true) && yk_group_start(&s->groups, mech);
 }
 
 static void mark_guesses(YkState *s)
@@ -87,7 +87,8 @@ YkStatus yk_state_copy(YkState *to, const YkState *from)
     return YK_OK;
 }
 
-// --- inputs -------------------------------------------------------------------------------------------------------------
+// --- inputs
+// -------------------------------------------------------------------------------------------------------------
 
 YkStatus yk_state_set_time(YkState *s, double time, YkProblems *problems)
 {
@@ -107,13 +108,17 @@ YkStatus yk_state_set_time(YkState *s, double time, YkProblems *problems)
     for (size_t k = 0; k < model->start_count; k++) { // rates of coordinates that are held and not driven
         const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
         int32_t q = model->starts[k].is_rate ? yk_tree_coordinate(s->mech, c->joint, c->is_distance) : YK_NONE;
-        if (q == YK_NONE || s->mech->coordinates[q].drive != YK_NONE || s->mech->coordinates[q].input == YK_NONE) continue;
+        if (q == YK_NONE || s->mech->coordinates[q].drive != YK_NONE || s->mech->coordinates[q].input == YK_NONE)
+            continue;
         s->input[3 * s->mech->coordinates[q].input + 1] = model->starts[k].value;
     }
     return status;
 }
 
-double yk_state_time(const YkState *s) { return s->time; }
+double yk_state_time(const YkState *s)
+{
+    return s->time;
+}
 
 void yk_state_set_input(YkState *s, size_t input, YkMotion m)
 {
@@ -127,7 +132,8 @@ YkMotion yk_state_input(const YkState *s, size_t input)
     return (YkMotion){s->input[3 * input], s->input[3 * input + 1], s->input[3 * input + 2]};
 }
 
-// --- solving ------------------------------------------------------------------------------------------------------------
+// --- solving
+// ------------------------------------------------------------------------------------------------------------
 
 YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
 {
@@ -166,8 +172,23 @@ YkStatus yk_state_solve(YkState *s)
     return status;
 }
 
-const YkMechanism *yk_state_mechanism(const YkState *s) { return s->mech; }
-int yk_state_branch(const YkState *s, size_t block) { return s->branch[block]; }
-void yk_state_set_branch(YkState *s, size_t block, int branch) { s->branch[block] = (signed char)((branch > 0) - (branch < 0)); }
-bool yk_state_has_rates(const YkState *s) { return s->has_rates; }
-const YkReport *yk_state_report(const YkState *s) { return &s->report; }
+const YkMechanism *yk_state_mechanism(const YkState *s)
+{
+    return s->mech;
+}
+int yk_state_branch(const YkState *s, size_t block)
+{
+    return s->branch[block];
+}
+void yk_state_set_branch(YkState *s, size_t block, int branch)
+{
+    s->branch[block] = (signed char)((branch > 0) - (branch < 0));
+}
+bool yk_state_has_rates(const YkState *s)
+{
+    return s->has_rates;
+}
+const YkReport *yk_state_report(const YkState *s)
+{
+    return &s->report;
+}

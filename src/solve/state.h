@@ -13,9 +13,9 @@ struct YkState {
     double *reference;          // per coordinate: its angle comes out nearest to this
     double *guess;              // per coordinate, from `start:`
     bool *is_guessed;
-    signed char *branch;        // per block; 0 where it has none
+    signed char *branch; // per block; 0 where it has none
     YkGroupWork groups;
-    double *valid_x;            // group columns of the valid pose
+    double *valid_x; // group columns of the valid pose
     double time;
     bool has_pose, has_rates;
     YkReport report;
@@ -29,9 +29,10 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 }
 
 // Tolerances, in one place.
-#define YK_CLOSING_TOLERANCE 1e-12  // of the size: what a loop may miss and still count as closed
-#define YK_LIMIT_MARGIN (-1e-13)    // sin^2 below this does not close; between this and 0 it is rounding at a limit
-#define YK_SINGULAR_MARGIN 1e-14    // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
+#define YK_CLOSING_TOLERANCE 1e-12 // of the size: what a loop may miss and still count as closed
+#define YK_LIMIT_MARGIN (-1e-13)   // sin^2 below this does not close; between this and 0 it is rounding at a limit
+#define YK_SINGULAR_MARGIN                                                                                             \
+    1e-14 // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
 
 // What a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding over the sine.
 static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
@@ -39,7 +40,8 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
     return mech->size * (YK_CLOSING_TOLERANCE + 4e-16 / sqrt(fmax(margin, YK_SINGULAR_MARGIN)));
 }
 
-// The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a redundant loop gapes).
+// The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a
+// redundant loop gapes).
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);
 // Fills the report for a status.
 void yk_state_tell(YkState *state, const YkSpace *space, YkStatus status);

@@ -1,5 +1,6 @@
-// The sweep. Between two rows the path is probed, and probed more finely wherever a block's margin (sin^2 of its transmission angle) could
-// reach zero: a simple zero is a limit position, a double zero a change point, which the motion passes with the other sign.
+// The sweep. Between two rows the path is probed, and probed more finely wherever a block's margin (sin^2 of its
+// transmission angle) could reach zero: a simple zero is a limit position, a double zero a change point, which the
+// motion passes with the other sign.
 #include <yoke/sweep.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,10 +18,10 @@ struct YkSweep {
     signed char *row_status;
     YkEvent *events;
     size_t event_count, event_capacity;
-    double *margins;       // [depth][3][block]
+    double *margins;          // [depth][3][block]
     double *slope, *slope_at; // per channel: last nonzero derivative along the path, and where
-    double *sums;          // per channel: scratch
-    double *flipped_at;    // per block: its last change point (NaN: none yet)
+    double *sums;             // per channel: scratch
+    double *flipped_at;       // per block: its last change point (NaN: none yet)
     YkStatus status;
     YkProblems *problems;
     double worst_residual, from;
@@ -28,7 +29,10 @@ struct YkSweep {
     int limit_block;
 };
 
-YkSweepOptions yk_default_sweep_options(void) { return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180}; }
+YkSweepOptions yk_default_sweep_options(void)
+{
+    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180};
+}
 
 static void add_event(YkSweep *w, YkEvent event)
 {
@@ -40,13 +44,17 @@ static void add_event(YkSweep *w, YkEvent event)
     w->events[w->event_count++] = event;
 }
 
-static double *margins_of(const YkSweep *w, size_t depth, size_t which) { return w->margins + (3 * depth + which) * w->margin_count; }
+static double *margins_of(const YkSweep *w, size_t depth, size_t which)
+{
+    return w->margins + (3 * depth + which) * w->margin_count;
+}
 
 static void read_margins(const YkSweep *w, double *margins)
 {
     const YkState *s = w->path.state;
     if (s->mech->block_count != w->margin_count) margins[0] = s->space.margin[0];
-    for (size_t k = 0; s->mech->block_count == w->margin_count && k < w->margin_count; k++) margins[k] = yk_path_margin(s, &s->space, k);
+    for (size_t k = 0; s->mech->block_count == w->margin_count && k < w->margin_count; k++)
+        margins[k] = yk_path_margin(s, &s->space, k);
 }
 
 static bool has_margin(const YkSweep *w, size_t block)
@@ -55,9 +63,13 @@ static bool has_margin(const YkSweep *w, size_t block)
     return w->margin_count != mech->block_count || mech->blocks[block].kind <= YK_BLOCK_RPR;
 }
 
-// --- extremes -----------------------------------------------------------------------------------------------------------
+// --- extremes
+// -----------------------------------------------------------------------------------------------------------
 
-static bool is_smooth(YkChannel c) { return c.order == 0 && c.kind != YK_CHANNEL_TIME && c.kind < YK_CHANNEL_POINT_SPEED; }
+static bool is_smooth(YkChannel c)
+{
+    return c.order == 0 && c.kind != YK_CHANNEL_TIME && c.kind < YK_CHANNEL_POINT_SPEED;
+}
 
 // The derivative of a channel along the path, or 0 where it is not above rounding.
 static double slope_here(const YkSweep *w, YkChannel c)
@@ -75,7 +87,8 @@ static void exchange_signs(YkSweep *w, double at, double here)
     for (size_t k = 0; k < w->event_count; k++) {
         const YkEvent *e = &w->events[k];
         bool between = (e->at - at) * (here - e->at) >= 0;
-        if (e->kind == YK_EVENT_CHANGE_POINT && between) w->path.state->branch[e->block] = (signed char)-w->path.state->branch[e->block];
+        if (e->kind == YK_EVENT_CHANGE_POINT && between)
+            w->path.state->branch[e->block] = (signed char)-w->path.state->branch[e->block];
     }
 }
 
@@ -92,7 +105,8 @@ static YkStatus look_back(YkSweep *w, double at, double here)
 static double at_change_point(const YkSweep *w, double at)
 {
     for (size_t k = w->event_count; k-- > 0;)
-        if (w->events[k].kind == YK_EVENT_CHANGE_POINT && fabs(w->events[k].at - at) < 1e-5 * yk_path_scale(&w->path)) return w->events[k].at;
+        if (w->events[k].kind == YK_EVENT_CHANGE_POINT && fabs(w->events[k].at - at) < 1e-5 * yk_path_scale(&w->path))
+            return w->events[k].at;
     return at;
 }
 
@@ -112,7 +126,10 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
     double at = 0.5 * (from + to);
     if (w->path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
     if (look_back(w, at, here) < 0) return;
-    add_event(w, (YkEvent){.kind = YK_EVENT_EXTREME, .at = at, .block = -1, .channel = channel,
+    add_event(w, (YkEvent){.kind = YK_EVENT_EXTREME,
+                           .at = at,
+                           .block = -1,
+                           .channel = channel,
                            .value = yk_state_channel(w->path.state, value),
                            .is_maximum = (slope > 0) == (w->options.to > w->options.from)});
 }
@@ -136,7 +153,8 @@ static void watch_extremes(YkSweep *w, double at)
     if (moved) yk_path_probe(&w->path, at, true);
 }
 
-// --- verified progress --------------------------------------------------------------------------------------------------
+// --- verified progress
+// --------------------------------------------------------------------------------------------------
 
 // Where a double zero lies between a and b: the root of the margin runs through it as a straight line.
 static double touch(double a, double ma, double b, double mb)
@@ -162,7 +180,8 @@ static bool was_flipped_near(const YkSweep *w, size_t block, double at)
 static double sine_at(YkSweep *w, size_t block, double at)
 {
     const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
-    const YkSpace *space = yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
+    const YkSpace *space =
+        yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
     return sqrt(fmax(0, yk_path_margin(s, space, block)));
 }
 
@@ -192,8 +211,9 @@ static void flip(YkSweep *w, size_t block, double at)
 static bool advance(YkSweep *w, double a, double b, size_t depth);
 static bool go_on(YkSweep *w, double from, double to, size_t depth);
 
-// The machine closes at `good` and not at `bad`. Where it stops, a block may have come to a change point beyond which only its other
-// sign fits the rest (a redundant link, a later dyad): then the motion goes on. Otherwise this is a limit.
+// The machine closes at `good` and not at `bad`. Where it stops, a block may have come to a change point beyond which
+// only its other sign fits the rest (a redundant link, a later dyad): then the motion goes on. Otherwise this is a
+// limit.
 static bool stop_or_pass(YkSweep *w, double good, double bad, size_t depth)
 {
     YkState *s = w->path.state;
@@ -277,7 +297,8 @@ static bool advance(YkSweep *w, double a, double b, size_t depth)
     read_margins(w, margins_of(w, depth, 1));
     if (yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     read_margins(w, margins_of(w, depth, 2));
-    bool is_tracked = w->path.state->mech->has_groups && w->margin_count != w->path.state->mech->block_count; // checked on the way
+    bool is_tracked =
+        w->path.state->mech->has_groups && w->margin_count != w->path.state->mech->block_count; // checked on the way
     Verdict verdict = is_tracked ? CLEAR : look(w, a, b, depth);
     if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
     if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch are references
@@ -312,7 +333,8 @@ static bool progress(YkSweep *w, double a, double b)
     return true;
 }
 
-// --- rows ---------------------------------------------------------------------------------------------------------------
+// --- rows
+// ---------------------------------------------------------------------------------------------------------------
 
 static bool record(YkSweep *w, double at)
 {
@@ -326,7 +348,8 @@ static bool record(YkSweep *w, double at)
     size_t row = w->row_count++;
     w->at[row] = at;
     w->row_status[row] = (signed char)status;
-    for (size_t c = 0; c < w->channel_count; c++) w->values[row * w->channel_count + c] = yk_state_channel(s, w->channels[c]);
+    for (size_t c = 0; c < w->channel_count; c++)
+        w->values[row * w->channel_count + c] = yk_state_channel(s, w->channels[c]);
     w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR) add_event(w, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});
     return true;
@@ -341,8 +364,9 @@ static size_t drop_singular(YkSweep *w, double at)
     return kept;
 }
 
-// A row on a change point itself: J is singular there, but the motion is smooth through it, so its rates are the limits from both
-// sides: interpolated from four poses on each (Lagrange, error O(h^8)). The blocks that touch have the other sign on the near side.
+// A row on a change point itself: J is singular there, but the motion is smooth through it, so its rates are the limits
+// from both sides: interpolated from four poses on each (Lagrange, error O(h^8)). The blocks that touch have the other
+// sign on the near side.
 static void fill_change_row(YkSweep *w, size_t row, const double *margins, double way)
 {
     enum { SIDE = 4 };
@@ -366,7 +390,8 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
     if (!ok) return;
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
-        if (w->channels[c].order > 0 || w->channels[c].kind == YK_CHANNEL_POINT_SPEED) w->values[row * w->channel_count + c] = sums[c];
+        if (w->channels[c].order > 0 || w->channels[c].kind == YK_CHANNEL_POINT_SPEED)
+            w->values[row * w->channel_count + c] = sums[c];
 }
 
 // After a row that came out singular: does the motion go on beyond with the touching blocks' other sign?
@@ -375,7 +400,8 @@ static void try_change_row(YkSweep *w)
     size_t row = w->row_count - 1;
     double way = w->options.to > w->options.from ? 1 : -1, *margins = margins_of(w, 0, 0);
     YkState *s = w->path.state;
-    if (w->row_status[row] != YK_SINGULAR || w->margin_count != s->mech->block_count || s->mech->has_groups || row == 0) return;
+    if (w->row_status[row] != YK_SINGULAR || w->margin_count != s->mech->block_count || s->mech->has_groups || row == 0)
+        return;
     read_margins(w, margins);
     flip_at(w, w->at[row], margins);
     fill_change_row(w, row, margins, way);
@@ -439,19 +465,24 @@ static bool allocate(YkSweep *w)
     w->flipped_at = calloc(w->margin_count, sizeof *w->flipped_at);
     for (size_t k = 0; w->flipped_at && k < w->margin_count; k++) w->flipped_at[k] = NAN;
     w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->at && w->values && w->row_status && w->margins && w->slope && w->slope_at && w->sums && w->flipped_at && w->channels;
+    return w->at && w->values && w->row_status && w->margins && w->slope && w->slope_at && w->sums && w->flipped_at &&
+           w->channels;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
 {
     bool is_input = o->coordinate < 0 || ((size_t)o->coordinate < state->mech->coordinate_count &&
                                           state->mech->coordinates[o->coordinate].input != YK_NONE);
-    bool ok = is_input && isfinite(o->from) && isfinite(o->to) && o->steps > 0 && o->steps < 100000000 && o->turn_max > 0 && state->has_pose;
-    if (!ok) yk_problem(problems, YK_CODE_SWEEP_RANGE, (YkPlace){0}, "this range cannot be swept: it needs finite ends, 1 to 1e8 steps and an input of the machine");
+    bool ok = is_input && isfinite(o->from) && isfinite(o->to) && o->steps > 0 && o->steps < 100000000 &&
+              o->turn_max > 0 && state->has_pose;
+    if (!ok)
+        yk_problem(problems, YK_CODE_SWEEP_RANGE, (YkPlace){0},
+                   "this range cannot be swept: it needs finite ends, 1 to 1e8 steps and an input of the machine");
     return ok;
 }
 
-YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count, YkProblems *problems)
+YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count,
+                      YkProblems *problems)
 {
     if (!are_good(state, options, problems)) return NULL;
     YkSweep *w = calloc(1, sizeof *w);
@@ -489,11 +520,35 @@ void yk_sweep_free(YkSweep *w)
     free(w);
 }
 
-YkStatus yk_sweep_status(const YkSweep *w) { return w->status; }
-size_t yk_sweep_row_count(const YkSweep *w) { return w->row_count; }
-double yk_sweep_at(const YkSweep *w, size_t row) { return w->at[row]; }
-double yk_sweep_value(const YkSweep *w, size_t row, size_t channel) { return w->values[row * w->channel_count + channel]; }
-YkStatus yk_sweep_row_status(const YkSweep *w, size_t row) { return (YkStatus)w->row_status[row]; }
-size_t yk_sweep_event_count(const YkSweep *w) { return w->event_count; }
-YkEvent yk_sweep_event(const YkSweep *w, size_t index) { return w->events[index]; }
-double yk_sweep_worst_residual(const YkSweep *w) { return w->worst_residual; }
+YkStatus yk_sweep_status(const YkSweep *w)
+{
+    return w->status;
+}
+size_t yk_sweep_row_count(const YkSweep *w)
+{
+    return w->row_count;
+}
+double yk_sweep_at(const YkSweep *w, size_t row)
+{
+    return w->at[row];
+}
+double yk_sweep_value(const YkSweep *w, size_t row, size_t channel)
+{
+    return w->values[row * w->channel_count + channel];
+}
+YkStatus yk_sweep_row_status(const YkSweep *w, size_t row)
+{
+    return (YkStatus)w->row_status[row];
+}
+size_t yk_sweep_event_count(const YkSweep *w)
+{
+    return w->event_count;
+}
+YkEvent yk_sweep_event(const YkSweep *w, size_t index)
+{
+    return w->events[index];
+}
+double yk_sweep_worst_residual(const YkSweep *w)
+{
+    return w->worst_residual;
+}

@@ -21,7 +21,8 @@ typedef struct Path { // of one input: position from + at * way; its true rates 
 
 static Path path_of(const YkState *s, size_t i)
 {
-    return (Path){s->valid_input[3 * i], s->input[3 * i] - s->valid_input[3 * i], s->input[3 * i + 1], s->input[3 * i + 2]};
+    return (Path){s->valid_input[3 * i], s->input[3 * i] - s->valid_input[3 * i], s->input[3 * i + 1],
+                  s->input[3 * i + 2]};
 }
 
 // Largest change of an input along the path: radians, or lengths over the size.
@@ -46,8 +47,14 @@ static YkMotion rates_of(const YkState *s, YkColumn c)
     return (YkMotion){0, t.w[0], t.a[0]};
 }
 
-static double column_size(const YkState *s, YkColumn c) { return c.is_distance ? s->mech->size : 1; }
-static bool at_dead_point(const YkState *s) { return !(s->space.margin[0] > YK_SINGULAR_MARGIN); }
+static double column_size(const YkState *s, YkColumn c)
+{
+    return c.is_distance ? s->mech->size : 1;
+}
+static bool at_dead_point(const YkState *s)
+{
+    return !(s->space.margin[0] > YK_SINGULAR_MARGIN);
+}
 
 // Puts the group's unknowns where velocity and acceleration predict them; at a dead point, where they stand.
 // Returns the largest change: radians, or lengths over the size.
@@ -64,7 +71,8 @@ static double predict(YkState *s, double h)
     return largest;
 }
 
-// Puts the unknowns `way` along the direction of their velocity: next to a dead point it is the one in which two solutions part.
+// Puts the unknowns `way` along the direction of their velocity: next to a dead point it is the one in which two
+// solutions part.
 static bool kick(YkState *s, double way)
 {
     double largest = 0;
@@ -89,7 +97,9 @@ static void set_path(YkState *s, const double *ends, double at)
     }
 }
 
-typedef struct Tracker { double at, h, longest; } Tracker;
+typedef struct Tracker {
+    double at, h, longest;
+} Tracker;
 
 static void accept_along(YkState *s)
 {
@@ -99,15 +109,16 @@ static void accept_along(YkState *s)
     memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
 }
 
-// What Newton's method may correct of a prediction. From a dead point, which predicts nothing, the unknowns move as the root of
-// the step, and the determinant's sign says which way.
+// What Newton's method may correct of a prediction. From a dead point, which predicts nothing, the unknowns move as the
+// root of the step, and the determinant's sign says which way.
 static double correction_max(const YkState *s, double way)
 {
     return at_dead_point(s) ? 0.01 : 0.25 * way + 1e-9;
 }
 
-// One step of the path; false when even the smallest fails. Newton's correction must be small against the predicted way: what it
-// reaches is then the continuation and no other solution. Towards a limit steps shrink with the distance that is left.
+// One step of the path; false when even the smallest fails. Newton's correction must be small against the predicted
+// way: what it reaches is then the continuation and no other solution. Towards a limit steps shrink with the distance
+// that is left.
 static bool advance(YkState *s, Tracker *t, const double *ends)
 {
     while (t->at + t->h > t->at && t->h > STEP_FLOOR) {
@@ -124,8 +135,8 @@ static bool advance(YkState *s, Tracker *t, const double *ends)
     return false;
 }
 
-// From a dead point the unknowns move as the root of the input's way; how fast is not known there. Tries amplitudes either way:
-// Newton's method and the determinant's sign tell which one the solution has.
+// From a dead point the unknowns move as the root of the input's way; how fast is not known there. Tries amplitudes
+// either way: Newton's method and the determinant's sign tell which one the solution has.
 static void depart(YkState *s, Tracker *t, const double *ends)
 {
     double h = fmin(1, DEPARTURE / t->longest), base = sqrt(h * t->longest);
@@ -157,7 +168,8 @@ YkStatus yk_state_track(YkState *s)
     yk_space_copy(&s->search->kept, &s->space); // to come back to on failure
     memcpy(s->search->kept_x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
     set_path(s, ends, 0);
-    YkStatus status = run_here(s); // rates along the path at its start; at a dead point rounding may give the other sign there
+    YkStatus status =
+        run_here(s); // rates along the path at its start; at a dead point rounding may give the other sign there
     bool ok = status >= 0 || at_dead_point(s);
     if (ok) accept_along(s);
     if (ok && at_dead_point(s) && t.longest > STEP_FLOOR) depart(s, &t, ends);

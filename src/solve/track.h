@@ -3,8 +3,9 @@
 #define SOLVE_TRACK_H
 #include "solve/assemble.h"
 
-// From the valid pose's inputs to state->input in small steps: predicted by velocity and acceleration, corrected by Newton's method, each
-// step checked: the same sign of every determinant, a correction small against the step. YK_LIMIT where no step, however small, succeeds.
+// From the valid pose's inputs to state->input in small steps: predicted by velocity and acceleration, corrected by
+// Newton's method, each step checked: the same sign of every determinant, a correction small against the step. YK_LIMIT
+// where no step, however small, succeeds.
 YkStatus yk_state_track(YkState *state);
 
 #endif
