@@ -5,7 +5,7 @@
 #include <yoke/state.h>
 
 typedef struct YkBatch YkBatch;
-// A batch with the branches and reference angles of an assembled state. Channels are what it computes; nothing else is.
+// NULL also where a channel needs forces. A batch with the branches and reference angles of an assembled state. Channels are what it computes; nothing else is.
 YK_API YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count);
 YK_API void yk_batch_free(YkBatch *batch);
 // Solves `count` poses. inputs[3*i + k][pose]: input i's position (k = 0), velocity (1), acceleration (2); a NULL array stands for

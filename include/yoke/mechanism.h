@@ -87,8 +87,15 @@ YK_API double yk_mechanism_size(const YkMechanism *mech);
 //   lever.angle, lever.angle.rate, .accel  a body's angle to the ground (lever.rate, lever.accel for short)
 //   ram.C.x, ram.C.y, ram.C.x.rate, .accel a point; also ram.C.speed
 //   C.transmission                         the transmission angle of the block labelled C, rad in [0, pi/2]
+//   A.force.x, A.force.y, A.force, A.moment  a joint's reaction: on its second body by its first (A.force: its size)
+//   theta1.effort                          effort along a coordinate: of its drive, or what the file says
+//   energy, kinetic, potential             J
+//   shaking.x, shaking.y, shaking.moment   what the machine exerts on its frame, about the world's origin
 typedef enum YkChannelKind { YK_CHANNEL_TIME, YK_CHANNEL_COORDINATE, YK_CHANNEL_JOINT_ANGLE, YK_CHANNEL_JOINT_DISTANCE, YK_CHANNEL_BODY,
-    YK_CHANNEL_POINT_X, YK_CHANNEL_POINT_Y, YK_CHANNEL_POINT_SPEED, YK_CHANNEL_TRANSMISSION } YkChannelKind;
+    YK_CHANNEL_POINT_X, YK_CHANNEL_POINT_Y, YK_CHANNEL_POINT_SPEED, YK_CHANNEL_TRANSMISSION,
+    // from here on forces: yk_dynamics_channel alone answers them
+    YK_CHANNEL_FORCE_X, YK_CHANNEL_FORCE_Y, YK_CHANNEL_FORCE, YK_CHANNEL_MOMENT, YK_CHANNEL_EFFORT, YK_CHANNEL_ENERGY,
+    YK_CHANNEL_KINETIC, YK_CHANNEL_POTENTIAL, YK_CHANNEL_SHAKING_X, YK_CHANNEL_SHAKING_Y, YK_CHANNEL_SHAKING_MOMENT } YkChannelKind;
 typedef struct YkChannel {
     YkChannelKind kind;
     int index;            // of the coordinate, joint, body, point or block
@@ -96,6 +103,7 @@ typedef struct YkChannel {
     YkQuantity quantity;  // for its unit
 } YkChannel;
 // YK_OK, or YK_BAD_ARGUMENT with a problem (did you mean) added.
+static inline bool yk_channel_needs_forces(YkChannel channel) { return channel.kind >= YK_CHANNEL_FORCE_X; }
 YK_API YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems);
 // Its name as `--of` takes it; returns the length needed, writes at most capacity bytes with a final NUL.
 YK_API size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, size_t capacity);

@@ -46,7 +46,8 @@ YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_poi
 // A value with units in the model's own terms, as the command line takes them ("30deg", "a1/2", "0.5 rad/s").
 typedef enum YkQuantity {
     YK_QUANTITY_NUMBER, YK_QUANTITY_ANGLE, YK_QUANTITY_LENGTH, YK_QUANTITY_TIME, YK_QUANTITY_ANGLE_RATE,
-    YK_QUANTITY_SPEED, YK_QUANTITY_ANGLE_ACCELERATION, YK_QUANTITY_ACCELERATION, YK_QUANTITY_FORCE, YK_QUANTITY_TORQUE
+    YK_QUANTITY_SPEED, YK_QUANTITY_ANGLE_ACCELERATION, YK_QUANTITY_ACCELERATION, YK_QUANTITY_FORCE, YK_QUANTITY_TORQUE,
+    YK_QUANTITY_ENERGY
 } YkQuantity;
 // Reads `text` as such a quantity, converted to SI. Returns YK_OK or YK_BAD_ARGUMENT with a problem added.
 YK_API YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quantity, double *value,

@@ -3,13 +3,14 @@
 #ifndef YOKE_SWEEP_H
 #define YOKE_SWEEP_H
 
-#include <yoke/state.h>
+#include <yoke/dynamics.h>
 
 typedef struct YkSweepOptions {
     int coordinate;        // the coordinate swept, an input; -1 sweeps time (all drives)
     double from, to;       // its range (rad, m or s)
     size_t steps;          // n gives n + 1 poses
     double turn_max;       // the path is verified at least every so many radians (or this times the machine's size / 1 s): default 2 deg
+    YkDynamics *dynamics;  // answers the channels that need forces (inverse and forward dynamics at every row); NULL: there are none
 } YkSweepOptions;
 YK_API YkSweepOptions yk_default_sweep_options(void);
 

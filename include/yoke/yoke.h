@@ -15,6 +15,8 @@ extern "C" {
 #include <yoke/state.h>
 #include <yoke/sweep.h>
 #include <yoke/batch.h>
+#include <yoke/dynamics.h>
+#include <yoke/simulation.h>
 #include <yoke/design.h>
 #include <yoke/draw.h>
 

@@ -59,6 +59,50 @@ static bool parse_point(const YkMechanism *mech, char *name, int order, YkChanne
     return false;
 }
 
+static bool set_force(YkChannel *channel, YkChannelKind kind, int index, YkQuantity quantity)
+{
+    if (index < 0) return false;
+    *channel = (YkChannel){kind, index, 0, quantity};
+    return true;
+}
+
+// Of the whole machine.
+static bool parse_whole(const char *name, YkChannel *channel)
+{
+    static const struct {
+        const char *name;
+        YkChannelKind kind;
+        YkQuantity quantity;
+    } whole[] = {{"energy", YK_CHANNEL_ENERGY, YK_QUANTITY_ENERGY},
+                 {"kinetic", YK_CHANNEL_KINETIC, YK_QUANTITY_ENERGY},
+                 {"potential", YK_CHANNEL_POTENTIAL, YK_QUANTITY_ENERGY},
+                 {"shaking.x", YK_CHANNEL_SHAKING_X, YK_QUANTITY_FORCE},
+                 {"shaking.y", YK_CHANNEL_SHAKING_Y, YK_QUANTITY_FORCE},
+                 {"shaking.moment", YK_CHANNEL_SHAKING_MOMENT, YK_QUANTITY_TORQUE}};
+    for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
+        if (strcmp(name, whole[k].name) == 0) return set_force(channel, whole[k].kind, 0, whole[k].quantity);
+    return false;
+}
+
+// Of a joint or along a coordinate.
+static bool parse_force(const YkMechanism *mech, char *name, YkChannel *channel)
+{
+    static const struct {
+        const char *suffix;
+        YkChannelKind kind;
+    } forces[] = {
+        {".force.x", YK_CHANNEL_FORCE_X}, {".force.y", YK_CHANNEL_FORCE_Y}, {".force", YK_CHANNEL_FORCE}};
+    for (size_t k = 0; k < sizeof forces / sizeof *forces; k++)
+        if (cut_suffix(name, forces[k].suffix))
+            return set_force(channel, forces[k].kind, find_joint(mech, name), YK_QUANTITY_FORCE);
+    if (cut_suffix(name, ".moment"))
+        return set_force(channel, YK_CHANNEL_MOMENT, find_joint(mech, name), YK_QUANTITY_TORQUE);
+    if (!cut_suffix(name, ".effort")) return false;
+    int found = yk_coordinate_find(mech, name);
+    bool is_distance = found >= 0 && mech->coordinates[found].is_distance;
+    return set_force(channel, YK_CHANNEL_EFFORT, found, is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE);
+}
+
 static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
 {
     int order = cut_suffix(name, ".rate") ? 1 : cut_suffix(name, ".accel") ? 2 : 0;
@@ -71,6 +115,7 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
     if (order > 0 && find_body(mech, name) >= 0)
         return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
     if (parse_point(mech, name, order, channel)) return true;
+    if (order == 0 && (parse_whole(name, channel) || parse_force(mech, name, channel))) return true;
     if (order == 0 && cut_suffix(name, ".transmission"))
         return set(channel, YK_CHANNEL_TRANSMISSION, find_block(mech, name), 0, false);
     if (cut_suffix(name, ".angle")) {
@@ -147,6 +192,17 @@ YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *
     return YK_BAD_ARGUMENT;
 }
 
+static void force_name(const YkMechanism *mech, YkChannel channel, YkText *name)
+{
+    static const char *const suffixes[] = {".force.x", ".force.y", ".force",    ".moment",   ".effort",       "energy",
+                                           "kinetic",  "potential", "shaking.x", "shaking.y", "shaking.moment"};
+    if (channel.kind == YK_CHANNEL_EFFORT)
+        yk_text_puts(name, mech->coordinates[channel.index].name);
+    else if (channel.kind < YK_CHANNEL_EFFORT)
+        yk_text_puts(name, mech->model->joints[channel.index].name);
+    yk_text_puts(name, suffixes[channel.kind - YK_CHANNEL_FORCE_X]);
+}
+
 size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, size_t capacity)
 {
     static const char *const orders[] = {"", ".rate", ".accel"};
@@ -181,6 +237,8 @@ size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, s
         yk_text_format(&name, "%s.%s.%s", model->bodies[p->body].name, p->name, what);
         break;
     }
+    default:
+        force_name(mech, channel, &name);
     }
     yk_text_puts(&name, orders[channel.order]);
     const char *data = yk_text_get(&name);

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "base/vec.h"
 #include "expr/expr.h"
+#include "law/law.h"
 #include "part/part.h"
 
 typedef struct YkParameter {
@@ -39,6 +40,15 @@ typedef struct YkBody {
     int32_t rod[2];                                         // points of `rod`, or YK_NONE
 } YkBody;
 
+// Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the turning, and viscous * rate; in a
+// slide: a force coulomb * |normal force| against the sliding, and viscous * speed. A pin-slot slides: as a slide.
+typedef struct YkFriction {
+    double coulomb;       // >= 0, a number
+    double radius;        // of a pin, m
+    double viscous;       // N m s (pin) or N s/m (slide, pin-slot), >= 0
+    YkPlace place;
+} YkFriction;
+
 typedef struct YkJoint {
     const char *name;
     YkPlace place;
@@ -52,6 +62,8 @@ typedef struct YkJoint {
     double turned;                    // b's constant angle to a (slide, weld), rad
     YkExpr *along_expr, *turned_expr; // NULL where default or x / y
     int32_t angle, distance;          // declared coordinates, or YK_NONE
+    bool has_friction;
+    YkFriction friction;
 } YkJoint;
 
 // A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mention of `JOINT.angle` or
@@ -79,13 +91,54 @@ typedef struct YkStart {
     double value;
 } YkStart;
 
+// A value given by a law: value = law(argument), the argument being a coordinate or the time.
+typedef struct YkLawUse {
+    int32_t law; // of model->laws, or YK_NONE: no law here
+    YkExpr *of;  // of t, parameters, coordinates, rates
+} YkLawUse;
+
 typedef struct YkEffort {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr; // of t, parameters, coordinates, rates
+    YkExpr *expr; // of t, parameters, coordinates, rates; NULL where a law gives it
+    YkLawUse law;
 } YkEffort;
 
-enum { YK_QUANTITY_COUNT = YK_QUANTITY_TORQUE + 1 };
+typedef struct YkForce { // at a point of a body
+    const char *name;
+    YkPlace place;
+    int32_t body;
+    YkVec at; // in the body's axes, m
+    bool in_body_axes;
+    YkExpr *x, *y; // N; of t, parameters, coordinates, rates
+} YkForce;
+
+// A spring and a damper, side by side: between two points, or along a coordinate (a torsion spring on an angle).
+typedef struct YkSpring {
+    const char *name;
+    YkPlace place;
+    int32_t coordinate;                // along it; or YK_NONE: between points
+    int32_t body[2];                   // of the points
+    YkVec at[2];                       // in each body's axes, m
+    double stiffness, length, damping; // length: free length, m, or free angle, rad
+    YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL where not given (0)
+} YkSpring;
+
+// A coordinate cannot leave [low, high]: where it hits an end it comes back with `restitution` times its rate.
+typedef struct YkStop {
+    int32_t coordinate;
+    YkPlace place;
+    double low, high, restitution;
+} YkStop;
+
+// `laws:` motion programs and tables by name.
+typedef struct YkModelLaw {
+    const char *name;
+    YkPlace place;
+    YkLaw *law;
+} YkModelLaw;
+
+enum { YK_QUANTITY_COUNT = YK_QUANTITY_ENERGY + 1 };
 
 struct YkModel {
     YkArena *arena;
@@ -109,6 +162,14 @@ struct YkModel {
     size_t start_count;
     YkEffort *efforts;
     size_t effort_count;
+    YkForce *forces;
+    size_t force_count;
+    YkSpring *springs;
+    size_t spring_count;
+    YkStop *stops;
+    size_t stop_count;
+    YkModelLaw *laws;
+    size_t law_count;
     bool has_gravity;
     YkVec gravity; // m/s^2
     YkExpr *gravity_x, *gravity_y;

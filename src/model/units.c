@@ -67,6 +67,8 @@ static void name_quantities(YkLoader *loader)
                                force ? "" : "/", force ? "" : u->time_name, force ? "" : "^2"},
         [YK_QUANTITY_TORQUE] = {force ? force : u->mass_name, "*", u->length_name, force ? "" : "^2/",
                                 force ? "" : u->time_name, force ? "" : "^2"},
+        [YK_QUANTITY_ENERGY] = {force ? force : u->mass_name, "*", u->length_name, force ? "" : "^2/",
+                                force ? "" : u->time_name, force ? "" : "^2"},
     };
     for (int i = 0; i < YK_QUANTITY_COUNT; i++) {
         YkText *text = &loader->text;

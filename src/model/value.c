@@ -23,6 +23,7 @@ static YkDimension quantity_dimension(YkQuantity quantity)
     case YK_QUANTITY_FORCE:
         return YK_DIM_FORCE;
     case YK_QUANTITY_TORQUE:
+    case YK_QUANTITY_ENERGY: // the same dimension
         return YK_DIM_TORQUE;
     case YK_QUANTITY_NUMBER:
         break;

@@ -116,6 +116,8 @@ double yk_state_channel(const YkState *s, YkChannel c)
         return sqrt(p.velocity[0] * p.velocity[0] + p.velocity[1] * p.velocity[1]); // the batch's bits: no hypot
     case YK_CHANNEL_TRANSMISSION:
         return yk_state_transmission(s, index);
+    default: // forces: yk_dynamics_channel
+        break;
     }
     return 0;
 }

@@ -82,6 +82,8 @@ static void fill_constants(YkBatch *b)
 
 YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count)
 {
+    for (size_t k = 0; k < channel_count; k++)
+        if (yk_channel_needs_forces(channels[k])) return NULL;
     YkBatch *b = calloc(1, sizeof *b);
     if (!b) return NULL;
     size_t inputs = 3 * state->mech->input_count;
@@ -232,6 +234,7 @@ static void make_channel(const YkBatch *b, const YkRun *run, size_t k, double *o
         break;
     case YK_CHANNEL_TIME:
     case YK_CHANNEL_TRANSMISSION:
+    default: // forces are refused by yk_batch_new
         for (size_t i = 0; i < n; i++) out[i] = b->state->time;
         break;
     }

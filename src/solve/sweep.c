@@ -31,7 +31,7 @@ struct YkSweep {
 
 YkSweepOptions yk_default_sweep_options(void)
 {
-    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180};
+    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180, NULL};
 }
 
 static void add_event(YkSweep *w, YkEvent event)

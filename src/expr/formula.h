@@ -1,0 +1,20 @@
+// Formulas: expressions made ready to be evaluated millions of times - constants folded, names resolved to places in an
+// array. Values only; allocates nothing when evaluated.
+#ifndef EXPR_FORMULA_H
+#define EXPR_FORMULA_H
+#include "expr/expr.h"
+
+typedef struct YkFormula YkFormula;
+
+// What a name stands for: either a constant (value set, returns -1) or variables[index] (returns the index >= 0).
+// -2: unknown here.
+typedef int (*YkResolve)(void *context, const YkExpr *name, double *value);
+
+// Compiles. NULL when out of memory or a name is unknown. Lives in the arena.
+YkFormula *yk_formula_compile(const YkExpr *expr, YkResolve resolve, void *context, YkArena *arena);
+bool yk_formula_is_constant(const YkFormula *formula); // then eval takes NULL variables
+bool yk_formula_depends_on(const YkFormula *formula, int variable);
+// The value; not finite where the expression has none (division by zero, root of a negative number, ...).
+double yk_formula_eval(const YkFormula *formula, const double *variables);
+
+#endif
