@@ -26,11 +26,12 @@ typedef enum YkDynamicsMethod {
     YK_METHOD_NEWTON_EULER  // every body's equations with all reactions and accelerations as unknowns
 } YkDynamicsMethod;
 
-// At the pose and velocities of `state` (solved; it must have rates): finds the free inputs' accelerations, sets them in the
-// state and solves it again, then all reactions and efforts. YK_OK; YK_REDUNDANT: least-norm reactions; YK_SINGULAR: dead
+// At the inputs of `state` (assembled): solves its pose, finds the free inputs' accelerations, sets them and solves the state
+// again, then finds all reactions and efforts. YK_OK; YK_REDUNDANT: least-norm reactions; YK_SINGULAR: dead
 // point, or a freedom without inertia (see the report). Allocates nothing. Cost linear for trees, chains of loops, ladders.
 YK_API YkStatus yk_dynamics_solve(YkDynamics *dynamics, YkState *state, YkDynamicsMethod method);
-// Accelerations alone (no reactions): the fast part of the above. accelerations[input], prescribed ones too.
+// Accelerations alone (no reactions): the fast part of the above. What the state answers afterwards is not defined until
+// it is solved again. accelerations[input], prescribed ones too.
 YK_API YkStatus yk_dynamics_accelerate(YkDynamics *dynamics, YkState *state, double *accelerations);
 YK_API const YkReport *yk_dynamics_report(const YkDynamics *dynamics);
 

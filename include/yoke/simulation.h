@@ -6,11 +6,20 @@
 
 typedef enum YkIntegrator { YK_INTEGRATOR_DOP853, YK_INTEGRATOR_SDIRK4, YK_INTEGRATOR_RK4 } YkIntegrator;
 
+typedef struct YkStartValue {
+    const char *coordinate; // of the tree
+    bool is_rate;
+    double value;           // rad, m, rad/s, m/s
+} YkStartValue;
+
 typedef struct YkSimulationOptions {
     YkIntegrator integrator;
     double tolerance;   // relative and (of the coordinate's size) absolute error per step; default 1e-9
     double step;        // RK4: its fixed step, s
     double start;       // time at which it begins, s
+    double horizon;     // the last time that will be asked for, s: lets steps pass the rows (0: each row ends a step)
+    const YkStartValue *values; // in place of what `start:` says
+    size_t value_count;
     const YkCompileOptions *compile; // NULL: defaults
 } YkSimulationOptions;
 YK_API YkSimulationOptions yk_default_simulation_options(void);
@@ -23,6 +32,8 @@ YK_API YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationO
 YK_API void yk_simulation_free(YkSimulation *simulation);
 // Also report zero crossings of a channel minus a value (an event named `name`, copied). direction: +1, -1 or 0 = both.
 YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, YkChannel channel, double value, int direction);
+// Replaces what `efforts:` says along a coordinate by a constant, before the first advance.
+YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
 // Goes on to time `to`. The state then stands at `to` exactly (dense output, loops closed by the position solver). On failure it
 // stands at the last good time: YK_LIMIT, YK_SINGULAR, YK_NOT_CONVERGED (step too small; the report names why).
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);

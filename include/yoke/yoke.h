@@ -17,6 +17,7 @@ extern "C" {
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>
 #include <yoke/simulation.h>
+#include <yoke/rest.h>
 #include <yoke/design.h>
 #include <yoke/draw.h>
 

@@ -1,5 +1,5 @@
 // Scalar laws of motion: a value and its first four derivatives with respect to the argument (a cam angle, time, a
-// coordinate). Made once, then constant; evaluation allocates nothing.
+// coordinate). Made once (law/build.h), then constant; evaluation allocates nothing.
 #ifndef LAW_LAW_H
 #define LAW_LAW_H
 #include <stdbool.h>
@@ -10,7 +10,72 @@ enum { YK_LAW_ORDER = 4 };
 typedef struct YkLaw YkLaw;
 
 // d[0] = the value, d[k] = the k-th derivative at x. A law with a period takes x modulo the period; one without keeps
-// its end values outside its range (derivatives 0). At a joint of segments: what holds just after it. Cost O(log segments).
+// its end values outside its range (derivatives 0). At a joint of segments: what holds just after it. Cost O(log
+// segments).
 void yk_law_eval(const YkLaw *law, double x, double d[YK_LAW_ORDER + 1]);
+
+// The range of x over which the law is defined; period 0 where it has none.
+typedef struct YkLawRange {
+    double from, to, period;
+} YkLawRange;
+YkLawRange yk_law_range(const YkLaw *law);
+
+// A joint at which the value (order 0) or a derivative (1: v, 2: a) is not continuous: what holds just after x less
+// what held just before. The fundamental law of cam design wants none (Norton 2009, ch. 2). Where there is no period
+// the law stands still outside its range, which may be a jump too.
+typedef struct YkLawJump {
+    double x;
+    int order;
+    double size;
+} YkLawJump;
+
+// Finds the jumps above 1e-9 of the derivative's largest value, by ascending x, for each x by ascending order; the
+// joint round the period stands at the law's `from`. Returns how many there are; the first `capacity` go to jumps. Cost
+// linear.
+size_t yk_law_jumps(const YkLaw *law, YkLawJump *jumps, size_t capacity);
+
+// Where a derivative (order 0 to 4) is largest in magnitude over the law's range, from either side of its joints, to
+// rounding in the value.
+typedef struct YkLawPeak {
+    double x, value;
+} YkLawPeak;
+YkLawPeak yk_law_peak(const YkLaw *law, int order);
+
+// What the law was made of, segment by segment.
+typedef enum YkLawKind {
+    YK_LAW_POLYNOMIAL,
+    YK_LAW_SPLINE,
+    YK_LAW_DWELL,
+    YK_LAW_RISE,
+    YK_LAW_FALL,
+    YK_LAW_CONSTANT_VELOCITY,
+    YK_LAW_TABLE
+} YkLawKind;
+
+// One condition: the derivative of this order (0: the value) at x is `value`.
+typedef struct YkLawCondition {
+    double at;
+    int order;
+    double value;
+} YkLawCondition;
+
+typedef struct YkLawSegment {
+    YkLawKind kind;
+    double from, to;
+    size_t first_piece, piece_count;  // inside
+    const YkLawCondition *conditions; // polynomial, spline: all s, then all v, a, ..., each by ascending x
+    size_t condition_count;
+    double condition_number; // of the system that was solved, rows scaled (1-norm)
+} YkLawSegment;
+
+size_t yk_law_segment_count(const YkLaw *law);
+YkLawSegment yk_law_segment(const YkLaw *law, size_t segment);
+
+// A condition as an equation for the coefficients of 1, x, x^2, ...: row[k] = d^order x^k / dx^order at `at`.
+void yk_law_power_row(const YkLawCondition *condition, size_t count, double *row);
+// The coefficients of a polynomial segment in powers of x, coefficients[condition_count]: for the reader. They lose
+// digits where the degree is high or the segment lies far from 0; evaluation does not use them. False for other
+// segments.
+bool yk_law_power_coefficients(const YkLaw *law, size_t segment, double *coefficients);
 
 #endif

@@ -97,3 +97,28 @@ int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rat
     if (is_rate) *is_rate = rate;
     return found;
 }
+
+unsigned char *yk_load_new_seen(YkLoader *loader, const YkNode *section)
+{
+    return YK_NEW(loader->arena, unsigned char, loader->model->coordinate_count + section->count + 1);
+}
+
+static bool is_first_time(YkLoader *loader, unsigned char *seen, int32_t coordinate, unsigned char bit,
+                          const YkNode *key)
+{
+    bool is_first = !(seen[coordinate] & bit);
+    seen[coordinate] |= bit;
+    if (!is_first) {
+        yk_problem(loader->problems, YK_CODE_GIVEN_TWICE, key->place, "%q is given here a second time, by another name",
+                   loader->model->coordinates[coordinate].name);
+    }
+    return is_first;
+}
+
+int32_t yk_load_coordinate_once(YkLoader *loader, const YkNode *key, unsigned char *seen, bool *is_rate)
+{
+    int32_t coordinate = yk_load_coordinate_key(loader, key, is_rate);
+    if (coordinate < 0) return coordinate;
+    unsigned char bit = is_rate && *is_rate ? 2 : 1;
+    return is_first_time(loader, seen, coordinate, bit, key) ? coordinate : YK_REPORTED;
+}

@@ -1,39 +1,18 @@
-// `drives:` coordinates whose motion is given as an expression of time; `start:` values at the start;
-// `efforts:` torques and forces along coordinates. Three sections of one form: COORDINATE: expression.
+// `drives:` coordinates whose motion is given as an expression of time; `start:` values at the start. Two sections of
+// one form: COORDINATE: expression.
 #include <math.h>
 #include "model/load.h"
-
-static bool is_first_time(YkLoader *loader, unsigned char *seen, int32_t coordinate, unsigned char bit,
-                          const YkNode *key)
-{
-    bool is_first = !(seen[coordinate] & bit);
-    seen[coordinate] |= bit;
-    if (!is_first) {
-        yk_problem(loader->problems, YK_CODE_GIVEN_TWICE, key->place, "%q is given here a second time, by another name",
-                   loader->model->coordinates[coordinate].name);
-    }
-    return is_first;
-}
 
 // The coordinate a pair of the section speaks of, or a negative number (reported).
 static int32_t read_key(YkLoader *loader, const YkPair *pair, unsigned char *seen, bool *is_rate)
 {
-    int32_t coordinate = yk_load_coordinate_key(loader, pair->key, is_rate);
     if (pair->value->kind == YK_NODE_MAP && yk_node_get(pair->value, "law")) {
         yk_problem(loader->problems, YK_CODE_NOT_SUPPORTED, pair->value->place,
                    "laws are not part of this version yet");
         yk_problem_hint(loader->problems, "give %q as an expression of `t`", pair->key->text);
         return YK_REPORTED;
     }
-    if (coordinate < 0) return coordinate;
-    unsigned char bit = is_rate && *is_rate ? 2 : 1;
-    return is_first_time(loader, seen, coordinate, bit, pair->key) ? coordinate : YK_REPORTED;
-}
-
-// One byte for every coordinate there is or may be declared by this section.
-static unsigned char *new_seen(YkLoader *loader, const YkNode *section)
-{
-    return YK_NEW(loader->arena, unsigned char, loader->model->coordinate_count + section->count + 1);
+    return yk_load_coordinate_once(loader, pair->key, seen, is_rate);
 }
 
 void yk_load_drives(YkLoader *loader)
@@ -41,7 +20,7 @@ void yk_load_drives(YkLoader *loader)
     const YkNode *section = yk_load_section(loader, "drives");
     YkModel *model = loader->model;
     if (!section) return;
-    unsigned char *seen = new_seen(loader, section);
+    unsigned char *seen = yk_load_new_seen(loader, section);
     model->drives = YK_NEW(loader->arena, YkDrive, section->count);
     if (!seen || !model->drives) return;
     for (size_t i = 0; i < section->count; i++) {
@@ -70,7 +49,7 @@ void yk_load_starts(YkLoader *loader)
     const YkNode *section = yk_load_section(loader, "start");
     YkModel *model = loader->model;
     if (!section) return;
-    unsigned char *seen = new_seen(loader, section);
+    unsigned char *seen = yk_load_new_seen(loader, section);
     model->starts = YK_NEW(loader->arena, YkStart, section->count);
     if (!seen || !model->starts) return;
     for (size_t i = 0; i < section->count; i++) {
@@ -84,27 +63,5 @@ void yk_load_starts(YkLoader *loader)
         YkStart *start = &model->starts[model->start_count++];
         *start = (YkStart){.coordinate = coordinate, .is_rate = is_rate, .place = pair->key->place};
         start->expr = yk_load_value(loader, pair->value, &want, &start->value);
-    }
-}
-
-void yk_load_efforts(YkLoader *loader)
-{
-    const YkNode *section = yk_load_section(loader, "efforts");
-    YkModel *model = loader->model;
-    if (!section) return;
-    unsigned char *seen = new_seen(loader, section);
-    model->efforts = YK_NEW(loader->arena, YkEffort, section->count);
-    if (!seen || !model->efforts) return;
-    for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
-        int32_t coordinate = read_key(loader, pair, seen, NULL);
-        if (coordinate < 0) continue;
-        bool is_distance = model->coordinates[coordinate].is_distance;
-        YkWant want = {.dimension = is_distance ? YK_DIM_FORCE : YK_DIM_TORQUE,
-                       .scope = YK_SCOPE_STATE,
-                       .subject = {.noun = "effort", .owner = pair->key->text}};
-        YkExpr *expr = yk_load_value(loader, pair->value, &want, NULL);
-        model->efforts[model->effort_count++] =
-            (YkEffort){.coordinate = coordinate, .place = pair->key->place, .expr = expr};
     }
 }

@@ -45,3 +45,13 @@ bool yk_load_count_fits(YkLoader *loader, const YkNode *section, size_t count, c
                noun, (int)YK_COUNT_MAX);
     return false;
 }
+
+const YkNode *yk_load_require(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject)
+{
+    const YkNode *node = yk_node_get(map, key);
+    if (!node) {
+        yk_problem(loader->problems, YK_CODE_MISSING_KEY, map->place, "%s needs `%s`", yk_load_subject(loader, subject),
+                   key);
+    }
+    return node;
+}

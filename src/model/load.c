@@ -45,10 +45,13 @@ static void read_sections(YkLoader *loader)
     yk_load_bodies(loader);
     if (loader->model->bodies && !loader->failed && !yk_arena_failed(loader->arena)) {
         yk_load_joints(loader);
+        yk_load_laws(loader);
         yk_load_drives(loader);
         yk_load_starts(loader);
         yk_load_efforts(loader);
-        yk_load_unused(loader);
+        yk_load_forces(loader);
+        yk_load_springs(loader);
+        yk_load_stops(loader);
     }
 }
 
@@ -60,8 +63,13 @@ static void resolve(YkLoader *loader)
     yk_load_eval_parameters(loader);
     yk_load_check_overrides(loader);
     yk_load_eval_uses(loader);
+    yk_load_finish_laws(loader);
     yk_load_finish_masses(loader);
     yk_load_finish_joints(loader);
+    yk_load_finish_forces(loader);
+    yk_load_finish_springs(loader);
+    yk_load_finish_stops(loader);
+    yk_load_finish_friction(loader);
     yk_load_check_connected(loader);
     yk_load_check_links(loader);
 }

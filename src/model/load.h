@@ -27,6 +27,10 @@ enum { YK_NAME_MAX = 100, YK_COUNT_MAX = 10000000, YK_REPORTED = -2 };
 #define YK_DIM_FORCE YK_DIM(1, 1, -2, 0)
 #define YK_DIM_TORQUE YK_DIM(2, 1, -2, 0)
 #define YK_DIM_INERTIA YK_DIM(2, 1, 0, 0)
+#define YK_DIM_STIFFNESS YK_DIM(0, 1, -2, 0)
+#define YK_DIM_DAMPING YK_DIM(0, 1, -1, 0)
+#define YK_DIM_TURN_STIFFNESS YK_DIM(2, 1, -2, -1)
+#define YK_DIM_TURN_DAMPING YK_DIM(2, 1, -1, -1)
 
 // What an expression may mention besides parameters and pi.
 typedef enum YkScope { YK_SCOPE_CONSTANT, YK_SCOPE_TIME, YK_SCOPE_STATE } YkScope;
@@ -68,7 +72,6 @@ typedef struct YkLoader {
     YkText text;             // scratch
     bool has_unsupported;    // gears and the like are there: do not complain about what they would explain
     bool has_bad_joint;      // a joint's bodies are unknown: connections cannot be judged
-    bool noted_friction;
     bool failed; // out of memory
 } YkLoader;
 
@@ -95,6 +98,11 @@ const YkNode *yk_load_key(const YkNode *map, const char *key); // the key itself
 // As many as a section may hold? Reports it otherwise.
 bool yk_load_count_fits(YkLoader *loader, const YkNode *section, size_t count, const char *noun);
 
+// The value of a key of a map: its expression, or NULL where it is left out (the target is 0) or wrong (NaN).
+YkExpr *yk_load_key_value(YkLoader *loader, const YkNode *map, const char *key, const YkWant *want, double *target);
+// The node of a key that must be there; NULL where it is left out (reported).
+const YkNode *yk_load_require(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject);
+
 // names.c: which names are allowed, and the nearest one.
 bool yk_load_name(YkLoader *loader, const YkNode *node, const char *noun);
 bool yk_load_symbol_name(YkLoader *loader, const YkNode *node, const char *noun); // for expressions
@@ -118,6 +126,10 @@ int32_t yk_load_declare(YkLoader *loader, const char *name, YkPlace place, int32
 int32_t yk_load_coordinate(YkLoader *loader, const char *text, YkPlace place, bool *is_rate);
 // The same for a key of drives, start, efforts or stops: every failure is reported, also `.rate` where is_rate is NULL.
 int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rate);
+// One byte for every coordinate there is or may be declared by this section.
+unsigned char *yk_load_new_seen(YkLoader *loader, const YkNode *section);
+// The coordinate of a key that speaks of it for the first time in its section; a negative number (reported) otherwise.
+int32_t yk_load_coordinate_once(YkLoader *loader, const YkNode *key, unsigned char *seen, bool *is_rate);
 
 // The sections, one file each.
 void yk_load_units(YkLoader *loader);
@@ -127,13 +139,17 @@ void yk_load_bodies(YkLoader *loader);
 void yk_load_points(YkLoader *loader, const YkNode *bodies, const YkNode **nodes);
 void yk_load_mass(YkLoader *loader, int32_t body, const YkNode *node);
 void yk_load_joints(YkLoader *loader);
+void yk_load_laws(YkLoader *loader);                        // after the joints, before what uses laws
+int32_t yk_load_law(YkLoader *loader, const YkNode *node);  // a law by name; YK_NONE, reported
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
 void yk_load_drives(YkLoader *loader);
 void yk_load_starts(YkLoader *loader);
 void yk_load_gravity(YkLoader *loader);
 void yk_load_efforts(YkLoader *loader);
-void yk_load_unused(YkLoader *loader);
-void yk_load_friction(YkLoader *loader, const YkNode *node, const YkJoint *joint);
+void yk_load_forces(YkLoader *loader);
+void yk_load_springs(YkLoader *loader);
+void yk_load_stops(YkLoader *loader);
+void yk_load_friction(YkLoader *loader, const YkNode *node, YkJoint *joint);
 void yk_load_unsupported(YkLoader *loader);
 
 // The second pass.
@@ -142,8 +158,13 @@ void yk_load_infer(YkLoader *loader);           // uses.c: dimensions
 void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, those it needs first
 void yk_load_check_overrides(YkLoader *loader); // overrides.c: against the dimension in the file
 void yk_load_eval_uses(YkLoader *loader);       // uses.c
+void yk_load_finish_laws(YkLoader *loader);     // laws_build.c
 void yk_load_finish_masses(YkLoader *loader);   // mass.c
 void yk_load_finish_joints(YkLoader *loader);   // joint_points.c
+void yk_load_finish_forces(YkLoader *loader);   // forces.c
+void yk_load_finish_springs(YkLoader *loader);  // springs.c
+void yk_load_finish_stops(YkLoader *loader);    // stops.c
+void yk_load_finish_friction(YkLoader *loader); // friction.c
 void yk_load_check_connected(YkLoader *loader); // connected.c
 void yk_load_check_links(YkLoader *loader);     // links.c
 bool yk_load_size(YkModel *model);              // size.c; false when out of memory

@@ -47,6 +47,7 @@ typedef struct YkFriction {
     double radius;        // of a pin, m
     double viscous;       // N m s (pin) or N s/m (slide, pin-slot), >= 0
     YkPlace place;
+    YkExpr *coulomb_expr, *radius_expr, *viscous_expr; // NULL where not given (0)
 } YkFriction;
 
 typedef struct YkJoint {
@@ -108,9 +109,10 @@ typedef struct YkForce { // at a point of a body
     const char *name;
     YkPlace place;
     int32_t body;
-    YkVec at; // in the body's axes, m
+    int32_t point; // YK_NONE: the body's origin
+    YkVec at;      // the same in the body's axes, m
     bool in_body_axes;
-    YkExpr *x, *y; // N; of t, parameters, coordinates, rates
+    YkExpr *x, *y, *moment; // N, N m; of t, parameters, coordinates, rates; NULL: 0
 } YkForce;
 
 // A spring and a damper, side by side: between two points, or along a coordinate (a torsion spring on an angle).
@@ -118,7 +120,7 @@ typedef struct YkSpring {
     const char *name;
     YkPlace place;
     int32_t coordinate;                // along it; or YK_NONE: between points
-    int32_t body[2];                   // of the points
+    int32_t body[2], point[2];         // of the points
     YkVec at[2];                       // in each body's axes, m
     double stiffness, length, damping; // length: free length, m, or free angle, rad
     YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL where not given (0)
@@ -128,14 +130,17 @@ typedef struct YkSpring {
 typedef struct YkStop {
     int32_t coordinate;
     YkPlace place;
-    double low, high, restitution;
+    double low, high, restitution;                 // restitution: 0 to 1, 0 where not given
+    YkExpr *low_expr, *high_expr, *restitution_expr; // NULL where not given
 } YkStop;
 
 // `laws:` motion programs and tables by name.
 typedef struct YkModelLaw {
     const char *name;
     YkPlace place;
-    YkLaw *law;
+    YkLaw *law;                 // argument and value in SI
+    YkDimension of, value;      // dimensions of both
+    struct YkLawSource *source; // as the file gives it: model/laws.h
 } YkModelLaw;
 
 enum { YK_QUANTITY_COUNT = YK_QUANTITY_ENERGY + 1 };

@@ -1,7 +1,7 @@
 // Keys of the format that would change the motion and that this version cannot compute: refused, never ignored.
 #include "model/load.h"
 
-static const char *const sections[] = {"gears", "racks", "belts", "cams", "laws", "locks"};
+static const char *const sections[] = {"gears", "racks", "belts", "cams", "locks"};
 
 void yk_load_unsupported(YkLoader *loader)
 {

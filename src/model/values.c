@@ -125,3 +125,11 @@ bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkEx
     expr[1] = yk_load_value(loader, node->items[1], &component, target ? &target->y : NULL);
     return expr[0] && expr[1];
 }
+
+YkExpr *yk_load_key_value(YkLoader *loader, const YkNode *map, const char *key, const YkWant *want, double *target)
+{
+    const YkNode *node = yk_node_get(map, key);
+    if (node) return yk_load_value(loader, node, want, target);
+    *target = 0;
+    return NULL;
+}

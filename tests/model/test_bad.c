@@ -148,8 +148,11 @@ static void a_damaged_file_is_loaded_or_refused(void **state)
         "  crank: {points: {O: [0, 0], A: [l, 0]}, mass: m, rod: [O, A]}\n"
         "  link: {points: {A: [0, 0]}, mass: 1, inertia: 2}\njoints:\n"
         "  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, link], at: A}\n"
-        "  S: {pin-slot: [ground, link], at: A, from: Q, along: 30 deg, distance: s}\n"
-        "drives: {theta: 2 rad/s * t}\nstart: {s: 3, S.angle.rate: 1}\nefforts: {s: -3 * s}\n";
+        "  S: {pin-slot: [ground, link], at: A, from: Q, along: 30 deg, distance: s, friction: {coulomb: 0.1}}\n"
+        "drives: {theta: 2 rad/s * t}\nstart: {s: 3, S.angle.rate: 1}\nefforts: {s: -3 * s}\n"
+        "forces: {F: {on: link, at: A, value: [-3 N, 2*s], axes: body, moment: theta.rate}}\n"
+        "springs: {k: {between: [ground.Q, crank.A], stiffness: 8 N/m, length: l/2}, c: {along: s, damping: 2}}\n"
+        "stops: {theta: [-3, 3], s: {between: [0, 5], restitution: 0.5}}\n";
     for (uint64_t round = 0; round < 3000; round++) {
         char text[sizeof sound + 100];
         uint64_t seed = round;

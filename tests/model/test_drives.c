@@ -1,4 +1,4 @@
-// Coordinates where they are used: drives, starts, efforts.
+// Coordinates where they are used: drives and starts.
 #include "model/fixture.h"
 
 #define MACHINE                                                                                                        \
@@ -81,17 +81,6 @@ static void evaluation_faults_are_reported_at_their_place(void **state)
     yk_model_free(model);
 }
 
-static void efforts_may_mention_time_coordinates_and_rates(void **state)
-{
-    (void)state;
-    YkModel *model = fixture_load(MACHINE "efforts: {phi: -2 N*m/rad * phi - 3 N*m*s * phi.rate + 1 N*m * sin(w*t),"
-                                          " S.distance: -5 N/m * S.distance - 4 N*s * O.angle.rate}\n");
-    assert_int_equal(model->effort_count, 2);
-    assert_true(yk_expr_mentions(model->efforts[0].expr, "phi.rate"));
-    assert_int_equal(model->coordinate_count, 2);
-    yk_model_free(model);
-}
-
 static void refused(const char *section, int code, unsigned column, const char *part)
 {
     char text[600];
@@ -123,7 +112,7 @@ static void drives_mention_neither_coordinates_nor_unknown_names(void **state)
     refused("drives: {phi: }", YK_CODE_EMPTY_VALUE, 15, "drive of `phi`");
 }
 
-static void starts_and_efforts_are_checked_alike(void **state)
+static void starts_are_checked_alike(void **state)
 {
     (void)state;
     refused("start: {ph: 3}", YK_CODE_UNKNOWN_COORDINATE, 9, "did you mean `phi`");
@@ -131,8 +120,6 @@ static void starts_and_efforts_are_checked_alike(void **state)
     refused("start: {phi.rate: 1, O.angle.rate: 1}", YK_CODE_GIVEN_TWICE, 22, "phi");
     refused("start: {phi: 1e200}", YK_CODE_VALUE_RANGE, 14, "1e100");
     refused("start: {phi: 1/0}", YK_CODE_EVALUATION, 14, "division by zero");
-    refused("efforts: {phi.rate: 3}", YK_CODE_RATE_NOT_HERE, 11, NULL);
-    refused("efforts: {phi: {law: cutting, of: phi}}", YK_CODE_NOT_SUPPORTED, 16, "laws");
     YkModel *model = fixture_load(MACHINE "start: {phi: 1, O.angle.rate: 2}\ndrives: {phi: w*t}\n"); // driven: fine
     assert_int_equal(model->start_count, 2);
     yk_model_free(model);
@@ -177,10 +164,9 @@ int main(void)
         cmocka_unit_test(many_coordinates_keep_their_order),
         cmocka_unit_test(a_drive_is_an_expression_of_time_and_parameters),
         cmocka_unit_test(evaluation_faults_are_reported_at_their_place),
-        cmocka_unit_test(efforts_may_mention_time_coordinates_and_rates),
         cmocka_unit_test(drives_of_unknown_or_impossible_coordinates_are_refused),
         cmocka_unit_test(drives_mention_neither_coordinates_nor_unknown_names),
-        cmocka_unit_test(starts_and_efforts_are_checked_alike),
+        cmocka_unit_test(starts_are_checked_alike),
         cmocka_unit_test(each_use_has_its_own_dimension),
         cmocka_unit_test(gravity_has_two_components),
     };

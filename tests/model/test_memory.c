@@ -97,6 +97,26 @@ static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **s
     check_all(quick_return, NULL, 1);
     check_all(toggle, &(YkLoadOptions){&override, 1}, 1);
     check_all(double_pendulum, NULL, 1);
+    check_all("parameters: {h: 3 mm, b: 1/4}\nlaws:\n  lift:\n    period: 360 deg\n    segments:\n"
+              "      - {polynomial: [{at: 0, s: 0, v: 0}, {at: 90 deg, s: 2*h, v: 0}]}\n"
+              "      - {rise: {to: 2, by: h, law: spline, through: [{at: 1.8, s: 2*h}]}}\n"
+              "      - {fall: {to: 360 deg, by: 3*h, law: scca, scca: {b: b, c: b, d: 2*b}}}\n"
+              "  drag: {table: [[0, 1 N], [h, 2], [2*h, 3]], between: cubic}\n"
+              "bodies: {k: {}}\njoints: {O: {pin: [ground, k]}}\n",
+              NULL, 1);
+}
+
+static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state;
+    check_all("parameters: {k: 3, mu: 0.1}\nbodies: {a: {points: {P: [0, 1]}}, b: {}}\n"
+              "joints: {O: {pin: [ground, a], angle: phi, friction: {coulomb: mu, radius: 2*k}},\n"
+              "  S: {slide: [a, b], friction: {viscous: k*1 N*s/m^2}}}\n"
+              "efforts: {phi: -2 N*m*s * phi.rate + 3 N*s * S.distance.rate}\n"
+              "forces: {F: {on: a, at: P, value: [1 N * sin(phi), 0], axes: body, moment: 2 N*m * cos(O.angle)}}\n"
+              "springs: {c: {along: S.distance, stiffness: 2 N/m^2 * k}}\n"
+              "stops: {S.distance: {between: [-k, k], restitution: mu}}\n",
+              NULL, 1);
 }
 
 static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
@@ -130,6 +150,10 @@ static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
     yk_model_free(model);
 }
 #else
+static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state, skip();
+}
 static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state)
 {
     (void)state, skip();
@@ -148,6 +172,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_good_file_is_loaded_or_refused_whichever_allocation_fails),
+        cmocka_unit_test(loads_are_read_or_refused_whichever_allocation_fails),
         cmocka_unit_test(a_bad_file_is_refused_whichever_allocation_fails),
         cmocka_unit_test(a_value_is_read_or_refused_whichever_allocation_fails),
     };

@@ -1,0 +1,53 @@
+// Rest and small motion: where the machine stands still under its loads, whether it comes back when pushed, and how it
+// vibrates there. Drives are held at their values at the start; stops and dry friction are left out of account.
+#ifndef YOKE_REST_H
+#define YOKE_REST_H
+
+#include <yoke/dynamics.h>
+
+typedef struct YkRestOptions {
+    const YkCompileOptions *compile; // NULL: defaults
+    size_t starts;                   // poses from which the search begins besides `start:` (default 100; 0: only there)
+    double time;                     // at which drives and loads are evaluated
+} YkRestOptions;
+YK_API YkRestOptions yk_default_rest_options(void);
+
+typedef struct YkRest YkRest;
+// Searches equilibria by Newton's method from `start:` and from seeded random poses of all configurations: all that it finds,
+// that of `start:` first where there is one, the others by energy. The model must outlive the answer. NULL with problems added:
+// no assembly, a freedom without inertia. An empty answer is no error. Cost: about starts * 20 * freedom^2 evaluations.
+YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);
+YK_API void yk_rest_free(YkRest *rest);
+YK_API size_t yk_rest_count(const YkRest *rest);
+YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
+YK_API size_t yk_rest_freedom(const YkRest *rest);                     // f, the free inputs
+YK_API size_t yk_rest_input(const YkRest *rest, size_t k);             // which coordinate free input k is
+
+typedef enum YkStability {
+    YK_STABLE,   // every small motion dies out or, without damping, stays small
+    YK_UNSTABLE, // some small motion grows
+    YK_NEUTRAL   // some motion meets no force at all
+} YkStability;
+typedef struct YkEquilibrium {
+    YkStability stability;
+    double potential; // J
+    double force;     // left over: largest effort that would be needed, over the largest load
+} YkEquilibrium;
+YK_API YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index);
+// The pose itself; forces there by yk_dynamics_solve with a dynamics of one's own. Valid until the next call.
+YK_API YkState *yk_rest_state(YkRest *rest, size_t index);
+// M q'' + C q' + K q = 0 over the free inputs, linearised at the equilibrium: f x f, row-major, SI.
+YK_API const double *yk_rest_mass(const YkRest *rest, size_t index);
+YK_API const double *yk_rest_damping(const YkRest *rest, size_t index);
+YK_API const double *yk_rest_stiffness(const YkRest *rest, size_t index);
+// Mode k of f, by rising frequency of the undamped motion.
+typedef struct YkMode {
+    double frequency;      // undamped, rad/s; negative: grows at that rate (K has a negative direction)
+    double damping_ratio;  // of the mode alone: shape' C shape / (2 omega)
+    const double *shape;   // [f], largest entry 1
+} YkMode;
+YK_API YkMode yk_rest_mode(const YkRest *rest, size_t index, size_t k);
+// The 2 f characteristic roots of the damped motion, 1/s: real and imaginary part.
+YK_API void yk_rest_root(const YkRest *rest, size_t index, size_t k, double *real, double *imaginary);
+
+#endif

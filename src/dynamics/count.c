@@ -1,0 +1,134 @@
+// The count of equations and unknowns, as a textbook makes it.
+//
+// Every moving body has two force equations and a moment equation; a pin that joins three bodies or more is a massless
+// junction with two force equations of its own and a force from each body; every loop gives two acceleration equations. A
+// body whose forces all meet in its centre of mass has a trivial moment equation - the moment of its guide is 0 - and both
+// are left out.
+#include <stdlib.h>
+#include "dynamics/dynamics.h"
+
+static bool are_one_point(YkVec a, YkVec b, double size)
+{
+    return yk_norm(yk_sub(a, b)) <= 1e-12 * size;
+}
+
+typedef struct Meeting { // of the forces on a body
+    int slides, others;
+    bool in_center;
+} Meeting;
+
+static void look_at_joints(const YkDynamics *d, Meeting *meetings)
+{
+    const YkModel *model = d->mech->model;
+    for (size_t b = 0; b < model->body_count; b++) meetings[b].in_center = true;
+    for (size_t j = 0; j < model->joint_count; j++) {
+        const YkJoint *joint = &model->joints[j];
+        for (int side = 0; side < 2; side++) {
+            Meeting *m = &meetings[joint->body[side]];
+            if (joint->kind == YK_SLIDE)
+                m->slides++;
+            else
+                m->others++;
+            bool is_bearing = joint->kind == YK_SLIDE && side == 1; // its normal force passes the point `to`
+            bool is_pin = joint->kind == YK_PIN;
+            YkVec center = yk_reference_point(model, (size_t)joint->body[side]);
+            if ((!is_pin && !is_bearing) || !are_one_point(joint->at[side], center, d->mech->size)) m->in_center = false;
+        }
+    }
+}
+
+// Does a load turn it?
+static bool is_turned(const YkDynamics *d, size_t body)
+{
+    for (size_t k = 0; k < d->loads->item_count; k++) {
+        const YkLoadItem *item = &d->loads->items[k];
+        if (item->joint != YK_NONE && item->is_distance) continue; // along the guide
+        if (item->joint == YK_NONE) {
+            if (item->body[0] == (int32_t)body || (item->kind == YK_LOAD_SPRING && item->body[1] == (int32_t)body)) return true;
+            continue;
+        }
+        const YkJoint *j = &d->mech->model->joints[item->joint];
+        if (j->body[0] == (int32_t)body || j->body[1] == (int32_t)body) return true;
+    }
+    return false;
+}
+
+static bool is_trivial(const YkDynamics *d, const Meeting *meetings, size_t body)
+{
+    return meetings[body].slides == 1 && meetings[body].in_center && !is_turned(d, body);
+}
+
+// How many junctions there are: sets of pins in one point, chained by the bodies they share, with at least two pins.
+static int32_t root_of(int32_t *parent, int32_t k)
+{
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+}
+
+typedef struct PinEnd {
+    int32_t body, joint;
+    YkVec at;
+} PinEnd;
+
+static int by_place(const void *a, const void *b)
+{
+    const PinEnd *p = a, *q = b;
+    if (p->body != q->body) return p->body < q->body ? -1 : 1;
+    if (p->at.x != q->at.x) return p->at.x < q->at.x ? -1 : 1;
+    return p->at.y != q->at.y ? (p->at.y < q->at.y ? -1 : 1) : p->joint - q->joint;
+}
+
+static size_t count_junctions(const YkModel *model)
+{
+    PinEnd *ends = calloc(2 * model->joint_count + 1, sizeof *ends);
+    int32_t *parent = calloc(model->joint_count + 1, sizeof *parent), *size = calloc(model->joint_count + 1, sizeof *size);
+    size_t count = 0, junctions = 0;
+    for (size_t j = 0; ends && parent && size && j < model->joint_count; j++) {
+        const YkJoint *joint = &model->joints[j];
+        parent[j] = (int32_t)j;
+        for (int side = 0; side < 2 && joint->kind == YK_PIN; side++)
+            ends[count++] = (PinEnd){joint->body[side], (int32_t)j, joint->at[side]};
+    }
+    if (count > 0) {
+        qsort(ends, count, sizeof *ends, by_place);
+        for (size_t k = 1; k < count; k++)
+            if (ends[k].body == ends[k - 1].body && ends[k].body != 0 && ends[k].at.x == ends[k - 1].at.x &&
+                ends[k].at.y == ends[k - 1].at.y)
+                parent[root_of(parent, ends[k].joint)] = root_of(parent, ends[k - 1].joint);
+        for (size_t j = 0; j < model->joint_count; j++)
+            if (model->joints[j].kind == YK_PIN && ++size[root_of(parent, (int32_t)j)] == 2) junctions++;
+    }
+    free(ends);
+    free(parent);
+    free(size);
+    return junctions;
+}
+
+YkEquationCount yk_dynamics_count(const YkDynamics *d)
+{
+    static const size_t reactions[YK_PART_COUNT] = {[YK_PIN] = 2, [YK_SLIDE] = 2, [YK_PIN_SLOT] = 1, [YK_WELD] = 3};
+    const YkModel *model = d->mech->model;
+    YkEquationCount c = {0};
+    Meeting *meetings = calloc(model->body_count, sizeof *meetings);
+    if (!meetings) return c;
+    look_at_joints(d, meetings);
+    size_t junctions = count_junctions(model);
+    c.force = 2 * (model->body_count - 1 + junctions);
+    c.unknown_reactions = 2 * junctions;
+    for (size_t j = 0; j < model->joint_count; j++) c.unknown_reactions += reactions[model->joints[j].kind];
+    for (size_t b = 1; b < model->body_count; b++) {
+        if (is_trivial(d, meetings, b))
+            c.unknown_reactions--;
+        else
+            c.moment++;
+    }
+    c.acceleration = 2 * d->mech->loop_count;
+    c.unknown_accelerations = d->mech->coordinate_count;
+    for (size_t i = 0; i < d->mech->input_count; i++)
+        if (!d->is_free[i]) {
+            c.unknown_accelerations--;
+            c.unknown_efforts++;
+        }
+    free(meetings);
+    return c;
+}

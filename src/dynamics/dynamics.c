@@ -1,0 +1,211 @@
+// The entry: inertia and loads of a mechanism, and what they make of a pose.
+#include "dynamics/dynamics.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+
+// --- making
+// -------------------------------------------------------------------------------------------------------------
+
+static bool allocate(YkDynamics *d)
+{
+    size_t inputs = d->mech->input_count + 1, bodies = d->mech->model->body_count;
+    d->is_free = calloc(2 * inputs, sizeof *d->is_free);
+    d->q = calloc(5 * inputs, sizeof *d->q);
+    d->loads = yk_loads_new(d->mech);
+    d->bodies = yk_free_bodies_new(d->mech);
+    d->load = calloc(2 * bodies, sizeof *d->load);
+    d->motion = calloc(bodies, sizeof *d->motion);
+    d->joint = calloc(d->mech->model->joint_count + 1, sizeof *d->joint);
+    d->power = d->loads ? calloc(d->loads->item_count + d->mech->coordinate_count + 1, sizeof *d->power) : NULL;
+    if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->power) return false;
+    d->prescribed = d->is_free + inputs;
+    d->v = d->q + inputs;
+    d->effort = d->v + inputs;
+    d->acceleration = d->effort + inputs;
+    d->drive = d->acceleration + inputs;
+    d->reaction = d->load + bodies;
+    return true;
+}
+
+YkDynamics *yk_dynamics_new(const YkMechanism *mech, YkProblems *problems)
+{
+    YkDynamics *d = calloc(1, sizeof *d);
+    if (d) d->mech = mech;
+    if (!d || !allocate(d)) {
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the dynamics");
+        yk_dynamics_free(d);
+        return NULL;
+    }
+    for (size_t b = 1; b < mech->model->body_count; b++) d->has_mass = d->has_mass || mech->model->bodies[b].has_mass;
+    for (size_t i = 0; i < mech->input_count; i++)
+        d->is_free[i] = d->has_mass && mech->coordinates[mech->inputs[i]].drive == YK_NONE;
+    d->is_stale = true;
+    return d;
+}
+
+void yk_dynamics_free(YkDynamics *d)
+{
+    if (!d) return;
+    yk_loads_free(d->loads);
+    yk_elimination_free(d->elimination);
+    yk_reduced_free(d->reduced);
+    yk_tree_dynamics_free(d->tree);
+    yk_free_bodies_free(d->bodies);
+    free(d->is_free);
+    free(d->q);
+    free(d->load);
+    free(d->motion);
+    free(d->joint);
+    free(d->power);
+    free(d);
+}
+
+bool yk_dynamics_has_loads(const YkDynamics *d)
+{
+    return d->has_mass || d->loads->item_count > 0;
+}
+
+void yk_dynamics_prescribe(YkDynamics *d, size_t input, bool is_prescribed)
+{
+    if (d->is_free[input] == !is_prescribed) return;
+    d->is_free[input] = !is_prescribed;
+    d->is_stale = true;
+}
+
+bool yk_dynamics_is_prescribed(const YkDynamics *d, size_t input)
+{
+    return !d->is_free[input];
+}
+
+void yk_dynamics_set_effort(YkDynamics *d, size_t coordinate, double effort)
+{
+    if (yk_loads_set_effort(d->loads, coordinate, effort)) d->is_stale = true;
+}
+
+static bool all_free(const YkDynamics *d)
+{
+    for (size_t i = 0; i < d->mech->input_count; i++)
+        if (!d->is_free[i]) return false;
+    return true;
+}
+
+bool yk_dynamics_prepare(YkDynamics *d)
+{
+    if (!d->is_stale) return true;
+    bool fits = true;
+    yk_reduced_free(d->reduced);
+    yk_elimination_free(d->elimination);
+    yk_tree_dynamics_free(d->tree);
+    d->reduced = NULL;
+    d->elimination = NULL;
+    d->tree = all_free(d) ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
+    for (size_t i = 0; i < d->mech->input_count; i++) { // for what may push there
+        const YkJoint *j = &d->mech->model->joints[d->mech->coordinates[d->mech->inputs[i]].joint];
+        if (d->is_free[i]) d->loads->is_loaded[j->body[0]] = d->loads->is_loaded[j->body[1]] = true;
+    }
+    if (!d->tree) {
+        d->elimination = yk_elimination_new(d->mech, d->is_free, d->loads->is_loaded);
+        if (d->elimination) d->reduced = yk_reduced_new(d->elimination);
+    }
+    d->is_stale = !d->tree && !d->reduced;
+    return !d->is_stale;
+}
+
+// --- what went wrong
+// ----------------------------------------------------------------------------------------------------
+
+static void append(char *message, size_t capacity, const char *part)
+{
+    size_t at = strlen(message);
+    for (; *part && at + 1 < capacity; part++) message[at++] = *part;
+    message[at] = 0;
+}
+
+YkStatus yk_dynamics_fail(YkDynamics *d, YkStatus status, const char *head, const char *name, const char *tail)
+{
+    d->report = (YkReport){.status = status, .block = -1, .joint = -1};
+    const char *parts[] = {head, name, tail};
+    for (int k = 0; k < 3; k++) append(d->report.message, sizeof d->report.message, parts[k]);
+    return status;
+}
+
+YkStatus yk_dynamics_fail_at_input(YkDynamics *d, int input)
+{
+    if (input < 0) return yk_dynamics_fail(d, YK_SINGULAR, "a dead point: a group of links is singular here", "", "");
+    const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[input]];
+    const YkJoint *j = &d->mech->model->joints[c->joint];
+    yk_dynamics_fail(d, YK_SINGULAR, "no inertia resists `", c->name, "`: give mass or inertia to body `");
+    append(d->report.message, sizeof d->report.message, d->mech->model->bodies[j->body[j->body[1] == 0 ? 0 : 1]].name);
+    append(d->report.message, sizeof d->report.message, "` or to what moves with it");
+    return YK_SINGULAR;
+}
+
+static YkStatus fail_at_load(YkDynamics *d, size_t item)
+{
+    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "the load `", d->loads->items[item].name,
+                            "` has no finite value at this pose and time");
+}
+
+// --- accelerations
+// ------------------------------------------------------------------------------------------------------
+
+static YkStatus reduce_tree(YkDynamics *d, const YkState *state)
+{
+    size_t culprit, n = d->mech->input_count;
+    for (size_t i = 0; i < n; i++) {
+        d->q[i] = state->input[3 * i];
+        d->v[i] = state->input[3 * i + 1];
+    }
+    bool has_efforts = d->loads->item_count > 0;
+    if (has_efforts && !yk_loads_efforts(d->loads, state, d->effort, d->power, &culprit)) return fail_at_load(d, culprit);
+    if (d->push != 0) {
+        if (!has_efforts) memset(d->effort, 0, n * sizeof *d->effort);
+        d->effort[d->pushed] += d->push;
+        has_efforts = true;
+    }
+    int bad = yk_tree_accelerate(d->tree, d->q, d->v, has_efforts ? d->effort : NULL, d->acceleration);
+    return bad < 0 ? YK_OK : yk_dynamics_fail_at_input(d, bad);
+}
+
+YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
+{
+    if (!yk_dynamics_prepare(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
+    if (d->tree) return reduce_tree(d, state);
+    for (size_t i = 0; i < d->mech->input_count; i++) {
+        if (d->is_free[i]) state->input[3 * i + 2] = 0;
+        d->acceleration[i] = state->input[3 * i + 2];
+    }
+    YkStatus status = yk_state_solve(state);
+    if (status < 0 || !state->has_rates) {
+        d->report = state->report;
+        return status;
+    }
+    size_t culprit;
+    const YkLoad *loads = NULL;
+    if (d->loads->item_count > 0 || d->push != 0) {
+        memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
+        if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit)) return fail_at_load(d, culprit);
+        if (d->push != 0) {
+            const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[d->pushed]];
+            yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->push, d->load);
+        }
+        loads = d->load;
+    }
+    int bad = yk_reduced_factor(d->reduced, &state->space, loads);
+    if (bad != -1) return yk_dynamics_fail_at_input(d, bad);
+    yk_reduced_solve(d->reduced, d->acceleration, false);
+    return status;
+}
+
+YkStatus yk_dynamics_accelerate(YkDynamics *d, YkState *state, double *accelerations)
+{
+    YkStatus status = yk_dynamics_reduce(d, state);
+    if (status >= 0) memcpy(accelerations, d->acceleration, d->mech->input_count * sizeof *accelerations);
+    return status;
+}
+
+const YkReport *yk_dynamics_report(const YkDynamics *d)
+{
+    return &d->report;
+}

@@ -1,0 +1,47 @@
+// The inside of YkDynamics.
+#ifndef DYNAMICS_DYNAMICS_H
+#define DYNAMICS_DYNAMICS_H
+#include "dynamics/free_bodies.h"
+#include "dynamics/reduced.h"
+#include "dynamics/tree.h"
+
+struct YkDynamics {
+    const YkMechanism *mech;
+    YkLoads *loads;
+    bool *is_free, *prescribed; // per input; prescribed: scratch
+    bool has_mass;
+    YkElimination *elimination; // made anew when what is free changes
+    YkReduced *reduced;
+    YkTreeDynamics *tree;  // open trees: the fast way; otherwise NULL
+    YkFreeBodies *bodies;
+    bool is_stale;         // elimination and tree do not fit the choice of free inputs
+    double *q, *v, *effort, *acceleration; // per input
+    double *power;         // per item of the loads
+    YkLoad *load;          // per body: all loads with gravity, and what drives exert
+    YkLoad *reaction;      // per body: sum over its joints
+    YkBodyMotion *motion;  // per body
+    YkReaction *joint;     // per joint
+    double *drive;         // per input: what its drive exerts
+    double stored;         // in springs, J
+    double largest_force;
+    int32_t pushed; // an input on which `push` acts besides all loads, for responses
+    double push;
+    YkReport report;
+};
+
+// Makes what is stale. False when out of memory.
+bool yk_dynamics_prepare(YkDynamics *dynamics);
+// Accelerations of the free inputs at the state's inputs, into dynamics->acceleration; the state's pose stands there with
+// the free inputs' accelerations 0 (open trees: its pose is not touched). All loads but gravity are in `load` then.
+YkStatus yk_dynamics_reduce(YkDynamics *dynamics, YkState *state);
+// With dynamics->acceleration for the free inputs: solves the state again, then all reactions and efforts.
+YkStatus yk_dynamics_apply(YkDynamics *dynamics, YkState *state);
+// Dry friction depends on the reactions, which depend on it: sets it from the last reactions; does it stand?
+bool yk_dynamics_find_dry(YkDynamics *dynamics, const YkState *state);
+double yk_dynamics_dry_limit(const YkDynamics *dynamics, const YkLoadItem *item);
+// Kinetic and potential energy at the state's pose, without forces.
+YkEnergy yk_dynamics_energy_at(YkDynamics *dynamics, const YkState *state);
+YkStatus yk_dynamics_fail_at_input(YkDynamics *dynamics, int input);
+YkStatus yk_dynamics_fail(YkDynamics *dynamics, YkStatus status, const char *head, const char *name, const char *tail);
+
+#endif

@@ -1,0 +1,242 @@
+// Forces at a pose: reactions, efforts, balances.
+#include <string.h>
+#include "dynamics/dynamics.h"
+
+// All loads with gravity, and how every body moves.
+static YkStatus find_loads(YkDynamics *d, const YkState *state)
+{
+    const YkModel *model = d->mech->model;
+    size_t culprit;
+    memset(d->load, 0, model->body_count * sizeof *d->load);
+    for (size_t b = 1; b < model->body_count; b++) {
+        d->load[b].force = yk_scale(model->bodies[b].mass, model->gravity);
+        d->motion[b] = yk_body_motion(d->mech, &state->space, b);
+    }
+    d->motion[0] = (YkBodyMotion){.e = {1, 0}};
+    d->stored = yk_loads_stored(d->loads, state, &state->space);
+    if (yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit)) return YK_OK;
+    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "the load `", d->loads->items[culprit].name,
+                            "` has no finite value at this pose and time");
+}
+
+static YkVec joint_point(const YkDynamics *d, size_t joint)
+{
+    const YkJoint *j = &d->mech->model->joints[joint];
+    const YkBodyMotion *m = &d->motion[j->body[1]];
+    return yk_add(m->at, yk_mul(m->e, yk_sub(j->at[1], yk_reference_point(d->mech->model, (size_t)j->body[1]))));
+}
+
+static void push(YkDynamics *d, int32_t body, YkVec at, YkVec force, double moment)
+{
+    YkLoad *r = &d->reaction[body];
+    r->force = yk_add(r->force, force);
+    r->moment += moment + yk_cross(yk_sub(at, d->motion[body].at), force);
+}
+
+static void take_joint(YkDynamics *d, size_t joint)
+{
+    const YkJoint *j = &d->mech->model->joints[joint];
+    YkJointForce f = yk_free_bodies_joint(d->bodies, joint);
+    YkVec at = joint_point(d, joint);
+    d->joint[joint] = (YkReaction){(size_t)j->body[0],     (size_t)j->body[1], {f.force.x, f.force.y}, f.moment,
+                                   {at.x, at.y}, f.is_determinate};
+    push(d, j->body[1], at, f.force, f.moment);
+    push(d, j->body[0], at, yk_scale(-1, f.force), -f.moment);
+    d->largest_force = fmax(d->largest_force, fmax(yk_norm(f.force), fabs(f.moment) / d->mech->size));
+}
+
+// Reactions, drives and sums from what the free bodies found.
+static void take_results(YkDynamics *d, const YkState *state)
+{
+    const YkModel *model = d->mech->model;
+    d->largest_force = 0;
+    for (size_t b = 1; b < model->body_count; b++) d->largest_force = fmax(d->largest_force, yk_norm(d->load[b].force));
+    for (size_t i = 0; i < d->mech->input_count; i++) {
+        const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[i]];
+        d->drive[i] = d->is_free[i] ? 0 : yk_free_bodies_effort(d->bodies, i);
+        if (d->drive[i] != 0)
+            yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->drive[i], d->load);
+    }
+    memset(d->reaction, 0, model->body_count * sizeof *d->reaction);
+    for (size_t j = 0; j < model->joint_count; j++) take_joint(d, j);
+}
+
+static YkStatus set_accelerations(YkDynamics *d, YkState *state)
+{
+    for (size_t i = 0; i < d->mech->input_count; i++)
+        if (d->is_free[i]) state->input[3 * i + 2] = d->acceleration[i];
+    YkStatus status = yk_state_solve(state);
+    d->report = state->report;
+    return status >= 0 && !state->has_rates ? YK_SINGULAR : status;
+}
+
+YkStatus yk_dynamics_apply(YkDynamics *d, YkState *state)
+{
+    YkStatus status = set_accelerations(d, state);
+    if (status < 0 || status == YK_SINGULAR) return status;
+    status = find_loads(d, state);
+    if (status >= 0) status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
+    if (status >= 0 && status != YK_SINGULAR) take_results(d, state);
+    return status;
+}
+
+static YkStatus solve_reduced(YkDynamics *d, YkState *state)
+{
+    bool has_free = false;
+    for (size_t i = 0; i < d->mech->input_count; i++) has_free = has_free || d->is_free[i];
+    YkStatus status = has_free ? yk_dynamics_reduce(d, state) : YK_OK;
+    return status < 0 || status == YK_SINGULAR ? status : yk_dynamics_apply(d, state);
+}
+
+static YkStatus solve_bodies(YkDynamics *d, YkState *state)
+{
+    int culprit = -1;
+    YkStatus status = yk_state_solve(state);
+    if (status < 0 || !state->has_rates) {
+        d->report = state->report;
+        return status;
+    }
+    if (find_loads(d, state) < 0) return d->report.status;
+    bool *is_prescribed = d->prescribed;
+    for (size_t i = 0; i < d->mech->input_count; i++) {
+        is_prescribed[i] = !d->is_free[i];
+        d->acceleration[i] = state->input[3 * i + 2];
+    }
+    status = yk_free_bodies_forward(d->bodies, &state->space, d->load, is_prescribed, d->acceleration, &culprit);
+    if (status == YK_SINGULAR) return yk_dynamics_fail_at_input(d, culprit);
+    if (status < 0) return status;
+    YkStatus again = set_accelerations(d, state);
+    for (size_t b = 1; b < d->mech->model->body_count; b++) d->motion[b] = yk_body_motion(d->mech, &state->space, b);
+    take_results(d, state);
+    return again < 0 || again == YK_SINGULAR ? again : status;
+}
+
+double yk_dynamics_dry_limit(const YkDynamics *d, const YkLoadItem *item)
+{
+    const YkReaction *r = &d->joint[item->joint];
+    return item->coulomb * item->radius * sqrt(r->force[0] * r->force[0] + r->force[1] * r->force[1]);
+}
+
+bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state)
+{
+    bool stands = true;
+    for (size_t k = 0; k < d->loads->item_count; k++) {
+        YkLoadItem *item = &d->loads->items[k];
+        if (item->kind != YK_LOAD_COULOMB || item->is_held) continue;
+        double rate = item->direction, limit = yk_dynamics_dry_limit(d, item);
+        if (rate == 0) rate = yk_joint_rate(d->mech, &state->space, item->joint, item->is_distance);
+        double dry = rate > 0 ? -limit : rate < 0 ? limit : 0;
+        stands = stands && fabs(dry - item->dry) <= 1e-13 * (fabs(dry) + fabs(item->dry));
+        item->dry = dry;
+    }
+    return stands;
+}
+
+YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+{
+    enum { ROUNDS_MAX = 100 };
+    YkStatus status = YK_OK;
+    for (int round = 0; round < ROUNDS_MAX; round++) {
+        status = method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
+        if (status < 0) return status;
+        if (status == YK_SINGULAR) {
+            if (d->report.status != YK_SINGULAR) yk_dynamics_fail(d, YK_SINGULAR, "a dead point: forces are not determined", "", "");
+            return status;
+        }
+        if (!d->loads->has_dry || yk_dynamics_find_dry(d, state)) return status;
+    }
+    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
+}
+
+// --- answers
+// ------------------------------------------------------------------------------------------------------------
+
+YkReaction yk_dynamics_reaction(const YkDynamics *d, size_t joint)
+{
+    return d->joint[joint];
+}
+
+double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
+{
+    int32_t input = d->mech->coordinates[coordinate].input;
+    double sum = input != YK_NONE && !d->is_free[input] ? d->drive[input] : 0;
+    bool is_drive = input != YK_NONE && !d->is_free[input];
+    return is_drive ? sum : yk_loads_effort(d->loads, (int32_t)coordinate);
+}
+
+YkEnergy yk_dynamics_energy(const YkDynamics *d)
+{
+    const YkModel *model = d->mech->model;
+    YkEnergy energy = {0, d->stored};
+    for (size_t b = 1; b < model->body_count; b++) {
+        const YkBody *body = &model->bodies[b];
+        const YkBodyMotion *m = &d->motion[b];
+        energy.kinetic += 0.5 * (body->mass * yk_dot(m->velocity, m->velocity) + body->inertia * m->w * m->w);
+        energy.potential -= body->mass * yk_dot(model->gravity, m->at);
+    }
+    return energy;
+}
+
+YkEnergy yk_dynamics_energy_at(YkDynamics *d, const YkState *state)
+{
+    for (size_t b = 1; b < d->mech->model->body_count; b++)
+        if (d->mech->model->bodies[b].has_mass) d->motion[b] = yk_body_motion(d->mech, &state->space, b);
+    d->stored = yk_loads_stored(d->loads, state, &state->space);
+    return yk_dynamics_energy(d);
+}
+
+static YkWrench wrench(YkVec force, double moment)
+{
+    return (YkWrench){{force.x, force.y}, moment};
+}
+
+YkWrench yk_dynamics_shaking(const YkDynamics *d)
+{
+    return wrench(yk_add(d->load[0].force, d->reaction[0].force), d->load[0].moment + d->reaction[0].moment);
+}
+
+YkBalance yk_dynamics_balance(const YkDynamics *d, size_t b)
+{
+    const YkBody *body = &d->mech->model->bodies[b];
+    const YkBodyMotion *m = &d->motion[b];
+    YkBalance balance = {wrench(d->load[b].force, d->load[b].moment), wrench(d->reaction[b].force, d->reaction[b].moment),
+                         wrench(yk_scale(body->mass, m->acceleration), body->inertia * m->a), 0};
+    double x = balance.loads.force[0] + balance.reactions.force[0] - balance.inertia.force[0];
+    double y = balance.loads.force[1] + balance.reactions.force[1] - balance.inertia.force[1];
+    double moment = balance.loads.moment + balance.reactions.moment - balance.inertia.moment;
+    double most = fmax(fabs(moment) / d->mech->size, hypot(x, y));
+    balance.residual = d->largest_force > 0 ? most / d->largest_force : most;
+    return balance;
+}
+
+double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel c)
+{
+    size_t index = (size_t)c.index;
+    const YkReaction *r = &d->joint[c.kind <= YK_CHANNEL_MOMENT && yk_channel_needs_forces(c) ? index : 0];
+    YkEnergy energy;
+    YkWrench shaking;
+    switch (c.kind) {
+    case YK_CHANNEL_FORCE_X:
+        return r->force[0];
+    case YK_CHANNEL_FORCE_Y:
+        return r->force[1];
+    case YK_CHANNEL_FORCE:
+        return hypot(r->force[0], r->force[1]);
+    case YK_CHANNEL_MOMENT:
+        return r->moment;
+    case YK_CHANNEL_EFFORT:
+        return yk_dynamics_effort(d, index);
+    case YK_CHANNEL_ENERGY:
+    case YK_CHANNEL_KINETIC:
+    case YK_CHANNEL_POTENTIAL:
+        energy = yk_dynamics_energy(d);
+        return (c.kind != YK_CHANNEL_POTENTIAL ? energy.kinetic : 0) + (c.kind != YK_CHANNEL_KINETIC ? energy.potential : 0);
+    case YK_CHANNEL_SHAKING_X:
+    case YK_CHANNEL_SHAKING_Y:
+    case YK_CHANNEL_SHAKING_MOMENT:
+        shaking = yk_dynamics_shaking(d);
+        return c.kind == YK_CHANNEL_SHAKING_X ? shaking.force[0] : c.kind == YK_CHANNEL_SHAKING_Y ? shaking.force[1] : shaking.moment;
+    default:
+        return yk_state_channel(state, c);
+    }
+}

@@ -1,0 +1,61 @@
+#include "dynamics/gradient.h"
+#include "base/memory.h"
+
+int32_t yk_column(YkColumns *columns, int32_t unknown)
+{
+    if (unknown == 0) return YK_NONE;
+    for (size_t k = 0; k < columns->count; k++)
+        if (columns->unknown[k] == unknown) return (int32_t)k;
+    if (!YK_ROOM(columns->unknown, columns->count, columns->capacity)) {
+        columns->failed = true;
+        return YK_NONE;
+    }
+    columns->unknown[columns->count] = unknown;
+    return (int32_t)columns->count++;
+}
+
+YkGradient yk_gradient_begin(const YkElimination *e)
+{
+    return (YkGradient){.first_piece = (uint32_t)e->piece_count, .first_node = (uint32_t)e->node_count};
+}
+
+void yk_gradient_end(const YkElimination *e, const YkColumns *columns, YkGradient *gradient)
+{
+    gradient->piece_count = (uint32_t)e->piece_count - gradient->first_piece;
+    gradient->node_count = (uint32_t)e->node_count - gradient->first_node;
+    gradient->columns = (uint32_t)columns->count;
+}
+
+bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int32_t root, int32_t root_column,
+                          int32_t row)
+{
+    if (!YK_ROOM(e->pieces, e->piece_count, e->piece_capacity)) return false;
+    YkPiece piece = {.root = root, .slot = term.slot, .distance = term.distance, .along = YK_NONE, .row = row, .v = term.v};
+    piece.turn[0] = root_column;
+    piece.turn[1] = yk_column(columns, yk_unknown_of_slot(term.slot));
+    if (term.distance != YK_NONE) piece.along = yk_column(columns, yk_unknown_of_distance(e->mech, term.distance));
+    e->pieces[e->piece_count++] = piece;
+    return !columns->failed;
+}
+
+static bool add_node(YkElimination *e, YkColumns *columns, int32_t node, double sign, int32_t row)
+{
+    if (node == YK_NONE) return true;
+    if (!YK_ROOM(e->nodes, e->node_count, e->node_capacity)) return false;
+    int32_t x = yk_unknown_of_node(e->mech, node), column = yk_column(columns, x);
+    yk_column(columns, x + 1); // met together, so they stand side by side
+    e->nodes[e->node_count++] = (YkNodePart){node, column, row, sign};
+    return !columns->failed;
+}
+
+bool yk_gradient_add_sum(YkElimination *e, YkColumns *columns, const YkSum *sum, int32_t root, int32_t root_column,
+                         int32_t row)
+{
+    bool ok = add_node(e, columns, sum->plus, 1, row) && add_node(e, columns, sum->minus, -1, row);
+    bool has_constant = root != 0 && (sum->constant.x != 0 || sum->constant.y != 0);
+    if (has_constant)
+        ok = ok && yk_gradient_add_term(e, columns, (YkTerm){0, YK_NONE, sum->constant}, root, root_column, row);
+    for (uint32_t k = 0; ok && k < sum->count; k++)
+        ok = yk_gradient_add_term(e, columns, e->mech->terms[sum->first + k], root, root_column, row);
+    return ok;
+}

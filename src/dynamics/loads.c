@@ -1,0 +1,412 @@
+#include "dynamics/loads.h"
+#include <stdlib.h>
+#include <string.h>
+#include "model/formulas.h"
+
+// --- compiling
+// ----------------------------------------------------------------------------------------------------------
+
+static int variable_of(void *context, int32_t declared, bool is_rate)
+{
+    YkLoads *loads = context;
+    const YkCoordinate *c = &loads->mech->model->coordinates[declared];
+    int32_t coordinate = yk_tree_coordinate(loads->mech, c->joint, c->is_distance);
+    if (coordinate == YK_NONE) return -2;
+    for (size_t k = 1; k < loads->variable_count; k++)
+        if (loads->variables[k].coordinate == coordinate && loads->variables[k].is_rate == is_rate) return (int)k;
+    if (!YK_ROOM(loads->variables, loads->variable_count, loads->variable_capacity)) {
+        loads->failed = true;
+        return -2;
+    }
+    loads->variables[loads->variable_count] = (YkVariable){coordinate, is_rate};
+    return (int)loads->variable_count++;
+}
+
+static YkLoadValue value_of(YkLoads *loads, const YkExpr *expr)
+{
+    YkLoadValue value = {0};
+    if (!expr) return value;
+    const YkFormula *formula = yk_model_formula(loads->mech->model, expr, variable_of, loads, loads->arena);
+    if (!formula) {
+        loads->failed = true;
+    } else if (yk_formula_is_constant(formula)) {
+        value.constant = yk_formula_eval(formula, NULL);
+    } else {
+        value.formula = formula;
+    }
+    return value;
+}
+
+static YkLoadItem *add_item(YkLoads *loads, YkLoadKind kind, const char *name)
+{
+    YkLoadItem *item = &loads->items[loads->item_count++];
+    *item = (YkLoadItem){.kind = kind, .name = name, .joint = YK_NONE, .coordinate = YK_NONE};
+    return item;
+}
+
+static void act_on(YkLoads *loads, int32_t a, int32_t b)
+{
+    loads->is_loaded[a] = loads->is_loaded[b] = true;
+}
+
+static YkLoadItem *add_along(YkLoads *loads, YkLoadKind kind, const char *name, int32_t joint, bool is_distance)
+{
+    const YkJoint *j = &loads->mech->model->joints[joint];
+    YkLoadItem *item = add_item(loads, kind, name);
+    item->joint = joint;
+    item->is_distance = is_distance;
+    item->coordinate = yk_tree_coordinate(loads->mech, joint, is_distance);
+    act_on(loads, j->body[0], j->body[1]);
+    return item;
+}
+
+static void add_efforts(YkLoads *loads)
+{
+    const YkModel *model = loads->mech->model;
+    for (size_t k = 0; k < model->effort_count; k++) {
+        const YkEffort *effort = &model->efforts[k];
+        const YkCoordinate *c = &model->coordinates[effort->coordinate];
+        YkLoadItem *item = add_along(loads, YK_LOAD_EFFORT, c->name, c->joint, c->is_distance);
+        bool is_law = effort->law.of != NULL;
+        item->value[0] = value_of(loads, is_law ? effort->law.of : effort->expr);
+        if (is_law) item->value[0].law = model->laws[effort->law.law].law;
+    }
+}
+
+static void add_forces(YkLoads *loads)
+{
+    const YkModel *model = loads->mech->model;
+    for (size_t k = 0; k < model->force_count; k++) {
+        const YkForce *force = &model->forces[k];
+        YkLoadItem *item = add_item(loads, YK_LOAD_FORCE, force->name);
+        item->body[0] = force->body;
+        item->at[0] = force->at;
+        item->in_body_axes = force->in_body_axes;
+        item->value[0] = value_of(loads, force->x);
+        item->value[1] = value_of(loads, force->y);
+        item->value[2] = value_of(loads, force->moment);
+        act_on(loads, force->body, force->body);
+    }
+}
+
+static void add_springs(YkLoads *loads)
+{
+    const YkModel *model = loads->mech->model;
+    for (size_t k = 0; k < model->spring_count; k++) {
+        const YkSpring *spring = &model->springs[k];
+        YkLoadItem *item;
+        if (spring->coordinate != YK_NONE) {
+            const YkCoordinate *c = &model->coordinates[spring->coordinate];
+            item = add_along(loads, YK_LOAD_ALONG, spring->name, c->joint, c->is_distance);
+        } else {
+            item = add_item(loads, YK_LOAD_SPRING, spring->name);
+            for (int end = 0; end < 2; end++) {
+                item->body[end] = spring->body[end];
+                item->at[end] = spring->at[end];
+            }
+            act_on(loads, spring->body[0], spring->body[1]);
+        }
+        item->stiffness = spring->stiffness;
+        item->length = spring->length;
+        item->damping = spring->damping;
+    }
+}
+
+static void add_friction(YkLoads *loads)
+{
+    const YkModel *model = loads->mech->model;
+    for (size_t j = 0; j < model->joint_count; j++) {
+        const YkJoint *joint = &model->joints[j];
+        if (!joint->has_friction) continue;
+        bool slides = yk_part(joint->kind)->slides;
+        if (joint->friction.viscous != 0)
+            add_along(loads, YK_LOAD_VISCOUS, joint->name, (int32_t)j, slides)->damping = joint->friction.viscous;
+        if (joint->friction.coulomb == 0) continue;
+        YkLoadItem *item = add_along(loads, YK_LOAD_COULOMB, joint->name, (int32_t)j, slides);
+        item->coulomb = joint->friction.coulomb;
+        item->radius = slides ? 1 : joint->friction.radius;
+        loads->has_dry = true;
+    }
+}
+
+static void add_stops(YkLoads *loads)
+{
+    const YkModel *model = loads->mech->model;
+    for (size_t k = 0; k < model->stop_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->stops[k].coordinate];
+        add_along(loads, YK_LOAD_STOP, c->name, c->joint, c->is_distance)->stop = &model->stops[k];
+    }
+}
+
+static bool allocate(YkLoads *loads)
+{
+    const YkModel *model = loads->mech->model;
+    size_t items = model->effort_count + model->force_count + model->spring_count + model->stop_count + loads->mech->coordinate_count;
+    for (size_t j = 0; j < model->joint_count; j++) items += model->joints[j].has_friction ? 2 : 0;
+    loads->arena = yk_arena_new();
+    loads->items = calloc(items + 1, sizeof *loads->items); // room for efforts set later
+    loads->is_loaded = calloc(model->body_count, sizeof *loads->is_loaded);
+    if (!loads->arena || !loads->items || !loads->is_loaded) return false;
+    if (!YK_ROOM(loads->variables, loads->variable_count, loads->variable_capacity)) return false;
+    loads->variables[loads->variable_count++] = (YkVariable){YK_NONE, false};
+    return true;
+}
+
+YkLoads *yk_loads_new(const YkMechanism *mech)
+{
+    YkLoads *loads = calloc(1, sizeof *loads);
+    if (!loads) return NULL;
+    loads->mech = mech;
+    bool ok = allocate(loads);
+    if (ok) {
+        add_efforts(loads);
+        add_forces(loads);
+        add_springs(loads);
+        add_friction(loads);
+        add_stops(loads);
+        loads->value = calloc(loads->variable_count, sizeof *loads->value);
+        ok = loads->value && !loads->failed && !yk_arena_failed(loads->arena);
+    }
+    if (!ok) {
+        yk_loads_free(loads);
+        return NULL;
+    }
+    return loads;
+}
+
+void yk_loads_free(YkLoads *loads)
+{
+    if (!loads) return;
+    yk_arena_free(loads->arena);
+    free(loads->items);
+    free(loads->is_loaded);
+    free(loads->variables);
+    free(loads->value);
+    free(loads);
+}
+
+bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort)
+{
+    const YkTreeCoordinate *c = &loads->mech->coordinates[coordinate];
+    YkLoadItem *item = NULL;
+    for (size_t k = 0; k < loads->item_count; k++)
+        if (loads->items[k].kind == YK_LOAD_EFFORT && loads->items[k].coordinate == (int32_t)coordinate)
+            item = &loads->items[k];
+    bool is_new = !item && !loads->is_loaded[loads->mech->model->joints[c->joint].body[0]];
+    if (!item) item = add_along(loads, YK_LOAD_EFFORT, c->name, c->joint, c->is_distance);
+    item->value[0] = (YkLoadValue){.constant = effort};
+    return is_new;
+}
+
+// --- at a pose
+// ----------------------------------------------------------------------------------------------------------
+
+YkMotion yk_loads_coordinate(const YkState *state, const YkSpace *space, int32_t coordinate)
+{
+    int32_t input = state->mech->coordinates[coordinate].input;
+    if (input != YK_NONE) return (YkMotion){state->input[3 * input], state->input[3 * input + 1], 0};
+    return yk_coordinate_in(state, space, (size_t)coordinate);
+}
+
+YkMotion yk_joint_motion(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance)
+{
+    YkMotion m = {0, 0, 0};
+    if (is_distance) {
+        YkSlide s = yk_space_slide(space, mech->joint_distance[joint]);
+        return (YkMotion){s.d[0], s.v[0], s.a[0]};
+    }
+    YkJointAngle angle = yk_joint_angle(mech, joint);
+    for (int end = 0; end < 2; end++) {
+        int32_t slot = end ? angle.b : angle.a;
+        if (slot == 0) continue;
+        YkTurn t = yk_space_turn(space, slot);
+        m.velocity += (end ? 1 : -1) * t.w[0];
+        m.acceleration += (end ? 1 : -1) * t.a[0];
+    }
+    return m;
+}
+
+double yk_joint_rate(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance)
+{
+    return yk_joint_motion(mech, space, joint, is_distance).velocity;
+}
+
+static double evaluate(const YkLoads *loads, const YkLoadValue *value)
+{
+    if (!value->formula && !value->law) return value->constant;
+    double x = value->formula ? yk_formula_eval(value->formula, loads->value) : value->constant;
+    if (!value->law || !isfinite(x)) return x;
+    double d[YK_LAW_ORDER + 1];
+    yk_law_eval(value->law, x, d);
+    return d[0];
+}
+
+typedef struct Pose {
+    YkLoads *loads;
+    const YkMechanism *mech;
+    const YkState *state;
+    const YkSpace *space;
+    YkLoad *load;
+} Pose;
+
+typedef struct Point {
+    YkVec arm; // from the body's reference point
+    YkVec at, velocity;
+    YkVec e;
+} Point;
+
+static Point point_of(const Pose *p, int32_t body, YkVec at)
+{
+    YkBodyMotion m = yk_body_motion(p->mech, p->space, (size_t)body);
+    YkVec arm = yk_mul(m.e, yk_sub(at, yk_reference_point(p->mech->model, (size_t)body)));
+    return (Point){arm, yk_add(m.at, arm), yk_add(m.velocity, yk_scale(m.w, yk_quarter(arm))), m.e};
+}
+
+static void push(YkLoad *load, int32_t body, YkVec arm, YkVec force)
+{
+    load[body].force = yk_add(load[body].force, force);
+    load[body].moment += yk_cross(arm, force);
+}
+
+void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
+                         YkLoad *load)
+{
+    const YkJoint *j = &mech->model->joints[joint];
+    if (!is_distance) {
+        load[j->body[1]].moment += effort;
+        load[j->body[0]].moment -= effort;
+        return;
+    }
+    Pose p = {.mech = mech, .space = space};
+    Point b = point_of(&p, j->body[1], j->at[1]), a = point_of(&p, j->body[0], j->at[0]);
+    YkVec force = yk_scale(effort, yk_mul(a.e, j->along));
+    push(load, j->body[1], b.arm, force);
+    push(load, j->body[0], yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
+}
+
+static double push_along(const Pose *p, const YkLoadItem *item, double effort)
+{
+    yk_loads_add_effort(p->mech, p->space, item->joint, item->is_distance, effort, p->load);
+    return effort * yk_joint_rate(p->mech, p->space, item->joint, item->is_distance);
+}
+
+static double push_force(const Pose *p, const YkLoadItem *item)
+{
+    Point at = point_of(p, item->body[0], item->at[0]);
+    YkVec force = yk_vec(evaluate(p->loads, &item->value[0]), evaluate(p->loads, &item->value[1]));
+    double moment = evaluate(p->loads, &item->value[2]);
+    if (item->in_body_axes) force = yk_mul(at.e, force);
+    push(p->load, item->body[0], at.arm, force);
+    p->load[item->body[0]].moment += moment;
+    return yk_dot(force, at.velocity) + moment * yk_body_motion(p->mech, p->space, (size_t)item->body[0]).w;
+}
+
+// Pulls its ends together by stiffness * (length - free length) + damping * d(length)/dt. The damper's power is returned.
+static double push_spring(const Pose *p, const YkLoadItem *item)
+{
+    Point a = point_of(p, item->body[0], item->at[0]), b = point_of(p, item->body[1], item->at[1]);
+    YkVec line = yk_sub(b.at, a.at);
+    double length = yk_norm(line), rate = 0;
+    YkVec pull = yk_scale(item->stiffness, line); // a free length of 0 needs no direction
+    if (length > 0) {
+        YkVec along = yk_scale(1 / length, line);
+        rate = yk_dot(yk_sub(b.velocity, a.velocity), along);
+        pull = yk_scale(item->stiffness * (length - item->length) + item->damping * rate, along);
+    }
+    push(p->load, item->body[0], a.arm, pull);
+    push(p->load, item->body[1], b.arm, yk_scale(-1, pull));
+    return -item->damping * rate * rate;
+}
+
+static double push_item(const Pose *p, YkLoadItem *item)
+{
+    double rate;
+    switch (item->kind) {
+    case YK_LOAD_EFFORT:
+        item->last = evaluate(p->loads, &item->value[0]);
+        return push_along(p, item, item->last);
+    case YK_LOAD_FORCE:
+        return push_force(p, item);
+    case YK_LOAD_SPRING:
+        return push_spring(p, item);
+    case YK_LOAD_ALONG: {
+        YkMotion m = yk_loads_coordinate(p->state, p->space, item->coordinate);
+        rate = m.velocity;
+        push_along(p, item, -item->stiffness * (m.position - item->length) - item->damping * rate);
+        return -item->damping * rate * rate;
+    }
+    case YK_LOAD_VISCOUS:
+        rate = yk_joint_rate(p->mech, p->space, item->joint, item->is_distance);
+        return push_along(p, item, -item->damping * rate);
+    case YK_LOAD_COULOMB:
+    case YK_LOAD_STOP:
+        return push_along(p, item, item->dry);
+    }
+    return 0;
+}
+
+static void read_variables(YkLoads *loads, const YkState *state, const YkSpace *space)
+{
+    loads->value[0] = state->time;
+    for (size_t k = 1; k < loads->variable_count; k++) {
+        YkMotion m = yk_loads_coordinate(state, space, loads->variables[k].coordinate);
+        loads->value[k] = loads->variables[k].is_rate ? m.velocity : m.position;
+    }
+}
+
+bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power, size_t *culprit)
+{
+    Pose p = {loads, loads->mech, state, space, load};
+    read_variables(loads, state, space);
+    for (size_t k = 0; k < loads->item_count; k++) {
+        double delivered = push_item(&p, &loads->items[k]);
+        if (power) power[k] = delivered;
+        if (isfinite(delivered)) continue;
+        *culprit = k;
+        return false;
+    }
+    return true;
+}
+
+bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit)
+{
+    read_variables(loads, state, &state->space);
+    for (size_t i = 0; i < loads->mech->input_count; i++) effort[i] = 0;
+    for (size_t k = 0; k < loads->item_count; k++) {
+        YkLoadItem *item = &loads->items[k];
+        int32_t input = loads->mech->coordinates[item->coordinate].input;
+        item->last = evaluate(loads, &item->value[0]);
+        effort[input] += item->last;
+        power[k] = item->last * state->input[3 * input + 1];
+        if (isfinite(item->last)) continue;
+        *culprit = k;
+        return false;
+    }
+    return true;
+}
+
+double yk_loads_effort(const YkLoads *loads, int32_t coordinate)
+{
+    double sum = 0;
+    for (size_t k = 0; k < loads->item_count; k++)
+        if (loads->items[k].kind == YK_LOAD_EFFORT && loads->items[k].coordinate == coordinate) sum += loads->items[k].last;
+    return sum;
+}
+
+double yk_loads_stored(const YkLoads *loads, const YkState *state, const YkSpace *space)
+{
+    Pose p = {.mech = loads->mech, .space = space};
+    double sum = 0;
+    for (size_t k = 0; k < loads->item_count; k++) {
+        const YkLoadItem *item = &loads->items[k];
+        double stretch = 0;
+        if (item->kind == YK_LOAD_SPRING) {
+            Point a = point_of(&p, item->body[0], item->at[0]), b = point_of(&p, item->body[1], item->at[1]);
+            stretch = yk_norm(yk_sub(b.at, a.at)) - item->length;
+        } else if (item->kind == YK_LOAD_ALONG) {
+            stretch = yk_loads_coordinate(state, space, item->coordinate).position - item->length;
+        }
+        sum += 0.5 * item->stiffness * stretch * stretch;
+    }
+    return sum;
+}

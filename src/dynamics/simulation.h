@@ -1,0 +1,115 @@
+// The inside of YkSimulation.
+#ifndef DYNAMICS_SIMULATION_H
+#define DYNAMICS_SIMULATION_H
+#include <yoke/simulation.h>
+#include "dynamics/dynamics.h"
+#include "num/ode.h"
+
+// A block near a singular position: the angle between its two columns, as last known, and how it goes on.
+typedef struct YkNear {
+    size_t block;
+    double angle, rate, acceleration; // its sine's sign is the branch
+} YkNear;
+
+// What holds a coordinate: a stop that it rests against, or dry friction that makes it stick.
+typedef struct YkContact {
+    size_t item;      // of the loads: COULOMB or STOP
+    double low, high; // what it can exert
+} YkContact;
+
+typedef struct YkWatch {
+    const char *name;
+    YkChannel channel;
+    double level;
+    int direction;
+    double last; // its value at the last accepted step
+} YkWatch;
+
+typedef enum YkPendingKind { YK_PENDING_NONE, YK_PENDING_STOP, YK_PENDING_STICK } YkPendingKind;
+
+struct YkSimulation {
+    const YkModel *model;
+    YkSimulationOptions options;
+    YkArena *arena; // names
+    YkMechanism *mech;
+    YkState *state;
+    YkDynamics *dynamics;
+    YkOde *ode;
+    int32_t *free_input;      // inputs that are free
+    size_t free_count;
+    size_t work_count, item_count; // quadratures: items of the loads, then driven inputs, then stops
+    const char **work_name;
+    double *effort;           // per coordinate: set from outside
+    bool *has_effort;
+    double *y, *dense, *rate, *work; // [2 free + works]; work[work_count] at `time`
+    double time;
+    bool has_drives, is_lean; // lean: an open tree with nothing to watch between rows
+    bool has_forces;          // the dynamics' forces are those of `time`
+    // singular positions
+    YkNear *near, *near_next, *near_memory;
+    size_t near_count;
+    double near_time;         // of the step at which they were looked at
+    double *moved, *sampled;  // scratch, as y
+    // contacts
+    YkContact *contacts;
+    size_t contact_count;
+    double *response, *matrix, *bias, *lambda, *wanted; // [contact][input], [contact][contact], [contact]
+    double fastest;                                     // rate of an impact so far
+    size_t pending_item;
+    YkPendingKind pending;
+    double pending_time;
+    // findings
+    YkWatch *watches;
+    size_t watch_count, watch_capacity;
+    YkHappening *happenings;
+    size_t happening_count, happening_capacity;
+    YkSimulationSummary summary;
+    double energy_low, energy_high; // potential
+    double kinetic_high, energy_off;
+    bool has_energy, has_begun;
+    double target; // time asked for
+    YkOdeCounts counts;             // of steppers that were replaced
+    YkReport report;
+    YkStatus status;
+};
+
+// start.c
+// Rates of the inputs from what `start:` gives, as well as the loops allow.
+bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
+
+// motion.c: the right-hand side.
+void yk_simulation_powers(YkSimulation *sim, double *power); // of all works, at the pose just accelerated
+int yk_simulation_motion(void *simulation, double t, const double *y, double *dydt);
+// Sets the inputs of the state for (t, y); signs of near blocks too. False where a drive has no value.
+bool yk_simulation_set(YkSimulation *sim, double t, const double *y);
+// The state's pose at (t, y) with its accelerations. Sets sim->status and the report on failure.
+bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
+
+// crossing.c: change points.
+void yk_simulation_look_near(YkSimulation *sim, double t); // at the pose that stands: which blocks are near
+bool yk_simulation_in_zone(const YkSimulation *sim, double t);
+void yk_simulation_set_signs(YkSimulation *sim, double t);
+// Accelerations (and powers, if wanted) next to a singular position, by interpolation along the motion.
+bool yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt);
+double yk_simulation_margin(const YkSimulation *sim);
+
+// coordinates.c: other independent coordinates.
+// Are others better here? Then takes them: everything is made anew for them, the pose stays. False on failure.
+bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed);
+void yk_simulation_unbuild(YkSimulation *sim);
+bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: after all else stands
+bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
+
+// contact.c
+bool yk_simulation_contacts_start(YkSimulation *sim); // which stops are touched, which joints stick, at the pose that stands
+// Accelerations with what the contacts exert, into dynamics->acceleration.
+YkStatus yk_simulation_accelerate(YkSimulation *sim);
+bool yk_simulation_contacts_check(YkSimulation *sim);  // after a step: contacts that let go
+bool yk_simulation_hit(YkSimulation *sim, size_t item); // an impact on a stop, or the rate of a dry joint has become 0
+
+// happenings.c
+void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);
+void yk_simulation_look(YkSimulation *sim);             // after a step: what happened in it
+void yk_simulation_watch_start(YkSimulation *sim);
+
+#endif

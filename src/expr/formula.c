@@ -1,0 +1,117 @@
+// Evaluation of formulas.
+#include <math.h>
+#include <stdlib.h>
+#include "expr/formula_inside.h"
+
+// By repeated squaring; of a negative exponent the reciprocal.
+static double whole_power(double base, double exponent)
+{
+    double power = 1;
+    for (int left = abs((int)exponent); left > 0; left >>= 1) {
+        if (left & 1) power = power * base + 0.0;
+        if (left > 1) base = base * base;
+    }
+    return exponent < 0 ? 1 / power : power;
+}
+
+static double call(YkFunction function, double a, double b)
+{
+    switch (function) {
+    case YK_SIN:
+        return sin(a);
+    case YK_COS:
+        return cos(a);
+    case YK_TAN:
+        return tan(a);
+    case YK_ASIN:
+        return asin(a);
+    case YK_ACOS:
+        return acos(a);
+    case YK_ATAN:
+        return atan(a);
+    case YK_ATAN2:
+        return a == 0 && b == 0 ? NAN : atan2(a, b);
+    case YK_SINH:
+        return sinh(a);
+    case YK_COSH:
+        return cosh(a);
+    case YK_TANH:
+        return tanh(a);
+    case YK_SQRT:
+        return sqrt(a);
+    case YK_EXP:
+        return exp(a);
+    case YK_LOG:
+        return log(a);
+    case YK_ABS:
+        return fabs(a);
+    case YK_SIGN:
+        return (a > 0) - (a < 0);
+    case YK_MIN:
+        return a <= b ? a : b;
+    case YK_MAX:
+        return a >= b ? a : b;
+    case YK_FUNCTION_COUNT:
+        break;
+    }
+    return NAN;
+}
+
+double yk_formula_operate(int operation, double a, double b)
+{
+    switch (operation) {
+    case YK_EXPR_NEGATE:
+        return -a;
+    case YK_EXPR_ADD:
+        return a + b;
+    case YK_EXPR_SUBTRACT:
+        return a - b;
+    case YK_EXPR_MULTIPLY:
+        return a * b + 0.0; // a zero has no sign here, which only atan2 would show
+    case YK_EXPR_DIVIDE:
+        return a / b;
+    case YK_EXPR_POWER:
+        return pow(a, b);
+    case YK_OPERATION_WHOLE_POWER:
+        return whole_power(a, b);
+    default:
+        return call((YkFunction)(operation - YK_OPERATION_FUNCTION), a, b);
+    }
+}
+
+double yk_formula_eval(const YkFormula *formula, const double *variables)
+{
+    double registers[YK_FORMULA_REGISTERS];
+    const double *const sources[] = {formula->constants, variables, registers};
+    for (size_t i = 0; i < formula->variable_count; i++) {
+        if (!isfinite(variables[formula->variables[i]])) return NAN;
+    }
+    for (size_t i = 0; i < formula->instruction_count; i++) {
+        const YkInstruction *at = &formula->instructions[i];
+        double a = sources[at->from[0]][at->index[0]], b = sources[at->from[1]][at->index[1]];
+        double value = yk_formula_operate(at->operation, a, b);
+        if (!isfinite(value)) return NAN; // min(3, 1/0) and exp(-1/0) have no value, though C would give one
+        registers[at->result] = value;
+    }
+    return sources[formula->from][formula->index];
+}
+
+bool yk_formula_is_constant(const YkFormula *formula)
+{
+    return formula->variable_count == 0;
+}
+
+bool yk_formula_depends_on(const YkFormula *formula, int variable)
+{
+    size_t low = 0, high = formula->variable_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (formula->variables[middle] == variable) return true;
+        if (formula->variables[middle] < variable) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return false;
+}

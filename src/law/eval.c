@@ -1,0 +1,111 @@
+// Evaluation of a law: find the piece, sum its polynomial and its waves.
+#include <math.h>
+#include "law/inside.h"
+
+enum { ORDERS = YK_LAW_ORDER + 1 };
+
+// sum c_k T_k(u) and its derivatives with respect to u: Clenshaw's recurrence b_k = c_k + 2 u b_{k+1} - b_{k+2},
+// differentiated term by term. Source: Clenshaw 1955; Mason & Handscomb 2003, 2.4.
+static void add_polynomial(const double *c, size_t terms, double u, double sum[ORDERS])
+{
+    double b1[ORDERS] = {0}, b2[ORDERS] = {0};
+    if (terms == 0) return;
+    for (size_t k = terms - 1; k > 0; k--) {
+        for (int m = ORDERS - 1; m >= 0; m--) {
+            double b = 2 * u * b1[m] - b2[m];
+            if (m > 0) b += 2 * m * b1[m - 1];
+            if (m == 0) b += c[k];
+            b2[m] = b1[m];
+            b1[m] = b;
+        }
+    }
+    for (int m = 0; m < ORDERS; m++) {
+        sum[m] += u * b1[m] - b2[m];
+        if (m > 0) sum[m] += m * b1[m - 1];
+    }
+    sum[0] += c[0];
+}
+
+// amplitude cos(frequency u + phase): derivatives cycle through -sin, -cos, sin, cos.
+static void add_wave(const double wave[3], double u, double sum[ORDERS])
+{
+    double angle = wave[1] * u + wave[2], factor = wave[0];
+    double cycle[4] = {cos(angle), -sin(angle), 0, 0};
+    cycle[2] = -cycle[0];
+    cycle[3] = -cycle[1];
+    for (int m = 0; m < ORDERS; m++) {
+        sum[m] += factor * cycle[m % 4];
+        factor *= wave[1];
+    }
+}
+
+void yk_piece_eval(const YkPiece *piece, const double *numbers, double x, double d[ORDERS])
+{
+    const double *c = numbers + piece->first;
+    double u = (x - piece->middle) * piece->scale, factor = 1;
+    for (int m = 0; m < ORDERS; m++) d[m] = 0;
+    add_polynomial(c, piece->terms, u, d);
+    for (size_t i = 0; i < piece->waves; i++) add_wave(c + piece->terms + 3 * i, u, d);
+    for (int m = 1; m < ORDERS; m++) {
+        factor *= piece->scale;
+        d[m] *= factor;
+    }
+}
+
+// The last piece that begins at or before x.
+static const YkPiece *find(const YkLaw *law, double x)
+{
+    size_t low = 0, high = law->piece_count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (law->pieces[middle].from <= x)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &law->pieces[low];
+}
+
+// x in [from, from + period).
+static double within_period(const YkLaw *law, double x)
+{
+    if (x >= law->from && x < law->from + law->period) return x;
+    double past = fmod(x - law->from, law->period);
+    if (past < 0) past += law->period;
+    return past >= law->period ? law->from : law->from + past;
+}
+
+static void stand(double value, double d[ORDERS])
+{
+    d[0] = value;
+    for (int m = 1; m < ORDERS; m++) d[m] = 0;
+}
+
+void yk_law_eval(const YkLaw *law, double x, double d[ORDERS])
+{
+    if (law->period > 0) {
+        x = within_period(law, x);
+    } else if (x < law->from) {
+        stand(law->start, d);
+        return;
+    } else if (x >= law->to) {
+        stand(law->end, d);
+        return;
+    }
+    yk_piece_eval(find(law, x), law->numbers, x, d);
+}
+
+YkLawRange yk_law_range(const YkLaw *law)
+{
+    return (YkLawRange){law->from, law->to, law->period};
+}
+
+size_t yk_law_segment_count(const YkLaw *law)
+{
+    return law->segment_count;
+}
+
+YkLawSegment yk_law_segment(const YkLaw *law, size_t segment)
+{
+    return law->segments[segment];
+}

@@ -1,0 +1,66 @@
+// `forces:` at points of bodies, in world axes or the body's own, and moments on bodies.
+#include <string.h>
+#include "model/load.h"
+
+static void read_axes(YkLoader *loader, YkForce *force, const YkNode *axes)
+{
+    const YkSubject subject = {.noun = "axes", .owner = force->name};
+    if (!axes || !yk_load_expect(loader, axes, YK_NODE_SCALAR, &subject)) return;
+    force->in_body_axes = strcmp(axes->text, "body") == 0;
+    if (force->in_body_axes || strcmp(axes->text, "world") == 0) return;
+    yk_problem(loader->problems, YK_CODE_WRONG_WORD, axes->place, "the axes of a force are `body` or `world`, not %q",
+               axes->text);
+}
+
+// The force, the moment, or both.
+static void read_value(YkLoader *loader, YkForce *force, const YkNode *node, const YkSubject *subject)
+{
+    const YkNode *moment = yk_node_get(node, "moment");
+    const YkNode *value = moment ? yk_node_get(node, "value") : yk_load_require(loader, node, "value", subject);
+    YkWant want = {.dimension = YK_DIM_FORCE, .scope = YK_SCOPE_STATE, .subject = *subject};
+    YkExpr *expr[2] = {NULL, NULL};
+    if (value) yk_load_pair(loader, value, &want, expr, NULL);
+    force->x = expr[0];
+    force->y = expr[1];
+    want.dimension = YK_DIM_TORQUE;
+    want.subject = (YkSubject){.noun = "moment", .owner = force->name};
+    if (moment) force->moment = yk_load_value(loader, moment, &want, NULL);
+}
+
+static void read_force(YkLoader *loader, YkForce *force, const YkNode *node)
+{
+    static const char *const keys[] = {"on", "at", "value", "axes", "moment", NULL};
+    const YkSubject subject = {.noun = "force", .part = force->name};
+    if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
+    yk_load_check_keys(loader, node, keys, &subject);
+    const YkNode *on = yk_load_require(loader, node, "on", &subject), *at = yk_node_get(node, "at");
+    if (on) force->body = yk_load_body(loader, on);
+    if (at && force->body != YK_NONE) force->point = yk_load_point(loader, force->body, at);
+    read_value(loader, force, node, &subject);
+    read_axes(loader, force, yk_node_get(node, "axes"));
+}
+
+void yk_load_forces(YkLoader *loader)
+{
+    const YkNode *section = yk_load_section(loader, "forces");
+    YkModel *model = loader->model;
+    if (!section) return;
+    model->forces = YK_NEW(loader->arena, YkForce, section->count);
+    if (!model->forces) return;
+    for (size_t i = 0; i < section->count; i++) {
+        const YkPair *pair = &section->pairs[i];
+        YkForce *force = &model->forces[model->force_count++];
+        *force = (YkForce){.name = pair->key->text, .place = pair->key->place, .body = YK_NONE, .point = YK_NONE};
+        yk_load_name(loader, pair->key, "force");
+        read_force(loader, force, pair->value);
+    }
+}
+
+void yk_load_finish_forces(YkLoader *loader)
+{
+    YkModel *model = loader->model;
+    for (size_t i = 0; i < model->force_count; i++) {
+        YkForce *force = &model->forces[i];
+        if (force->point != YK_NONE) force->at = model->points[force->point].at;
+    }
+}

@@ -1,0 +1,61 @@
+// What the names in an expression of the model stand for, once it is loaded.
+#include "model/formulas.h"
+#include <string.h>
+
+enum { UNKNOWN = -2, CONSTANT = -1, TIME = 0, NAME_ROOM = 128 }; // a name of the file has at most 100 characters
+
+typedef struct Names {
+    const YkModel *model;
+    YkCoordinateVariable coordinate_variable;
+    void *context;
+} Names;
+
+// Takes the ending off the name; false where it ends otherwise.
+static bool cut(char *name, const char *ending)
+{
+    size_t length = strlen(name), size = strlen(ending);
+    if (length <= size || strcmp(name + length - size, ending) != 0) return false;
+    name[length - size] = 0;
+    return true;
+}
+
+// The declared coordinate that NAME, JOINT.angle or JOINT.distance speaks of. Changes the text.
+static int32_t find_coordinate(const YkModel *model, char *name)
+{
+    int32_t found = yk_names_find(&model->coordinate_names, name);
+    if (found != YK_NONE) return found;
+    bool is_angle = cut(name, ".angle");
+    if (!is_angle && !cut(name, ".distance")) return YK_NONE;
+    int32_t joint = yk_names_find(&model->joint_names, name);
+    if (joint == YK_NONE) return YK_NONE;
+    return is_angle ? model->joints[joint].angle : model->joints[joint].distance;
+}
+
+static int resolve_coordinate(const Names *names, const char *name)
+{
+    char text[NAME_ROOM];
+    size_t length = strlen(name);
+    if (length >= sizeof text || !names->coordinate_variable) return UNKNOWN;
+    memcpy(text, name, length + 1);
+    bool is_rate = cut(text, ".rate");
+    int32_t coordinate = find_coordinate(names->model, text);
+    int variable = coordinate == YK_NONE ? UNKNOWN : names->coordinate_variable(names->context, coordinate, is_rate);
+    return variable < 0 ? UNKNOWN : variable;
+}
+
+static int resolve(void *context, const YkExpr *name, double *value)
+{
+    const Names *names = context;
+    if (strcmp(name->name, "t") == 0) return TIME;
+    int32_t parameter = yk_names_find(&names->model->parameter_names, name->name);
+    if (parameter == YK_NONE) return resolve_coordinate(names, name->name);
+    *value = names->model->parameters[parameter].value;
+    return CONSTANT;
+}
+
+YkFormula *yk_model_formula(const YkModel *model, const YkExpr *expr, YkCoordinateVariable coordinate_variable,
+                            void *context, YkArena *arena)
+{
+    Names names = {.model = model, .coordinate_variable = coordinate_variable, .context = context};
+    return yk_formula_compile(expr, resolve, &names, arena);
+}

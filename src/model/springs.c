@@ -1,0 +1,131 @@
+// `springs:` springs with dampers, between two points or along a coordinate.
+#include "model/load.h"
+
+// Between points, along a distance, or along an angle: that decides the units, and the name of the free value.
+typedef enum Form { BETWEEN, ALONG_DISTANCE, ALONG_ANGLE } Form;
+
+static void read_ends(YkLoader *loader, YkSpring *spring, const YkNode *ends)
+{
+    const YkSubject subject = {.noun = "between", .owner = spring->name};
+    if (!yk_load_expect(loader, ends, YK_NODE_LIST, &subject)) return;
+    if (ends->count != 2) {
+        yk_problem(loader->problems, YK_CODE_COMPONENTS, ends->place, "%s names two points; here are %z",
+                   yk_load_subject(loader, &subject), ends->count);
+        return;
+    }
+    for (int k = 0; k < 2; k++) spring->point[k] = yk_load_body_point(loader, ends->items[k], &spring->body[k]);
+}
+
+static void read_coordinate(YkLoader *loader, YkSpring *spring, const YkNode *along)
+{
+    const YkSubject subject = {.noun = "along", .owner = spring->name};
+    if (!yk_load_expect(loader, along, YK_NODE_SCALAR, &subject)) return;
+    int32_t coordinate = yk_load_coordinate_key(loader, along, NULL);
+    if (coordinate >= 0) spring->coordinate = coordinate;
+}
+
+// False where the spring's place is not known, so that its units are not either.
+static bool read_place(YkLoader *loader, YkSpring *spring, const YkNode *node, Form *form)
+{
+    const YkSubject subject = {.noun = "spring", .part = spring->name};
+    const YkNode *along = yk_node_get(node, "along"), *between = yk_node_get(node, "between");
+    *form = BETWEEN;
+    if (along && between) {
+        yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, yk_load_key(node, "between")->place,
+                   "spring %q lies along a coordinate already, it cannot lie between points too", spring->name);
+        return false;
+    }
+    if (!along) between = yk_load_require(loader, node, "between", &subject);
+    if (between) read_ends(loader, spring, between);
+    if (!along) return true;
+    read_coordinate(loader, spring, along);
+    if (spring->coordinate == YK_NONE) return false;
+    *form = loader->model->coordinates[spring->coordinate].is_distance ? ALONG_DISTANCE : ALONG_ANGLE;
+    return true;
+}
+
+// The length or angle at which the spring is free. The key of the other kind is refused.
+static void read_free(YkLoader *loader, YkSpring *spring, const YkNode *node, Form form)
+{
+    const char *key = form == ALONG_ANGLE ? "angle" : "length", *other = form == ALONG_ANGLE ? "length" : "angle";
+    const YkNode *wrong = yk_load_key(node, other);
+    if (wrong) {
+        yk_problem(loader->problems, YK_CODE_UNKNOWN_KEY, wrong->place, "spring %q %s: it has a free `%s`, no `%s`",
+                   spring->name,
+                   form == BETWEEN       ? "lies between points"
+                   : form == ALONG_ANGLE ? "lies along an angle"
+                                         : "lies along a distance",
+                   key, other);
+    }
+    YkWant want = {.dimension = form == ALONG_ANGLE ? YK_DIM_ANGLE : YK_DIM_LENGTH,
+                   .subject = {.noun = key, .owner = spring->name}};
+    spring->length_expr = yk_load_key_value(loader, node, key, &want, &spring->length);
+}
+
+static void read_rates(YkLoader *loader, YkSpring *spring, const YkNode *node, Form form)
+{
+    YkWant want = {.subject = {.noun = "stiffness", .owner = spring->name}};
+    want.dimension = form == ALONG_ANGLE ? YK_DIM_TURN_STIFFNESS : YK_DIM_STIFFNESS;
+    spring->stiffness_expr = yk_load_key_value(loader, node, "stiffness", &want, &spring->stiffness);
+    want.subject.noun = "damping";
+    want.dimension = form == ALONG_ANGLE ? YK_DIM_TURN_DAMPING : YK_DIM_DAMPING;
+    spring->damping_expr = yk_load_key_value(loader, node, "damping", &want, &spring->damping);
+    if (yk_node_get(node, "stiffness") || yk_node_get(node, "damping")) return;
+    yk_problem(loader->problems, YK_CODE_MISSING_KEY, node->place, "spring %q needs `stiffness` or `damping`",
+               spring->name);
+}
+
+static void read_spring(YkLoader *loader, YkSpring *spring, const YkNode *node)
+{
+    static const char *const keys[] = {"between", "along", "stiffness", "length", "angle", "damping", NULL};
+    const YkSubject subject = {.noun = "spring", .part = spring->name};
+    Form form;
+    if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
+    yk_load_check_keys(loader, node, keys, &subject);
+    if (!read_place(loader, spring, node, &form)) return;
+    read_free(loader, spring, node, form);
+    read_rates(loader, spring, node, form);
+}
+
+void yk_load_springs(YkLoader *loader)
+{
+    const YkNode *section = yk_load_section(loader, "springs");
+    YkModel *model = loader->model;
+    if (!section) return;
+    model->springs = YK_NEW(loader->arena, YkSpring, section->count);
+    if (!model->springs) return;
+    for (size_t i = 0; i < section->count; i++) {
+        const YkPair *pair = &section->pairs[i];
+        YkSpring *spring = &model->springs[model->spring_count++];
+        *spring = (YkSpring){.name = pair->key->text,
+                             .place = pair->key->place,
+                             .coordinate = YK_NONE,
+                             .body = {YK_NONE, YK_NONE},
+                             .point = {YK_NONE, YK_NONE}};
+        yk_load_name(loader, pair->key, "spring");
+        read_spring(loader, spring, pair->value);
+    }
+}
+
+static void refuse_negative(YkLoader *loader, const YkSpring *spring, const YkExpr *expr, double value, YkCode code,
+                            const char *noun)
+{
+    if (!expr || !(value < 0)) return;
+    yk_problem(loader->problems, code, expr->place, "the %s of spring %q is %g; it cannot be negative", noun,
+               spring->name, value);
+}
+
+void yk_load_finish_springs(YkLoader *loader)
+{
+    YkModel *model = loader->model;
+    for (size_t i = 0; i < model->spring_count; i++) {
+        YkSpring *spring = &model->springs[i];
+        for (int k = 0; k < 2; k++) {
+            if (spring->point[k] != YK_NONE) spring->at[k] = model->points[spring->point[k]].at;
+        }
+        refuse_negative(loader, spring, spring->stiffness_expr, spring->stiffness, YK_CODE_BAD_STIFFNESS, "stiffness");
+        refuse_negative(loader, spring, spring->damping_expr, spring->damping, YK_CODE_BAD_DAMPING, "damping");
+        if (spring->coordinate != YK_NONE) continue;
+        refuse_negative(loader, spring, spring->length_expr, spring->length, YK_CODE_BAD_LENGTH, "free length");
+    }
+}

@@ -1,0 +1,95 @@
+// Looking into elements: powers and coefficients of a symbol, content; equality under roots.
+#include "ring/inside.h"
+
+bool yk_ring_powers(const YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t *lowest, int32_t *highest)
+{
+    if (!a || a->count == 0) return false;
+    for (size_t i = 0; i < a->count; i++) {
+        int32_t exponent = yk_powers_exponent(&ring->monomials, yk_key_monomial(a->terms[i].key), symbol);
+        if (i == 0 || exponent < *lowest) *lowest = exponent;
+        if (i == 0 || exponent > *highest) *highest = exponent;
+    }
+    return true;
+}
+
+bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol)
+{
+    for (size_t i = 0; a && i < a->count; i++)
+        if (yk_powers_exponent(&ring->monomials, yk_key_monomial(a->terms[i].key), symbol) != 0 ||
+            yk_powers_exponent(&ring->phases, yk_key_phase(a->terms[i].key), symbol) != 0)
+            return true;
+    return false;
+}
+
+const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t power)
+{
+    if (!a) return NULL;
+    uint32_t divisor = yk_ring_monomial_of(ring, symbol, power);
+    if (divisor == YK_NO_PRODUCT) return NULL;
+    yk_gather_begin(ring, a->denominator);
+    for (size_t i = 0; i < a->count; i++) {
+        uint64_t key = a->terms[i].key;
+        if (yk_powers_exponent(&ring->monomials, yk_key_monomial(key), symbol) != power) continue;
+        uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(key), divisor, -1);
+        if (monomial == YK_NO_PRODUCT) ring->gather.failed = true;
+        yk_gather_add(ring, yk_key(yk_key_phase(key), monomial, yk_key_unit(key)), a->terms[i].number);
+    }
+    return yk_gather_end(ring);
+}
+
+// The common part of two monomials: of each symbol the lower exponent, 0 where it is absent.
+static uint32_t common_monomial(YkRing *ring, uint32_t a, uint32_t b)
+{
+    uint32_t count, common = 0, one;
+    for (int side = 0; side < 2; side++) {
+        uint32_t here = side == 0 ? a : b, there = side == 0 ? b : a;
+        yk_powers_of(&ring->monomials, here, &count);
+        for (uint32_t i = 0; i < count && common != YK_NO_PRODUCT; i++) {
+            const YkPower power = yk_powers_of(&ring->monomials, here, &count)[i];
+            int32_t other = yk_powers_exponent(&ring->monomials, there, power.symbol);
+            int32_t least = power.exponent < other ? power.exponent : other;
+            if (least == 0 || (side == 1 && other != 0)) continue; // that one was met from the other side
+            one = yk_ring_monomial_of(ring, power.symbol, least);
+            common = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, common, one, 1);
+        }
+    }
+    return common;
+}
+
+const YkPoisson *yk_ring_content(YkRing *ring, const YkPoisson *a)
+{
+    if (!a || a->count == 0) return a;
+    uint32_t monomial = yk_key_monomial(a->terms[0].key);
+    for (size_t i = 1; i < a->count && monomial != YK_NO_PRODUCT; i++)
+        monomial = common_monomial(ring, monomial, yk_key_monomial(a->terms[i].key));
+    if (monomial == YK_NO_PRODUCT) return NULL;
+    return yk_poisson_term(ring, yk_key(0, monomial, 0), (int64_t)yk_poisson_content(a), a->denominator);
+}
+
+// a times root^2k, as few as make all its powers >= 0, with every root^2 replaced by the square: zero just when a is.
+static const YkPoisson *without_root(YkRing *ring, const YkPoisson *a, int32_t symbol)
+{
+    int32_t lowest, highest;
+    if (!yk_ring_powers(ring, a, symbol, &lowest, &highest) || (lowest >= 0 && highest <= 1)) return a;
+    const YkPoisson *sum = ring->zero, *square = ring->symbols[symbol].square, *root = yk_ring_of(ring, symbol);
+    int32_t shift = lowest < 0 ? (-lowest + 1) / 2 * 2 : 0;
+    for (int32_t power = lowest; power <= highest; power++) {
+        const YkPoisson *part = yk_ring_coefficient(ring, a, symbol, power);
+        if (!part) return NULL;
+        if (part->count == 0) continue;
+        part = yk_ring_multiply(ring, part, yk_ring_power(ring, square, (power + shift) / 2));
+        if ((power + shift) % 2 != 0) part = yk_ring_multiply(ring, part, root);
+        sum = yk_ring_add(ring, sum, part);
+    }
+    return sum;
+}
+
+bool yk_ring_is_equal(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
+{
+    if (yk_ring_is_same(a, b)) return true;
+    const YkPoisson *difference = yk_ring_subtract(ring, a, b);
+    // A square mentions only symbols older than its root: from the youngest root down each is met once.
+    for (size_t i = ring->symbol_count; i-- > 0 && difference && difference->count > 0;)
+        if (ring->symbols[i].square) difference = without_root(ring, difference, (int32_t)i);
+    return yk_ring_is_zero(difference);
+}

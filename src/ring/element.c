@@ -1,0 +1,76 @@
+// Making elements, and comparing them.
+#include <string.h>
+#include "ring/inside.h"
+
+uint64_t yk_poisson_content(const YkPoisson *a)
+{
+    uint64_t divisor = 0;
+    for (size_t i = 0; i < a->count && divisor != 1; i++) divisor = yk_gcd(yk_magnitude(a->terms[i].number), divisor);
+    return divisor;
+}
+
+// The divisor that numbers and denominator share.
+static int64_t shared_divisor(const YkRingTerm *terms, size_t count, int64_t denominator)
+{
+    uint64_t divisor = (uint64_t)denominator;
+    for (size_t i = 0; i < count && divisor != 1; i++)
+        if (terms[i].number != 0) divisor = yk_gcd(yk_magnitude(terms[i].number), divisor);
+    return (int64_t)divisor;
+}
+
+const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++) kept += terms[i].number != 0;
+    if (kept == 0 && ring->zero) return ring->zero;
+    if (kept > ring->limit) return yk_ring_fail(ring, YK_RING_SIZE);
+    YkPoisson *a = yk_arena_alloc(ring->arena, 1, sizeof(YkPoisson) + kept * sizeof(YkRingTerm));
+    if (!a) return yk_ring_fail(ring, YK_RING_MEMORY);
+    int64_t divisor = shared_divisor(terms, count, denominator);
+    for (size_t i = 0; i < count; i++) {
+        if (terms[i].number == 0) continue;
+        int64_t number = divisor == 1 ? terms[i].number : terms[i].number / divisor;
+        a->terms[a->count++] = (YkRingTerm){terms[i].key, number};
+    }
+    a->denominator = kept == 0 ? 1 : denominator / divisor;
+    return a;
+}
+
+const YkPoisson *yk_poisson_term(YkRing *ring, uint64_t key, int64_t number, int64_t denominator)
+{
+    const YkRingTerm term = {key, number};
+    return yk_poisson_make(ring, &term, 1, denominator);
+}
+
+bool yk_common_denominator(int64_t a, int64_t b, int64_t *all)
+{
+    return yk_exact_multiply(a / (int64_t)yk_gcd((uint64_t)a, (uint64_t)b), b, all);
+}
+
+size_t yk_ring_terms(const YkPoisson *a)
+{
+    return a ? a->count : 0;
+}
+
+bool yk_ring_is_zero(const YkPoisson *a)
+{
+    return a && a->count == 0;
+}
+
+bool yk_ring_is_same(const YkPoisson *a, const YkPoisson *b)
+{
+    if (!a || !b) return false;
+    if (a == b) return true;
+    if (a->count != b->count || a->denominator != b->denominator) return false;
+    for (size_t i = 0; i < a->count; i++)
+        if (a->terms[i].key != b->terms[i].key || a->terms[i].number != b->terms[i].number) return false;
+    return true;
+}
+
+bool yk_ring_is_rational(const YkPoisson *a, int64_t *numerator, int64_t *denominator)
+{
+    if (!a || a->count > 1 || (a->count == 1 && a->terms[0].key != 0)) return false;
+    *numerator = a->count == 0 ? 0 : a->terms[0].number;
+    *denominator = a->denominator;
+    return true;
+}

@@ -1,0 +1,124 @@
+// What the ring is made of; nobody outside of ring/ includes it.
+#ifndef RING_INSIDE_H
+#define RING_INSIDE_H
+#include "base/memory.h"
+#include "base/names.h"
+#include "ring/exact.h"
+#include "ring/powers.h"
+#include "ring/ring.h"
+
+// A term's key: phase, monomial and unit in one word. The unit is a product of i, sqrt 2 and sqrt 3, one bit each.
+enum { YK_UNIT_I = 1, YK_UNIT_SQRT2 = 2, YK_UNIT_SQRT3 = 4, YK_UNIT_SURD = 6, YK_UNITS = 8 };
+enum { YK_UNIT_BITS = 3, YK_MONOMIAL_BITS = 31, YK_PHASE_BITS = 30 };
+
+typedef struct YkRingTerm {
+    uint64_t key;
+    int64_t number; // over the element's denominator; never 0 or INT64_MIN
+} YkRingTerm;
+
+struct YkPoisson {
+    size_t count;
+    int64_t denominator; // > 0, without common divisor with all numbers
+    YkRingTerm terms[];  // keys ascend
+};
+
+static inline uint64_t yk_key(uint32_t phase, uint32_t monomial, unsigned unit)
+{
+    return (uint64_t)phase << (YK_MONOMIAL_BITS + YK_UNIT_BITS) | (uint64_t)monomial << YK_UNIT_BITS | unit;
+}
+static inline uint32_t yk_key_phase(uint64_t key)
+{
+    return (uint32_t)(key >> (YK_MONOMIAL_BITS + YK_UNIT_BITS));
+}
+static inline uint32_t yk_key_monomial(uint64_t key)
+{
+    return (uint32_t)(key >> YK_UNIT_BITS) & 0x7fffffffu;
+}
+static inline unsigned yk_key_unit(uint64_t key)
+{
+    return (unsigned)key & (YK_UNITS - 1);
+}
+// The product of two units is a whole number times the unit a ^ b.
+static inline int yk_unit_factor(unsigned a, unsigned b)
+{
+    unsigned both = a & b;
+    return (both & YK_UNIT_I ? -1 : 1) * (both & YK_UNIT_SQRT2 ? 2 : 1) * (both & YK_UNIT_SQRT3 ? 3 : 1);
+}
+
+// A symbol depends on a variable: derivative NULL where it is not known.
+typedef struct YkPartial {
+    struct YkPartial *next;
+    int32_t variable;
+    const YkPoisson *derivative;
+} YkPartial;
+
+typedef struct YkRingSymbol {
+    const char *name;
+    YkRingClass kind;
+    bool is_angle;
+    const YkPoisson *rate;   // declared total time derivative, or NULL
+    YkPartial *partials;
+    const YkPoisson *square; // of a root
+    int64_t pi_over;         // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
+    const char *latex, *c, *mathml; // as it is typeset
+} YkRingSymbol;
+
+// Collects terms by key.
+typedef struct YkGather {
+    YkRingTerm *terms;
+    size_t count, capacity;
+    uint32_t *slots; // term + 1, 0 is free
+    size_t slot_count;
+    YkRingTerm *sorted; // room for sorting
+    size_t sorted_capacity;
+    int64_t denominator;
+    bool failed;
+} YkGather;
+
+struct YkRing {
+    YkRingStatus status;
+    size_t limit;
+    YkArena *arena;
+    YkRingSymbol *symbols;
+    size_t symbol_count, symbol_capacity;
+    YkNames names;       // in text, aliases included
+    YkNames latex_names, c_names;
+    YkPowers monomials, phases;
+    YkGather gather;
+    const YkPoisson *zero, *one;
+    size_t form_count; // structured forms made so far
+};
+
+// Records the first failure; returns NULL for the caller to return.
+const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
+
+// --- symbols.c: the symbol of pi / pi_over, `pi_7`; entered where new; -1 on failure.
+int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
+
+// --- typeset.c: a name in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in its ring. False: no memory.
+bool yk_ring_typeset(YkRing *ring, YkRingSymbol *symbol);
+
+// --- keys.c: products of keys. YK_NO_PRODUCT with the status on failure.
+uint32_t yk_ring_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times); // a * b^times
+uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
+uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent);
+uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor);
+// key a times key b, units apart: the caller multiplies by yk_unit_factor. False on failure.
+bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product);
+
+// --- gather.c: begin, add any terms over one denominator, end. No other operation of the ring in between.
+void yk_gather_begin(YkRing *ring, int64_t denominator);
+bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number);
+bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *b, int64_t factor); // factor * a * b
+const YkPoisson *yk_gather_end(YkRing *ring);
+void yk_gather_free(YkGather *gather);
+bool yk_gather_room(YkRing *ring, size_t count); // gather.terms has room for so many
+// The element of sorted terms, zeros among them allowed, over a denominator.
+const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator);
+const YkPoisson *yk_poisson_term(YkRing *ring, uint64_t key, int64_t number, int64_t denominator);
+uint64_t yk_poisson_content(const YkPoisson *a); // common divisor of the numbers
+
+// The least common multiple of denominators, in *all; false on overflow.
+bool yk_common_denominator(int64_t a, int64_t b, int64_t *all);
+
+#endif

@@ -1,0 +1,125 @@
+// Elements at points of the prime field.
+#include <stdlib.h>
+#include "ring/field.h"
+#include "ring/inside.h"
+
+enum { TRIES = 4096 }; // half of all points make a square a square
+
+struct YkFieldPoint {
+    size_t count;
+    uint64_t *value, *value_inverse, *unit, *unit_inverse; // [count]; one block, `value`
+    uint64_t number[YK_UNITS];                             // i, sqrt 2, sqrt 3 and their products
+};
+
+// splitmix64 (Steele et al. 2014), below p and not 0.
+static uint64_t random_value(uint64_t *seed)
+{
+    uint64_t z = (*seed += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (z ^ (z >> 31)) % (YK_PRIME - 1) + 1;
+}
+
+static void set_numbers(YkFieldPoint *point)
+{
+    static const uint64_t squares[] = {YK_PRIME - 1, 2, 3};
+    point->number[0] = 1;
+    for (unsigned bit = 0; bit < 3; bit++) {
+        uint64_t root = 0;
+        yk_field_sqrt(squares[bit], &root); // p - 1 is a multiple of 24: they exist
+        for (unsigned unit = 0; unit < 1u << bit; unit++)
+            point->number[unit | 1u << bit] = yk_field_multiply(point->number[unit], root);
+    }
+}
+
+void yk_field_point_set(YkFieldPoint *point, int32_t symbol, uint64_t value)
+{
+    if (symbol < 0 || (size_t)symbol >= point->count) return;
+    point->value[symbol] = value;
+    point->value_inverse[symbol] = yk_field_invert(value);
+}
+
+void yk_field_point_set_unit(YkFieldPoint *point, int32_t angle, uint64_t unit)
+{
+    if (angle < 0 || (size_t)angle >= point->count) return;
+    point->unit[angle] = unit;
+    point->unit_inverse[angle] = yk_field_invert(unit);
+}
+
+uint64_t yk_field_point_get(const YkFieldPoint *point, int32_t symbol)
+{
+    return symbol >= 0 && (size_t)symbol < point->count ? point->value[symbol] : 0;
+}
+
+// Random values for all symbols and roots for the roots; false where one of them has none here.
+static bool fill(const YkRing *ring, YkFieldPoint *point, uint64_t *seed)
+{
+    for (size_t i = 0; i < point->count; i++) {
+        const YkRingSymbol *symbol = &ring->symbols[i];
+        uint64_t value = random_value(seed);
+        if (symbol->square && !yk_field_sqrt(yk_ring_field(ring, symbol->square, point, false), &value)) return false;
+        yk_field_point_set(point, (int32_t)i, value);
+        if (symbol->is_angle) yk_field_point_set_unit(point, (int32_t)i, random_value(seed));
+    }
+    return true;
+}
+
+YkFieldPoint *yk_field_point_new(const YkRing *ring, uint64_t seed)
+{
+    YkFieldPoint *point = calloc(1, sizeof *point);
+    uint64_t *block = calloc(4 * ring->symbol_count + 1, sizeof *block);
+    if (!point || !block) {
+        free(point);
+        free(block);
+        return NULL;
+    }
+    size_t count = ring->symbol_count;
+    *point = (YkFieldPoint){count, block, block + count, block + 2 * count, block + 3 * count, {0}};
+    set_numbers(point);
+    for (int i = 0; i < TRIES; i++)
+        if (fill(ring, point, &seed)) return point;
+    yk_field_point_free(point);
+    return NULL;
+}
+
+void yk_field_point_free(YkFieldPoint *point)
+{
+    if (!point) return;
+    free(point->value);
+    free(point);
+}
+
+static uint64_t powers_value(const YkPowers *table, uint32_t item, const uint64_t *values, const uint64_t *inverses,
+                             size_t known)
+{
+    uint32_t count;
+    const YkPower *powers = yk_powers_of(table, item, &count);
+    uint64_t value = 1;
+    for (uint32_t i = 0; i < count; i++) {
+        int32_t exponent = powers[i].exponent;
+        if ((size_t)powers[i].symbol >= known) return 0;
+        const uint64_t *base = exponent < 0 ? inverses : values;
+        uint64_t power = base[powers[i].symbol];
+        if (exponent != 1 && exponent != -1) power = yk_field_power(power, (uint64_t)(exponent < 0 ? -(int64_t)exponent : exponent));
+        value = yk_field_multiply(value, power);
+    }
+    return value;
+}
+
+uint64_t yk_ring_field(const YkRing *ring, const YkPoisson *a, const YkFieldPoint *point, bool conjugate)
+{
+    uint64_t sum = 0, phase = 1;
+    const uint64_t *unit = conjugate ? point->unit_inverse : point->unit;
+    const uint64_t *inverse = conjugate ? point->unit : point->unit_inverse;
+    for (size_t i = 0; a && i < a->count; i++) {
+        uint64_t key = a->terms[i].key;
+        if (i == 0 || yk_key_phase(key) != yk_key_phase(a->terms[i - 1].key))
+            phase = powers_value(&ring->phases, yk_key_phase(key), unit, inverse, point->count);
+        uint64_t term = powers_value(&ring->monomials, yk_key_monomial(key), point->value, point->value_inverse, point->count);
+        term = yk_field_multiply(yk_field_multiply(term, phase), point->number[yk_key_unit(key)]);
+        term = yk_field_multiply(term, yk_field_of(a->terms[i].number));
+        bool negative = conjugate && (yk_key_unit(key) & YK_UNIT_I);
+        sum = negative ? yk_field_subtract(sum, term) : yk_field_add(sum, term);
+    }
+    return a && a->denominator != 1 ? yk_field_multiply(sum, yk_field_invert(yk_field_of(a->denominator))) : sum;
+}

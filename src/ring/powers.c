@@ -1,0 +1,156 @@
+#include "ring/powers.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+
+// A random odd number for each symbol (splitmix64; Steele et al. 2014).
+static uint64_t symbol_hash(int32_t symbol)
+{
+    uint64_t z = ((uint64_t)symbol + 1) * 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (z ^ (z >> 31)) | 1;
+}
+
+static size_t slot_start(const YkPowers *table, uint64_t hash)
+{
+    return (size_t)(hash ^ (hash >> 29)) & (table->slot_count - 1);
+}
+
+bool yk_powers_start(YkPowers *table)
+{
+    table->slot_count = 64;
+    table->slots = calloc(table->slot_count, sizeof *table->slots);
+    YkPowersFault fault;
+    return table->slots && yk_powers_enter(table, NULL, 0, 1, &fault) == 0;
+}
+
+void yk_powers_free(YkPowers *table)
+{
+    free(table->pool);
+    free(table->items);
+    free(table->slots);
+    free(table->scratch);
+    *table = (YkPowers){0};
+}
+
+const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, uint32_t *count)
+{
+    *count = table->items[item].count;
+    return *count > 0 ? table->pool + table->items[item].first : NULL;
+}
+
+int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol)
+{
+    uint32_t count;
+    const YkPower *powers = yk_powers_of(table, item, &count);
+    for (uint32_t i = 0; i < count && powers[i].symbol <= symbol; i++)
+        if (powers[i].symbol == symbol) return powers[i].exponent;
+    return 0;
+}
+
+static bool more_slots(YkPowers *table)
+{
+    size_t slot_count = 2 * table->slot_count;
+    uint32_t *slots = slot_count > table->slot_count ? calloc(slot_count, sizeof *slots) : NULL;
+    if (!slots) return false;
+    free(table->slots);
+    table->slots = slots;
+    table->slot_count = slot_count;
+    for (size_t i = 0; i < table->count; i++) {
+        size_t slot = slot_start(table, table->items[i].hash);
+        while (slots[slot] != 0) slot = (slot + 1) & (slot_count - 1);
+        slots[slot] = (uint32_t)i + 1;
+    }
+    return true;
+}
+
+static bool more_pool(YkPowers *table, size_t wanted)
+{
+    while (table->pool_capacity - table->pool_count < wanted)
+        if (!yk_grow((void **)&table->pool, table->pool_capacity, &table->pool_capacity, sizeof *table->pool)) return false;
+    return true;
+}
+
+static uint32_t add_item(YkPowers *table, const YkPower *powers, size_t count, uint64_t hash, uint32_t limit,
+                         YkPowersFault *fault)
+{
+    *fault = table->count >= limit ? YK_POWERS_TOO_LARGE : YK_POWERS_MEMORY;
+    if (table->count >= limit || (2 * (table->count + 1) > table->slot_count && !more_slots(table)) ||
+        !more_pool(table, count) || !YK_ROOM(table->items, table->count, table->capacity))
+        return YK_NO_PRODUCT;
+    *fault = YK_POWERS_FINE;
+    if (count > 0) memcpy(table->pool + table->pool_count, powers, count * sizeof *powers);
+    table->items[table->count] = (YkProductOfPowers){hash, table->pool_count, (uint32_t)count};
+    table->pool_count += count;
+    size_t slot = slot_start(table, hash);
+    while (table->slots[slot] != 0) slot = (slot + 1) & (table->slot_count - 1);
+    table->slots[slot] = (uint32_t)table->count + 1;
+    return (uint32_t)table->count++;
+}
+
+// The item of these powers, whose hash is known; entered where it is new.
+static uint32_t find_or_add(YkPowers *table, const YkPower *powers, size_t count, uint64_t hash, uint32_t limit,
+                            YkPowersFault *fault)
+{
+    size_t slot = slot_start(table, hash);
+    for (; table->slots[slot] != 0; slot = (slot + 1) & (table->slot_count - 1)) {
+        const YkProductOfPowers *item = &table->items[table->slots[slot] - 1];
+        if (item->hash != hash || item->count != count) continue;
+        if (count > 0 && memcmp(table->pool + item->first, powers, count * sizeof *powers) != 0) continue;
+        *fault = YK_POWERS_FINE;
+        return table->slots[slot] - 1;
+    }
+    return add_item(table, powers, count, hash, limit, fault);
+}
+
+uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault)
+{
+    uint64_t hash = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (powers[i].exponent > YK_POWER_MAX || powers[i].exponent < -YK_POWER_MAX) {
+            *fault = YK_POWERS_TOO_LARGE;
+            return YK_NO_PRODUCT;
+        }
+        hash += (uint64_t)(int64_t)powers[i].exponent * symbol_hash(powers[i].symbol);
+    }
+    return find_or_add(table, powers, count, hash, limit, fault);
+}
+
+// Merges a * b^times into out, which has room for all; returns the count, or SIZE_MAX when an exponent is too large.
+static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b_count, int32_t times, YkPower *out)
+{
+    size_t i = 0, k = 0, count = 0;
+    while (i < a_count || k < b_count) {
+        bool from_a = i < a_count && (k == b_count || a[i].symbol <= b[k].symbol);
+        bool from_b = k < b_count && (i == a_count || b[k].symbol <= a[i].symbol);
+        int32_t symbol = from_a ? a[i].symbol : b[k].symbol;
+        int64_t exponent = 0;
+        if (from_a) exponent += a[i++].exponent;
+        if (from_b) exponent += (int64_t)times * b[k++].exponent;
+        if (exponent > YK_POWER_MAX || exponent < -YK_POWER_MAX) return SIZE_MAX;
+        if (exponent != 0) out[count++] = (YkPower){symbol, (int32_t)exponent};
+    }
+    return count;
+}
+
+uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit, YkPowersFault *fault)
+{
+    *fault = YK_POWERS_FINE;
+    if (b == 0 || times == 0) return a;
+    if (a == 0 && times == 1) return b;
+    const YkProductOfPowers *left = &table->items[a], *right = &table->items[b];
+    while (table->scratch_capacity < (size_t)left->count + right->count)
+        if (!yk_grow((void **)&table->scratch, table->scratch_capacity, &table->scratch_capacity, sizeof *table->scratch)) {
+            *fault = YK_POWERS_MEMORY;
+            return YK_NO_PRODUCT;
+        }
+    size_t count = merge(left->count ? table->pool + left->first : NULL, left->count,
+                         right->count ? table->pool + right->first : NULL, right->count, times, table->scratch);
+    if (count == SIZE_MAX) {
+        *fault = YK_POWERS_TOO_LARGE;
+        return YK_NO_PRODUCT;
+    }
+    uint64_t hash = left->hash + (uint64_t)(int64_t)times * right->hash;
+    return find_or_add(table, table->scratch, count, hash, limit, fault);
+}

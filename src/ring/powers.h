@@ -1,0 +1,44 @@
+// Products of whole powers, each kept once and known by a number: monomials and phases.
+// A product's hash is the sum of exponent * hash of the symbol, so the hash of a product of two is the sum of theirs.
+#ifndef RING_POWERS_H
+#define RING_POWERS_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct YkPower {
+    int32_t symbol, exponent; // exponent != 0
+} YkPower;
+
+typedef struct YkProductOfPowers {
+    uint64_t hash;
+    size_t first;   // index of its first power in the pool; powers ascend by symbol
+    uint32_t count;
+} YkProductOfPowers;
+
+typedef struct YkPowers {
+    YkPower *pool;
+    size_t pool_count, pool_capacity;
+    YkProductOfPowers *items; // item 0 is the empty product, 1
+    size_t count, capacity;
+    uint32_t *slots; // item + 1, 0 is free; open addressing
+    size_t slot_count;
+    YkPower *scratch;
+    size_t scratch_capacity;
+} YkPowers;
+
+enum { YK_POWER_MAX = 1000000 };
+#define YK_NO_PRODUCT UINT32_MAX
+
+typedef enum YkPowersFault { YK_POWERS_FINE, YK_POWERS_MEMORY, YK_POWERS_TOO_LARGE } YkPowersFault;
+
+bool yk_powers_start(YkPowers *table); // of a zeroed table; false when out of memory
+void yk_powers_free(YkPowers *table);
+const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, uint32_t *count); // until the next new product
+int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol);   // 0 where it does not occur
+// The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
+uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
+// a * b^times, times = 1 or -1 (or any other small power).
+uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit, YkPowersFault *fault);
+
+#endif

@@ -1,0 +1,108 @@
+// Products, powers and quotients.
+#include "ring/inside.h"
+
+enum { WORK_PER_TERM = 64 }; // products of terms allowed for each term of the ring's limit
+
+// The denominator of a * b, and the factor by which products of numbers shrink: common divisors of one's numbers and the
+// other's denominator cancel before anything is multiplied.
+typedef struct Cancelled {
+    int64_t a_divisor, b_divisor, denominator;
+} Cancelled;
+
+static int64_t divisor_of_numbers(const YkPoisson *a, int64_t denominator)
+{
+    uint64_t divisor = (uint64_t)denominator;
+    for (size_t i = 0; i < a->count && divisor != 1; i++) divisor = yk_gcd(yk_magnitude(a->terms[i].number), divisor);
+    return (int64_t)divisor;
+}
+
+static bool cancel(const YkPoisson *a, const YkPoisson *b, Cancelled *cancelled)
+{
+    cancelled->a_divisor = divisor_of_numbers(a, b->denominator);
+    cancelled->b_divisor = divisor_of_numbers(b, a->denominator);
+    return yk_exact_multiply(a->denominator / cancelled->b_divisor, b->denominator / cancelled->a_divisor,
+                             &cancelled->denominator);
+}
+
+const YkPoisson *yk_ring_multiply(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
+{
+    Cancelled cancelled;
+    if (!a || !b) return NULL;
+    if (a->count == 0 || b->count == 0) return ring->zero;
+    if (yk_ring_is_same(a, ring->one)) return b;
+    if (yk_ring_is_same(b, ring->one)) return a;
+    if (a->count > ring->limit * WORK_PER_TERM / b->count) return yk_ring_fail(ring, YK_RING_SIZE);
+    if (!cancel(a, b, &cancelled)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    yk_gather_begin(ring, cancelled.denominator);
+    for (size_t i = 0; i < a->count; i++) {
+        const YkRingTerm left = {a->terms[i].key, a->terms[i].number / cancelled.a_divisor};
+        for (size_t k = 0; k < b->count; k++) {
+            const YkRingTerm right = {b->terms[k].key, b->terms[k].number / cancelled.b_divisor};
+            if (!yk_gather_add_product(ring, &left, &right, 1)) return yk_gather_end(ring);
+        }
+    }
+    return yk_gather_end(ring);
+}
+
+const YkPoisson *yk_ring_product(YkRing *ring, const YkPoisson *const *parts, size_t count)
+{
+    const YkPoisson *product = ring->one;
+    for (size_t i = 0; i < count; i++) product = yk_ring_multiply(ring, product, parts[i]);
+    return product;
+}
+
+// The conjugate that turns one of i, sqrt 2, sqrt 3 into its negative and leaves the rest, phases included.
+static const YkPoisson *flip(YkRing *ring, const YkPoisson *a, unsigned unit)
+{
+    if (!a || !yk_gather_room(ring, a->count)) return NULL;
+    YkRingTerm *out = ring->gather.terms;
+    for (size_t i = 0; i < a->count; i++) {
+        bool negative = (yk_key_unit(a->terms[i].key) & unit) != 0;
+        out[i] = (YkRingTerm){a->terms[i].key, negative ? -a->terms[i].number : a->terms[i].number};
+    }
+    return yk_poisson_make(ring, out, a->count, a->denominator);
+}
+
+static bool is_single(const YkPoisson *a)
+{
+    for (size_t i = 1; i < a->count; i++)
+        if (a->terms[i].key >> YK_UNIT_BITS != a->terms[0].key >> YK_UNIT_BITS) return false;
+    return a->count > 0;
+}
+
+// 1 / a for a single term. Multiplying by conjugates makes the coefficient rational.
+static const YkPoisson *reciprocal(YkRing *ring, const YkPoisson *a)
+{
+    if (!a) return NULL;
+    if (!is_single(a)) return yk_ring_fail(ring, YK_RING_DIVISOR);
+    uint32_t monomial = yk_ring_monomial(ring, 0, yk_key_monomial(a->terms[0].key), -1);
+    uint32_t phase = yk_ring_phase(ring, 0, yk_key_phase(a->terms[0].key), -1);
+    if (monomial == YK_NO_PRODUCT || phase == YK_NO_PRODUCT) return NULL;
+    const YkPoisson *inverse = yk_poisson_term(ring, yk_key(phase, monomial, 0), 1, 1);
+    const YkPoisson *number = yk_ring_multiply(ring, a, inverse);
+    for (unsigned unit = YK_UNIT_I; unit <= YK_UNIT_SQRT3; unit *= 2) {
+        const YkPoisson *flipped = flip(ring, number, unit);
+        if (yk_ring_is_same(flipped, number)) continue;
+        inverse = yk_ring_multiply(ring, inverse, flipped);
+        number = yk_ring_multiply(ring, number, flipped);
+    }
+    return number ? yk_ring_scale(ring, inverse, number->denominator, number->terms[0].number) : NULL;
+}
+
+const YkPoisson *yk_ring_divide(YkRing *ring, const YkPoisson *a, const YkPoisson *term)
+{
+    return yk_ring_multiply(ring, a, reciprocal(ring, term));
+}
+
+const YkPoisson *yk_ring_power(YkRing *ring, const YkPoisson *a, int32_t exponent)
+{
+    if (!a) return NULL;
+    if (exponent > YK_POWER_MAX || exponent < -YK_POWER_MAX) return yk_ring_fail(ring, YK_RING_POWER);
+    const YkPoisson *base = exponent < 0 ? reciprocal(ring, a) : a, *power = ring->one;
+    for (uint32_t rest = (uint32_t)(exponent < 0 ? -exponent : exponent); rest > 0; rest /= 2) {
+        if (rest & 1) power = yk_ring_multiply(ring, power, base);
+        if (rest > 1) base = yk_ring_multiply(ring, base, base);
+        if (!power || !base) return NULL;
+    }
+    return power;
+}

@@ -1,0 +1,141 @@
+// Reactions, efforts and sums: every body balances, power is the rate of energy, the frame carries what the machine needs.
+#include "rig.h"
+
+static void every_body_balances(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 11;
+    for (size_t k = 0; k < RIG_EXAMPLES; k++) {
+        Rig rig = rig_of_example(rig_examples[k]);
+        for (int way = 0; way < 2; way++) {
+            if (!rig_shake(&rig, &seed)) continue;
+            assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)way) >= 0);
+            for (size_t b = 1; b < rig.model->body_count; b++)
+                assert_true(yk_dynamics_balance(rig.dynamics, b).residual <= 1e-11);
+        }
+        rig_free(&rig);
+    }
+}
+
+// What the machine exerts on its frame is the weight less the momentum's rate, external forces aside.
+static void the_frame_carries_weight_less_inertia(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 12;
+    Rig rig = rig_of_example("toggle");
+    assert_true(rig_shake(&rig, &seed));
+    assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+    double sum[2] = {0, 0};
+    for (size_t b = 1; b < rig.model->body_count; b++) {
+        const YkBody *body = &rig.model->bodies[b];
+        YkBodyMotion m = yk_body_motion(rig.mech, &rig.state->space, b);
+        sum[0] += body->mass * (rig.model->gravity.x - m.acceleration.x);
+        sum[1] += body->mass * (rig.model->gravity.y - m.acceleration.y);
+    }
+    YkWrench shaking = yk_dynamics_shaking(rig.dynamics);
+    for (int axis = 0; axis < 2; axis++) CHECK_NEAR(shaking.force[axis], sum[axis], 1e-11 * rig.dynamics->largest_force);
+    rig_free(&rig);
+}
+
+static double energy_after(Rig *rig, double dt)
+{
+    YkMotion kept[16];
+    for (size_t i = 0; i < rig->mech->input_count; i++) {
+        YkMotion m = kept[i] = yk_state_input(rig->state, i);
+        m.position += dt * (m.velocity + 0.5 * dt * m.acceleration);
+        m.velocity += dt * m.acceleration;
+        yk_state_set_input(rig->state, i, m);
+    }
+    assert_true(yk_state_solve(rig->state) >= 0);
+    YkEnergy e = yk_dynamics_energy_at(rig->dynamics, rig->state);
+    for (size_t i = 0; i < rig->mech->input_count; i++) yk_state_set_input(rig->state, i, kept[i]);
+    return e.kinetic + e.potential;
+}
+
+// Inverse dynamics by the power balance: sum of effort times rate is the rate of kinetic and potential energy, less what the
+// other loads deliver.
+static void efforts_balance_power(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 13;
+    for (size_t k = 0; k < RIG_EXAMPLES; k++) {
+        Rig rig = rig_of_example(rig_examples[k]);
+        for (size_t i = 0; i < rig.mech->input_count; i++) yk_dynamics_prescribe(rig.dynamics, i, true);
+        if (rig.mech->input_count <= 16 && rig_shake(&rig, &seed)) {
+            double h = 1e-4, slope = 0;
+            static const double weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12};
+            for (int p = 0; p < 4; p++) slope += weight[p] / h * energy_after(&rig, (p < 2 ? p - 2 : p - 1) * h);
+            assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+            double power = 0, size = fabs(slope);
+            for (size_t i = 0; i < rig.mech->input_count; i++) {
+                power += rig.dynamics->drive[i] * yk_state_input(rig.state, i).velocity;
+                size += fabs(rig.dynamics->drive[i] * yk_state_input(rig.state, i).velocity);
+            }
+            for (size_t n = 0; n < rig.dynamics->loads->item_count; n++) power += rig.dynamics->power[n];
+            CHECK_NEAR(power, slope, 1e-7 * size);
+        }
+        rig_free(&rig);
+    }
+}
+
+// Forward dynamics, then the accelerations found prescribed: no drive has anything to do.
+static void inverse_undoes_forward(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 14;
+    for (size_t k = 0; k < RIG_EXAMPLES; k++) {
+        Rig rig = rig_of_example(rig_examples[k]);
+        if (rig_shake(&rig, &seed)) {
+            assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+            bool was_free[64];
+            for (size_t i = 0; i < rig.mech->input_count; i++) {
+                was_free[i] = !yk_dynamics_is_prescribed(rig.dynamics, i);
+                yk_dynamics_prescribe(rig.dynamics, i, true);
+            }
+            assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+            for (size_t i = 0; i < rig.mech->input_count; i++)
+                if (was_free[i]) CHECK_NEAR(rig.dynamics->drive[i], 0, 1e-10 * fmax(1, rig.dynamics->largest_force));
+        }
+        rig_free(&rig);
+    }
+}
+
+static void a_hanging_weight_pulls_its_pin(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text("gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}, mass: 2, center: [0, -1]}\n"
+                          "joints:\n  O: {pin: [ground, bob], angle: x}\n");
+    assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+    YkReaction r = yk_dynamics_reaction(rig.dynamics, 0);
+    CHECK_NEAR(r.force[0], 0, 1e-13);
+    CHECK_NEAR(r.force[1], 20, 1e-12);
+    YkWrench frame = yk_dynamics_shaking(rig.dynamics);
+    CHECK_NEAR(frame.force[1], -20, 1e-12);
+    CHECK_NEAR(yk_dynamics_energy(rig.dynamics).potential, -20, 1e-12);
+    CHECK_NEAR(yk_dynamics_channel(rig.dynamics, rig.state, rig_channel(rig.mech, "O.force")), 20, 1e-12);
+    rig_free(&rig);
+}
+
+static void the_toggle_has_twenty_equations(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_example("toggle");
+    YkEquationCount c = yk_dynamics_count(rig.dynamics);
+    assert_int_equal(c.force, 12);
+    assert_int_equal(c.moment, 4);
+    assert_int_equal(c.acceleration, 4);
+    assert_int_equal(c.unknown_reactions, 15);
+    assert_int_equal(c.unknown_accelerations, 5);
+    assert_int_equal(c.unknown_efforts, 0);
+    rig_free(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_body_balances),         cmocka_unit_test(the_frame_carries_weight_less_inertia),
+        cmocka_unit_test(efforts_balance_power),       cmocka_unit_test(inverse_undoes_forward),
+        cmocka_unit_test(a_hanging_weight_pulls_its_pin), cmocka_unit_test(the_toggle_has_twenty_equations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
