@@ -230,6 +230,20 @@ static void add_steps(Order *o)
 // --- bodies
 // ------------------------------------------------------------------------------------------------------------
 
+// The reference point from the origin: joins the piece of the body's own orientation where the origin has one.
+static bool add_reference(Order *o, YkTerm term, uint32_t first)
+{
+    YkElimination *e = o->e;
+    if (term.slot == 0 || (term.v.x == 0 && term.v.y == 0)) return true;
+    for (size_t k = first; k < e->piece_count; k++) {
+        YkPiece *piece = &e->pieces[k];
+        if (piece->slot != term.slot || piece->distance != YK_NONE) continue;
+        piece->v = yk_add(piece->v, term.v);
+        return true;
+    }
+    return yk_gradient_add_term(e, &o->columns, term, 0, YK_NONE, 0);
+}
+
 static void add_element(Order *o, int32_t body)
 {
     YkElimination *e = o->e;
@@ -240,8 +254,7 @@ static void add_element(Order *o, int32_t body)
     YkTerm reference = yk_body_term(o->mech, body, b->mass > 0 ? b->center : yk_vec(0, 0));
     if (!yk_gradient_add_sum(e, &o->columns, &placing->origin, 0, YK_NONE, 0)) o->failed = true;
     element.rotation = yk_column(&o->columns, yk_unknown_of_slot(placing->orientation));
-    bool is_turned = placing->orientation != 0 && (reference.v.x != 0 || reference.v.y != 0);
-    if (is_turned && !yk_gradient_add_term(e, &o->columns, reference, 0, YK_NONE, 0)) o->failed = true;
+    if (!add_reference(o, reference, element.gradient.first_piece)) o->failed = true;
     yk_gradient_end(e, &o->columns, &element.gradient);
     if (o->columns.count == 0) return; // it never moves
     o->element_first[e->element_count] = (uint32_t)o->element_column_count;

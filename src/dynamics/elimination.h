@@ -16,6 +16,7 @@ typedef struct YkPiece {
     int32_t root, slot, distance; // slots 0: none
     int32_t turn[2], along;       // columns, or YK_NONE
     int32_t row;                  // loop of a group; 0 otherwise
+    int32_t unit;                 // in a plain gradient: root or slot, whichever there is
     YkVec v;
 } YkPiece;
 
@@ -24,6 +25,7 @@ typedef struct YkGradient {
     uint32_t first_piece, piece_count;
     uint32_t first_node, node_count; // in `nodes`
     uint32_t columns;                // how many; of an operation: its own unknowns first
+    bool is_plain;                   // one turned vector a column, in their order: no nodes, distances or inner turns
 } YkGradient;
 
 typedef struct YkNodePart { // +node or -node; columns `column`, `column` + 1

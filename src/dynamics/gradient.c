@@ -19,11 +19,39 @@ YkGradient yk_gradient_begin(const YkElimination *e)
     return (YkGradient){.first_piece = (uint32_t)e->piece_count, .first_node = (uint32_t)e->node_count};
 }
 
-void yk_gradient_end(const YkElimination *e, const YkColumns *columns, YkGradient *gradient)
+static int32_t only_column(const YkPiece *piece)
+{
+    bool one = (piece->turn[0] == YK_NONE) != (piece->turn[1] == YK_NONE) && (piece->root == 0) != (piece->slot == 0);
+    if (!one || piece->distance != YK_NONE) return YK_NONE;
+    return piece->turn[0] == YK_NONE ? piece->turn[1] : piece->turn[0];
+}
+
+// Every piece has a column to itself: they are put in its order.
+static bool make_plain(YkPiece *pieces, uint32_t count)
+{
+    for (uint32_t k = 0; k < count; k++)
+        if (only_column(&pieces[k]) == YK_NONE) return false;
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t at = (uint32_t)only_column(&pieces[k]);
+        while (at != k && at < count) { // to its place, and the one found there next
+            YkPiece other = pieces[at];
+            if (only_column(&other) == (int32_t)at) return false; // two pieces for one column
+            pieces[at] = pieces[k];
+            pieces[k] = other;
+            at = (uint32_t)only_column(&pieces[k]);
+        }
+    }
+    for (uint32_t k = 0; k < count; k++) pieces[k].unit = pieces[k].root ? pieces[k].root : pieces[k].slot;
+    return true;
+}
+
+void yk_gradient_end(YkElimination *e, const YkColumns *columns, YkGradient *gradient)
 {
     gradient->piece_count = (uint32_t)e->piece_count - gradient->first_piece;
     gradient->node_count = (uint32_t)e->node_count - gradient->first_node;
     gradient->columns = (uint32_t)columns->count;
+    gradient->is_plain = gradient->node_count == 0 && gradient->piece_count == gradient->columns &&
+                         make_plain(e->pieces + gradient->first_piece, gradient->piece_count);
 }
 
 bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int32_t root, int32_t root_column,

@@ -43,10 +43,15 @@ void yk_reduced_free(YkReduced *r)
 // --- gradients
 // ----------------------------------------------------------------------------------------------------------
 
-static inline YkVec unit_of(const YkSpace *space, int32_t slot)
+// Lanes of one pose stand side by side: cos, sin, rate, acceleration.
+static inline const double *turn_of(const YkSpace *space, int32_t slot)
 {
-    YkTurn t = yk_space_turn(space, slot);
-    return yk_vec(t.c[0], t.s[0]);
+    return space->data + 4 * slot;
+}
+
+static inline YkVec turned(const double *turn, YkVec v)
+{
+    return yk_vec(turn[0] * v.x - turn[1] * v.y, turn[0] * v.y + turn[1] * v.x);
 }
 
 static inline void add_to(YkVec *columns, int32_t column, double k, YkVec v)
@@ -58,8 +63,8 @@ static inline void add_to(YkVec *columns, int32_t column, double k, YkVec v)
 
 static inline void add_piece(const YkSpace *space, const YkPiece *piece, YkVec *columns)
 {
-    YkVec u = piece->slot ? yk_mul(unit_of(space, piece->slot), piece->v) : piece->v;
-    if (piece->root) u = yk_mul(unit_of(space, piece->root), u);
+    YkVec u = piece->slot ? turned(turn_of(space, piece->slot), piece->v) : piece->v;
+    if (piece->root) u = turned(turn_of(space, piece->root), u);
     YkVec iu = yk_quarter(u);
     double d = 1;
     if (piece->distance != YK_NONE) {
@@ -81,6 +86,12 @@ static inline void add_nodes(const YkElimination *e, const YkGradient *gradient,
 
 static inline void find_gradient(YkReduced *r, const YkSpace *space, const YkGradient *gradient)
 {
+    if (gradient->is_plain) {
+        const YkPiece *piece = &r->e->pieces[gradient->first_piece];
+        for (uint32_t k = 0; k < gradient->columns; k++)
+            r->column[k] = yk_quarter(turned(turn_of(space, piece[k].unit), piece[k].v));
+        return;
+    }
     for (uint32_t k = 0; k < gradient->columns; k++) r->column[k] = yk_vec(0, 0);
     add_nodes(r->e, gradient, r->column);
     for (uint32_t k = 0; k < gradient->piece_count; k++) add_piece(space, &r->e->pieces[gradient->first_piece + k], r->column);
@@ -93,6 +104,18 @@ static inline void find_gradient(YkReduced *r, const YkSpace *space, const YkGra
 static inline YkVec find_acceleration(YkReduced *r, const YkSpace *space, const YkGradient *gradient)
 {
     YkVec sum = {0, 0};
+    if (gradient->is_plain) {
+        const YkPiece *piece = &r->e->pieces[gradient->first_piece];
+        for (uint32_t k = 0; k < gradient->columns; k++) {
+            const double *t = turn_of(space, piece[k].unit);
+            YkVec u = turned(t, piece[k].v), iu = yk_quarter(u);
+            double w2 = t[2] * t[2];
+            r->column[k] = iu;
+            sum.x += t[3] * iu.x - w2 * u.x;
+            sum.y += t[3] * iu.y - w2 * u.y;
+        }
+        return sum;
+    }
     for (uint32_t k = 0; k < gradient->columns; k++) r->column[k] = yk_vec(0, 0);
     for (uint32_t k = 0; k < gradient->node_count; k++) {
         const YkNodePart *part = &r->e->nodes[gradient->first_node + k];
@@ -106,10 +129,10 @@ static inline YkVec find_acceleration(YkReduced *r, const YkSpace *space, const 
         YkVec u = piece->v;
         double w = 0, a = 0;
         if (piece->slot) {
-            YkTurn t = yk_space_turn(space, piece->slot);
-            u = yk_mul(yk_vec(t.c[0], t.s[0]), u);
-            w = t.w[0];
-            a = t.a[0];
+            const double *t = turn_of(space, piece->slot);
+            u = turned(t, u);
+            w = t[2];
+            a = t[3];
         }
         YkVec iu = yk_quarter(u);
         double along = -w * w, across = a, d = 1;

@@ -100,14 +100,23 @@ YkShow *yk_show_term(YkSheet *sheet, YkRatio number, uint32_t monomial, const Yk
     return product;
 }
 
+uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase)
+{
+    uint32_t count, constant = 0;
+    const YkPower *powers = yk_powers_of(&ring->phases, phase, &count);
+    for (uint32_t i = 0; i < count; i++) constant += ring->symbols[powers[i].symbol].pi_over > 0;
+    return constant;
+}
+
 bool yk_angle_shown(const YkSheet *sheet, const YkAtom *atom, uint32_t k, YkAngleShown *shown)
 {
     uint32_t count;
     const YkPower *powers = yk_powers_of(&sheet->ring->phases, atom->phase, &count);
     if (k < count) {
         int64_t exponent = powers[k].exponent, pi_over = sheet->ring->symbols[powers[k].symbol].pi_over;
-        // 3 pi_7 is shown as 3 pi/7, which reads back so; 7 pi_7 as it is, since 7 pi/7 would read as pi.
-        bool is_pi = pi_over > 0 && sheet->format != YK_RING_C && yk_gcd(yk_magnitude(exponent), (uint64_t)pi_over) == 1;
+        // 3 pi_7 is shown as 3 pi/7, which reads back so; 7 pi_7 as it is, since 7 pi/7 would read as pi, and pi_5 + pi_7, too.
+        bool is_pi = pi_over > 0 && sheet->format != YK_RING_C && yk_gcd(yk_magnitude(exponent), (uint64_t)pi_over) == 1 &&
+                     yk_constant_angles(sheet->ring, atom->phase) == 1;
         *shown = (YkAngleShown){exponent < 0, exponent < 0 ? -exponent : exponent, is_pi ? -1 : powers[k].symbol, pi_over};
         return true;
     }

@@ -106,7 +106,7 @@ typedef struct YkAngleShown {
     int32_t symbol;  // an angle, or -1 for pi / pi_over
     int64_t pi_over;
 } YkAngleShown;
-enum { YK_ANGLES_SHOWN_MAX = 64 };
+uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase); // how many, such as pi_7
 // The k-th term of the angle, false after the last.
 bool yk_angle_shown(const YkSheet *sheet, const YkAtom *atom, uint32_t k, YkAngleShown *shown);
 

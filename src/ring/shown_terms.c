@@ -62,6 +62,7 @@ static void put(Writer *writer, uint32_t monomial, int64_t number, int64_t divis
 static bool put_turned(Writer *writer, const Cluster *cluster)
 {
     if (writer->sheet->format == YK_RING_C || cluster->phase == 0) return false;
+    if (yk_constant_angles(writer->sheet->ring, cluster->phase) > 0) return false; // pi/7 + pi/12 would read as one angle
     for (int k = 1; k < 12; k++) {
         int64_t number, divisor;
         if (k == 6 || !is_turned(cluster, k, &number, &divisor)) continue;
