@@ -19,6 +19,7 @@ extern "C" {
 #include <yoke/simulation.h>
 #include <yoke/rest.h>
 #include <yoke/design.h>
+#include <yoke/cam.h>
 #include <yoke/draw.h>
 
 YK_API const char *yk_version(void); // "0.1.0"

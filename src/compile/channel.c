@@ -44,8 +44,10 @@ static int find_block(const YkMechanism *mech, const char *label)
     return -1;
 }
 
-static bool parse_point(const YkMechanism *mech, char *name, int order, YkChannel *channel)
+static bool parse_point(const YkMechanism *mech, const char *asked, int order, YkChannel *channel)
 {
+    char name[NAME_MAX];
+    strcpy(name, asked); // cut below
     if (cut_suffix(name, ".x"))
         return set(channel, YK_CHANNEL_POINT_X, yk_names_find(&mech->model->point_names, name), order, true);
     if (cut_suffix(name, ".y"))
@@ -85,8 +87,10 @@ static bool parse_whole(const char *name, YkChannel *channel)
 }
 
 // Of a joint or along a coordinate.
-static bool parse_force(const YkMechanism *mech, char *name, YkChannel *channel)
+static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *channel)
 {
+    char name[NAME_MAX];
+    strcpy(name, asked); // cut below
     static const struct {
         const char *suffix;
         YkChannelKind kind;

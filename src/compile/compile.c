@@ -4,6 +4,7 @@
 #include "compile/closure.h"
 #include "compile/inputs.h"
 #include "compile/plan.h"
+#include "compile/relations.h"
 
 YkCompileOptions yk_default_compile_options(void)
 {
@@ -20,6 +21,8 @@ void yk_mechanism_free(YkMechanism *mech)
     free(mech->group_loops);
     free(mech->terms);
     free(mech->redundant);
+    free(mech->relation_terms);
+    free(mech->sources);
     yk_arena_free(mech->arena);
     free(mech);
 }
@@ -31,7 +34,7 @@ static bool build(YkMechanism *mech, const YkCompileOptions *options, YkProblems
     if (!YK_ROOM(mech->terms, 0, mech->term_capacity)) return false; // never NULL: sums may be empty
     if (!mech->arena || !yk_incidence_build(&incidence, mech->arena, mech->model)) return false;
     if (!yk_topology_orientations(mech, &incidence, problems)) return false;
-    if (!yk_topology_tree(mech, &incidence, problems)) return false;
+    if (!yk_topology_tree(mech, &incidence, problems) || !yk_relations_build(mech)) return false;
     mech->group_root = YK_NEW(mech->arena, int32_t, mech->orientation_count);
     mech->relative_slot = YK_NEW(mech->arena, int32_t, mech->orientation_count);
     mech->inputs = YK_NEW(mech->arena, int32_t, mech->coordinate_count + 1);

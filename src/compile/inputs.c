@@ -56,7 +56,8 @@ static bool accept_by_structure(Choice *c)
 {
     YkMechanism *mech = c->mech;
     size_t o = mech->orientation_count, columns = o + mech->distance_count, rows = 2 * mech->loop_count + c->count;
-    size_t entries = 2 * c->count, most = 1;
+    size_t entries = 2 * c->count + mech->relation_term_count, most = mech->relation_term_count + 1;
+    rows += mech->relation_count;
     for (size_t l = 0; l < mech->loop_count; l++) {
         entries += 4 * (size_t)mech->loops[l].sum.count;
         if (mech->loops[l].sum.count > most) most = mech->loops[l].sum.count;
@@ -74,6 +75,15 @@ static bool accept_by_structure(Choice *c)
             if (t.distance != YK_NONE) row[n++] = (int32_t)o + t.distance;
         }
         for (int twice = 0; twice < 2; twice++) matched += yk_matching_add(&m, row, n, true);
+    }
+    for (size_t r = 0; r < mech->relation_count; r++) {
+        const YkRelation *relation = &mech->relations[r];
+        size_t n = 0; // its terms and its law's arguments stand together
+        for (uint32_t k = 0; k < relation->term_count + relation->argument_count; k++) {
+            const YkRelationTerm *t = &mech->relation_terms[relation->first_term + k];
+            row[n++] = t->is_distance ? (int32_t)o + t->index : t->index;
+        }
+        matched += yk_matching_add(&m, row, n, true);
     }
     size_t freedom = columns - 1 - matched; // column 0 is the ground's orientation
     for (size_t k = 0; k < c->count && freedom > 0; k++) {
@@ -161,12 +171,15 @@ static bool report_overdriven(Choice *c)
     return ok;
 }
 
-static bool plan(Choice *c, size_t *missing)
+static bool plan(Choice *c, size_t *missing, const YkRelation **unsolved)
 {
     YkPlan p;
     YkArena *scratch = yk_arena_new();
     bool ok = scratch && yk_plan_make(&p, c->mech, c->incidence, scratch);
-    if (ok) *missing = p.missing;
+    if (ok) {
+        *missing = p.missing;
+        *unsolved = p.unsolved;
+    }
     if (scratch) yk_plan_end(&p);
     yk_arena_free(scratch);
     return ok;
@@ -176,15 +189,24 @@ static bool choose(Choice *c, const YkCompileOptions *options)
 {
     YkMechanism *mech = c->mech;
     size_t missing = 0;
+    const YkRelation *unsolved = NULL;
     if (!propose_all(c, options) || !accept_by_structure(c)) return false;
     take_accepted(c);
-    if (!plan(c, &missing)) return false;
-    if (mech->has_groups || missing > 0) { // twice at most: structure, then rank
+    if (!plan(c, &missing, &unsolved)) return false;
+    if (mech->relation_count == 0 && (mech->has_groups || missing > 0)) { // twice at most: structure, then rank
         if (!accept_by_rank(c)) return false;
         take_accepted(c);
-        if (!plan(c, &missing)) return false;
+        if (!plan(c, &missing, &unsolved)) return false;
     }
     bool ok = report_overdriven(c);
+    if (unsolved && ok) {
+        yk_problem(c->problems, YK_CODE_RELATION_IN_LOOP, (YkPlace){0},
+                   "%q ties angles or distances that loops determine together with it; this version solves a gear or cam only "
+                   "where one side of it is known before the other",
+                   unsolved->name);
+        yk_problem_hint(c->problems, "drive, or list first under `start:`, a coordinate that the gear or cam ties");
+        return false;
+    }
     if (missing > 0)
         yk_problem(c->problems, YK_CODE_UNDETERMINED, (YkPlace){0},
                    "%z unknowns of the machine are determined by no loop and no input", missing);

@@ -60,12 +60,47 @@ typedef struct YkLoop { // of the spanning tree: first body's point minus the se
     YkSum sum; // slots are orientations; all distances included; no nodes
 } YkLoop;
 
+// A relation: a gear, rack, belt, cam or law ties angles of bodies and distances:
+// sum of factor * x - law(sum of factor * argument) = constant. Angles are those of orientations (absolute).
+typedef struct YkRelationTerm {
+    bool is_distance;
+    int32_t index; // orientation or distance
+    double factor;
+} YkRelationTerm;
+
+typedef enum YkRelationKind { YK_RELATION_GEAR, YK_RELATION_RACK, YK_RELATION_BELT, YK_RELATION_CAM, YK_RELATION_LAW } YkRelationKind;
+
+// Where a solved relation takes a value from: an input, an orientation that loops place (its angle nearest to a
+// reference, kept in the state), or a distance.
+typedef enum YkSourceKind { YK_SOURCE_INPUT, YK_SOURCE_SLOT, YK_SOURCE_DISTANCE } YkSourceKind;
+typedef struct YkSource {
+    YkSourceKind kind;
+    int32_t index, reference;
+    double factor;
+} YkSource;
+
+typedef struct YkRelation {
+    YkRelationKind kind;
+    int32_t index; // of the model's gear, rack, belt, cam or drive
+    const char *name;
+    uint32_t first_term, term_count; // in relation_terms
+    uint32_t first_argument, argument_count;
+    const YkLaw *law;    // NULL: none
+    double constant, argument_constant;
+    // solved for a target: value = offset + sources (+ law(argument_offset + argument sources))
+    bool is_solved, is_redundant;
+    YkRelationTerm target;
+    uint32_t first_source, source_count, first_argument_source, argument_source_count; // in sources
+    double offset, argument_offset, gain; // gain of the law
+} YkRelation;
+
 typedef enum YkStepKind {
     YK_STEP_TURN,     // slot = parent slot turned by input
     YK_STEP_COMPOSE,  // slot = parent slot turned by slot `other`
     YK_STEP_DISTANCE, // distance = input
     YK_STEP_NODE,     // node = sum
-    YK_STEP_BLOCK     // solve a block
+    YK_STEP_BLOCK,    // solve a block
+    YK_STEP_RELATION  // orientation or distance = what a relation says; target: the relation
 } YkStepKind;
 
 typedef struct YkStep {
@@ -137,6 +172,13 @@ struct YkMechanism {
     size_t redundant_count, redundant_capacity; // joints
     size_t largest_group;                       // columns
     bool has_groups;
+    // relations
+    YkRelation *relations;
+    size_t relation_count;
+    YkRelationTerm *relation_terms;
+    size_t relation_term_count, relation_term_capacity;
+    YkSource *sources;
+    size_t source_count, source_capacity, reference_count;
     int gruebler;
 };
 

@@ -151,9 +151,11 @@ static void look_at(YkPlan *plan, int32_t X)
 void yk_plan_peel(YkPlan *plan)
 {
     size_t room = plan->mech->model->body_count + 1;
-    while (plan->head < plan->tail && !plan->failed) {
-        int32_t X = plan->queue[plan->head++ % room];
-        plan->is_queued[X] = false;
-        if (!plan->cluster_known[X]) look_at(plan, X);
-    }
+    do {
+        while (plan->head < plan->tail && !plan->failed) {
+            int32_t X = plan->queue[plan->head++ % room];
+            plan->is_queued[X] = false;
+            if (!plan->cluster_known[X]) look_at(plan, X);
+        }
+    } while (yk_plan_relations(plan) && !plan->failed);
 }

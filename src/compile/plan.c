@@ -9,6 +9,7 @@ void yk_plan_step(YkPlan *plan, YkStep step)
         return;
     }
     mech->steps[mech->step_count++] = step;
+    if (step.kind == YK_STEP_TURN || step.kind == YK_STEP_COMPOSE) yk_plan_note_turn(plan, &step);
 }
 
 static bool allocate(YkPlan *plan)
@@ -48,6 +49,8 @@ static void reset(YkPlan *plan)
     mech->node_count = 0;
     mech->largest_group = 0;
     mech->has_groups = false;
+    mech->source_count = mech->reference_count = 0;
+    for (size_t k = 0; k < mech->relation_count; k++) mech->relations[k].is_solved = mech->relations[k].is_redundant = false;
     for (size_t j = 0; j < mech->model->joint_count; j++) plan->angle_input[j] = plan->distance_input[j] = YK_NONE;
     for (size_t i = 0; i < mech->input_count; i++) {
         const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];
@@ -278,6 +281,8 @@ static void check_leftover_joints(YkPlan *plan)
 static void count_missing(YkPlan *plan)
 {
     const YkMechanism *mech = plan->mech;
+    for (size_t k = 0; k < mech->relation_count; k++) // among unknowns that loops determine together
+        if (!mech->relations[k].is_solved && !mech->relations[k].is_redundant && !plan->unsolved) plan->unsolved = &mech->relations[k];
     for (size_t o = 0; o < mech->orientation_count; o++)
         if (mech->group_root[o] == (int32_t)o && !plan->root_known[o]) plan->missing++;
     for (size_t d = 0; d < mech->distance_count; d++)
@@ -309,6 +314,7 @@ bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence,
     place_cluster(plan, 0);
     yk_plan_peel(plan);
     if (plan->unknown_clusters > 0) yk_plan_groups(plan);
+    yk_plan_relations(plan); // what is left only repeats others
     check_leftover_joints(plan);
     count_missing(plan);
     return !plan->failed && !plan->list.failed;

@@ -33,7 +33,9 @@ typedef struct YkPlan {
     int32_t *queue; // clusters to look at
     bool *is_queued;
     size_t head, tail, unknown_clusters;
+    struct YkForm *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
     YkTermList list;
+    const YkRelation *unsolved; // one that no single unknown was left for
     size_t missing; // unknowns that nothing determines
     bool failed;    // out of memory
 } YkPlan;
@@ -53,6 +55,9 @@ void yk_plan_learn(YkPlan *plan, YkColumn column);
 void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body); // the cluster beyond the joint is now known
 void yk_plan_peel(YkPlan *plan);
 void yk_plan_groups(YkPlan *plan);
+// Solves every relation with one unknown; true where there was one.
+bool yk_plan_relations(YkPlan *plan);
+void yk_plan_note_turn(YkPlan *plan, const YkStep *step); // a TURN or COMPOSE step was made
 static inline bool yk_plan_body_known(const YkPlan *plan, int32_t body)
 {
     return plan->cluster_known[plan->cluster[body]];

@@ -225,7 +225,7 @@ static bool take(YkSimulation *sim, const size_t *order, bool *changed)
 bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed)
 {
     enum { ENTRIES_MAX = 4000000 };
-    const double GAIN = 3;
+    const double GAIN = 2;
     size_t f = sim->free_count, n = sim->mech->coordinate_count;
     *changed = false;
     if (f == 0 || f * n > ENTRIES_MAX) return true;

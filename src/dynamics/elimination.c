@@ -28,6 +28,7 @@ typedef struct Order {
         int32_t next, unknown, entry;
     } *links;
     size_t link_count, link_capacity;
+    size_t factor_first; // of the relation in work
     bool failed;
 } Order;
 
@@ -203,6 +204,50 @@ static void add_block(Order *o, int32_t index)
     o->raw[o->raw_count - 1].block = (uint32_t)index;
 }
 
+// Adds what a term of a relation depends on, with its factor. Beyond the target's own orientation only the relative angle counts.
+static void add_relation_term(Order *o, const YkRelation *r, YkRelationTerm term, double factor, bool in_law)
+{
+    const YkMechanism *mech = o->mech;
+    YkElimination *e = o->e;
+    int32_t unknown = term.is_distance ? yk_unknown_of_distance(mech, term.index) : yk_unknown_of_slot(term.index);
+    bool beyond = !term.is_distance && !r->target.is_distance && mech->group_root[term.index] == r->target.index;
+    if (beyond) unknown = yk_unknown_of_slot(mech->relative_slot[term.index]);
+    if (term.is_distance && r->target.is_distance && term.index == r->target.index) return;
+    int32_t column = yk_column(&o->columns, unknown);
+    if (column <= 0) return; // the ground, or the target itself
+    size_t at = o->factor_first + 2 * (size_t)(column - 1);
+    while (e->factor_count < at + 2) {
+        if (!YK_ROOM(e->factors, e->factor_count, e->factor_capacity)) {
+            o->failed = true;
+            return;
+        }
+        e->factors[e->factor_count++] = 0;
+    }
+    e->factors[at + in_law] += factor;
+}
+
+static void add_relation(Order *o, int32_t index)
+{
+    const YkMechanism *mech = o->mech;
+    const YkRelation *r = &mech->relations[index];
+    o->factor_first = o->e->factor_count;
+    start_columns(o);
+    yk_column(&o->columns, r->target.is_distance ? yk_unknown_of_distance(mech, r->target.index)
+                                                 : yk_unknown_of_slot(r->target.index));
+    for (uint32_t k = 0; k < r->term_count; k++) {
+        YkRelationTerm term = mech->relation_terms[r->first_term + k];
+        add_relation_term(o, r, term, -term.factor * r->gain, false);
+    }
+    for (uint32_t k = 0; k < r->argument_count; k++) {
+        YkRelationTerm term = mech->relation_terms[r->first_argument + k];
+        add_relation_term(o, r, term, term.factor, true); // the slope has the gain in it
+    }
+    YkGradient none = {.columns = (uint32_t)o->columns.count};
+    YkOperation *op = add_raw(o, o->columns.count > 1 ? YK_OP_RELATION : YK_OP_KNOWN, 1, none);
+    op->block = (uint32_t)index;
+    op->first_factor = (uint32_t)o->factor_first;
+}
+
 static void add_steps(Order *o)
 {
     for (size_t k = 0; k < o->mech->step_count && !o->failed; k++) {
@@ -222,6 +267,9 @@ static void add_steps(Order *o)
             break;
         case YK_STEP_BLOCK:
             add_block(o, step->target);
+            break;
+        case YK_STEP_RELATION:
+            add_relation(o, step->target);
             break;
         }
     }
@@ -556,6 +604,7 @@ void yk_elimination_free(YkElimination *e)
     free(e->pieces);
     free(e->nodes);
     free(e->index);
+    free(e->factors);
     free(e->operation_of_input);
     free(e->parent_of_input);
     free(e->sign_of_input);

@@ -37,6 +37,7 @@ typedef enum YkOperationKind {
     YK_OP_FREE,   // one unknown, free: minimised out
     YK_OP_KNOWN,  // one unknown, a prescribed input on the ground: nothing to solve
     YK_OP_COPY,   // one unknown, the sum of the others
+    YK_OP_RELATION, // one unknown, by a gear, rack, belt or cam
     YK_OP_NODE,   // two unknowns: a sum
     YK_OP_PAIR,   // two unknowns of a dyad, from its loop
     YK_OP_SINGLE, // one unknown of a loop that repeats constraints
@@ -52,7 +53,8 @@ typedef struct YkOperation {
     uint32_t first_index;            // in `index`: U, then W, Z, then entries of U x U (upper), U x (W + Z), and of pairs
     uint32_t first_coefficient;      // C[own][given]; FREE: none
     uint32_t first_element, element_count; // bodies whose latest unknown this operation defines
-    uint32_t block;
+    uint32_t block;       // or relation
+    uint32_t first_factor; // RELATION: of the given unknowns, two each in `factors`: constant, and times the law's slope
 } YkOperation;
 
 typedef struct YkElement { // a body with mass or load
@@ -76,6 +78,8 @@ typedef struct YkElimination {
     size_t node_count, node_capacity;
     int32_t *index;
     size_t index_count, index_capacity;
+    double *factors;
+    size_t factor_count, factor_capacity;
     size_t unknown_count;           // scalars
     size_t entry_count;             // of the form
     size_t coefficient_count;

@@ -59,6 +59,7 @@ static void take_results(YkDynamics *d, const YkState *state)
     }
     memset(d->reaction, 0, model->body_count * sizeof *d->reaction);
     for (size_t j = 0; j < model->joint_count; j++) take_joint(d, j);
+    yk_free_bodies_meshes(d->bodies, d->reaction);
 }
 
 static YkStatus set_accelerations(YkDynamics *d, YkState *state)

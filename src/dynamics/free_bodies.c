@@ -7,9 +7,11 @@ static bool allocate(YkFreeBodies *f)
 {
     size_t n = f->mech->model->body_count;
     f->arena = yk_arena_new();
-    if (!f->arena || !yk_wrenches_build(f) || !yk_parts_build(f)) return false;
+    f->reference = f->arena ? YK_NEW(f->arena, YkVec, n) : NULL;
+    if (!f->reference) return false;
+    for (size_t b = 0; b < n; b++) f->reference[b] = yk_reference_point(f->mech->model, b);
+    if (!yk_wrenches_build(f) || !yk_parts_build(f)) return false;
     size_t scratch = 3 * n + f->column_count + 1;
-    f->reference = YK_NEW(f->arena, YkVec, n);
     f->is_prescribed = YK_NEW(f->arena, bool, f->mech->input_count + 1);
     f->load = YK_NEW(f->arena, double, 3 * n);
     f->acceleration = YK_NEW(f->arena, double, 3 * n);
@@ -30,7 +32,6 @@ YkFreeBodies *yk_free_bodies_new(const YkMechanism *mech)
         yk_free_bodies_free(f);
         return NULL;
     }
-    for (size_t b = 0; b < mech->model->body_count; b++) f->reference[b] = yk_reference_point(mech->model, b);
     return f;
 }
 

@@ -33,6 +33,8 @@ typedef struct YkJointForce {
 } YkJointForce;
 YkJointForce yk_free_bodies_joint(const YkFreeBodies *bodies, size_t joint);
 double yk_free_bodies_effort(const YkFreeBodies *bodies, size_t input);
+// Adds what gears, racks, belts and cams exert on every body to load[body] (moments about the reference points, N m).
+void yk_free_bodies_meshes(const YkFreeBodies *bodies, YkLoad *load);
 // Largest residual of any body's equations over the largest force (moments over the machine's size).
 double yk_free_bodies_imbalance(const YkFreeBodies *bodies);
 

@@ -16,16 +16,19 @@ typedef enum YkWrenchKind {
     YK_WRENCH_Y,
     YK_WRENCH_NORMAL, // normal to the joint's line,
     YK_WRENCH_LINE,   // along it,
-    YK_WRENCH_COUPLE  // or a couple
+    YK_WRENCH_COUPLE, // or a couple;
+    YK_WRENCH_MESH    // what a gear, rack, belt or cam transmits
 } YkWrenchKind;
 
 typedef struct YkWrenchColumn {
-    int32_t joint, input; // input: YK_NONE for a reaction
-    int32_t body[2];
+    int32_t joint, input; // input: YK_NONE for a reaction; joint: YK_NONE of a mesh
+    int32_t relation;     // MESH: which
+    int32_t body[2], third; // MESH: third: the carrier, where it carries a couple; otherwise 0
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
+    double third_moment; // on the carrier
     double bias;      // 1/s^2: what A^T accelerations must be when the coordinate does not accelerate
     // Solved:
     double share;    // its part of the whole, N
@@ -81,6 +84,10 @@ bool yk_parts_build(YkFreeBodies *f);
 void yk_parts_end(YkFreeBodies *f);
 // Directions, moments and biases at a pose.
 void yk_wrenches_pose(YkFreeBodies *f, const YkSpace *space);
+
+// Columns of the relations; their forces at a pose.
+void yk_meshes_build(YkFreeBodies *f);
+void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *column);
 
 // Systems. Emitting collects the pattern until _finish, values afterwards, beginning anew with _begin.
 bool yk_body_system_start(YkBodySystem *system, size_t n, size_t most);

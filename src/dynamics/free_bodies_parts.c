@@ -21,6 +21,15 @@ static void find_parts(YkFreeBodies *f, int32_t *above)
         if (body[0] == 0 || body[1] == 0) continue;
         above[find(above, body[0])] = find(above, body[1]);
     }
+    for (size_t k = 0; k < f->column_count; k++) {
+        const YkWrenchColumn *c = &f->columns[k];
+        const int32_t bodies[] = {c->body[0], c->body[1], c->third};
+        int32_t first = 0;
+        for (int i = 0; i < 3 && c->kind == YK_WRENCH_MESH; i++) {
+            if (bodies[i] != 0 && first != 0) above[find(above, first)] = find(above, bodies[i]);
+            if (bodies[i] != 0) first = bodies[i];
+        }
+    }
     for (size_t b = 1; b < model->body_count; b++) {
         int32_t root = find(above, (int32_t)b);
         if (f->part_of[root] == YK_NONE) f->part_of[root] = (int32_t)f->part_count++;
@@ -30,8 +39,8 @@ static void find_parts(YkFreeBodies *f, int32_t *above)
 
 static int32_t part_of_column(const YkFreeBodies *f, size_t k)
 {
-    const int32_t *body = f->columns[k].body;
-    return f->part_of[body[0] == 0 ? body[1] : body[0]];
+    const YkWrenchColumn *c = &f->columns[k];
+    return f->part_of[c->body[0] != 0 ? c->body[0] : c->body[1] != 0 ? c->body[1] : c->third];
 }
 
 static void measure_mass(const YkFreeBodies *f, YkBodyPart *part)

@@ -23,7 +23,7 @@ bool yk_wrenches_build(YkFreeBodies *f)
     const YkMechanism *mech = f->mech;
     const YkModel *model = mech->model;
     size_t n = model->joint_count;
-    f->columns = YK_NEW(f->arena, YkWrenchColumn, 3 * n + mech->input_count + 1);
+    f->columns = YK_NEW(f->arena, YkWrenchColumn, 3 * n + mech->input_count + mech->relation_count + 1);
     f->joint_first = YK_NEW(f->arena, uint32_t, n + 1);
     f->input_column = YK_NEW(f->arena, int32_t, mech->input_count + 1);
     if (yk_arena_failed(f->arena)) return false;
@@ -38,6 +38,7 @@ bool yk_wrenches_build(YkFreeBodies *f)
         f->input_column[i] = (int32_t)f->column_count;
         add(f, (size_t)c->joint, (int32_t)i, c->is_distance ? YK_WRENCH_LINE : YK_WRENCH_COUPLE);
     }
+    yk_meshes_build(f);
     return true;
 }
 
@@ -90,6 +91,7 @@ static YkVec direction_of(YkWrenchKind kind, YkVec u)
     case YK_WRENCH_LINE:
         return u;
     case YK_WRENCH_COUPLE:
+    case YK_WRENCH_MESH:
         break;
     }
     return yk_vec(0, 0);
@@ -107,13 +109,17 @@ void yk_wrenches_pose(YkFreeBodies *f, const YkSpace *space)
 {
     for (size_t k = 0; k < f->column_count; k++) {
         YkWrenchColumn *c = &f->columns[k];
+        c->share = c->freeness = 0;
+        if (c->kind == YK_WRENCH_MESH) {
+            yk_mesh_pose(f, space, c);
+            continue;
+        }
         JointPose p = pose_of(f, space, c->joint);
         double couple = c->kind == YK_WRENCH_COUPLE;
         c->force = direction_of(c->kind, p.u);
         c->moment[0] = -yk_cross(p.arm[0], c->force) / f->size - couple;
         c->moment[1] = yk_cross(p.arm[1], c->force) / f->size + couple;
         c->bias = bias_of(c->force, &p) / f->size;
-        c->share = c->freeness = 0;
     }
 }
 
@@ -126,6 +132,7 @@ void yk_wrench_add(const YkFreeBodies *f, const YkWrenchColumn *c, double factor
         row[1] += sign * c->force.y;
         row[2] += factor * c->moment[k];
     }
+    if (c->third != 0) y[f->body_row[c->third] + 2] += factor * c->third_moment;
 }
 
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const double *x)
@@ -136,5 +143,6 @@ double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const doubl
         const double *row = x + f->body_row[c->body[k]];
         sum += (k ? 1 : -1) * (c->force.x * row[0] + c->force.y * row[1]) + c->moment[k] * row[2];
     }
+    if (c->third != 0) sum += c->third_moment * x[f->body_row[c->third] + 2];
     return sum;
 }

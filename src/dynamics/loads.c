@@ -44,6 +44,12 @@ static YkLoadItem *add_item(YkLoads *loads, YkLoadKind kind, const char *name)
     return item;
 }
 
+static YkLoadEnd end_of(const YkMechanism *mech, int32_t body, YkVec at)
+{
+    YkVec turn = mech->bodies[body].turn_unit, reference = yk_reference_point(mech->model, (size_t)body);
+    return (YkLoadEnd){body, yk_mul(turn, at), yk_mul(turn, yk_sub(at, reference))};
+}
+
 static void act_on(YkLoads *loads, int32_t a, int32_t b)
 {
     loads->is_loaded[a] = loads->is_loaded[b] = true;
@@ -80,7 +86,7 @@ static void add_forces(YkLoads *loads)
         const YkForce *force = &model->forces[k];
         YkLoadItem *item = add_item(loads, YK_LOAD_FORCE, force->name);
         item->body[0] = force->body;
-        item->at[0] = force->at;
+        item->end[0] = end_of(loads->mech, force->body, force->at);
         item->in_body_axes = force->in_body_axes;
         item->value[0] = value_of(loads, force->x);
         item->value[1] = value_of(loads, force->y);
@@ -102,7 +108,7 @@ static void add_springs(YkLoads *loads)
             item = add_item(loads, YK_LOAD_SPRING, spring->name);
             for (int end = 0; end < 2; end++) {
                 item->body[end] = spring->body[end];
-                item->at[end] = spring->at[end];
+                item->end[end] = end_of(loads->mech, spring->body[end], spring->at[end]);
             }
             act_on(loads, spring->body[0], spring->body[1]);
         }
@@ -252,14 +258,61 @@ typedef struct Pose {
 typedef struct Point {
     YkVec arm; // from the body's reference point
     YkVec at, velocity;
-    YkVec e;
+    YkVec turn; // of the body's orientation, and its rate
+    double w;
 } Point;
 
-static Point point_of(const Pose *p, int32_t body, YkVec at)
+// Adds (d) v e^(i slot) and its rate.
+static inline void add_term(Point *p, const YkSpace *space, const YkTerm *term)
 {
-    YkBodyMotion m = yk_body_motion(p->mech, p->space, (size_t)body);
-    YkVec arm = yk_mul(m.e, yk_sub(at, yk_reference_point(p->mech->model, (size_t)body)));
-    return (Point){arm, yk_add(m.at, arm), yk_add(m.velocity, yk_scale(m.w, yk_quarter(arm))), m.e};
+    YkVec u = term->v;
+    double w = 0;
+    if (term->slot != 0) {
+        YkTurn t = yk_space_turn(space, term->slot);
+        u = yk_mul(yk_vec(t.c[0], t.s[0]), u);
+        w = t.w[0];
+    }
+    if (term->distance != YK_NONE) {
+        YkSlide s = yk_space_slide(space, term->distance);
+        p->velocity = yk_add(p->velocity, yk_scale(s.v[0], u));
+        u = yk_scale(s.d[0], u);
+    }
+    p->at = yk_add(p->at, u);
+    p->velocity = yk_add(p->velocity, yk_scale(w, yk_quarter(u)));
+}
+
+static inline void add_node(Point *p, const YkSpace *space, int32_t node, double sign)
+{
+    if (node == YK_NONE) return;
+    YkPlane plane = yk_space_plane(space, node);
+    p->at = yk_add(p->at, yk_scale(sign, yk_vec(plane.x[0], plane.y[0])));
+    p->velocity = yk_add(p->velocity, yk_scale(sign, yk_vec(plane.vx[0], plane.vy[0])));
+}
+
+static Point point_of(const Pose *p, const YkLoadEnd *end)
+{
+    const YkPlacing *placing = &p->mech->bodies[end->body];
+    const YkTerm *terms = p->mech->terms + placing->origin.first;
+    Point point = {.at = placing->origin.constant, .turn = {1, 0}};
+    add_node(&point, p->space, placing->origin.plus, 1);
+    add_node(&point, p->space, placing->origin.minus, -1);
+    for (uint32_t k = 0; k < placing->origin.count; k++) add_term(&point, p->space, &terms[k]);
+    if (placing->orientation != 0) {
+        YkTurn t = yk_space_turn(p->space, placing->orientation);
+        point.turn = yk_vec(t.c[0], t.s[0]);
+        point.w = t.w[0];
+    }
+    YkVec out = yk_mul(point.turn, end->from_origin);
+    point.at = yk_add(point.at, out);
+    point.velocity = yk_add(point.velocity, yk_scale(point.w, yk_quarter(out)));
+    point.arm = yk_mul(point.turn, end->arm);
+    return point;
+}
+
+// A vector given in a body's axes, from one of its points.
+static YkVec in_world(const Pose *p, int32_t body, const Point *point, YkVec v)
+{
+    return yk_mul(point->turn, yk_mul(p->mech->bodies[body].turn_unit, v));
 }
 
 static void push(YkLoad *load, int32_t body, YkVec arm, YkVec force)
@@ -278,8 +331,9 @@ void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t 
         return;
     }
     Pose p = {.mech = mech, .space = space};
-    Point b = point_of(&p, j->body[1], j->at[1]), a = point_of(&p, j->body[0], j->at[0]);
-    YkVec force = yk_scale(effort, yk_mul(a.e, j->along));
+    YkLoadEnd ends[2] = {end_of(mech, j->body[0], j->at[0]), end_of(mech, j->body[1], j->at[1])};
+    Point a = point_of(&p, &ends[0]), b = point_of(&p, &ends[1]);
+    YkVec force = yk_scale(effort, in_world(&p, j->body[0], &a, j->along));
     push(load, j->body[1], b.arm, force);
     push(load, j->body[0], yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
 }
@@ -292,21 +346,21 @@ static double push_along(const Pose *p, const YkLoadItem *item, double effort)
 
 static double push_force(const Pose *p, const YkLoadItem *item)
 {
-    Point at = point_of(p, item->body[0], item->at[0]);
+    Point at = point_of(p, &item->end[0]);
     YkVec force = yk_vec(evaluate(p->loads, &item->value[0]), evaluate(p->loads, &item->value[1]));
     double moment = evaluate(p->loads, &item->value[2]);
-    if (item->in_body_axes) force = yk_mul(at.e, force);
+    if (item->in_body_axes) force = in_world(p, item->body[0], &at, force);
     push(p->load, item->body[0], at.arm, force);
     p->load[item->body[0]].moment += moment;
-    return yk_dot(force, at.velocity) + moment * yk_body_motion(p->mech, p->space, (size_t)item->body[0]).w;
+    return yk_dot(force, at.velocity) + moment * at.w;
 }
 
 // Pulls its ends together by stiffness * (length - free length) + damping * d(length)/dt. The damper's power is returned.
 static double push_spring(const Pose *p, const YkLoadItem *item)
 {
-    Point a = point_of(p, item->body[0], item->at[0]), b = point_of(p, item->body[1], item->at[1]);
+    Point a = point_of(p, &item->end[0]), b = point_of(p, &item->end[1]);
     YkVec line = yk_sub(b.at, a.at);
-    double length = yk_norm(line), rate = 0;
+    double length = sqrt(yk_dot(line, line)), rate = 0;
     YkVec pull = yk_scale(item->stiffness, line); // a free length of 0 needs no direction
     if (length > 0) {
         YkVec along = yk_scale(1 / length, line);
@@ -371,12 +425,12 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit)
 {
     read_variables(loads, state, &state->space);
-    for (size_t i = 0; i < loads->mech->input_count; i++) effort[i] = 0;
+    if (loads->item_count < loads->mech->input_count) memset(effort, 0, loads->mech->input_count * sizeof *effort);
     for (size_t k = 0; k < loads->item_count; k++) {
         YkLoadItem *item = &loads->items[k];
         int32_t input = loads->mech->coordinates[item->coordinate].input;
         item->last = evaluate(loads, &item->value[0]);
-        effort[input] += item->last;
+        effort[input] = item->last;
         power[k] = item->last * state->input[3 * input + 1];
         if (isfinite(item->last)) continue;
         *culprit = k;
@@ -401,7 +455,7 @@ double yk_loads_stored(const YkLoads *loads, const YkState *state, const YkSpace
         const YkLoadItem *item = &loads->items[k];
         double stretch = 0;
         if (item->kind == YK_LOAD_SPRING) {
-            Point a = point_of(&p, item->body[0], item->at[0]), b = point_of(&p, item->body[1], item->at[1]);
+            Point a = point_of(&p, &item->end[0]), b = point_of(&p, &item->end[1]);
             stretch = yk_norm(yk_sub(b.at, a.at)) - item->length;
         } else if (item->kind == YK_LOAD_ALONG) {
             stretch = yk_loads_coordinate(state, space, item->coordinate).position - item->length;

@@ -30,6 +30,12 @@ typedef struct YkLoadValue {
     const YkLaw *law;         // of the formula
 } YkLoadValue;
 
+// A point of a body on which something pulls, prepared: in the axes of the body's orientation.
+typedef struct YkLoadEnd {
+    int32_t body;
+    YkVec from_origin, arm; // to the point, from the body's origin and from its reference point
+} YkLoadEnd;
+
 typedef enum YkLoadKind {
     YK_LOAD_EFFORT,   // along a joint's angle or distance
     YK_LOAD_FORCE,    // at a point of a body
@@ -47,7 +53,7 @@ typedef struct YkLoadItem {
     bool is_distance;
     int32_t coordinate;     // of the tree, where the joint has it there; otherwise YK_NONE
     int32_t body[2];        // FORCE: body[0]; SPRING
-    YkVec at[2];
+    YkLoadEnd end[2];       // likewise
     bool in_body_axes;
     YkLoadValue value[3];   // EFFORT: [0]; FORCE: x, y, moment
     double stiffness, length, damping;
@@ -88,7 +94,7 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
 // An effort along a joint's freedom, added to both bodies.
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load);
-// Open trees whose only items are efforts: effort[input] at the state's inputs, and their power.
+// Open trees whose only items are efforts, one a coordinate: effort[input] at the state's inputs, and their power.
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit);
 // What `efforts:` gave along a tree coordinate when the items were last added.
 double yk_loads_effort(const YkLoads *loads, int32_t coordinate);

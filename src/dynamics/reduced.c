@@ -234,6 +234,12 @@ static bool find_coefficients(YkReduced *r, const YkSpace *space, const YkOperat
     case YK_OP_COPY:
         for (uint32_t k = 0; k < q; k++) C[k] = 1;
         return true;
+    case YK_OP_RELATION: {
+        const double *factor = r->e->factors + op->first_factor;
+        double slope = space->gain[op->block * space->stride];
+        for (uint32_t k = 0; k < q; k++) C[k] = factor[2 * k] + slope * factor[2 * k + 1];
+        return true;
+    }
     case YK_OP_NODE:
         find_gradient(r, space, &op->gradient);
         for (uint32_t k = 0; k < q; k++) {

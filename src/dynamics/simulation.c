@@ -126,7 +126,7 @@ static bool restart(YkSimulation *sim)
 static bool look_round(YkSimulation *sim)
 {
     bool changed = false;
-    const double POOR = 0.03; // sin^2 of the worst block
+    const double POOR = 0.2;  // sin^2 of the worst block
     if (yk_simulation_margin(sim) < POOR) {
         if (yk_simulation_margin(sim) > 1e-8 && !yk_simulation_recoordinate(sim, &changed)) return false;
         if (changed && !yk_simulation_pose(sim, sim->time, sim->y)) return false;
@@ -283,7 +283,9 @@ YkStatus yk_simulation_advance(YkSimulation *sim, double to)
     if (sim->status != YK_OK) return sim->status;
     sim->target = to;
     if (!sim->has_begun && !start_moving(sim)) return fail(sim, YK_ODE_FAILED);
-    if (to <= sim->options.start) return to == sim->time ? YK_OK : YK_BAD_ARGUMENT;
+    if (to == sim->options.start && yk_ode_time(sim->ode) == to) // the first row
+        return stand(sim, to, yk_ode_state(sim->ode)) ? YK_OK : fail(sim, YK_ODE_FAILED);
+    if (!(to > sim->options.start)) return YK_BAD_ARGUMENT;
     if (!(sim->options.horizon >= to)) yk_ode_set_end(sim->ode, to);
     while (!is_passed(sim, to)) {
         if (sim->pending != YK_PENDING_NONE) {

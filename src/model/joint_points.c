@@ -10,6 +10,11 @@ static void share_point(YkLoader *loader, YkJoint *joint, const YkNode *at)
     const char *name = at ? at->text : joint->name;
     for (int k = 0; k < 2; k++) joint->point[k] = yk_load_find_point(loader, joint->body[k], name);
     if (joint->point[0] != YK_NONE && joint->point[1] != YK_NONE) return;
+    for (int k = 0; k < 2; k++) { // a wheel's centre needs no name: it is its origin
+        if (joint->point[k] == YK_NONE && joint->point[1 - k] != YK_NONE && loader->is_wheel &&
+            loader->is_wheel[joint->body[k]])
+            return;
+    }
     const char *kind = yk_part(joint->kind)->key;
     const char *a = model->bodies[joint->body[0]].name, *b = model->bodies[joint->body[1]].name;
     YkPlace place = at ? at->place : joint->place;
@@ -20,7 +25,7 @@ static void share_point(YkLoader *loader, YkJoint *joint, const YkNode *at)
         const YkBody *body = &model->bodies[joint->body[1]];
         const YkPoint *first = body->point_count ? model->points + body->first_point : NULL;
         yk_load_hint_nearest(loader->problems, name, first, (size_t)body->point_count, sizeof *first);
-    } else if (!loader->has_unsupported) {
+    } else {
         bool is_on_a = joint->point[0] != YK_NONE;
         const char *with = is_on_a ? a : b, *without = is_on_a ? b : a;
         yk_problem(loader->problems, YK_CODE_POINT_ON_ONE_BODY, place, "%s %q: %q has the point %q, but %q has not",

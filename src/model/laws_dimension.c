@@ -150,6 +150,27 @@ static void ask_uses(Search *search, const char *law, const char *section, YkDim
     }
 }
 
+// The cams that follow the law: a follower that slides wants a length, one on pins only an angle, both over an angle.
+static void ask_cams(Search *search, const char *law)
+{
+    const YkModel *model = search->loader->model;
+    const YkNode *map = yk_node_get(search->loader->root, "cams");
+    for (size_t i = 0; map && map->kind == YK_NODE_MAP && i < map->count; i++) {
+        const YkNode *name = yk_node_get(map->pairs[i].value, "law");
+        const YkNode *follower = yk_node_get(map->pairs[i].value, "follower");
+        if (!name || name->kind != YK_NODE_SCALAR || strcmp(name->text, law) != 0) continue;
+        show(search, OF, YK_DIM_ANGLE);
+        if (!follower || follower->kind != YK_NODE_SCALAR) continue;
+        int32_t body = yk_names_find(&model->body_names, follower->text);
+        bool slides = false;
+        for (size_t k = 0; body != YK_NONE && k < model->joint_count; k++) {
+            const YkJoint *joint = &model->joints[k];
+            slides |= joint->kind == YK_SLIDE && (joint->body[0] == body || joint->body[1] == body);
+        }
+        show(search, VALUE, slides ? YK_DIM_LENGTH : YK_DIM_ANGLE);
+    }
+}
+
 static void find(YkLoader *loader, const YkNode *node, YkModelLaw *law)
 {
     Search search = {.loader = loader};
@@ -163,6 +184,7 @@ static void find(YkLoader *loader, const YkNode *node, YkModelLaw *law)
     }
     ask_uses(&search, law->name, "drives", YK_DIM_ANGLE, YK_DIM_LENGTH);
     ask_uses(&search, law->name, "efforts", YK_DIM_TORQUE, YK_DIM_FORCE);
+    ask_cams(&search, law->name);
     show(&search, OF, YK_DIM_ANGLE);
     show(&search, VALUE, YK_DIM_LENGTH);
     law->of = search.dimension[OF];

@@ -33,7 +33,7 @@ void yk_load_check_links(YkLoader *loader)
 {
     const YkModel *model = loader->model;
     Holds *holds = YK_NEW(loader->arena, Holds, model->body_count);
-    if (!holds) return;
+    if (!holds || !loader->is_wheel) return;
     for (size_t i = 0; i < model->joint_count; i++) {
         for (int end = 0; end < 2; end++) {
             int32_t body = model->joints[i].body[end];
@@ -44,6 +44,6 @@ void yk_load_check_links(YkLoader *loader)
         }
     }
     for (size_t i = 1; i < model->body_count; i++) {
-        if (holds[i].count == 2) check_body(loader, &model->bodies[i], &holds[i]);
+        if (holds[i].count == 2 && !loader->is_wheel[i]) check_body(loader, &model->bodies[i], &holds[i]);
     }
 }

@@ -38,20 +38,25 @@ static void read_sections(YkLoader *loader)
     yk_load_check_keys(loader, loader->root, keys, &(YkSubject){.noun = "a model file"});
     read_name(loader);
     yk_load_units(loader);
-    yk_load_unsupported(loader);
     yk_load_parameters(loader);
     yk_load_overrides(loader);
     yk_load_gravity(loader);
     yk_load_bodies(loader);
     if (loader->model->bodies && !loader->failed && !yk_arena_failed(loader->arena)) {
+        yk_load_wheels(loader);
         yk_load_joints(loader);
         yk_load_laws(loader);
+        yk_load_cams(loader);
         yk_load_drives(loader);
         yk_load_starts(loader);
         yk_load_efforts(loader);
         yk_load_forces(loader);
         yk_load_springs(loader);
         yk_load_stops(loader);
+        yk_load_gears(loader);
+        yk_load_racks(loader);
+        yk_load_belts(loader);
+        yk_load_locks(loader);
     }
 }
 
@@ -66,10 +71,14 @@ static void resolve(YkLoader *loader)
     yk_load_finish_laws(loader);
     yk_load_finish_masses(loader);
     yk_load_finish_joints(loader);
+    yk_load_finish_cams(loader);
     yk_load_finish_forces(loader);
     yk_load_finish_springs(loader);
     yk_load_finish_stops(loader);
     yk_load_finish_friction(loader);
+    yk_load_finish_gears(loader);
+    yk_load_finish_racks(loader);
+    yk_load_finish_belts(loader);
     yk_load_check_connected(loader);
     yk_load_check_links(loader);
 }

@@ -70,7 +70,7 @@ typedef struct YkLoader {
     const YkExpr **replaced; // per parameter: what an override replaced, or NULL
     YkNames fixed;           // names whose dimension is already fixed
     YkText text;             // scratch
-    bool has_unsupported;    // gears and the like are there: do not complain about what they would explain
+    bool *is_wheel;          // per body: gears, belts or racks name it, so that its centre is its origin
     bool has_bad_joint;      // a joint's bodies are unknown: connections cannot be judged
     bool failed; // out of memory
 } YkLoader;
@@ -141,6 +141,7 @@ void yk_load_mass(YkLoader *loader, int32_t body, const YkNode *node);
 void yk_load_joints(YkLoader *loader);
 void yk_load_laws(YkLoader *loader);                        // after the joints, before what uses laws
 int32_t yk_load_law(YkLoader *loader, const YkNode *node);  // a law by name; YK_NONE, reported
+void yk_load_cams(YkLoader *loader);                        // after the laws
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
 void yk_load_drives(YkLoader *loader);
 void yk_load_starts(YkLoader *loader);
@@ -150,7 +151,11 @@ void yk_load_forces(YkLoader *loader);
 void yk_load_springs(YkLoader *loader);
 void yk_load_stops(YkLoader *loader);
 void yk_load_friction(YkLoader *loader, const YkNode *node, YkJoint *joint);
-void yk_load_unsupported(YkLoader *loader);
+void yk_load_wheels(YkLoader *loader); // before the joints: which bodies are wheels
+void yk_load_gears(YkLoader *loader);
+void yk_load_racks(YkLoader *loader);
+void yk_load_belts(YkLoader *loader);
+void yk_load_locks(YkLoader *loader);
 
 // The second pass.
 void yk_load_check_uses(YkLoader *loader);      // uses.c: the names in every expression
@@ -159,15 +164,38 @@ void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, those it 
 void yk_load_check_overrides(YkLoader *loader); // overrides.c: against the dimension in the file
 void yk_load_eval_uses(YkLoader *loader);       // uses.c
 void yk_load_finish_laws(YkLoader *loader);     // laws_build.c
+void yk_load_finish_cams(YkLoader *loader);     // cams_finish.c: after joints and laws
 void yk_load_finish_masses(YkLoader *loader);   // mass.c
 void yk_load_finish_joints(YkLoader *loader);   // joint_points.c
 void yk_load_finish_forces(YkLoader *loader);   // forces.c
 void yk_load_finish_springs(YkLoader *loader);  // springs.c
 void yk_load_finish_stops(YkLoader *loader);    // stops.c
 void yk_load_finish_friction(YkLoader *loader); // friction.c
+void yk_load_finish_gears(YkLoader *loader);    // gears.c: after the joints, as the next two
+void yk_load_finish_racks(YkLoader *loader);    // racks.c
+void yk_load_finish_belts(YkLoader *loader);    // belts.c
 void yk_load_check_connected(YkLoader *loader); // connected.c
 void yk_load_check_links(YkLoader *loader);     // links.c
 bool yk_load_size(YkModel *model);              // size.c; false when out of memory
+
+// wheels.c: what gears, racks and belts share.
+// Reads a list of two different bodies under `key`; reports anything else. The node may be NULL (reported already).
+void yk_load_two_bodies(YkLoader *loader, const YkNode *list, const YkSubject *subject, int32_t body[2]);
+// The list of two values under a key that must be there; NULL with the mistake reported.
+const YkNode *yk_load_two_values(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject);
+// A key that is `true` or `false`; false where it is left out.
+bool yk_load_yes_or_no(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject);
+// A body that carries wheels, as `carrier:` names it; YK_NONE where it is left out, YK_REPORTED where it is wrong.
+int32_t yk_load_carrier(YkLoader *loader, const YkNode *map);
+// Axes: pins and welds that coincide on a body turn about one axis. Which body holds the axes of both wheels?
+// `carrier` is what the file says, or YK_NONE to infer it. Returns it, or YK_NONE with the reason reported; *distance
+// is that of the two axes on it, m. Cost O(joints).
+typedef struct YkWheelPair {
+    const char *noun, *name; // "gears", the entry's name
+    YkPlace place;
+    int32_t body[2], carrier;
+} YkWheelPair;
+int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance);
 
 // outside.c: passes on what was found wrong in a value that stands nowhere in the file, each message beginning with the
 // value and, unless NULL, what it is for.

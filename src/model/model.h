@@ -4,6 +4,7 @@
 #define MODEL_MODEL_H
 #include <stdbool.h>
 #include <stdint.h>
+#include <yoke/cam.h>
 #include <yoke/model.h>
 #include "base/memory.h"
 #include "base/names.h"
@@ -143,6 +144,92 @@ typedef struct YkModelLaw {
     struct YkLawSource *source; // as the file gives it: model/laws.h
 } YkModelLaw;
 
+// A number kept exactly where the file writes it so: numerator / denominator * pi^pi.
+typedef struct YkExact {
+    bool is_exact;
+    int64_t numerator, denominator; // in lowest terms, denominator > 0
+    int32_t pi;
+} YkExact;
+
+// Two gears in mesh. A gear's centre is its body's origin; both centres lie on axes that the carrier holds.
+typedef struct YkGear {
+    const char *name;
+    YkPlace place;
+    int32_t body[2]; // internal: the second is the ring
+    int32_t carrier; // given, or the one body that holds both centres; YK_NONE only while loading
+    bool is_internal;
+    int64_t teeth[2];        // > 0
+    double teeth_value[2];   // the same, as first read
+    double module;           // m; 0: not given
+    double pressure_angle;   // rad; 20 deg where not given
+    double planets;          // how many alike, equally spaced, mesh here; 0: not given
+    double center_distance;  // of the two centres on the carrier, m
+    YkExpr *teeth_expr[2], *module_expr, *pressure_angle_expr, *planets_expr;
+} YkGear;
+
+// A pinion rolls on a rack, which slides along a line of the carrier. On the left of that line, looking along it, a
+// pinion that turns counter-clockwise (against the carrier) moves the rack forwards; on the right, backwards.
+typedef struct YkRack {
+    const char *name;
+    YkPlace place;
+    int32_t pinion, rack, carrier;
+    int32_t slide;        // the joint between carrier and rack
+    int32_t sense;        // +1 or -1: rate of the slide over radius times the pinion's rate
+    double radius;        // m
+    YkExact exact_radius;
+    YkExpr *radius_expr;
+} YkRack;
+
+// A belt or chain between two pulleys whose centres the carrier holds.
+typedef struct YkBelt {
+    const char *name;
+    YkPlace place;
+    int32_t body[2], carrier;
+    double radius[2]; // m
+    YkExact exact_radius[2];
+    bool is_crossed;
+    YkExpr *radius_expr[2];
+} YkBelt;
+
+// `locks:` a set of bodies and coordinates held still, and of bodies joined to each other, chosen by name.
+typedef struct YkHold {
+    int32_t body;       // held to the ground; or YK_NONE:
+    int32_t coordinate; // whose rate is zero
+} YkHold;
+typedef struct YkLock {
+    const char *name;
+    YkPlace place;
+    YkHold *holds;
+    size_t hold_count;
+    int32_t (*joins)[2]; // pairs of bodies
+    size_t join_count;
+} YkLock;
+
+// `cams:` a cam pinned to a carrier, and the follower that the carrier guides.
+typedef struct YkCam {
+    const char *name;
+    YkPlace place;
+    int32_t cam, follower, carrier; // bodies
+    int32_t cam_joint;              // pin of cam and carrier
+    int32_t follower_joint;         // pin (oscillating) or slide (translating) of follower and carrier
+    int32_t law;                    // of model->laws: over the cam's angle; a length, or an angle where it oscillates
+    int32_t point;                  // `at`: of the follower, where the roller or edge sits; or YK_NONE
+    bool oscillates, is_groove, is_conjugate;
+    YkCamFace face;
+    double base, roller, offset; // m; offset towards -i along
+    double arm, centers;         // m, oscillating
+    double other_roller;         // of a conjugate pair's second roller, m
+    double other_span;           // how far it lies behind the first along the line of motion, m
+    double other_arm, other_angle; // oscillating: its arm, m, and the angle from the first arm to it, rad
+    YkExpr *base_expr, *roller_expr, *offset_expr, *arm_expr, *centers_expr; // NULL where not given
+    YkExpr *other_roller_expr, *other_span_expr, *other_arm_expr, *other_angle_expr;
+    // what follows from the joints, in the carrier's axes
+    double turn;  // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
+    double swing; // the same for an oscillating follower
+    YkVec along;  // unit direction of a translating follower's lift
+    YkVec pivot;  // of an oscillating follower, from the cam's centre, m
+} YkCam;
+
 enum { YK_QUANTITY_COUNT = YK_QUANTITY_ENERGY + 1 };
 
 struct YkModel {
@@ -175,6 +262,16 @@ struct YkModel {
     size_t stop_count;
     YkModelLaw *laws;
     size_t law_count;
+    YkCam *cams;
+    size_t cam_count;
+    YkGear *gears;
+    size_t gear_count;
+    YkRack *racks;
+    size_t rack_count;
+    YkBelt *belts;
+    size_t belt_count;
+    YkLock *locks;
+    size_t lock_count;
     bool has_gravity;
     YkVec gravity; // m/s^2
     YkExpr *gravity_x, *gravity_y;
@@ -186,5 +283,10 @@ struct YkModel {
 // Evaluates an expression of parameters and t (coordinates have no value here), with its derivatives in time.
 // Returns YK_OK; YK_BAD_MODEL with a problem added (code 3xx) for a division by zero and the like.
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
+
+// The exact SI value of an expression of numbers, pi and parameters, where + - * / and whole powers lead to one;
+// is_exact is false otherwise. The second: of its derivative in t, for an expression that is linear in t.
+YkExact yk_model_exact(const YkModel *model, const YkExpr *expr);
+YkExact yk_model_exact_rate(const YkModel *model, const YkExpr *expr);
 
 #endif

@@ -51,7 +51,8 @@ static uint32_t shared(YkSheet *sheet, uint32_t a, uint32_t b)
 uint32_t yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count)
 {
     uint32_t common = shared(sheet, terms[0].monomial, terms[0].monomial);
-    for (size_t i = 1; i < count && common != 0 && !sheet->failed; i++) common = shared(sheet, common, terms[i].monomial);
+    for (size_t i = 1; i < count && common != 0 && !sheet->failed; i++)
+        common = shared(sheet, common, terms[i].monomial);
     return common;
 }
 

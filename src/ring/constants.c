@@ -110,8 +110,7 @@ const YkPoisson *yk_ring_turn(YkRing *ring, int64_t numerator, int64_t denominat
 {
     YkRatio ratio;
     if (denominator == 0) return yk_ring_fail(ring, YK_RING_DIVISOR);
-    if (!yk_ratio_make(numerator, denominator, &ratio))
-        return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    if (!yk_ratio_make(numerator, denominator, &ratio)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
     if (12 % ratio.under == 0) return fifteenths(ring, (int32_t)(ratio.over % (2 * ratio.under) * (12 / ratio.under)));
     int32_t angle = yk_ring_constant_angle(ring, ratio.under);
     if (ratio.over > YK_POWER_MAX || ratio.over < -YK_POWER_MAX) return yk_ring_fail(ring, YK_RING_POWER);

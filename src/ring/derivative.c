@@ -67,7 +67,8 @@ static bool find_images(YkRing *ring, const YkPoisson *a, int32_t variable, int 
             uint32_t item = side == 0 ? yk_key_monomial(key) : yk_key_phase(key), count;
             yk_powers_of(table, item, &count);
             for (uint32_t k = 0; k < count; k++)
-                if (!find_image(ring, images, yk_powers_of(table, item, &count)[k].symbol, variable, depth)) return false;
+                if (!find_image(ring, images, yk_powers_of(table, item, &count)[k].symbol, variable, depth))
+                    return false;
         }
     return true;
 }
@@ -133,8 +134,10 @@ static const YkPoisson *derivative(YkRing *ring, const YkPoisson *a, int32_t var
     Images images = {calloc(ring->symbol_count + 1, sizeof *images.image),
                      calloc(ring->symbol_count + 1, sizeof *images.known), 1};
     const YkPoisson *result = NULL;
-    if (!images.image || !images.known) yk_ring_fail(ring, YK_RING_MEMORY);
-    else if (find_images(ring, a, variable, depth, &images)) result = gather_derivative(ring, a, &images);
+    if (!images.image || !images.known)
+        yk_ring_fail(ring, YK_RING_MEMORY);
+    else if (find_images(ring, a, variable, depth, &images))
+        result = gather_derivative(ring, a, &images);
     free(images.image);
     free(images.known);
     return result;

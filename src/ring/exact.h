@@ -1,5 +1,5 @@
-// Exact whole numbers of 63 bits and a sign: every operation tells whether its result fits. INT64_MIN counts as too large,
-// so that every number has its negative.
+// Exact whole numbers of 63 bits and a sign: every operation tells whether its result fits. INT64_MIN counts as too
+// large, so that every number has its negative.
 #ifndef RING_EXACT_H
 #define RING_EXACT_H
 #include <stdbool.h>

@@ -62,7 +62,8 @@ static void clear_column(uint64_t *A, uint64_t *b, size_t rows, size_t columns, 
         uint64_t factor = A[i * columns + column];
         if (i == pivot || factor == 0) continue;
         for (size_t j = 0; j < columns; j++)
-            A[i * columns + j] = yk_field_subtract(A[i * columns + j], yk_field_multiply(factor, A[pivot * columns + j]));
+            A[i * columns + j] =
+                yk_field_subtract(A[i * columns + j], yk_field_multiply(factor, A[pivot * columns + j]));
         b[i] = yk_field_subtract(b[i], yk_field_multiply(factor, b[pivot]));
     }
 }
@@ -86,7 +87,8 @@ int yk_field_solve(uint64_t *A, uint64_t *b, size_t rows, size_t columns, uint64
         size_t lead = 0;
         while (A[i * columns + lead] == 0) lead++;
         uint64_t value = b[i];
-        for (size_t j = lead + 1; j < columns; j++) value = yk_field_subtract(value, yk_field_multiply(A[i * columns + j], x[j]));
+        for (size_t j = lead + 1; j < columns; j++)
+            value = yk_field_subtract(value, yk_field_multiply(A[i * columns + j], x[j]));
         x[lead] = value;
     }
     return (int)rank;

@@ -1,6 +1,7 @@
 // Arithmetic modulo the prime p = 2^64 - 2^32 + 1, where i, sqrt 2 and sqrt 3 exist; and elements of the ring there.
 // Two forms of the same quantity agree at every point; two different ones agree at a random point by chance with
-// probability about degree / p, below 1e-16 (Schwartz 1980, Zippel 1979). So forms are compared without expanding either.
+// probability about degree / p, below 1e-16 (Schwartz 1980, Zippel 1979). So forms are compared without expanding
+// either.
 #ifndef RING_FIELD_H
 #define RING_FIELD_H
 #include "base/wide.h"
@@ -33,20 +34,21 @@ uint64_t yk_field_power(uint64_t base, uint64_t exponent);
 uint64_t yk_field_invert(uint64_t a);           // of 0 it is 0
 uint64_t yk_field_of(int64_t value);            // a whole number
 bool yk_field_sqrt(uint64_t a, uint64_t *root); // false where there is none
-// Solves A x = b by elimination. A is rows x columns, row after row, and b has `rows` entries; both are overwritten. Free
-// unknowns keep what stands in x. Returns the rank, or -1 where there is no solution.
+// Solves A x = b by elimination. A is rows x columns, row after row, and b has `rows` entries; both are overwritten.
+// Free unknowns keep what stands in x. Returns the rank, or -1 where there is no solution.
 int yk_field_solve(uint64_t *A, uint64_t *b, size_t rows, size_t columns, uint64_t *x);
 
 // A point: a value for every symbol of a ring, and a unit vector u (its conjugate is 1/u) for every angle.
 typedef struct YkFieldPoint YkFieldPoint;
-// Random values, the same for the same seed; roots are what they must be. NULL when out of memory, or where a root's square
-// has no root at 4,096 random points. Symbols added to the ring later are not in it.
+// Random values, the same for the same seed; roots are what they must be. NULL when out of memory, or where a root's
+// square has no root at 4,096 random points. Symbols added to the ring later are not in it.
 YkFieldPoint *yk_field_point_new(const YkRing *ring, uint64_t seed);
 void yk_field_point_free(YkFieldPoint *point);
 uint64_t yk_field_point_get(const YkFieldPoint *point, int32_t symbol);
-void yk_field_point_set(YkFieldPoint *point, int32_t symbol, uint64_t value); // of a symbol outside of phases
+void yk_field_point_set(YkFieldPoint *point, int32_t symbol, uint64_t value);    // of a symbol outside of phases
 void yk_field_point_set_unit(YkFieldPoint *point, int32_t angle, uint64_t unit); // not 0
-// The value of an element (NULL is 0, as is one that mentions symbols younger than the point); `conjugate`: of its conjugate.
+// The value of an element (NULL is 0, as is one that mentions symbols younger than the point); `conjugate`: of its
+// conjugate.
 uint64_t yk_ring_field(const YkRing *ring, const YkPoisson *a, const YkFieldPoint *point, bool conjugate);
 
 #endif

@@ -1,13 +1,20 @@
-// The structured form: sums, products and quotients of elements as the model says them, not multiplied out. It is what gets
-// printed and compiled for large systems; the ring expands the small pieces, the prime field compares the large ones.
+// The structured form: sums, products and quotients of elements as the model says them, not multiplied out. It is what
+// gets printed and compiled for large systems; the ring expands the small pieces, the prime field compares the large
+// ones.
 #ifndef RING_FORM_H
 #define RING_FORM_H
 #include "ring/field.h"
 
-// A node of a graph; constant, shared freely, lives as long as its ring. Functions return NULL when out of memory (the ring's
-// status says so) and where they are given NULL.
+// A node of a graph; constant, shared freely, lives as long as its ring. Functions return NULL when out of memory (the
+// ring's status says so) and where they are given NULL.
 typedef struct YkForm YkForm;
-typedef enum YkFormKind { YK_FORM_ELEMENT, YK_FORM_SUM, YK_FORM_PRODUCT, YK_FORM_QUOTIENT, YK_FORM_CONJUGATE } YkFormKind;
+typedef enum YkFormKind {
+    YK_FORM_ELEMENT,
+    YK_FORM_SUM,
+    YK_FORM_PRODUCT,
+    YK_FORM_QUOTIENT,
+    YK_FORM_CONJUGATE
+} YkFormKind;
 
 const YkForm *yk_form_of(YkRing *ring, const YkPoisson *a);
 const YkForm *yk_form_sum(YkRing *ring, const YkForm *const *parts, size_t count);
@@ -26,10 +33,11 @@ const YkPoisson *yk_form_element(const YkForm *form); // of YK_FORM_ELEMENT, els
 size_t yk_form_part_count(const YkForm *form);
 const YkForm *yk_form_part(const YkForm *form, size_t index);
 
-// Multiplied out: an element of at most `terms` terms, or NULL with the ring's status (YK_RING_SIZE; YK_RING_DIVISOR where a
-// divisor is not a single term).
+// Multiplied out: an element of at most `terms` terms, or NULL with the ring's status (YK_RING_SIZE; YK_RING_DIVISOR
+// where a divisor is not a single term).
 const YkPoisson *yk_form_expand(YkRing *ring, const YkForm *form, size_t terms);
-// The value at a point of the prime field; false at a division by zero, or when out of memory. Each node is computed once.
+// The value at a point of the prime field; false at a division by zero, or when out of memory. Each node is computed
+// once.
 bool yk_form_field(YkRing *ring, const YkForm *form, const YkFieldPoint *point, uint64_t *value);
 // The value at completed values (yk_ring_complete); NaN where it has none.
 YkVec yk_form_value(YkRing *ring, const YkForm *form, const double *values);

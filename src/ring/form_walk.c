@@ -84,7 +84,8 @@ static Result of_parts(const Walk *walk, const YkForm *form)
     const Result *results = walk->results;
     if (form->kind == YK_FORM_CONJUGATE) return conjugate(walk, results[form->parts[0]->number - walk->first]);
     if (form->kind == YK_FORM_QUOTIENT)
-        return divide(walk, results[form->parts[0]->number - walk->first], results[form->parts[1]->number - walk->first]);
+        return divide(walk, results[form->parts[0]->number - walk->first],
+                      results[form->parts[1]->number - walk->first]);
     Result sum = of_element(walk, product ? walk->ring->one : walk->ring->zero);
     for (size_t i = 0; i < form->count; i++) {
         Result part = results[form->parts[i]->number - walk->first];

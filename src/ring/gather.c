@@ -136,7 +136,8 @@ static bool sort_terms(YkGather *gather)
         sort_insertion(gather->terms + i, count - i < INSERTION_MAX ? count - i : INSERTION_MAX);
     if (count <= INSERTION_MAX) return true;
     while (gather->sorted_capacity < gather->capacity)
-        if (!yk_grow((void **)&gather->sorted, gather->sorted_capacity, &gather->sorted_capacity, sizeof *gather->sorted))
+        if (!yk_grow((void **)&gather->sorted, gather->sorted_capacity, &gather->sorted_capacity,
+                     sizeof *gather->sorted))
             return false;
     for (size_t run = INSERTION_MAX; run < count; run *= 2) {
         merge_runs(gather->terms, gather->sorted, count, run);

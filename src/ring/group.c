@@ -61,15 +61,18 @@ static void rate_group(YkSheet *sheet, YkShow *sum, YkRateProduct *list, size_t 
     divide_terms(sheet, terms, count, common, number);
     for (size_t i = 0; i < count && !sheet->failed; i++) {
         bool bare = terms[i].monomial == 0 && (yk_ratio_is(terms[i].number, 1) || yk_ratio_is(terms[i].number, -1));
-        YkShow *part = bare ? yk_show(sheet, YK_SHOW_PRODUCT) : yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL);
+        YkShow *part =
+            bare ? yk_show(sheet, YK_SHOW_PRODUCT) : yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL);
         if (part) part->negative = terms[i].number.over < 0;
         yk_show_append(part, list[i].rates);
         yk_show_append(bracket, part);
     }
     bool factored = common != 0 || !(yk_ratio_is(number, 1) || yk_ratio_is(number, -1));
     YkShow *whole = factored ? yk_show_term(sheet, number, common, NULL) : bracket;
-    if (factored) yk_show_append(whole, bracket);
-    else if (whole) whole->negative = number.over < 0;
+    if (factored)
+        yk_show_append(whole, bracket);
+    else if (whole)
+        whole->negative = number.over < 0;
     yk_show_append(sum, whole);
 }
 
@@ -86,13 +89,11 @@ void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t 
     yk_sort_by_monomial(sheet, terms, count);
     YkRateProduct *list = yk_rate_products(sheet, terms, count, &products);
     for (size_t start = 0; list && start < products && !sheet->failed; start = end) {
-        for (end = start + 1; end < products && same_mass(sheet, list[start].monomial, list[end].monomial); end++) {
-        }
+        for (end = start + 1; end < products && same_mass(sheet, list[start].monomial, list[end].monomial); end++) {}
         rate_group(sheet, sum, list + start, end - start);
     }
     for (size_t start = 0; !list && start < count && !sheet->failed; start = end) {
-        for (end = start + 1; end < count && same_mass(sheet, terms[start].monomial, terms[end].monomial); end++) {
-        }
+        for (end = start + 1; end < count && same_mass(sheet, terms[start].monomial, terms[end].monomial); end++) {}
         polynomial_group(sheet, sum, terms + start, end - start);
     }
 }
@@ -126,8 +127,10 @@ static void bracket_times_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, 
     YkShow *product = yk_show_term(sheet, number, early, &unit), *bracket = yk_show(sheet, YK_SHOW_SUM);
     if (product && yk_ratio_is(number, number.over < 0 ? -1 : 1) && early == 0 && !unit.is_imaginary && unit.surd == 0)
         product->first = product->last = NULL; // no lone 1
-    if (moving) append_terms(sheet, bracket, terms, count);
-    else yk_show_polynomial(sheet, bracket, terms, count);
+    if (moving)
+        append_terms(sheet, bracket, terms, count);
+    else
+        yk_show_polynomial(sheet, bracket, terms, count);
     atom.is_imaginary = false;
     atom.surd = 0;
     YkShow *tail = yk_show_term(sheet, (YkRatio){1, 1}, gravity, &atom);
@@ -159,10 +162,11 @@ void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t cou
     yk_sort_by_atom(sheet, terms, count);
     for (size_t start = 0, end; start < count && !sheet->failed; start = end) {
         const YkAtom atom = terms[start].atom;
-        for (end = start + 1; end < count && yk_compare_atoms(sheet->ring, &atom, &terms[end].atom) == 0; end++) {
-        }
+        for (end = start + 1; end < count && yk_compare_atoms(sheet->ring, &atom, &terms[end].atom) == 0; end++) {}
         bool is_plain = atom.function == YK_SHOWN_ONE && !atom.is_imaginary && atom.surd == 0;
-        if (is_plain) yk_show_polynomial(sheet, sum, terms + start, end - start);
-        else atom_group(sheet, sum, terms + start, end - start);
+        if (is_plain)
+            yk_show_polynomial(sheet, sum, terms + start, end - start);
+        else
+            atom_group(sheet, sum, terms + start, end - start);
     }
 }

@@ -56,10 +56,10 @@ typedef struct YkRingSymbol {
     const char *name;
     YkRingClass kind;
     bool is_angle;
-    const YkPoisson *rate;   // declared total time derivative, or NULL
+    const YkPoisson *rate; // declared total time derivative, or NULL
     YkPartial *partials;
-    const YkPoisson *square; // of a root
-    int64_t pi_over;         // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
+    const YkPoisson *square;        // of a root
+    int64_t pi_over;                // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
     const char *latex, *c, *mathml; // as it is typeset
 } YkRingSymbol;
 
@@ -81,7 +81,7 @@ struct YkRing {
     YkArena *arena;
     YkRingSymbol *symbols;
     size_t symbol_count, symbol_capacity;
-    YkNames names;       // in text, aliases included
+    YkNames names; // in text, aliases included
     YkNames latex_names, c_names;
     YkPowers monomials, phases;
     YkGather gather;
@@ -95,7 +95,8 @@ const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
 // --- symbols.c: the symbol of pi / pi_over, `pi_7`; entered where new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
 
-// --- typeset.c: a name in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in its ring. False: no memory.
+// --- typeset.c: a name in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in its ring. False: no
+// memory.
 bool yk_ring_typeset(YkRing *ring, YkRingSymbol *symbol);
 
 // --- keys.c: products of keys. YK_NO_PRODUCT with the status on failure.

@@ -31,7 +31,8 @@ static void take_sections(YkSheet *sheet, const YkShownTerm *terms, size_t count
 static YkShow *bracket_factor(YkSheet *sheet, YkShownTerm *terms, size_t count)
 {
     YkRatio number;
-    if (count < 2 || !yk_common_number(terms, count, &number) || yk_ratio_is(number, 1)) return yk_show(sheet, YK_SHOW_PRODUCT);
+    if (count < 2 || !yk_common_number(terms, count, &number) || yk_ratio_is(number, 1))
+        return yk_show(sheet, YK_SHOW_PRODUCT);
     for (size_t i = 0; i < count; i++)
         if (!yk_ratio_divide(terms[i].number, number, &terms[i].number)) sheet->failed = true;
     return yk_show_term(sheet, number, 0, NULL);
@@ -40,7 +41,8 @@ static YkShow *bracket_factor(YkSheet *sheet, YkShownTerm *terms, size_t count)
 // (bracket) * lead for terms that all hold the monomial `lead`, which is divided out.
 static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count, uint32_t lead, bool with_factor)
 {
-    for (size_t i = 0; i < count && !sheet->failed; i++) terms[i].monomial = yk_quotient(sheet, terms[i].monomial, lead);
+    for (size_t i = 0; i < count && !sheet->failed; i++)
+        terms[i].monomial = yk_quotient(sheet, terms[i].monomial, lead);
     if (sheet->failed) return;
     YkShow *bracket = yk_show(sheet, YK_SHOW_SUM);
     YkShow *product = with_factor ? bracket_factor(sheet, terms, count) : yk_show(sheet, YK_SHOW_PRODUCT);
@@ -48,8 +50,10 @@ static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t
     YkShow *inner = yk_show_simplest(bracket);
     bool is_one = inner && inner->kind == YK_SHOW_PRODUCT && inner->first && inner->first == inner->last &&
                   inner->first->kind == YK_SHOW_NUMBER && yk_ratio_is(inner->first->number, 1);
-    if (is_one && product) product->negative = inner->negative;
-    else yk_show_append(product, inner);
+    if (is_one && product)
+        product->negative = inner->negative;
+    else
+        yk_show_append(product, inner);
     yk_show_append(product, yk_show_term(sheet, (YkRatio){1, 1}, lead, NULL));
     yk_show_append(sum, product);
 }
@@ -128,8 +132,10 @@ YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count)
     take_sections(sheet, terms, count, sections);
     if (sheet->failed) return NULL;
     brackets(sheet, sum, sections[ACCELERATIONS], YK_RING_ACCELERATION);
-    if (sheet->style == YK_RING_BRACKETS) brackets(sheet, sum, sections[RATES], YK_RING_RATE);
-    else yk_show_by_atom(sheet, sum, sections[RATES].terms, sections[RATES].count);
+    if (sheet->style == YK_RING_BRACKETS)
+        brackets(sheet, sum, sections[RATES], YK_RING_RATE);
+    else
+        yk_show_by_atom(sheet, sum, sections[RATES].terms, sections[RATES].count);
     gravity_section(sheet, sum, sections[GRAVITY]);
     yk_show_by_atom(sheet, sum, sections[REST].terms, sections[REST].count);
     return sheet->failed ? NULL : sum;

@@ -3,7 +3,8 @@
 #include <string.h>
 #include "ring/shown.h"
 
-// Of the powers from `from` on, the one that comes next in order of (class, symbol) after (kind, symbol); NULL after the last.
+// Of the powers from `from` on, the one that comes next in order of (class, symbol) after (kind, symbol); NULL after
+// the last.
 static const YkPower *next_power(const YkRing *ring, uint32_t monomial, const YkPower *after)
 {
     uint32_t count;
@@ -35,7 +36,8 @@ int yk_compare_monomials(const YkRing *ring, uint32_t a, uint32_t b)
 static int compare_phases(const YkRing *ring, uint32_t a, uint32_t b)
 {
     uint32_t left_count, right_count;
-    const YkPower *left = yk_powers_of(&ring->phases, a, &left_count), *right = yk_powers_of(&ring->phases, b, &right_count);
+    const YkPower *left = yk_powers_of(&ring->phases, a, &left_count),
+                  *right = yk_powers_of(&ring->phases, b, &right_count);
     if (left_count != right_count) return left_count < right_count ? -1 : 1;
     for (uint32_t i = 0; i < left_count; i++) {
         if (left[i].symbol != right[i].symbol) return left[i].symbol < right[i].symbol ? -1 : 1;
@@ -74,7 +76,8 @@ static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size
 
 static void sort_terms(const YkSheet *sheet, YkShownTerm *terms, size_t count, bool by_atom)
 {
-    YkShownTerm *room = count > 1 ? YK_NEW(sheet->arena, YkShownTerm, count) : NULL; // a failed arena fails the sheet later
+    YkShownTerm *room =
+        count > 1 ? YK_NEW(sheet->arena, YkShownTerm, count) : NULL; // a failed arena fails the sheet later
     if (room) sort(sheet->ring, terms, room, count, by_atom);
 }
 

@@ -100,7 +100,8 @@ static uint64_t powers_value(const YkPowers *table, uint32_t item, const uint64_
         if ((size_t)powers[i].symbol >= known) return 0;
         const uint64_t *base = exponent < 0 ? inverses : values;
         uint64_t power = base[powers[i].symbol];
-        if (exponent != 1 && exponent != -1) power = yk_field_power(power, (uint64_t)(exponent < 0 ? -(int64_t)exponent : exponent));
+        if (exponent != 1 && exponent != -1)
+            power = yk_field_power(power, (uint64_t)(exponent < 0 ? -(int64_t)exponent : exponent));
         value = yk_field_multiply(value, power);
     }
     return value;
@@ -115,7 +116,8 @@ uint64_t yk_ring_field(const YkRing *ring, const YkPoisson *a, const YkFieldPoin
         uint64_t key = a->terms[i].key;
         if (i == 0 || yk_key_phase(key) != yk_key_phase(a->terms[i - 1].key))
             phase = powers_value(&ring->phases, yk_key_phase(key), unit, inverse, point->count);
-        uint64_t term = powers_value(&ring->monomials, yk_key_monomial(key), point->value, point->value_inverse, point->count);
+        uint64_t term =
+            powers_value(&ring->monomials, yk_key_monomial(key), point->value, point->value_inverse, point->count);
         term = yk_field_multiply(yk_field_multiply(term, phase), point->number[yk_key_unit(key)]);
         term = yk_field_multiply(term, yk_field_of(a->terms[i].number));
         bool negative = conjugate && (yk_key_unit(key) & YK_UNIT_I);

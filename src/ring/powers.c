@@ -68,7 +68,8 @@ static bool more_slots(YkPowers *table)
 static bool more_pool(YkPowers *table, size_t wanted)
 {
     while (table->pool_capacity - table->pool_count < wanted)
-        if (!yk_grow((void **)&table->pool, table->pool_capacity, &table->pool_capacity, sizeof *table->pool)) return false;
+        if (!yk_grow((void **)&table->pool, table->pool_capacity, &table->pool_capacity, sizeof *table->pool))
+            return false;
     return true;
 }
 
@@ -134,14 +135,16 @@ static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b
     return count;
 }
 
-uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit, YkPowersFault *fault)
+uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
+                            YkPowersFault *fault)
 {
     *fault = YK_POWERS_FINE;
     if (b == 0 || times == 0) return a;
     if (a == 0 && times == 1) return b;
     const YkProductOfPowers *left = &table->items[a], *right = &table->items[b];
     while (table->scratch_capacity < (size_t)left->count + right->count)
-        if (!yk_grow((void **)&table->scratch, table->scratch_capacity, &table->scratch_capacity, sizeof *table->scratch)) {
+        if (!yk_grow((void **)&table->scratch, table->scratch_capacity, &table->scratch_capacity,
+                     sizeof *table->scratch)) {
             *fault = YK_POWERS_MEMORY;
             return YK_NO_PRODUCT;
         }

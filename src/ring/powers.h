@@ -12,7 +12,7 @@ typedef struct YkPower {
 
 typedef struct YkProductOfPowers {
     uint64_t hash;
-    size_t first;   // index of its first power in the pool; powers ascend by symbol
+    size_t first; // index of its first power in the pool; powers ascend by symbol
     uint32_t count;
 } YkProductOfPowers;
 
@@ -39,6 +39,7 @@ int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol)
 // The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
 uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
 // a * b^times, times = 1 or -1 (or any other small power).
-uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit, YkPowersFault *fault);
+uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
+                            YkPowersFault *fault);
 
 #endif

@@ -3,8 +3,8 @@
 
 enum { WORK_PER_TERM = 64 }; // products of terms allowed for each term of the ring's limit
 
-// The denominator of a * b, and the factor by which products of numbers shrink: common divisors of one's numbers and the
-// other's denominator cancel before anything is multiplied.
+// The denominator of a * b, and the factor by which products of numbers shrink: common divisors of one's numbers and
+// the other's denominator cancel before anything is multiplied.
 typedef struct Cancelled {
     int64_t a_divisor, b_divisor, denominator;
 } Cancelled;

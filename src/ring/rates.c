@@ -30,7 +30,8 @@ static bool read_form(const YkSheet *sheet, const YkShownTerm *terms, size_t cou
         const YkPower *powers = yk_powers_of(&sheet->ring->monomials, terms[i].monomial, &powers_count);
         bool is_square = powers_count == 1 && powers[0].exponent == 2;
         if (!is_square && !(powers_count == 2 && powers[0].exponent == 1 && powers[1].exponent == 1)) return false;
-        if (!index_of(form, powers[0].symbol, &a) || !index_of(form, powers[is_square ? 0 : 1].symbol, &b)) return false;
+        if (!index_of(form, powers[0].symbol, &a) || !index_of(form, powers[is_square ? 0 : 1].symbol, &b))
+            return false;
         YkRatio value = terms[i].number;
         if (!is_square && !yk_ratio_multiply(value, (YkRatio){1, 2}, &value)) return false;
         form->S[a][b] = form->S[b][a] = value;
@@ -67,7 +68,8 @@ static bool is_square_at(const Form *form, size_t k)
         for (size_t j = 0; j < form->count; j++) {
             YkRatio left, right;
             if (!yk_ratio_multiply(form->S[i][j], form->S[k][k], &left) ||
-                !yk_ratio_multiply(form->S[i][k], form->S[k][j], &right) || left.over != right.over || left.under != right.under)
+                !yk_ratio_multiply(form->S[i][k], form->S[k][j], &right) || left.over != right.over ||
+                left.under != right.under)
                 return false;
         }
     return true;
@@ -82,7 +84,8 @@ static bool is_common(const Form *form, size_t k)
     return true;
 }
 
-// The linear form with these coefficients, as factor * (whole combination, first sign +): a symbol or a sum. NULL on overflow.
+// The linear form with these coefficients, as factor * (whole combination, first sign +): a symbol or a sum. NULL on
+// overflow.
 static YkShow *linear_form(YkSheet *sheet, const Form *form, const YkRatio *coefficients, YkRatio *factor)
 {
     YkShownTerm terms[RATES_MAX];
@@ -94,7 +97,8 @@ static YkShow *linear_form(YkSheet *sheet, const Form *form, const YkRatio *coef
     if (terms[0].number.over < 0) factor->over = -factor->over;
     YkShow *sum = yk_show(sheet, YK_SHOW_SUM);
     for (size_t i = 0; i < count; i++) {
-        if (!yk_ratio_divide(terms[i].number, *factor, &terms[i].number) || terms[i].monomial == YK_NO_PRODUCT) return NULL;
+        if (!yk_ratio_divide(terms[i].number, *factor, &terms[i].number) || terms[i].monomial == YK_NO_PRODUCT)
+            return NULL;
         yk_show_append(sum, yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL));
     }
     if (count > 1 || !sum || !sum->first) return sum;
@@ -163,8 +167,7 @@ YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t
     if (!rates) return NULL;
     for (size_t start = 0, end; start < count; start = end) {
         // Equal rests stand together: the sort puts rates after all other classes.
-        for (end = start + 1; end < count && rests[end] == rests[start]; end++) {
-        }
+        for (end = start + 1; end < count && rests[end] == rests[start]; end++) {}
         YkRateProduct *product = &list[*products];
         product->monomial = rests[start];
         product->rates = factored(sheet, rates + start, end - start, &product->number);

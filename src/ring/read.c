@@ -3,6 +3,7 @@
 //   product factor { [* / or nothing] factor }      juxtaposition binds like *
 //   factor  [+-] base [ ^ whole number ]
 //   base    number | name | function | ( sum ) | { sum } in LaTeX
+#include <stdlib.h>
 #include <string.h>
 #include "ring/reader.h"
 
@@ -33,8 +34,8 @@ bool yk_reader_sees(const YkRingReader *reader, const char *what)
 
 void yk_reader_blanks(YkRingReader *reader)
 {
-    static const char *const blanks[] = {" ", "\t", "\n", "\r", "~", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\quad", "\\left",
-                                         "\\right"};
+    static const char *const blanks[] = {" ",   "\t",  "\n",  "\r",     "~",      "\\,",    "\\;",
+                                         "\\:", "\\!", "\\ ", "\\quad", "\\left", "\\right"};
     size_t kinds = reader->format == YK_RING_LATEX ? sizeof blanks / sizeof *blanks : 4;
     for (size_t i = 0; i < kinds;) {
         if (!yk_reader_sees(reader, blanks[i])) {
@@ -54,7 +55,8 @@ bool yk_reader_takes(YkRingReader *reader, const char *what)
     return true;
 }
 
-const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t start, const char *message, const char *detail)
+const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t start, const char *message,
+                                  const char *detail)
 {
     YkPlace place = reader->place;
     if (reader->failed) return NULL;
@@ -68,7 +70,8 @@ const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t star
 const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted)
 {
     if (reader->at >= reader->length)
-        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, reader->at, "the expression ends where %s is wanted", wanted);
+        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, reader->at, "the expression ends where %s is wanted",
+                                wanted);
     char c = yk_reader_peek(reader);
     if (c < ' ' || c > '~')
         return yk_reader_refuse(reader, YK_CODE_EXPR_CHARACTER, reader->at, "%s is wanted, not this character", wanted);
@@ -81,8 +84,9 @@ static const YkPoisson *checked(YkRingReader *reader, size_t start, const YkPois
 {
     if (result || reader->failed) return result;
     YkRingStatus status = yk_ring_status(reader->ring);
-    YkCode code = status == YK_RING_MEMORY ? YK_CODE_OUT_OF_MEMORY
-                  : status == YK_RING_DIVISOR ? YK_CODE_RING_DIVISOR : YK_CODE_RING_SIZE;
+    YkCode code = status == YK_RING_MEMORY    ? YK_CODE_OUT_OF_MEMORY
+                  : status == YK_RING_DIVISOR ? YK_CODE_RING_DIVISOR
+                                              : YK_CODE_RING_SIZE;
     return yk_reader_refuse(reader, code, start, "%s", yk_ring_status_text(status));
 }
 
@@ -145,8 +149,7 @@ const YkPoisson *yk_reader_factor(YkRingReader *reader)
     size_t start = reader->at;
     int32_t power = 0;
     for (;; negative = !negative) {
-        while (yk_reader_takes(reader, "+")) {
-        }
+        while (yk_reader_takes(reader, "+")) {}
         if (!yk_reader_takes(reader, "-")) break;
     }
     const YkPoisson *value = base(reader);
@@ -172,7 +175,8 @@ static const YkPoisson *product(YkRingReader *reader)
     const YkPoisson *value = yk_reader_factor(reader);
     while (value) {
         bool divides = yk_reader_takes(reader, "/");
-        if (!divides && !yk_reader_takes(reader, "*") && !yk_reader_takes(reader, "\\cdot") && !juxtaposed(reader)) break;
+        if (!divides && !yk_reader_takes(reader, "*") && !yk_reader_takes(reader, "\\cdot") && !juxtaposed(reader))
+            break;
         const YkPoisson *factor = yk_reader_factor(reader);
         if (!factor) return NULL;
         value = divides ? yk_ring_divide(reader->ring, value, factor) : yk_ring_multiply(reader->ring, value, factor);
@@ -181,26 +185,46 @@ static const YkPoisson *product(YkRingReader *reader)
     return value;
 }
 
+// Parts of a sum. They are added at once: one by one, a long sum would be copied for each of its terms.
+typedef struct Parts {
+    const YkPoisson **items;
+    size_t count, capacity;
+} Parts;
+
+static bool keep_part(YkRingReader *reader, Parts *parts, const YkPoisson *part)
+{
+    if (!part) return false;
+    if (!YK_ROOM(parts->items, parts->count, parts->capacity)) {
+        yk_ring_fail(reader->ring, YK_RING_MEMORY);
+        return checked(reader, reader->at, NULL) != NULL;
+    }
+    parts->items[parts->count++] = part;
+    return true;
+}
+
 const YkPoisson *yk_reader_sum(YkRingReader *reader)
 {
     size_t start = reader->at;
-    const YkPoisson *value = product(reader);
-    while (value && !reader->failed) {
+    Parts parts = {0};
+    bool well = keep_part(reader, &parts, product(reader));
+    while (well) {
         bool minus = yk_reader_takes(reader, "-");
         if (!minus && !yk_reader_takes(reader, "+")) break;
         const YkPoisson *part = product(reader);
-        if (!part) return NULL;
-        value = minus ? yk_ring_subtract(reader->ring, value, part) : yk_ring_add(reader->ring, value, part);
-        value = checked(reader, start, value);
+        if (minus && part) part = checked(reader, start, yk_ring_negate(reader->ring, part));
+        well = keep_part(reader, &parts, part);
     }
-    return value;
+    const YkPoisson *sum = well ? checked(reader, start, yk_ring_sum(reader->ring, parts.items, parts.count)) : NULL;
+    free(parts.items);
+    return sum;
 }
 
 const YkPoisson *yk_ring_read(YkRing *ring, YkRingFormat format, const char *text, size_t length, YkPlace place,
                               YkProblems *problems)
 {
     YkRingStatus before = ring->status;
-    YkRingReader reader = {.ring = ring, .format = format, .text = text, .length = length, .place = place, .problems = problems};
+    YkRingReader reader = {
+        .ring = ring, .format = format, .text = text, .length = length, .place = place, .problems = problems};
     ring->status = YK_RING_OK;
     yk_reader_blanks(&reader);
     const YkPoisson *value = yk_reader_sum(&reader);

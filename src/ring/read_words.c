@@ -37,7 +37,8 @@ const YkPoisson *yk_reader_number(YkRingReader *reader)
     const YkPoisson *value = NULL;
     if (yk_number_read_exact(reader->text + start, rest, &mantissa, &exponent) && exponent > -40 && exponent < 40)
         value = yk_ring_decimal(reader->ring, mantissa, exponent);
-    if (!value) return yk_reader_refuse(reader, YK_CODE_RING_SIZE, start, "%s", "the number is too large for exact arithmetic");
+    if (!value)
+        return yk_reader_refuse(reader, YK_CODE_RING_SIZE, start, "%s", "the number is too large for exact arithmetic");
     if (peek_at(reader, 0) == 'i' && !is_name_part(peek_at(reader, 1))) {
         reader->at++;
         value = yk_ring_multiply(reader->ring, value, yk_ring_i(reader->ring));
@@ -80,19 +81,22 @@ static int32_t find_symbol(const YkRingReader *reader, const char *name)
 
 static void skip_group(YkRingReader *reader)
 {
-    while (reader->at < reader->length && reader->text[reader->at] != '}' && reader->text[reader->at] != '{') reader->at++;
+    while (reader->at < reader->length && reader->text[reader->at] != '}' && reader->text[reader->at] != '{')
+        reader->at++;
     if (yk_reader_peek(reader) == '}') reader->at++;
 }
 
 // A symbol in LaTeX: [\dot{] base [}] [_{subscript}], base a letter, a command, or \mathit{word}.
 static void skip_latex_name(YkRingReader *reader)
 {
-    bool accent = yk_reader_sees(reader, "\\dot") || yk_reader_sees(reader, "\\ddot") || yk_reader_sees(reader, "\\dddot");
+    bool accent =
+        yk_reader_sees(reader, "\\dot") || yk_reader_sees(reader, "\\ddot") || yk_reader_sees(reader, "\\dddot");
     if (accent) {
         while (reader->at < reader->length && reader->text[reader->at] != '{') reader->at++;
         if (reader->at < reader->length) reader->at++;
     }
-    if (yk_reader_sees(reader, "\\mathit") || yk_reader_sees(reader, "\\mathtt") || yk_reader_sees(reader, "\\mathrm")) {
+    if (yk_reader_sees(reader, "\\mathit") || yk_reader_sees(reader, "\\mathtt") ||
+        yk_reader_sees(reader, "\\mathrm")) {
         reader->at += strlen("\\mathit");
         if (yk_reader_peek(reader) == '{') reader->at++;
         skip_group(reader);
@@ -107,7 +111,8 @@ static void skip_latex_name(YkRingReader *reader)
     if (yk_reader_peek(reader) == '{') {
         reader->at++;
         skip_group(reader);
-    } else if (reader->at < reader->length) reader->at++;
+    } else if (reader->at < reader->length)
+        reader->at++;
 }
 
 static void skip_name(YkRingReader *reader)
@@ -135,7 +140,8 @@ const YkPoisson *yk_reader_name(YkRingReader *reader)
     size_t start = reader->at;
     skip_name(reader);
     if (reader->at > reader->length) reader->at = reader->length;
-    if (!token(reader, start, name)) return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s", "the name is too long");
+    if (!token(reader, start, name))
+        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s", "the name is too long");
     if (reader->format == YK_RING_LATEX) brace_subscript(name);
     int32_t symbol = find_symbol(reader, name);
     yk_reader_blanks(reader);
@@ -154,7 +160,8 @@ static const YkPoisson *unit_of(YkRing *ring, const YkPoisson *angle)
         uint32_t count;
         const YkRingTerm term = angle->terms[i];
         const YkPower *powers = yk_powers_of(&ring->monomials, yk_key_monomial(term.key), &count);
-        if (yk_key_phase(term.key) != 0 || yk_key_unit(term.key) != 0 || count != 1 || powers[0].exponent != 1) return NULL;
+        if (yk_key_phase(term.key) != 0 || yk_key_unit(term.key) != 0 || count != 1 || powers[0].exponent != 1)
+            return NULL;
         int32_t symbol = powers[0].symbol;
         int64_t factor = term.number / angle->denominator;
         if (ring->symbols[symbol].pi_over == 1) {
@@ -198,7 +205,8 @@ static const YkPoisson *root_argument(YkRingReader *reader, const char *close)
     const YkPoisson *root = NULL;
     if (yk_ring_is_rational(value, &square, &one) && one == 1) root = yk_ring_sqrt(reader->ring, square);
     if (!root)
-        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s", "only roots of 2, 3, 6 and squares times these are known");
+        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s",
+                                "only roots of 2, 3, 6 and squares times these are known");
     return yk_reader_takes(reader, close) ? root : yk_reader_expected(reader, close[0] == ')' ? "`)`" : "`}`");
 }
 
@@ -213,7 +221,8 @@ static const YkPoisson *power_arguments(YkRingReader *reader)
     const YkPoisson *power = yk_reader_sum(reader);
     if (!power) return NULL;
     if (!yk_reader_takes(reader, ")")) return yk_reader_expected(reader, "`)`");
-    bool whole = yk_ring_is_rational(power, &exponent, &one) && one == 1 && exponent >= -YK_POWER_MAX && exponent <= YK_POWER_MAX;
+    bool whole = yk_ring_is_rational(power, &exponent, &one) && one == 1 && exponent >= -YK_POWER_MAX &&
+                 exponent <= YK_POWER_MAX;
     const YkPoisson *result = whole ? yk_ring_power(reader->ring, value, (int32_t)exponent) : NULL;
     return result ? result : yk_reader_refuse(reader, YK_CODE_RING_SIZE, start, "%s", "this power cannot be expanded");
 }
@@ -233,9 +242,10 @@ const YkPoisson *yk_reader_function(YkRingReader *reader, bool *found)
     size_t start = reader->at;
     int function = 0;
     while (function < FUNCTIONS && !yk_reader_sees(reader, (in_latex ? latex : plain)[function])) function++;
-    *found = function < FUNCTIONS && !(reader->at + strlen(plain[function]) < reader->length && !in_latex &&
-                                       (is_name_part(peek_at(reader, strlen(plain[function]))) ||
-                                        peek_at(reader, strlen(plain[function])) == '\''));
+    *found =
+        function < FUNCTIONS &&
+        !(reader->at + strlen(plain[function]) < reader->length && !in_latex &&
+          (is_name_part(peek_at(reader, strlen(plain[function]))) || peek_at(reader, strlen(plain[function])) == '\''));
     if (!*found) return NULL;
     bool latex_exp = in_latex && function == EXP;
     reader->at += latex_exp ? strlen("e^{") : strlen((in_latex ? latex : plain)[function]);
@@ -247,9 +257,12 @@ const YkPoisson *yk_reader_function(YkRingReader *reader, bool *found)
         return yk_reader_refuse(reader, YK_CODE_EXPR_TOO_DEEP, start, "%s", "parentheses are nested too deeply");
     reader->depth++;
     const YkPoisson *value;
-    if (function == SQRT) value = root_argument(reader, close);
-    else if (function == POW) value = power_arguments(reader);
-    else value = unit_argument(reader, function == EXP, close);
+    if (function == SQRT)
+        value = root_argument(reader, close);
+    else if (function == POW)
+        value = power_arguments(reader);
+    else
+        value = unit_argument(reader, function == EXP, close);
     reader->depth--;
     return value && function <= SIN ? real_or_imaginary(reader->ring, value, function == SIN) : value;
 }

@@ -21,7 +21,8 @@ void yk_reader_blanks(YkRingReader *reader);     // also LaTeX's spaces and \lef
 bool yk_reader_takes(YkRingReader *reader, const char *what);
 bool yk_reader_sees(const YkRingReader *reader, const char *what);
 // Reports a problem over text[start..at) and returns NULL.
-const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t start, const char *message, const char *detail);
+const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t start, const char *message,
+                                  const char *detail);
 const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted);
 
 // A decimal number, exactly; `1i` is the imaginary unit.

@@ -54,15 +54,24 @@ void yk_ring_set_limit(YkRing *ring, size_t terms)
 const char *yk_ring_status_text(YkRingStatus status)
 {
     switch (status) {
-    case YK_RING_OK: return "all is well";
-    case YK_RING_OVERFLOW: return "a coefficient is too large for exact arithmetic";
-    case YK_RING_SIZE: return "the expression has too many terms to be expanded";
-    case YK_RING_POWER: return "a power is too large or is not defined";
-    case YK_RING_DIVISOR: return "only a single term other than zero can divide";
-    case YK_RING_DERIVATIVE: return "a higher derivative of a function is needed than is known";
-    case YK_RING_NAME: return "a symbol's name is malformed or taken";
-    case YK_RING_NOT_REAL: return "a real expression is needed";
-    case YK_RING_MEMORY: return "out of memory";
+    case YK_RING_OK:
+        return "all is well";
+    case YK_RING_OVERFLOW:
+        return "a coefficient is too large for exact arithmetic";
+    case YK_RING_SIZE:
+        return "the expression has too many terms to be expanded";
+    case YK_RING_POWER:
+        return "a power is too large or is not defined";
+    case YK_RING_DIVISOR:
+        return "only a single term other than zero can divide";
+    case YK_RING_DERIVATIVE:
+        return "a higher derivative of a function is needed than is known";
+    case YK_RING_NAME:
+        return "a symbol's name is malformed or taken";
+    case YK_RING_NOT_REAL:
+        return "a real expression is needed";
+    case YK_RING_MEMORY:
+        return "out of memory";
     }
     return "unknown";
 }

@@ -1,12 +1,12 @@
 // The ring of planar mechanics: finite Poisson series with exact coefficients.
 // An element is a sum of terms  c * monomial * e^(i phi):
-//   c         in Q(i, sqrt 2, sqrt 3), the numbers that hold e^(i k 15 deg); rationals are int64 / int64, overflow is noticed
-//   monomial  a product of whole powers, negative ones included, of symbols: parameters, distances, rates, forces, ...
-//   phi       a whole-number combination of angles
-// Loop equations, energies, Jacobians and equations of motion live here: every vector of the plane is an element, the dot
-// product of u and v is real(conj(u) v), the cross product imaginary(conj(u) v). Sorted sums of terms are a canonical form,
-// so cos a cos b + sin a sin b *is* cos(a - b), and equality is comparison.
-// Sources: Danby, Deprit, Rom 1966 (Poisson series); Biscani 2009 (their arithmetic by hashing).
+//   c         in Q(i, sqrt 2, sqrt 3), the numbers that hold e^(i k 15 deg); rationals are int64 / int64, overflow is
+//   noticed monomial  a product of whole powers, negative ones included, of symbols: parameters, distances, rates,
+//   forces, ... phi       a whole-number combination of angles
+// Loop equations, energies, Jacobians and equations of motion live here: every vector of the plane is an element, the
+// dot product of u and v is real(conj(u) v), the cross product imaginary(conj(u) v). Sorted sums of terms are a
+// canonical form, so cos a cos b + sin a sin b *is* cos(a - b), and equality is comparison. Sources: Danby, Deprit, Rom
+// 1966 (Poisson series); Biscani 2009 (their arithmetic by hashing).
 #ifndef RING_RING_H
 #define RING_RING_H
 #include <stdbool.h>
@@ -18,16 +18,17 @@ typedef struct YkRing YkRing;       // owns symbols and elements; not shared bet
 typedef struct YkPoisson YkPoisson; // an element: constant, lives as long as its ring
 
 // Why an operation has no result. The first failure sticks until yk_ring_clear.
-// An operation that fails returns NULL, and so does one that is given NULL: a long derivation is checked once, at its end.
+// An operation that fails returns NULL, and so does one that is given NULL: a long derivation is checked once, at its
+// end.
 typedef enum YkRingStatus {
     YK_RING_OK,
-    YK_RING_OVERFLOW,     // a coefficient does not fit 64 bits over 64 bits
-    YK_RING_SIZE,         // more terms than the ring allows: use body angles or the structured form
-    YK_RING_POWER,        // a power is beyond +-1,000,000, or not defined
-    YK_RING_DIVISOR,      // division by zero or by more than one term
-    YK_RING_DERIVATIVE,   // the last known derivative of a function was to be differentiated
-    YK_RING_NAME,         // not a name, or taken
-    YK_RING_NOT_REAL,     // a real element is needed here
+    YK_RING_OVERFLOW,   // a coefficient does not fit 64 bits over 64 bits
+    YK_RING_SIZE,       // more terms than the ring allows: use body angles or the structured form
+    YK_RING_POWER,      // a power is beyond +-1,000,000, or not defined
+    YK_RING_DIVISOR,    // division by zero or by more than one term
+    YK_RING_DERIVATIVE, // the last known derivative of a function was to be differentiated
+    YK_RING_NAME,       // not a name, or taken
+    YK_RING_NOT_REAL,   // a real element is needed here
     YK_RING_MEMORY,
 } YkRingStatus;
 
@@ -40,32 +41,34 @@ const char *yk_ring_status_text(YkRingStatus status); // a phrase: "a coefficien
 void yk_ring_clear(YkRing *ring);
 void yk_ring_set_limit(YkRing *ring, size_t terms); // most terms an element may have; at least 1
 
-// --- Symbols -------------------------------------------------------------------------------------------------------------
-// A class says where the reader expects a symbol, in this order within a product.
+// --- Symbols
+// ------------------------------------------------------------------------------------------------------------- A class
+// says where the reader expects a symbol, in this order within a product.
 typedef enum YkRingClass {
     YK_RING_INERTIA,
     YK_RING_MASS,
-    YK_RING_CONSTANT,     // lengths and all other parameters
-    YK_RING_COORDINATE,   // a distance; an angle where it stands outside of cos and sin (a rack's r theta)
-    YK_RING_FUNCTION,     // drives, cam laws and their derivatives; spring lengths
+    YK_RING_CONSTANT,   // lengths and all other parameters
+    YK_RING_COORDINATE, // a distance; an angle where it stands outside of cos and sin (a rack's r theta)
+    YK_RING_FUNCTION,   // drives, cam laws and their derivatives; spring lengths
     YK_RING_GRAVITY,
-    YK_RING_FORCE,        // forces, moments, efforts, multipliers
+    YK_RING_FORCE, // forces, moments, efforts, multipliers
     YK_RING_RATE,
     YK_RING_ACCELERATION,
     YK_RING_CLASSES
 } YkRingClass;
 
-// Names are [A-Za-z_][A-Za-z0-9_.]* followed by any number of ' (theta1, A.angle, theta1''). The words cos sin sqrt exp pow pi
-// and pi_7 (any number) are taken. All of the following return the symbol, 0, 1, ..., or -1 (and the status tells why).
+// Names are [A-Za-z_][A-Za-z0-9_.]* followed by any number of ' (theta1, A.angle, theta1''). The words cos sin sqrt exp
+// pow pi and pi_7 (any number) are taken. All of the following return the symbol, 0, 1, ..., or -1 (and the status
+// tells why).
 int32_t yk_ring_symbol(YkRing *ring, const char *name, YkRingClass kind);
 // An angle theta: e^(i theta) may be used, and theta itself. Both have the same derivatives.
 int32_t yk_ring_angle(YkRing *ring, const char *name);
 // The names of a coordinate's rate and acceleration, NAME' and NAME'', entered as symbols with their time derivatives:
-// coordinate -> rate -> acceleration. Returns the rate; the acceleration is the next symbol. NAME.rate and NAME.accel are
-// other names of the same.
+// coordinate -> rate -> acceleration. Returns the rate; the acceleration is the next symbol. NAME.rate and NAME.accel
+// are other names of the same.
 int32_t yk_ring_rates(YkRing *ring, int32_t coordinate);
-// A function of one variable and its derivatives: names[0](variable), names[1] = d names[0] / d variable, ... The derivative
-// of the last is unknown. Returns the first; the others follow.
+// A function of one variable and its derivatives: names[0](variable), names[1] = d names[0] / d variable, ... The
+// derivative of the last is unknown. Returns the first; the others follow.
 int32_t yk_ring_function(YkRing *ring, const char *const names[], size_t count, int32_t variable);
 // A positive root: L with L^2 = square, a real element (a spring's length). d L = d square / (2 L).
 int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square);
@@ -79,18 +82,21 @@ const char *yk_ring_symbol_name(const YkRing *ring, int32_t symbol);
 YkRingClass yk_ring_symbol_class(const YkRing *ring, int32_t symbol);
 bool yk_ring_is_angle(const YkRing *ring, int32_t symbol);
 
-// --- Elements ------------------------------------------------------------------------------------------------------------
-const YkPoisson *yk_ring_rational(YkRing *ring, int64_t numerator, int64_t denominator); // denominator 0 is YK_RING_DIVISOR
+// --- Elements
+// ------------------------------------------------------------------------------------------------------------
+const YkPoisson *yk_ring_rational(YkRing *ring, int64_t numerator,
+                                  int64_t denominator); // denominator 0 is YK_RING_DIVISOR
 // The exact decimal mantissa * 10^exponent (yk_number_read_exact).
 const YkPoisson *yk_ring_decimal(YkRing *ring, int64_t mantissa, int32_t exponent);
 const YkPoisson *yk_ring_i(YkRing *ring);
-const YkPoisson *yk_ring_sqrt(YkRing *ring, int64_t square);     // of 2^a 3^b n^2 only; others are YK_RING_POWER
-const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol);       // the symbol as an element; an angle outside of cos and sin
-const YkPoisson *yk_ring_unit(YkRing *ring, int32_t angle);      // e^(i angle)
-// e^(i pi numerator / denominator). Multiples of 15 deg are exact numbers. Any other is a power of the unit of a constant
-// angle `pi_7`, a symbol free of relations: what comes out equal is equal, but that 7 times pi_7 is pi is not known.
+const YkPoisson *yk_ring_sqrt(YkRing *ring, int64_t square); // of 2^a 3^b n^2 only; others are YK_RING_POWER
+const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol);  // the symbol as an element; an angle outside of cos and sin
+const YkPoisson *yk_ring_unit(YkRing *ring, int32_t angle); // e^(i angle)
+// e^(i pi numerator / denominator). Multiples of 15 deg are exact numbers. Any other is a power of the unit of a
+// constant angle `pi_7`, a symbol free of relations: what comes out equal is equal, but that 7 times pi_7 is pi is not
+// known.
 const YkPoisson *yk_ring_turn(YkRing *ring, int64_t numerator, int64_t denominator);
-const YkPoisson *yk_ring_pi(YkRing *ring);                       // pi itself, a constant symbol
+const YkPoisson *yk_ring_pi(YkRing *ring); // pi itself, a constant symbol
 
 // e^(i phi), cos phi and sin phi of an angle phi = sum of factor * angle + pi * numerator / denominator.
 typedef struct YkAngleTerm {
@@ -100,15 +106,16 @@ const YkPoisson *yk_ring_exp(YkRing *ring, const YkAngleTerm *terms, size_t coun
 const YkPoisson *yk_ring_cos(YkRing *ring, const YkAngleTerm *terms, size_t count);
 const YkPoisson *yk_ring_sin(YkRing *ring, const YkAngleTerm *terms, size_t count);
 
-size_t yk_ring_terms(const YkPoisson *a); // 0 of zero and of NULL
-bool yk_ring_is_zero(const YkPoisson *a); // exactly zero, as free symbols; false of NULL
+size_t yk_ring_terms(const YkPoisson *a);                     // 0 of zero and of NULL
+bool yk_ring_is_zero(const YkPoisson *a);                     // exactly zero, as free symbols; false of NULL
 bool yk_ring_is_same(const YkPoisson *a, const YkPoisson *b); // of one ring; false when either is NULL
 // Equal when roots are what they are (L^2 = square): the difference times a power of each root is reduced and is zero.
 bool yk_ring_is_equal(YkRing *ring, const YkPoisson *a, const YkPoisson *b);
 bool yk_ring_is_real(YkRing *ring, const YkPoisson *a);
 bool yk_ring_is_rational(const YkPoisson *a, int64_t *numerator, int64_t *denominator); // a rational number, and which
 
-// --- Operations. Cost: O(terms) or O(products of terms) hash steps, then a sort. ------------------------------------------
+// --- Operations. Cost: O(terms) or O(products of terms) hash steps, then a sort.
+// ------------------------------------------
 const YkPoisson *yk_ring_add(YkRing *ring, const YkPoisson *a, const YkPoisson *b);
 const YkPoisson *yk_ring_subtract(YkRing *ring, const YkPoisson *a, const YkPoisson *b);
 const YkPoisson *yk_ring_sum(YkRing *ring, const YkPoisson *const *parts, size_t count);
@@ -116,7 +123,7 @@ const YkPoisson *yk_ring_multiply(YkRing *ring, const YkPoisson *a, const YkPois
 const YkPoisson *yk_ring_product(YkRing *ring, const YkPoisson *const *parts, size_t count);
 const YkPoisson *yk_ring_scale(YkRing *ring, const YkPoisson *a, int64_t numerator, int64_t denominator);
 const YkPoisson *yk_ring_negate(YkRing *ring, const YkPoisson *a);
-const YkPoisson *yk_ring_power(YkRing *ring, const YkPoisson *a, int32_t exponent); // below 0: of a single term
+const YkPoisson *yk_ring_power(YkRing *ring, const YkPoisson *a, int32_t exponent);       // below 0: of a single term
 const YkPoisson *yk_ring_divide(YkRing *ring, const YkPoisson *a, const YkPoisson *term); // by a single term
 const YkPoisson *yk_ring_conjugate(YkRing *ring, const YkPoisson *a);
 const YkPoisson *yk_ring_real(YkRing *ring, const YkPoisson *a);
@@ -127,8 +134,8 @@ const YkPoisson *yk_ring_cross(YkRing *ring, const YkPoisson *u, const YkPoisson
 const YkPoisson *yk_ring_partial(YkRing *ring, const YkPoisson *a, int32_t variable);
 const YkPoisson *yk_ring_time_derivative(YkRing *ring, const YkPoisson *a);
 
-// Replaces symbols, all at once. For an angle, `unit` replaces e^(i angle) and is of modulus 1 (a body's angle by joint angles:
-// yk_ring_exp), `value` replaces the angle where it stands outside; NULL leaves it as it is.
+// Replaces symbols, all at once. For an angle, `unit` replaces e^(i angle) and is of modulus 1 (a body's angle by joint
+// angles: yk_ring_exp), `value` replaces the angle where it stands outside; NULL leaves it as it is.
 typedef struct YkRingChange {
     int32_t symbol;
     const YkPoisson *value, *unit;
@@ -143,9 +150,10 @@ bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol); /
 // quotient has whole coefficients without common divisor and no symbol in all terms. 0 of 0.
 const YkPoisson *yk_ring_content(YkRing *ring, const YkPoisson *a);
 
-// --- Values --------------------------------------------------------------------------------------------------------------
-// values[symbol count]: what each symbol stands for; those of roots and constant angles are computed first and written there.
-// Roots of negative squares are NaN.
+// --- Values
+// --------------------------------------------------------------------------------------------------------------
+// values[symbol count]: what each symbol stands for; those of roots and constant angles are computed first and written
+// there. Roots of negative squares are NaN.
 void yk_ring_complete(YkRing *ring, double *values);
 // The value of an element at completed values.
 YkVec yk_ring_value(const YkRing *ring, const YkPoisson *a, const double *values);

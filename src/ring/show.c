@@ -4,16 +4,20 @@
 YkShow *yk_show(YkSheet *sheet, YkShowKind kind)
 {
     YkShow *show = YK_NEW(sheet->arena, YkShow, 1);
-    if (show) *show = (YkShow){.kind = kind, .exponent = 1, .number = {1, 1}};
-    else sheet->failed = true;
+    if (show)
+        *show = (YkShow){.kind = kind, .exponent = 1, .number = {1, 1}};
+    else
+        sheet->failed = true;
     return show;
 }
 
 static void link_part(YkShow *whole, YkShow *part)
 {
     part->next = NULL;
-    if (whole->last) whole->last->next = part;
-    else whole->first = part;
+    if (whole->last)
+        whole->last->next = part;
+    else
+        whole->first = part;
     whole->last = part;
 }
 
@@ -22,10 +26,6 @@ void yk_show_append(YkShow *whole, YkShow *part)
     if (!whole || !part) return;
     bool same = part->kind == whole->kind && part->exponent == 1;
     if (!same) {
-        if (whole->kind == YK_SHOW_PRODUCT && part->kind != YK_SHOW_PRODUCT && part->negative) {
-            whole->negative = !whole->negative;
-            part->negative = false;
-        }
         link_part(whole, part);
         return;
     }
@@ -82,7 +82,8 @@ YkShow *yk_show_term(YkSheet *sheet, YkRatio number, uint32_t monomial, const Yk
 {
     YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT);
     YkRatio size = {number.over < 0 ? -number.over : number.over, number.under};
-    bool is_bare = monomial == 0 && (!atom || (atom->function == YK_SHOWN_ONE && !atom->is_imaginary && atom->surd == 0));
+    bool is_bare =
+        monomial == 0 && (!atom || (atom->function == YK_SHOWN_ONE && !atom->is_imaginary && atom->surd == 0));
     if (!yk_ratio_is(size, 1) || is_bare) {
         YkShow *part = yk_show(sheet, YK_SHOW_NUMBER);
         if (part) part->number = size;
@@ -114,10 +115,13 @@ bool yk_angle_shown(const YkSheet *sheet, const YkAtom *atom, uint32_t k, YkAngl
     const YkPower *powers = yk_powers_of(&sheet->ring->phases, atom->phase, &count);
     if (k < count) {
         int64_t exponent = powers[k].exponent, pi_over = sheet->ring->symbols[powers[k].symbol].pi_over;
-        // 3 pi_7 is shown as 3 pi/7, which reads back so; 7 pi_7 as it is, since 7 pi/7 would read as pi, and pi_5 + pi_7, too.
-        bool is_pi = pi_over > 0 && sheet->format != YK_RING_C && yk_gcd(yk_magnitude(exponent), (uint64_t)pi_over) == 1 &&
+        // 3 pi_7 is shown as 3 pi/7, which reads back so; 7 pi_7 as it is, since 7 pi/7 would read as pi, and pi_5 +
+        // pi_7, too.
+        bool is_pi = pi_over > 0 && sheet->format != YK_RING_C &&
+                     yk_gcd(yk_magnitude(exponent), (uint64_t)pi_over) == 1 &&
                      yk_constant_angles(sheet->ring, atom->phase) == 1;
-        *shown = (YkAngleShown){exponent < 0, exponent < 0 ? -exponent : exponent, is_pi ? -1 : powers[k].symbol, pi_over};
+        *shown =
+            (YkAngleShown){exponent < 0, exponent < 0 ? -exponent : exponent, is_pi ? -1 : powers[k].symbol, pi_over};
         return true;
     }
     if (k > count || atom->shift == 0) return false;

@@ -1,5 +1,5 @@
-// An element as the reader sees it: real terms with cos and sin, and the tree of sums and products in which they are grouped.
-// Inside of ring/.
+// An element as the reader sees it: real terms with cos and sin, and the tree of sums and products in which they are
+// grouped. Inside of ring/.
 #ifndef RING_SHOWN_H
 #define RING_SHOWN_H
 #include "ring/inside.h"
@@ -40,7 +40,7 @@ int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b);
 void yk_sort_by_monomial(const YkSheet *sheet, YkShownTerm *terms, size_t count);
 void yk_sort_by_atom(const YkSheet *sheet, YkShownTerm *terms, size_t count); // then by monomial
 
-// --- the tree
+// --- the tree: sums of products, whose factors are leaves or sums
 typedef enum YkShowKind {
     YK_SHOW_NUMBER,
     YK_SHOW_SYMBOL,
@@ -64,9 +64,11 @@ struct YkShow {
 
 // All of the following give NULL and set sheet->failed when out of memory, and take NULL.
 YkShow *yk_show(YkSheet *sheet, YkShowKind kind);
-// Adds a part; products within products and sums within sums (their signs turned where the inner one is negative) become one.
+// Adds a part; products within products and sums within sums (their signs turned where the inner one is negative)
+// become one.
 void yk_show_append(YkShow *whole, YkShow *part);
-// |number| * surd * constants of the monomial * function * rates and accelerations, with the number's sign; atom may be NULL.
+// |number| * surd * constants of the monomial * function * rates and accelerations, with the number's sign; atom may be
+// NULL.
 YkShow *yk_show_term(YkSheet *sheet, YkRatio number, uint32_t monomial, const YkAtom *atom);
 size_t yk_show_count(const YkShow *whole);
 // A sum with one part is that part.
@@ -74,15 +76,16 @@ YkShow *yk_show_simplest(YkShow *sum);
 
 // --- grouping
 enum { YK_CLASSES_OF_MASS = 1 << YK_RING_INERTIA | 1 << YK_RING_MASS };
-// The part of a monomial whose symbols are of the classes (a mask of 1 << class). YK_NO_PRODUCT and sheet->failed on failure.
+// The part of a monomial whose symbols are of the classes (a mask of 1 << class). YK_NO_PRODUCT and sheet->failed on
+// failure.
 uint32_t yk_part_of_classes(YkSheet *sheet, uint32_t monomial, unsigned classes);
 uint32_t yk_quotient(YkSheet *sheet, uint32_t monomial, uint32_t divisor);
 // Of all terms: the greatest common monomial with positive powers, and the greatest common rational divisor (> 0).
 uint32_t yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count);
 bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common);
 
-// Products of rates as perfect squares or a common rate times a linear form, one for each monomial of the rest. Terms sorted
-// by monomial; NULL where one of them has no such form (or *count is 0).
+// Products of rates as perfect squares or a common rate times a linear form, one for each monomial of the rest. Terms
+// sorted by monomial; NULL where one of them has no such form (or *count is 0).
 typedef struct YkRateProduct {
     uint32_t monomial; // of the rest
     YkRatio number;
@@ -102,8 +105,8 @@ void yk_write_mathml(const YkSheet *sheet, const YkShow *sum, YkText *text);
 // The angle of a function: its terms in order, each with sign and multiple, pi among them.
 typedef struct YkAngleShown {
     bool negative;
-    int64_t factor;  // > 0
-    int32_t symbol;  // an angle, or -1 for pi / pi_over
+    int64_t factor; // > 0
+    int32_t symbol; // an angle, or -1 for pi / pi_over
     int64_t pi_over;
 } YkAngleShown;
 uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase); // how many, such as pi_7

@@ -1,4 +1,5 @@
-// From terms with e^(i phi) to terms with cos and sin: c e^(i phi) and its conjugate are 2 Re(c) cos phi - 2 Im(c) sin phi.
+// From terms with e^(i phi) to terms with cos and sin: c e^(i phi) and its conjugate are 2 Re(c) cos phi - 2 Im(c) sin
+// phi.
 #include <stdlib.h>
 #include <string.h>
 #include "ring/shown.h"
@@ -11,9 +12,9 @@ typedef struct Cluster {
 
 // 4 e^(i k 15 deg) by units 1, i, sqrt 2, i sqrt 2, sqrt 3, i sqrt 3, sqrt 6, i sqrt 6.
 static const int8_t twelfths[12][YK_UNITS] = {
-    {4, 0, 0, 0, 0, 0, 0, 0},   {0, 0, 1, -1, 0, 0, 1, 1}, {0, 2, 0, 0, 2, 0, 0, 0},    {0, 0, 2, 2, 0, 0, 0, 0},
-    {2, 0, 0, 0, 0, 2, 0, 0},   {0, 0, -1, 1, 0, 0, 1, 1}, {0, 4, 0, 0, 0, 0, 0, 0},    {0, 0, 1, 1, 0, 0, -1, 1},
-    {-2, 0, 0, 0, 0, 2, 0, 0},  {0, 0, -2, 2, 0, 0, 0, 0}, {0, 2, 0, 0, -2, 0, 0, 0},   {0, 0, -1, -1, 0, 0, -1, 1}};
+    {4, 0, 0, 0, 0, 0, 0, 0},  {0, 0, 1, -1, 0, 0, 1, 1}, {0, 2, 0, 0, 2, 0, 0, 0},  {0, 0, 2, 2, 0, 0, 0, 0},
+    {2, 0, 0, 0, 0, 2, 0, 0},  {0, 0, -1, 1, 0, 0, 1, 1}, {0, 4, 0, 0, 0, 0, 0, 0},  {0, 0, 1, 1, 0, 0, -1, 1},
+    {-2, 0, 0, 0, 0, 2, 0, 0}, {0, 0, -2, 2, 0, 0, 0, 0}, {0, 2, 0, 0, -2, 0, 0, 0}, {0, 0, -1, -1, 0, 0, -1, 1}};
 
 // Is the cluster's coefficient a rational multiple of e^(i k 15 deg)? The multiple is over 4 of the denominator: *four.
 static bool is_turned(const Cluster *cluster, int k, int64_t *number, int64_t *divisor)
@@ -62,11 +63,13 @@ static void put(Writer *writer, uint32_t monomial, int64_t number, int64_t divis
 static bool put_turned(Writer *writer, const Cluster *cluster)
 {
     if (writer->sheet->format == YK_RING_C || cluster->phase == 0) return false;
-    if (yk_constant_angles(writer->sheet->ring, cluster->phase) > 0) return false; // pi/7 + pi/12 would read as one angle
+    if (yk_constant_angles(writer->sheet->ring, cluster->phase) > 0)
+        return false; // pi/7 + pi/12 would read as one angle
     for (int k = 1; k < 12; k++) {
         int64_t number, divisor;
         if (k == 6 || !is_turned(cluster, k, &number, &divisor)) continue;
-        YkAtom atom = {writer->is_real ? YK_SHOWN_COS : YK_SHOWN_EXP, .phase = cluster->phase, .shift = k > 6 ? k - 12 : k};
+        YkAtom atom = {writer->is_real ? YK_SHOWN_COS : YK_SHOWN_EXP, .phase = cluster->phase,
+                       .shift = k > 6 ? k - 12 : k};
         put(writer, cluster->monomial, k > 6 ? -number : number, divisor, atom);
         return true;
     }

@@ -87,8 +87,7 @@ static const YkPoisson *add_groups(YkRing *ring, const Changes *changes, const S
 {
     size_t part_count = 0;
     for (size_t start = 0, end; start < count; start = end) {
-        for (end = start; end < count && splits[end].replaced == splits[start].replaced; end++) {
-        }
+        for (end = start; end < count && splits[end].replaced == splits[start].replaced; end++) {}
         const YkPoisson *image = image_of(ring, changes, splits[start].replaced);
         if (!image || !yk_gather_room(ring, end - start)) return NULL;
         for (size_t i = start; i < end; i++) ring->gather.terms[i - start] = splits[i].kept;

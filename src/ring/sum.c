@@ -85,7 +85,8 @@ const YkPoisson *yk_ring_scale(YkRing *ring, const YkPoisson *a, int64_t numerat
     if (ratio.over == 0 || a->count == 0) return ring->zero;
     // content / denominator * ratio with everything cancelled first: the result overflows only when it must.
     int64_t content = (int64_t)yk_poisson_content(a);
-    if (!yk_ratio_multiply((YkRatio){content, a->denominator}, ratio, &whole)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    if (!yk_ratio_multiply((YkRatio){content, a->denominator}, ratio, &whole))
+        return yk_ring_fail(ring, YK_RING_OVERFLOW);
     if (!yk_gather_room(ring, a->count)) return NULL;
     YkRingTerm *out = ring->gather.terms;
     for (size_t i = 0; i < a->count; i++) {

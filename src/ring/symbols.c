@@ -75,7 +75,8 @@ int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over)
     for (int64_t rest = pi_over; rest > 0; rest /= 10) digits[--at] = (char)('0' + rest % 10);
     if (pi_over > 1) yk_text_format(&name, "_%s", digits + at);
     int32_t symbol = name.failed ? -1 : yk_names_find(&ring->names, yk_text_get(&name));
-    if (name.failed) yk_ring_fail(ring, YK_RING_MEMORY);
+    if (name.failed)
+        yk_ring_fail(ring, YK_RING_MEMORY);
     else if (symbol < 0)
         symbol = add_symbol(ring, yk_text_get(&name),
                             (YkRingSymbol){.kind = YK_RING_CONSTANT, .is_angle = pi_over > 1, .pi_over = pi_over});

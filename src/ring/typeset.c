@@ -8,11 +8,11 @@ typedef struct Greek {
 } Greek;
 // No capital that looks Latin, no omicron.
 static const Greek letters[] = {
-    {"alpha", "α"}, {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"}, {"zeta", "ζ"},  {"eta", "η"},
-    {"theta", "θ"}, {"iota", "ι"},   {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},     {"nu", "ν"},    {"xi", "ξ"},
-    {"pi", "π"}, {"rho", "ρ"},   {"sigma", "σ"},  {"tau", "τ"},   {"phi", "φ"},   {"chi", "χ"},     {"psi", "ψ"},   {"omega", "ω"},
-    {"Gamma", "Γ"}, {"Delta", "Δ"},  {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},     {"Sigma", "Σ"}, {"Phi", "Φ"},
-    {"Psi", "Ψ"},   {"Omega", "Ω"}};
+    {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},
+    {"theta", "θ"}, {"iota", "ι"},  {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},   {"xi", "ξ"},
+    {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},     {"chi", "χ"},  {"psi", "ψ"},
+    {"omega", "ω"}, {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Theta", "Θ"},  {"Lambda", "Λ"},  {"Xi", "Ξ"},   {"Sigma", "Σ"},
+    {"Phi", "Φ"},   {"Psi", "Ψ"},   {"Omega", "Ω"}};
 
 typedef struct Parts {
     size_t stem, base, dots; // lengths: the name without primes, its base; the number of primes
@@ -73,7 +73,8 @@ static void put_escaped(YkText *text, const char *name, size_t length)
 static void put_latex(YkText *text, const char *name, const Parts *parts)
 {
     for (size_t i = 0; i < parts->dots; i++) yk_text_puts(text, i == 0 ? "\\" : "d");
-    if (parts->dots > 0) yk_text_puts(text, "dot{"); // \dot, \ddot, \dddot: the first backslash, then one d for each more
+    if (parts->dots > 0)
+        yk_text_puts(text, "dot{"); // \dot, \ddot, \dddot: the first backslash, then one d for each more
     if (parts->greek) yk_text_format(text, "\\%s", parts->greek->name);
     if (parts->is_word) yk_text_puts(text, "\\mathit{");
     if (!parts->greek) put_escaped(text, name, parts->base);
@@ -91,8 +92,10 @@ static void put_mathml(YkText *text, const char *name, const Parts *parts)
     if (subscript) yk_text_puts(text, "<msub>");
     if (parts->dots > 0) yk_text_puts(text, "<mover>");
     yk_text_puts(text, "<mi>");
-    if (parts->greek) yk_text_puts(text, parts->greek->utf8);
-    else yk_text_add(text, name, parts->base);
+    if (parts->greek)
+        yk_text_puts(text, parts->greek->utf8);
+    else
+        yk_text_add(text, name, parts->base);
     yk_text_puts(text, "</mi>");
     if (parts->dots > 0) {
         yk_text_puts(text, "<mo>");
@@ -107,22 +110,27 @@ static void put_mathml(YkText *text, const char *name, const Parts *parts)
 
 static void put_c(YkText *text, const YkRingSymbol *symbol, const Parts *parts)
 {
-    static const char *const keywords[] = {"auto", "break", "case", "char", "const", "continue", "default", "do", "double",
-        "else", "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return",
-        "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile",
-        "while"};
+    static const char *const keywords[] = {
+        "auto",   "break",    "case",     "char",     "const", "continue", "default", "do",     "double",
+        "else",   "enum",     "extern",   "float",    "for",   "goto",     "if",      "inline", "int",
+        "long",   "register", "restrict", "return",   "short", "signed",   "sizeof",  "static", "struct",
+        "switch", "typedef",  "union",    "unsigned", "void",  "volatile", "while"};
     for (size_t i = 0; i < parts->stem; i++) {
         char c = symbol->name[i];
         yk_text_format(text, "%c", c == '.' ? '_' : c);
     }
-    if (parts->dots > 0 && symbol->kind == YK_RING_RATE) yk_text_puts(text, "_rate");
-    else if (parts->dots > 0 && symbol->kind == YK_RING_ACCELERATION) yk_text_puts(text, "_accel");
-    else if (parts->dots > 0) yk_text_format(text, "_d%z", parts->dots);
+    if (parts->dots > 0 && symbol->kind == YK_RING_RATE)
+        yk_text_puts(text, "_rate");
+    else if (parts->dots > 0 && symbol->kind == YK_RING_ACCELERATION)
+        yk_text_puts(text, "_accel");
+    else if (parts->dots > 0)
+        yk_text_format(text, "_d%z", parts->dots);
     for (size_t i = 0; i < sizeof keywords / sizeof *keywords; i++)
         if (strcmp(yk_text_get(text), keywords[i]) == 0) yk_text_puts(text, "_");
 }
 
-// Keeps a copy of the text in the arena; enters it in `names` unless it is taken (*taken; names NULL: any text will do).
+// Keeps a copy of the text in the arena; enters it in `names` unless it is taken (*taken; names NULL: any text will
+// do).
 static const char *keep(YkRing *ring, YkNames *names, const YkText *text, bool *taken)
 {
     int32_t existing = YK_NONE, index = (int32_t)ring->symbol_count - 1;

@@ -24,8 +24,10 @@ static void put_ratio(const Pen *pen, YkRatio ratio)
     bool latex = pen->format == YK_RING_LATEX && ratio.under != 1;
     if (latex) yk_text_puts(pen->text, "\\tfrac{");
     put_whole(pen, ratio.over);
-    if (latex) yk_text_puts(pen->text, "}{");
-    else if (ratio.under != 1) yk_text_puts(pen->text, "/");
+    if (latex)
+        yk_text_puts(pen->text, "}{");
+    else if (ratio.under != 1)
+        yk_text_puts(pen->text, "/");
     if (ratio.under != 1) put_whole(pen, ratio.under);
     if (latex) yk_text_puts(pen->text, "}");
 }
@@ -57,8 +59,10 @@ static uint32_t put_angle(const Pen *pen, const YkAtom *atom)
     YkAngleShown shown;
     uint32_t k = 0;
     for (; yk_angle_shown(pen->sheet, atom, k, &shown); k++) {
-        if (shown.negative) yk_text_puts(pen->text, k > 0 ? " - " : "-");
-        else if (k > 0) yk_text_puts(pen->text, " + ");
+        if (shown.negative)
+            yk_text_puts(pen->text, k > 0 ? " - " : "-");
+        else if (k > 0)
+            yk_text_puts(pen->text, " + ");
         if (shown.symbol < 0) {
             put_pi(pen, &shown);
             continue;
@@ -81,7 +85,8 @@ static const char *imaginary_unit(const Pen *pen)
 static void put_exp(const Pen *pen, const YkAtom *atom)
 {
     YkAngleShown shown;
-    bool brackets = yk_angle_shown(pen->sheet, atom, 1, &shown) || (yk_angle_shown(pen->sheet, atom, 0, &shown) && shown.negative);
+    bool brackets =
+        yk_angle_shown(pen->sheet, atom, 1, &shown) || (yk_angle_shown(pen->sheet, atom, 0, &shown) && shown.negative);
     yk_text_puts(pen->text, pen->format == YK_RING_LATEX ? "e^{" : "exp(");
     yk_text_puts(pen->text, imaginary_unit(pen));
     put_times(pen);
@@ -115,13 +120,24 @@ static void put_root(const Pen *pen, YkRatio number)
 static void put_base(const Pen *pen, const YkShow *factor)
 {
     switch (factor->kind) {
-    case YK_SHOW_NUMBER: put_ratio(pen, factor->number); break;
-    case YK_SHOW_SYMBOL: yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, factor->symbol, pen->format)); break;
-    case YK_SHOW_I: yk_text_puts(pen->text, imaginary_unit(pen)); break;
-    case YK_SHOW_SQRT: put_root(pen, factor->number); break;
-    case YK_SHOW_FUNCTION: put_function(pen, &factor->atom); break;
-    case YK_SHOW_SUM:
+    case YK_SHOW_NUMBER:
+        put_ratio(pen, factor->number);
+        break;
+    case YK_SHOW_SYMBOL:
+        yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, factor->symbol, pen->format));
+        break;
+    case YK_SHOW_I:
+        yk_text_puts(pen->text, imaginary_unit(pen));
+        break;
+    case YK_SHOW_SQRT:
+        put_root(pen, factor->number);
+        break;
+    case YK_SHOW_FUNCTION:
+        put_function(pen, &factor->atom);
+        break;
     case YK_SHOW_PRODUCT:
+        break; // a product within a product is part of it
+    case YK_SHOW_SUM:
         yk_text_puts(pen->text, "(");
         put_sum(pen, factor);
         yk_text_puts(pen->text, ")");
@@ -140,8 +156,10 @@ static void put_power(const Pen *pen, const YkShow *factor, int32_t exponent)
         yk_text_puts(pen->text, "*");
         put_base(pen, factor);
     }
-    if (call) yk_text_format(pen->text, ", %d)", (int)exponent);
-    else if (!in_c && exponent != 1) yk_text_format(pen->text, pen->format == YK_RING_LATEX ? "^{%d}" : "^%d", (int)exponent);
+    if (call)
+        yk_text_format(pen->text, ", %d)", (int)exponent);
+    else if (!in_c && exponent != 1)
+        yk_text_format(pen->text, pen->format == YK_RING_LATEX ? "^{%d}" : "^%d", (int)exponent);
 }
 
 // The factors with positive exponents (sign 1) or with negative ones (sign -1); returns how many.
@@ -167,33 +185,28 @@ static bool is_power(const YkShow *product)
 static void put_product(const Pen *pen, const YkShow *product)
 {
     size_t above = put_factors(pen, product, 1, false), below = put_factors(pen, product, -1, false);
-    bool latex = pen->format == YK_RING_LATEX && below > 0, brackets = below > 1 || (pen->format == YK_RING_C && is_power(product));
+    bool latex = pen->format == YK_RING_LATEX && below > 0,
+         brackets = below > 1 || (pen->format == YK_RING_C && is_power(product));
     if (latex) yk_text_puts(pen->text, "\\frac{");
-    if (above > 0) put_factors(pen, product, 1, true);
-    else put_whole(pen, 1);
+    if (above > 0)
+        put_factors(pen, product, 1, true);
+    else
+        put_whole(pen, 1);
     if (below == 0) return;
     yk_text_puts(pen->text, latex ? "}{" : brackets ? "/(" : "/");
     put_factors(pen, product, -1, true);
     yk_text_puts(pen->text, latex ? "}" : brackets ? ")" : "");
 }
 
-static void put_part(const Pen *pen, const YkShow *part)
-{
-    if (part->kind == YK_SHOW_PRODUCT) put_product(pen, part);
-    else put_power(pen, part, part->exponent);
-}
-
 static void put_sum(const Pen *pen, const YkShow *sum)
 {
-    if (sum->kind != YK_SHOW_SUM) {
-        put_part(pen, sum);
-        return;
-    }
     if (!sum->first) put_whole(pen, 0);
     for (const YkShow *part = sum->first; part; part = part->next) {
-        if (part == sum->first) yk_text_puts(pen->text, part->negative ? "-" : "");
-        else yk_text_puts(pen->text, part->negative ? " - " : " + ");
-        put_part(pen, part);
+        if (part == sum->first)
+            yk_text_puts(pen->text, part->negative ? "-" : "");
+        else
+            yk_text_puts(pen->text, part->negative ? " - " : " + ");
+        put_product(pen, part);
     }
 }
 
@@ -206,7 +219,9 @@ void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
 const char *yk_ring_name_in(const YkRing *ring, int32_t symbol, YkRingFormat format)
 {
     const YkRingSymbol *named = &ring->symbols[symbol];
-    return format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : format == YK_RING_C ? named->c : named->name;
+    const char *set = format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : named->c;
+    bool is_text = format == YK_RING_TEXT || format == YK_RING_BOOK;
+    return is_text || !set ? named->name : set; // not set where memory was short
 }
 
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
@@ -216,8 +231,10 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
     size_t count = 0;
     YkShownTerm *terms = sheet.arena ? yk_shown_terms(&sheet, a, &count) : NULL;
     const YkShow *sum = terms ? yk_show_element(&sheet, terms, count) : NULL;
-    if (sum && !yk_arena_failed(sheet.arena) && format == YK_RING_MATHML) yk_write_mathml(&sheet, sum, text);
-    else if (sum && !yk_arena_failed(sheet.arena)) yk_write_linear(&sheet, sum, text);
+    if (sum && !yk_arena_failed(sheet.arena) && format == YK_RING_MATHML)
+        yk_write_mathml(&sheet, sum, text);
+    else if (sum && !yk_arena_failed(sheet.arena))
+        yk_write_linear(&sheet, sum, text);
     bool well = sum && !yk_arena_failed(sheet.arena) && !text->failed;
     if (!well) yk_ring_fail(ring, YK_RING_MEMORY); // unless another failure was first
     yk_arena_free(sheet.arena);

@@ -15,23 +15,24 @@ typedef enum YkRingFormat {
 } YkRingFormat;
 
 typedef enum YkRingStyle {
-    YK_RING_TEXTBOOK, // accelerations first, one bracket each; then products of rates, gravity, the rest; factored for the reader
+    YK_RING_TEXTBOOK, // accelerations first, one bracket each; then products of rates, gravity, the rest; factored for
+                      // the reader
     YK_RING_BRACKETS, // products of rates with one bracket each, too, as in T = 1/2 (...) theta1'^2 + ...
     YK_RING_EXPANDED, // every term by itself
     YK_RING_STYLES
 } YkRingStyle;
 
-// Adds the element to text, and returns whether it did; on failure (no memory, YK_RING_NOT_REAL for C) the ring's status tells.
-// Every term is there with its exact coefficient: what is written reads back as the identical element. The order depends on
-// the order of the symbols alone.
+// Adds the element to text, and returns whether it did; on failure (no memory, YK_RING_NOT_REAL for C) the ring's
+// status tells. Every term is there with its exact coefficient: what is written reads back as the identical element.
+// The order depends on the order of the symbols alone.
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
 // A symbol as it is named in a format; the C name is an identifier of its own, MathML an element.
 const char *yk_ring_name_in(const YkRing *ring, int32_t symbol, YkRingFormat format);
 
 // Reads what a hand or yk_ring_write has written, in TEXT and BOOK (either may be in the other's style), LATEX and C:
-// + - * / ^, products by juxtaposition, parentheses, names, decimal numbers (exact), cos sin of whole combinations of angles
-// and rational multiples of pi, exp(i ...), sqrt of 2^a 3^b n^2, the imaginary unit as `i` where no symbol is called so and
-// as `1i` always. NULL with problems (which may be NULL) on a mistake; the ring's status stays as it was.
+// + - * / ^, products by juxtaposition, parentheses, names, decimal numbers (exact), cos sin of whole combinations of
+// angles and rational multiples of pi, exp(i ...), sqrt of 2^a 3^b n^2, the imaginary unit as `i` where no symbol is
+// called so and as `1i` always. NULL with problems (which may be NULL) on a mistake; the ring's status stays as it was.
 const YkPoisson *yk_ring_read(YkRing *ring, YkRingFormat format, const char *text, size_t length, YkPlace place,
                               YkProblems *problems);
 

@@ -71,17 +71,26 @@ static void put_function(const YkSheet *sheet, const YkAtom *atom, YkText *text)
 static void put_base(const YkSheet *sheet, const YkShow *factor, YkText *text)
 {
     switch (factor->kind) {
-    case YK_SHOW_NUMBER: put_ratio(text, factor->number); break;
-    case YK_SHOW_SYMBOL: yk_text_puts(text, yk_ring_name_in(sheet->ring, factor->symbol, YK_RING_MATHML)); break;
-    case YK_SHOW_I: yk_text_puts(text, "<mi mathvariant=\"normal\">i</mi>"); break;
+    case YK_SHOW_NUMBER:
+        put_ratio(text, factor->number);
+        break;
+    case YK_SHOW_SYMBOL:
+        yk_text_puts(text, yk_ring_name_in(sheet->ring, factor->symbol, YK_RING_MATHML));
+        break;
+    case YK_SHOW_I:
+        yk_text_puts(text, "<mi mathvariant=\"normal\">i</mi>");
+        break;
     case YK_SHOW_SQRT:
         yk_text_puts(text, "<msqrt>");
         put_ratio(text, factor->number);
         yk_text_puts(text, "</msqrt>");
         break;
-    case YK_SHOW_FUNCTION: put_function(sheet, &factor->atom, text); break;
-    case YK_SHOW_SUM:
+    case YK_SHOW_FUNCTION:
+        put_function(sheet, &factor->atom, text);
+        break;
     case YK_SHOW_PRODUCT:
+        break; // a product within a product is part of it
+    case YK_SHOW_SUM:
         yk_text_puts(text, "<mrow><mo>(</mo>");
         put_sum(sheet, factor, text);
         yk_text_puts(text, "<mo>)</mo></mrow>");
@@ -118,12 +127,8 @@ static void put_factors(const YkSheet *sheet, const YkShow *product, int32_t sig
     yk_text_puts(text, "</mrow>");
 }
 
-static void put_part(const YkSheet *sheet, const YkShow *part, YkText *text)
+static void put_product(const YkSheet *sheet, const YkShow *part, YkText *text)
 {
-    if (part->kind != YK_SHOW_PRODUCT) {
-        put_power(sheet, part, part->exponent, text);
-        return;
-    }
     bool fraction = count_below(part) > 0;
     if (fraction) yk_text_puts(text, "<mfrac>");
     put_factors(sheet, part, 1, text);
@@ -134,16 +139,14 @@ static void put_part(const YkSheet *sheet, const YkShow *part, YkText *text)
 
 static void put_sum(const YkSheet *sheet, const YkShow *sum, YkText *text)
 {
-    if (sum->kind != YK_SHOW_SUM) {
-        put_part(sheet, sum, text);
-        return;
-    }
     yk_text_puts(text, "<mrow>");
     if (!sum->first) put_whole(text, 0);
     for (const YkShow *part = sum->first; part; part = part->next) {
-        if (part->negative) yk_text_puts(text, "<mo>−</mo>");
-        else if (part != sum->first) yk_text_puts(text, "<mo>+</mo>");
-        put_part(sheet, part, text);
+        if (part->negative)
+            yk_text_puts(text, "<mo>−</mo>");
+        else if (part != sum->first)
+            yk_text_puts(text, "<mo>+</mo>");
+        put_product(sheet, part, text);
     }
     yk_text_puts(text, "</mrow>");
 }

@@ -24,6 +24,10 @@ static void learn_step(const YkMechanism *mech, const YkStep *step, size_t level
 {
     if (step->kind == YK_STEP_TURN || step->kind == YK_STEP_COMPOSE) known->slot[step->target] = level;
     if (step->kind == YK_STEP_DISTANCE) known->distance[step->target] = level;
+    if (step->kind == YK_STEP_RELATION) {
+        YkRelationTerm t = mech->relations[step->target].target;
+        (t.is_distance ? known->distance : known->slot)[t.index] = level;
+    }
     if (step->kind != YK_STEP_BLOCK) return;
     const YkBlock *b = &mech->blocks[step->target];
     for (uint32_t k = 0; k < b->column_count; k++) {

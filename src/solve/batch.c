@@ -320,7 +320,7 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
 {
     YkStatus worst = YK_OK;
     if (needs_state(b)) return run_poses(b, inputs, outputs, status, count);
-    YkRun run = {b->mech, &b->space, b->lanes_of, b->state->branch, NULL, 0};
+    YkRun run = {b->mech, &b->space, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference};
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
         for (size_t i = 0; i < 3 * b->mech->input_count; i++)

@@ -1,4 +1,5 @@
 #include "solve/run.h"
+#include "solve/relations.h"
 #include <string.h>
 
 void yk_run_begin(const YkRun *run)
@@ -161,6 +162,9 @@ void yk_run_steps(const YkRun *run, size_t from, size_t to)
             break;
         case YK_STEP_BLOCK:
             run_block(run, (size_t)step->target);
+            break;
+        case YK_STEP_RELATION:
+            yk_run_relation(run, (size_t)step->target);
             break;
         }
     }

@@ -4,7 +4,7 @@
 
 static size_t doubles(const YkSpace *s)
 {
-    return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 +
+    return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 + s->relations +
                         (s->block_margin ? s->blocks : 0));
 }
 
@@ -32,6 +32,7 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
                        .distances = mech->distance_count,
                        .nodes = mech->node_count,
                        .blocks = mech->block_count,
+                       .relations = mech->relation_count,
                        .block_margin = with_margins ? &dummy : NULL};
     size_t size = doubles(space) * sizeof(double);
     space->memory = calloc(1, size + 64);
@@ -48,7 +49,8 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
     space->planes = space->slides + stride * 3 * space->distances;
     space->margin = space->planes + stride * 6 * (space->nodes + YK_SCRATCH_COUNT);
     space->gap = space->margin + stride;
-    space->block_margin = with_margins ? space->gap + stride : NULL;
+    space->gain = space->gap + stride;
+    space->block_margin = with_margins ? space->gain + stride * space->relations : NULL;
     point_at_lanes(space);
     for (size_t k = 0; k < stride; k++) space->data[k] = 1; // slot 0, for whoever reads it: the ground's unit vector
     return true;

@@ -13,6 +13,8 @@ typedef struct YkSpace {
     double *margin;          // least sin^2 over the blocks: negative where something does not close
     double *gap;             // largest miss of redundant loops, m
     double *block_margin;    // [block][lane], or NULL
+    double *gain;            // [relation][lane]: derivative of its target by its law's argument
+    size_t relations;
     // Where the lanes are, made once: built anew for every call, they cost more than the arithmetic of one pose.
     YkTurn *turn;   // [slot]
     YkSlide *slide; // [distance]

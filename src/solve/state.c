@@ -4,6 +4,7 @@
 #include "compile/closure.h"
 #include "compile/inputs.h"
 #include "solve/assemble.h"
+#include "solve/relations.h"
 #include "solve/track.h"
 
 static bool allocate(YkState *s)
@@ -15,11 +16,12 @@ static bool allocate(YkState *s)
     s->input_lanes = calloc(3 * inputs + 1, sizeof *s->input_lanes);
     s->reference = calloc(n + 1, sizeof *s->reference);
     s->guess = calloc(n + 1, sizeof *s->guess);
+    s->slot_reference = calloc(mech->reference_count + 1, sizeof *s->slot_reference);
     s->is_guessed = calloc(n + 1, sizeof *s->is_guessed);
     s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
     s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
     s->search = yk_search_new(mech);
-    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->is_guessed && s->branch &&
+    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->slot_reference && s->is_guessed && s->branch &&
            s->valid_x && s->search && yk_space_start(&s->space, mech, 1, true) &&
            yk_space_start(&s->spare, mech, 1, true) && yk_group_start(&s->groups, mech);
 }
@@ -47,6 +49,7 @@ YkState *yk_state_new(const YkMechanism *mech)
     for (size_t k = 0; k < 3 * mech->input_count; k++) s->input_lanes[k] = &s->input[k];
     mark_guesses(s);
     memcpy(s->reference, s->guess, mech->coordinate_count * sizeof *s->reference);
+    yk_relations_guess(s);
     yk_state_set_time(s, 0, NULL);
     return s;
 }
@@ -63,6 +66,7 @@ void yk_state_free(YkState *s)
     free(s->input_lanes);
     free(s->reference);
     free(s->guess);
+    free(s->slot_reference);
     free(s->is_guessed);
     free(s->branch);
     free(s->valid_x);
@@ -77,6 +81,7 @@ YkStatus yk_state_copy(YkState *to, const YkState *from)
     memcpy(to->input, from->input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->valid_input, from->valid_input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);
+    memcpy(to->slot_reference, from->slot_reference, mech->reference_count * sizeof *to->slot_reference);
     memcpy(to->branch, from->branch, mech->block_count);
     memcpy(to->valid_x, from->valid_x, mech->column_count * sizeof *to->valid_x);
     if (mech->column_count > 0) memcpy(to->groups.x, from->groups.x, mech->column_count * sizeof *to->groups.x);
@@ -156,6 +161,7 @@ void yk_state_accept(YkState *s)
 
 void yk_state_refer(YkState *s)
 {
+    yk_relations_refer(s);
     for (size_t k = 0; k < s->mech->coordinate_count; k++)
         if (!s->mech->coordinates[k].is_distance) s->reference[k] = yk_coordinate_in(s, &s->space, k).position;
 }

@@ -11,6 +11,7 @@ struct YkState {
     const double **input_lanes; // pointers to the same, for the runner
     double *valid_input;        // inputs of the valid pose
     double *reference;          // per coordinate: its angle comes out nearest to this
+    double *slot_reference;     // [mech->reference_count]: the same of orientations that relations start from
     double *guess;              // per coordinate, from `start:`
     bool *is_guessed;
     signed char *branch; // per block; 0 where it has none
@@ -25,7 +26,7 @@ struct YkState {
 
 static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 {
-    return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1};
+    return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference};
 }
 
 // Tolerances, in one place.

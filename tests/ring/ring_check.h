@@ -19,8 +19,9 @@ typedef struct Fixture {
 
 static inline Fixture fixture_new(uint64_t seed)
 {
-    static const char *const parameters[] = {"I1", "m1", "m2", "l1", "lc1", "r_2"}, *const lift[] = {"s", "s1", "s2", "s3"};
-    static const YkRingClass kinds[] = {YK_RING_INERTIA, YK_RING_MASS,     YK_RING_MASS,
+    static const char *const parameters[] = {"I1", "m1", "m2", "l1", "lc1", "r_2"}, *const lift[] = {"s", "s1", "s2",
+                                                                                                     "s3"};
+    static const YkRingClass kinds[] = {YK_RING_INERTIA,  YK_RING_MASS,     YK_RING_MASS,
                                         YK_RING_CONSTANT, YK_RING_CONSTANT, YK_RING_CONSTANT};
     static const char *const angles[] = {"theta1", "theta2", "A.angle"};
     Fixture f = {.ring = yk_ring_new(), .seed = seed};

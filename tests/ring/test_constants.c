@@ -10,9 +10,9 @@ static void trigonometric_identities_are_equalities_of_elements(void **state)
         {"cos(theta1)^2 + sin(theta1)^2", "1"},
         {"sin(3 theta1)", "3 sin(theta1) - 4 sin(theta1)^3"},
         {"cos(2 theta1)", "2 cos(theta1)^2 - 1"},
-        {"sin(theta1 + theta2 + A.angle)",
-         "sin(theta1) cos(theta2) cos(A.angle) + cos(theta1) sin(theta2) cos(A.angle) + cos(theta1) cos(theta2) sin(A.angle)"
-         " - sin(theta1) sin(theta2) sin(A.angle)"},
+        {"sin(theta1 + theta2 + A.angle)", "sin(theta1) cos(theta2) cos(A.angle) + cos(theta1) sin(theta2) "
+                                           "cos(A.angle) + cos(theta1) cos(theta2) sin(A.angle)"
+                                           " - sin(theta1) sin(theta2) sin(A.angle)"},
         {"cos(pi/3)", "1/2"},
         {"cos(pi/6)", "sqrt(3)/2"},
         {"sin(pi/4) cos(pi/4)", "1/2"},
@@ -76,7 +76,8 @@ static void roots_of_two_and_three_are_exact(void **state)
     (void)state;
     Fixture f = fixture_new(4);
     YkRing *r = f.ring;
-    static const int64_t squares[] = {0, 1, 2, 3, 4, 6, 8, 9, 12, 18, 24, 25, 27, 50, 75, 147, 150, 1000000, 4611686018427387904};
+    static const int64_t squares[] = {
+        0, 1, 2, 3, 4, 6, 8, 9, 12, 18, 24, 25, 27, 50, 75, 147, 150, 1000000, 4611686018427387904};
     for (size_t i = 0; i < sizeof squares / sizeof *squares; i++) {
         Element root = yk_ring_sqrt(r, squares[i]);
         check_same(r, yk_ring_multiply(r, root, root), number(&f, squares[i], 1));
@@ -100,7 +101,8 @@ static void numbers_divide_even_when_they_hold_roots(void **state)
     check_same(r, read_text(&f, "2/(1 + i)"), read_text(&f, "1 - i"));
     for (int i = 0; i < 200; i++) {
         Element a = number(&f, 1 + below(&f, 9), 1 + below(&f, 9));
-        for (int k = 0; k < 3; k++) a = yk_ring_add(r, a, yk_ring_scale(r, yk_ring_turn(r, below(&f, 24), 12), 1 + below(&f, 4), 1));
+        for (int k = 0; k < 3; k++)
+            a = yk_ring_add(r, a, yk_ring_scale(r, yk_ring_turn(r, below(&f, 24), 12), 1 + below(&f, 4), 1));
         if (!yk_ring_is_zero(a)) check_same(r, yk_ring_multiply(r, yk_ring_power(r, a, -1), a), number(&f, 1, 1));
     }
     yk_ring_free(r);

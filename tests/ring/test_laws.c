@@ -9,7 +9,8 @@ static void addition_and_multiplication_commute_associate_and_distribute(void **
     Fixture f = fixture_new(1);
     YkRing *r = f.ring;
     for (int i = 0; i < CASES; i++) {
-        Element a = random_element(&f, below(&f, 5)), b = random_element(&f, below(&f, 5)), c = random_element(&f, below(&f, 4));
+        Element a = random_element(&f, below(&f, 5)), b = random_element(&f, below(&f, 5)),
+                c = random_element(&f, below(&f, 4));
         check_same(r, yk_ring_add(r, a, b), yk_ring_add(r, b, a));
         check_same(r, yk_ring_multiply(r, a, b), yk_ring_multiply(r, b, a));
         check_same(r, yk_ring_add(r, yk_ring_add(r, a, b), c), yk_ring_add(r, a, yk_ring_add(r, b, c)));
@@ -70,7 +71,8 @@ static void derivatives_are_linear_obey_leibniz_and_commute(void **state)
     Fixture f = fixture_new(4);
     YkRing *r = f.ring;
     for (int i = 0; i < CASES; i++) {
-        Element a = random_element(&f, below(&f, 4)), b = random_element(&f, below(&f, 4)), ab = yk_ring_multiply(r, a, b);
+        Element a = random_element(&f, below(&f, 4)), b = random_element(&f, below(&f, 4)),
+                ab = yk_ring_multiply(r, a, b);
         int32_t x = any_symbol(&f), y = any_symbol(&f);
         Element da = yk_ring_partial(r, a, x), db = yk_ring_partial(r, b, x);
         check_same(r, yk_ring_partial(r, yk_ring_add(r, a, b), x), yk_ring_add(r, da, db));
@@ -101,7 +103,8 @@ static void powers_multiply_and_divide(void **state)
         if (yk_ring_is_zero(term)) continue;
         check_same(r, yk_ring_multiply(r, yk_ring_divide(r, a, term), term), a);
         check_same(r, yk_ring_divide(r, yk_ring_multiply(r, a, term), term), a);
-        check_same(r, yk_ring_multiply(r, yk_ring_power(r, term, -power), yk_ring_power(r, term, power)), number(&f, 1, 1));
+        check_same(r, yk_ring_multiply(r, yk_ring_power(r, term, -power), yk_ring_power(r, term, power)),
+                   number(&f, 1, 1));
     }
     assert_int_equal(yk_ring_status(r), YK_RING_OK);
     yk_ring_free(r);

@@ -1,0 +1,163 @@
+#include "compile/relations.h"
+#include "base/memory.h"
+#include "compile/inputs.h"
+#include <stdlib.h>
+
+typedef struct Build {
+    YkMechanism *mech;
+    double *guess;  // per coordinate of the tree
+    bool *is_given; // by `start:` or a drive
+    double *share;  // per coordinate: its factor in the relation in work
+    bool failed;
+} Build;
+
+static void add_term(Build *b, YkRelationTerm term)
+{
+    YkMechanism *mech = b->mech;
+    if (!term.is_distance && term.index == 0) return; // the ground
+    if (YK_ROOM(mech->relation_terms, mech->relation_term_count, mech->relation_term_capacity))
+        mech->relation_terms[mech->relation_term_count++] = term;
+    else
+        b->failed = true;
+}
+
+// factor * (angle of the body, as the sum of joint angles along the tree); the constant part of its orientation is
+// returned, to be taken to the other side.
+static double add_body(Build *b, int32_t body, double factor)
+{
+    const YkMechanism *mech = b->mech;
+    add_term(b, (YkRelationTerm){false, mech->bodies[body].orientation, factor});
+    for (int32_t at = body; mech->tree.parent[at] != YK_NONE; at = mech->tree.parent[at]) {
+        const YkJoint *joint = &mech->model->joints[mech->tree.joint[at]];
+        int32_t c = yk_tree_coordinate(mech, mech->tree.joint[at], false);
+        if (c != YK_NONE) b->share[c] += joint->body[1] == at ? factor : -factor;
+    }
+    return factor * mech->bodies[body].turn;
+}
+
+static void add_distance(Build *b, int32_t joint, double factor)
+{
+    add_term(b, (YkRelationTerm){true, b->mech->joint_distance[joint], factor});
+    int32_t c = yk_tree_coordinate(b->mech, joint, true);
+    if (c != YK_NONE) b->share[c] += factor;
+}
+
+// The value of the relation at the start, where all coordinates that it ties are given; otherwise 0.
+static double phase(Build *b)
+{
+    double sum = 0;
+    bool all = true;
+    for (size_t c = 0; c < b->mech->coordinate_count; c++) {
+        if (fabs(b->share[c]) > 1e-12) {
+            all = all && b->is_given[c];
+            sum += b->share[c] * b->guess[c];
+        }
+        b->share[c] = 0;
+    }
+    return all ? sum : 0;
+}
+
+static YkRelation *begin(Build *b, YkRelationKind kind, size_t index, const char *name)
+{
+    YkMechanism *mech = b->mech;
+    YkRelation *r = &mech->relations[mech->relation_count++];
+    *r = (YkRelation){.kind = kind, .index = (int32_t)index, .name = name, .first_term = (uint32_t)mech->relation_term_count};
+    return r;
+}
+
+static void end_terms(const Build *b, YkRelation *r)
+{
+    r->term_count = (uint32_t)b->mech->relation_term_count - r->first_term;
+    r->first_argument = (uint32_t)b->mech->relation_term_count;
+}
+
+// factor_a (a - carrier) + factor_b (b - carrier) = phase
+static void add_wheels(Build *b, YkRelationKind kind, size_t index, const char *name, const int32_t body[2], int32_t carrier,
+                       double factor_a, double factor_b)
+{
+    YkRelation *r = begin(b, kind, index, name);
+    double turns = add_body(b, body[0], factor_a) + add_body(b, body[1], factor_b) + add_body(b, carrier, -factor_a - factor_b);
+    end_terms(b, r);
+    r->constant = phase(b) - turns;
+}
+
+static void add_gears(Build *b)
+{
+    const YkModel *model = b->mech->model;
+    for (size_t k = 0; k < model->gear_count; k++) {
+        const YkGear *g = &model->gears[k];
+        double a = (double)g->teeth[0], z = (double)g->teeth[1];
+        add_wheels(b, YK_RELATION_GEAR, k, g->name, g->body, g->carrier, a, g->is_internal ? -z : z);
+    }
+    for (size_t k = 0; k < model->belt_count; k++) {
+        const YkBelt *belt = &model->belts[k];
+        double sign = belt->is_crossed ? 1 : -1;
+        add_wheels(b, YK_RELATION_BELT, k, belt->name, belt->body, belt->carrier, belt->radius[0], sign * belt->radius[1]);
+    }
+    for (size_t k = 0; k < model->rack_count; k++) {
+        const YkRack *rack = &model->racks[k];
+        YkRelation *r = begin(b, YK_RELATION_RACK, k, rack->name);
+        double factor = -rack->sense * rack->radius;
+        add_distance(b, rack->slide, 1);
+        double turns = add_body(b, rack->pinion, factor) + add_body(b, rack->carrier, -factor);
+        end_terms(b, r);
+        r->constant = phase(b) - turns;
+    }
+}
+
+// The coordinate of a pin: its second body's angle less its first's.
+static double add_pin(Build *b, int32_t joint, double factor)
+{
+    const YkJoint *j = &b->mech->model->joints[joint];
+    return add_body(b, j->body[1], factor) + add_body(b, j->body[0], -factor);
+}
+
+static void add_cams(Build *b)
+{
+    const YkModel *model = b->mech->model;
+    for (size_t k = 0; k < model->cam_count; k++) {
+        const YkCam *cam = &model->cams[k];
+        YkRelation *r = begin(b, YK_RELATION_CAM, k, cam->name);
+        if (cam->oscillates)
+            r->constant = -add_pin(b, cam->follower_joint, 1);
+        else
+            add_distance(b, cam->follower_joint, 1);
+        end_terms(b, r);
+        r->argument_constant = add_pin(b, cam->cam_joint, 1);
+        r->argument_count = (uint32_t)b->mech->relation_term_count - r->first_argument;
+        r->law = model->laws[cam->law].law;
+        phase(b); // clears the shares
+    }
+}
+
+static void mark_given(Build *b)
+{
+    const YkMechanism *mech = b->mech;
+    const YkModel *model = mech->model;
+    yk_inputs_guess(mech, b->guess);
+    for (size_t c = 0; c < mech->coordinate_count; c++) b->is_given[c] = mech->coordinates[c].drive != YK_NONE;
+    for (size_t k = 0; k < model->start_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
+        int32_t q = model->starts[k].is_rate ? YK_NONE : yk_tree_coordinate(mech, c->joint, c->is_distance);
+        if (q != YK_NONE) b->is_given[q] = true;
+    }
+}
+
+bool yk_relations_build(YkMechanism *mech)
+{
+    const YkModel *model = mech->model;
+    size_t count = model->gear_count + model->belt_count + model->rack_count + model->cam_count;
+    if (count == 0) return true;
+    size_t n = mech->coordinate_count + 1;
+    Build b = {.mech = mech};
+    b.guess = YK_NEW(mech->arena, double, 2 * n);
+    b.is_given = YK_NEW(mech->arena, bool, n);
+    mech->relations = YK_NEW(mech->arena, YkRelation, count);
+    if (yk_arena_failed(mech->arena)) return false;
+    b.share = b.guess + n;
+    mark_given(&b);
+    add_gears(&b);
+    add_cams(&b);
+    mech->gruebler -= (int)count;
+    return !b.failed;
+}

@@ -1,0 +1,195 @@
+// Relations in the plan: as soon as all but one of its angles and distances are known, a relation gives the last.
+//
+// An angle that is a sum of inputs is kept as such a sum (a *form*), so that trains of gears stay exact over any number of
+// turns; an angle that loops place is taken nearest to a reference that follows the motion.
+#include "compile/plan.h"
+#include <stdlib.h>
+
+typedef struct YkForm {
+    bool is_known;
+    double constant;
+    YkSource *sources; // inputs
+    size_t count;
+} YkForm;
+
+static YkForm *forms_of(YkPlan *plan)
+{
+    if (!plan->forms) {
+        plan->forms = YK_NEW(plan->arena, YkForm, plan->mech->slot_count + plan->mech->orientation_count + 1);
+        if (plan->forms) plan->forms[0].is_known = true; // the ground
+    }
+    if (!plan->forms) plan->failed = true;
+    return plan->forms;
+}
+
+// target += factor * form
+static void add_form(YkPlan *plan, YkForm *target, const YkForm *form, double factor)
+{
+    YkSource *sources = YK_NEW(plan->arena, YkSource, target->count + form->count + 1);
+    if (!sources) {
+        plan->failed = true;
+        return;
+    }
+    size_t count = 0;
+    for (size_t k = 0; k < target->count; k++) sources[count++] = target->sources[k];
+    for (size_t k = 0; k < form->count; k++) {
+        size_t at = 0;
+        while (at < count && sources[at].index != form->sources[k].index) at++;
+        if (at == count) sources[count++] = (YkSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, 0};
+        sources[at].factor += factor * form->sources[k].factor;
+    }
+    target->sources = sources;
+    target->count = count;
+    target->constant += factor * form->constant;
+}
+
+static void note_turn(YkPlan *plan, const YkStep *step)
+{
+    YkForm *forms = plan->forms;
+    YkForm *form = &forms[step->target];
+    if (step->kind == YK_STEP_TURN && forms[step->parent].is_known) {
+        YkForm input = {true, step->offset, &(YkSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
+        add_form(plan, form, &forms[step->parent], 1);
+        add_form(plan, form, &input, step->sign);
+        form->is_known = true;
+    } else if (step->kind == YK_STEP_COMPOSE && forms[step->parent].is_known && forms[step->other].is_known) {
+        add_form(plan, form, &forms[step->parent], 1);
+        add_form(plan, form, &forms[step->other], 1);
+        form->is_known = true;
+    }
+}
+
+void yk_plan_note_turn(YkPlan *plan, const YkStep *step)
+{
+    if (plan->mech->relation_count > 0 && forms_of(plan)) note_turn(plan, step);
+}
+
+static bool is_known(const YkPlan *plan, YkRelationTerm term)
+{
+    return term.is_distance ? plan->distance_known[term.index] : plan->root_known[plan->mech->group_root[term.index]];
+}
+
+static YkRelationTerm root_of(const YkPlan *plan, YkRelationTerm term)
+{
+    if (!term.is_distance) term.index = plan->mech->group_root[term.index];
+    return term;
+}
+
+// The one unknown of a relation and its factor; how many unknowns there are (2 for more).
+static size_t find_unknown(const YkPlan *plan, const YkRelation *r, YkRelationTerm *unknown)
+{
+    const YkRelationTerm *terms = plan->mech->relation_terms;
+    size_t count = 0;
+    for (uint32_t k = 0; k < r->term_count; k++) {
+        YkRelationTerm term = terms[r->first_term + k];
+        if (is_known(plan, term)) continue;
+        YkRelationTerm root = root_of(plan, term);
+        if (count == 0) {
+            *unknown = root;
+            count = 1;
+        } else if (root.is_distance == unknown->is_distance && root.index == unknown->index) {
+            unknown->factor += term.factor;
+        } else {
+            return 2;
+        }
+    }
+    for (uint32_t k = 0; k < r->argument_count; k++)
+        if (!is_known(plan, terms[r->first_argument + k])) return 2;
+    return count == 1 && fabs(unknown->factor) < 1e-12 ? 2 : count;
+}
+
+static void add_source(YkPlan *plan, YkSource source, uint32_t first)
+{
+    YkMechanism *mech = plan->mech;
+    for (size_t k = first; k < mech->source_count; k++) {
+        if (mech->sources[k].kind != source.kind || mech->sources[k].index != source.index) continue;
+        mech->sources[k].factor += source.factor;
+        return;
+    }
+    if (!YK_ROOM(mech->sources, mech->source_count, mech->source_capacity)) {
+        plan->failed = true;
+        return;
+    }
+    if (source.kind == YK_SOURCE_SLOT) source.reference = (int32_t)mech->reference_count++;
+    mech->sources[mech->source_count++] = source;
+}
+
+// The value of a known term, times its factor, as sources since `first`; returns its constant part.
+static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_t first, int32_t skip_root)
+{
+    YkMechanism *mech = plan->mech;
+    if (term.is_distance) {
+        add_source(plan, (YkSource){YK_SOURCE_DISTANCE, term.index, YK_NONE, factor}, first);
+        return 0;
+    }
+    int32_t slot = term.index;
+    if (skip_root >= 0 && mech->group_root[slot] == skip_root) slot = mech->relative_slot[slot]; // beyond the target
+    if (slot == 0) return 0;
+    const YkForm *form = &plan->forms[slot];
+    if (!form->is_known) {
+        add_source(plan, (YkSource){YK_SOURCE_SLOT, slot, YK_NONE, factor}, first);
+        return 0;
+    }
+    for (size_t k = 0; k < form->count; k++)
+        add_source(plan, (YkSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, factor * form->sources[k].factor}, first);
+    return factor * form->constant;
+}
+
+// The target's own form, where all it comes from are inputs.
+static void note_form(YkPlan *plan, const YkRelation *r)
+{
+    if (r->target.is_distance || r->law) return;
+    YkForm form = {true, r->offset, plan->mech->sources + r->first_source, r->source_count};
+    for (uint32_t k = 0; k < r->source_count; k++)
+        if (form.sources[k].kind != YK_SOURCE_INPUT) return;
+    YkForm *target = &plan->forms[r->target.index];
+    add_form(plan, target, &form, 1);
+    target->is_known = true;
+}
+
+static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
+{
+    YkMechanism *mech = plan->mech;
+    YkRelation *r = &mech->relations[index];
+    int32_t skip = unknown.is_distance ? YK_NONE : unknown.index;
+    r->is_solved = true;
+    r->target = unknown;
+    r->gain = 1 / unknown.factor;
+    r->offset = r->constant / unknown.factor;
+    r->first_source = (uint32_t)mech->source_count;
+    for (uint32_t k = 0; k < r->term_count; k++) {
+        YkRelationTerm term = mech->relation_terms[r->first_term + k];
+        bool is_target = is_known(plan, term) ? false : term.is_distance || term.index == unknown.index;
+        if (is_target) continue;
+        r->offset += add_term(plan, term, -term.factor / unknown.factor, r->first_source, skip);
+    }
+    r->source_count = (uint32_t)mech->source_count - r->first_source;
+    r->first_argument_source = (uint32_t)mech->source_count;
+    r->argument_offset = r->argument_constant;
+    for (uint32_t k = 0; k < r->argument_count; k++) {
+        YkRelationTerm term = mech->relation_terms[r->first_argument + k];
+        r->argument_offset += add_term(plan, term, term.factor, r->first_argument_source, YK_NONE);
+    }
+    r->argument_source_count = (uint32_t)mech->source_count - r->first_argument_source;
+    note_form(plan, r);
+    yk_plan_step(plan, (YkStep){.kind = YK_STEP_RELATION, .target = (int32_t)index});
+    yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
+}
+
+bool yk_plan_relations(YkPlan *plan)
+{
+    YkMechanism *mech = plan->mech;
+    bool solved = false;
+    if (mech->relation_count == 0 || !forms_of(plan)) return false;
+    for (size_t k = 0; k < mech->relation_count && !plan->failed; k++) {
+        YkRelation *r = &mech->relations[k];
+        YkRelationTerm unknown = {0};
+        if (r->is_solved || r->is_redundant) continue;
+        size_t count = find_unknown(plan, r, &unknown);
+        r->is_redundant = count == 0;
+        if (count != 1) continue;
+        solve(plan, k, unknown);
+        solved = true;
+    }
+    return solved;
+}

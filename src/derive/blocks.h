@@ -1,0 +1,51 @@
+// The order in which the loops' equations are solved for the unknown rates: blocks along the diagonal of J.
+#ifndef DERIVE_BLOCKS_H
+#define DERIVE_BLOCKS_H
+#include "derive/derive.h"
+
+// A scalar equation: a row of J.
+typedef struct YkDeriveRow {
+    int32_t loop;
+    int part;               // 0 x, 1 y, 2 angle
+    const YkPoisson *value; // joint form, 0 on the machine
+    int32_t *columns;       // coordinates that may stand in it, ascending
+    size_t count;
+    const YkPoisson **entries; // partial derivatives by them
+    int32_t block;             // YK_NONE: repeats others
+} YkDeriveRow;
+
+typedef struct YkDeriveBlock {
+    size_t first_row, row_count;       // in row_order
+    size_t first_column, column_count; // in column_order
+    const YkPoisson *determinant;      // NULL where the block has more than 3 unknowns, or is not square
+} YkDeriveBlock;
+
+struct YkDeriveBlocks {
+    YkDeriveRow *rows;
+    size_t row_count, solved_row_count; // those that repeat others come last in row_order
+    size_t *row_order;
+    int32_t *column_order; // coordinates: inputs first, then block by block
+    size_t column_count, input_count;
+    YkDeriveBlock *blocks;
+    size_t block_count;
+};
+
+enum { YK_CRAMER_MAX = 3 };
+
+// Made at first use; NULL on failure.
+const YkDeriveBlocks *yk_derive_blocks(YkDerivation *d);
+// Row r's derivative by a coordinate; zero where it is not in it. Never NULL but on failure.
+const YkPoisson *yk_derive_entry(YkDerivation *d, const YkDeriveRow *row, int32_t coordinate);
+// The determinant of an n x n matrix, n <= YK_CRAMER_MAX, row after row.
+const YkPoisson *yk_derive_determinant(YkRing *ring, const YkPoisson *const *A, size_t n);
+// Cramer's rule on a block: determinant * unknown = over, where J_block unknown = right (row_count elements).
+const YkPoisson *yk_derive_cramer(YkDerivation *d, const YkDeriveBlock *block, size_t unknown, const YkPoisson *const *right);
+// Can the block be solved in print?
+static inline bool yk_derive_is_solved(const YkDeriveBlock *block)
+{
+    return block->determinant != NULL && !yk_ring_is_zero(block->determinant);
+}
+// "theta2, d3": the unknowns of a block.
+const char *yk_derive_block_name(YkDerivation *d, const YkDeriveBlock *block);
+
+#endif

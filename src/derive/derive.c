@@ -1,0 +1,39 @@
+// A derivation from its beginning to its end.
+#include <stdlib.h>
+#include "base/problems.h"
+#include "derive/frame.h"
+
+static bool enter_all(YkDerivation *d)
+{
+    d->points = YK_NEW(d->arena, const YkPoisson *, d->model->point_count + 1);
+    return d->points && yk_derive_enter_parameters(d) && yk_derive_enter_coordinates(d) && yk_derive_enter_bodies(d);
+}
+
+YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems)
+{
+    YkDerivation *d = calloc(1, sizeof *d);
+    if (d) {
+        *d = (YkDerivation){.arena = yk_arena_new(), .model = model, .mech = mech, .ring = yk_ring_new()};
+        if (d->arena && d->ring && enter_all(d) && yk_derivation_is_well(d)) return d;
+    }
+    YkRingStatus why = d && d->ring && yk_ring_status(d->ring) != YK_RING_OK ? yk_ring_status(d->ring) : YK_RING_MEMORY;
+    yk_problem(problems, YK_CODE_DERIVATION, (YkPlace){0}, "the machine cannot be written in symbols: %s",
+               yk_ring_status_text(why));
+    yk_derivation_free(d);
+    return NULL;
+}
+
+void yk_derivation_free(YkDerivation *d)
+{
+    if (!d) return;
+    free(d->constants);
+    free(d->sources);
+    yk_ring_free(d->ring);
+    yk_arena_free(d->arena);
+    free(d);
+}
+
+bool yk_derivation_is_well(const YkDerivation *d)
+{
+    return d && !d->failed && !yk_arena_failed(d->arena) && yk_ring_status(d->ring) == YK_RING_OK;
+}

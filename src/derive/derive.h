@@ -1,0 +1,180 @@
+// The machine in symbols. A derivation holds a ring with a symbol for everything the model speaks of, and builds from the
+// topology alone - the spanning tree, its coordinates, the joints that close loops - what an engineer would write by hand.
+// It shares that topology with the numeric engine and nothing else, so each can check the other.
+//
+// Vectors of the plane are complex elements: x is the real part, y the imaginary part.
+// Two forms: in *body form* every body that turns has one angle, its own, and one rate; everything stays short there. In
+// *joint form* only the coordinates of the file appear, as in a textbook. yk_derive_in_joints takes the first into the
+// second by whole-number combinations. Derive in body form, show in joint form.
+//
+// Elements are constant and live as long as the derivation. A function that returns one returns NULL when the ring could
+// not make it (yk_ring_status tells why) and takes NULL for any element, so that a derivation is checked once, at its end.
+#ifndef DERIVE_DERIVE_H
+#define DERIVE_DERIVE_H
+#include <yoke/dynamics.h>
+#include "compile/mechanism.h"
+#include "model/model.h"
+#include "ring/ring.h"
+#include "derive/page.h"
+
+// A coordinate of the machine and its derivatives. First those of the spanning tree in the mechanism's order (the file's),
+// then the distances of slides and pin-slots that close a loop (JOINT.distance).
+typedef struct YkDeriveCoordinate {
+    const char *name; // as the ring knows it
+    int32_t joint;
+    bool is_distance;
+    bool in_tree;
+    bool is_input;                        // given: driven, or held by the analysis
+    int32_t drive;                        // of the model, or YK_NONE
+    int32_t position, rate, acceleration; // symbols
+} YkDeriveCoordinate;
+
+typedef struct YkDeriveBody {
+    const char *name;      // as the ring knows it
+    int32_t parent, joint; // in the tree; YK_NONE: the ground
+    // Symbols of the angle of the body's orientation, and its derivatives; YK_NONE where the body never turns. A body whose
+    // angle is a coordinate of the file uses that coordinate, others have NAME.angle, NAME.angle', NAME.angle''. Bodies
+    // that never turn against each other share their symbols.
+    int32_t angle, rate, acceleration;
+    const YkPoisson *unit;         // e^(i angle of the body's axes), body form
+    const YkPoisson *turn;         // the same by the angle of its orientation: constant
+    const YkPoisson *spin, *spin_rate; // angular velocity and acceleration, body form: a symbol, or 0
+} YkDeriveBody;
+
+// A vector from one named point to another: p^{head/tail}, times -1 where it is walked backwards.
+typedef struct YkDeriveVector {
+    const char *head, *tail;
+    int32_t body; // in whose axes it is fixed, or along whose line it grows
+    bool is_negative;
+    bool is_variable;       // a distance is in it
+    const YkPoisson *value; // without the sign, body form
+} YkDeriveVector;
+
+// Walking from point to point over joints.
+typedef struct YkDerivePath {
+    YkDeriveVector *vectors;
+    size_t count;
+    const YkPoisson *sum; // body form
+} YkDerivePath;
+
+// A joint that closes a loop: first body's point minus the second's = 0 (rows x and y), and where it does not turn, the
+// second body's angle minus the first's minus a constant = 0. Rows are in world axes, or in those of the body from which both
+// branches of the loop start (`axes`).
+typedef struct YkDeriveLoop {
+    int32_t joint, axes;
+    YkDerivePath path;      // its sum in world axes, body form
+    const YkPoisson *sum;   // joint form, complex: 0 on the machine
+    const YkPoisson *angle; // joint form; NULL where the joint turns, or where the angle holds by itself
+} YkDeriveLoop;
+
+// A constant that is no polynomial of parameters (sqrt(l1^2 + 4 l2), atan(h/l)): a symbol of its own.
+typedef struct YkDeriveConstant {
+    int32_t symbol;
+    const YkExpr *expr; // what it stands for (in SI; an angle in radians)
+    double value;
+} YkDeriveConstant;
+
+typedef struct YkDerivation YkDerivation;
+// Gives values to symbols that a section has added (forces, multipliers): values[symbol] = ...; dynamics may be NULL.
+typedef void (*YkDeriveSource)(void *context, const YkState *state, YkDynamics *dynamics, double *values);
+typedef struct YkDeriveBlocks YkDeriveBlocks; // blocks.h
+
+struct YkDerivation {
+    YkArena *arena;
+    const YkModel *model;
+    const YkMechanism *mech;
+    YkRing *ring;
+    int32_t time;        // symbol t, with rate 1
+    int32_t *parameters; // symbols, by the model's index
+    YkDeriveCoordinate *coordinates;
+    size_t coordinate_count, tree_count; // all; those of the tree come first and agree with the mechanism's indices
+    int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE
+    YkDeriveBody *bodies;
+    YkRingChange *to_joints; // one for each angle, rate and acceleration that is a body's own; made at first use
+    size_t change_count;
+    const YkPoisson **body_angles; // made with them: of each body's axes, joint form
+    YkDeriveLoop *loops; // in the file's order; yk_derive_loops makes them at first use
+    size_t loop_count;
+    struct YkDeriveNames *names; // of points; made at first use
+    YkDeriveConstant *constants;
+    size_t constant_count, constant_capacity;
+    const YkPoisson **points; // memo: of each model point in its body's axes
+    struct YkDeriveSourceEntry {
+        YkDeriveSource fill;
+        void *context;
+    } *sources;
+    size_t source_count, source_capacity;
+    YkDeriveBlocks *blocks; // made at first use
+    int32_t *influence;     // per coordinate: the symbol of its influence coefficient; made by the section of velocities
+    bool failed;            // out of memory outside of the ring
+};
+
+// Builds the frame: symbols and angles. The model and the mechanism must outlive it. NULL with a problem added when out of
+// memory or where the file's numbers are too large to be exact. Cost O(bodies).
+YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
+void yk_derivation_free(YkDerivation *derivation);
+// Everything derived so far exists: memory, the ring's status.
+bool yk_derivation_is_well(const YkDerivation *derivation);
+
+// --- From the file (expression.c, symbols.c) -------------------------------------------------------------------------------
+// An expression of the file in SI, exactly: parameters, coordinates, rates and t become symbols; decimals and units exact
+// (deg with the symbol pi). What is no polynomial becomes a constant symbol where it is constant; otherwise NULL with the
+// status YK_RING_DIVISOR. NULL expression: 0.
+const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr);
+// e^(i expr) of an angle. NULL expression: 1.
+const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
+// A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on failure.
+int32_t yk_derive_symbol(YkDerivation *d, const char *name, YkRingClass kind);
+// What a parameter stands for in terms of others: NULL where it is a number of its own (or no polynomial).
+const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
+
+// --- The machine (machine.c, path.c) -----------------------------------------------------------------------------------------
+const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
+const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);            // a slide's direction in its first body's axes
+const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint);         // the symbol; NULL where it does not slide
+// From the first body's place to the second's along the line: distance * unit vector, in the world, body form.
+const YkPoisson *yk_derive_slide(YkDerivation *d, int32_t joint);
+// Positions in the world, body form: a body's origin, and a place given in its axes. Cost: the body's depth in the tree.
+const YkPoisson *yk_derive_origin(YkDerivation *d, int32_t body);
+const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoisson *at);
+// Of a body with mass: centre of mass in its axes, mass, inertia about the centre (a rod's follow); 0 where not given.
+const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body);
+const YkPoisson *yk_derive_mass(YkDerivation *d, int32_t body);
+const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body);
+const YkPoisson *yk_derive_gravity(YkDerivation *d); // complex; 0 where there is none
+// The loops; NULL on failure (and where there are none: loop_count is 0). Cost O(sum of the lengths of the loops).
+const YkDeriveLoop *yk_derive_loops(YkDerivation *d);
+// From body form to joint form. In joint form: the body's spin is sum of B[k] * rate of coordinate k, B[k] in -1, 0, 1;
+// yk_derive_combination writes B (tree_count entries).
+const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a);
+void yk_derive_combination(const YkDerivation *d, int32_t body, int32_t *B);
+
+// The names of points, as short as they are clear: "A"; "crank.A" where several points that do not coincide are called A.
+// The origin has the name of a point that the file puts there, or the body's name with 0.
+const char *yk_derive_point_name(YkDerivation *d, int32_t body, int32_t point);
+const char *yk_derive_center_name(YkDerivation *d, int32_t body); // C1, C2, ... unless taken
+// From the place `from` (a point of a body, by its index or YK_NONE for the origin) to the place `to`.
+typedef struct YkDerivePlace { int32_t body, point; } YkDerivePlace;
+bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDerivePath *path);
+// The place at which joint j holds body side 0 or 1: `from` or `at` on the first, `to` or `at` on the second.
+YkDerivePlace yk_derive_place(const YkDerivation *d, int32_t joint, int side);
+
+// --- Values (values.c) ---------------------------------------------------------------------------------------------------
+// values[yk_ring_symbol_count(d->ring)]: parameters and constants from the file, coordinates and bodies from the state, what
+// sources know; 0 for the rest. dynamics may be NULL. Completed: ready for yk_ring_value.
+void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamics, double *values);
+bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context);
+
+// --- Sections (sections.c) -----------------------------------------------------------------------------------------------
+// A section adds its headings and formulas to a page. false when something failed (the ring's status tells).
+typedef bool (*YkDeriveSection)(YkDerivation *d, YkPage *page);
+typedef struct YkDeriveSectionEntry {
+    const char *name;  // as --what takes it
+    const char *title; // heading
+    YkDeriveSection write; // NULL: not part of this version
+} YkDeriveSectionEntry;
+extern const YkDeriveSectionEntry yk_derive_sections[]; // in the order of `all`; ends at name NULL
+// Writes a section by its index, heading included.
+bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page);
+
+#endif

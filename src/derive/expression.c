@@ -1,0 +1,240 @@
+// Expressions of the file as elements of the ring: exactly, with parameters as symbols.
+#include <math.h>
+#include <string.h>
+#include "base/number.h"
+#include "derive/frame.h"
+#include "expr/formula.h"
+
+enum { DIGITS_EXACT = 1000000000, DENOMINATOR_MAX = 1000000 };
+
+// The fraction over / under with under <= DENOMINATOR_MAX that equals value to a few bits. Continued fraction.
+static bool as_fraction(double value, int64_t *over, int64_t *under)
+{
+    int64_t p0 = 0, p1 = 1, q0 = 1, q1 = 0;
+    double rest = fabs(value);
+    if (!(rest < 1e12)) return false;
+    for (int step = 0; step < 40; step++) {
+        double whole = floor(rest);
+        if (whole > 1e15 || (double)q1 * whole + (double)q0 > DENOMINATOR_MAX) return false;
+        int64_t a = (int64_t)whole, p = a * p1 + p0, q = a * q1 + q0;
+        p0 = p1, p1 = p, q0 = q1, q1 = q;
+        if (fabs((double)p1 / (double)q1 - fabs(value)) <= 4e-16 * fabs(value)) {
+            *over = value < 0 ? -p1 : p1;
+            *under = q1;
+            return true;
+        }
+        rest = 1 / (rest - whole);
+    }
+    return false;
+}
+
+// A double as the decimal that its writer meant, where that is short.
+static const YkPoisson *as_decimal(YkRing *ring, double value, int64_t limit)
+{
+    char text[YK_NUMBER_SIZE];
+    int64_t mantissa;
+    int32_t exponent;
+    size_t length = yk_number_write(fabs(value), text);
+    if (!yk_number_read_exact(text, length, &mantissa, &exponent) || mantissa > limit) return NULL;
+    return yk_ring_decimal(ring, value < 0 ? -mantissa : mantissa, exponent);
+}
+
+// The size of a unit: a short decimal (mm), a power of pi times a fraction (deg, rpm), a fraction (km/h).
+static const YkPoisson *unit_size(YkRing *ring, double size, int angle)
+{
+    int64_t over, under;
+    const YkPoisson *decimal = as_decimal(ring, size, DIGITS_EXACT);
+    if (decimal) return decimal;
+    if (angle != 0 && as_fraction(size / pow(YK_PI, angle), &over, &under)) {
+        const YkPoisson *pi = yk_ring_power(ring, yk_ring_pi(ring), angle);
+        return yk_ring_scale(ring, pi, over, under);
+    }
+    if (as_fraction(size, &over, &under)) return yk_ring_rational(ring, over, under);
+    return as_decimal(ring, size, INT64_MAX);
+}
+
+static const YkPoisson *number(YkDerivation *d, const YkExpr *expr)
+{
+    const YkPoisson *value =
+        expr->is_exact ? yk_ring_decimal(d->ring, expr->mantissa, expr->exponent) : as_decimal(d->ring, expr->number, INT64_MAX);
+    double size = expr->has_unit ? expr->unit_size : expr->value_scale;
+    if (size == 1) return value;
+    int angle = expr->has_unit ? expr->unit.angle : expr->dimension.angle;
+    return yk_ring_multiply(d->ring, value, unit_size(d->ring, size, angle ? angle : 1));
+}
+
+static const YkPoisson *name(YkDerivation *d, const YkExpr *expr)
+{
+    if (strcmp(expr->name, "pi") == 0) return yk_ring_pi(d->ring);
+    int32_t symbol = yk_derive_find(d, expr->name);
+    return symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
+}
+
+static bool is_constant_name(void *context, const YkExpr *expr)
+{
+    const YkDerivation *d = context;
+    return strcmp(expr->name, "pi") == 0 || yk_names_find(&d->model->parameter_names, expr->name) != YK_NONE;
+}
+
+static void look_for_variable(void *context, const YkExpr *expr)
+{
+    void **pair = context;
+    if (!is_constant_name(pair[0], expr)) *(bool *)pair[1] = false;
+}
+
+static bool is_constant(YkDerivation *d, const YkExpr *expr)
+{
+    bool constant = true;
+    void *pair[] = {d, &constant};
+    yk_expr_names(expr, look_for_variable, pair);
+    return constant;
+}
+
+// A symbol for a constant that the ring cannot hold.
+static const YkPoisson *opaque(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol)
+{
+    YkJet jet;
+    *symbol = -1;
+    if (!is_constant(d, expr) || yk_model_eval(d->model, expr, 0, &jet, NULL) != YK_OK) return NULL;
+    for (size_t i = 0; i < d->constant_count; i++)
+        if (d->constants[i].expr == expr && yk_ring_is_angle(d->ring, d->constants[i].symbol) == is_angle)
+            *symbol = d->constants[i].symbol;
+    if (*symbol < 0) {
+        YkText text = {0};
+        yk_text_format(&text, "%s%z", is_angle ? "alpha_" : "k_", d->constant_count + 1);
+        *symbol = is_angle ? yk_derive_angle(d, yk_text_get(&text))
+                           : yk_derive_symbol(d, yk_text_get(&text), YK_RING_CONSTANT);
+        yk_text_free(&text);
+        if (*symbol < 0) return NULL;
+        if (!YK_ROOM(d->constants, d->constant_count, d->constant_capacity)) {
+            d->failed = true;
+            return NULL;
+        }
+        d->constants[d->constant_count++] = (YkDeriveConstant){*symbol, expr, jet.d[0]};
+    }
+    return yk_ring_of(d->ring, *symbol);
+}
+
+static const YkPoisson *constant_or_none(YkDerivation *d, const YkExpr *expr)
+{
+    int32_t symbol;
+    return opaque(d, expr, false, &symbol);
+}
+
+static const YkPoisson *power(YkDerivation *d, const YkExpr *expr)
+{
+    int64_t over, under;
+    const YkPoisson *base = yk_derive_expression(d, expr->a), *exponent = yk_derive_expression(d, expr->b);
+    if (!yk_ring_is_rational(exponent, &over, &under) || under != 1 || over > 64 || over < -64 ||
+        (over < 0 && yk_ring_terms(base) != 1))
+        return constant_or_none(d, expr);
+    return yk_ring_power(d->ring, base, (int32_t)over);
+}
+
+static const YkPoisson *quotient(YkDerivation *d, const YkExpr *expr)
+{
+    const YkPoisson *over = yk_derive_expression(d, expr->a), *under = yk_derive_expression(d, expr->b);
+    if (!over || !under) return NULL;
+    return yk_ring_terms(under) == 1 ? yk_ring_divide(d->ring, over, under) : constant_or_none(d, expr);
+}
+
+// The root of a rational square, where it is a number of the ring.
+static const YkPoisson *root(YkDerivation *d, const YkExpr *expr)
+{
+    int64_t over, under;
+    const YkPoisson *square = yk_derive_expression(d, expr->a);
+    if (!square) return NULL;
+    if (!yk_ring_is_rational(square, &over, &under) || over < 0 || over > INT32_MAX || under > INT32_MAX ||
+        yk_ring_status(d->ring) != YK_RING_OK)
+        return constant_or_none(d, expr);
+    const YkPoisson *whole = yk_ring_sqrt(d->ring, over * under);
+    if (whole) return yk_ring_scale(d->ring, whole, 1, under);
+    yk_ring_clear(d->ring);
+    return constant_or_none(d, expr);
+}
+
+static const YkPoisson *call(YkDerivation *d, const YkExpr *expr)
+{
+    if (expr->function == YK_SQRT) return root(d, expr);
+    if (expr->function != YK_SIN && expr->function != YK_COS) return constant_or_none(d, expr);
+    const YkPoisson *unit = yk_derive_turn(d, expr->a);
+    return expr->function == YK_COS ? yk_ring_real(d->ring, unit) : yk_ring_imaginary(d->ring, unit);
+}
+
+const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr)
+{
+    if (!expr) return yk_ring_rational(d->ring, 0, 1);
+    switch (expr->kind) {
+    case YK_EXPR_NUMBER:
+        return number(d, expr);
+    case YK_EXPR_NAME:
+        return name(d, expr);
+    case YK_EXPR_NEGATE:
+        return yk_ring_negate(d->ring, yk_derive_expression(d, expr->a));
+    case YK_EXPR_ADD:
+        return yk_ring_add(d->ring, yk_derive_expression(d, expr->a), yk_derive_expression(d, expr->b));
+    case YK_EXPR_SUBTRACT:
+        return yk_ring_subtract(d->ring, yk_derive_expression(d, expr->a), yk_derive_expression(d, expr->b));
+    case YK_EXPR_MULTIPLY:
+        return yk_ring_multiply(d->ring, yk_derive_expression(d, expr->a), yk_derive_expression(d, expr->b));
+    case YK_EXPR_DIVIDE:
+        return quotient(d, expr);
+    case YK_EXPR_POWER:
+        return power(d, expr);
+    case YK_EXPR_CALL:
+        return call(d, expr);
+    }
+    return NULL;
+}
+
+// Takes factor * symbol out of *rest, whole factors only; multiplies *unit by e^(i factor symbol).
+static bool take_angle(YkRing *ring, const YkPoisson **rest, int32_t symbol, const YkPoisson **unit)
+{
+    int64_t over, under;
+    if (!yk_ring_mentions(ring, *rest, symbol)) return true;
+    const YkPoisson *factor = yk_ring_coefficient(ring, *rest, symbol, 1);
+    if (!yk_ring_is_rational(factor, &over, &under) || under != 1 || over > 1000 || over < -1000) return false;
+    *rest = yk_ring_subtract(ring, *rest, yk_ring_multiply(ring, factor, yk_ring_of(ring, symbol)));
+    *unit = yk_ring_multiply(ring, *unit, yk_ring_power(ring, yk_ring_unit(ring, symbol), (int32_t)over));
+    return !yk_ring_mentions(ring, *rest, symbol);
+}
+
+// e^(i angle) where the angle is a whole combination of angles and a rational multiple of pi; NULL otherwise.
+static const YkPoisson *unit_of(YkDerivation *d, const YkPoisson *angle)
+{
+    YkRing *ring = d->ring;
+    const YkPoisson *rest = angle, *unit = yk_ring_rational(ring, 1, 1);
+    for (size_t k = 0; k < d->model->parameter_count; k++)
+        if (yk_ring_is_angle(ring, d->parameters[k]) && !take_angle(ring, &rest, d->parameters[k], &unit)) return NULL;
+    for (size_t k = 0; k < d->coordinate_count; k++)
+        if (!d->coordinates[k].is_distance && !take_angle(ring, &rest, d->coordinates[k].position, &unit)) return NULL;
+    int64_t over, under;
+    const YkPoisson *turns = yk_ring_divide(ring, rest, yk_ring_pi(ring));
+    if (!yk_ring_is_rational(turns, &over, &under)) return NULL;
+    return yk_ring_multiply(ring, unit, yk_ring_turn(ring, over, under));
+}
+
+const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr)
+{
+    int32_t symbol;
+    if (!expr) return yk_ring_rational(d->ring, 1, 1);
+    const YkPoisson *angle = yk_derive_expression(d, expr), *unit = angle ? unit_of(d, angle) : NULL;
+    if (unit || yk_ring_status(d->ring) != YK_RING_OK) return unit;
+    if (!opaque(d, expr, true, &symbol)) return NULL;
+    return yk_ring_unit(d->ring, symbol);
+}
+
+// A definition by a single number is the parameter's own value.
+static void look_for_name(void *context, const YkExpr *expr)
+{
+    (void)expr;
+    *(bool *)context = true;
+}
+
+const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter)
+{
+    bool has_names = false;
+    const YkExpr *expr = d->model->parameters[parameter].expr;
+    yk_expr_names(expr, look_for_name, &has_names);
+    return has_names && !(expr->kind == YK_EXPR_NAME && strcmp(expr->name, "pi") == 0) ? yk_derive_expression(d, expr) : NULL;
+}

@@ -1,0 +1,20 @@
+// What the files of derive/ share and nobody outside needs.
+#ifndef DERIVE_FRAME_H
+#define DERIVE_FRAME_H
+#include "derive/derive.h"
+
+// symbols.c: the symbol that the file calls `name` (a parameter, a coordinate, its rate, t); -1 where there is none.
+int32_t yk_derive_find(const YkDerivation *d, const char *name);
+int32_t yk_derive_angle(YkDerivation *d, const char *name); // as yk_derive_symbol, an angle
+// One more name for a symbol, first + second, where it is free and can be a name.
+void yk_derive_also(YkDerivation *d, int32_t symbol, const char *first, const char *second);
+// Enters all symbols. false on failure.
+bool yk_derive_enter_parameters(YkDerivation *d);
+bool yk_derive_enter_coordinates(YkDerivation *d);
+// path.c: the body at which the branches of the tree to both bodies part.
+int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b);
+// bodies.c: the angle of a body's axes outside of cos and sin, joint form.
+const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body);
+bool yk_derive_enter_bodies(YkDerivation *d);
+
+#endif

@@ -1,0 +1,98 @@
+// What the file says of bodies and joints, as elements: points, lines, masses, positions.
+#include "derive/frame.h"
+
+static const YkPoisson *vector(YkDerivation *d, const YkExpr *x, const YkExpr *y)
+{
+    const YkPoisson *along = yk_derive_expression(d, x), *across = yk_derive_expression(d, y);
+    return yk_ring_add(d->ring, along, yk_ring_multiply(d->ring, yk_ring_i(d->ring), across));
+}
+
+const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point)
+{
+    (void)body;
+    if (point == YK_NONE) return yk_ring_rational(d->ring, 0, 1);
+    if (!d->points[point]) d->points[point] = vector(d, d->model->points[point].x, d->model->points[point].y);
+    return d->points[point];
+}
+
+const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint)
+{
+    const YkJoint *j = &d->model->joints[joint];
+    if (j->along_expr) return yk_derive_turn(d, j->along_expr);
+    const YkPoisson *across = yk_ring_scale(d->ring, yk_ring_i(d->ring), (int64_t)j->along.y, 1); // x, y or their opposites
+    return yk_ring_add(d->ring, yk_ring_rational(d->ring, (int64_t)j->along.x, 1), across);
+}
+
+const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint)
+{
+    int32_t c = d->joint_distance[joint];
+    return c == YK_NONE ? NULL : yk_ring_of(d->ring, d->coordinates[c].position);
+}
+
+YkDerivePlace yk_derive_place(const YkDerivation *d, int32_t joint, int side)
+{
+    const YkJoint *j = &d->model->joints[joint];
+    return (YkDerivePlace){j->body[side], j->point[side]};
+}
+
+const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoisson *at)
+{
+    YkRing *ring = d->ring;
+    const YkPoisson *sum = yk_ring_multiply(ring, d->bodies[body].unit, at);
+    for (int32_t b = body; d->bodies[b].parent != YK_NONE; b = d->bodies[b].parent) {
+        // From b's origin back over the joint: - at_b, + at_parent, and the slide along a line of the joint's first body.
+        int32_t joint = d->bodies[b].joint, parent = d->bodies[b].parent;
+        int side = d->model->joints[joint].body[1] == b;
+        YkDerivePlace here = yk_derive_place(d, joint, side), there = yk_derive_place(d, joint, !side);
+        sum = yk_ring_subtract(ring, sum, yk_ring_multiply(ring, d->bodies[b].unit, yk_derive_at(d, b, here.point)));
+        sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, d->bodies[parent].unit, yk_derive_at(d, parent, there.point)));
+        if (d->joint_distance[joint] == YK_NONE) continue;
+        const YkPoisson *slide = yk_derive_slide(d, joint);
+        sum = side ? yk_ring_add(ring, sum, slide) : yk_ring_subtract(ring, sum, slide);
+    }
+    return sum;
+}
+
+const YkPoisson *yk_derive_slide(YkDerivation *d, int32_t joint)
+{
+    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[d->model->joints[joint].body[0]].unit, yk_derive_along(d, joint));
+    return yk_ring_multiply(d->ring, yk_derive_distance(d, joint), line);
+}
+
+const YkPoisson *yk_derive_origin(YkDerivation *d, int32_t body)
+{
+    return yk_derive_position(d, body, yk_ring_rational(d->ring, 0, 1));
+}
+
+const YkPoisson *yk_derive_mass(YkDerivation *d, int32_t body)
+{
+    return yk_derive_expression(d, d->model->bodies[body].mass_expr);
+}
+
+static bool is_rod(const YkBody *body)
+{
+    return body->has_mass && body->rod[0] != YK_NONE && body->rod[1] != YK_NONE && body->rod[0] != body->rod[1];
+}
+
+const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
+{
+    const YkBody *b = &d->model->bodies[body];
+    if (!is_rod(b)) return vector(d, b->center_x, b->center_y);
+    const YkPoisson *ends = yk_ring_add(d->ring, yk_derive_at(d, body, b->rod[0]), yk_derive_at(d, body, b->rod[1]));
+    return yk_ring_scale(d->ring, ends, 1, 2);
+}
+
+// A uniform rod of length L: m L^2 / 12.
+const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)
+{
+    const YkBody *b = &d->model->bodies[body];
+    if (!is_rod(b)) return yk_derive_expression(d, b->inertia_expr);
+    const YkPoisson *rod = yk_ring_subtract(d->ring, yk_derive_at(d, body, b->rod[1]), yk_derive_at(d, body, b->rod[0]));
+    const YkPoisson *square = yk_ring_dot(d->ring, rod, rod);
+    return yk_ring_scale(d->ring, yk_ring_multiply(d->ring, yk_derive_mass(d, body), square), 1, 12);
+}
+
+const YkPoisson *yk_derive_gravity(YkDerivation *d)
+{
+    return vector(d, d->model->gravity_x, d->model->gravity_y);
+}

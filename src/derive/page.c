@@ -1,0 +1,206 @@
+// Building pages.
+#include "derive/page.h"
+#include <string.h>
+
+static const char *copy(YkPage *page, const char *text)
+{
+    if (!text) return NULL;
+    const char *made = yk_arena_copy(page->arena, text, strlen(text));
+    if (!made) page->failed = true;
+    return made;
+}
+
+static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
+{
+    YkLine *line = YK_NEW(page->arena, YkLine, 1);
+    if (!line) {
+        page->failed = true;
+        return NULL;
+    }
+    *line = (YkLine){.kind = kind, .text = copy(page, text), .section = page->section};
+    if (page->last) page->last->next = line;
+    if (!page->first) page->first = line;
+    page->last = line;
+    return line;
+}
+
+void yk_page_heading(YkPage *page, int level, const char *text)
+{
+    YkLine *line = add_line(page, YK_LINE_HEADING, text);
+    if (line) line->level = level;
+}
+
+void yk_page_words(YkPage *page, const char *format, ...)
+{
+    YkText text = {0};
+    va_list arguments;
+    va_start(arguments, format);
+    yk_text_vformat(&text, format, arguments);
+    va_end(arguments);
+    page->failed |= text.failed;
+    add_line(page, YK_LINE_WORDS, yk_text_get(&text));
+    yk_text_free(&text);
+}
+
+YkLine *yk_page_formula(YkPage *page, const char *remark)
+{
+    return add_line(page, YK_LINE_FORMULA, remark);
+}
+
+static YkPiece *add_piece(YkPage *page, YkLine *line, YkPieceKind kind)
+{
+    YkPiece *piece = line ? YK_NEW(page->arena, YkPiece, 1) : NULL;
+    if (!piece) {
+        page->failed = true;
+        return NULL;
+    }
+    *piece = (YkPiece){.kind = kind};
+    if (line->last) line->last->next = piece;
+    if (!line->first) line->first = piece;
+    line->last = piece;
+    return piece;
+}
+
+void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style)
+{
+    YkPiece *piece = add_piece(page, line, YK_PIECE_ELEMENT);
+    if (!a) page->failed = true;
+    if (piece) piece->over = a, piece->style = style;
+}
+
+void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a)
+{
+    yk_line_element(page, line, a, YK_RING_TEXTBOOK);
+    if (line && line->last) line->last->is_factor = true;
+}
+
+void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under)
+{
+    YkPiece *piece = add_piece(page, line, YK_PIECE_QUOTIENT);
+    if (!over || !under) page->failed = true;
+    if (piece) piece->over = over, piece->under = under;
+}
+
+void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub)
+{
+    YkPiece *piece = add_piece(page, line, YK_PIECE_VECTOR);
+    if (piece) piece->text = copy(page, base), piece->super = copy(page, super), piece->sub = copy(page, sub);
+}
+
+void yk_line_sign(YkPage *page, YkLine *line, const char *sign)
+{
+    YkPiece *piece = add_piece(page, line, YK_PIECE_SIGN);
+    if (piece) piece->text = copy(page, sign);
+}
+
+void yk_line_words(YkPage *page, YkLine *line, const char *words)
+{
+    YkPiece *piece = add_piece(page, line, YK_PIECE_WORDS);
+    if (piece) piece->text = copy(page, words);
+}
+
+YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns)
+{
+    YkPiece *piece = add_piece(page, line, YK_PIECE_MATRIX);
+    YkShownMatrix *matrix = piece ? YK_NEW(page->arena, YkShownMatrix, 1) : NULL;
+    if (!matrix) return NULL;
+    matrix->rows = rows, matrix->columns = columns;
+    matrix->entries = YK_NEW(page->arena, const YkPoisson *, rows * columns + 1);
+    matrix->row_cut = YK_NEW(page->arena, bool, rows + 1);
+    matrix->column_cut = YK_NEW(page->arena, bool, columns + 1);
+    matrix->row_labels = YK_NEW(page->arena, const char *, rows + 1);
+    matrix->column_symbols = YK_NEW(page->arena, int32_t, columns + 1);
+    if (!matrix->entries || !matrix->row_cut || !matrix->column_cut || !matrix->row_labels || !matrix->column_symbols) {
+        page->failed = true;
+        return NULL;
+    }
+    for (size_t k = 0; k < columns; k++) matrix->column_symbols[k] = -1;
+    piece->matrix = matrix;
+    return matrix;
+}
+
+YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right, YkRingStyle style)
+{
+    YkLine *line = yk_page_formula(page, remark);
+    if (!line) return NULL;
+    yk_line_element(page, line, left, style);
+    yk_line_sign(page, line, "=");
+    yk_line_element(page, line, right ? right : yk_ring_rational(page->ring, 0, 1), style);
+    line->vanishes = right ? yk_ring_subtract(page->ring, left, right) : left;
+    line->value = right ? right : left;
+    if (!line->vanishes) page->failed = true;
+    return line;
+}
+
+bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
+{
+    // The content of over + T under, T a symbol of its own, is what both have in common.
+    int32_t mark = yk_ring_find(ring, "common_factor__");
+    if (mark < 0) mark = yk_ring_symbol(ring, "common_factor__", YK_RING_ACCELERATION);
+    const YkPoisson *both = yk_ring_add(ring, *over, yk_ring_multiply(ring, yk_ring_of(ring, mark), *under));
+    const YkPoisson *common = yk_ring_content(ring, both);
+    if (!common) return false;
+    if (!yk_ring_is_zero(common)) {
+        *over = yk_ring_divide(ring, *over, common);
+        *under = yk_ring_divide(ring, *under, common);
+    }
+    return *over && *under;
+}
+
+// over = rate * rest where every term has the same rate: a factor beside the fraction.
+static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
+{
+    const YkPoisson *rate = yk_ring_rational(ring, 1, 1), *content = yk_ring_content(ring, *over);
+    for (size_t s = 0; content && s < yk_ring_symbol_count(ring); s++) {
+        int32_t lowest, highest, symbol = (int32_t)s;
+        YkRingClass kind = yk_ring_symbol_class(ring, symbol);
+        if (kind != YK_RING_RATE && kind != YK_RING_ACCELERATION) continue;
+        if (!yk_ring_powers(ring, content, symbol, &lowest, &highest) || lowest < 1) continue;
+        rate = yk_ring_multiply(ring, rate, yk_ring_power(ring, yk_ring_of(ring, symbol), lowest));
+    }
+    *over = yk_ring_divide(ring, *over, rate);
+    return rate;
+}
+
+static void put_fraction(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under)
+{
+    YkRing *ring = page->ring;
+    int64_t p, q;
+    if (yk_ring_is_rational(under, &p, &q) || yk_ring_is_zero(over)) {
+        yk_line_element(page, line, yk_ring_divide(ring, over, under), YK_RING_TEXTBOOK);
+        return;
+    }
+    const YkPoisson *one = yk_ring_rational(ring, 1, 1), *rate = take_rate(ring, &over);
+    yk_line_quotient(page, line, over, under);
+    if (rate && !yk_ring_is_same(rate, one)) yk_line_factor(page, line, rate);
+}
+
+// A fraction's sign stands above; a whole denominator of -1 goes.
+static bool has_leading_minus(YkRing *ring, const YkPoisson *a)
+{
+    YkText text = {0};
+    bool minus = yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_TEXTBOOK, &text) && yk_text_get(&text)[0] == '-';
+    yk_text_free(&text);
+    return minus;
+}
+
+YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over, const YkPoisson *under)
+{
+    YkRing *ring = page->ring;
+    YkLine *line = yk_page_formula(page, remark);
+    const YkPoisson *left = yk_ring_of(ring, symbol), *divisor = under ? under : yk_ring_rational(ring, 1, 1);
+    if (!line || !yk_page_cancel(ring, &over, &divisor)) {
+        page->failed = true;
+        return NULL;
+    }
+    if (has_leading_minus(ring, divisor)) over = yk_ring_negate(ring, over), divisor = yk_ring_negate(ring, divisor);
+    yk_line_element(page, line, left, YK_RING_TEXTBOOK);
+    yk_line_sign(page, line, "=");
+    put_fraction(page, line, over, divisor);
+    line->vanishes = yk_ring_subtract(ring, yk_ring_multiply(ring, divisor, left), over);
+    line->value = line->over = over;
+    line->value_under = line->under = divisor;
+    line->target = yk_ring_name_in(ring, symbol, YK_RING_C);
+    if (!line->vanishes) page->failed = true;
+    return line;
+}

@@ -1,0 +1,92 @@
+// A page of mathematics, before it is text, LaTeX, MathML, JSON or C: headings, sentences, formulas. Formulas are rows of
+// pieces that know their elements, so that every printer writes them its way, values can be put beside them, and tests can
+// ask whether a formula is true.
+#ifndef DERIVE_PAGE_H
+#define DERIVE_PAGE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "base/memory.h"
+#include "ring/ring.h"
+#include "ring/write.h"
+
+typedef enum YkPieceKind {
+    YK_PIECE_ELEMENT,  // an element; in brackets where it is a sum and `is_factor`
+    YK_PIECE_QUOTIENT, // over / under
+    YK_PIECE_VECTOR,   // a vector's or force's name: base, superscript, subscript: p^{A/O1}, F_{01}
+    YK_PIECE_SIGN,     // = + - x . ( ) , as they stand; "x" is the cross product, "." the dot product
+    YK_PIECE_WORDS,    // plain words inside a formula
+    YK_PIECE_MATRIX    // rows x columns of elements
+} YkPieceKind;
+
+// Entries row by row; NULL is 0. A cut after row or column k is a line in print: the blocks. Labels may be NULL.
+typedef struct YkShownMatrix {
+    size_t rows, columns;
+    const YkPoisson **entries;
+    bool *row_cut, *column_cut; // NULL: none
+    const char **row_labels;
+    int32_t *column_symbols; // NULL: none
+} YkShownMatrix;
+
+typedef struct YkPiece YkPiece;
+struct YkPiece {
+    YkPieceKind kind;
+    const YkPoisson *over, *under;
+    YkRingStyle style;
+    bool is_factor;
+    const char *text, *super, *sub; // sign, words; base of a name
+    YkShownMatrix *matrix;
+    YkPiece *next;
+};
+
+typedef enum YkLineKind { YK_LINE_HEADING, YK_LINE_WORDS, YK_LINE_FORMULA } YkLineKind;
+
+typedef struct YkLine YkLine;
+struct YkLine {
+    YkLineKind kind;
+    int level;        // of a heading: 1 section, 2 part of it
+    const char *text; // heading, words; of a formula a name or remark, or NULL
+    const char *section; // to which section it belongs
+    YkPiece *first, *last;
+    // What is 0 wherever the formula holds, on the machine's own motion; NULL where it is no equation between scalars or vectors.
+    const YkPoisson *vanishes;
+    bool is_identity; // `vanishes` is 0 by itself, coordinates being free
+    // For C: target = over / under; under NULL: 1. NULL: no statement.
+    const char *target;
+    const YkPoisson *over, *under;
+    // For values beside symbols: what a number can be given for; under NULL: 1. NULL: none.
+    const YkPoisson *value, *value_under;
+    bool is_vector; // the value has x and y
+    YkLine *next;
+};
+
+typedef struct YkPage {
+    YkArena *arena; // of all that follows
+    YkRing *ring;
+    YkLine *first, *last;
+    const char *section; // given to new lines
+    bool failed;         // out of memory
+} YkPage;
+
+// A zeroed page with arena and ring set is an empty one. All of the following take NULL lines (after a failure) and copy texts.
+void yk_page_heading(YkPage *page, int level, const char *text);
+void yk_page_words(YkPage *page, const char *format, ...); // yk_text_format's
+YkLine *yk_page_formula(YkPage *page, const char *remark); // an empty formula; remark may be NULL
+
+void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style);
+void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a); // in brackets where it is a sum
+void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under);
+void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub);
+void yk_line_sign(YkPage *page, YkLine *line, const char *sign);
+void yk_line_words(YkPage *page, YkLine *line, const char *words);
+// A zeroed matrix with room for its entries, to be filled; NULL when out of memory.
+YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
+
+// left = right, both real elements; right may be NULL for 0. `vanishes` and the value are set (of `left` where right is 0).
+YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right, YkRingStyle style);
+// symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
+YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over, const YkPoisson *under);
+// Divides both by what all their terms have in common. false where the ring failed.
+bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under);
+
+#endif

@@ -1,0 +1,322 @@
+// Names of points, and walks from point to point as sums of named vectors.
+#include <stdlib.h>
+#include <string.h>
+#include "derive/frame.h"
+
+// Places: the model's points, then each body's origin. Places that coincide for ever share a root.
+struct YkDeriveNames {
+    int32_t *root;       // union-find
+    bool *is_ambiguous;  // per point: its name stands elsewhere for another place
+    const char **origin; // per body: name of its origin
+    const char **center; // per body: name of its centre of mass
+};
+
+static int32_t place_index(const YkDerivation *d, YkDerivePlace place)
+{
+    return place.point != YK_NONE ? place.point : (int32_t)d->model->point_count + place.body;
+}
+
+static int32_t find_root(int32_t *root, int32_t place)
+{
+    while (root[place] != place) place = root[place] = root[root[place]];
+    return place;
+}
+
+static void unite(struct YkDeriveNames *names, int32_t a, int32_t b)
+{
+    a = find_root(names->root, a), b = find_root(names->root, b);
+    if (a < b) names->root[b] = a;
+    if (b < a) names->root[a] = b;
+}
+
+static void unite_places(YkDerivation *d, struct YkDeriveNames *names)
+{
+    for (size_t j = 0; j < d->model->joint_count; j++) {
+        YkPartKind kind = d->model->joints[j].kind;
+        if (kind != YK_PIN && kind != YK_WELD) continue;
+        unite(names, place_index(d, yk_derive_place(d, (int32_t)j, 0)), place_index(d, yk_derive_place(d, (int32_t)j, 1)));
+    }
+    for (size_t p = 0; p < d->model->point_count; p++) {
+        int32_t body = d->model->points[p].body;
+        if (yk_ring_is_zero(yk_derive_at(d, body, (int32_t)p)))
+            unite(names, (int32_t)p, place_index(d, (YkDerivePlace){body, YK_NONE}));
+    }
+}
+
+// A name stands alone where all points of that name coincide.
+static bool find_ambiguous(YkDerivation *d, struct YkDeriveNames *names)
+{
+    YkNames table = {0};
+    bool well = true;
+    for (int pass = 0; pass < 2; pass++) // the second tells the first of each name
+        for (size_t p = 0; p < d->model->point_count && well; p++) {
+            int32_t other;
+            well = yk_names_add(&table, d->model->points[p].name, (int32_t)p, &other);
+            if (other == YK_NONE || find_root(names->root, other) == find_root(names->root, (int32_t)p)) continue;
+            names->is_ambiguous[p] = names->is_ambiguous[other] = true;
+        }
+    for (size_t p = 0; p < d->model->point_count && well; p++) { // all of an ambiguous name
+        int32_t first;
+        yk_names_add(&table, d->model->points[p].name, (int32_t)p, &first);
+        if (first != YK_NONE) names->is_ambiguous[p] |= names->is_ambiguous[first];
+    }
+    yk_names_free(&table);
+    return well;
+}
+
+static const char *join(YkDerivation *d, const char *first, const char *between, const char *second)
+{
+    YkText text = {0};
+    yk_text_format(&text, "%s%s%s", first, between, second);
+    const char *copy = text.failed ? NULL : yk_arena_copy(d->arena, yk_text_get(&text), text.length);
+    yk_text_free(&text);
+    if (!copy) d->failed = true;
+    return copy ? copy : "";
+}
+
+static const char *number_after(YkDerivation *d, const char *stem, size_t number)
+{
+    YkText text = {0};
+    yk_text_format(&text, "%z", number);
+    const char *name = join(d, stem, "", yk_text_get(&text));
+    yk_text_free(&text);
+    return name;
+}
+
+static bool is_point_name(const YkDerivation *d, const char *name)
+{
+    for (size_t p = 0; p < d->model->point_count; p++)
+        if (strcmp(d->model->points[p].name, name) == 0) return true;
+    return false;
+}
+
+static void name_origins(YkDerivation *d, struct YkDeriveNames *names)
+{
+    bool has_O = is_point_name(d, "O");
+    for (size_t b = 0; b < d->model->body_count; b++) {
+        int32_t origin = place_index(d, (YkDerivePlace){(int32_t)b, YK_NONE}), root = find_root(names->root, origin);
+        bool is_named = root < (int32_t)d->model->point_count;
+        if (is_named)
+            names->origin[b] = yk_derive_point_name(d, d->model->points[root].body, root);
+        else
+            names->origin[b] = b == 0 && !has_O ? "O" : join(d, d->model->bodies[b].name, "", "0");
+    }
+}
+
+// C1, C2, ... by the order of bodies with mass; G1, G2, ... where a point of the file is called so.
+static void name_centers(YkDerivation *d, struct YkDeriveNames *names)
+{
+    static const char *const stems[] = {"C", "G", "S", "center"};
+    size_t stem = 0, count = 0;
+    for (size_t p = 0; p < d->model->point_count && stem < 3;) {
+        const char *name = d->model->points[p].name;
+        bool taken = name[0] == stems[stem][0] && name[1] >= '0' && name[1] <= '9';
+        stem += taken;
+        p = taken ? 0 : p + 1;
+    }
+    for (size_t b = 1; b < d->model->body_count; b++)
+        if (d->model->bodies[b].has_mass) names->center[b] = number_after(d, stems[stem], ++count);
+}
+
+static struct YkDeriveNames *names_of(YkDerivation *d)
+{
+    if (d->names) return d->names;
+    size_t points = d->model->point_count, bodies = d->model->body_count;
+    struct YkDeriveNames *names = YK_NEW(d->arena, struct YkDeriveNames, 1);
+    if (!names) return NULL;
+    names->root = YK_NEW(d->arena, int32_t, points + bodies);
+    names->is_ambiguous = YK_NEW(d->arena, bool, points + 1);
+    names->origin = YK_NEW(d->arena, const char *, bodies);
+    names->center = YK_NEW(d->arena, const char *, bodies);
+    if (yk_arena_failed(d->arena)) return NULL;
+    for (size_t k = 0; k < points + bodies; k++) names->root[k] = (int32_t)k;
+    unite_places(d, names);
+    if (!find_ambiguous(d, names)) return NULL;
+    d->names = names;
+    name_origins(d, names);
+    name_centers(d, names);
+    return names;
+}
+
+const char *yk_derive_point_name(YkDerivation *d, int32_t body, int32_t point)
+{
+    const struct YkDeriveNames *names = names_of(d);
+    if (!names) {
+        d->failed = true;
+        return "";
+    }
+    if (point == YK_NONE) return names->origin[body];
+    const YkPoint *p = &d->model->points[point];
+    return names->is_ambiguous[point] ? join(d, d->model->bodies[p->body].name, ".", p->name) : p->name;
+}
+
+const char *yk_derive_center_name(YkDerivation *d, int32_t body)
+{
+    const struct YkDeriveNames *names = names_of(d);
+    const char *name = names ? names->center[body] : NULL;
+    return name ? name : yk_derive_point_name(d, body, YK_NONE);
+}
+
+// --- Walking
+
+typedef struct Walk {
+    YkDerivation *d;
+    YkDeriveVector *vectors;
+    size_t count;
+} Walk;
+
+static void add_vector(Walk *walk, YkDeriveVector vector)
+{
+    YkRing *ring = walk->d->ring;
+    if (!vector.value || yk_ring_is_zero(vector.value)) return;
+    YkDeriveVector *last = walk->count > 0 ? &walk->vectors[walk->count - 1] : NULL;
+    bool goes_on = last && last->body == vector.body && !last->is_variable && !vector.is_variable &&
+                   last->is_negative == vector.is_negative;
+    if (goes_on && strcmp(last->head, vector.tail) == 0) { // two steps on one body
+        last->head = vector.head;
+        last->value = yk_ring_add(ring, last->value, vector.value);
+    } else if (goes_on && strcmp(last->tail, vector.head) == 0) {
+        last->tail = vector.tail;
+        last->value = yk_ring_add(ring, last->value, vector.value);
+    } else {
+        walk->vectors[walk->count++] = vector;
+    }
+}
+
+// On one body from a place to a place. Bound away from where the body hangs in the tree, a vector keeps its sense; towards it,
+// the vector of the book points outwards and is subtracted.
+static void step_on(Walk *walk, YkDerivePlace from, YkDerivePlace to, bool inwards)
+{
+    YkDerivation *d = walk->d;
+    YkDerivePlace tail = inwards ? to : from, head = inwards ? from : to;
+    const YkPoisson *arm = yk_ring_subtract(d->ring, yk_derive_at(d, head.body, head.point), yk_derive_at(d, tail.body, tail.point));
+    add_vector(walk, (YkDeriveVector){.head = yk_derive_point_name(d, head.body, head.point),
+                                      .tail = yk_derive_point_name(d, tail.body, tail.point),
+                                      .body = from.body, .is_negative = inwards,
+                                      .value = yk_ring_multiply(d->ring, d->bodies[from.body].unit, arm)});
+}
+
+// Over a slide: from the first body's place to the second's, or back.
+static void step_over(Walk *walk, int32_t joint, bool inwards, bool to_second)
+{
+    YkDerivation *d = walk->d;
+    if (d->joint_distance[joint] == YK_NONE) return;
+    YkDerivePlace from = yk_derive_place(d, joint, 0), to = yk_derive_place(d, joint, 1);
+    (void)inwards;
+    add_vector(walk, (YkDeriveVector){.head = yk_derive_point_name(d, to.body, to.point),
+                                      .tail = yk_derive_point_name(d, from.body, from.point), .body = from.body,
+                                      .is_negative = !to_second, .is_variable = true, .value = yk_derive_slide(d, joint)});
+}
+
+static int side_of(const YkDerivation *d, int32_t body)
+{
+    return d->model->joints[d->bodies[body].joint].body[1] == body;
+}
+
+// From a place on a body up to the place on the ancestor from which its branch starts.
+static YkDerivePlace climb(Walk *walk, YkDerivePlace from, int32_t ancestor)
+{
+    const YkDerivation *d = walk->d;
+    while (from.body != ancestor) {
+        int32_t joint = d->bodies[from.body].joint;
+        int side = side_of(d, from.body);
+        step_on(walk, from, yk_derive_place(d, joint, side), true);
+        step_over(walk, joint, true, side == 0);
+        from = yk_derive_place(d, joint, !side);
+    }
+    return from;
+}
+
+// The same way down: the bodies between, from the ancestor on.
+static void descend(Walk *walk, YkDerivePlace start, int32_t ancestor, YkDerivePlace to, int32_t *bodies)
+{
+    const YkDerivation *d = walk->d;
+    size_t depth = 0;
+    for (int32_t b = to.body; b != ancestor; b = d->bodies[b].parent) bodies[depth++] = b;
+    YkDerivePlace here = start;
+    for (; depth > 0; depth--) {
+        int32_t b = bodies[depth - 1], joint = d->bodies[b].joint;
+        int side = side_of(d, b);
+        step_on(walk, here, yk_derive_place(d, joint, !side), false);
+        step_over(walk, joint, false, side == 1);
+        here = yk_derive_place(d, joint, side);
+    }
+    step_on(walk, here, to, false);
+}
+
+int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b)
+{
+    const int32_t *depth = d->mech->tree.depth;
+    while (a != b) {
+        if (depth[a] >= depth[b])
+            a = d->bodies[a].parent;
+        else
+            b = d->bodies[b].parent;
+    }
+    return a;
+}
+
+bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDerivePath *path)
+{
+    const int32_t *depth = d->mech->tree.depth;
+    size_t most = 2 * (size_t)(depth[from.body] + depth[to.body]) + 4;
+    Walk walk = {.d = d, .vectors = YK_NEW(d->arena, YkDeriveVector, most)};
+    int32_t *bodies = YK_NEW(d->arena, int32_t, most), common = yk_derive_common_body(d, from.body, to.body);
+    *path = (YkDerivePath){0};
+    if (!walk.vectors || !bodies) return false;
+    descend(&walk, climb(&walk, from, common), common, to, bodies);
+    *path = (YkDerivePath){walk.vectors, walk.count, yk_ring_rational(d->ring, 0, 1)};
+    for (size_t k = 0; k < walk.count; k++) {
+        const YkDeriveVector *v = &walk.vectors[k];
+        path->sum = v->is_negative ? yk_ring_subtract(d->ring, path->sum, v->value) : yk_ring_add(d->ring, path->sum, v->value);
+    }
+    return path->sum != NULL;
+}
+
+// --- Loops
+
+// The second body's angle minus the first's minus the constant: of a slide or weld that closes a loop.
+static const YkPoisson *angle_row(YkDerivation *d, int32_t joint)
+{
+    YkRing *ring = d->ring;
+    const YkJoint *j = &d->model->joints[joint];
+    const YkDeriveBody *a = &d->bodies[j->body[0]], *b = &d->bodies[j->body[1]];
+    const YkPoisson *sum = yk_ring_negate(ring, yk_derive_expression(d, j->turned_expr));
+    if (a->angle == b->angle) return NULL; // slides and welds of the tree hold it already
+    for (int side = 0; side < 2; side++) {
+        const YkPoisson *angle = yk_derive_body_angle(d, j->body[side]);
+        sum = side ? yk_ring_add(ring, sum, angle) : yk_ring_subtract(ring, sum, angle);
+    }
+    return sum;
+}
+
+static bool make_loop(YkDerivation *d, YkDeriveLoop *loop, int32_t joint)
+{
+    const YkJoint *j = &d->model->joints[joint];
+    YkDerivePlace second = yk_derive_place(d, joint, 1), first = yk_derive_place(d, joint, 0);
+    *loop = (YkDeriveLoop){.joint = joint, .axes = yk_derive_common_body(d, j->body[0], j->body[1])};
+    if (!yk_derive_path(d, second, first, &loop->path)) return false;
+    if (d->joint_distance[joint] != YK_NONE) { // the first body's point moves along its line
+        YkDerivePath *path = &loop->path;
+        path->vectors[path->count++] = (YkDeriveVector){
+            .head = yk_derive_point_name(d, second.body, second.point), .tail = yk_derive_point_name(d, first.body, first.point),
+            .body = first.body, .is_variable = true, .value = yk_derive_slide(d, joint)};
+        path->sum = yk_ring_add(d->ring, path->sum, yk_derive_slide(d, joint));
+    }
+    const YkPoisson *axes = yk_derive_in_joints(d, d->bodies[loop->axes].unit);
+    loop->sum = yk_ring_multiply(d->ring, yk_ring_conjugate(d->ring, axes), yk_derive_in_joints(d, loop->path.sum));
+    if (!yk_part(j->kind)->turns) loop->angle = angle_row(d, joint);
+    return loop->sum != NULL;
+}
+
+const YkDeriveLoop *yk_derive_loops(YkDerivation *d)
+{
+    if (d->loops) return d->loops;
+    YkDeriveLoop *loops = YK_NEW(d->arena, YkDeriveLoop, d->mech->loop_count + 1);
+    if (!loops) return NULL;
+    for (size_t k = 0; k < d->mech->loop_count; k++)
+        if (!make_loop(d, &loops[k], d->mech->loops[k].joint)) return NULL;
+    d->loop_count = d->mech->loop_count;
+    d->loops = loops;
+    return loops;
+}

@@ -1,0 +1,29 @@
+// The sections of a derivation. To add one: write it, declare it in sections.h, name it here.
+#include "derive/sections.h"
+
+const YkDeriveSectionEntry yk_derive_sections[] = {
+    {"loops", "Loop equations", yk_derive_section_loops},
+    {"jacobian", "Jacobian", yk_derive_section_jacobian},
+    {"velocity", "Velocities", yk_derive_section_velocity},
+    {"acceleration", "Accelerations", yk_derive_section_acceleration},
+    {"points", "Points and centres of mass", yk_derive_section_points},
+    {"free-bodies", "Free bodies", NULL},
+    {"newton-euler", "Newton-Euler equations", NULL},
+    {"energy", "Energies", NULL},
+    {"lagrange", "Lagrange's equations", NULL},
+    {"gears", "Gears", NULL},
+    {"cam", "Cams", NULL},
+    {NULL, NULL, NULL},
+};
+
+bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
+{
+    const YkDeriveSectionEntry *entry = &yk_derive_sections[section];
+    page->section = entry->name;
+    yk_page_heading(page, 1, entry->title);
+    if (!entry->write) {
+        yk_page_words(page, "This part is not derived in this version yet.");
+        return !page->failed;
+    }
+    return entry->write(d, page) && !page->failed && yk_derivation_is_well(d);
+}

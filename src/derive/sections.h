@@ -1,0 +1,20 @@
+// The sections, one file each; sections.c lists them.
+#ifndef DERIVE_SECTIONS_H
+#define DERIVE_SECTIONS_H
+#include "derive/derive.h"
+
+bool yk_derive_section_loops(YkDerivation *d, YkPage *page);
+bool yk_derive_section_jacobian(YkDerivation *d, YkPage *page);
+bool yk_derive_section_velocity(YkDerivation *d, YkPage *page);
+bool yk_derive_section_acceleration(YkDerivation *d, YkPage *page);
+bool yk_derive_section_points(YkDerivation *d, YkPage *page);
+
+
+
+// Shared by sections.
+// p^{A/O1} + ... - p^{...}: what is added first.
+void yk_derive_put_path(YkPage *page, YkLine *line, const YkDerivePath *path);
+// A complex element as a column of its x and y; it becomes the line's value.
+void yk_line_column(YkPage *page, YkLine *line, const YkPoisson *vector);
+
+#endif

@@ -1,0 +1,202 @@
+// Section: velocities, block by block: unknown rates from those before, the rates of bodies, influence coefficients.
+#include "derive/blocks.h"
+#include "derive/motion.h"
+#include "derive/sections.h"
+
+// Row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
+static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row, bool accelerations)
+{
+    const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
+    for (size_t k = 0; k < block->first_column; k++) {
+        const YkDeriveCoordinate *c = &d->coordinates[d->blocks->column_order[k]];
+        const YkPoisson *entry = yk_derive_entry(d, row, d->blocks->column_order[k]);
+        if (yk_ring_is_zero(entry)) continue;
+        sum = yk_ring_subtract(d->ring, sum,
+                               yk_ring_multiply(d->ring, entry, yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate)));
+    }
+    return sum;
+}
+
+const YkPoisson *yk_derive_gamma(YkDerivation *d, const YkDeriveRow *row)
+{
+    YkRing *ring = d->ring;
+    const YkPoisson *second = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, row->value));
+    for (size_t k = 0; k < row->count; k++) {
+        const YkPoisson *acceleration = yk_ring_of(ring, d->coordinates[row->columns[k]].acceleration);
+        second = yk_ring_subtract(ring, second, yk_ring_multiply(ring, row->entries[k], acceleration));
+    }
+    return yk_ring_negate(ring, second);
+}
+
+bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over)
+{
+    const YkPoisson *right[YK_CRAMER_MAX];
+    if (!yk_derive_is_solved(block)) return false;
+    for (size_t i = 0; i < block->row_count; i++) {
+        const YkDeriveRow *row = &d->blocks->rows[d->blocks->row_order[block->first_row + i]];
+        right[i] = known_side(d, block, row, accelerations);
+        if (accelerations) right[i] = yk_ring_add(d->ring, right[i], yk_derive_gamma(d, row));
+    }
+    for (size_t k = 0; k < block->column_count; k++) over[k] = yk_derive_cramer(d, block, k, right);
+    return true;
+}
+
+// The block as a linear system: J_b u' = right side.
+void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, bool accelerations)
+{
+    size_t n = block->row_count, m = block->column_count;
+    YkLine *line = yk_page_formula(page, yk_derive_block_name(d, block));
+    YkShownMatrix *A = yk_line_matrix(page, line, n, m), *x = yk_line_matrix(page, line, m, 1);
+    yk_line_sign(page, line, "=");
+    YkShownMatrix *b = yk_line_matrix(page, line, n, 1);
+    if (!A || !x || !b) return;
+    for (size_t k = 0; k < m; k++) {
+        const YkDeriveCoordinate *c = &d->coordinates[d->blocks->column_order[block->first_column + k]];
+        x->entries[k] = yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const YkDeriveRow *row = &d->blocks->rows[d->blocks->row_order[block->first_row + i]];
+        for (size_t k = 0; k < m; k++)
+            A->entries[m * i + k] = yk_derive_entry(d, row, d->blocks->column_order[block->first_column + k]);
+        b->entries[i] = known_side(d, block, row, accelerations);
+        if (accelerations) b->entries[i] = yk_ring_add(d->ring, b->entries[i], yk_derive_gamma(d, row));
+    }
+}
+
+// --- Rates of bodies: sum of B[k] rate_k, over the determinant of the last block among them.
+
+static int32_t block_of(const YkDerivation *d, int32_t coordinate)
+{
+    const YkDeriveBlocks *blocks = d->blocks;
+    for (size_t b = 0; b < blocks->block_count; b++)
+        for (size_t k = 0; k < blocks->blocks[b].column_count; k++)
+            if (blocks->column_order[blocks->blocks[b].first_column + k] == coordinate) return (int32_t)b;
+    return YK_NONE;
+}
+
+static bool has_own_angle(const YkDerivation *d, int32_t body)
+{
+    const YkDeriveBody *b = &d->bodies[body];
+    if (b->joint == YK_NONE || d->joint_angle[b->joint] == YK_NONE) return false;
+    return b->angle != d->coordinates[d->joint_angle[b->joint]].position;
+}
+
+const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block, const YkPoisson *const *over, bool accelerations)
+{
+    YkRing *ring = d->ring;
+    const YkDeriveBlock *last = &d->blocks->blocks[block];
+    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
+    int32_t *B = YK_NEW(d->arena, int32_t, d->tree_count + 1), latest = YK_NONE;
+    if (!B) return NULL;
+    yk_derive_combination(d, body, B);
+    for (size_t c = 0; c < d->tree_count; c++) {
+        int32_t in = B[c] ? block_of(d, (int32_t)c) : YK_NONE;
+        if (in > latest) latest = in;
+        if (B[c] == 0 || in == (int32_t)block) continue;
+        const YkPoisson *rate = yk_ring_of(ring, accelerations ? d->coordinates[c].acceleration : d->coordinates[c].rate);
+        sum = yk_ring_add(ring, sum, yk_ring_scale(ring, yk_ring_multiply(ring, last->determinant, rate), B[c], 1));
+    }
+    if (latest != (int32_t)block) return NULL;
+    for (size_t k = 0; k < last->column_count; k++) {
+        int32_t c = d->blocks->column_order[last->first_column + k];
+        if (c < (int32_t)d->tree_count && B[c]) sum = yk_ring_add(ring, sum, yk_ring_scale(ring, over[k], B[c], 1));
+    }
+    return sum;
+}
+
+void yk_derive_put_bodies(YkDerivation *d, YkPage *page, size_t block, const YkPoisson *const *over, bool accelerations)
+{
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        if (!has_own_angle(d, (int32_t)b)) continue;
+        const YkPoisson *sum = yk_derive_body_over(d, (int32_t)b, block, over, accelerations);
+        if (!sum) continue;
+        int32_t symbol = accelerations ? d->bodies[b].acceleration : d->bodies[b].rate;
+        yk_page_solution(page, d->model->bodies[b].name, symbol, sum, d->blocks->blocks[block].determinant);
+    }
+}
+
+void yk_derive_put_solutions(YkDerivation *d, YkPage *page, bool accelerations)
+{
+    const YkDeriveBlocks *blocks = d->blocks;
+    for (size_t b = 0; b < blocks->block_count; b++) {
+        const YkDeriveBlock *block = &blocks->blocks[b];
+        const YkPoisson *over[YK_CRAMER_MAX];
+        yk_page_heading(page, 2, yk_derive_block_name(d, block));
+        if (!yk_derive_solve_block(d, block, accelerations, over)) {
+            yk_derive_put_system(d, page, block, accelerations);
+            continue;
+        }
+        for (size_t k = 0; k < block->column_count; k++) {
+            const YkDeriveCoordinate *c = &d->coordinates[blocks->column_order[block->first_column + k]];
+            yk_page_solution(page, NULL, accelerations ? c->acceleration : c->rate, over[k], block->determinant);
+        }
+        yk_derive_put_bodies(d, page, b, over, accelerations);
+    }
+}
+
+// --- Influence coefficients of a machine with one input: unknown' / input', each from those before.
+
+// Symbols k_theta2 for theta2' / theta1'; changes[] takes a rate to its coefficient.
+static bool enter_coefficients(YkDerivation *d)
+{
+    YkText name = {0};
+    bool well = true;
+    const YkDeriveBlocks *blocks = d->blocks;
+    d->influence = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    if (!d->influence) return false;
+    for (size_t k = 0; k < blocks->column_count && well; k++) {
+        int32_t c = blocks->column_order[k];
+        yk_text_clear(&name);
+        yk_text_format(&name, "k_%s", d->coordinates[c].name);
+        d->influence[c] = k < blocks->input_count ? -1 : yk_derive_symbol(d, yk_text_get(&name), YK_RING_FUNCTION);
+        well = k < blocks->input_count || d->influence[c] >= 0;
+    }
+    yk_text_free(&name);
+    return well;
+}
+
+static void fill_coefficients(void *context, const YkState *state, YkDynamics *dynamics, double *values)
+{
+    YkDerivation *d = context;
+    (void)state, (void)dynamics;
+    double input = values[d->coordinates[d->blocks->column_order[0]].rate];
+    for (size_t k = 1; k < d->blocks->column_count; k++) {
+        int32_t c = d->blocks->column_order[k];
+        values[d->influence[c]] = input != 0 ? values[d->coordinates[c].rate] / input : 0;
+    }
+}
+
+static void put_influence(YkDerivation *d, YkPage *page)
+{
+    const YkDeriveBlocks *blocks = d->blocks;
+    if (!d->influence && (!enter_coefficients(d) || !yk_derive_add_source(d, fill_coefficients, d))) return;
+    YkRingChange *changes = YK_NEW(page->arena, YkRingChange, blocks->column_count + 1);
+    if (!changes) return;
+    const YkDeriveCoordinate *input = &d->coordinates[blocks->column_order[0]];
+    yk_page_heading(page, 2, "Influence coefficients");
+    yk_page_words(page, "k_x stands for x' / %s'.", input->name);
+    for (size_t k = 0; k < blocks->column_count; k++) {
+        int32_t c = blocks->column_order[k];
+        const YkPoisson *value = k == 0 ? yk_ring_rational(d->ring, 1, 1) : yk_ring_of(d->ring, d->influence[c]);
+        changes[k] = (YkRingChange){d->coordinates[c].rate, value, NULL};
+    }
+    for (size_t b = 0; b < blocks->block_count; b++) {
+        const YkDeriveBlock *block = &blocks->blocks[b];
+        const YkPoisson *over[YK_CRAMER_MAX];
+        if (!yk_derive_solve_block(d, block, false, over)) continue;
+        for (size_t k = 0; k < block->column_count; k++) {
+            const YkPoisson *sum = yk_ring_substitute(d->ring, over[k], changes, blocks->column_count);
+            yk_page_solution(page, NULL, d->influence[blocks->column_order[block->first_column + k]], sum, block->determinant);
+        }
+    }
+}
+
+bool yk_derive_section_velocity(YkDerivation *d, YkPage *page)
+{
+    const YkDeriveBlocks *blocks = yk_derive_blocks(d);
+    if (!blocks) return false;
+    if (blocks->block_count == 0) yk_page_words(page, "No loop ties the rates of the coordinates to each other.");
+    yk_derive_put_solutions(d, page, false);
+    if (blocks->input_count == 1 && blocks->block_count > 0) put_influence(d, page);
+    return true;
+}

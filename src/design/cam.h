@@ -1,0 +1,92 @@
+// The inside of cams: their geometry as pure functions of a law and dimensions.
+//
+// The cam's centre is the origin, vectors are complex numbers, theta is the cam's angle and sigma = +-1 the sense in
+// which it turns. A point C(theta) of the carrier lies at c = exp(-i sigma theta) C in the cam's axes. A roller or edge
+// follows C(theta): c is the pitch curve, and the surface is its parallel curve at the roller's radius. A flat face is
+// a line at distance h(theta) whose normal has the angle nu(theta): the surface is the envelope of these lines, with h
+// as its support function over phi = nu - sigma theta.
+#ifndef DESIGN_CAM_H
+#define DESIGN_CAM_H
+#include <yoke/cam.h>
+#include "base/vec.h"
+#include "model/model.h"
+
+typedef struct YkCamShape {
+    YkCamFace face;
+    bool oscillates;
+    double turn;         // sigma
+    double swing;        // +1: an oscillating follower turns counterclockwise with its coordinate
+    double sign;         // +1; -1 for a second follower that approaches the cam as the lift grows
+    double base, roller; // m
+    double offset;       // translating: of the line of motion towards -i along; flat oscillating: of the face from the
+                         // pivot towards the cam
+    double arm;          // oscillating
+    YkVec along;         // translating: unit direction of motion
+    YkVec pivot;         // oscillating, from the cam's centre
+    double start;        // at lift 0: distance along the line of motion, or angle of the arm or of the face's normal
+} YkCamShape;
+
+// Sets `start` so that the follower touches the base circle at lift 0, on the side from which the lift leads away.
+// False where it cannot.
+bool yk_cam_shape_fit(YkCamShape *shape);
+YkCamShape yk_cam_shape_of(const YkCam *cam);
+// The second roller of a conjugate pair, rigidly behind the first.
+YkCamShape yk_cam_shape_second(const YkCamShape *first, const YkCam *cam);
+// What holds where the law is lift[0], lift[1], ... at this angle.
+YkCamPoint yk_cam_shape_at(const YkCamShape *shape, double angle, const double lift[YK_LAW_ORDER + 1]);
+
+// The law over one period, in stretches without jumps.
+typedef struct YkCamSample {
+    double angle, lift[YK_LAW_ORDER + 1];
+} YkCamSample;
+typedef struct YkCamSamples {
+    const YkLaw *law;
+    YkCamSample *items;
+    size_t count;
+    size_t *first; // [stretch_count + 1]: where each begins in items
+    size_t stretch_count;
+} YkCamSamples;
+// False when out of memory.
+bool yk_cam_samples_take(YkCamSamples *samples, const YkLaw *law, YkArena *arena);
+
+// A number that one pose of the cam has.
+typedef double (*YkCamMeasure)(const YkCamPoint *point, const void *context);
+// The greatest value over a period; value -INFINITY where the measure is never above that. Samples, then golden
+// sections round those near the top.
+YkCamExtreme yk_cam_greatest(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
+                             const void *context);
+// The greatest of the samples alone.
+YkCamExtreme yk_cam_greatest_sample(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
+                                    const void *context);
+// Where the measure is negative: ranges with ends to rounding; returns how many there are.
+size_t yk_cam_negative(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure, const void *context,
+                       YkCamRange *ranges, size_t capacity);
+YkCamSummary yk_cam_summarize(const YkCamSamples *samples, const YkCamShape *shape);
+
+// Loads on the follower: effort of the cam = inertia * acceleration + what the loads ask for.
+typedef struct YkCamLoad {
+    double inertia, stiffness, damping;
+    double constant; // against the lift, at lift 0: preload less what presses the other way
+    double weight, center; // oscillating: gravity's moment is weight cos(coordinate + center), weight 0: none
+    struct YkCamEffort *efforts;
+    size_t effort_count;
+} YkCamLoad;
+
+struct YkCamDesign {
+    const YkModel *model;
+    const YkCam *cam;
+    const YkModelLaw *law;
+    YkCamShape shape, second;
+    YkCamSamples samples;
+    double speed; // of the cam, rad/s; 0: not known
+    double phase; // the cam's angle at t = 0
+    YkCamLoads loads;
+    YkCamLoad load;
+    YkArena *arena;
+};
+// cam_loads.c: gathers what acts on the follower; false when out of memory.
+bool yk_cam_gather_loads(YkCamDesign *design);
+// The effort along the coordinate that the cam must give, of the terms that do not grow with speed.
+double yk_cam_static_effort(const YkCamDesign *design, double speed, const YkCamSample *at);
+
+#endif

@@ -1,0 +1,117 @@
+// The smallest base circle that keeps limits of pressure angle and curvature.
+#include <math.h>
+#include "design/cam.h"
+
+static const double step = 1.01; // of the search from below
+enum { STEPS_MAX = 3000, BISECTIONS = 80 };
+
+// By how much a limit is overstepped, over the limit: both sides comparable, at most 0 where it is kept.
+static double over_pressure(const YkCamPoint *point, const void *context)
+{
+    const YkCamLimits *limits = context;
+    double angle = fabs(point->pressure_angle);
+    return isnan(angle) ? (double)INFINITY : angle / limits->pressure - 1;
+}
+
+typedef struct Bend {
+    double least;  // smallest convex radius of the surface wanted, m
+    double roller; // m
+    bool is_flat;
+} Bend;
+
+// Of a roller the pitch curve's curvature against 1 / (least + roller), of a flat face the radius itself.
+static double over_bend(const YkCamPoint *point, const void *context)
+{
+    const Bend *bend = context;
+    double radius = bend->least + bend->roller;
+    if (isnan(point->pitch_radius) || point->fullness < -0.5) return (double)INFINITY;
+    if (bend->is_flat) return bend->least - point->surface_radius;
+    return radius / point->pitch_radius - 1;
+}
+
+typedef struct Search {
+    const YkCamSamples *samples;
+    YkCamShape shape;
+    const YkCamLimits *limits;
+    Bend bend;
+    YkCamExtreme pressure, curvature; // what was found last
+} Search;
+
+// Are both limits kept with this base?
+static bool keeps(Search *search, double base, bool is_fine)
+{
+    YkCamExtreme (*greatest)(const YkCamSamples *, const YkCamShape *, YkCamMeasure, const void *) =
+        is_fine ? yk_cam_greatest : yk_cam_greatest_sample;
+    search->shape.base = base;
+    if (!yk_cam_shape_fit(&search->shape)) return false;
+    search->pressure = greatest(search->samples, &search->shape, over_pressure, search->limits);
+    search->curvature = greatest(search->samples, &search->shape, over_bend, &search->bend);
+    return search->pressure.value <= 0 && search->curvature.value <= 0;
+}
+
+// Lowest lift and the extent of it, by samples.
+static void find_lifts(const YkCamSamples *samples, double *low, double *extent)
+{
+    double high = -(double)INFINITY;
+    *low = INFINITY;
+    for (size_t i = 0; i < samples->count; i++) {
+        *low = fmin(*low, samples->items[i].lift[0]);
+        high = fmax(high, samples->items[i].lift[0]);
+    }
+    *extent = high - *low;
+}
+
+// The base radii that geometry allows.
+static void find_bounds(const YkCamSamples *samples, const YkCamShape *shape, double *low, double *high)
+{
+    double lowest, extent, f = yk_norm(shape->pivot);
+    find_lifts(samples, &lowest, &extent);
+    if (shape->oscillates && shape->face == YK_CAM_FLAT) {
+        *low = 1e-6 * f;
+        *high = f - shape->offset;
+    } else if (shape->oscillates) {
+        *low = fmax(fabs(f - shape->arm) - shape->roller, 1e-6 * f);
+        *high = f + shape->arm - shape->roller;
+    } else {
+        double least = shape->face == YK_CAM_FLAT ? fmax(-lowest, 0)
+                                                  : hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
+        *low = fmax(least, 1e-6 * (extent + fabs(shape->offset) + shape->roller));
+        *high = INFINITY;
+    }
+}
+
+YkCamLimits yk_default_cam_limits(const YkCamDesign *design)
+{
+    return (YkCamLimits){.pressure = (design->cam->oscillates ? 35 : 30) * YK_PI / 180, .curvature = 0};
+}
+
+YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimits *limits, YkCamBase *base)
+{
+    Search search = {.samples = &design->samples, .shape = design->shape, .limits = limits};
+    double low, high, bound;
+    search.bend = (Bend){limits->curvature, design->shape.roller, design->shape.face == YK_CAM_FLAT};
+    find_bounds(&design->samples, &design->shape, &low, &bound);
+    bool found = false;
+    high = low;
+    for (int i = 0; i < STEPS_MAX && !found; i++) {
+        low = high;
+        high = low * step;
+        if (!(high < bound)) return YK_LIMIT;
+        found = keeps(&search, high, false) && keeps(&search, high, true);
+    }
+    if (!found) return YK_LIMIT;
+    Search last = search; // a base that just fails: its worst place is where the limit decides
+    for (int i = 0; i < BISECTIONS && high - low > 1e-15 * high; i++) {
+        double middle = low + (high - low) / 2;
+        if (keeps(&search, middle, true)) {
+            high = middle;
+        } else {
+            low = middle;
+            last = search;
+        }
+    }
+    base->base = high;
+    base->by_pressure = last.pressure.value > last.curvature.value;
+    base->angle = base->by_pressure ? last.pressure.angle : last.curvature.angle;
+    return YK_OK;
+}

@@ -1,0 +1,143 @@
+// The inside of the analysis of gear trains: the equations between speeds, what solves them, and what is made of it.
+#ifndef DESIGN_TRAIN_H
+#define DESIGN_TRAIN_H
+#include <yoke/train.h>
+#include "base/memory.h"
+#include "base/problems.h"
+#include "base/text.h"
+#include "design/train_solve.h"
+#include "model/model.h"
+#include "ring/ring.h"
+
+// One equation: the sum of sign * symbol * speed is 0, or an input.
+typedef enum YkTrainRowKind {
+    YK_ROW_GROUND, // the ground stands
+    YK_ROW_KEPT,   // a slide or weld keeps two bodies' angle: index of the joint
+    YK_ROW_GEARS,  // index of the gears
+    YK_ROW_BELT,
+    YK_ROW_RACK,
+    YK_ROW_HOLD, // index of the hold in the lock
+    YK_ROW_JOIN, // index of the pair in the lock
+    YK_ROW_INPUT // index of the input
+} YkTrainRowKind;
+typedef struct YkTrainTerm {
+    int32_t column, sign, symbol; // symbol -1: the number 1
+} YkTrainTerm;
+typedef struct YkTrainRow {
+    YkTrainRowKind kind;
+    int32_t index, input; // input: right-hand side, or -1
+    int32_t count;
+    YkTrainTerm terms[4];
+} YkTrainRow;
+
+// A number of teeth, or a radius.
+typedef struct YkTrainSymbol {
+    const char *name;
+    const YkExpr *expr; // what it was made of
+    YkFraction value;
+} YkTrainSymbol;
+
+typedef struct YkTrainDrive {
+    YkTrainInput shown;
+    YkExact exact; // of the speed
+    int32_t coordinate; // or YK_NONE: the unit turn of body
+    int32_t body;
+} YkTrainDrive;
+
+// Unknowns are the speeds of the train's bodies, the ground first, then the rates of its racks.
+typedef struct YkTrainNet {
+    const YkModel *model;
+    YkArena *arena;
+    int32_t *column_of;      // per body of the model; -1: not of the train
+    int32_t *body_of;        // per column; racks: -1
+    int32_t columns, bodies; // bodies: columns that are bodies
+    YkTrainSymbol *symbols;
+    int32_t symbol_count;
+    int32_t (*symbol_of)[2]; // per mesh: gears, then belts, then racks
+    int32_t mesh_count;
+    bool is_exact; // all symbols are
+    YkTrainRow *rows; // what holds in every case
+    int32_t row_count;
+} YkTrainNet;
+
+// One way to use it: with a lock, with inputs.
+typedef struct YkTrainCase {
+    const YkTrainNet *net;
+    const YkLock *lock; // or NULL
+    YkTrainRow *rows;
+    int32_t row_count, input_count, rights;
+    YkExactSystem system; // reduced; rights: the inputs
+    YkTrainStatus status;
+    const char *message;
+} YkTrainCase;
+
+bool yk_train_net_build(YkTrainNet *net, const YkModel *model, YkArena *arena); // false: out of memory
+// Row of a mesh: gears, then belts, then racks.
+const YkTrainRow *yk_train_mesh_row(const YkTrainNet *net, int32_t mesh);
+
+// Solves the case of the given inputs; false when out of memory or on overflow (case->system.overflow).
+bool yk_train_case_solve(YkTrainCase *one, const YkTrainNet *net, const YkLock *lock, const YkTrainDrive *drives,
+                         int32_t drive_count, YkArena *arena);
+void yk_train_case_free(YkTrainCase *one);
+YkFraction yk_train_coefficient(const YkTrainNet *net, const YkTrainRow *row, int32_t term); // sign * value
+const YkFraction *yk_train_case_share(const YkTrainCase *one, int32_t column, int32_t input); // of a determined column
+int yk_train_case_freedom(const YkTrainCase *one); // of a case without inputs
+void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text);
+const char *yk_train_keep(YkArena *arena, YkText *text); // a copy of the text, which is emptied; NULL: out of memory
+
+// The share of an input in a column's speed as a formula, or (inverse) its reciprocal; NULL where there is none.
+const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t input, bool is_inverse, YkArena *arena);
+// The quotient of two ring elements in factored form. False where the ring gave up.
+bool yk_train_write_quotient(YkRing *ring, const YkPoisson *over, const YkPoisson *under, YkText *text);
+
+typedef struct YkTrainGroup { // a tabular method
+    int32_t carrier, count;
+    size_t *body;
+    YkFraction *turn;
+    const char **turns;
+    double *turns_value;
+    const char *exact_x, *exact_y;
+    double x, y;
+    bool has_speeds;
+} YkTrainGroup;
+
+typedef struct YkTrainMeshPower {
+    bool is_known;
+    double torque[2], carrier_torque, rolling_power, loss;
+    int driver;
+} YkTrainMeshPower;
+
+struct YkTrain {
+    const YkModel *model;
+    YkArena *arena;
+    YkTrainOptions options;
+    YkTrainNet net;
+    YkTrainCase motion; // with the drives
+    YkTrainDrive *drives;
+    int32_t drive_count;
+    int freedom;
+    YkTrainBody *bodies;  // without the ground
+    YkTrainShare *shares; // [body][drive]
+    YkTrainRatio ratio;
+    YkTrainGear *gears;
+    size_t gear_count;
+    const char **willis;
+    double *rack_speeds; // per mesh
+    YkTrainGroup *groups;
+    size_t group_count;
+    YkTrainRemark *remarks;
+    size_t remark_count;
+    YkTrainMeshPower *mesh_power;
+    YkTrainTorque *torques;
+    size_t torque_count;
+    YkTrainPower power;
+};
+
+bool yk_train_drives(YkTrain *train, int32_t in);
+// The speed as text, where all inputs that take part are exact and of one kind: "460/29 rpm".
+const char *yk_train_exact_speed(const YkTrain *train, const YkFraction *shares, int32_t count, bool is_distance);
+bool yk_train_tables(YkTrain *train);
+bool yk_train_remarks(YkTrain *train);
+bool yk_train_torques(YkTrain *train, YkProblems *problems);
+
+#endif

@@ -1,0 +1,297 @@
+// Ratios as formulas in tooth numbers: Cramer's rule over polynomials, on no more equations than the ratio needs.
+//
+// What stands still or turns together is one unknown. Which of the remaining equations take part is found with random
+// tooth numbers modulo a prime, so that no accident of the real ones decides. Their determinants are expanded row by
+// row; states that used the same columns are added up, and since a row has three entries at most there are few.
+#include <stdlib.h>
+#include <string.h>
+#include "design/train.h"
+
+enum { ROWS_MAX = 24, COLUMNS_MAX = 30, SYMBOLS_MAX = 40, TERMS_MAX = 2000, STATES_MAX = 4000 };
+#define PRIME UINT64_C(2147483647) // 2^31 - 1
+
+typedef struct Work {
+    const YkTrainCase *one;
+    YkRing *ring;
+    int32_t *class_of;         // per column of the net: 0 stands still, else 1 + its number; -1 not numbered yet
+    int32_t rows, columns;     // of the small system
+    int32_t row[ROWS_MAX];     // of the case
+    uint64_t value[SYMBOLS_MAX]; // random
+    uint64_t cell[ROWS_MAX][COLUMNS_MAX], trace[ROWS_MAX][ROWS_MAX];
+    int32_t pivot[ROWS_MAX]; // column that the row solves, or -1
+    const YkPoisson *symbol[SYMBOLS_MAX];
+} Work;
+
+static uint64_t power(uint64_t base, uint64_t exponent)
+{
+    uint64_t result = 1;
+    for (; exponent > 0; exponent >>= 1, base = base * base % PRIME)
+        if (exponent & 1) result = result * base % PRIME;
+    return result;
+}
+
+// --- The small system ------------------------------------------------------------------------------------------------
+
+static int32_t root(const int32_t *parent, int32_t column)
+{
+    while (parent[column] != column) column = parent[column];
+    return column;
+}
+
+static bool is_tie(const YkTrainRow *row)
+{
+    return row->kind == YK_ROW_GROUND || row->kind == YK_ROW_KEPT || row->kind == YK_ROW_HOLD ||
+           row->kind == YK_ROW_JOIN;
+}
+
+// One class for the columns that turn together; the ground's root is always column 0.
+static void tie(const YkTrainCase *one, int32_t *parent)
+{
+    for (int32_t c = 0; c < one->net->columns; c++) parent[c] = c;
+    for (int32_t r = 0; r < one->row_count; r++) {
+        const YkTrainRow *row = &one->rows[r];
+        if (!is_tie(row) || row->count == 0) continue;
+        int32_t a = root(parent, row->terms[0].column), b = row->count > 1 ? root(parent, row->terms[1].column) : 0;
+        if (a < b) parent[b] = a;
+        if (b < a) parent[a] = b;
+    }
+}
+
+static bool number_classes(Work *work)
+{
+    const YkTrainNet *net = work->one->net;
+    int32_t *parent = calloc((size_t)net->columns + 1, sizeof *parent);
+    if (!parent) return false;
+    tie(work->one, parent);
+    for (int32_t c = 0; c < net->columns; c++) {
+        int32_t top = root(parent, c);
+        work->class_of[c] = top == 0 ? 0 : top == c ? ++work->columns : work->class_of[top];
+    }
+    free(parent);
+    for (int32_t r = 0; r < work->one->row_count; r++) {
+        if (is_tie(&work->one->rows[r])) continue;
+        if (work->rows == ROWS_MAX) return false;
+        work->row[work->rows++] = r;
+    }
+    return work->columns <= COLUMNS_MAX;
+}
+
+static void fill(Work *work)
+{
+    uint64_t seed = 12345;
+    for (int32_t s = 0; s < work->one->net->symbol_count; s++) {
+        seed = seed * 48271 % PRIME;
+        work->value[s] = seed;
+    }
+    for (int32_t r = 0; r < work->rows; r++) {
+        const YkTrainRow *row = &work->one->rows[work->row[r]];
+        work->pivot[r] = -1;
+        work->trace[r][r] = 1;
+        for (int32_t t = 0; t < row->count; t++) {
+            int32_t column = work->class_of[row->terms[t].column] - 1;
+            if (column < 0) continue;
+            uint64_t by = row->terms[t].symbol < 0 ? 1 : work->value[row->terms[t].symbol];
+            work->cell[r][column] = (work->cell[r][column] + (row->terms[t].sign < 0 ? PRIME - by : by)) % PRIME;
+        }
+    }
+}
+
+static void subtract(Work *work, int32_t row, int32_t pivot, int32_t column)
+{
+    uint64_t by = PRIME - work->cell[row][column];
+    for (int32_t c = 0; c < work->columns; c++)
+        work->cell[row][c] = (work->cell[row][c] + by * work->cell[pivot][c]) % PRIME;
+    for (int32_t r = 0; r < work->rows; r++)
+        work->trace[row][r] = (work->trace[row][r] + by * work->trace[pivot][r]) % PRIME;
+}
+
+static void reduce(Work *work)
+{
+    for (int32_t r = 0; r < work->rows; r++) {
+        int32_t column = 0;
+        while (column < work->columns && work->cell[r][column] == 0) column++;
+        if (column == work->columns) continue;
+        work->pivot[r] = column;
+        uint64_t by = power(work->cell[r][column], PRIME - 2);
+        for (int32_t c = 0; c < work->columns; c++) work->cell[r][c] = work->cell[r][c] * by % PRIME;
+        for (int32_t k = 0; k < work->rows; k++) work->trace[r][k] = work->trace[r][k] * by % PRIME;
+        for (int32_t k = 0; k < work->rows; k++)
+            if (k != r && work->cell[k][column] != 0) subtract(work, k, r, column);
+    }
+}
+
+// --- Determinants ----------------------------------------------------------------------------------------------------
+
+// Rows and columns that take part, as numbers of the small system.
+typedef struct Square {
+    int32_t size;
+    int32_t row[ROWS_MAX], column[ROWS_MAX];
+} Square;
+
+static const YkPoisson *entry(Work *work, int32_t row, int32_t column)
+{
+    const YkTrainRow *source = &work->one->rows[work->row[row]];
+    const YkPoisson *sum = NULL;
+    for (int32_t t = 0; t < source->count; t++) {
+        const YkTrainTerm *term = &source->terms[t];
+        if (work->class_of[term->column] - 1 != column) continue;
+        const YkPoisson *part =
+            term->symbol < 0 ? yk_ring_rational(work->ring, 1, 1) : work->symbol[term->symbol];
+        if (term->sign < 0) part = yk_ring_negate(work->ring, part);
+        sum = sum ? yk_ring_add(work->ring, sum, part) : part;
+    }
+    return sum && yk_ring_terms(sum) > 0 ? sum : NULL;
+}
+
+typedef struct State {
+    uint32_t used; // columns
+    const YkPoisson *sum;
+} State;
+
+static void gather(Work *work, State *states, size_t *count, uint32_t used, const YkPoisson *part)
+{
+    for (size_t i = 0; i < *count; i++) {
+        if (states[i].used != used) continue;
+        states[i].sum = yk_ring_add(work->ring, states[i].sum, part);
+        return;
+    }
+    if (*count < STATES_MAX) states[(*count)++] = (State){used, part};
+}
+
+static bool is_odd(uint32_t bits)
+{
+    bool odd = false;
+    for (; bits; bits &= bits - 1) odd = !odd;
+    return odd;
+}
+
+// One row more: every state goes on by every entry of the row in a column that is still free.
+static size_t expand(Work *work, const Square *square, int32_t row, const State *from, size_t count, State *to)
+{
+    size_t reached = 0;
+    for (int32_t c = 0; c < square->size; c++) {
+        const YkPoisson *by = entry(work, row, square->column[c]);
+        for (size_t i = 0; by && i < count; i++) {
+            uint32_t bit = UINT32_C(1) << c;
+            if (from[i].used & bit) continue;
+            const YkPoisson *part = yk_ring_multiply(work->ring, from[i].sum, by);
+            if (is_odd(from[i].used >> (c + 1))) part = yk_ring_negate(work->ring, part);
+            gather(work, to, &reached, from[i].used | bit, part);
+        }
+    }
+    return reached;
+}
+
+// The determinant without one row and one column (-1: with all); NULL where it is zero or too large.
+static const YkPoisson *determinant(Work *work, const Square *all, int32_t without_row, int32_t without_column)
+{
+    Square square = {0};
+    State *states = calloc(2 * (size_t)STATES_MAX, sizeof *states);
+    size_t count = 1;
+    if (!states) return NULL;
+    for (int32_t k = 0; k < all->size; k++)
+        if (all->column[k] != without_column) square.column[square.size++] = all->column[k];
+    State *from = states, *to = states + STATES_MAX;
+    from[0] = (State){0, yk_ring_rational(work->ring, 1, 1)};
+    for (int32_t k = 0; k < all->size && count > 0 && count < STATES_MAX; k++) {
+        if (all->row[k] == without_row) continue;
+        count = expand(work, &square, all->row[k], from, count, to);
+        State *swap = from;
+        from = to;
+        to = swap;
+    }
+    const YkPoisson *result = count == 1 ? from[0].sum : NULL;
+    free(states);
+    return yk_ring_terms(result) > 0 ? result : NULL;
+}
+
+// --- Cramer ----------------------------------------------------------------------------------------------------------
+
+static bool is_independent(Work *work, Square *square, int32_t column, uint64_t basis[ROWS_MAX][ROWS_MAX],
+                           int32_t lead[ROWS_MAX], Work *original)
+{
+    uint64_t vector[ROWS_MAX];
+    int32_t rows = 0;
+    for (int32_t r = 0; r < work->rows; r++) vector[r] = 0;
+    for (int32_t k = 0; k < ROWS_MAX && square->row[k] >= 0; k++) vector[rows++] = original->cell[square->row[k]][column];
+    for (int32_t b = 0; b < square->size; b++) {
+        uint64_t by = PRIME - vector[lead[b]];
+        for (int32_t r = 0; r < rows; r++) vector[r] = (vector[r] + by * basis[b][r]) % PRIME;
+    }
+    int32_t first = 0;
+    while (first < rows && vector[first] == 0) first++;
+    if (first == rows) return false;
+    uint64_t by = power(vector[first], PRIME - 2);
+    for (int32_t r = 0; r < rows; r++) basis[square->size][r] = vector[r] * by % PRIME;
+    lead[square->size] = first;
+    square->column[square->size++] = column;
+    return true;
+}
+
+// The equations whose combination gives this unknown, and as many independent unknowns in them, this one first.
+static bool choose(Work *work, int32_t target, Square *square)
+{
+    uint64_t basis[ROWS_MAX][ROWS_MAX];
+    int32_t lead[ROWS_MAX], solving = -1, count = 0;
+    Work *original = calloc(1, sizeof *original);
+    if (!original) return false;
+    memcpy(original, work, sizeof *original);
+    reduce(work);
+    for (int32_t r = 0; r < work->rows; r++)
+        if (work->pivot[r] == target) solving = r;
+    bool good = solving >= 0;
+    for (int32_t c = 0; good && c < work->columns; c++) good = c == target || work->cell[solving][c] == 0;
+    for (int32_t r = 0; r < ROWS_MAX; r++) square->row[r] = -1;
+    for (int32_t r = 0; good && r < work->rows; r++)
+        if (work->trace[solving][r] != 0) square->row[count++] = r;
+    square->size = 0;
+    if (good) good = is_independent(work, square, target, basis, lead, original);
+    for (int32_t c = 0; good && c < work->columns && square->size < count; c++)
+        if (c != target) is_independent(work, square, c, basis, lead, original);
+    free(original);
+    return good && square->size == count;
+}
+
+static const char *share(Work *work, int32_t target, int32_t input, bool is_inverse, YkArena *arena)
+{
+    Square square;
+    int32_t at = -1;
+    YkText text = {0};
+    if (target < 0 || !choose(work, target, &square)) return NULL;
+    for (int32_t k = 0; k < square.size; k++)
+        if (work->one->rows[work->row[square.row[k]]].input == input) at = k;
+    if (at < 0) return is_inverse ? NULL : "0";
+    const YkPoisson *under = determinant(work, &square, -1, -1);
+    const YkPoisson *over = square.size > 1 ? determinant(work, &square, square.row[at], target)
+                                            : yk_ring_rational(work->ring, 1, 1);
+    if (at % 2 == 1) over = yk_ring_negate(work->ring, over); // the target's column comes first
+    if (!over || !under) return NULL;
+    bool good = yk_train_write_quotient(work->ring, is_inverse ? under : over, is_inverse ? over : under, &text);
+    if (good) return yk_train_keep(arena, &text);
+    yk_text_free(&text);
+    return NULL;
+}
+
+const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t input, bool is_inverse, YkArena *arena)
+{
+    const YkTrainNet *net = one->net;
+    if (net->symbol_count > SYMBOLS_MAX || net->mesh_count > ROWS_MAX) return NULL;
+    Work *work = calloc(1, sizeof *work);
+    const char *text = NULL;
+    if (!work) return NULL;
+    work->one = one;
+    work->ring = yk_ring_new();
+    work->class_of = calloc((size_t)net->columns + 1, sizeof *work->class_of);
+    if (work->ring && work->class_of && number_classes(work)) {
+        fill(work);
+        yk_ring_set_limit(work->ring, TERMS_MAX);
+        for (int32_t s = 0; s < net->symbol_count; s++)
+            work->symbol[s] =
+                yk_ring_of(work->ring, yk_ring_symbol(work->ring, net->symbols[s].name, YK_RING_CONSTANT));
+        text = share(work, work->class_of[column] - 1, input, is_inverse, arena);
+    }
+    free(work->class_of);
+    yk_ring_free(work->ring);
+    free(work);
+    return text;
+}

@@ -1,0 +1,196 @@
+// What gears, racks, belts and cams transmit. By virtual work the force belongs to the relation that it enforces:
+//   gears    a force at the pitch point across the line of centres, where the centres are apart; otherwise couples
+//   racks    a force along the rack at the pitch line
+//   belts    couples on both pulleys and what carries them
+//   cams     a force along the common normal through the follower's roller (or edge); where its place is not known, couples
+// Flanks lean by the pressure angle: the force along the line of centres that comes with it turns nothing; it is not in here.
+#include "dynamics/free_bodies_inside.h"
+
+static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
+{
+    const YkGear *gear = &model->gears[r->kind == YK_RELATION_GEAR ? r->index : 0];
+    switch (r->kind) {
+    case YK_RELATION_GEAR:
+        c->body[0] = gear->body[0];
+        c->body[1] = gear->body[1];
+        c->third = gear->center_distance > 0 ? 0 : gear->carrier;
+        break;
+    case YK_RELATION_BELT:
+        c->body[0] = model->belts[r->index].body[0];
+        c->body[1] = model->belts[r->index].body[1];
+        c->third = model->belts[r->index].carrier;
+        break;
+    case YK_RELATION_RACK:
+        c->body[0] = model->racks[r->index].pinion;
+        c->body[1] = model->racks[r->index].rack;
+        break;
+    case YK_RELATION_CAM:
+    case YK_RELATION_LAW:
+        c->body[0] = model->cams[r->index].cam;
+        c->body[1] = model->cams[r->index].follower;
+        c->third = model->cams[r->index].carrier;
+        break;
+    }
+}
+
+void yk_meshes_build(YkFreeBodies *f)
+{
+    for (size_t k = 0; k < f->mech->relation_count; k++) {
+        YkWrenchColumn c = {.joint = YK_NONE, .input = YK_NONE, .relation = (int32_t)k, .kind = YK_WRENCH_MESH};
+        bodies_of(f->mech->model, &f->mech->relations[k], &c);
+        f->columns[f->column_count++] = c;
+    }
+}
+
+// The place of a body's point and its axes.
+typedef struct Place {
+    YkVec at, e;
+} Place;
+
+static Place place_of(const YkFreeBodies *f, const YkSpace *space, int32_t body, YkVec point)
+{
+    YkBodyMotion m = yk_body_motion(f->mech, space, (size_t)body);
+    return (Place){yk_add(m.at, yk_mul(m.e, yk_sub(point, f->reference[body]))), m.e};
+}
+
+static YkVec center_of(const YkFreeBodies *f, const YkSpace *space, int32_t joint, int32_t body)
+{
+    const YkJoint *j = &f->mech->model->joints[joint];
+    return place_of(f, space, body, j->at[j->body[1] == body]).at;
+}
+
+// A wheel's centre is the origin of its body.
+static YkVec wheel_center(const YkFreeBodies *f, const YkSpace *space, int32_t body)
+{
+    return place_of(f, space, body, yk_vec(0, 0)).at;
+}
+
+// A force on the second body at a place of the world, its opposite on the first.
+static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec at, YkVec force)
+{
+    c->force = force;
+    c->third_moment = 0;
+    for (int k = 0; k < 2; k++) {
+        YkVec arm = yk_sub(at, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
+        c->moment[k] = (k ? 1 : -1) * yk_cross(arm, force) / f->size;
+    }
+}
+
+static void set_couples(YkWrenchColumn *c, double a, double b, double third)
+{
+    double most = fmax(fabs(a), fmax(fabs(b), fabs(third)));
+    c->force = yk_vec(0, 0);
+    c->moment[0] = a / most;
+    c->moment[1] = b / most;
+    c->third_moment = third / most;
+}
+
+static void pose_gear(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkGear *gear)
+{
+    double a = (double)gear->teeth[0], b = gear->is_internal ? -(double)gear->teeth[1] : (double)gear->teeth[1];
+    if (c->third != 0 || !(gear->center_distance > 0)) {
+        set_couples(c, a, b, -a - b);
+        return;
+    }
+    YkVec A = wheel_center(f, space, gear->body[0]), B = wheel_center(f, space, gear->body[1]), line = yk_sub(B, A);
+    YkVec pitch = yk_add(A, yk_scale(a / (a + b), line)); // internal: beyond A
+    set_force(f, space, c, pitch, yk_scale(1 / yk_norm(line), yk_quarter(line)));
+}
+
+static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRack *rack)
+{
+    const YkModel *model = f->mech->model;
+    const YkJoint *slide = &model->joints[rack->slide];
+    YkVec u = yk_mul(place_of(f, space, slide->body[0], slide->at[0]).e, slide->along);
+    YkVec center = wheel_center(f, space, rack->pinion);
+    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way
+    set_force(f, space, c, yk_add(center, yk_scale(-rack->sense * rack->radius, yk_quarter(u))), yk_scale(sign, u));
+}
+
+// Where the follower's roller or edge is; false where it is not known.
+static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift, YkVec *at)
+{
+    if (cam->point != YK_NONE) {
+        *at = place_of(f, space, cam->follower, f->mech->model->points[cam->point].at).at;
+        return true;
+    }
+    double reach = cam->base + cam->roller, start = reach * reach - cam->offset * cam->offset;
+    if (cam->oscillates || !(start > 0)) return false;
+    *at = yk_add(center, yk_add(yk_scale(sqrt(start) + lift, u), yk_scale(-cam->offset, yk_quarter(u))));
+    return true;
+}
+
+static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r, const YkCam *cam)
+{
+    const YkModel *model = f->mech->model;
+    const YkJoint *guide = &model->joints[cam->follower_joint], *shaft = &model->joints[cam->cam_joint];
+    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain, way = guide->body[1] == cam->follower ? 1 : -1,
+           turn = shaft->body[1] == cam->cam ? 1 : -1, lift = 0;
+    YkVec center = center_of(f, space, cam->cam_joint, cam->cam), u = {0, 0}, velocity = {0, 0}, at;
+    Place carrier = place_of(f, space, cam->carrier, yk_vec(0, 0));
+    if (!cam->oscillates) {
+        u = yk_mul(carrier.e, cam->along);
+        lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
+    }
+    if (!roller_of(f, space, cam, center, u, lift, &at)) {
+        set_couples(c, -slope * turn, way, slope * turn - way);
+        return;
+    }
+    if (cam->oscillates)
+        velocity = yk_scale(way * slope, yk_quarter(yk_sub(at, center_of(f, space, cam->follower_joint, cam->follower))));
+    else
+        velocity = yk_scale(slope, u);
+    YkVec against = yk_sub(velocity, yk_scale(turn, yk_quarter(yk_sub(at, center)))); // of the roller on the cam
+    double speed = yk_norm(against);
+    if (!(speed > 0)) {
+        set_couples(c, -slope * turn, way, slope * turn - way);
+        return;
+    }
+    set_force(f, space, c, at, yk_scale(1 / speed, yk_quarter(against)));
+}
+
+// All accelerations that the relation allows give the same product with its forces: those of the pose do.
+static double bias_of(const YkFreeBodies *f, const YkSpace *space, const YkWrenchColumn *c)
+{
+    const int32_t bodies[] = {c->body[0], c->body[1], c->third};
+    double sum = 0;
+    for (int k = 0; k < 3; k++) {
+        if (bodies[k] == 0) continue;
+        YkBodyMotion m = yk_body_motion(f->mech, space, (size_t)bodies[k]);
+        double moment = k < 2 ? c->moment[k] : c->third_moment;
+        sum += (k == 1 ? 1 : k == 0 ? -1 : 0) * yk_dot(c->force, m.acceleration) + moment * m.a * f->size;
+    }
+    return sum / f->size;
+}
+
+void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c)
+{
+    const YkModel *model = f->mech->model;
+    const YkRelation *r = &f->mech->relations[c->relation];
+    if (r->kind == YK_RELATION_GEAR)
+        pose_gear(f, space, c, &model->gears[r->index]);
+    else if (r->kind == YK_RELATION_RACK)
+        pose_rack(f, space, c, &model->racks[r->index]);
+    else if (r->kind == YK_RELATION_CAM)
+        pose_cam(f, space, c, r, &model->cams[r->index]);
+    else {
+        const YkBelt *belt = &model->belts[r->index];
+        double b = belt->is_crossed ? belt->radius[1] : -belt->radius[1];
+        set_couples(c, belt->radius[0], b, -belt->radius[0] - b);
+    }
+    c->bias = bias_of(f, space, c);
+}
+
+void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
+{
+    for (size_t k = 0; k < f->column_count; k++) {
+        const YkWrenchColumn *c = &f->columns[k];
+        if (c->kind != YK_WRENCH_MESH) continue;
+        for (int i = 0; i < 2; i++) {
+            YkLoad *l = &load[c->body[i]];
+            l->force = yk_add(l->force, yk_scale(i ? c->share : -c->share, c->force));
+            l->moment += c->share * c->moment[i] * f->size;
+        }
+        if (c->third != 0 || c->third_moment != 0) load[c->third].moment += c->share * c->third_moment * f->size;
+    }
+}

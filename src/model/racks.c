@@ -1,0 +1,117 @@
+// `racks:` pinions that roll on racks.
+#include <math.h>
+#include "model/load.h"
+
+static void read_rack(YkLoader *loader, YkRack *rack, const YkNode *node)
+{
+    static const char *const keys[] = {"pinion", "rack", "radius", "carrier", NULL};
+    const YkSubject subject = {.noun = "rack", .part = rack->name};
+    const YkWant want = {.dimension = YK_DIM_LENGTH, .subject = {.noun = "radius", .owner = rack->name}};
+    if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
+    yk_load_check_keys(loader, node, keys, &subject);
+    const YkNode *pinion = yk_load_require(loader, node, "pinion", &subject);
+    const YkNode *bar = yk_load_require(loader, node, "rack", &subject);
+    const YkNode *radius = yk_load_require(loader, node, "radius", &subject);
+    if (pinion) rack->pinion = yk_load_body(loader, pinion);
+    if (bar) rack->rack = yk_load_body(loader, bar);
+    if (radius) rack->radius_expr = yk_load_value(loader, radius, &want, &rack->radius);
+    rack->carrier = yk_load_carrier(loader, node);
+    if (rack->pinion == YK_NONE || rack->pinion != rack->rack) return;
+    yk_problem(loader->problems, YK_CODE_SELF_MESH, bar->place, "rack %q: %q cannot drive itself", rack->name,
+               loader->model->bodies[rack->pinion].name);
+    rack->rack = YK_NONE;
+}
+
+void yk_load_racks(YkLoader *loader)
+{
+    const YkNode *section = yk_load_section(loader, "racks");
+    YkModel *model = loader->model;
+    if (!section) return;
+    model->racks = YK_NEW(loader->arena, YkRack, section->count);
+    if (!model->racks) return;
+    for (size_t i = 0; i < section->count; i++) {
+        const YkPair *pair = &section->pairs[i];
+        YkRack *rack = &model->racks[model->rack_count++];
+        *rack = (YkRack){.name = pair->key->text,
+                         .place = pair->key->place,
+                         .pinion = YK_NONE,
+                         .rack = YK_NONE,
+                         .carrier = YK_NONE,
+                         .slide = YK_NONE,
+                         .sense = 1};
+        yk_load_name(loader, pair->key, "rack");
+        read_rack(loader, rack, pair->value);
+    }
+}
+
+// --- With values at hand ---------------------------------------------------------------------------------------------
+
+static bool is_at_origin(YkVec at)
+{
+    return at.x == 0 && at.y == 0;
+}
+
+// Does the body hold the pinion's centre by a pin? Its place on the body, then.
+static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body, YkVec *at)
+{
+    for (size_t i = 0; i < model->joint_count; i++) {
+        const YkJoint *joint = &model->joints[i];
+        for (int k = 0; k < 2; k++) {
+            if (joint->kind != YK_PIN || joint->body[k] != rack->pinion || joint->body[1 - k] != body) continue;
+            if (!is_at_origin(joint->at[k])) continue;
+            *at = joint->at[1 - k];
+            return true;
+        }
+    }
+    return false;
+}
+
+// Side of the rack's line on which the pinion lies, as seen along the slide by its first body. A slide written from the
+// rack to the carrier fixes its line in the rack, through which the carrier's point passes: both turn round.
+static int32_t sense_of(const YkJoint *slide, bool is_reversed, YkVec center)
+{
+    double side = is_reversed ? yk_cross(slide->along, yk_sub(center, slide->at[1]))
+                              : yk_cross(slide->along, yk_sub(center, slide->at[0]));
+    int32_t sense = side < 0 ? -1 : 1;
+    return is_reversed ? -sense : sense;
+}
+
+static bool find_slide(YkModel *model, YkRack *rack)
+{
+    int32_t given = rack->carrier;
+    for (size_t i = 0; i < model->joint_count; i++) {
+        const YkJoint *joint = &model->joints[i];
+        for (int k = 0; k < 2; k++) {
+            int32_t carrier = joint->body[1 - k];
+            YkVec center;
+            if (joint->kind != YK_SLIDE || joint->body[k] != rack->rack || carrier == YK_NONE) continue;
+            if ((given != YK_NONE && given != carrier) || !holds_pinion(model, rack, carrier, &center)) continue;
+            rack->carrier = carrier;
+            rack->slide = (int32_t)i;
+            rack->sense = sense_of(joint, k == 0, center);
+            return true;
+        }
+    }
+    return false;
+}
+
+static void finish_rack(YkLoader *loader, YkRack *rack)
+{
+    YkModel *model = loader->model;
+    if (rack->radius_expr) rack->exact_radius = yk_model_exact(model, rack->radius_expr);
+    if (rack->radius_expr && rack->radius <= 0) {
+        yk_problem(loader->problems, YK_CODE_BAD_RADIUS, rack->radius_expr->place,
+                   "the radius of rack %q is %g; it is positive", rack->name, rack->radius);
+    }
+    if (rack->pinion == YK_NONE || rack->rack == YK_NONE || rack->carrier == YK_REPORTED || loader->has_bad_joint)
+        return;
+    if (find_slide(model, rack)) return;
+    yk_problem(loader->problems, YK_CODE_NO_CARRIER, rack->place,
+               "rack %q: no body holds the centre of %q by a pin and %q by a slide", rack->name,
+               model->bodies[rack->pinion].name, model->bodies[rack->rack].name);
+}
+
+void yk_load_finish_racks(YkLoader *loader)
+{
+    for (size_t i = 0; i < loader->model->rack_count; i++) finish_rack(loader, &loader->model->racks[i]);
+}

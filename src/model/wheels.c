@@ -1,0 +1,195 @@
+// Wheels: what gears, racks and belts share - bodies that turn about their origin, on axes that a carrier holds.
+#include <math.h>
+#include <string.h>
+#include "model/load.h"
+
+static void mark(YkLoader *loader, const YkNode *name)
+{
+    if (!name || name->kind != YK_NODE_SCALAR) return;
+    int32_t body = yk_names_find(&loader->model->body_names, name->text);
+    if (body != YK_NONE) loader->is_wheel[body] = true;
+}
+
+static void mark_section(YkLoader *loader, const char *section, const char *key)
+{
+    const YkNode *map = yk_node_get(loader->root, section);
+    if (!map || map->kind != YK_NODE_MAP) return;
+    for (size_t i = 0; i < map->count; i++) {
+        const YkNode *entry = map->pairs[i].value;
+        const YkNode *names = entry->kind == YK_NODE_MAP ? yk_node_get(entry, key) : NULL;
+        if (!names || names->kind == YK_NODE_MAP) continue;
+        if (names->kind == YK_NODE_SCALAR) mark(loader, names);
+        for (size_t k = 0; names->kind == YK_NODE_LIST && k < names->count; k++) mark(loader, names->items[k]);
+    }
+}
+
+void yk_load_wheels(YkLoader *loader)
+{
+    loader->is_wheel = YK_NEW(loader->arena, bool, loader->model->body_count);
+    if (!loader->is_wheel) {
+        loader->failed = true;
+        return;
+    }
+    mark_section(loader, "gears", "mesh");
+    mark_section(loader, "racks", "pinion");
+    mark_section(loader, "belts", "between");
+    mark_section(loader, "cams", "cam");
+}
+
+const YkNode *yk_load_two_values(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject)
+{
+    const YkNode *list = yk_load_require(loader, map, key, subject);
+    if (!list) return NULL;
+    const YkSubject inner = {.noun = key, .owner = subject->part};
+    if (!yk_load_expect(loader, list, YK_NODE_LIST, &inner)) return NULL;
+    if (list->count == 2) return list;
+    yk_problem(loader->problems, YK_CODE_COMPONENTS, list->place, "%s has two entries, first and second; here are %z",
+               yk_load_subject(loader, &inner), list->count);
+    return NULL;
+}
+
+void yk_load_two_bodies(YkLoader *loader, const YkNode *list, const YkSubject *subject, int32_t body[2])
+{
+    if (!list) return;
+    for (int k = 0; k < 2; k++) body[k] = yk_load_body(loader, list->items[k]);
+    if (body[0] == YK_NONE || body[0] != body[1]) return;
+    yk_problem(loader->problems, YK_CODE_SELF_MESH, list->place, "%s: %q cannot drive itself",
+               yk_load_subject(loader, subject), loader->model->bodies[body[0]].name);
+    body[1] = YK_NONE;
+}
+
+bool yk_load_yes_or_no(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject)
+{
+    const YkNode *node = yk_node_get(map, key);
+    if (!node || !yk_load_expect(loader, node, YK_NODE_SCALAR, &(YkSubject){.noun = key, .owner = subject->part}))
+        return false;
+    if (strcmp(node->text, "true") == 0 || strcmp(node->text, "false") == 0) return node->text[0] == 't';
+    yk_problem(loader->problems, YK_CODE_WRONG_WORD, node->place, "`%s` of %q is `true` or `false`, not %q", key,
+               subject->part, node->text);
+    return false;
+}
+
+int32_t yk_load_carrier(YkLoader *loader, const YkNode *map)
+{
+    const YkNode *node = yk_node_get(map, "carrier");
+    if (!node) return YK_NONE;
+    int32_t body = yk_load_body(loader, node);
+    return body == YK_NONE ? YK_REPORTED : body;
+}
+
+// --- Axes ------------------------------------------------------------------------------------------------------------
+
+// Bodies that turn about one axis, each with the place of the axis on it.
+typedef struct Axis {
+    bool *has;   // per body
+    YkVec *at;   // per body, where it has
+    size_t count;
+} Axis;
+
+static bool coincide(YkVec a, YkVec b)
+{
+    YkVec apart = yk_sub(a, b);
+    return hypot(apart.x, apart.y) <= 1e-9 * fmax(hypot(a.x, a.y), hypot(b.x, b.y));
+}
+
+static bool turns_about_a_point(const YkJoint *joint)
+{
+    return (joint->kind == YK_PIN || joint->kind == YK_WELD) && joint->body[0] != YK_NONE && joint->body[1] != YK_NONE;
+}
+
+// Grows the axis by the joints that lie on it, until no joint adds a body.
+static void follow(const YkModel *model, Axis *axis)
+{
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (size_t i = 0; i < model->joint_count; i++) {
+            const YkJoint *joint = &model->joints[i];
+            if (!turns_about_a_point(joint)) continue;
+            for (int k = 0; k < 2; k++) {
+                int32_t from = joint->body[k], to = joint->body[1 - k];
+                if (!axis->has[from] || axis->has[to] || !coincide(axis->at[from], joint->at[k])) continue;
+                axis->has[to] = grows = true;
+                axis->at[to] = joint->at[1 - k];
+                axis->count++;
+            }
+        }
+    }
+}
+
+// The axis through a wheel's centre.
+static Axis axis_of(YkLoader *loader, int32_t wheel)
+{
+    size_t count = loader->model->body_count;
+    Axis axis = {.has = YK_NEW(loader->arena, bool, count), .at = YK_NEW(loader->arena, YkVec, count)};
+    if (!axis.has || !axis.at) return axis;
+    axis.has[wheel] = true;
+    axis.count = 1;
+    follow(loader->model, &axis);
+    return axis;
+}
+
+static void report_no_carrier(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
+{
+    const YkBody *bodies = loader->model->bodies;
+    const char *a = bodies[pair->body[0]].name, *b = bodies[pair->body[1]].name;
+    for (int k = 0; k < 2; k++) {
+        if (axes[k].count > 1) continue;
+        yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: no pin holds the centre of %q",
+                   pair->noun, pair->name, k == 0 ? a : b);
+        yk_problem_hint(loader->problems, "a wheel's centre is the origin of its body; pin it to what carries it");
+        return;
+    }
+    yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
+               "%s %q: no body holds the centres of both %q and %q", pair->noun, pair->name, a, b);
+}
+
+// The one body that can be the carrier; YK_NONE, reported, where there is none or more than one.
+static int32_t infer(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
+{
+    const YkModel *model = loader->model;
+    int32_t found = YK_NONE;
+    for (int32_t b = 0; b < (int32_t)model->body_count; b++) {
+        if (!axes[0].has[b] || !axes[1].has[b] || b == pair->body[0] || b == pair->body[1]) continue;
+        if (found != YK_NONE) {
+            yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
+                       "%s %q: both %q and %q hold the two centres", pair->noun, pair->name, model->bodies[found].name,
+                       model->bodies[b].name);
+            yk_problem_hint(loader->problems, "say which with `carrier: %s`", model->bodies[found].name);
+            return YK_NONE;
+        }
+        found = b;
+    }
+    if (found == YK_NONE) report_no_carrier(loader, pair, axes);
+    return found;
+}
+
+static int32_t check_given(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
+{
+    const YkBody *bodies = loader->model->bodies;
+    const char *carrier = bodies[pair->carrier].name;
+    for (int k = 0; k < 2; k++) {
+        if (pair->carrier == pair->body[k]) {
+            yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: %q cannot carry itself", pair->noun,
+                       pair->name, carrier);
+            return YK_NONE;
+        }
+        if (axes[k].has[pair->carrier]) continue;
+        yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
+                   "%s %q: the carrier %q does not hold the centre of %q", pair->noun, pair->name, carrier,
+                   bodies[pair->body[k]].name);
+        return YK_NONE;
+    }
+    return pair->carrier;
+}
+
+int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance)
+{
+    *distance = 0;
+    if (loader->has_bad_joint || pair->body[0] == YK_NONE || pair->body[1] == YK_NONE) return YK_NONE;
+    if (pair->carrier == YK_REPORTED) return YK_NONE;
+    const Axis axes[2] = {axis_of(loader, pair->body[0]), axis_of(loader, pair->body[1])};
+    if (yk_arena_failed(loader->arena)) return YK_NONE;
+    int32_t carrier = pair->carrier == YK_NONE ? infer(loader, pair, axes) : check_given(loader, pair, axes);
+    if (carrier != YK_NONE) *distance = yk_norm(yk_sub(axes[0].at[carrier], axes[1].at[carrier]));
+    return carrier;
+}

@@ -1,0 +1,103 @@
+#include "solve/relations.h"
+#include <string.h>
+
+static void add_scaled(YkPlane out, double factor, const double *x, const double *v, const double *a, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        out.x[k] += factor * x[k];
+        out.vx[k] += factor * v[k];
+        out.ax[k] += factor * a[k];
+    }
+}
+
+// A sum of sources in the x lanes of a plane.
+static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double offset, YkPlane out, double *angle)
+{
+    size_t n = run->lanes;
+    for (size_t k = 0; k < n; k++) out.x[k] = offset;
+    memset(out.vx, 0, n * sizeof(double));
+    memset(out.ax, 0, n * sizeof(double));
+    for (uint32_t k = first; k < first + count; k++) {
+        const YkSource *s = &run->mech->sources[k];
+        if (s->kind == YK_SOURCE_INPUT) {
+            const double *const *in = run->inputs + 3 * s->index;
+            add_scaled(out, s->factor, in[0], in[1], in[2], n);
+        } else if (s->kind == YK_SOURCE_DISTANCE) {
+            YkSlide d = yk_space_slide(run->space, s->index);
+            add_scaled(out, s->factor, d.d, d.v, d.a, n);
+        } else {
+            YkTurn t = yk_space_turn(run->space, s->index);
+            yk_lanes_angle(angle, yk_space_turn(run->space, 0), t, 0, run->references[s->reference], n);
+            add_scaled(out, s->factor, angle, t.w, t.a, n);
+        }
+    }
+}
+
+// out += gain * law(argument), with the rates by the chain rule.
+static void add_law(const YkRun *run, const YkRelation *r, YkPlane argument, YkPlane out, double *slope)
+{
+    for (size_t k = 0; k < run->lanes; k++) {
+        double d[YK_LAW_ORDER + 1], w = argument.vx[k];
+        yk_law_eval(r->law, argument.x[k], d);
+        out.x[k] += r->gain * d[0];
+        out.vx[k] += r->gain * d[1] * w;
+        out.ax[k] += r->gain * (d[1] * argument.ax[k] + d[2] * w * w);
+        slope[k] = r->gain * d[1];
+    }
+}
+
+void yk_run_relation(const YkRun *run, size_t index)
+{
+    const YkRelation *r = &run->mech->relations[index];
+    size_t n = run->lanes;
+    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN), argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
+    double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x;
+    add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
+    if (r->law) {
+        add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, argument, angle);
+        add_law(run, r, argument, out, run->space->gain + index * run->space->stride);
+    }
+    if (!r->target.is_distance) {
+        YkTurn target = yk_space_turn(run->space, r->target.index);
+        yk_lanes_turn(target, yk_space_turn(run->space, 0), out.x, out.vx, out.ax, 0, 1, n);
+        return;
+    }
+    YkSlide target = yk_space_slide(run->space, r->target.index);
+    memcpy(target.d, out.x, n * sizeof(double));
+    memcpy(target.v, out.vx, n * sizeof(double));
+    memcpy(target.a, out.ax, n * sizeof(double));
+}
+
+void yk_relations_refer(YkState *s)
+{
+    for (size_t k = 0; k < s->mech->source_count; k++) {
+        const YkSource *source = &s->mech->sources[k];
+        if (source->kind != YK_SOURCE_SLOT) continue;
+        YkTurn t = yk_space_turn(&s->space, source->index);
+        double *reference = &s->slot_reference[source->reference];
+        yk_lanes_angle(reference, yk_space_turn(&s->space, 0), t, 0, *reference, 1);
+    }
+}
+
+// The angle of an orientation's body as the coordinates' guesses add up along the tree.
+static double guessed_angle(const YkState *s, int32_t orientation)
+{
+    const YkMechanism *mech = s->mech;
+    double sum = 0;
+    for (int32_t b = mech->orientation_body[orientation]; mech->tree.parent[b] != YK_NONE; b = mech->tree.parent[b]) {
+        const YkJoint *joint = &mech->model->joints[mech->tree.joint[b]];
+        double way = joint->body[1] == b ? 1 : -1;
+        int32_t c = yk_tree_coordinate(mech, mech->tree.joint[b], false);
+        sum += way * (c == YK_NONE ? joint->turned : s->guess[c]);
+    }
+    return sum;
+}
+
+void yk_relations_guess(YkState *s)
+{
+    for (size_t k = 0; k < s->mech->source_count; k++) {
+        const YkSource *source = &s->mech->sources[k];
+        if (source->kind != YK_SOURCE_SLOT || source->index >= (int32_t)s->mech->orientation_count) continue;
+        s->slot_reference[source->reference] = guessed_angle(s, source->index);
+    }
+}

@@ -1,0 +1,161 @@
+// Gears, racks, belts and cams as constraints: motion by their ratios and laws, forces by two formulations and by power.
+#include "rig.h"
+#include "meshes.h"
+#include "run.h"
+
+static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, PLANETARY_LINKAGE, BELT};
+enum { MACHINES = sizeof machines / sizeof *machines };
+
+static double rate_of(const Rig *rig, const char *name)
+{
+    return yk_state_channel(rig->state, rig_channel(rig->mech, name));
+}
+
+static void the_train_of_the_format(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_example("epicyclic");
+    const double rpm = 2 * YK_PI / 60;
+    assert_int_equal(yk_mechanism_freedom(rig.mech).gruebler, 2);
+    CHECK_NEAR(rate_of(&rig, "theta4.rate"), 460.0 / 29 * rpm, 1e-14);
+    CHECK_NEAR(rate_of(&rig, "planet.rate"), (20 - 20 * 27.0 / 36) * rpm, 1e-14);
+    rig_free(&rig);
+}
+
+// After a million turns of the sun the ring is where exact arithmetic has it: 23/58 of the sun's turns beyond whole ones.
+static void many_turns_stay_exact(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_example("epicyclic");
+    double turns = 1e6 + 0.25;
+    for (size_t i = 0; i < 2; i++) {
+        bool is_sun = strcmp(rig.mech->coordinates[rig.mech->inputs[i]].name, "theta1") == 0;
+        yk_state_set_input(rig.state, i, (YkMotion){is_sun ? 2 * YK_PI * turns : 0, 0, 0});
+    }
+    assert_true(yk_state_solve(rig.state) >= 0);
+    double ring = -turns * 27 * 24 / (36 * 87); // external, then internal
+    double off = rate_of(&rig, "theta4") / (2 * YK_PI) - ring;
+    CHECK_NEAR(off - rint(off), 0, 1e-9);
+    rig_free(&rig);
+}
+
+static void wheels_keep_their_ratio(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 2;
+    Rig rig = rig_of_text(GEARED_FIVE_BAR);
+    for (int k = 0; k < 20; k++) {
+        if (!rig_shake(&rig, &seed)) continue;
+        CHECK_NEAR(rate_of(&rig, "t2.rate"), -0.5 * rate_of(&rig, "t1.rate"), 1e-13);
+        CHECK_NEAR(rate_of(&rig, "t2.accel"), -0.5 * rate_of(&rig, "t1.accel"), 1e-13);
+        CHECK_NEAR(rate_of(&rig, "t1") + 2 * rate_of(&rig, "t2"), (60 + 2 * 100) * YK_PI / 180, 1e-12); // phase of `start:`
+        assert_true(yk_state_residuals(rig.state).position < 1e-13);
+    }
+    rig_free(&rig);
+}
+
+static void a_pinion_moves_its_rack(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(RACK);
+    assert_true(yk_state_solve(rig.state) >= 0);
+    CHECK_NEAR(fabs(rate_of(&rig, "s.rate")), 0.05 * 2, 1e-15);
+    // rolling: the pinion's point on the rack below it moves with the rack
+    YkBodyMotion p = yk_body_motion(rig.mech, &rig.state->space, 1);
+    double speed = p.w * 0.05; // of the lowest point, along x
+    CHECK_NEAR(rate_of(&rig, "s.rate"), speed, 1e-14);
+    rig_free(&rig);
+}
+
+// A cam inside a linkage against the same law driven directly.
+static void a_cam_is_its_law(void **unused)
+{
+    (void)unused;
+    Rig cam = rig_of_text(CAM);
+    Rig driven = rig_of_text(CAM_PARTS "drives: {s: 20 mm * (1 rad/s * t / (120 deg) - sin(3 rad/s * t)/(2*pi))}\nstart: {th: 0, b: 60 deg, c: 170 deg}\n");
+    for (int k = 1; k < 20; k++) {
+        double t = 0.1 * k; // as the cam's angle, at unit speed
+        yk_state_set_input(cam.state, 0, (YkMotion){t, 1, 0});
+        assert_true(yk_state_solve(cam.state) >= 0);
+        assert_int_equal(yk_state_set_time(driven.state, t, NULL), YK_OK);
+        assert_true(yk_state_solve(driven.state) >= 0);
+        static const char *const asked[] = {"s", "s.rate", "s.accel", "c", "c.rate", "c.accel"};
+        for (size_t a = 0; a < 6; a++) CHECK_NEAR(rate_of(&cam, asked[a]), rate_of(&driven, asked[a]), 2e-12);
+    }
+    rig_free(&cam);
+    rig_free(&driven);
+}
+
+static void forces_by_both_formulations(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 8;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Rig rig = rig_of_text(machines[k]);
+        for (int turn = 0; turn < 10; turn++) {
+            if (!rig_shake(&rig, &seed)) continue;
+            double found[2][4];
+            for (int way = 0; way < 2; way++) {
+                assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)way) >= 0);
+                for (size_t b = 1; b < rig.model->body_count; b++)
+                    assert_true(yk_dynamics_balance(rig.dynamics, b).residual < 1e-11);
+                for (size_t i = 0; i < rig.mech->input_count; i++) found[way][i] = yk_state_input(rig.state, i).acceleration;
+            }
+            for (size_t i = 0; i < rig.mech->input_count; i++)
+                CHECK_NEAR(found[0][i], found[1][i], 1e-10 * (1 + fabs(found[0][i])));
+        }
+        rig_free(&rig);
+    }
+}
+
+static void energy_is_kept_through_meshes(void **unused)
+{
+    (void)unused;
+    for (size_t k = 0; k < 3; k++) {
+        Run run = run_of_text(machines[k], run_options(1e-10));
+        for (int row = 1; row <= 10; row++) assert_int_equal(yk_simulation_advance(run.sim, 0.05 * row), YK_OK);
+        YkSimulationSummary s = yk_simulation_summary(run.sim);
+        assert_true(s.energy_error < 1e-7 && s.worst_residual < 1e-12);
+        run_free(&run);
+    }
+}
+
+// 0.3 x'' + 0.7 y'' (y/x) ... with y = -0.4 x: (0.3 + 0.7 * 0.16) x'' = 2.
+static void a_crossed_belt_turns_backwards(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(BELT);
+    assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+    CHECK_NEAR(rate_of(&rig, "x.accel"), 2 / (0.3 + 0.7 * 0.16), 1e-13);
+    CHECK_NEAR(rate_of(&rig, "y.accel"), -0.4 * 2 / (0.3 + 0.7 * 0.16), 1e-13);
+    rig_free(&rig);
+}
+
+// Statics of one pair: the torque on the second wheel is that on the first times the ratio; its pins carry the mesh.
+static void torque_is_multiplied_by_the_ratio(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text("bodies:\n  ground: {points: {A: [0, 0], B: [0.09, 0]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 1}\n"
+                          "  q: {points: {B: [0, 0]}, mass: 1, inertia: 1}\njoints:\n  A: {pin: [ground, p], angle: x}\n"
+                          "  B: {pin: [ground, q], angle: y}\ngears: {g: {mesh: [p, q], teeth: [10, 20]}}\n"
+                          "efforts: {y: 6}\nstart: {x: 0}\n");
+    yk_dynamics_prescribe(rig.dynamics, 0, true);
+    assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+    CHECK_NEAR(yk_dynamics_effort(rig.dynamics, 0), 3, 1e-13); // x = -2 y: the drive holds 6 N m by 3
+    YkReaction a = yk_dynamics_reaction(rig.dynamics, 0);
+    CHECK_NEAR(fabs(a.force[1]), 3 / 0.03, 1e-10); // pitch radius 30 mm
+    CHECK_NEAR(a.force[0], 0, 1e-12);
+    rig_free(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_train_of_the_format),     cmocka_unit_test(many_turns_stay_exact),
+        cmocka_unit_test(wheels_keep_their_ratio),     cmocka_unit_test(a_pinion_moves_its_rack),
+        cmocka_unit_test(a_cam_is_its_law),            cmocka_unit_test(forces_by_both_formulations),
+        cmocka_unit_test(energy_is_kept_through_meshes), cmocka_unit_test(a_crossed_belt_turns_backwards),
+        cmocka_unit_test(torque_is_multiplied_by_the_ratio),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
