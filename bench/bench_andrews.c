@@ -1,6 +1,6 @@
 // Andrews' squeezing mechanism from examples/andrews.yaml: one right-hand side, and the motion to 0.03 s at several
-// tolerances, against the reduced equations in closed form written by hand. Errors are those of the seven angles against
-// a solution in quadruple precision.
+// tolerances, against the reduced equations in closed form written by hand. Errors are those of the seven angles
+// against a solution in quadruple precision.
 #include <math.h>
 #include <stdlib.h>
 #include "machine.h"
@@ -87,7 +87,8 @@ static void run_by_simulation(Machine *m, double tolerance, Run *run, size_t rou
         run->ms[round] += (bench_now() - start) * 1e3 / RUNS;
         state = yk_simulation_state(sim);
         for (int i = 0; i < D4_ANGLES; i++)
-            angles[i] = yk_state_coordinate(state, (size_t)yk_coordinate_find(yk_state_mechanism(state), NAMES[i])).position;
+            angles[i] =
+                yk_state_coordinate(state, (size_t)yk_coordinate_find(yk_state_mechanism(state), NAMES[i])).position;
         run->evaluations = (long)yk_simulation_summary(sim).evaluations;
         run->error = error_of(angles);
         yk_simulation_free(sim);

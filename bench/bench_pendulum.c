@@ -1,5 +1,5 @@
-// The double pendulum of examples/double-pendulum.yaml, against its equations written by hand: one right-hand side, each
-// from the last one's answer as in a time step (latency, not throughput); and 10 s at a tolerance of 1e-10.
+// The double pendulum of examples/double-pendulum.yaml, against its equations written by hand: one right-hand side,
+// each from the last one's answer as in a time step (latency, not throughput); and 10 s at a tolerance of 1e-10.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -88,7 +88,7 @@ static bool is_length(YkQuantity quantity)
 
 double yk_shown(const YkSession *session, double value, YkQuantity quantity)
 {
-    double size = 1, scale = is_length(quantity) ? yk_mechanism_size(session->mech) : 1;
+    double size = 1, scale = is_length(quantity) && session->mech ? yk_mechanism_size(session->mech) : 1;
     yk_model_unit(session->model, quantity, &size);
     if (fabs(value) < noise * scale) return 0;
     return value / size;

@@ -12,6 +12,9 @@ typedef struct YkCheckAnswer {
     YkFourBar four_bars[YK_FOUR_BARS_MAX];
     size_t four_bar_count;
     size_t *bodies; // room for the bodies round a loop
+    bool has_loads;
+    YkLoadCounts loads;
+    YkEquationCount equations; // where there are loads
 } YkCheckAnswer;
 
 void yk_check_text(const YkCheckAnswer *answer);

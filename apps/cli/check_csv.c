@@ -23,4 +23,11 @@ void yk_check_csv(const YkCheckAnswer *answer)
     add_fact(answer, "freedom.redundant", (double)freedom.redundant);
     add_fact(answer, "freedom.driven", (double)freedom.driven);
     add_fact(answer, "blocks", (double)yk_block_count(mech));
+    if (!answer->has_loads) return;
+    YkEquationCount e = answer->equations;
+    add_fact(answer, "loads.masses", (double)answer->loads.masses);
+    add_fact(answer, "loads.mass", answer->loads.mass);
+    add_fact(answer, "equations.count", (double)(e.force + e.moment + e.acceleration));
+    add_fact(answer, "equations.unknowns",
+             (double)(e.unknown_reactions + e.unknown_accelerations + e.unknown_efforts));
 }

@@ -1,4 +1,5 @@
 #include "check.h"
+#include "solve.h"
 
 static const char *body(const YkCheckAnswer *answer, size_t index)
 {
@@ -114,6 +115,31 @@ static void add_four_bars(const YkCheckAnswer *answer, YkJson *json)
     yk_json_end(json);
 }
 
+static void add_masses(const YkCheckAnswer *answer, YkJson *json)
+{
+    const YkModel *model = answer->session->model;
+    yk_json_object(json, "masses", YK_JSON_INLINE);
+    for (size_t b = 1; b < yk_model_body_count(model); b++)
+        if (yk_model_body_mass(model, b) > 0) yk_json_number(json, body(answer, b), yk_model_body_mass(model, b));
+    yk_json_end(json);
+}
+
+static void add_loads(const YkCheckAnswer *answer, YkJson *json)
+{
+    const YkLoadCounts *loads = &answer->loads;
+    const struct {
+        const char *name;
+        size_t count;
+    } kinds[] = {{"efforts", loads->efforts},   {"forces", loads->forces},       {"springs", loads->springs},
+                 {"dampers", loads->dampers},   {"frictions", loads->frictions}, {"stops", loads->stops}};
+    yk_json_object(json, "loads", YK_JSON_INLINE);
+    yk_json_bool(json, "gravity", loads->has_gravity);
+    yk_json_number(json, "mass", loads->mass);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        yk_json_integer(json, kinds[k].name, (long long)kinds[k].count);
+    yk_json_end(json);
+}
+
 void yk_check_json(const YkCheckAnswer *answer)
 {
     const YkMechanism *mech = answer->session->mech;
@@ -132,5 +158,10 @@ void yk_check_json(const YkCheckAnswer *answer)
         yk_json_string(&json, NULL, joint(answer, yk_redundant_joint(mech, i)));
     yk_json_end(&json);
     add_four_bars(answer, &json);
+    if (answer->has_loads) {
+        add_masses(answer, &json);
+        add_loads(answer, &json);
+        yk_add_equations_json(&json, answer->equations);
+    }
     yk_json_end(&json);
 }

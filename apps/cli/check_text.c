@@ -2,6 +2,7 @@
 #include "check.h"
 #include "out/table.h"
 #include "out/words.h"
+#include "solve.h"
 
 enum { LIST_MAX = 400 }; // lines of a list; a machine of thousands of links is told by its counts
 
@@ -196,6 +197,31 @@ static void add_four_bars(const YkCheckAnswer *answer)
     }
 }
 
+// "; 2 springs", where there are some.
+static void add_kind(YkText *out, size_t count, const char *noun)
+{
+    if (count > 0) yk_text_format(out, "; %z %s%s", count, noun, plural(count));
+}
+
+static void add_forces(const YkCheckAnswer *answer)
+{
+    YkText *out = &answer->session->out;
+    const YkLoadCounts *loads = &answer->loads;
+    if (!answer->has_loads) return;
+    yk_text_format(out, "\nMasses and loads\n  %z bod%s with mass", loads->masses, loads->masses == 1 ? "y" : "ies");
+    if (loads->mass > 0) yk_text_format(out, ", %e kg in all", loads->mass);
+    yk_text_puts(out, loads->has_gravity ? "; gravity" : "; no gravity");
+    add_kind(out, loads->efforts, "effort");
+    add_kind(out, loads->forces, "force");
+    add_kind(out, loads->springs, "spring");
+    add_kind(out, loads->dampers, "damper");
+    if (loads->frictions > 0) yk_text_format(out, "; friction at %z joint%s", loads->frictions, plural(loads->frictions));
+    add_kind(out, loads->stops, "stop");
+    yk_text_puts(out, "\n  free bodies: ");
+    yk_add_count(out, answer->equations);
+    yk_text_puts(out, "\n");
+}
+
 void yk_check_text(const YkCheckAnswer *answer)
 {
     add_head(answer);
@@ -206,6 +232,7 @@ void yk_check_text(const YkCheckAnswer *answer)
     add_blocks(answer);
     add_redundant(answer);
     add_four_bars(answer);
+    add_forces(answer);
     if (answer->status < 0)
         yk_text_format(&answer->session->out, "\nAt its start the machine does not go together: %s\n", answer->message);
 }

@@ -36,9 +36,15 @@ typedef struct YkRequest {
     const char *file;   // the model; for `explain` a code
     YkPairs at, rate, accel, param, effort;
     YkWords trace;
+    YkWords checks;   // derive
+    const char *what; // derive
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
+    const char *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
+    YkPairs event;
+    const char *cam, *profile, *chord, *cutter, *compare, *limits, *speed; // cam
+    const char *lock, *in, *out, *efficiency; // gears
     YkFormat format;
-    bool all, quiet, help, version, no_labels;
+    bool all, modes, quiet, help, version, no_labels, numbers;
 } YkRequest;
 
 // One run: the request and what was made of it so far.
@@ -48,6 +54,8 @@ typedef struct YkSession {
     YkModel *model;
     YkMechanism *mech;
     YkState *state;
+    YkDynamics *dynamics; // where forces are asked for and the machine has masses or loads; otherwise NULL
+    bool is_told;         // the problems are printed already
     YkText out; // for standard output; written once, at the end
 } YkSession;
 
@@ -65,8 +73,13 @@ const YkVerb *yk_verb_find(const char *name);
 int yk_run_check(YkSession *session);
 int yk_run_solve(YkSession *session);
 int yk_run_sweep(YkSession *session);
+int yk_run_simulate(YkSession *session);
+int yk_run_rest(YkSession *session);
+int yk_run_cam(YkSession *session);
 int yk_run_draw(YkSession *session);
 int yk_run_explain(YkSession *session);
+int yk_run_gears(YkSession *session);
+int yk_run_derive(YkSession *session);
 
 // Prints a list of problems on standard error; with quiet, only where there is an error among them.
 void yk_print_problems(YkProblems *problems, bool quiet);

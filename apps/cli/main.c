@@ -58,7 +58,7 @@ int main(int argc, char **argv)
         yk_problems_set_source(session.problems, "yoke", NULL, 0);
         yk_options_read(argc, argv, &request, session.problems);
         exit_code = run(&session);
-        yk_print_problems(session.problems, request.quiet);
+        if (!session.is_told) yk_print_problems(session.problems, request.quiet);
     } else {
         fputs("yoke: error: out of memory\n", stderr);
     }

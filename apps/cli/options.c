@@ -188,6 +188,7 @@ static void check_format(Reader *reader)
     static const char *const words[] = {"text", "json", "csv"};
     YkRequest *request = reader->request;
     if (!request->format_word) return;
+    if (request->verb && strcmp(request->verb->name, "derive") == 0) return; // it has formats of its own
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (strcmp(request->format_word, words[i]) != 0) continue;
         request->format = (YkFormat)i;
@@ -228,10 +229,12 @@ void yk_options_read(int argc, char **argv, YkRequest *request, YkProblems *prob
 void yk_request_free(YkRequest *request)
 {
     free(request->at.items);
+    free((void *)request->checks.items);
     free(request->rate.items);
     free(request->accel.items);
     free(request->param.items);
     free(request->effort.items);
+    free(request->event.items);
     free((void *)request->trace.items);
     yk_arena_free(request->arena);
 }

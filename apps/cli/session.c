@@ -58,23 +58,39 @@ static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *p
     return mech;
 }
 
-bool yk_session_load(YkSession *session, const char *swept)
+static bool has_file(YkSession *session)
 {
-    if (!session->request->file) {
-        yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke %s` needs a model file",
-                   session->request->verb->name);
-        yk_problem_hint(session->problems, "yoke %s machine.yaml", session->request->verb->name);
-        return false;
-    }
+    if (session->request->file) return true;
+    yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke %s` needs a model file",
+               session->request->verb->name);
+    yk_problem_hint(session->problems, "yoke %s machine.yaml", session->request->verb->name);
+    return false;
+}
+
+// The model, and with `compiles` the mechanism.
+static bool load(YkSession *session, bool compiles, const char *swept)
+{
+    if (!has_file(session)) return false;
     YkProblems *problems = yk_problems_new();
     if (!problems) return run_out(session);
     session->model = load_model(session, problems);
-    if (session->model) session->mech = compile(session, swept, problems);
+    if (session->model && compiles) session->mech = compile(session, swept, problems);
     yk_print_problems(problems, session->request->quiet);
     bool is_told = yk_problems_error_count(problems) > 0;
     yk_problems_free(problems);
-    if (!session->mech && !is_told) return run_out(session);
-    return session->mech != NULL;
+    bool good = session->model && (session->mech || !compiles);
+    if (!good && !is_told) return run_out(session);
+    return good;
+}
+
+bool yk_session_model(YkSession *session)
+{
+    return load(session, false, NULL);
+}
+
+bool yk_session_load(YkSession *session, const char *swept)
+{
+    return load(session, true, swept);
 }
 
 YkQuantity yk_quantity_of(bool is_distance, int order)
@@ -158,9 +174,6 @@ bool yk_session_inputs(YkSession *session)
 {
     const YkRequest *request = session->request;
     double time = 0;
-    if (request->effort.count > 0)
-        return yk_session_refuse(session, YK_CODE_OPTION_LATER, "--effort %s: efforts are not part of this version yet",
-                                 request->effort.items[0].name);
     session->state = yk_state_new(session->mech);
     if (!session->state) return run_out(session);
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &time)) return false;
@@ -172,6 +185,56 @@ bool yk_session_inputs(YkSession *session)
     }
     return set_inputs(session, "--at", &request->at, 0) && set_inputs(session, "--rate", &request->rate, 1) &&
            set_inputs(session, "--accel", &request->accel, 2);
+}
+
+bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort)
+{
+    const YkPair *pair = &session->request->effort.items[index];
+    int found = yk_coordinate_find(session->mech, pair->name);
+    if (found < 0)
+        return yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", pair->name);
+    bool is_distance = yk_coordinate_info(session->mech, (size_t)found).is_distance;
+    *coordinate = (size_t)found;
+    return yk_session_value(session, "--effort", pair->name, pair->value,
+                            is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE, effort);
+}
+
+bool yk_session_method(YkSession *session, YkDynamicsMethod *method)
+{
+    const char *word = session->request->method;
+    *method = word && strcmp(word, "newton-euler") == 0 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED;
+    if (!word || *method == YK_METHOD_NEWTON_EULER || strcmp(word, "reduced") == 0) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--method takes reduced or newton-euler here, not %q", word);
+}
+
+static void prescribe(YkSession *session, bool all)
+{
+    const YkPairs *accel = &session->request->accel;
+    for (size_t i = 0; all && i < yk_input_count(session->mech); i++) yk_dynamics_prescribe(session->dynamics, i, true);
+    for (size_t k = 0; k < accel->count; k++) {
+        int c = yk_coordinate_find(session->mech, accel->items[k].name);
+        int input = c < 0 ? -1 : yk_coordinate_info(session->mech, (size_t)c).input;
+        if (input >= 0) yk_dynamics_prescribe(session->dynamics, (size_t)input, true);
+    }
+}
+
+bool yk_session_forces(YkSession *session, bool all_prescribed)
+{
+    session->dynamics = yk_dynamics_new(session->mech, session->problems);
+    if (!session->dynamics) return false;
+    for (size_t k = 0; k < session->request->effort.count; k++) {
+        size_t coordinate;
+        double effort;
+        if (!yk_session_effort(session, k, &coordinate, &effort)) return false;
+        yk_dynamics_set_effort(session->dynamics, coordinate, effort);
+    }
+    if (yk_dynamics_has_loads(session->dynamics)) {
+        prescribe(session, all_prescribed);
+        return true;
+    }
+    yk_dynamics_free(session->dynamics);
+    session->dynamics = NULL;
+    return true;
 }
 
 int yk_session_finish(YkSession *session, int exit_code)
@@ -191,6 +254,7 @@ int yk_session_finish(YkSession *session, int exit_code)
 
 void yk_session_free(YkSession *session)
 {
+    yk_dynamics_free(session->dynamics);
     yk_state_free(session->state);
     yk_mechanism_free(session->mech);
     yk_model_free(session->model);

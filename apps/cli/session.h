@@ -3,11 +3,20 @@
 #define CLI_SESSION_H
 #include "cli.h"
 
+// Loads the model alone. False when the file is wrong: all is printed then.
+bool yk_session_model(YkSession *session);
 // Loads the model and compiles it; coordinates that the command line sets are its inputs. `swept` (or NULL) is one
 // more, the first. False when the file or a name is wrong: all is printed then.
 bool yk_session_load(YkSession *session, const char *swept);
 // Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel. False when a value is wrong.
 bool yk_session_inputs(YkSession *session);
+// Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all (a motion that is imposed). False when
+// a name or value is wrong.
+bool yk_session_forces(YkSession *session, bool all_prescribed);
+// Reads --method reduced|newton-euler.
+bool yk_session_method(YkSession *session, YkDynamicsMethod *method);
+// Reads --effort pair `index`: the coordinate and its value.
+bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort);
 // Reads a value of the command line; option and name ("--at", "theta1") stand for it in messages.
 bool yk_session_value(YkSession *session, const char *option, const char *name, const char *text, YkQuantity quantity,
                       double *value);

@@ -8,5 +8,12 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index);
 void yk_solve_json(YkSession *session, YkJson *json, const YkState *state);
 void yk_solve_csv_head(YkSession *session);
 void yk_solve_csv(YkSession *session, const YkState *state, size_t index);
+// Forces of the configuration, where session->dynamics has them.
+void yk_forces_text(YkSession *session, const YkState *state);
+void yk_forces_json(YkSession *session, YkJson *json, const YkState *state);
+void yk_forces_csv(YkSession *session, const char *label);
+// "12 force + 4 moment + 4 acceleration = 20 equations; 20 unknowns"
+void yk_add_count(YkText *text, YkEquationCount count);
+void yk_add_equations_json(YkJson *json, YkEquationCount count); // "equations": the counts and the text
 
 #endif

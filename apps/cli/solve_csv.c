@@ -48,6 +48,7 @@ void yk_solve_csv(YkSession *session, const YkState *state, size_t index)
     for (size_t i = 1; i < yk_model_body_count(session->model); i++)
         add_row(session, state, word, "body", yk_model_body_name(session->model, i), yk_state_body(state, i));
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) add_point(session, state, word, i);
+    if (session->dynamics) yk_forces_csv(session, word);
     session->out.failed |= label.failed;
     yk_text_free(&label);
 }

@@ -80,6 +80,7 @@ void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
     add_bodies(session, json, state);
     add_points(session, json, state);
     add_transmission(session, json, state);
+    if (session->dynamics) yk_forces_json(session, json, state);
     yk_json_end(json);
     json->text->failed |= label.failed;
     yk_text_free(&label);

@@ -129,6 +129,7 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
     add_bodies(session, state);
     add_points(session, state);
     add_transmission(session, state);
+    if (session->dynamics) yk_forces_text(session, state);
     session->out.failed |= label.failed;
     yk_text_free(&label);
 }

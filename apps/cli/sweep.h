@@ -14,6 +14,7 @@ typedef struct YkColumn {
 typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
+    YkDynamicsMethod method;
     YkColumn *columns; // as --of names them; the swept variable is not among them
     size_t column_count;
     YkSweep *sweep;

@@ -34,6 +34,31 @@ static void write_answer(const YkCheckAnswer *answer)
     }
 }
 
+// Masses and loads, and the count of equations that they lead to. False when out of memory.
+static bool look_at_loads(YkCheckAnswer *answer)
+{
+    YkSession *session = answer->session;
+    YkDynamics *dynamics = yk_dynamics_new(session->mech, session->problems);
+    if (!dynamics) return false;
+    answer->loads = yk_model_loads(session->model);
+    answer->has_loads = yk_dynamics_has_loads(dynamics);
+    if (answer->has_loads) answer->equations = yk_dynamics_count(dynamics);
+    yk_dynamics_free(dynamics);
+    return true;
+}
+
+static int answer_check(YkCheckAnswer *answer)
+{
+    YkSession *session = answer->session;
+    size_t found = yk_four_bars(session->mech, answer->four_bars, YK_FOUR_BARS_MAX);
+    answer->four_bar_count = found < YK_FOUR_BARS_MAX ? found : YK_FOUR_BARS_MAX;
+    if (!look_at_loads(answer)) return YK_EXIT_WRONG;
+    answer->status = try_assembly(answer);
+    yk_tell_status(session, answer->status, answer->message);
+    write_answer(answer);
+    return yk_session_finish(session, yk_status_exit(answer->status));
+}
+
 int yk_run_check(YkSession *session)
 {
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session)) return YK_EXIT_WRONG;
@@ -43,12 +68,7 @@ int yk_run_check(YkSession *session)
     if (answer && bodies) {
         answer->session = session;
         answer->bodies = bodies;
-        size_t found = yk_four_bars(session->mech, answer->four_bars, YK_FOUR_BARS_MAX);
-        answer->four_bar_count = found < YK_FOUR_BARS_MAX ? found : YK_FOUR_BARS_MAX;
-        answer->status = try_assembly(answer);
-        yk_tell_status(session, answer->status, answer->message);
-        write_answer(answer);
-        exit_code = yk_session_finish(session, yk_status_exit(answer->status));
+        exit_code = answer_check(answer);
     } else {
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     }

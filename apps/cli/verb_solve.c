@@ -1,16 +1,35 @@
 // yoke solve: one pose, or every one that the inputs allow.
-#include "solve.h"
+#include <string.h>
 #include "session.h"
+#include "solve.h"
 
 // The writer that the format asks for, and what it writes of a configuration.
 typedef struct Writer {
     YkSession *session;
     YkJson json;
     size_t count; // configurations written
+    YkDynamics *dynamics;
+    YkDynamicsMethod method;
 } Writer;
 
-static void write_one(Writer *writer, const YkState *state)
+// Forces at the pose; a pose without (a dead point, a freedom without inertia) says so and keeps its motion.
+static void find_forces(Writer *writer, YkState *state)
 {
+    YkSession *session = writer->session;
+    YkDynamics *dynamics = writer->dynamics;
+    session->dynamics = NULL;
+    if (!dynamics || !yk_state_has_rates(state)) return;
+    YkStatus status = yk_dynamics_solve(dynamics, state, writer->method);
+    if (status == YK_OK || status == YK_REDUNDANT) {
+        session->dynamics = dynamics;
+        return;
+    }
+    yk_tell_status(session, status, yk_dynamics_report(dynamics)->message);
+}
+
+static void write_one(Writer *writer, YkState *state)
+{
+    find_forces(writer, state);
     switch (writer->session->request->format) {
     case YK_FORMAT_TEXT:
         yk_solve_text(writer->session, state, writer->count);
@@ -75,8 +94,11 @@ static void end(Writer *writer, bool is_complete)
 
 int yk_run_solve(YkSession *session)
 {
-    if (!yk_session_load(session, NULL) || !yk_session_inputs(session)) return YK_EXIT_WRONG;
     Writer writer = {.session = session, .json = {.text = &session->out}};
+    if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
+    if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
+        return YK_EXIT_WRONG;
+    writer.dynamics = session->dynamics;
     bool is_complete = true;
     YkStatus status = yk_state_assemble(session->state);
     const char *message = yk_state_report(session->state)->message;
@@ -84,5 +106,6 @@ int yk_run_solve(YkSession *session)
     begin(&writer, status, message);
     status = write_all(&writer, status, &is_complete);
     end(&writer, is_complete);
+    session->dynamics = writer.dynamics; // the session frees it
     return yk_session_finish(session, yk_status_exit(status));
 }

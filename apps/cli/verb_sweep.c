@@ -129,6 +129,8 @@ static bool run(YkSweepAnswer *answer, size_t steps)
         options.from = answer->over.from;
         options.to = answer->over.to;
         options.steps = steps;
+        options.dynamics = session->dynamics;
+        options.method = answer->method;
         for (size_t i = 0; i < answer->column_count; i++) channels[i] = answer->columns[i].channel;
         yk_state_copy(start, session->state);
         answer->label = yk_label_of(start);
@@ -197,6 +199,13 @@ static bool check_request(YkSession *session)
     return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q", request->plot);
 }
 
+static bool wants_forces(const YkSweepAnswer *answer)
+{
+    for (size_t c = 0; c < answer->column_count; c++)
+        if (yk_channel_needs_forces(answer->columns[c].channel)) return true;
+    return false;
+}
+
 int yk_run_sweep(YkSession *session)
 {
     YkSweepAnswer *answer = calloc(1, sizeof *answer);
@@ -207,13 +216,17 @@ int yk_run_sweep(YkSession *session)
         return exit_code;
     }
     answer->session = session;
-    bool good = !session->request->file || check_request(session); // without a file, that is what to say
+    bool good = yk_session_method(session, &answer->method);
+    good = good && (!session->request->file || check_request(session)); // without a file, that is what to say
     good = good && (!session->request->over || yk_over_split(session, session->request->over, &answer->over));
     good = good && yk_session_count(session, "--steps", session->request->steps, STEPS_MAX, STEPS, &steps);
     const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
     good =
         good && yk_session_load(session, swept) && yk_session_inputs(session) && yk_over_read(session, &answer->over);
-    if (good && read_columns(answer)) exit_code = answer_sweep(answer, steps);
+    good = good && read_columns(answer) && (!wants_forces(answer) || yk_session_forces(session, true));
+    if (good && wants_forces(answer) && !session->dynamics)
+        good = yk_session_refuse(session, YK_CODE_NO_FORCES, "the machine has neither masses nor loads, so there are no forces%s", "");
+    if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
     yk_text_free(&answer->message);
     yk_text_free(&answer->label);

@@ -7,7 +7,7 @@ const YkVerb yk_verbs[] = {
      "freedom, by Gruebler's count and by the rank of the loop equations; its loops; the order in which it is\n"
      "solved, block by block; constraints that repeat others; the Grashof class of its four-bars.",
      "yoke check examples/quick-return.yaml", yk_run_check},
-    {"solve", "one pose: positions, velocities, accelerations", "FILE [options]",
+    {"solve", "one pose: positions, velocities, accelerations, forces", "FILE [options]",
      "Solves one pose: by default that of `start:` at t = 0. Values take units and parameters: 30deg, a1/2.\n"
      "--at keeps the rate and acceleration of the coordinate's drive unless they are given too.",
      "yoke solve examples/quick-return.yaml --at theta1=30deg", yk_run_solve},
@@ -17,17 +17,43 @@ const YkVerb yk_verbs[] = {
      "(C.transmission). Finds limits, dead points, change points and extremes. At a limit the rows so far\n"
      "come, the exit code is 1, and every range in which this configuration closes is told.",
      "yoke sweep examples/quick-return.yaml --over theta1=0:180deg --of d5,d5.rate --plot ram.svg", yk_run_sweep},
+    {"simulate", "motion in time under loads", "FILE --to TIME [options]",
+     "Lets the machine move from `start:` under its masses, gravity, efforts, forces, springs, friction and\n"
+     "stops, and tells every row of --of; then what happened on the way, the work of each load, and how well\n"
+     "energy and loops were kept.",
+     "yoke simulate examples/double-pendulum.yaml --to 10s --every 0.5s --of theta1,theta2,energy", yk_run_simulate},
+    {"rest", "equilibria, and small vibrations about them", "FILE [options]",
+     "Finds where the machine stands still under its loads: all that a search from `start:` and from many random\n"
+     "poses finds. Tells whether it comes back when pushed, and the natural frequencies, damping and shapes of its\n"
+     "small motions there; with --modes also the matrices M, C, K. Drives are held; stops and dry friction are left\n"
+     "out of account.",
+     "yoke rest examples/rocking-four-bar.yaml --modes", yk_run_rest},
     {"draw", "the machine as a picture: SVG, PDF, PNG", "FILE [options]",
      "Draws the machine at one pose, as SVG on standard output or as a file of the kind its ending says.\n"
      "With --over and --poses a stroboscope; with --trace the paths of points.",
      "yoke draw examples/quick-return.yaml --over theta1=0:180deg --poses 9 --trace ram.C -o ram.svg", yk_run_draw},
+    {"cam", "motion program, profile and forces of a cam", "FILE [options]",
+     "Tells of a cam its motion program (segments, conditions, peak factors, peak values at the drive's speed),\n"
+     "pressure angle, radii of curvature, undercut, the smallest base circle within limits, and with masses and\n"
+     "springs the contact force, the camshaft's torque and the speed from which the follower jumps. --compare\n"
+     "sets other laws beside the file's own; --profile writes the outline to scale.",
+     "yoke cam examples/cep-cam.yaml --plot svaj.svg --profile cam.dxf --tolerance 0.005mm", yk_run_cam},
     {"explain", "what a message's code means", "[CODE]",
      "Explains a code such as E0401 as it stands behind every message; without one, lists them all.",
      "yoke explain E0602", yk_run_explain},
-    {"derive", "the equations, in symbols", "FILE [options]", "", "", NULL},
-    {"gears", "ratios, torques and power flow of a gear train", "FILE [options]", "", "", NULL},
+    {"derive", "the equations, in symbols", "FILE [options]",
+     "Derives what an engineer would write by hand: loop equations as vector sums and in x and y, the Jacobian\n"
+     "with its blocks and their determinants, velocities and accelerations block by block, points. --numbers puts\n"
+     "the values of a pose beside the symbols. --check 'EQUATION' tells whether an equation in the file's names is\n"
+     "true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians): exit 0 true, 1 false.",
+     "yoke derive examples/quick-return.yaml --check 'l1*cos(theta1) - d3*cos(theta2) = 0'", yk_run_derive},
+    {"gears", "ratios, torques and power flow of a gear train", "FILE [options]",
+     "Speeds of all wheels and carriers of a gear train, exactly: fractions of the inputs, and formulas in tooth\n"
+     "numbers; Willis' equation of every mesh and the tabular method; degrees of freedom; what is locked or open.\n"
+     "With locks: in the file a shift table, or with --lock one of them. With efforts: or --effort the torques on\n"
+     "all members, and where the power goes; --efficiency counts losses.",
+     "yoke gears examples/gearbox-8hp70.yaml --in input --out output", yk_run_gears},
     {"cam", "motion program, profile and pressure angle of a cam", "FILE [options]", "", "", NULL},
-    {"simulate", "motion in time under loads", "FILE [options]", "", "", NULL},
     {"report", "all of it as one page", "FILE [options]", "", "", NULL},
     {"code", "C for this machine", "FILE [options]", "", "", NULL},
     {NULL, NULL, NULL, NULL, NULL, NULL},

@@ -9,8 +9,8 @@ static const double G = 9.81, ALPHA = 1e7;
 // --- recursion
 // ----------------------------------------------------------------------------------------------------------
 
-void d2_recursion(size_t n, const double *crank, const double *coupler, const double *crank_rate, const double *coupler_rate,
-                  double *a, double *ratio)
+void d2_recursion(size_t n, const double *crank, const double *coupler, const double *crank_rate,
+                  const double *coupler_rate, double *a, double *ratio)
 {
     double st, ct, v = 1, r = 0; // of the window's first crank: its acceleration is v a0 + r
     sincos(crank[0], &st, &ct);
@@ -53,8 +53,8 @@ bool d2_start(D2Augmented *s, size_t n)
     double *p = calloc(17 * m, sizeof *p);
     *s = (D2Augmented){.n = n, .unknowns = m, .memory = p};
     if (!p) return false;
-    double **rows[] = {&s->q,  &s->w,  &s->mass, &s->beside, &s->D,       &s->L1,      &s->L2,    &s->force,
-                       &s->x,  &s->b,  &s->a,    &s->q_stage, &s->w_stage, &s->q_sum, &s->w_sum, &s->turn};
+    double **rows[] = {&s->q, &s->w, &s->mass, &s->beside,  &s->D,       &s->L1,    &s->L2,    &s->force,
+                       &s->x, &s->b, &s->a,    &s->q_stage, &s->w_stage, &s->q_sum, &s->w_sum, &s->turn};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++, p += m) *rows[k] = p; // `turn` is last: two numbers each
     for (size_t i = 0; i <= n; i++) s->w[2 * i] = 1;
     return true;

@@ -3,8 +3,8 @@
 #include <math.h>
 #include "dop853.h"
 
-// Data and equations as the test set of initial value problems has them: Mazzia et al., "andrews"; Hairer & Wanner 1996,
-// VII.7.
+// Data and equations as the test set of initial value problems has them: Mazzia et al., "andrews"; Hairer & Wanner
+// 1996, VII.7.
 static const double m1 = .04325, m2 = .00365, m3 = .02373, m4 = .00706, m5 = .07050, m6 = .00706, m7 = .05498;
 static const double i1 = 2.194e-6, i2 = 4.410e-7, i3 = 5.255e-6, i4 = 5.667e-7, i5 = 1.169e-5, i6 = 5.667e-7,
                     i7 = 1.912e-5;
@@ -14,9 +14,10 @@ static const double d = 28e-3, da = 115e-4, e = 2e-2, ea = 1421e-5, rr = 7e-3, r
                     sb = 1043e-5, sc = 18e-3, sd = 2e-2;
 static const double ta = 2308e-5, tb = 916e-5, u = 4e-2, ua = 1228e-5, ub = 449e-5, zf = 2e-2, zt = 4e-2, fa = 1421e-5;
 
-const double d4_start[D4_ANGLES] = {-0.06171389001427650, 0, 0.4552798191630704, 0.2226683901658859, 0.4873649795438426,
-                                    -0.2226683901658859,  1.230547444549821};
-const double d4_end[D4_ANGLES] = {15.81077119515370710, -15.75637105841183947, 0.04082224011964580486,
+const double d4_start[D4_ANGLES] = {
+    -0.06171389001427650, 0, 0.4552798191630704, 0.2226683901658859, 0.4873649795438426, -0.2226683901658859,
+    1.230547444549821};
+const double d4_end[D4_ANGLES] = {15.81077119515370710,   -15.75637105841183947, 0.04082224011964580486,
                                   -0.5347301163420795938, 0.5244099658799540694, 0.5347301163420795937,
                                   1.048080741041937874};
 

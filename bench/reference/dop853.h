@@ -11,8 +11,8 @@ enum { DOP853_MOST = 16 };
 typedef void (*Dop853Function)(const double *y, double *dy);
 
 // z = y + h sum of weight * k.
-static inline __attribute__((always_inline)) void dop853_combine(size_t n, const YkDop853Row *row, double h, const double *y,
-                                                                 double (*k)[DOP853_MOST], double *z)
+static inline __attribute__((always_inline)) void dop853_combine(size_t n, const YkDop853Row *row, double h,
+                                                                 const double *y, double (*k)[DOP853_MOST], double *z)
 {
     for (size_t j = 0; j < n; j++) {
         double sum = 0;
@@ -42,7 +42,8 @@ static inline __attribute__((always_inline)) double dop853_error(size_t n, doubl
 }
 
 // y from 0 to `end`, with relative and absolute tolerance. Returns the number of evaluations.
-static inline __attribute__((always_inline)) long dop853(size_t n, Dop853Function f, double *y, double end, double tolerance)
+static inline __attribute__((always_inline)) long dop853(size_t n, Dop853Function f, double *y, double end,
+                                                         double tolerance)
 {
     double k[12][DOP853_MOST], z[DOP853_MOST], t = 0, h = 1e-3;
     long evaluations = 1;

@@ -47,6 +47,8 @@ YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint)
 // Along a tree coordinate, on the joint's second body (its reaction on the first): of the drive where the coordinate is a
 // prescribed input, otherwise what `efforts:` gives. N m or N.
 YK_API double yk_dynamics_effort(const YkDynamics *dynamics, size_t coordinate);
+// Is there an effort along it at all: a prescribed input's, or one of `efforts:`?
+YK_API bool yk_dynamics_has_effort(const YkDynamics *dynamics, size_t coordinate);
 typedef struct YkEnergy { double kinetic, potential; } YkEnergy; // J; potential: gravity and springs, 0 at world height 0
 YK_API YkEnergy yk_dynamics_energy(const YkDynamics *dynamics);
 // What the machine exerts on its frame: the resultant of all joint reactions and loads on the ground, about the world's origin.

@@ -43,6 +43,15 @@ YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
 // Finds by name; (size_t)-1 where there is none. A point is asked for as "body.point".
 YK_API size_t yk_model_find_body(const YkModel *model, const char *name);
 YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_point);
+// What acts on the machine, as the file gives it. Gravity counts where it is given and not zero.
+typedef struct YkLoadCounts {
+    bool has_gravity;
+    size_t masses;      // bodies with mass or inertia
+    double mass;        // of all of them, kg
+    size_t efforts, forces, springs, dampers, frictions, stops;
+} YkLoadCounts;
+YK_API YkLoadCounts yk_model_loads(const YkModel *model);
+YK_API double yk_model_body_mass(const YkModel *model, size_t body); // kg; 0 where the file gives none
 // A value with units in the model's own terms, as the command line takes them ("30deg", "a1/2", "0.5 rad/s").
 typedef enum YkQuantity {
     YK_QUANTITY_NUMBER, YK_QUANTITY_ANGLE, YK_QUANTITY_LENGTH, YK_QUANTITY_TIME, YK_QUANTITY_ANGLE_RATE,

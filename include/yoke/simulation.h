@@ -18,6 +18,7 @@ typedef struct YkSimulationOptions {
     double step;        // RK4: its fixed step, s
     double start;       // time at which it begins, s
     double horizon;     // the last time that will be asked for, s: lets steps pass the rows (0: each row ends a step)
+    size_t steps_max;   // accepted steps and happenings, in all, after which it gives up (0: no limit)
     const YkStartValue *values; // in place of what `start:` says
     size_t value_count;
     const YkCompileOptions *compile; // NULL: defaults
@@ -35,7 +36,8 @@ YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, 
 // Replaces what `efforts:` says along a coordinate by a constant, before the first advance.
 YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
 // Goes on to time `to`. The state then stands at `to` exactly (dense output, loops closed by the position solver). On failure it
-// stands at the last good time: YK_LIMIT, YK_SINGULAR, YK_NOT_CONVERGED (step too small; the report names why).
+// stands at the last good time: YK_LIMIT (also: a drive goes past a stop), YK_SINGULAR, YK_NOT_CONVERGED (step too small, too
+// many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite: nothing changes.
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);
 YK_API double yk_simulation_time(const YkSimulation *simulation);
 YK_API YkState *yk_simulation_state(YkSimulation *simulation);       // pose, rates and accelerations at that time

@@ -11,6 +11,7 @@ typedef struct YkSweepOptions {
     size_t steps;          // n gives n + 1 poses
     double turn_max;       // the path is verified at least every so many radians (or this times the machine's size / 1 s): default 2 deg
     YkDynamics *dynamics;  // answers the channels that need forces (inverse and forward dynamics at every row); NULL: there are none
+    YkDynamicsMethod method;
 } YkSweepOptions;
 YK_API YkSweepOptions yk_default_sweep_options(void);
 

@@ -19,6 +19,7 @@ extern "C" {
 #include <yoke/simulation.h>
 #include <yoke/rest.h>
 #include <yoke/design.h>
+#include <yoke/train.h>
 #include <yoke/cam.h>
 #include <yoke/draw.h>
 

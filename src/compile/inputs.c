@@ -139,7 +139,7 @@ void yk_inputs_guess(const YkMechanism *mech, double *guess)
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         YkJet jet;
         int32_t drive = mech->coordinates[k].drive;
-        if (drive != YK_NONE && yk_model_eval(model, model->drives[drive].expr, 0, &jet, NULL) == YK_OK)
+        if (drive != YK_NONE && yk_model_drive(model, (size_t)drive, 0, &jet, NULL) == YK_OK)
             guess[k] = jet.d[0];
     }
 }

@@ -130,6 +130,30 @@ static void add_cams(Build *b)
     }
 }
 
+// A coordinate of the model: its distance, or the angle of its joint.
+static double add_coordinate(Build *b, int32_t declared, double factor)
+{
+    const YkCoordinate *c = &b->mech->model->coordinates[declared];
+    if (!c->is_distance) return add_pin(b, c->joint, factor);
+    add_distance(b, c->joint, factor);
+    return 0;
+}
+
+static void add_follows(Build *b)
+{
+    const YkModel *model = b->mech->model;
+    for (size_t k = 0; k < model->follow_count; k++) {
+        const YkFollow *follow = &model->follows[k];
+        YkRelation *r = begin(b, YK_RELATION_LAW, k, model->coordinates[follow->coordinate].name);
+        r->constant = -add_coordinate(b, follow->coordinate, 1);
+        end_terms(b, r);
+        r->argument_constant = add_coordinate(b, follow->of, 1);
+        r->argument_count = (uint32_t)b->mech->relation_term_count - r->first_argument;
+        r->law = model->laws[follow->law].law;
+        phase(b); // clears the shares
+    }
+}
+
 static void mark_given(Build *b)
 {
     const YkMechanism *mech = b->mech;
@@ -146,7 +170,7 @@ static void mark_given(Build *b)
 bool yk_relations_build(YkMechanism *mech)
 {
     const YkModel *model = mech->model;
-    size_t count = model->gear_count + model->belt_count + model->rack_count + model->cam_count;
+    size_t count = model->gear_count + model->belt_count + model->rack_count + model->cam_count + model->follow_count;
     if (count == 0) return true;
     size_t n = mech->coordinate_count + 1;
     Build b = {.mech = mech};
@@ -158,6 +182,7 @@ bool yk_relations_build(YkMechanism *mech)
     mark_given(&b);
     add_gears(&b);
     add_cams(&b);
+    add_follows(&b);
     mech->gruebler -= (int)count;
     return !b.failed;
 }

@@ -17,6 +17,33 @@ static void put_gamma(YkDerivation *d, YkPage *page)
     if (line) line->target = "gamma_";
 }
 
+// a(A) = a(A1) + Coriolis + relative, a(A1) = a(origin of the guide, where it moves) + tangential + centripetal.
+static void put_sum_of_parts(YkDerivation *d, YkPage *page, int32_t guide, const char *point)
+{
+    YkText first = {0};
+    yk_text_format(&first, "%s1", point);
+    YkLine *sum = yk_page_formula(page, NULL);
+    yk_line_vector(page, sum, "a", point, NULL);
+    yk_line_sign(page, sum, "=");
+    yk_line_vector(page, sum, "a", yk_text_get(&first), NULL);
+    yk_line_sign(page, sum, "+");
+    yk_line_vector(page, sum, "a", NULL, "Coriolis");
+    yk_line_sign(page, sum, "+");
+    yk_line_vector(page, sum, "a", NULL, "relative");
+    sum = yk_page_formula(page, NULL);
+    yk_line_vector(page, sum, "a", yk_text_get(&first), NULL);
+    yk_line_sign(page, sum, "=");
+    if (!yk_ring_is_zero(yk_ring_time_derivative(d->ring, yk_derive_origin(d, guide)))) {
+        yk_line_vector(page, sum, "a", yk_derive_point_name(d, guide, YK_NONE), NULL);
+        yk_line_sign(page, sum, "+");
+    }
+    yk_line_vector(page, sum, "a", NULL, "tangential");
+    yk_line_sign(page, sum, "+");
+    yk_line_vector(page, sum, "a", NULL, "centripetal");
+    page->failed |= first.failed;
+    yk_text_free(&first);
+}
+
 // Where a body slides on one that turns: a(point) = a(the place it slides over) + Coriolis + relative.
 static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
 {
@@ -37,17 +64,7 @@ static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
     yk_page_heading(page, 2, yk_text_get(&title));
     yk_text_free(&title);
     yk_page_words(page, "%s1 is the point of %s at which %s is just now.", point, on, point);
-    YkText first = {0};
-    yk_text_format(&first, "%s1", point);
-    YkLine *sum = yk_page_formula(page, NULL);
-    yk_line_vector(page, sum, "a", point, NULL);
-    yk_line_sign(page, sum, "=");
-    yk_line_vector(page, sum, "a", yk_text_get(&first), NULL);
-    yk_line_sign(page, sum, "+");
-    yk_line_vector(page, sum, "a", NULL, "Coriolis");
-    yk_line_sign(page, sum, "+");
-    yk_line_vector(page, sum, "a", NULL, "relative");
-    yk_text_free(&first);
+    put_sum_of_parts(d, page, j->body[0], point);
     const YkPoisson *square = yk_ring_power(ring, spin, 2);
     const struct {
         const char *name;
@@ -59,7 +76,7 @@ static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
         {"relative", yk_ring_multiply(ring, yk_ring_of(ring, c->acceleration), line)},
     };
     for (size_t k = 0; k < 4; k++) {
-        YkLine *part = yk_page_formula(page, k < 2 ? "of the point of the guide, about the guide's origin" : NULL);
+        YkLine *part = yk_page_formula(page, NULL);
         yk_line_vector(page, part, "a", NULL, parts[k].name);
         yk_line_sign(page, part, "=");
         yk_line_column(page, part, parts[k].value);

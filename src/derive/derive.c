@@ -28,6 +28,8 @@ void yk_derivation_free(YkDerivation *d)
     if (!d) return;
     free(d->constants);
     free(d->sources);
+    free((void *)d->relations);
+    free(d->unknowns);
     yk_ring_free(d->ring);
     yk_arena_free(d->arena);
     free(d);

@@ -106,7 +106,12 @@ struct YkDerivation {
     size_t source_count, source_capacity;
     YkDeriveBlocks *blocks; // made at first use
     int32_t *influence;     // per coordinate: the symbol of its influence coefficient; made by the section of velocities
-    bool failed;            // out of memory outside of the ring
+    // What sections add for proofs: elements that are 0 on the machine, linear in accelerations and in these symbols.
+    const YkPoisson **relations;
+    size_t relation_count, relation_capacity;
+    int32_t *unknowns;
+    size_t unknown_count, unknown_capacity;
+    bool failed; // out of memory outside of the ring
 };
 
 // Builds the frame: symbols and angles. The model and the mechanism must outlive it. NULL with a problem added when out of
@@ -164,6 +169,10 @@ YkDerivePlace yk_derive_place(const YkDerivation *d, int32_t joint, int side);
 // sources know; 0 for the rest. dynamics may be NULL. Completed: ready for yk_ring_value.
 void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamics, double *values);
 bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context);
+// For --check: `zero` (an element, in any form) is 0 on the machine; `unknown` is a symbol that such elements determine (a force,
+// a multiplier, an effort), together with the accelerations, in which they are linear. Solved at random points of the field.
+bool yk_derive_add_relation(YkDerivation *d, const YkPoisson *zero);
+bool yk_derive_add_unknown(YkDerivation *d, int32_t symbol);
 
 // --- Sections (sections.c) -----------------------------------------------------------------------------------------------
 // A section adds its headings and formulas to a page. false when something failed (the ring's status tells).

@@ -127,9 +127,28 @@ YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left
     yk_line_sign(page, line, "=");
     yk_line_element(page, line, right ? right : yk_ring_rational(page->ring, 0, 1), style);
     line->vanishes = right ? yk_ring_subtract(page->ring, left, right) : left;
-    line->value = right ? right : left;
+    int64_t p, q;
+    line->value = right && !yk_ring_is_rational(right, &p, &q) ? right : NULL;
     if (!line->vanishes) page->failed = true;
     return line;
+}
+
+static bool is_whole_in_print(YkRing *ring, const YkPoisson *a)
+{
+    YkText text = {0};
+    bool whole = yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_EXPANDED, &text) && !strchr(yk_text_get(&text), '/');
+    yk_text_free(&text);
+    return whole;
+}
+
+// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix): what is even in print may still have a common 2.
+static void halve_while_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
+{
+    for (int step = 0; step < 3; step++) {
+        const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2), *b = yk_ring_scale(ring, *under, 1, 2);
+        if (!a || !b || !is_whole_in_print(ring, a) || !is_whole_in_print(ring, b)) return;
+        *over = a, *under = b;
+    }
 }
 
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
@@ -144,17 +163,18 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
         *over = yk_ring_divide(ring, *over, common);
         *under = yk_ring_divide(ring, *under, common);
     }
+    halve_while_whole(ring, over, under);
     return *over && *under;
 }
 
-// over = rate * rest where every term has the same rate: a factor beside the fraction.
+// over = rate * rest where every term has the same rate (or influence coefficient): a factor beside the fraction.
 static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
 {
     const YkPoisson *rate = yk_ring_rational(ring, 1, 1), *content = yk_ring_content(ring, *over);
     for (size_t s = 0; content && s < yk_ring_symbol_count(ring); s++) {
         int32_t lowest, highest, symbol = (int32_t)s;
         YkRingClass kind = yk_ring_symbol_class(ring, symbol);
-        if (kind != YK_RING_RATE && kind != YK_RING_ACCELERATION) continue;
+        if (kind != YK_RING_RATE && kind != YK_RING_ACCELERATION && kind != YK_RING_FUNCTION) continue;
         if (!yk_ring_powers(ring, content, symbol, &lowest, &highest) || lowest < 1) continue;
         rate = yk_ring_multiply(ring, rate, yk_ring_power(ring, yk_ring_of(ring, symbol), lowest));
     }

@@ -82,7 +82,7 @@ void yk_line_words(YkPage *page, YkLine *line, const char *words);
 // A zeroed matrix with room for its entries, to be filled; NULL when out of memory.
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
 
-// left = right, both real elements; right may be NULL for 0. `vanishes` and the value are set (of `left` where right is 0).
+// left = right, both real elements; right may be NULL for 0. `vanishes` is set, and the value unless right is a number.
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right, YkRingStyle style);
 // symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
 YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over, const YkPoisson *under);

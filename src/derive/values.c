@@ -65,3 +65,24 @@ bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context)
     d->sources[d->source_count++].context = context;
     return true;
 }
+
+bool yk_derive_add_relation(YkDerivation *d, const YkPoisson *zero)
+{
+    const YkPoisson *in_joints = yk_derive_in_joints(d, zero);
+    if (!in_joints || !YK_ROOM(d->relations, d->relation_count, d->relation_capacity)) {
+        d->failed = d->failed || in_joints;
+        return false;
+    }
+    d->relations[d->relation_count++] = in_joints;
+    return true;
+}
+
+bool yk_derive_add_unknown(YkDerivation *d, int32_t symbol)
+{
+    if (!YK_ROOM(d->unknowns, d->unknown_count, d->unknown_capacity)) {
+        d->failed = true;
+        return false;
+    }
+    d->unknowns[d->unknown_count++] = symbol;
+    return true;
+}

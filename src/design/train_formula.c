@@ -30,6 +30,15 @@ static uint64_t power(uint64_t base, uint64_t exponent)
     return result;
 }
 
+// splitmix64 (Steele, Lea, Flood 2014); a plain congruential sequence would be geometric, and products of it coincide.
+static uint64_t random_value(uint64_t *seed)
+{
+    uint64_t z = (*seed += UINT64_C(0x9e3779b97f4a7c15));
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return 1 + (z ^ (z >> 31)) % (PRIME - 1);
+}
+
 // --- The small system ------------------------------------------------------------------------------------------------
 
 static int32_t root(const int32_t *parent, int32_t column)
@@ -79,10 +88,7 @@ static bool number_classes(Work *work)
 static void fill(Work *work)
 {
     uint64_t seed = 12345;
-    for (int32_t s = 0; s < work->one->net->symbol_count; s++) {
-        seed = seed * 48271 % PRIME;
-        work->value[s] = seed;
-    }
+    for (int32_t s = 0; s < work->one->net->symbol_count; s++) work->value[s] = random_value(&seed);
     for (int32_t r = 0; r < work->rows; r++) {
         const YkTrainRow *row = &work->one->rows[work->row[r]];
         work->pivot[r] = -1;
@@ -257,7 +263,8 @@ static const char *share(Work *work, int32_t target, int32_t input, bool is_inve
     Square square;
     int32_t at = -1;
     YkText text = {0};
-    if (target < 0 || !choose(work, target, &square)) return NULL;
+    if (target < 0) return is_inverse ? NULL : "0"; // it stands still
+    if (!choose(work, target, &square)) return NULL;
     for (int32_t k = 0; k < square.size; k++)
         if (work->one->rows[work->row[square.row[k]]].input == input) at = k;
     if (at < 0) return is_inverse ? NULL : "0";

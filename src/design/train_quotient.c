@@ -185,8 +185,9 @@ static bool write_fraction(Quotient *q, YkText *text)
     YkText over = {0}, under = {0};
     const YkPoisson *above = part_of(q->ring, q->content, 1), *below = part_of(q->ring, q->content, -1);
     int above_count = write_product(q, above, &q->over, &over), below_count = write_product(q, below, &q->under, &under);
-    bool is_sum = q->over.count == 1 && yk_text_get(&over)[0] != '(' && above_count == 2 &&
-                  strstr(yk_text_get(&over), " ") != NULL && yk_ring_terms(q->over.items[0]) > 1;
+    int64_t top = 0, bottom = 1;
+    bool is_sum = q->over.count == 1 && yk_ring_terms(q->over.items[0]) > 1 &&
+                  yk_ring_is_rational(above, &top, &bottom) && top == 1;
     bool good = above && below && above_count > 0 && below_count > 0;
     if (good) {
         yk_text_format(text, is_sum ? "(%s)" : "%s", yk_text_get(&over));

@@ -98,14 +98,15 @@ static void add_contacts(YkSimulation *sim)
 }
 
 // The bounds of what sticks, from the last reactions; do they stand?
-static bool find_limits(YkSimulation *sim)
+static bool find_limits(YkSimulation *sim, int round)
 {
+    double tolerance = yk_dynamics_dry_tolerance(round);
     bool stands = true;
     for (size_t c = 0; c < sim->contact_count; c++) {
         if (item_of(sim, c)->kind != YK_LOAD_COULOMB) continue;
         double limit = yk_dynamics_dry_limit(sim->dynamics, item_of(sim, c)), old = sim->contacts[c].high;
         bool saturated = fabs(sim->lambda[c]) >= fmin(limit, old) * (1 - 1e-12);
-        stands = stands && (!saturated || fabs(limit - old) <= 1e-13 * limit);
+        stands = stands && (!saturated || fabs(limit - old) <= tolerance * limit);
         sim->contacts[c].high = limit;
         sim->contacts[c].low = -limit;
     }
@@ -114,21 +115,20 @@ static bool find_limits(YkSimulation *sim)
 
 YkStatus yk_simulation_accelerate(YkSimulation *sim)
 {
-    enum { ROUNDS_MAX = 100 };
     YkDynamics *d = sim->dynamics;
     if (sim->contact_count == 0 && !d->loads->has_dry) return yk_dynamics_reduce(d, sim->state);
-    for (int round = 0; round < ROUNDS_MAX; round++) {
+    for (int round = 0; round < YK_DRY_ROUNDS; round++) {
         for (size_t c = 0; c < sim->contact_count; c++) item_of(sim, c)->dry = 0;
         YkStatus status = yk_dynamics_reduce(d, sim->state);
-        if (status < 0 || status == YK_SINGULAR) return status;
+        if (status < 0 || status == YK_SINGULAR) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
         if (sim->contact_count > 0) add_contacts(sim);
         if (!d->loads->has_dry) return status;
         status = yk_dynamics_apply(d, sim->state);
-        if (status < 0 || status == YK_SINGULAR) return status;
-        bool slides = yk_dynamics_find_dry(d, sim->state), holds = find_limits(sim);
+        if (status < 0 || status == YK_SINGULAR) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
+        bool slides = yk_dynamics_find_dry(d, sim->state, round), holds = find_limits(sim, round);
         if (slides && holds) return status;
     }
-    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
+    return yk_dynamics_fail_at_dry(d);
 }
 
 // --- beginning and ending
@@ -160,9 +160,11 @@ static void rest_on_stop(YkSimulation *sim, size_t index)
     add_contact(sim, index, is_low ? 0 : -HUGE_VAL, is_low ? HUGE_VAL : 0);
 }
 
-static void stick(YkSimulation *sim, size_t index)
+static void stick(YkSimulation *sim, size_t index, double rate)
 {
     YkLoadItem *item = &sim->dynamics->loads->items[index];
+    if (!is_contact(sim, index) && sim->time > sim->options.start)
+        yk_simulation_note(sim, YK_HAPPENING_STICK, sim->time, item->name, rate);
     item->is_held = true;
     item->direction = 0;
     add_contact(sim, index, -HUGE_VAL, HUGE_VAL); // bounds follow from the reactions
@@ -204,7 +206,8 @@ bool yk_simulation_contacts_start(YkSimulation *sim)
         double rate = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
         bool is_slow = fabs(rate) <= least * item_scale(sim, item);
         if (item->kind == YK_LOAD_COULOMB) {
-            if (is_slow) stick(sim, k);
+            if (is_slow)
+                stick(sim, k, rate);
             else if (!item->is_held) item->direction = rate > 0 ? 1 : -1;
         } else {
             double value = value_of(sim, item), scale = 1e-9 * item_scale(sim, item);
@@ -290,16 +293,42 @@ static bool factor_here(YkSimulation *sim)
     return true;
 }
 
+// Nothing that is free could stop it.
+static bool goes_on_past(const YkSimulation *sim, const YkLoadItem *item, double before)
+{
+    double after = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
+    return before * after > 0 && fabs(after) > 1e-6 * fabs(before) && fabs(after) > rate_floor(sim) * item_scale(sim, item);
+}
+
+// After a blow: what rebounds or was struck away from its stop is free, and dry joints slide.
+static void part_contacts(YkSimulation *sim, size_t hit, bool rests)
+{
+    for (size_t c = sim->contact_count; c-- > 0;) {
+        const YkLoadItem *item = item_of(sim, c);
+        double after = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
+        bool is_slow = fabs(after) <= rate_floor(sim) * item_scale(sim, item);
+        if (item->kind == YK_LOAD_COULOMB) {
+            let_go(sim, c, after > 0 ? 1 : after < 0 ? -1 : 0); // it sticks again where it does not move
+        } else if (sim->contacts[c].item == hit) {
+            if (!rests) let_go(sim, c, 0);
+        } else if (!is_slow) {
+            yk_simulation_note(sim, YK_HAPPENING_RELEASE, sim->time, item->name, after);
+            let_go(sim, c, 0);
+        }
+    }
+}
+
 bool yk_simulation_hit(YkSimulation *sim, size_t index)
 {
     YkLoadItem *item = &sim->dynamics->loads->items[index];
     double rate = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
     bool is_stop = item->kind == YK_LOAD_STOP;
-    yk_simulation_note(sim, is_stop ? YK_HAPPENING_STOP : YK_HAPPENING_STICK, sim->time, item->name, rate);
-    if (is_stop)
+    if (is_stop) {
+        yk_simulation_note(sim, YK_HAPPENING_STOP, sim->time, item->name, rate);
         rest_on_stop(sim, index);
-    else
-        stick(sim, index);
+    } else {
+        stick(sim, index, rate);
+    }
     double *wanted = sim->wanted, rebound = is_stop ? -item->stop->restitution * rate : 0;
     bool rests = fabs(rebound) <= 1e-6 * fabs(sim->fastest) || fabs(rebound) <= rate_floor(sim) * item_scale(sim, item);
     if (fabs(rate) > fabs(sim->fastest)) sim->fastest = rate;
@@ -307,13 +336,12 @@ bool yk_simulation_hit(YkSimulation *sim, size_t index)
     if (!is_stop) return yk_simulation_contacts_start(sim);
     if (!factor_here(sim)) return false;
     strike(sim, wanted);
-    for (size_t c = sim->contact_count; c-- > 0;) {
-        const YkLoadItem *other = item_of(sim, c);
-        double after = yk_joint_rate(sim->mech, &sim->state->space, other->joint, other->is_distance);
-        if (other->kind == YK_LOAD_COULOMB)
-            let_go(sim, c, after > 0 ? 1 : after < 0 ? -1 : 0); // it sticks again where it does not move
-        else if (!rests && sim->contacts[c].item == index)
-            let_go(sim, c, 0);
+    if (goes_on_past(sim, item, rate)) {
+        yk_dynamics_fail(sim->dynamics, YK_LIMIT, "a drive moves `", item->name, "` past its stop");
+        sim->report = sim->dynamics->report;
+        sim->status = YK_LIMIT;
+        return false;
     }
+    part_contacts(sim, index, rests);
     return yk_simulation_contacts_start(sim);
 }

@@ -10,6 +10,7 @@
 
 #define NEAR_SINE2 0.06 // sin^2 from which a block is watched
 #define ZONE 0.02       // sine below which accelerations are interpolated
+#define BLIND 1e-4      // sine below which the pose does not tell its own rates well enough
 #define NODES 6
 
 typedef struct Direction {
@@ -92,10 +93,10 @@ static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block
     for (size_t k = 0; k < sim->near_count; k++) {
         const YkNear *old = &sim->near[k];
         double dt = t - sim->near_time;
-        if (old->block != block || fabs(sin(predicted(old, dt))) >= ZONE) continue;
+        if (old->block != block || fabs(sin(predicted(old, dt))) >= BLIND) continue;
         near.rate = old->rate + dt * old->acceleration;
         near.acceleration = old->acceleration;
-        if (fabs(sin(d.angle)) < 1e-5) near.angle = predicted(old, dt);
+        if (fabs(sin(d.angle)) < 0.1 * BLIND) near.angle = predicted(old, dt);
     }
     return near;
 }
@@ -115,6 +116,41 @@ void yk_simulation_look_near(YkSimulation *sim, double t)
     sim->near_next = spare;
     sim->near_count = count;
     sim->near_time = t;
+}
+
+// How far a block's angle may go on before it comes so close to a singular position that it must be watched.
+static double way_left(Direction d)
+{
+    const double CLOSE = 0.12; // within the zone that is watched
+    double above = d.angle < 0 ? -d.angle : YK_PI - d.angle, gap = d.rate > 0 ? above : YK_PI - above;
+    if (sin(gap) * sin(gap) < NEAR_SINE2 && gap < 1) gap += YK_PI; // that one is watched
+    return gap - CLOSE;
+}
+
+// The estimates of DOP853 now and then overlook a step of most of a radian that is a thousand times worse than asked for:
+// half a radian at a tolerance of 1e-9 is about what good steps of turning links have.
+static double longest_turn(const YkSimulation *sim)
+{
+    double fastest = 0;
+    if (sim->options.integrator != YK_INTEGRATOR_DOP853) return HUGE_VAL;
+    for (size_t k = 0; k < sim->free_count; k++) {
+        bool is_distance = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance;
+        if (!is_distance) fastest = fmax(fastest, fabs(sim->state->input[3 * sim->free_input[k] + 1]));
+    }
+    double eighth = sqrt(sqrt(sqrt(sim->options.tolerance * 1e9)));
+    return fastest > 0 ? 0.5 * eighth / fastest : HUGE_VAL;
+}
+
+double yk_simulation_reach(YkSimulation *sim)
+{
+    double reach = HUGE_VAL;
+    YkRun run = yk_state_run(sim->state, &sim->state->space);
+    for (size_t b = 0; b < sim->mech->block_count; b++) {
+        if (!has_columns(&sim->mech->blocks[b])) continue;
+        Direction d = between_columns(&run, &sim->mech->blocks[b]);
+        if (d.rate != 0 && isfinite(d.rate) && isfinite(d.angle)) reach = fmin(reach, way_left(d) / fabs(d.rate));
+    }
+    return fmin(reach, longest_turn(sim));
 }
 
 void yk_simulation_set_signs(YkSimulation *sim, double t)
@@ -146,14 +182,51 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t)
     return sine < ZONE;
 }
 
-// Accelerations at the inputs moved on by `ahead` seconds at their present rates.
-static bool sample(YkSimulation *sim, double t, const double *y, double ahead, double *dydt)
+// The way along which accelerations are interpolated: on with the motion; or, where that hardly leaves the singular
+// position - at rest, or about to turn round - along one input, at the present time and rates.
+typedef struct Way {
+    int32_t input; // of the free ones; YK_NONE: with the motion
+    double slope;  // of the nearest angle, per unit of the way
+} Way;
+
+// How the angle of a block goes with each free input.
+static void look_along(YkSimulation *sim, double t, const double *y, const YkNear *near, Way *way)
 {
     size_t n = sim->free_count;
-    double *moved = sim->moved;
+    YkState *s = sim->state;
+    if (!yk_simulation_set(sim, t, y)) return;
+    double most = 0;
+    for (size_t k = 0; k < n; k++) {
+        for (size_t i = 0; i < sim->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+        s->input[3 * sim->free_input[k] + 1] = 1;
+        if (yk_state_solve(s) < 0 || !s->has_rates) return;
+        YkRun run = yk_state_run(s, &s->space);
+        double slope = between_columns(&run, &sim->mech->blocks[near->block]).rate;
+        double scale = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance ? sim->mech->size : 1;
+        if (!(fabs(slope) * scale > most)) continue;
+        most = fabs(slope) * scale;
+        *way = (Way){(int32_t)k, slope};
+    }
+}
+
+static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *near)
+{
+    double rate = near->rate + (t - sim->near_time) * near->acceleration;
+    Way way = {YK_NONE, rate};
+    if (rate * rate < 10 * ZONE * fabs(near->acceleration) || rate == 0) look_along(sim, t, y, near, &way);
+    return way;
+}
+
+// Accelerations at the inputs moved on by `ahead` along the way.
+static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead, double *dydt)
+{
+    size_t n = sim->free_count;
+    double *moved = sim->moved, angle = predicted(near, t - sim->near_time) + ahead * way->slope;
     memcpy(moved, y, (2 * n + sim->work_count) * sizeof *moved);
-    for (size_t k = 0; k < n; k++) moved[k] += ahead * y[n + k];
-    if (!yk_simulation_set(sim, t + ahead, moved)) return false;
+    for (size_t k = 0; k < n && way->input == YK_NONE; k++) moved[k] += ahead * y[n + k];
+    if (way->input != YK_NONE) moved[way->input] += ahead;
+    if (!yk_simulation_set(sim, way->input == YK_NONE ? t + ahead : t, moved)) return false;
+    sim->state->branch[near->block] = sin(angle) < 0 ? -1 : 1;
     YkStatus status = yk_simulation_accelerate(sim);
     if (status < 0 || status == YK_SINGULAR) {
         sim->report = sim->dynamics->report;
@@ -169,10 +242,13 @@ bool yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, dou
     size_t n = sim->free_count, all = 2 * n + sim->work_count;
     double sine;
     const YkNear *near = nearest(sim, t, &sine);
-    double dt = t - sim->near_time, rate = near->rate + dt * near->acceleration;
-    double angle = predicted(near, dt), off = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
-    double center = -off / rate, h = 1.7 * ZONE / fabs(rate), node[NODES], weight[NODES];
-    if (!isfinite(center) || !isfinite(h)) return false;
+    Way way = find_way(sim, t, y, near);
+    double angle = predicted(near, t - sim->near_time), off = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
+    double center = -off / way.slope, h = 1.7 * ZONE / fabs(way.slope), node[NODES], weight[NODES];
+    if (!isfinite(center) || !isfinite(h)) {
+        sim->report = sim->state->report;
+        return false;
+    }
     for (int j = 0; j < NODES; j++) node[j] = center + h * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
     for (int j = 0; j < NODES; j++) { // Lagrange's weights at 0
         weight[j] = 1;
@@ -181,7 +257,7 @@ bool yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, dou
     }
     memset(dydt, 0, all * sizeof *dydt);
     for (int j = 0; j < NODES; j++) {
-        if (!sample(sim, t, y, node[j], sim->sampled)) return false;
+        if (!sample(sim, t, y, near, &way, node[j], sim->sampled)) return false;
         for (size_t k = n; k < all; k++) dydt[k] += weight[j] * sim->sampled[k];
     }
     memcpy(dydt, y + n, n * sizeof *dydt);

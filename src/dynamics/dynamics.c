@@ -141,7 +141,7 @@ YkStatus yk_dynamics_fail_at_input(YkDynamics *d, int input)
     return YK_SINGULAR;
 }
 
-static YkStatus fail_at_load(YkDynamics *d, size_t item)
+YkStatus yk_dynamics_fail_at_load(YkDynamics *d, size_t item)
 {
     return yk_dynamics_fail(d, YK_NOT_CONVERGED, "the load `", d->loads->items[item].name,
                             "` has no finite value at this pose and time");
@@ -158,7 +158,7 @@ static YkStatus reduce_tree(YkDynamics *d, const YkState *state)
         d->v[i] = state->input[3 * i + 1];
     }
     bool has_efforts = d->loads->item_count > 0;
-    if (has_efforts && !yk_loads_efforts(d->loads, state, d->effort, d->power, &culprit)) return fail_at_load(d, culprit);
+    if (has_efforts && !yk_loads_efforts(d->loads, state, d->effort, d->power, &culprit)) return yk_dynamics_fail_at_load(d, culprit);
     if (d->push != 0) {
         if (!has_efforts) memset(d->effort, 0, n * sizeof *d->effort);
         d->effort[d->pushed] += d->push;
@@ -185,7 +185,7 @@ YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
     const YkLoad *loads = NULL;
     if (d->loads->item_count > 0 || d->push != 0) {
         memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
-        if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit)) return fail_at_load(d, culprit);
+        if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit)) return yk_dynamics_fail_at_load(d, culprit);
         if (d->push != 0) {
             const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[d->pushed]];
             yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->push, d->load);

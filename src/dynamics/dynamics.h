@@ -37,11 +37,16 @@ YkStatus yk_dynamics_reduce(YkDynamics *dynamics, YkState *state);
 // With dynamics->acceleration for the free inputs: solves the state again, then all reactions and efforts.
 YkStatus yk_dynamics_apply(YkDynamics *dynamics, YkState *state);
 // Dry friction depends on the reactions, which depend on it: sets it from the last reactions; does it stand?
-bool yk_dynamics_find_dry(YkDynamics *dynamics, const YkState *state);
+// round: how often this has been done at the pose, below YK_DRY_ROUNDS.
+enum { YK_DRY_ROUNDS = 400 };
+bool yk_dynamics_find_dry(YkDynamics *dynamics, const YkState *state, int round);
+double yk_dynamics_dry_tolerance(int round);
+YkStatus yk_dynamics_fail_at_dry(YkDynamics *dynamics); // it never does: forgets it
 double yk_dynamics_dry_limit(const YkDynamics *dynamics, const YkLoadItem *item);
 // Kinetic and potential energy at the state's pose, without forces.
 YkEnergy yk_dynamics_energy_at(YkDynamics *dynamics, const YkState *state);
 YkStatus yk_dynamics_fail_at_input(YkDynamics *dynamics, int input);
+YkStatus yk_dynamics_fail_at_load(YkDynamics *dynamics, size_t item); // its value is not finite
 YkStatus yk_dynamics_fail(YkDynamics *dynamics, YkStatus status, const char *head, const char *name, const char *tail);
 
 #endif

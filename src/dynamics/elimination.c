@@ -581,9 +581,11 @@ YkElimination *yk_elimination_new(const YkMechanism *mech, const bool *is_free, 
     bool ok = allocate(&o);
     if (ok) {
         add_steps(&o);
-        add_elements(&o);
-        mark_needed(&o);
-        put_in_order(&o);
+        if (!o.failed) add_elements(&o);
+        if (!o.failed) { // else lists have gaps
+            mark_needed(&o);
+            put_in_order(&o);
+        }
         ok = !o.failed && sort_elements(&o);
         if (ok) find_fill(&o);
         if (ok) mark_back_needed(&o);

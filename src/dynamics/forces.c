@@ -15,8 +15,7 @@ static YkStatus find_loads(YkDynamics *d, const YkState *state)
     d->motion[0] = (YkBodyMotion){.e = {1, 0}};
     d->stored = yk_loads_stored(d->loads, state, &state->space);
     if (yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit)) return YK_OK;
-    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "the load `", d->loads->items[culprit].name,
-                            "` has no finite value at this pose and time");
+    return yk_dynamics_fail_at_load(d, culprit);
 }
 
 static YkVec joint_point(const YkDynamics *d, size_t joint)
@@ -118,8 +117,14 @@ double yk_dynamics_dry_limit(const YkDynamics *d, const YkLoadItem *item)
     return item->coulomb * item->radius * sqrt(r->force[0] * r->force[0] + r->force[1] * r->force[1]);
 }
 
-bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state)
+double yk_dynamics_dry_tolerance(int round)
 {
+    return round < YK_DRY_ROUNDS / 4 ? 1e-13 : 1e-10; // reactions of machines near a dead point are noisy
+}
+
+bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state, int round)
+{
+    double tolerance = yk_dynamics_dry_tolerance(round), share = round < YK_DRY_ROUNDS / 4 ? 1 : 0.5; // against swinging
     bool stands = true;
     for (size_t k = 0; k < d->loads->item_count; k++) {
         YkLoadItem *item = &d->loads->items[k];
@@ -127,26 +132,32 @@ bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state)
         double rate = item->direction, limit = yk_dynamics_dry_limit(d, item);
         if (rate == 0) rate = yk_joint_rate(d->mech, &state->space, item->joint, item->is_distance);
         double dry = rate > 0 ? -limit : rate < 0 ? limit : 0;
-        stands = stands && fabs(dry - item->dry) <= 1e-13 * (fabs(dry) + fabs(item->dry));
-        item->dry = dry;
+        stands = stands && fabs(dry - item->dry) <= tolerance * (fabs(dry) + fabs(item->dry));
+        item->dry += share * (dry - item->dry);
     }
     return stands;
 }
 
+YkStatus yk_dynamics_fail_at_dry(YkDynamics *d)
+{
+    for (size_t k = 0; k < d->loads->item_count; k++) // it may have grown beyond all bounds: the next pose begins anew
+        if (d->loads->items[k].kind == YK_LOAD_COULOMB) d->loads->items[k].dry = 0;
+    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
+}
+
 YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod method)
 {
-    enum { ROUNDS_MAX = 100 };
     YkStatus status = YK_OK;
-    for (int round = 0; round < ROUNDS_MAX; round++) {
+    for (int round = 0; round < YK_DRY_ROUNDS; round++) {
         status = method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
-        if (status < 0) return status;
+        if (status < 0) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
         if (status == YK_SINGULAR) {
             if (d->report.status != YK_SINGULAR) yk_dynamics_fail(d, YK_SINGULAR, "a dead point: forces are not determined", "", "");
             return status;
         }
-        if (!d->loads->has_dry || yk_dynamics_find_dry(d, state)) return status;
+        if (!d->loads->has_dry || yk_dynamics_find_dry(d, state, round)) return status;
     }
-    return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
+    return yk_dynamics_fail_at_dry(d);
 }
 
 // --- answers
@@ -163,6 +174,15 @@ double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
     double sum = input != YK_NONE && !d->is_free[input] ? d->drive[input] : 0;
     bool is_drive = input != YK_NONE && !d->is_free[input];
     return is_drive ? sum : yk_loads_effort(d->loads, (int32_t)coordinate);
+}
+
+bool yk_dynamics_has_effort(const YkDynamics *d, size_t coordinate)
+{
+    int32_t input = d->mech->coordinates[coordinate].input;
+    if (input != YK_NONE && !d->is_free[input]) return true;
+    for (size_t k = 0; k < d->loads->item_count; k++)
+        if (d->loads->items[k].kind == YK_LOAD_EFFORT && d->loads->items[k].coordinate == (int32_t)coordinate) return true;
+    return false;
 }
 
 YkEnergy yk_dynamics_energy(const YkDynamics *d)

@@ -23,12 +23,13 @@ typedef enum YkWrenchKind {
 typedef struct YkWrenchColumn {
     int32_t joint, input; // input: YK_NONE for a reaction; joint: YK_NONE of a mesh
     int32_t relation;     // MESH: which
-    int32_t body[2], third; // MESH: third: the carrier, where it carries a couple; otherwise 0
+    int32_t body[2];
+    int32_t third, fourth;  // MESH: bodies that carry couples besides; 0 where there are none (or the ground does)
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
-    double third_moment; // on the carrier
+    double third_moment, fourth_moment;
     double bias;      // 1/s^2: what A^T accelerations must be when the coordinate does not accelerate
     // Solved:
     double share;    // its part of the whole, N

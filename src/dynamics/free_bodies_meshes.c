@@ -24,8 +24,13 @@ static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn 
         c->body[0] = model->racks[r->index].pinion;
         c->body[1] = model->racks[r->index].rack;
         break;
-    case YK_RELATION_CAM:
     case YK_RELATION_LAW:
+        for (int k = 0; k < 2; k++)
+            c->body[k] = model->joints[model->coordinates[model->follows[r->index].coordinate].joint].body[k];
+        c->third = model->joints[model->coordinates[model->follows[r->index].of].joint].body[1];
+        c->fourth = model->joints[model->coordinates[model->follows[r->index].of].joint].body[0];
+        break;
+    case YK_RELATION_CAM:
         c->body[0] = model->cams[r->index].cam;
         c->body[1] = model->cams[r->index].follower;
         c->third = model->cams[r->index].carrier;
@@ -149,15 +154,35 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
     set_force(f, space, c, at, yk_scale(1 / speed, yk_quarter(against)));
 }
 
+// What follows a coordinate by a law pushes along its own, and the other's two bodies feel the law's slope of it.
+static void pose_follow(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r)
+{
+    const YkModel *model = f->mech->model;
+    const YkCoordinate *own = &model->coordinates[model->follows[r->index].coordinate];
+    const YkJoint *joint = &model->joints[own->joint];
+    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain;
+    if (own->is_distance) {
+        Place a = place_of(f, space, joint->body[0], joint->at[0]);
+        set_force(f, space, c, place_of(f, space, joint->body[1], joint->at[1]).at, yk_mul(a.e, joint->along));
+        slope /= f->size; // couples are over the size
+    } else {
+        c->force = yk_vec(0, 0);
+        c->moment[0] = -1;
+        c->moment[1] = 1;
+    }
+    c->third_moment = -slope;
+    c->fourth_moment = slope;
+}
+
 // All accelerations that the relation allows give the same product with its forces: those of the pose do.
 static double bias_of(const YkFreeBodies *f, const YkSpace *space, const YkWrenchColumn *c)
 {
-    const int32_t bodies[] = {c->body[0], c->body[1], c->third};
+    const int32_t bodies[] = {c->body[0], c->body[1], c->third, c->fourth};
     double sum = 0;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         if (bodies[k] == 0) continue;
         YkBodyMotion m = yk_body_motion(f->mech, space, (size_t)bodies[k]);
-        double moment = k < 2 ? c->moment[k] : c->third_moment;
+        double moment = k < 2 ? c->moment[k] : k == 2 ? c->third_moment : c->fourth_moment;
         sum += (k == 1 ? 1 : k == 0 ? -1 : 0) * yk_dot(c->force, m.acceleration) + moment * m.a * f->size;
     }
     return sum / f->size;
@@ -173,6 +198,8 @@ void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c
         pose_rack(f, space, c, &model->racks[r->index]);
     else if (r->kind == YK_RELATION_CAM)
         pose_cam(f, space, c, r, &model->cams[r->index]);
+    else if (r->kind == YK_RELATION_LAW)
+        pose_follow(f, space, c, r);
     else {
         const YkBelt *belt = &model->belts[r->index];
         double b = belt->is_crossed ? belt->radius[1] : -belt->radius[1];
@@ -191,6 +218,7 @@ void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
             l->force = yk_add(l->force, yk_scale(i ? c->share : -c->share, c->force));
             l->moment += c->share * c->moment[i] * f->size;
         }
-        if (c->third != 0 || c->third_moment != 0) load[c->third].moment += c->share * c->third_moment * f->size;
+        load[c->third].moment += c->share * c->third_moment * f->size;
+        load[c->fourth].moment += c->share * c->fourth_moment * f->size;
     }
 }

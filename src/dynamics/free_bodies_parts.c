@@ -23,9 +23,9 @@ static void find_parts(YkFreeBodies *f, int32_t *above)
     }
     for (size_t k = 0; k < f->column_count; k++) {
         const YkWrenchColumn *c = &f->columns[k];
-        const int32_t bodies[] = {c->body[0], c->body[1], c->third};
+        const int32_t bodies[] = {c->body[0], c->body[1], c->third, c->fourth};
         int32_t first = 0;
-        for (int i = 0; i < 3 && c->kind == YK_WRENCH_MESH; i++) {
+        for (int i = 0; i < 4 && c->kind == YK_WRENCH_MESH; i++) {
             if (bodies[i] != 0 && first != 0) above[find(above, first)] = find(above, bodies[i]);
             if (bodies[i] != 0) first = bodies[i];
         }

@@ -78,5 +78,6 @@ void yk_body_system_wrench(const YkFreeBodies *f, YkBodySystem *s, const YkWrenc
         if (!is_couple && c->kind != YK_WRENCH_X) emit(s, row + 1, column, along * c->force.y, transposed);
         emit(s, row + 2, column, sign * c->moment[k], transposed);
     }
+    if (c->fourth != 0) emit(s, (size_t)f->body_row[c->fourth] + 2, column, sign * c->fourth_moment, transposed);
     if (c->third != 0) emit(s, (size_t)f->body_row[c->third] + 2, column, sign * c->third_moment, transposed);
 }

@@ -133,6 +133,7 @@ void yk_wrench_add(const YkFreeBodies *f, const YkWrenchColumn *c, double factor
         row[2] += factor * c->moment[k];
     }
     if (c->third != 0) y[f->body_row[c->third] + 2] += factor * c->third_moment;
+    if (c->fourth != 0) y[f->body_row[c->fourth] + 2] += factor * c->fourth_moment;
 }
 
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const double *x)
@@ -144,5 +145,6 @@ double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const doubl
         sum += (k ? 1 : -1) * (c->force.x * row[0] + c->force.y * row[1]) + c->moment[k] * row[2];
     }
     if (c->third != 0) sum += c->third_moment * x[f->body_row[c->third] + 2];
+    if (c->fourth != 0) sum += c->fourth_moment * x[f->body_row[c->fourth] + 2];
     return sum;
 }

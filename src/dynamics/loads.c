@@ -1,6 +1,7 @@
 #include "dynamics/loads.h"
 #include <stdlib.h>
 #include <string.h>
+#include "dynamics/load_point.h"
 #include "model/formulas.h"
 
 // --- compiling
@@ -44,12 +45,6 @@ static YkLoadItem *add_item(YkLoads *loads, YkLoadKind kind, const char *name)
     return item;
 }
 
-static YkLoadEnd end_of(const YkMechanism *mech, int32_t body, YkVec at)
-{
-    YkVec turn = mech->bodies[body].turn_unit, reference = yk_reference_point(mech->model, (size_t)body);
-    return (YkLoadEnd){body, yk_mul(turn, at), yk_mul(turn, yk_sub(at, reference))};
-}
-
 static void act_on(YkLoads *loads, int32_t a, int32_t b)
 {
     loads->is_loaded[a] = loads->is_loaded[b] = true;
@@ -86,7 +81,7 @@ static void add_forces(YkLoads *loads)
         const YkForce *force = &model->forces[k];
         YkLoadItem *item = add_item(loads, YK_LOAD_FORCE, force->name);
         item->body[0] = force->body;
-        item->end[0] = end_of(loads->mech, force->body, force->at);
+        item->end[0] = yk_load_end(loads->mech, force->body, force->at);
         item->in_body_axes = force->in_body_axes;
         item->value[0] = value_of(loads, force->x);
         item->value[1] = value_of(loads, force->y);
@@ -108,7 +103,7 @@ static void add_springs(YkLoads *loads)
             item = add_item(loads, YK_LOAD_SPRING, spring->name);
             for (int end = 0; end < 2; end++) {
                 item->body[end] = spring->body[end];
-                item->end[end] = end_of(loads->mech, spring->body[end], spring->at[end]);
+                item->end[end] = yk_load_end(loads->mech, spring->body[end], spring->at[end]);
             }
             act_on(loads, spring->body[0], spring->body[1]);
         }
@@ -147,7 +142,8 @@ static void add_stops(YkLoads *loads)
 static bool allocate(YkLoads *loads)
 {
     const YkModel *model = loads->mech->model;
-    size_t items = model->effort_count + model->force_count + model->spring_count + model->stop_count + loads->mech->coordinate_count;
+    size_t items = model->effort_count + model->force_count + model->spring_count + model->stop_count +
+                   loads->mech->coordinate_count;
     for (size_t j = 0; j < model->joint_count; j++) items += model->joints[j].has_friction ? 2 : 0;
     loads->arena = yk_arena_new();
     loads->items = calloc(items + 1, sizeof *loads->items); // room for efforts set later
@@ -198,7 +194,8 @@ bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort)
     for (size_t k = 0; k < loads->item_count; k++)
         if (loads->items[k].kind == YK_LOAD_EFFORT && loads->items[k].coordinate == (int32_t)coordinate)
             item = &loads->items[k];
-    bool is_new = !item && !loads->is_loaded[loads->mech->model->joints[c->joint].body[0]];
+    const int32_t *body = loads->mech->model->joints[c->joint].body;
+    bool is_new = !item && !(loads->is_loaded[body[0]] && loads->is_loaded[body[1]]);
     if (!item) item = add_along(loads, YK_LOAD_EFFORT, c->name, c->joint, c->is_distance);
     item->value[0] = (YkLoadValue){.constant = effort};
     return is_new;
@@ -255,62 +252,13 @@ typedef struct Pose {
     YkLoad *load;
 } Pose;
 
-typedef struct Point {
-    YkVec arm; // from the body's reference point
-    YkVec at, velocity;
-    YkVec turn; // of the body's orientation, and its rate
-    double w;
-} Point;
-
-// Adds (d) v e^(i slot) and its rate.
-static inline void add_term(Point *p, const YkSpace *space, const YkTerm *term)
+static YkLoadPoint point_of(const Pose *p, const YkLoadEnd *end)
 {
-    YkVec u = term->v;
-    double w = 0;
-    if (term->slot != 0) {
-        YkTurn t = yk_space_turn(space, term->slot);
-        u = yk_mul(yk_vec(t.c[0], t.s[0]), u);
-        w = t.w[0];
-    }
-    if (term->distance != YK_NONE) {
-        YkSlide s = yk_space_slide(space, term->distance);
-        p->velocity = yk_add(p->velocity, yk_scale(s.v[0], u));
-        u = yk_scale(s.d[0], u);
-    }
-    p->at = yk_add(p->at, u);
-    p->velocity = yk_add(p->velocity, yk_scale(w, yk_quarter(u)));
-}
-
-static inline void add_node(Point *p, const YkSpace *space, int32_t node, double sign)
-{
-    if (node == YK_NONE) return;
-    YkPlane plane = yk_space_plane(space, node);
-    p->at = yk_add(p->at, yk_scale(sign, yk_vec(plane.x[0], plane.y[0])));
-    p->velocity = yk_add(p->velocity, yk_scale(sign, yk_vec(plane.vx[0], plane.vy[0])));
-}
-
-static Point point_of(const Pose *p, const YkLoadEnd *end)
-{
-    const YkPlacing *placing = &p->mech->bodies[end->body];
-    const YkTerm *terms = p->mech->terms + placing->origin.first;
-    Point point = {.at = placing->origin.constant, .turn = {1, 0}};
-    add_node(&point, p->space, placing->origin.plus, 1);
-    add_node(&point, p->space, placing->origin.minus, -1);
-    for (uint32_t k = 0; k < placing->origin.count; k++) add_term(&point, p->space, &terms[k]);
-    if (placing->orientation != 0) {
-        YkTurn t = yk_space_turn(p->space, placing->orientation);
-        point.turn = yk_vec(t.c[0], t.s[0]);
-        point.w = t.w[0];
-    }
-    YkVec out = yk_mul(point.turn, end->from_origin);
-    point.at = yk_add(point.at, out);
-    point.velocity = yk_add(point.velocity, yk_scale(point.w, yk_quarter(out)));
-    point.arm = yk_mul(point.turn, end->arm);
-    return point;
+    return yk_load_point(p->mech, p->space, end);
 }
 
 // A vector given in a body's axes, from one of its points.
-static YkVec in_world(const Pose *p, int32_t body, const Point *point, YkVec v)
+static YkVec in_world(const Pose *p, int32_t body, const YkLoadPoint *point, YkVec v)
 {
     return yk_mul(point->turn, yk_mul(p->mech->bodies[body].turn_unit, v));
 }
@@ -331,8 +279,8 @@ void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t 
         return;
     }
     Pose p = {.mech = mech, .space = space};
-    YkLoadEnd ends[2] = {end_of(mech, j->body[0], j->at[0]), end_of(mech, j->body[1], j->at[1])};
-    Point a = point_of(&p, &ends[0]), b = point_of(&p, &ends[1]);
+    YkLoadEnd ends[2] = {yk_load_end(mech, j->body[0], j->at[0]), yk_load_end(mech, j->body[1], j->at[1])};
+    YkLoadPoint a = point_of(&p, &ends[0]), b = point_of(&p, &ends[1]);
     YkVec force = yk_scale(effort, in_world(&p, j->body[0], &a, j->along));
     push(load, j->body[1], b.arm, force);
     push(load, j->body[0], yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
@@ -346,7 +294,7 @@ static double push_along(const Pose *p, const YkLoadItem *item, double effort)
 
 static double push_force(const Pose *p, const YkLoadItem *item)
 {
-    Point at = point_of(p, &item->end[0]);
+    YkLoadPoint at = point_of(p, &item->end[0]);
     YkVec force = yk_vec(evaluate(p->loads, &item->value[0]), evaluate(p->loads, &item->value[1]));
     double moment = evaluate(p->loads, &item->value[2]);
     if (item->in_body_axes) force = in_world(p, item->body[0], &at, force);
@@ -355,10 +303,11 @@ static double push_force(const Pose *p, const YkLoadItem *item)
     return yk_dot(force, at.velocity) + moment * at.w;
 }
 
-// Pulls its ends together by stiffness * (length - free length) + damping * d(length)/dt. The damper's power is returned.
+// Pulls its ends together by stiffness * (length - free length) + damping * d(length)/dt. The damper's power is
+// returned.
 static double push_spring(const Pose *p, const YkLoadItem *item)
 {
-    Point a = point_of(p, &item->end[0]), b = point_of(p, &item->end[1]);
+    YkLoadPoint a = point_of(p, &item->end[0]), b = point_of(p, &item->end[1]);
     YkVec line = yk_sub(b.at, a.at);
     double length = sqrt(yk_dot(line, line)), rate = 0;
     YkVec pull = yk_scale(item->stiffness, line); // a free length of 0 needs no direction
@@ -408,7 +357,8 @@ static void read_variables(YkLoads *loads, const YkState *state, const YkSpace *
     }
 }
 
-bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power, size_t *culprit)
+bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power,
+                  size_t *culprit)
 {
     Pose p = {loads, loads->mech, state, space, load};
     read_variables(loads, state, space);
@@ -443,7 +393,8 @@ double yk_loads_effort(const YkLoads *loads, int32_t coordinate)
 {
     double sum = 0;
     for (size_t k = 0; k < loads->item_count; k++)
-        if (loads->items[k].kind == YK_LOAD_EFFORT && loads->items[k].coordinate == coordinate) sum += loads->items[k].last;
+        if (loads->items[k].kind == YK_LOAD_EFFORT && loads->items[k].coordinate == coordinate)
+            sum += loads->items[k].last;
     return sum;
 }
 
@@ -455,7 +406,7 @@ double yk_loads_stored(const YkLoads *loads, const YkState *state, const YkSpace
         const YkLoadItem *item = &loads->items[k];
         double stretch = 0;
         if (item->kind == YK_LOAD_SPRING) {
-            Point a = point_of(&p, &item->end[0]), b = point_of(&p, &item->end[1]);
+            YkLoadPoint a = point_of(&p, &item->end[0]), b = point_of(&p, &item->end[1]);
             stretch = yk_norm(yk_sub(b.at, a.at)) - item->length;
         } else if (item->kind == YK_LOAD_ALONG) {
             stretch = yk_loads_coordinate(state, space, item->coordinate).position - item->length;

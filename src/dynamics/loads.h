@@ -1,5 +1,5 @@
-// Loads at a pose: what gravity, forces, springs, dampers, efforts and friction exert on every body, as one force and one
-// moment a body; and what they store and take.
+// Loads at a pose: what gravity, forces, springs, dampers, efforts and friction exert on every body, as one force and
+// one moment a body; and what they store and take.
 #ifndef DYNAMICS_LOADS_H
 #define DYNAMICS_LOADS_H
 #include <yoke/dynamics.h>
@@ -37,25 +37,25 @@ typedef struct YkLoadEnd {
 } YkLoadEnd;
 
 typedef enum YkLoadKind {
-    YK_LOAD_EFFORT,   // along a joint's angle or distance
-    YK_LOAD_FORCE,    // at a point of a body
-    YK_LOAD_SPRING,   // between two points, with a damper
-    YK_LOAD_ALONG,    // spring and damper along a joint's angle or distance
-    YK_LOAD_VISCOUS,  // friction that grows with the rate
-    YK_LOAD_COULOMB,  // dry friction: enters as `dry` says
-    YK_LOAD_STOP      // what a stop exerts: likewise
+    YK_LOAD_EFFORT,  // along a joint's angle or distance
+    YK_LOAD_FORCE,   // at a point of a body
+    YK_LOAD_SPRING,  // between two points, with a damper
+    YK_LOAD_ALONG,   // spring and damper along a joint's angle or distance
+    YK_LOAD_VISCOUS, // friction that grows with the rate
+    YK_LOAD_COULOMB, // dry friction: enters as `dry` says
+    YK_LOAD_STOP     // what a stop exerts: likewise
 } YkLoadKind;
 
 typedef struct YkLoadItem {
     YkLoadKind kind;
-    const char *name;       // of the coordinate, force, spring or joint
-    int32_t joint;          // EFFORT, ALONG, VISCOUS, COULOMB
+    const char *name; // of the coordinate, force, spring or joint
+    int32_t joint;    // EFFORT, ALONG, VISCOUS, COULOMB
     bool is_distance;
-    int32_t coordinate;     // of the tree, where the joint has it there; otherwise YK_NONE
-    int32_t body[2];        // FORCE: body[0]; SPRING
-    YkLoadEnd end[2];       // likewise
+    int32_t coordinate; // of the tree, where the joint has it there; otherwise YK_NONE
+    int32_t body[2];    // FORCE: body[0]; SPRING
+    YkLoadEnd end[2];   // likewise
     bool in_body_axes;
-    YkLoadValue value[3];   // EFFORT: [0]; FORCE: x, y, moment
+    YkLoadValue value[3]; // EFFORT: [0]; FORCE: x, y, moment
     double stiffness, length, damping;
     double coulomb, radius; // COULOMB
     const YkStop *stop;     // STOP
@@ -88,9 +88,10 @@ void yk_loads_free(YkLoads *loads);
 // Replaces the effort along a tree coordinate.
 bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort);
 // Adds all items to load[body], without gravity, at a pose of the space (positions and velocities; the inputs and
-// references are the state's). power[item] (may be NULL): what it delivers to the machine now, W. False where a value is
-// not finite: *culprit names the item.
-bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power, size_t *culprit);
+// references are the state's). power[item] (may be NULL): what it delivers to the machine now, W. False where a value
+// is not finite: *culprit names the item.
+bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power,
+                  size_t *culprit);
 // An effort along a joint's freedom, added to both bodies.
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load);

@@ -46,7 +46,11 @@ static int move_lean(YkSimulation *sim, double t, const double *y, double *dydt)
     dydt[2 * n + sim->work_count - 1] = 0;
     if (sim->item_count > 0) {
         yk_simulation_set(sim, t, y);
-        if (!yk_loads_efforts(d->loads, sim->state, d->effort, d->power, &culprit)) return 1;
+        if (!yk_loads_efforts(d->loads, sim->state, d->effort, d->power, &culprit)) {
+            yk_dynamics_fail_at_load(d, culprit);
+            sim->report = d->report;
+            return 1;
+        }
         memcpy(dydt + 2 * n, d->power, sim->item_count * sizeof *dydt);
     }
     return yk_tree_accelerate(d->tree, y, y + n, sim->item_count > 0 ? d->effort : NULL, dydt + n) >= 0;

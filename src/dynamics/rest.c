@@ -74,6 +74,7 @@ static YkRestPoint new_point(YkRest *rest)
                      .branch = YK_NEW(rest->arena, signed char, rest->mech->block_count + 1),
                      .coordinates = YK_NEW(rest->arena, double, rest->mech->coordinate_count + 1),
                      .mass = YK_NEW(rest->arena, double, 4 * f * f + 6 * f + 6)};
+    if (!p.mass) return p;
     p.damping = p.mass + f * f;
     p.stiffness = p.damping + f * f;
     p.shape = p.stiffness + f * f;
@@ -128,6 +129,7 @@ static bool search(YkRest *rest, size_t starts)
         }
         for (size_t i = 0; i < rest->freedom; i++) rest->q[i] = s->input[3 * rest->input[i]];
         if (descend(rest) && !keep(rest)) return false;
+        if (k == 0) rest->of_start = rest->count;
     }
     return true;
 }
@@ -192,10 +194,13 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     }
     if (ok) ok = assemble(rest, options->time, problems) && search(rest, options->starts);
     if (!ok) {
+        if (problems && yk_problems_error_count(problems) == 0)
+            yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");
         yk_rest_free(rest);
         return NULL;
     }
-    if (rest->count > 1) qsort(rest->points, rest->count, sizeof *rest->points, by_energy);
+    size_t first = rest->of_start; // that of `start:` stays in front
+    if (rest->count > first + 1) qsort(rest->points + first, rest->count - first, sizeof *rest->points, by_energy);
     return rest;
 }
 
@@ -237,6 +242,13 @@ YkState *yk_rest_state(YkRest *rest, size_t index)
     memcpy(s->input, rest->points[index].inputs, 3 * rest->mech->input_count * sizeof *s->input);
     memcpy(s->reference, rest->points[index].coordinates, rest->mech->coordinate_count * sizeof *s->reference);
     memcpy(s->branch, rest->points[index].branch, rest->mech->block_count);
+    if (rest->mech->has_groups) { // tracked from where they are: brought there by the guesses
+        for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+            s->guess[c] = rest->points[index].coordinates[c];
+            s->is_guessed[c] = true;
+        }
+        yk_state_assemble(s);
+    }
     yk_state_solve(s);
     return s;
 }

@@ -23,6 +23,7 @@ struct YkRest {
     int32_t *input; // free ones
     YkRestPoint *points;
     size_t count, capacity;
+    size_t of_start; // how many of them (0 or 1) belong to `start:`
     double *q, *a, *jacobian, *step, *trial, *scale; // scratch
     int *pivot;
     double force_scale; // the largest acceleration seen: what counts as none

@@ -93,6 +93,7 @@ static void count_energy(YkSimulation *sim)
 static bool stand(YkSimulation *sim, double t, const double *y)
 {
     if (!yk_simulation_pose(sim, t, y)) return false;
+    sim->is_elsewhere = true;
     memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
     count_energy(sim);
     return true;
@@ -115,6 +116,7 @@ static bool restart(YkSimulation *sim)
     yk_simulation_contacts_start(sim);
     if (!settle_contacts(sim)) return false;
     if (!(end > sim->time)) end = sim->time + 1;
+    sim->is_new_step = false;
     YkOdeStatus status = yk_ode_start(sim->ode, sim->time, sim->y, end, false);
     if (status == YK_ODE_OK) return true;
     sim->status = YK_NOT_CONVERGED;
@@ -122,11 +124,12 @@ static bool restart(YkSimulation *sim)
     return false;
 }
 
+static const double POOR = 0.2; // sin^2 of the worst block, from which other coordinates are looked for
+
 // Better coordinates where these are near a dead point; which blocks are near a singular position.
 static bool look_round(YkSimulation *sim)
 {
     bool changed = false;
-    const double POOR = 0.2;  // sin^2 of the worst block
     if (yk_simulation_margin(sim) < POOR) {
         if (yk_simulation_margin(sim) > 1e-8 && !yk_simulation_recoordinate(sim, &changed)) return false;
         if (changed && !yk_simulation_pose(sim, sim->time, sim->y)) return false;
@@ -151,11 +154,25 @@ static bool start_moving(YkSimulation *sim)
 {
     sim->has_begun = true;
     yk_simulation_contacts_start(sim);
+    yk_simulation_look_near(sim, sim->time);
     if (!stand(sim, sim->time, sim->y)) return false;
-    if (!restart(sim)) return false;
-    if (!look_round(sim)) return false;
+    sim->near_count = 0; // with accelerations they are known better
+    yk_simulation_look_near(sim, sim->time);
+    if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y) || !look_round(sim)) return false;
     yk_simulation_watch_start(sim);
     return true;
+}
+
+static bool are_options_good(const YkSimulationOptions *o, YkProblems *problems)
+{
+    bool is_fixed = o->integrator == YK_INTEGRATOR_RK4;
+    double size = is_fixed ? o->step : o->tolerance;
+    bool good = o->integrator <= YK_INTEGRATOR_RK4 && size > 0 && isfinite(size) && isfinite(o->start) && !isnan(o->horizon);
+    for (size_t k = 0; k < o->value_count; k++) good = good && isfinite(o->values[k].value);
+    if (!good)
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "the simulation cannot start: the %s must be positive and all times and values finite",
+                   is_fixed ? "step" : "tolerance");
+    return good;
 }
 
 YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems)
@@ -165,6 +182,10 @@ YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions 
     sim->model = model;
     sim->options = options ? *options : yk_default_simulation_options();
     sim->arena = yk_arena_new();
+    if (!are_options_good(&sim->options, problems)) {
+        yk_simulation_free(sim);
+        return NULL;
+    }
     bool ok = sim->arena && yk_simulation_build(sim, sim->options.compile, problems) && yk_simulation_stepper(sim);
     if (ok && !sim->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "no body has mass or inertia, so nothing says how the machine moves");
@@ -202,9 +223,10 @@ YkStatus yk_simulation_watch(YkSimulation *sim, const char *name, YkChannel chan
 
 YkStatus yk_simulation_set_effort(YkSimulation *sim, const char *coordinate, double effort)
 {
+    if (sim->status != YK_OK) return sim->status;
     size_t n = sim->mech->coordinate_count;
     int c = yk_coordinate_find(sim->mech, coordinate);
-    if (c < 0 || sim->has_begun) return YK_BAD_ARGUMENT;
+    if (c < 0 || sim->has_begun || !isfinite(effort)) return YK_BAD_ARGUMENT;
     if (!sim->has_effort) sim->has_effort = calloc(n, sizeof *sim->has_effort);
     if (!sim->effort) sim->effort = calloc(n, sizeof *sim->effort);
     if (!sim->has_effort || !sim->effort) return YK_NO_MEMORY;
@@ -214,30 +236,48 @@ YkStatus yk_simulation_set_effort(YkSimulation *sim, const char *coordinate, dou
     yk_simulation_unbuild(sim);
     bool ok = yk_simulation_build(sim, sim->options.compile, quiet) && yk_simulation_stepper(sim) && begin(sim, quiet);
     yk_problems_free(quiet);
-    return ok ? YK_OK : YK_NO_MEMORY;
+    if (!ok) sim->status = YK_NO_MEMORY; // nothing but freeing it is left to do
+    return sim->status;
 }
 
 // --- through time
 // -----------------------------------------------------------------------------------------------------
 
+static void take_step_end(YkSimulation *sim)
+{
+    memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
+    sim->time = yk_ode_time(sim->ode);
+}
+
+// After a failure: the pose of the last time that was reached, with the accelerations found there.
+static void stand_still(YkSimulation *sim)
+{
+    size_t n = sim->free_count;
+    sim->has_forces = false;
+    if (!sim->state || !sim->y) return;
+    yk_simulation_set(sim, sim->time, sim->y);
+    bool has_rate = sim->ode && yk_ode_time(sim->ode) == sim->time;
+    for (size_t k = 0; k < n && has_rate; k++) sim->state->input[3 * sim->free_input[k] + 2] = yk_ode_rate(sim->ode)[n + k];
+    if (yk_state_solve(sim->state) >= 0) yk_state_refer(sim->state);
+    memcpy(sim->work, sim->y + 2 * n, sim->work_count * sizeof *sim->work);
+}
+
+static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
+{
+    yk_dynamics_fail(sim->dynamics, status, why, "", "");
+    sim->report = sim->dynamics->report;
+    return sim->status = status;
+}
+
 static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
 {
     if (sim->status == YK_OK) sim->status = status == YK_ODE_NO_MEMORY ? YK_NO_MEMORY : YK_NOT_CONVERGED;
-    if (sim->report.message[0] == 0)
+    if (sim->report.message[0] == 0) {
         yk_dynamics_fail(sim->dynamics, sim->status, "the step size fell below 1e-14 of the span: something changes too fast", "", "");
-    if (sim->report.message[0] == 0) sim->report = sim->dynamics->report;
+        sim->report = sim->dynamics->report;
+    }
+    stand_still(sim);
     return sim->status;
-}
-
-// A happening that ends a step: the state is put there, changed, and the stepper started anew.
-static bool take_pending(YkSimulation *sim)
-{
-    size_t all = 2 * sim->free_count + sim->work_count;
-    if (yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
-    memcpy(sim->y, sim->dense, all * sizeof *sim->y);
-    sim->pending = YK_PENDING_NONE;
-    return yk_simulation_pose(sim, sim->pending_time, sim->y) && yk_simulation_hit(sim, sim->pending_item) &&
-           stand(sim, sim->time, sim->y) && restart(sim);
 }
 
 static bool has_contacts(const YkSimulation *sim)
@@ -247,29 +287,81 @@ static bool has_contacts(const YkSimulation *sim)
     return false;
 }
 
-// After an accepted step: what happened in it, and whether the coordinates still do.
-static bool after_step(YkSimulation *sim)
+// Events that follow each other in no time at all would go on for ever.
+static bool is_going_on(YkSimulation *sim)
 {
-    if (sim->is_lean && sim->watch_count == 0) return true;
-    double t = yk_ode_time(sim->ode);
-    if (sim->watch_count > 0 || has_contacts(sim)) yk_simulation_look(sim);
-    if (sim->pending != YK_PENDING_NONE) return true;
+    enum { STALLED_MAX = 500 };
+    bool same = sim->events > 0 && sim->pending_time - sim->last_event <= 1e-15 * fabs(sim->pending_time);
+    sim->stalled = same ? sim->stalled + 1 : 0;
+    sim->last_event = sim->pending_time;
+    sim->events++;
+    if (sim->stalled <= STALLED_MAX) return true;
+    give_up(sim, YK_NOT_CONVERGED, "stops and dry friction follow each other without end at this time");
+    return false;
+}
+
+// A happening that ends a step: the state is put there, changed, and the stepper started anew.
+static bool take_pending(YkSimulation *sim)
+{
+    size_t all = 2 * sim->free_count + sim->work_count;
+    if (!is_going_on(sim) || yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
+    memcpy(sim->y, sim->dense, all * sizeof *sim->y);
+    sim->pending = YK_PENDING_NONE;
+    if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !yk_simulation_hit(sim, sim->pending_item)) return false;
+    sim->near_count = 0; // its rates have changed
+    return stand(sim, sim->time, sim->y) && restart(sim) && yk_simulation_pose(sim, sim->time, sim->y) && look_round(sim);
+}
+
+// Right after an accepted step: what happened in it. Rows within the step may still be asked for.
+static void look_back(YkSimulation *sim)
+{
+    if (sim->is_lean && sim->watch_count == 0) return;
+    if (sim->watch_count == 0 && !has_contacts(sim)) return;
+    yk_simulation_look(sim);
+    sim->is_elsewhere = true;
+}
+
+// The pose at the end of the last step; most often the last evaluation left it there, without accelerations.
+static bool return_to_end(YkSimulation *sim, double t)
+{
     memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
-    if (sim->is_lean) return true;
-    if (sim->contact_count > 0) {
-        size_t before = sim->contact_count;
-        sim->time = t;
-        if (!settle_contacts(sim)) return false;
-        if (sim->contact_count < before) return restart(sim) && look_round(sim);
-    }
-    // at most the pose of the last evaluation, which is this one, without accelerations
-    if (yk_simulation_margin(sim) < 0.06 || sim->near_count > 0) {
-        if (!yk_simulation_pose(sim, t, sim->y)) return false;
-        return look_round(sim);
-    }
+    if (sim->contact_count > 0 || sim->near_count > 0 || yk_simulation_margin(sim) < 0.25) return yk_simulation_pose(sim, t, sim->y);
+    if (sim->is_elsewhere && (!yk_simulation_set(sim, t, sim->y) || yk_state_solve(sim->state) < 0)) return false;
+    if (sim->is_elsewhere && yk_simulation_margin(sim) < 0.25) return yk_simulation_pose(sim, t, sim->y);
     sim->time = t;
     yk_state_refer(sim->state);
     return true;
+}
+
+// Before the next step: contacts that let go, coordinates that no longer do, positions where branches meet.
+static bool look_ahead(YkSimulation *sim)
+{
+    double t = yk_ode_time(sim->ode);
+    size_t before = sim->contact_count;
+    sim->is_new_step = false;
+    if (sim->is_lean) return true;
+    if (!return_to_end(sim, t)) return false;
+    sim->is_elsewhere = false;
+    if (before > 0) {
+        if (!settle_contacts(sim)) return false;
+        if (sim->contact_count < before) return restart(sim) && yk_simulation_pose(sim, t, sim->y) && look_round(sim);
+    }
+    return yk_simulation_margin(sim) < 0.25 || sim->near_count > 0 ? look_round(sim) : true;
+}
+
+static bool is_spent(const YkSimulation *sim)
+{
+    size_t most = sim->options.steps_max;
+    return most > 0 && yk_ode_counts(sim->ode).steps + sim->counts.steps + sim->events >= most;
+}
+
+// A step must not pass a singular position that is not watched yet: branches might change unseen.
+static void set_end(YkSimulation *sim, double to)
+{
+    double end = sim->options.horizon >= to ? sim->options.horizon : to, t = yk_ode_time(sim->ode);
+    bool may_cross = !sim->is_lean && sim->options.integrator != YK_INTEGRATOR_RK4 && sim->mech->block_count > 0;
+    if (may_cross) end = fmin(end, fmax(t + yk_simulation_reach(sim), t + 1e-9 * fabs(t)));
+    yk_ode_set_end(sim->ode, end);
 }
 
 static bool is_passed(const YkSimulation *sim, double to)
@@ -281,22 +373,31 @@ static bool is_passed(const YkSimulation *sim, double to)
 YkStatus yk_simulation_advance(YkSimulation *sim, double to)
 {
     if (sim->status != YK_OK) return sim->status;
+    if (!isfinite(to) || to < sim->time) return YK_BAD_ARGUMENT;
     sim->target = to;
     if (!sim->has_begun && !start_moving(sim)) return fail(sim, YK_ODE_FAILED);
     if (to == sim->options.start && yk_ode_time(sim->ode) == to) // the first row
         return stand(sim, to, yk_ode_state(sim->ode)) ? YK_OK : fail(sim, YK_ODE_FAILED);
-    if (!(to > sim->options.start)) return YK_BAD_ARGUMENT;
-    if (!(sim->options.horizon >= to)) yk_ode_set_end(sim->ode, to);
     while (!is_passed(sim, to)) {
         if (sim->pending != YK_PENDING_NONE) {
             if (!take_pending(sim)) return fail(sim, YK_ODE_FAILED);
-            if (!(sim->options.horizon >= to)) yk_ode_set_end(sim->ode, to);
             continue;
         }
+        if (sim->is_new_step && !look_ahead(sim)) return fail(sim, YK_ODE_FAILED);
+        if (is_spent(sim)) {
+            give_up(sim, YK_NOT_CONVERGED, "the steps allowed are used up");
+            take_step_end(sim);
+            return fail(sim, YK_ODE_FAILED);
+        }
+        set_end(sim, to);
         YkOdeStatus status = yk_ode_step(sim->ode);
-        if (status != YK_ODE_OK) return fail(sim, status);
+        if (status != YK_ODE_OK) {
+            take_step_end(sim);
+            return fail(sim, status);
+        }
         sim->report.message[0] = 0;
-        if (!after_step(sim)) return fail(sim, YK_ODE_FAILED);
+        sim->is_new_step = true;
+        look_back(sim);
     }
     if (yk_ode_dense(sim->ode, to, sim->dense) != YK_ODE_OK) return fail(sim, YK_ODE_FAILED);
     return stand(sim, to, sim->dense) ? YK_OK : fail(sim, YK_ODE_FAILED);
@@ -351,7 +452,7 @@ YkHappening yk_simulation_happening(const YkSimulation *sim, size_t index)
 YkSimulationSummary yk_simulation_summary(const YkSimulation *sim)
 {
     YkSimulationSummary s = sim->summary;
-    YkOdeCounts c = yk_ode_counts(sim->ode);
+    YkOdeCounts c = sim->ode ? yk_ode_counts(sim->ode) : (YkOdeCounts){0};
     s.steps = c.steps + sim->counts.steps;
     s.rejected = c.rejected + sim->counts.rejected;
     s.evaluations = c.evaluations + sim->counts.evaluations;

@@ -57,7 +57,8 @@ struct YkSimulation {
     double fastest;                                     // rate of an impact so far
     size_t pending_item;
     YkPendingKind pending;
-    double pending_time;
+    double pending_time, last_event;
+    size_t stalled, events; // events since time last went on; in all
     // findings
     YkWatch *watches;
     size_t watch_count, watch_capacity;
@@ -67,6 +68,8 @@ struct YkSimulation {
     double energy_low, energy_high; // potential
     double kinetic_high, energy_off;
     bool has_energy, has_begun;
+    bool is_new_step;  // its end has not been looked at yet
+    bool is_elsewhere; // the state stands at a row, not at the end of the last step
     double target; // time asked for
     YkOdeCounts counts;             // of steppers that were replaced
     YkReport report;
@@ -91,6 +94,8 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 void yk_simulation_set_signs(YkSimulation *sim, double t);
 // Accelerations (and powers, if wanted) next to a singular position, by interpolation along the motion.
 bool yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt);
+// For how long, at the rates of the pose that stands, no block that is not near comes to a singular position.
+double yk_simulation_reach(YkSimulation *sim);
 double yk_simulation_margin(const YkSimulation *sim);
 
 // coordinates.c: other independent coordinates.

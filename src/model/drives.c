@@ -3,16 +3,48 @@
 #include <math.h>
 #include "model/load.h"
 
-// The coordinate a pair of the section speaks of, or a negative number (reported).
-static int32_t read_key(YkLoader *loader, const YkPair *pair, unsigned char *seen, bool *is_rate)
+static YkDimension dimension_of(const YkModel *model, int32_t coordinate)
 {
-    if (pair->value->kind == YK_NODE_MAP && yk_node_get(pair->value, "law")) {
-        yk_problem(loader->problems, YK_CODE_NOT_SUPPORTED, pair->value->place,
-                   "laws are not part of this version yet");
-        yk_problem_hint(loader->problems, "give %q as an expression of `t`", pair->key->text);
-        return YK_REPORTED;
+    return model->coordinates[coordinate].is_distance ? YK_DIM_LENGTH : YK_DIM_ANGLE;
+}
+
+static void add_drive(YkLoader *loader, int32_t coordinate, YkPlace place, YkExpr *expr, int32_t law)
+{
+    YkModel *model = loader->model;
+    model->coordinates[coordinate].drive = (int32_t)model->drive_count;
+    model->drives[model->drive_count++] = (YkDrive){.coordinate = coordinate, .place = place, .expr = expr, .law = law};
+}
+
+// {law: NAME, of: a coordinate or an expression of t}
+static void read_law(YkLoader *loader, int32_t coordinate, const YkPair *pair)
+{
+    static const char *const keys[] = {"law", "of", NULL};
+    const YkSubject subject = {.noun = "drive", .owner = pair->key->text};
+    YkModel *model = loader->model;
+    yk_load_check_keys(loader, pair->value, keys, &subject);
+    const YkNode *name = yk_load_require(loader, pair->value, "law", &subject);
+    const YkNode *of = yk_load_require(loader, pair->value, "of", &subject);
+    int32_t law = name ? yk_load_law(loader, name) : YK_NONE;
+    if (law == YK_NONE || !of) return;
+    if (!yk_dimension_equal(model->laws[law].value, dimension_of(model, coordinate)))
+        yk_problem(loader->problems, YK_CODE_WRONG_DIMENSION, name->place, "law %q gives %s; the drive of %q must be %s",
+                   model->laws[law].name, yk_dimension_name(model->laws[law].value), pair->key->text,
+                   yk_dimension_name(dimension_of(model, coordinate)));
+    bool is_rate = false;
+    int32_t followed = of->kind == YK_NODE_SCALAR ? yk_load_coordinate(loader, of->text, of->place, &is_rate) : YK_NONE;
+    if (followed >= 0 && model->coordinates[followed].is_distance) {
+        yk_problem(loader->problems, YK_CODE_NOT_SUPPORTED, of->place, "%q is a distance; a coordinate can follow an angle only",
+                   of->text);
+        return;
     }
-    return yk_load_coordinate_once(loader, pair->key, seen, is_rate);
+    if (followed >= 0 && !is_rate && followed != coordinate) {
+        model->follows[model->follow_count++] = (YkFollow){coordinate, followed, pair->key->place, law};
+        return;
+    }
+    YkWant want = {.dimension = model->laws[law].of,
+                   .scope = YK_SCOPE_TIME,
+                   .subject = {.noun = "argument of the law", .owner = pair->key->text}};
+    add_drive(loader, coordinate, pair->key->place, yk_load_value(loader, of, &want, NULL), law);
 }
 
 void yk_load_drives(YkLoader *loader)
@@ -22,19 +54,20 @@ void yk_load_drives(YkLoader *loader)
     if (!section) return;
     unsigned char *seen = yk_load_new_seen(loader, section);
     model->drives = YK_NEW(loader->arena, YkDrive, section->count);
-    if (!seen || !model->drives) return;
+    model->follows = YK_NEW(loader->arena, YkFollow, section->count);
+    if (!seen || !model->drives || !model->follows) return;
     for (size_t i = 0; i < section->count; i++) {
         const YkPair *pair = &section->pairs[i];
-        int32_t coordinate = read_key(loader, pair, seen, NULL);
+        int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, NULL);
         if (coordinate < 0) continue;
-        bool is_distance = model->coordinates[coordinate].is_distance;
-        YkWant want = {.dimension = is_distance ? YK_DIM_LENGTH : YK_DIM_ANGLE,
+        if (pair->value->kind == YK_NODE_MAP) {
+            read_law(loader, coordinate, pair);
+            continue;
+        }
+        YkWant want = {.dimension = dimension_of(model, coordinate),
                        .scope = YK_SCOPE_TIME,
                        .subject = {.noun = "drive", .owner = pair->key->text}};
-        YkExpr *expr = yk_load_value(loader, pair->value, &want, NULL);
-        model->coordinates[coordinate].drive = (int32_t)model->drive_count;
-        model->drives[model->drive_count++] =
-            (YkDrive){.coordinate = coordinate, .place = pair->key->place, .expr = expr};
+        add_drive(loader, coordinate, pair->key->place, yk_load_value(loader, pair->value, &want, NULL), YK_NONE);
     }
 }
 
@@ -55,7 +88,7 @@ void yk_load_starts(YkLoader *loader)
     for (size_t i = 0; i < section->count; i++) {
         const YkPair *pair = &section->pairs[i];
         bool is_rate = false;
-        int32_t coordinate = read_key(loader, pair, seen, &is_rate);
+        int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, &is_rate);
         if (coordinate < 0) continue;
         YkWant want = {.dimension = start_dimension(model->coordinates[coordinate].is_distance, is_rate),
                        .scope = YK_SCOPE_CONSTANT,

@@ -49,3 +49,27 @@ YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet
 {
     return yk_load_eval(model, expr, t, jet, problems) ? YK_OK : YK_BAD_MODEL;
 }
+
+// law(u(t)) with its derivatives: Faa di Bruno's formula to the fourth order.
+static void apply_law(const YkLaw *law, const double *u, double *out)
+{
+    double d[YK_LAW_ORDER + 1];
+    yk_law_eval(law, u[0], d);
+    out[0] = d[0];
+    out[1] = d[1] * u[1];
+    out[2] = d[1] * u[2] + d[2] * u[1] * u[1];
+    double third = d[1] * u[3] + 3 * d[2] * u[1] * u[2] + d[3] * u[1] * u[1] * u[1];
+    out[4] = d[1] * u[4] + d[2] * (4 * u[1] * u[3] + 3 * u[2] * u[2]) + 6 * d[3] * u[1] * u[1] * u[2] +
+             d[4] * u[1] * u[1] * u[1] * u[1];
+    out[3] = third;
+}
+
+YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet, YkProblems *problems)
+{
+    const YkDrive *d = &model->drives[drive];
+    YkJet argument;
+    if (d->law == YK_NONE) return yk_model_eval(model, d->expr, t, jet, problems);
+    YkStatus status = yk_model_eval(model, d->expr, t, &argument, problems);
+    if (status == YK_OK) apply_law(model->laws[d->law].law, argument.d, jet->d);
+    return status;
+}

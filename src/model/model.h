@@ -81,8 +81,16 @@ typedef struct YkCoordinate {
 typedef struct YkDrive {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr; // of t and parameters
+    YkExpr *expr; // of t and parameters; with a law: the law's argument
+    int32_t law;  // of model->laws, or YK_NONE
 } YkDrive;
+
+// `drives: {d: {law: lift, of: theta}}`: a coordinate that follows another by a law, as by a cam.
+typedef struct YkFollow {
+    int32_t coordinate, of;
+    YkPlace place;
+    int32_t law;
+} YkFollow;
 
 // `start:` in file order: a coordinate's position or rate (`theta1.rate`).
 typedef struct YkStart {
@@ -250,6 +258,8 @@ struct YkModel {
     size_t coordinate_count; // in file order
     YkDrive *drives;
     size_t drive_count;
+    YkFollow *follows;
+    size_t follow_count;
     YkStart *starts;
     size_t start_count;
     YkEffort *efforts;
@@ -282,6 +292,7 @@ struct YkModel {
 
 // Evaluates an expression of parameters and t (coordinates have no value here), with its derivatives in time.
 // Returns YK_OK; YK_BAD_MODEL with a problem added (code 3xx) for a division by zero and the like.
+YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet, YkProblems *problems); // of a drive
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
 
 // The exact SI value of an expression of numbers, pi and parameters, where + - * / and whole powers lead to one;

@@ -167,12 +167,12 @@ static int32_t check_given(YkLoader *loader, const YkWheelPair *pair, const Axis
 {
     const YkBody *bodies = loader->model->bodies;
     const char *carrier = bodies[pair->carrier].name;
+    if (pair->carrier == pair->body[0] || pair->carrier == pair->body[1]) {
+        yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: %q cannot carry itself", pair->noun,
+                   pair->name, carrier);
+        return YK_NONE;
+    }
     for (int k = 0; k < 2; k++) {
-        if (pair->carrier == pair->body[k]) {
-            yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: %q cannot carry itself", pair->noun,
-                       pair->name, carrier);
-            return YK_NONE;
-        }
         if (axes[k].has[pair->carrier]) continue;
         yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
                    "%s %q: the carrier %q does not hold the centre of %q", pair->noun, pair->name, carrier,

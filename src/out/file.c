@@ -1,5 +1,5 @@
 #define _XOPEN_SOURCE 700 // realpath
-#include "out/file.h"
+#include "out/file_inside.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -7,10 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include "base/problems.h"
-#include "base/text.h"
 
 enum { TEMPORARY_TRIES = 100 };
 
@@ -28,7 +26,7 @@ const char *yk_file_kind_name(YkFileKind kind)
     return names[kind];
 }
 
-static bool fail_at(const char *path, int error, YkProblems *problems)
+bool yk_file_fail(const char *path, int error, YkProblems *problems)
 {
     const YkPlace nowhere = {0};
     char words[128] = "unknown error";
@@ -47,37 +45,28 @@ static bool fail_at(const char *path, int error, YkProblems *problems)
     return false;
 }
 
-// Returns 0, or the error. A write of nothing finds no fault, so an empty output is fine everywhere.
-static int write_all(int descriptor, const char *data, size_t length)
+int yk_file_write_all(int descriptor, const char *data, size_t length, size_t *written)
 {
-    while (length > 0) {
-        ssize_t written = write(descriptor, data, length);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        data += written;
-        length -= (size_t)written;
+    size_t done = 0;
+    int error = 0;
+    while (done < length && error == 0) {
+        ssize_t count = write(descriptor, data + done, length - done);
+        if (count >= 0)
+            done += (size_t)count;
+        else if (errno != EINTR)
+            error = errno;
     }
-    return 0;
+    if (written) *written = done;
+    return error;
 }
 
 bool yk_file_write_to(int descriptor, const char *name, const char *data, size_t length, YkProblems *problems)
 {
-    int error = write_all(descriptor, data, length);
-    return error == 0 || fail_at(name, error, problems);
+    int error = yk_file_write_all(descriptor, data, length, NULL);
+    return error == 0 || yk_file_fail(name, error, problems);
 }
 
-// A device, a pipe: no file can take its place.
-static int write_directly(const char *path, const char *data, size_t length)
-{
-    int descriptor = open(path, O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) return errno;
-    int error = write_all(descriptor, data, length);
-    if (close(descriptor) < 0 && error == 0) error = errno;
-    return error;
-}
-
-// Opens a new file in the folder of `path`; its name goes to `name`. -1 with errno set.
-static int open_beside(const char *path, YkText *name)
+int yk_file_open_beside(const char *path, YkText *name)
 {
     const char *slash = strrchr(path, '/');
     int descriptor = -1;
@@ -93,12 +82,34 @@ static int open_beside(const char *path, YkText *name)
     return descriptor;
 }
 
-// Fills the new file, gives it the old one's permissions, and brings it safely to the disk.
-static int fill(int descriptor, const struct stat *old, const char *data, size_t length)
+int yk_file_find(const char *path, char **target, bool *exists, struct stat *old)
 {
-    int error = write_all(descriptor, data, length);
-    if (error == 0 && old && fchmod(descriptor, old->st_mode & 07777) < 0) error = errno;
+    *target = NULL;
+    *exists = stat(path, old) == 0;
+    if (*exists && S_ISDIR(old->st_mode)) return EISDIR;
+    if (*exists && !S_ISREG(old->st_mode)) return 0;
+    if (!*exists && *path == '\0') return ENOENT;
+    if (!*exists && path[strlen(path) - 1] == '/') return EISDIR;
+    *target = *exists ? realpath(path, NULL) : strdup(path); // what a link points to is replaced, not the link
+    if (!*target) return errno;
+    return *exists && access(*target, W_OK) < 0 ? errno : 0;
+}
+
+int yk_file_put(int descriptor, const char *temporary, const char *target, const struct stat *old)
+{
+    int error = old && fchmod(descriptor, old->st_mode & 07777) < 0 ? errno : 0;
     if (error == 0 && fsync(descriptor) < 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
+    if (close(descriptor) < 0 && error == 0) error = errno;
+    if (error == 0 && rename(temporary, target) < 0) error = errno;
+    if (error != 0) unlink(temporary);
+    return error;
+}
+
+static int write_directly(const char *path, const char *data, size_t length)
+{
+    int descriptor = open(path, O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    int error = yk_file_write_all(descriptor, data, length, NULL);
     if (close(descriptor) < 0 && error == 0) error = errno;
     return error;
 }
@@ -106,11 +117,15 @@ static int fill(int descriptor, const struct stat *old, const char *data, size_t
 static int replace_whole(const char *path, const struct stat *old, const char *data, size_t length)
 {
     YkText name = {0};
-    int descriptor = open_beside(path, &name), error = descriptor < 0 ? errno : 0;
+    int descriptor = yk_file_open_beside(path, &name), error = descriptor < 0 ? errno : 0;
     if (error == 0) {
-        error = fill(descriptor, old, data, length);
-        if (error == 0 && rename(name.data, path) < 0) error = errno;
-        if (error != 0) unlink(name.data);
+        error = yk_file_write_all(descriptor, data, length, NULL);
+        if (error == 0) {
+            error = yk_file_put(descriptor, name.data, path, old);
+        } else {
+            close(descriptor);
+            unlink(name.data);
+        }
     }
     yk_text_free(&name);
     return error;
@@ -119,20 +134,11 @@ static int replace_whole(const char *path, const struct stat *old, const char *d
 bool yk_file_write(const char *path, const char *data, size_t length, YkProblems *problems)
 {
     struct stat old;
-    int error;
-    bool exists = stat(path, &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) {
-        error = EISDIR;
-    } else if (exists && !S_ISREG(old.st_mode)) {
-        error = write_directly(path, data, length);
-    } else if (exists) {
-        char *target = realpath(path, NULL); // what a link points to is replaced, not the link
-        error = !target ? errno : access(target, W_OK) < 0 ? errno : replace_whole(target, &old, data, length);
-        free(target);
-    } else {
-        error = *path == '\0'                   ? ENOENT
-                : path[strlen(path) - 1] == '/' ? EISDIR
-                                                : replace_whole(path, NULL, data, length);
-    }
-    return error == 0 || fail_at(path, error, problems);
+    bool exists;
+    char *target;
+    int error = yk_file_find(path, &target, &exists, &old);
+    if (error == 0)
+        error = target ? replace_whole(target, exists ? &old : NULL, data, length) : write_directly(path, data, length);
+    free(target);
+    return error == 0 || yk_file_fail(path, error, problems);
 }

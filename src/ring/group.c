@@ -83,11 +83,35 @@ static bool same_mass(YkSheet *sheet, uint32_t a, uint32_t b)
     return left == yk_part_of_classes(sheet, b, YK_CLASSES_OF_MASS) && !sheet->failed;
 }
 
+// (m1 + m2) a for terms that are one length, or one product of such, times masses alone. False where they are not so.
+static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
+{
+    YkRatio number;
+    uint32_t common = count > 1 ? yk_common_monomial(sheet, terms, count) : 0;
+    if (common == 0 || sheet->failed || yk_part_of_classes(sheet, common, YK_CLASSES_OF_MASS) != 0) return false;
+    for (size_t i = 0; i < count && !sheet->failed; i++) {
+        uint32_t rest = yk_quotient(sheet, terms[i].monomial, common);
+        if (sheet->failed || rest == 0 || yk_part_of_classes(sheet, rest, YK_CLASSES_OF_MASS) != rest) return false;
+    }
+    if (!bracket_number(sheet, terms, count, &number)) return true;
+    divide_terms(sheet, terms, count, common, number);
+    bool bare = yk_ratio_is(number, 1) || yk_ratio_is(number, -1);
+    YkShow *product = bare ? yk_show(sheet, YK_SHOW_PRODUCT) : yk_show_term(sheet, number, 0, NULL);
+    YkShow *bracket = yk_show(sheet, YK_SHOW_SUM);
+    append_terms(sheet, bracket, terms, count);
+    yk_show_append(product, bracket);
+    if (!sheet->failed) yk_show_append(product, yk_show_term(sheet, (YkRatio){1, 1}, common, NULL));
+    if (product) product->negative = number.over < 0;
+    yk_show_append(sum, product);
+    return true;
+}
+
 void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     size_t products, end;
     yk_sort_by_monomial(sheet, terms, count);
     YkRateProduct *list = yk_rate_products(sheet, terms, count, &products);
+    if (!list && !sheet->failed && masses_times_common(sheet, sum, terms, count)) return;
     for (size_t start = 0; list && start < products && !sheet->failed; start = end) {
         for (end = start + 1; end < products && same_mass(sheet, list[start].monomial, list[end].monomial); end++) {}
         rate_group(sheet, sum, list + start, end - start);

@@ -38,6 +38,15 @@ static YkShow *bracket_factor(YkSheet *sheet, YkShownTerm *terms, size_t count)
     return yk_show_term(sheet, number, 0, NULL);
 }
 
+// Takes the minus out of a sum whose parts all have it.
+static bool take_minus(YkShow *sum)
+{
+    bool minus = sum && sum->first;
+    for (const YkShow *part = sum ? sum->first : NULL; part; part = part->next) minus = minus && part->negative;
+    for (YkShow *part = sum ? sum->first : NULL; part && minus; part = part->next) part->negative = false;
+    return minus;
+}
+
 // (bracket) * lead for terms that all hold the monomial `lead`, which is divided out.
 static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count, uint32_t lead, bool with_factor)
 {
@@ -47,18 +56,17 @@ static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t
     YkShow *bracket = yk_show(sheet, YK_SHOW_SUM);
     YkShow *product = with_factor ? bracket_factor(sheet, terms, count) : yk_show(sheet, YK_SHOW_PRODUCT);
     yk_show_by_atom(sheet, bracket, terms, count);
+    bool minus = take_minus(bracket);
     YkShow *inner = yk_show_simplest(bracket);
     bool is_one = inner && inner->kind == YK_SHOW_PRODUCT && inner->first && inner->first == inner->last &&
                   inner->first->kind == YK_SHOW_NUMBER && yk_ratio_is(inner->first->number, 1);
-    if (is_one && product)
-        product->negative = inner->negative;
-    else
-        yk_show_append(product, inner);
+    if (!is_one) yk_show_append(product, inner);
+    if (product && minus) product->negative = !product->negative;
     yk_show_append(product, yk_show_term(sheet, (YkRatio){1, 1}, lead, NULL));
     yk_show_append(sum, product);
 }
 
-// Sorts terms by their part of the class: keys[i] is the part of terms[i]. Few different parts: insertion by group.
+// Sorts terms by their part of the class, in the order of monomials.
 static void sort_by_part(YkSheet *sheet, YkShownTerm *terms, size_t count, YkRingClass kind)
 {
     YkShownTerm *parts = YK_NEW(sheet->arena, YkShownTerm, count + 1);
@@ -106,9 +114,7 @@ static void gravity_section(YkSheet *sheet, YkShow *sum, Section section)
         if (!sheet->failed) yk_show_by_atom(sheet, sum, section.terms, section.count);
         return;
     }
-    bool minus = true;
-    for (const YkShow *part = bracket->first; part; part = part->next) minus = minus && part->negative;
-    for (YkShow *part = bracket->first; part && minus; part = part->next) part->negative = false;
+    bool minus = take_minus(bracket);
     YkShow *product = yk_show_term(sheet, (YkRatio){minus ? -1 : 1, 1}, lead, NULL);
     yk_show_append(product, bracket);
     yk_show_append(sum, product);

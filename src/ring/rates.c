@@ -93,7 +93,7 @@ static YkShow *linear_form(YkSheet *sheet, const Form *form, const YkRatio *coef
     for (size_t i = 0; i < form->count; i++)
         if (coefficients[i].over != 0)
             terms[count++] = (YkShownTerm){yk_ring_monomial_of(sheet->ring, form->rates[i], 1), coefficients[i], {0}};
-    if (!yk_common_number(terms, count, factor)) return NULL;
+    if (count == 0 || !yk_common_number(terms, count, factor)) return NULL;
     if (terms[0].number.over < 0) factor->over = -factor->over;
     YkShow *sum = yk_show(sheet, YK_SHOW_SUM);
     for (size_t i = 0; i < count; i++) {

@@ -104,7 +104,7 @@ YkStatus yk_state_set_time(YkState *s, double time, YkProblems *problems)
         const YkTreeCoordinate *c = &s->mech->coordinates[s->mech->inputs[i]];
         YkJet jet = {{s->guess[s->mech->inputs[i]]}};
         if (c->drive != YK_NONE) {
-            YkStatus one = yk_model_eval(model, model->drives[c->drive].expr, time, &jet, problems);
+            YkStatus one = yk_model_drive(model, (size_t)c->drive, time, &jet, problems);
             if (one != YK_OK) status = one;
         }
         if (c->drive != YK_NONE && status != YK_OK) continue;

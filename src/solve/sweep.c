@@ -31,7 +31,7 @@ struct YkSweep {
 
 YkSweepOptions yk_default_sweep_options(void)
 {
-    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180, NULL};
+    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180, NULL, YK_METHOD_REDUCED};
 }
 
 static void add_event(YkSweep *w, YkEvent event)
@@ -336,6 +336,29 @@ static bool progress(YkSweep *w, double a, double b)
 // --- rows
 // ---------------------------------------------------------------------------------------------------------------
 
+static bool wants_forces(const YkSweep *w)
+{
+    for (size_t c = 0; w->options.dynamics && c < w->channel_count; c++)
+        if (yk_channel_needs_forces(w->channels[c])) return true;
+    return false;
+}
+
+// The channels at the pose that stands; forces are NaN where they are not determined.
+static void read_channels(const YkSweep *w, double *values)
+{
+    YkState *s = w->path.state;
+    YkStatus status = wants_forces(w) && s->has_rates
+                          ? yk_dynamics_solve(w->options.dynamics, s, w->options.method)
+                          : YK_SINGULAR;
+    bool has_forces = status == YK_OK || status == YK_REDUNDANT;
+    for (size_t c = 0; c < w->channel_count; c++) {
+        if (!yk_channel_needs_forces(w->channels[c]))
+            values[c] = yk_state_channel(s, w->channels[c]);
+        else
+            values[c] = has_forces ? yk_dynamics_channel(w->options.dynamics, s, w->channels[c]) : (double)NAN;
+    }
+}
+
 static bool record(YkSweep *w, double at)
 {
     YkState *s = w->path.state;
@@ -348,8 +371,7 @@ static bool record(YkSweep *w, double at)
     size_t row = w->row_count++;
     w->at[row] = at;
     w->row_status[row] = (signed char)status;
-    for (size_t c = 0; c < w->channel_count; c++)
-        w->values[row * w->channel_count + c] = yk_state_channel(s, w->channels[c]);
+    read_channels(w, w->values + row * w->channel_count);
     w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR) add_event(w, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});
     return true;
@@ -380,7 +402,8 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
             for (int j = 1; j <= SIDE; j++)
                 if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
             ok = ok && yk_path_probe(&w->path, at + side * k * h, false) >= 0;
-            for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * yk_state_channel(s, w->channels[c]);
+            if (ok) read_channels(w, w->slope); // scratch here: extremes are looked for between rows
+            for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * w->slope[c];
         }
         for (size_t k = 0; k < w->margin_count; k++) // to the near side, and back
             if (has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN) s->branch[k] = (signed char)-s->branch[k];
@@ -390,7 +413,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
     if (!ok) return;
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
-        if (w->channels[c].order > 0 || w->channels[c].kind == YK_CHANNEL_POINT_SPEED)
+        if (w->channels[c].order > 0 || w->channels[c].kind >= YK_CHANNEL_POINT_SPEED)
             w->values[row * w->channel_count + c] = sums[c];
 }
 

@@ -33,6 +33,11 @@
     "cams: {valve: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 30 mm, offset: 5 mm}}\n"             \
     "start: {th: 40 deg, b: 60 deg, c: 170 deg, th.rate: 20}\n"
 
+#define FOLLOW                                                                                                         \
+    "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, "                      \
+    "{fall: {to: 240 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}\n" CAM_PARTS                              \
+    "drives: {s: {law: lift, of: th}}\nstart: {th: 40 deg, b: 60 deg, c: 170 deg, th.rate: 20}\n"
+
 #define PLANETARY_LINKAGE                                                                                              \
     "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], E: [0.35, 0.05]}}\n"                                 \
     "  sun: {points: {O: [0, 0]}, mass: 1, inertia: 0.002}\n  arm: {points: {O: [0, 0], P: [0.1, 0]}, mass: 1, rod: [O, P]}\n" \

@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "run.h"
 
-static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, PLANETARY_LINKAGE, BELT};
+static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, FOLLOW, PLANETARY_LINKAGE, BELT};
 enum { MACHINES = sizeof machines / sizeof *machines };
 
 static double rate_of(const Rig *rig, const char *name)
@@ -111,7 +111,7 @@ static void forces_by_both_formulations(void **unused)
 static void energy_is_kept_through_meshes(void **unused)
 {
     (void)unused;
-    for (size_t k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 4; k++) {
         Run run = run_of_text(machines[k], run_options(1e-10));
         for (int row = 1; row <= 10; row++) assert_int_equal(yk_simulation_advance(run.sim, 0.05 * row), YK_OK);
         YkSimulationSummary s = yk_simulation_summary(run.sim);

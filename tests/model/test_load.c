@@ -137,17 +137,16 @@ static void the_double_pendulum_takes_bare_numbers_by_their_use(void **state)
     yk_model_free(model);
 }
 
-static void gear_trains_and_cams_are_refused_for_that_reason_only(void **state)
+static void gear_trains_and_cams_load(void **state)
 {
     (void)state;
-    const char *texts[] = {epicyclic, cam};
-    for (size_t i = 0; i < 2; i++) {
-        YkProblems *problems = fixture_refuse(texts[i]);
-        for (size_t k = 0; k < yk_problems_count(problems); k++) {
-            assert_int_equal(yk_problems_get(problems, k)->code, YK_CODE_NOT_SUPPORTED);
-        }
-        yk_problems_free(problems);
-    }
+    YkModel *model = fixture_load(epicyclic);
+    assert_int_equal(model->gear_count, 2);
+    assert_string_equal(model->bodies[model->gears[1].carrier].name, "arm");
+    yk_model_free(model);
+    model = fixture_load(cam);
+    assert_int_equal(model->cam_count, 1);
+    yk_model_free(model);
 }
 
 static void a_machine_without_a_name_has_that_of_its_file(void **state)
@@ -249,7 +248,7 @@ int main(void)
         cmocka_unit_test(the_toggle_has_uniform_rods_and_a_point_mass),
         cmocka_unit_test(the_toggle_has_gravity_an_effort_and_a_rate_at_the_start),
         cmocka_unit_test(the_double_pendulum_takes_bare_numbers_by_their_use),
-        cmocka_unit_test(gear_trains_and_cams_are_refused_for_that_reason_only),
+        cmocka_unit_test(gear_trains_and_cams_load),
         cmocka_unit_test(a_machine_without_a_name_has_that_of_its_file),
         cmocka_unit_test(every_mistake_of_a_file_is_told_in_one_run),
         cmocka_unit_test(a_file_and_its_text_give_the_same_machine),

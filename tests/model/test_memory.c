@@ -119,11 +119,23 @@ static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
               NULL, 1);
 }
 
+static void trains_are_read_or_refused_whichever_allocation_fails(void **state)
+{
+    (void)state;
+    check_all(epicyclic, NULL, 1);
+    check_all(cam, NULL, 1);
+    check_all("bodies: {a: {}, b: {}, bar: {}, arm: {points: {B: [1, 0]}}}\n"
+              "joints: {A: {pin: [arm, a]}, B: {pin: [arm, b]}, O: {pin: [ground, arm], angle: q},\n"
+              "  S: {slide: [arm, bar], distance: d}}\n"
+              "belts: {x: {between: [a, b], radii: [1/2, 0.3], crossed: true}}\n"
+              "racks: {y: {pinion: b, rack: bar, radius: 2 mm * 3}}\n"
+              "locks: {one: [a, q], two: {hold: [bar], join: [[a, b], [b, arm]]}}\n",
+              NULL, 1);
+}
+
 static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
-    check_all(epicyclic, NULL, 0);
-    check_all(cam, NULL, 0);
     check_all("parameters: {a: b, b: a, c: 1/0, l1: 3 m}\nbodies: {k: {points: {A: [l2, 0]}, mass: -1}, m: {}}\n"
               "joints: {O: {pin: [ground, kk]}, A: {pin: [k, m], angle: q, at: B}}\n"
               "drives: {O.angle: 3, qq: 2, q: q}\nstart: {A.angle.rate: 1}\nspeed: 3\n",
@@ -173,6 +185,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_good_file_is_loaded_or_refused_whichever_allocation_fails),
         cmocka_unit_test(loads_are_read_or_refused_whichever_allocation_fails),
+        cmocka_unit_test(trains_are_read_or_refused_whichever_allocation_fails),
         cmocka_unit_test(a_bad_file_is_refused_whichever_allocation_fails),
         cmocka_unit_test(a_value_is_read_or_refused_whichever_allocation_fails),
     };

@@ -1,0 +1,14 @@
+// What the files of `yoke derive` share.
+#ifndef CLI_DERIVE_H
+#define CLI_DERIVE_H
+#include "answer.h"
+#include "session.h"
+#include "derive/check.h"
+#include "out/page_print.h"
+
+// Assembles at the inputs and solves the forces too; false (told) where the machine does not close.
+bool yk_derive_pose(YkSession *session);
+// --check: verdicts on all equations; returns the exit code.
+int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json);
+
+#endif

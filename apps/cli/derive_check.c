@@ -1,0 +1,171 @@
+// yoke derive --check: is an equation true of this machine?
+#include <stdlib.h>
+#include <string.h>
+#include "derive.h"
+#include "derive_input.h"
+
+enum { SHOWN_MAX = 12 }; // coordinates of a pose
+
+typedef struct Checking {
+    YkSession *session;
+    YkDerivation *derivation;
+    YkState *start; // each check begins at the pose that was asked for
+    YkJson json;
+    bool as_json;
+    int exit_code;
+} Checking;
+
+static const char *word_of(YkCheckKind kind)
+{
+    static const char *const words[] = {"true", "true-here", "false", "undecided", "unreadable"};
+    return words[kind];
+}
+
+static void add_pose(Checking *checking, YkText *text)
+{
+    const YkMechanism *mech = checking->session->mech;
+    size_t count = yk_coordinate_count(mech);
+    for (size_t k = 0; k < count && k < SHOWN_MAX; k++) {
+        YkCoordinateInfo info = yk_coordinate_info(mech, k);
+        YkMotion motion = yk_state_coordinate(checking->session->state, k);
+        yk_text_format(text, "%s%s = ", k ? ", " : "", info.name);
+        yk_add_value(checking->session, text, motion.position, yk_quantity_of(info.is_distance, 0), YK_DIGITS);
+        if (info.input < 0) continue;
+        yk_text_format(text, ", %s' = ", info.name);
+        yk_add_value(checking->session, text, motion.velocity, yk_quantity_of(info.is_distance, 1), YK_DIGITS);
+    }
+    if (count > SHOWN_MAX) yk_text_puts(text, ", ...");
+}
+
+static void say_text(Checking *checking, const char *equation, const YkCheckVerdict *verdict)
+{
+    YkText *out = &checking->session->out;
+    yk_text_format(out, "%s\n  ", equation);
+    switch (verdict->kind) {
+    case YK_CHECK_TRUE:
+        yk_text_puts(out, verdict->is_identity ? "true for all dimensions (an identity: it needs no loop)\n"
+                                               : "true for all dimensions\n");
+        break;
+    case YK_CHECK_TRUE_HERE:
+        if (verdict->is_for_these_numbers)
+            yk_text_format(out, "true with this file's numbers, at %z poses; for other dimensions it cannot be told here "
+                                "(lengths that the file gives as `parameters:` can be)\n", verdict->poses);
+        else
+            yk_text_format(out, "true only with this file's numbers (at %z poses): with other dimensions it does not hold\n",
+                           verdict->poses);
+        break;
+    case YK_CHECK_FALSE:
+        yk_text_puts(out, "false");
+        yk_text_format(out, ": the left side is %e, the right side %e (SI) at\n  ", verdict->left, verdict->right);
+        add_pose(checking, out);
+        yk_text_puts(out, "\n");
+        if (verdict->slip) yk_text_format(out, "  %s\n", verdict->slip);
+        break;
+    case YK_CHECK_UNDECIDED:
+        yk_text_puts(out, "undecided: the machine could not be put into poses that tell\n");
+        break;
+    case YK_CHECK_UNREADABLE:
+        yk_text_puts(out, "not understood\n");
+        break;
+    }
+}
+
+static void say_json(Checking *checking, const char *equation, const YkCheckVerdict *verdict)
+{
+    YkJson *json = &checking->json;
+    yk_json_object(json, NULL, YK_JSON_LINES);
+    yk_json_string(json, "equation", equation);
+    yk_json_string(json, "verdict", word_of(verdict->kind));
+    if (verdict->kind != YK_CHECK_UNREADABLE) {
+        yk_json_bool(json, "identity", verdict->is_identity);
+        yk_json_integer(json, "poses", (long long)verdict->poses);
+    }
+    if (verdict->kind == YK_CHECK_TRUE_HERE) yk_json_bool(json, "other_dimensions_decided", !verdict->is_for_these_numbers);
+    if (verdict->kind == YK_CHECK_FALSE) {
+        const YkMechanism *mech = checking->session->mech;
+        yk_json_number(json, "left", verdict->left);
+        yk_json_number(json, "right", verdict->right);
+        yk_json_object(json, "pose", YK_JSON_LINES);
+        for (size_t k = 0; k < yk_coordinate_count(mech); k++) {
+            YkMotion motion = yk_state_coordinate(checking->session->state, k);
+            yk_json_object(json, yk_coordinate_info(mech, k).name, YK_JSON_INLINE);
+            yk_json_number(json, "position", motion.position);
+            yk_json_number(json, "velocity", motion.velocity);
+            yk_json_number(json, "acceleration", motion.acceleration);
+            yk_json_end(json);
+        }
+        yk_json_end(json);
+        if (verdict->slip) yk_json_string(json, "hint", verdict->slip);
+    }
+    yk_json_end(json);
+}
+
+static void check_one(Checking *checking, const char *equation)
+{
+    YkSession *session = checking->session;
+    YkProblems *problems = yk_problems_new();
+    if (!problems) {
+        checking->exit_code = YK_EXIT_WRONG;
+        return;
+    }
+    yk_state_copy(session->state, checking->start);
+    yk_problems_set_source(problems, "--check", equation, strlen(equation));
+    YkCheckVerdict verdict = yk_derive_check(checking->derivation, session->state, session->dynamics, equation,
+                                             strlen(equation), (YkPlace){1, 1, 0}, problems);
+    if (checking->as_json)
+        say_json(checking, equation, &verdict);
+    else
+        say_text(checking, equation, &verdict);
+    yk_print_problems(problems, session->request->quiet);
+    yk_problems_free(problems);
+    int exit_code = verdict.kind == YK_CHECK_UNREADABLE  ? YK_EXIT_WRONG
+                    : verdict.kind <= YK_CHECK_TRUE_HERE ? YK_EXIT_DONE
+                                                         : YK_EXIT_NO_ANSWER;
+    if (exit_code > checking->exit_code) checking->exit_code = exit_code;
+}
+
+// Equations from standard input, one a line; empty lines and those that begin with # are passed over.
+static void check_lines(Checking *checking)
+{
+    size_t length = 0;
+    char *text = yk_derive_read_input(&length, checking->session->problems);
+    if (!text) checking->exit_code = YK_EXIT_WRONG;
+    for (char *line = text, *end = text ? text + length : NULL; line && line < end;) {
+        char *stop = memchr(line, '\n', (size_t)(end - line));
+        size_t size = stop ? (size_t)(stop - line) : (size_t)(end - line);
+        if (size > 0 && line[size - 1] == '\r') size--;
+        const char *copy = yk_arena_copy(checking->derivation->arena, line, size);
+        if (copy && copy[strspn(copy, " \t")] != '\0' && *copy != '#') check_one(checking, copy);
+        line = stop ? stop + 1 : end;
+    }
+    free(text);
+}
+
+int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
+{
+    Checking checking = {.session = session, .derivation = derivation, .json = {.text = &session->out}, .as_json = as_json};
+    const YkWords *checks = &session->request->checks;
+    checking.start = yk_state_new(session->mech);
+    if (!checking.start || yk_state_copy(checking.start, session->state) < 0) {
+        yk_state_free(checking.start);
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return YK_EXIT_WRONG;
+    }
+    if (as_json) {
+        yk_json_object(&checking.json, NULL, YK_JSON_LINES);
+        yk_json_string(&checking.json, "model", yk_model_name(session->model));
+        yk_json_list(&checking.json, "checks", YK_JSON_LINES);
+    }
+    for (size_t k = 0; k < checks->count; k++) {
+        if (strcmp(checks->items[k], "-") == 0)
+            check_lines(&checking);
+        else
+            check_one(&checking, checks->items[k]);
+    }
+    if (as_json) {
+        yk_json_end(&checking.json);
+        yk_json_end(&checking.json);
+    }
+    yk_state_free(checking.start);
+    return yk_session_finish(session, checking.exit_code);
+}

@@ -1,0 +1,223 @@
+// Forces of a configuration: reactions, efforts, energy, balances, the count of equations.
+#include <math.h>
+#include "out/csv.h"
+#include "out/table.h"
+#include "out/words.h"
+#include "session.h"
+#include "solve.h"
+
+void yk_add_count(YkText *text, YkEquationCount c)
+{
+    size_t equations = c.force + c.moment + c.acceleration;
+    yk_text_format(text, "%z force + %z moment + %z acceleration = %z equations; %z unknowns", c.force, c.moment,
+                   c.acceleration, equations, c.unknown_reactions + c.unknown_accelerations + c.unknown_efforts);
+}
+
+// --- JSON
+// ---------------------------------------------------------------------------------------------------------------
+
+static void add_pair(YkJson *json, const char *key, const double pair[2])
+{
+    yk_json_list(json, key, YK_JSON_INLINE);
+    for (int axis = 0; axis < 2; axis++) yk_json_number(json, NULL, pair[axis]);
+    yk_json_end(json);
+}
+
+static void add_wrench(YkJson *json, const char *key, YkWrench wrench)
+{
+    yk_json_object(json, key, YK_JSON_INLINE);
+    add_pair(json, "force", wrench.force);
+    yk_json_number(json, "moment", wrench.moment);
+    yk_json_end(json);
+}
+
+static void add_reactions(YkSession *session, YkJson *json)
+{
+    yk_json_object(json, "reactions", YK_JSON_LINES);
+    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
+        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
+        yk_json_object(json, yk_model_joint_name(session->model, j), YK_JSON_INLINE);
+        yk_json_string(json, "by", yk_model_body_name(session->model, r.by));
+        yk_json_string(json, "on", yk_model_body_name(session->model, r.on));
+        add_pair(json, "force", r.force);
+        yk_json_number(json, "moment", r.moment);
+        if (!r.is_determinate) yk_json_bool(json, "determinate", false);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
+static void add_efforts(YkSession *session, YkJson *json)
+{
+    yk_json_object(json, "efforts", YK_JSON_INLINE);
+    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++)
+        if (yk_dynamics_has_effort(session->dynamics, c))
+            yk_json_number(json, yk_coordinate_info(session->mech, c).name, yk_dynamics_effort(session->dynamics, c));
+    yk_json_end(json);
+}
+
+static void add_balances(YkSession *session, YkJson *json)
+{
+    yk_json_object(json, "balance", YK_JSON_LINES);
+    for (size_t b = 1; b < yk_model_body_count(session->model); b++) {
+        YkBalance balance = yk_dynamics_balance(session->dynamics, b);
+        yk_json_object(json, yk_model_body_name(session->model, b), YK_JSON_INLINE);
+        add_wrench(json, "loads", balance.loads);
+        add_wrench(json, "reactions", balance.reactions);
+        add_wrench(json, "inertia", balance.inertia);
+        yk_json_number(json, "residual", balance.residual);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
+void yk_add_equations_json(YkJson *json, YkEquationCount c)
+{
+    YkText text = {0};
+    yk_add_count(&text, c);
+    yk_json_object(json, "equations", YK_JSON_INLINE);
+    yk_json_integer(json, "force", (long long)c.force);
+    yk_json_integer(json, "moment", (long long)c.moment);
+    yk_json_integer(json, "acceleration", (long long)c.acceleration);
+    yk_json_integer(json, "unknown_reactions", (long long)c.unknown_reactions);
+    yk_json_integer(json, "unknown_accelerations", (long long)c.unknown_accelerations);
+    yk_json_integer(json, "unknown_efforts", (long long)c.unknown_efforts);
+    yk_json_string(json, "text", yk_text_get(&text));
+    yk_json_end(json);
+    json->text->failed |= text.failed;
+    yk_text_free(&text);
+}
+
+void yk_forces_json(YkSession *session, YkJson *json, const YkState *state)
+{
+    YkEnergy energy = yk_dynamics_energy(session->dynamics);
+    (void)state;
+    add_reactions(session, json);
+    add_efforts(session, json);
+    yk_json_object(json, "energy", YK_JSON_INLINE);
+    yk_json_number(json, "kinetic", energy.kinetic);
+    yk_json_number(json, "potential", energy.potential);
+    yk_json_end(json);
+    add_wrench(json, "shaking", yk_dynamics_shaking(session->dynamics));
+    add_balances(session, json);
+    yk_add_equations_json(json, yk_dynamics_count(session->dynamics));
+}
+
+// --- text
+// ---------------------------------------------------------------------------------------------------------------
+
+// In the file's unit; what is rounding beside the largest force is zero.
+static double shown(const YkSession *session, double value, double largest, YkQuantity quantity)
+{
+    double size = 1, scale = quantity == YK_QUANTITY_TORQUE ? yk_mechanism_size(session->mech) : 1;
+    yk_model_unit(session->model, quantity, &size);
+    return fabs(value) <= 1e-13 * largest * scale ? 0 : value / size;
+}
+
+static double largest_force(const YkSession *session)
+{
+    double largest = 0;
+    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
+        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
+        largest = fmax(largest, hypot(r.force[0], r.force[1]));
+    }
+    return largest;
+}
+
+static void write_table(YkSession *session, YkTable *table, bool has_rows)
+{
+    if (has_rows) {
+        yk_text_puts(&session->out, "\n");
+        if (!yk_table_write(table, 2, &session->out)) session->out.failed = true;
+    }
+    yk_table_free(table);
+}
+
+static void add_reaction_table(YkSession *session, double largest)
+{
+    YkTable *table = yk_table_new(6);
+    YkText words = {0};
+    const char *force = yk_unit_of(session, YK_QUANTITY_FORCE), *moment = yk_unit_of(session, YK_QUANTITY_TORQUE);
+    yk_table_head(table, "reaction at", NULL);
+    yk_table_head(table, "by, on", NULL);
+    yk_table_head(table, "force x", force);
+    yk_table_head(table, "force y", force);
+    yk_table_head(table, "size", force);
+    yk_table_head(table, "moment", moment);
+    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
+        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
+        yk_table_word(table, yk_model_joint_name(session->model, j));
+        yk_words_renew(&words);
+        yk_text_format(&words, "%s, %s%s", yk_model_body_name(session->model, r.by), yk_model_body_name(session->model, r.on),
+                       r.is_determinate ? "" : " (one of many, least)");
+        yk_table_word(table, yk_text_get(&words));
+        for (int axis = 0; axis < 2; axis++)
+            yk_table_number(table, shown(session, r.force[axis], largest, YK_QUANTITY_FORCE), YK_DIGITS);
+        yk_table_number(table, shown(session, hypot(r.force[0], r.force[1]), largest, YK_QUANTITY_FORCE), YK_DIGITS);
+        yk_table_number(table, shown(session, r.moment, largest, YK_QUANTITY_TORQUE), YK_DIGITS);
+    }
+    session->out.failed |= words.failed;
+    yk_text_free(&words);
+    write_table(session, table, yk_model_joint_count(session->model) > 0);
+}
+
+static void add_effort_table(YkSession *session, bool is_distance, double largest)
+{
+    YkQuantity quantity = is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
+    YkTable *table = yk_table_new(2);
+    size_t count = 0;
+    yk_table_head(table, is_distance ? "force along" : "torque along", NULL);
+    yk_table_head(table, "", yk_unit_of(session, quantity));
+    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
+        if (yk_coordinate_info(session->mech, c).is_distance != is_distance || !yk_dynamics_has_effort(session->dynamics, c)) continue;
+        yk_table_word(table, yk_coordinate_info(session->mech, c).name);
+        yk_table_number(table, shown(session, yk_dynamics_effort(session->dynamics, c), largest, quantity), YK_DIGITS);
+        count++;
+    }
+    write_table(session, table, count > 0);
+}
+
+void yk_forces_text(YkSession *session, const YkState *state)
+{
+    YkText *out = &session->out;
+    double largest = largest_force(session);
+    YkEnergy energy = yk_dynamics_energy(session->dynamics);
+    (void)state;
+    add_reaction_table(session, largest);
+    add_effort_table(session, false, largest);
+    add_effort_table(session, true, largest);
+    yk_text_puts(out, "\n  energy: kinetic ");
+    yk_add_value(session, out, energy.kinetic, YK_QUANTITY_ENERGY, YK_DIGITS);
+    yk_text_puts(out, ", potential ");
+    yk_add_value(session, out, energy.potential, YK_QUANTITY_ENERGY, YK_DIGITS);
+    yk_text_puts(out, "\n  ");
+    yk_add_count(out, yk_dynamics_count(session->dynamics));
+    yk_text_puts(out, "\n");
+}
+
+// --- CSV: one line a force: x, y and moment in place of position, velocity and acceleration
+// ---------------------------------------------------------------------------------------------------------------
+
+static void add_csv(YkSession *session, const char *label, const char *kind, const char *name, double a, double b, double c)
+{
+    YkCsv csv = {.text = &session->out};
+    yk_csv_name(&csv, label);
+    yk_csv_name(&csv, kind);
+    yk_csv_name(&csv, name);
+    yk_csv_number(&csv, a);
+    yk_csv_number(&csv, b);
+    yk_csv_number(&csv, c);
+    yk_csv_row(&csv);
+}
+
+void yk_forces_csv(YkSession *session, const char *label)
+{
+    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
+        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
+        add_csv(session, label, "reaction", yk_model_joint_name(session->model, j), r.force[0], r.force[1], r.moment);
+    }
+    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++)
+        if (yk_dynamics_has_effort(session->dynamics, c))
+            add_csv(session, label, "effort", yk_coordinate_info(session->mech, c).name,
+                    yk_dynamics_effort(session->dynamics, c), (double)NAN, (double)NAN);
+}

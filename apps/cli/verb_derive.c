@@ -1,0 +1,123 @@
+// yoke derive: the machine's equations in symbols, and verdicts on equations of others.
+#include <stdlib.h>
+#include <string.h>
+#include "base/names.h"
+#include "derive.h"
+
+enum { SECTIONS_MAX = 32 };
+
+static size_t section_count(void)
+{
+    size_t count = 0;
+    while (yk_derive_sections[count].name) count++;
+    return count;
+}
+
+static size_t find_section(const char *name, size_t length)
+{
+    size_t k = 0;
+    while (yk_derive_sections[k].name &&
+           (strlen(yk_derive_sections[k].name) != length || strncmp(yk_derive_sections[k].name, name, length) != 0))
+        k++;
+    return k;
+}
+
+static bool refuse_section(YkSession *session, const char *word, size_t length)
+{
+    YkText text = {0};
+    const char *names[SECTIONS_MAX];
+    size_t count = section_count();
+    yk_text_add(&text, word, length);
+    yk_problem(session->problems, YK_CODE_OPTION_VALUE, (YkPlace){0}, "--what has no part %q", yk_text_get(&text));
+    for (size_t k = 0; k < count; k++) names[k] = yk_derive_sections[k].name;
+    const char *near = yk_nearest(yk_text_get(&text), names, count);
+    yk_text_clear(&text);
+    for (size_t k = 0; k < count; k++) yk_text_format(&text, "%s, ", names[k]);
+    if (near)
+        yk_problem_hint(session->problems, "did you mean `%s`?", near);
+    else
+        yk_problem_hint(session->problems, "%sall", yk_text_get(&text));
+    yk_text_free(&text);
+    return false;
+}
+
+// "loops,jacobian" or "all"; wanted[section]. Without the option: all that this version derives.
+static bool read_what(YkSession *session, bool *wanted)
+{
+    const char *word = session->request->what;
+    if (!word || strcmp(word, "all") == 0) {
+        for (size_t k = 0; k < section_count(); k++) wanted[k] = yk_derive_sections[k].write != NULL;
+        return true;
+    }
+    while (*word) {
+        size_t length = strcspn(word, ","), k = find_section(word, length);
+        if (!yk_derive_sections[k].name) return refuse_section(session, word, length);
+        wanted[k] = true;
+        word += length + (word[length] == ',');
+    }
+    return true;
+}
+
+static bool read_format(YkSession *session, YkPageFormat *format)
+{
+    const char *word = session->request->format_word;
+    *format = word ? yk_page_format_find(word) : YK_PAGE_TEXT;
+    if (*format < YK_PAGE_FORMATS) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text, latex, mathml, json or c here, not %q", word);
+}
+
+bool yk_derive_pose(YkSession *session)
+{
+    if (!yk_session_inputs(session) || !yk_session_forces(session, false)) return false;
+    YkStatus status = yk_state_assemble(session->state);
+    if (status >= 0 && session->dynamics) status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
+    yk_tell_status(session, status, yk_state_report(session->state)->message);
+    return status >= 0;
+}
+
+static int cannot(YkSession *session, const YkDerivation *derivation)
+{
+    yk_session_refuse(session, YK_CODE_DERIVATION, "%s", yk_ring_status_text(yk_ring_status(derivation->ring)));
+    return YK_EXIT_NO_ANSWER;
+}
+
+static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format, const bool *wanted)
+{
+    double *values = NULL;
+    for (size_t k = 0; yk_derive_sections[k].name; k++)
+        if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation);
+    if (session->request->numbers) {
+        if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
+        // what is printed may enter a few more symbols, none of which stands in a formula
+        values = calloc(yk_ring_symbol_count(derivation->ring) + 1, sizeof *values);
+        if (values) yk_derive_values(derivation, session->state, session->dynamics, values);
+    }
+    bool good = yk_page_write(page, format, yk_model_name(session->model), values, &session->out);
+    free(values);
+    if (!good) return cannot(session, derivation);
+    return yk_session_finish(session, YK_EXIT_DONE);
+}
+
+static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat format)
+{
+    bool wanted[SECTIONS_MAX] = {false};
+    if (session->request->checks.count > 0) {
+        if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
+        return yk_derive_checks(session, derivation, format == YK_PAGE_JSON);
+    }
+    if (!read_what(session, wanted)) return YK_EXIT_WRONG;
+    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring};
+    int exit_code = page.arena ? write_page(session, derivation, &page, format, wanted) : cannot(session, derivation);
+    yk_arena_free(page.arena);
+    return exit_code;
+}
+
+int yk_run_derive(YkSession *session)
+{
+    YkPageFormat format;
+    if (!read_format(session, &format) || !yk_session_load(session, NULL)) return YK_EXIT_WRONG;
+    YkDerivation *derivation = yk_derivation_new(session->model, session->mech, session->problems);
+    int exit_code = derivation ? derive(session, derivation, format) : YK_EXIT_NO_ANSWER;
+    yk_derivation_free(derivation);
+    return exit_code;
+}

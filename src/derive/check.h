@@ -1,0 +1,53 @@
+// Is an equation true of this machine? By three ways that support each other:
+// - as an identity: both sides are the same element of the ring, whatever the coordinates are;
+// - on the loops, for all dimensions: both sides are equal at random points of the machine's own motion over the prime field
+//   p = 2^64 - 2^32 + 1 (loop_point.c). A false equation passes one point by chance with probability about degree / p;
+// - with the file's numbers: both sides are equal at many random poses of the numeric engine.
+#ifndef DERIVE_CHECK_H
+#define DERIVE_CHECK_H
+#include "base/problems.h"
+#include "derive/derive.h"
+#include "ring/form.h"
+
+typedef enum YkCheckKind {
+    YK_CHECK_TRUE,      // for all dimensions
+    YK_CHECK_TRUE_HERE, // only with this file's numbers
+    YK_CHECK_FALSE,
+    YK_CHECK_UNDECIDED, // no pose could be found, or the numbers do not tell
+    YK_CHECK_UNREADABLE // a problem says why
+} YkCheckKind;
+
+typedef struct YkCheckVerdict {
+    YkCheckKind kind;
+    bool is_identity;          // true: even if the loops were open
+    bool is_for_these_numbers; // true here, and whether for all dimensions could not be told
+    size_t poses;              // of the numeric engine, at which both sides were compared
+    double left, right;        // both sides at the pose at which the state is left (false: the one that shows it)
+    const char *slip;          // false: "with the other sign before `d3*cos(theta2)` it would be true"; or NULL
+} YkCheckVerdict;
+
+// Decides about "LEFT = RIGHT", in the file's names (theta1', theta1.rate, lever.angle, tan and quotients allowed). The state
+// must be assembled; its inputs and pose change, and for a false equation it is left at the pose that shows it. dynamics: for
+// equations with forces; may be NULL.
+YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
+                               YkPlace place, YkProblems *problems);
+
+// --- equation.c
+typedef struct YkEquationTerm { // a summand of a side: its sign, and where it stands
+    bool is_right, is_negative;
+    size_t start, end;
+    const YkForm *form; // without the sign
+} YkEquationTerm;
+enum { YK_EQUATION_TERMS_MAX = 64 };
+typedef struct YkEquation {
+    const YkForm *left, *right;
+    YkEquationTerm terms[YK_EQUATION_TERMS_MAX]; // the first so many
+    size_t term_count;
+} YkEquation;
+bool yk_equation_read(YkRing *ring, const char *text, size_t length, YkPlace place, YkProblems *problems, YkEquation *equation);
+
+// --- loop_point.c: a random point of the machine's motion, dimensions included, over the prime field; NULL where none could be
+// made (*is_possible false) or memory ran out. Free it with yk_field_point_free.
+YkFieldPoint *yk_derive_loop_point(YkDerivation *d, uint64_t seed, bool *is_possible);
+
+#endif

@@ -1,0 +1,164 @@
+// Forces in symbols: what acts on every body, named as an engineer names it on a free-body diagram, F_ij by body i on body
+// j. Shared by the sections of free bodies, Newton-Euler, energies and Lagrange. Everything here is in body form.
+//
+// Every force is a *push* on a body: a force at an arm from the body's reference - its centre of mass, or its origin where it
+// has no mass - and a couple. Loads are known pushes; contacts are those of joints, whose sizes are unknowns.
+#ifndef DERIVE_FREE_BODIES_H
+#define DERIVE_FREE_BODIES_H
+#include "derive/derive.h"
+
+typedef struct YkDerivePush {
+    int32_t body;
+    const YkPoisson *arm;    // from the reference to where the force acts, world axes
+    const YkPoisson *force;  // world axes, complex
+    const YkPoisson *moment; // of a couple, besides arm x force
+} YkDerivePush;
+
+typedef enum YkDeriveLoadKind {
+    YK_DERIVE_GRAVITY,
+    YK_DERIVE_SPRING,
+    YK_DERIVE_DAMPER, // also viscous friction
+    YK_DERIVE_DRY,    // dry friction and stops: a symbol, as large as the pose makes it
+    YK_DERIVE_FORCE,
+    YK_DERIVE_EFFORT, // what `efforts:` says
+    YK_DERIVE_DRIVE   // what a drive must exert: unknown
+} YkDeriveLoadKind;
+
+typedef struct YkDeriveLoad {
+    YkDeriveLoadKind kind;
+    const char *name;      // a word for it
+    int32_t joint, symbol; // along this joint, or YK_NONE; DRIVE and DRY: its symbol
+    YkDerivePush push[2];
+    size_t push_count;
+    const YkPoisson *energy; // potential, of gravity and springs; otherwise NULL
+} YkDeriveLoad;
+
+// What a joint or a junction exerts on one body.
+typedef struct YkDeriveContact {
+    int32_t joint, junction;             // junction: YK_NONE where there is none
+    const char *letter, *between;        // "F", "01"; NULL where it exerts no force
+    const char *moment;                  // "M"; NULL where it exerts none
+    bool is_negative;                    // this body is the first: its names are those of the second's
+    YkDerivePush push;                   // with the sign
+} YkDeriveContact;
+
+// A pin that joins several bodies: a massless junction, in equilibrium under the forces of all of them.
+typedef struct YkDeriveJunction {
+    const char *name;
+    int32_t place_body;     // at whose point it is counted to move
+    YkDerivePlace place;
+    const YkPoisson *force; // sum of all contacts on it: 0
+} YkDeriveJunction;
+
+typedef struct YkDeriveMass {
+    const YkPoisson *mass, *inertia, *center; // center: in the body's axes
+    const YkPoisson *position, *velocity, *acceleration; // of the reference
+    bool is_trivial; // its moment balance says no more than that its guide exerts no moment
+} YkDeriveMass;
+
+// A symbol that stands for a load's value where that is no polynomial.
+typedef struct YkDeriveOpaque {
+    int32_t symbol;
+    const YkExpr *expr;
+    const struct YkFormula *formula;
+    const YkLaw *law; // of the formula, or NULL
+    int32_t *variables; // [variable_count] symbols; [0] is the time
+    size_t variable_count;
+} YkDeriveOpaque;
+
+typedef struct YkDeriveForces {
+    YkDerivation *d;
+    bool is_partial; // gears, racks, belts or cams are left out: the equations do not hold
+    YkDeriveMass *bodies;
+    YkDeriveLoad *loads;
+    size_t load_count;
+    YkDeriveContact *contacts; // joint by joint
+    size_t contact_count;
+    YkDeriveJunction *junctions;
+    size_t junction_count;
+    int32_t *junction_of;               // per joint, or YK_NONE
+    const YkPoisson **joint_force, **joint_moment; // per joint: on the second body by the first
+    int32_t *reactions;                 // symbols, joint by joint
+    size_t reaction_count;
+    int32_t *reaction_joint, *reaction_body; // per reaction: joint, and of a junction's the body; otherwise YK_NONE
+    char *reaction_part;                // 'x' 'y' 'n' (normal) 'm' (moment)
+    int32_t *efforts;                   // symbols of unknown efforts
+    int32_t *effort_coordinate;
+    size_t effort_count;
+    YkDeriveOpaque *opaques;
+    size_t opaque_count;
+    struct { int32_t symbol; const YkPoisson *square; } *lengths; // of springs
+    size_t length_count;
+    // Lagrange: a row for each scalar equation of the loops, its multiplier, and what that is as a joint force.
+    const YkPoisson **rows, **identities;
+    int32_t *multipliers, *row_joint;
+    size_t row_count;
+} YkDeriveForces;
+
+// Made at first use; NULL on failure. Enters symbols, and for proofs the relations between them. Cost O(bodies * depth).
+const YkDeriveForces *yk_derive_forces(YkDerivation *d);
+// The same at once, for who needs the names of forces before a section is written. False on failure.
+bool yk_derive_enter_forces(YkDerivation *d);
+
+// --- Coordinates of the body form: one for each coordinate of the machine, in their order: the angle of the body that its
+// joint carries, or the distance.
+typedef struct YkDeriveFreedom {
+    int32_t position, rate, acceleration, body; // symbols; body: YK_NONE for a distance
+} YkDeriveFreedom;
+YkDeriveFreedom yk_derive_freedom(const YkDerivation *d, size_t coordinate);
+// The angle of a body's axes outside of cos and sin, body form.
+const YkPoisson *yk_derive_axes_angle(YkDerivation *d, int32_t body);
+
+// --- Equations: what is 0
+// Newton: sum of the forces on a body minus mass times acceleration, complex. Euler, about its reference.
+const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body);
+const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body);
+const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push);
+// All of them, and of the junctions, on the partial velocities of a coordinate of the body form.
+const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate);
+// What a load gives to a coordinate of the body form.
+const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate);
+// Second derivatives of what closing joints demand, free of their distances; the count, or -1 on failure. rows[3 loops].
+int yk_derive_closing_rows(YkDerivation *d, const YkPoisson **rows, int32_t *joints);
+
+// --- Energies, body form
+const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body);
+const YkPoisson *yk_derive_potential(const YkDeriveForces *f);
+
+// --- Lagrange: equation of a coordinate of the body form, left = right: inertia, potential, dampers and multipliers on the left;
+// efforts and forces on the right.
+typedef struct YkDeriveLagrange {
+    const YkPoisson *left, *right;
+} YkDeriveLagrange;
+YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate);
+// The same of the machine's own coordinate: sum over the bodies that it turns; joint form where `in_joints`.
+YkDeriveLagrange yk_derive_lagrange_of(const YkDeriveForces *f, size_t coordinate);
+
+// --- The count of equations and unknowns, inverse (all inputs given) or as the file says.
+YkEquationCount yk_derive_count(const YkDeriveForces *f, bool all_given);
+
+// --- Show in joint angles? Beyond a few links the sums of joint angles are not readable: body form then.
+bool yk_derive_shows_joints(const YkDerivation *d);
+const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a);
+// Tells which angles are used, where they are the bodies' own.
+void yk_derive_put_angles(YkDerivation *d, YkPage *page);
+// Words about what is left out; true where the section ends with that.
+bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page);
+
+// --- free_bodies_*.c: parts of entering
+bool yk_derive_enter_masses(YkDeriveForces *f);
+bool yk_derive_enter_loads(YkDeriveForces *f);
+bool yk_derive_enter_contacts(YkDeriveForces *f);
+bool yk_derive_enter_multipliers(YkDeriveForces *f);
+// From a body's reference to a place given in its axes, in world axes.
+const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at);
+// The same to where a joint's force acts: on the first body of a slide this moves along the line.
+const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side);
+// A load's value: an element, or a symbol for it. NULL expression: 0.
+const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
+                                      const char *ending);
+void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
+// "theta1" of an angle's effort: tau_theta1; of a distance's: F_d5.
+const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
+
+#endif

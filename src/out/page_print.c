@@ -1,0 +1,89 @@
+// What all printers of pages share, and the choice among them.
+#include "out/page_print.h"
+#include <math.h>
+#include <string.h>
+#include "base/number.h"
+
+static const char *const names[YK_PAGE_FORMATS] = {"text", "latex", "mathml", "json", "c"};
+
+YkPageFormat yk_page_format_find(const char *name)
+{
+    size_t format = 0;
+    while (format < YK_PAGE_FORMATS && strcmp(names[format], name) != 0) format++;
+    return (YkPageFormat)format;
+}
+
+bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text)
+{
+    static void (*const printers[YK_PAGE_FORMATS])(YkPrinting *, const YkPage *) = {yk_print_text, yk_print_latex,
+                                                                                  yk_print_mathml, yk_print_json, yk_print_c};
+    YkPrinting printing = {.ring = page->ring, .text = text, .values = values, .title = title};
+    if (page->failed || format >= YK_PAGE_FORMATS) return false;
+    printers[format](&printing, page);
+    return !printing.failed && !text->failed;
+}
+
+void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
+{
+    if (!a) a = yk_ring_rational(printing->ring, 0, 1);
+    if (!a || !yk_ring_write(printing->ring, a, format, style, text)) printing->failed = true;
+}
+
+bool yk_print_has_sum(const char *text)
+{
+    int depth = 0;
+    for (const char *c = text; *c; c++) {
+        depth += (*c == '(') - (*c == ')');
+        if (depth == 0 && (*c == '+' || *c == '-')) return true;
+    }
+    return false;
+}
+
+bool yk_print_is_one_factor(const char *text)
+{
+    int depth = 0;
+    for (const char *c = text; *c; c++) {
+        depth += (*c == '(') - (*c == ')');
+        if (depth == 0 && strchr(" */+-", *c)) return false;
+    }
+    return true;
+}
+
+bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a)
+{
+    YkText text = {0};
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, &text);
+    bool is_sum = yk_print_has_sum(yk_text_get(&text));
+    yk_text_free(&text);
+    return is_sum;
+}
+
+double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry)
+{
+    return entry ? yk_ring_value(printing->ring, entry, printing->values).x : 0;
+}
+
+bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value)
+{
+    if (!printing->values || !line->value) return false;
+    *value = yk_ring_value(printing->ring, line->value, printing->values);
+    if (line->value_under) {
+        double under = yk_ring_value(printing->ring, line->value_under, printing->values).x;
+        *value = yk_scale(1 / under, *value);
+    }
+    return isfinite(value->x) && isfinite(value->y);
+}
+
+void yk_print_number(YkText *text, double value)
+{
+    char digits[YK_NUMBER_SIZE];
+    if (fabs(value) < 1e-14) value = 0; // what rounding leaves of 0
+    yk_number_write_digits(value, 6, digits);
+    yk_text_puts(text, digits);
+}
+
+bool yk_print_is_letter_name(const char *name)
+{
+    bool is_letter = (name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z');
+    return is_letter && strspn(name + 1, "0123456789") == strlen(name + 1);
+}

@@ -1,0 +1,44 @@
+// Pages of mathematics (derive/page.h) in print.
+#ifndef OUT_PAGE_PRINT_H
+#define OUT_PAGE_PRINT_H
+#include "base/text.h"
+#include "derive/page.h"
+
+typedef enum YkPageFormat { YK_PAGE_TEXT, YK_PAGE_LATEX, YK_PAGE_MATHML, YK_PAGE_JSON, YK_PAGE_C, YK_PAGE_FORMATS } YkPageFormat;
+
+typedef struct YkPrinting {
+    YkRing *ring;
+    YkText *text;
+    const double *values; // completed, to be put beside the symbols (SI, radians); NULL: none
+    const char *title;    // of the whole: the machine's name
+    bool failed;
+} YkPrinting;
+
+// Writes a page: text for people (80 columns are not kept: a formula is one line, a matrix a box); a whole LaTeX document
+// (article, amsmath); a whole HTML document with presentation MathML; JSON as documented in docs/json.md; C statements.
+// false when out of memory or where the ring failed.
+bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
+// "text", "latex", ...; YK_PAGE_FORMATS where there is no such format.
+YkPageFormat yk_page_format_find(const char *name);
+
+// --- Inside: one file a format.
+void yk_print_text(YkPrinting *printing, const YkPage *page);
+void yk_print_latex(YkPrinting *printing, const YkPage *page);
+void yk_print_mathml(YkPrinting *printing, const YkPage *page);
+void yk_print_json(YkPrinting *printing, const YkPage *page);
+void yk_print_c(YkPrinting *printing, const YkPage *page);
+// One formula without its value, on one line: matrices as [a, b; c, d].
+void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text);
+void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *text);
+void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
+bool yk_print_has_sum(const char *text); // + or - outside of brackets
+bool yk_print_is_one_factor(const char *text);
+bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a); // does it need brackets as a factor?
+// The value of a line; false where there is none. 6 significant digits.
+bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value);
+double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry);
+void yk_print_number(YkText *text, double value);
+// Names: a letter with digits behind it is set with a subscript, others as words.
+bool yk_print_is_letter_name(const char *name);
+
+#endif

@@ -1,0 +1,163 @@
+// Every formula of every section, on every example: true at random poses of the numeric engine, and the same when it is read
+// back from print.
+#include "derive_check.h"
+
+static size_t formulas_seen, poses_seen;
+
+static void write_all(Machine *m, const char *name)
+{
+    for (size_t k = 0; k <= section_of("points"); k++)
+        if (!yk_derive_write(m->d, k, &m->page)) {
+            print_error("%s: %s: %s\n", name, yk_derive_sections[k].name, yk_ring_status_text(yk_ring_status(m->d->ring)));
+            fail();
+        }
+}
+
+static double size_of(const Machine *m, const YkPoisson *a)
+{
+    // What the element comes to off the machine: the measure for rounding.
+    double *values = calloc(yk_ring_symbol_count(m->d->ring) + 64, sizeof *values);
+    memcpy(values, m->values, yk_ring_symbol_count(m->d->ring) * sizeof *values);
+    for (size_t k = 0; k < m->d->coordinate_count; k++) {
+        values[m->d->coordinates[k].position] += 0.7;
+        values[m->d->coordinates[k].rate] += 0.9;
+        values[m->d->coordinates[k].acceleration] += 1.1;
+    }
+    yk_ring_complete(m->d->ring, values);
+    YkVec value = yk_ring_value(m->d->ring, a, values);
+    free(values);
+    return fmax(1, hypot(value.x, value.y));
+}
+
+static bool is_an_angle_row(const Machine *m, const YkLine *line)
+{
+    (void)m;
+    return line->text && strcmp(line->text, "angle") == 0;
+}
+
+static void check_formulas(Machine *m, const char *name)
+{
+    for (const YkLine *line = m->page.first; line; line = line->next) {
+        if (!line->vanishes || is_an_angle_row(m, line)) continue;
+        YkVec value = yk_ring_value(m->d->ring, line->vanishes, m->values);
+        double size = hypot(value.x, value.y), allowed = 1e-12 * size_of(m, line->vanishes);
+        if (!(size <= allowed)) {
+            YkText text = {0};
+            yk_ring_write(m->d->ring, line->vanishes, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
+            print_error("%s, %s: %s = %g, allowed %g\n", name, line->section, yk_text_get(&text), size, allowed);
+            yk_text_free(&text);
+            fail();
+        }
+        formulas_seen++;
+    }
+}
+
+static void visit_poses(Machine *m, const char *name)
+{
+    write_all(m, name);
+    for (int k = 0; k < 4; k++)
+        if (random_pose(m, k == 0)) {
+            // Near a dead point the engine's own rates carry large rounding: ask at poses with a margin.
+            bool is_clear = true;
+            for (size_t b = 0; b < yk_block_count(m->mech); b++)
+                is_clear &= yk_block_info(m->mech, b).kind > YK_BLOCK_RPR || yk_state_transmission(m->state, b) > 0.1;
+            if (!is_clear) continue;
+            check_formulas(m, name);
+            poses_seen++;
+        }
+}
+
+static void every_formula_holds_at_random_poses_of_the_engine(void **state)
+{
+    (void)state;
+    formulas_seen = poses_seen = 0;
+    assert_true(each_example(visit_poses) > 30);
+    assert_true(formulas_seen > 1000);
+    assert_true(poses_seen > 60);
+}
+
+static void check_back(Machine *m, const YkPoisson *a)
+{
+    static const YkRingFormat formats[] = {YK_RING_TEXT, YK_RING_BOOK, YK_RING_LATEX, YK_RING_C};
+    if (!a) return;
+    for (size_t k = 0; k < 4; k++) {
+        YkText text = {0};
+        if (formats[k] == YK_RING_C && !yk_ring_is_real(m->d->ring, a)) continue;
+        assert_true(yk_ring_write(m->d->ring, a, formats[k], YK_RING_TEXTBOOK, &text));
+        const YkPoisson *back =
+            yk_ring_read(m->d->ring, formats[k], yk_text_get(&text), text.length, (YkPlace){1, 1, 0}, m->problems);
+        if (!yk_ring_is_same(a, back)) {
+            print_error("%s\n%s", yk_text_get(&text), yk_problems_text(m->problems, 0));
+            fail();
+        }
+        yk_text_free(&text);
+    }
+}
+
+static void visit_print(Machine *m, const char *name)
+{
+    write_all(m, name);
+    for (const YkLine *line = m->page.first; line; line = line->next)
+        for (const YkPiece *piece = line->first; piece; piece = piece->next) {
+            check_back(m, piece->over);
+            check_back(m, piece->under);
+            for (size_t k = 0; piece->matrix && k < piece->matrix->rows * piece->matrix->columns; k++)
+                check_back(m, piece->matrix->entries[k]);
+        }
+}
+
+static void what_is_printed_reads_back_as_the_same(void **state)
+{
+    (void)state;
+    assert_true(each_example(visit_print) > 30);
+}
+
+static void visit_formats(Machine *m, const char *name)
+{
+    write_all(m, name);
+    bool posed = random_pose(m, true);
+    for (size_t format = 0; format < YK_PAGE_FORMATS; format++)
+        for (int numbers = 0; numbers <= posed; numbers++) {
+            YkText text = {0};
+            assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, numbers ? m->values : NULL, &text));
+            assert_true(text.length > 100);
+            const char *nan = strstr(yk_text_get(&text), "nan");
+            if (nan) print_error("%s: %.80s\n", name, nan > yk_text_get(&text) + 60 ? nan - 60 : nan);
+            assert_null(nan);
+            yk_text_free(&text);
+        }
+}
+
+static void every_format_prints_every_example(void **state)
+{
+    (void)state;
+    assert_true(each_example(visit_formats) > 30);
+}
+
+static void sections_are_found_by_name_and_later_ones_say_so(void **state)
+{
+    (void)state;
+    Machine m = example("four-bar");
+    for (size_t k = 0; yk_derive_sections[k].name; k++) {
+        YkText text = {0};
+        m.page.first = m.page.last = NULL;
+        if (!yk_derive_sections[k].write) {
+            assert_true(yk_derive_write(m.d, k, &m.page));
+            assert_true(yk_page_write(&m.page, YK_PAGE_TEXT, NULL, NULL, &text));
+            assert_non_null(strstr(yk_text_get(&text), "not derived in this version"));
+        }
+        yk_text_free(&text);
+    }
+    machine_end(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_formula_holds_at_random_poses_of_the_engine),
+        cmocka_unit_test(what_is_printed_reads_back_as_the_same),
+        cmocka_unit_test(every_format_prints_every_example),
+        cmocka_unit_test(sections_are_found_by_name_and_later_ones_say_so),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
