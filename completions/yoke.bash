@@ -16,15 +16,19 @@ _yoke() {
         COMPREPLY=($(compgen -W "text json csv" -- "$word"))
         return
         ;;
-    --plot | -o | --output)
+    --plot | --profile | -o | --output)
         COMPREPLY=($(compgen -f -- "$word"))
         return
         ;;
-    --at | --rate | --accel | --param | --effort | --time | --over | --of | --steps | --poses | --trace) return ;;
+    --at | --rate | --accel | --param | --effort | --time | --over | --of | --steps | --poses | --trace | --cam | --tolerance | --cutter | --limits | --speed) return ;;
     esac
+    if [[ $previous == --compare ]]; then
+        COMPREPLY=($(compgen -W "harmonic double-harmonic cycloidal modified-trapezoid modified-sine 3-4-5 4-5-6-7 parabolic constant-velocity" -- "$word"))
+        return
+    fi
     local pose="--at --rate --accel --time --param --effort" always="--quiet --help --version"
     case $verb in
-    "") COMPREPLY=($(compgen -W "check solve sweep draw explain help $always" -- "$word")) ; return ;;
+    "") COMPREPLY=($(compgen -W "check solve sweep draw cam explain help $always" -- "$word")) ; return ;;
     explain) COMPREPLY=($(compgen -W "$(yoke explain 2>/dev/null | cut -d' ' -f1) $always" -- "$word")) ; return ;;
     esac
     if [[ $word == -* ]]; then
@@ -32,6 +36,7 @@ _yoke() {
         check) COMPREPLY=($(compgen -W "--param --format --output $always" -- "$word")) ;;
         solve) COMPREPLY=($(compgen -W "$pose --all --format --output $always" -- "$word")) ;;
         sweep) COMPREPLY=($(compgen -W "$pose --over --steps --of --plot --format --output $always" -- "$word")) ;;
+        cam) COMPREPLY=($(compgen -W "--param --cam --steps --plot --profile --tolerance --cutter --compare --limits --speed --format --output $always" -- "$word")) ;;
         draw) COMPREPLY=($(compgen -W "$pose --over --poses --trace --no-labels --output $always" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "$always" -- "$word")) ;;
         esac

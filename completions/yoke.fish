@@ -1,10 +1,11 @@
 # fish completion for yoke
-set -l verbs check solve sweep draw explain
+set -l verbs check solve sweep draw cam explain
 complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -f
 complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -a check -d "what the machine is: freedom, loops, order of solution"
 complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -a solve -d "one pose: positions, velocities, accelerations"
 complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -a sweep -d "many poses: a table or a plot"
 complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -a draw -d "the machine as a picture"
+complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -a cam -d "motion program, profile and forces of a cam"
 complete -c yoke -n "not __fish_seen_subcommand_from $verbs" -a explain -d "what a message's code means"
 complete -c yoke -s q -l quiet -d "no notes and warnings"
 complete -c yoke -s h -l help -d "help"
@@ -28,3 +29,16 @@ complete -c yoke -n "__fish_seen_subcommand_from draw" -l poses -x -d "a strobos
 complete -c yoke -n "__fish_seen_subcommand_from draw" -l trace -x -d "a point's path: BODY.POINT"
 complete -c yoke -n "__fish_seen_subcommand_from draw" -l no-labels -d "without names and scale"
 complete -c yoke -n "__fish_seen_subcommand_from explain" -x -a "(yoke explain 2>/dev/null | string split -f1 ' ')"
+set -l cam "__fish_seen_subcommand_from cam"
+complete -c yoke -n $cam -l param -x -d "change a parameter: NAME=VALUE"
+complete -c yoke -n $cam -s o -l output -r -d "write the answer here"
+complete -c yoke -n $cam -l format -x -a "text json csv" -d "how to answer"
+complete -c yoke -n $cam -l cam -x -d "which cam"
+complete -c yoke -n $cam -l steps -x -d "so many steps"
+complete -c yoke -n $cam -l plot -r -d "draw the diagrams"
+complete -c yoke -n $cam -l profile -r -d "write the outline: .svg, .dxf, .csv"
+complete -c yoke -n $cam -l tolerance -x -d "how far a chord may lie off the curve"
+complete -c yoke -n $cam -l cutter -x -d "radius of a cutter"
+complete -c yoke -n $cam -l compare -x -d "other laws: cycloidal,modified-sine,..."
+complete -c yoke -n $cam -l limits -x -d "for the smallest base circle"
+complete -c yoke -n $cam -l speed -x -d "the cam's speed"

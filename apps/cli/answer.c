@@ -86,10 +86,25 @@ static bool is_length(YkQuantity quantity)
     return quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
 }
 
+// The unit of a quantity in tables and its size in SI: the file's own. Where it names no unit of force, and its units of
+// length, mass and time would make an unusual one (kg*mm/s^2), forces are told in N, N*m and J; energies always in J
+// rather than in N*m.
+static const char *unit_of(const YkSession *session, YkQuantity quantity, double *size)
+{
+    static const char *const si[] = {
+        [YK_QUANTITY_FORCE] = "N", [YK_QUANTITY_TORQUE] = "N*m", [YK_QUANTITY_ENERGY] = "J"};
+    const char *unit = yk_model_unit(session->model, quantity, size);
+    bool is_of_force = quantity >= YK_QUANTITY_FORCE && quantity <= YK_QUANTITY_ENERGY;
+    bool is_joule = quantity == YK_QUANTITY_ENERGY && *size == 1;
+    if (!is_of_force || (!strchr(unit, '/') && !is_joule)) return unit;
+    *size = 1;
+    return si[quantity];
+}
+
 double yk_shown(const YkSession *session, double value, YkQuantity quantity)
 {
     double size = 1, scale = is_length(quantity) && session->mech ? yk_mechanism_size(session->mech) : 1;
-    yk_model_unit(session->model, quantity, &size);
+    unit_of(session, quantity, &size);
     if (fabs(value) < noise * scale) return 0;
     return value / size;
 }
@@ -97,7 +112,7 @@ double yk_shown(const YkSession *session, double value, YkQuantity quantity)
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity)
 {
     double size = 1;
-    return yk_model_unit(session->model, quantity, &size);
+    return unit_of(session, quantity, &size);
 }
 
 static void add_number(YkText *text, double value, int digits)

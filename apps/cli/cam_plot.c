@@ -45,9 +45,8 @@ static void name_columns(const YkCamAnswer *answer, Diagram *diagram)
             yk_text_puts(name, names[k]);
             if (answer->other_count > 0)
                 yk_text_format(name, " %s", l == 0 ? answer->size.law : answer->others[l - 1].law);
-            diagram->columns[l * CURVES + k] =
-                (YkPlotColumn){yk_text_get(name), yk_text_get(&diagram->units[k]),
-                               diagram->values + (1 + l * CURVES + k) * POINTS};
+            diagram->columns[l * CURVES + k] = (YkPlotColumn){yk_text_get(name), yk_text_get(&diagram->units[k]),
+                                                              diagram->values + (1 + l * CURVES + k) * POINTS};
         }
     }
 }
@@ -82,8 +81,7 @@ bool yk_cam_plot(const YkCamAnswer *answer, const char *path)
     }
     if (diagram && diagram->values && diagram->columns) {
         for (size_t i = 0; i < POINTS; i++)
-            diagram->values[i] =
-                yk_shown(answer->session, full_turn * (double)i / (POINTS - 1), YK_QUANTITY_ANGLE);
+            diagram->values[i] = yk_shown(answer->session, full_turn * (double)i / (POINTS - 1), YK_QUANTITY_ANGLE);
         for (size_t l = 0; l < laws; l++)
             fill(answer, l == 0 ? answer->design : answer->others[l - 1].design,
                  diagram->values + (1 + l * CURVES) * POINTS);

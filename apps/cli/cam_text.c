@@ -69,8 +69,10 @@ static void add_head(const YkCamAnswer *answer)
         value(answer, size->offset, YK_QUANTITY_LENGTH);
     }
     yk_text_puts(out, "\n  speed         ");
-    if (answer->speed != 0) add_speed(answer, answer->speed);
-    else yk_text_puts(out, "not known: no drive at constant rate; --speed gives one");
+    if (answer->speed != 0)
+        add_speed(answer, answer->speed);
+    else
+        yk_text_puts(out, "not known: no drive at constant rate; --speed gives one");
     yk_text_puts(out, "\n");
 }
 
@@ -82,8 +84,7 @@ static void add_condition(const YkCamAnswer *answer, YkCamCondition condition, Y
     double size = 1;
     bool is_rad = strcmp(yk_unit_of(answer->session, YK_QUANTITY_ANGLE), "rad") == 0; // then degrees, to be read
     yk_text_format(text, "%s(", names[condition.order]);
-    add_number(text, is_rad ? condition.at * to_degrees
-                            : yk_shown(answer->session, condition.at, YK_QUANTITY_ANGLE));
+    add_number(text, is_rad ? condition.at * to_degrees : yk_shown(answer->session, condition.at, YK_QUANTITY_ANGLE));
     yk_text_format(text, " %s) = ", is_rad ? "deg" : yk_unit_of(answer->session, YK_QUANTITY_ANGLE));
     yk_model_unit(answer->session->model, column.quantity, &size);
     add_number(text, condition.value / size);
@@ -266,8 +267,7 @@ static void add_geometry(const YkCamAnswer *answer, const YkCamSummary *s, const
     }
     add_extreme(answer, "largest radius of the cam", s->far, YK_QUANTITY_LENGTH);
     add_undercut(answer, "the surface", s->undercut, s->undercut_count);
-    if (answer->size.is_groove)
-        add_undercut(answer, "the outer wall", s->outer_undercut, s->outer_undercut_count);
+    if (answer->size.is_groove) add_undercut(answer, "the outer wall", s->outer_undercut, s->outer_undercut_count);
 }
 
 static void add_base(const YkCamAnswer *answer)
@@ -362,7 +362,8 @@ static void add_others(const YkCamAnswer *answer)
     add_law(answer, table, answer->size.law, NULL, &answer->summary);
     for (size_t i = 0; i < answer->other_count; i++)
         add_law(answer, table, answer->others[i].law, &answer->others[i].factors, &answer->others[i].summary);
-    yk_text_puts(out, "\nThe same strokes by other laws: peak factors, largest values, pressure angle, sharpest surface\n");
+    yk_text_puts(out,
+                 "\nThe same strokes by other laws: peak factors, largest values, pressure angle, sharpest surface\n");
     write_table(out, table);
     out->failed |= unit.failed;
     yk_text_free(&unit);

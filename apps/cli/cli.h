@@ -39,7 +39,7 @@ typedef struct YkRequest {
     YkWords checks;   // derive
     const char *what; // derive
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
-    const char *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
+    const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
     YkPairs event;
     const char *cam, *profile, *chord, *cutter, *compare, *limits, *speed; // cam
     const char *lock, *in, *out, *efficiency; // gears
@@ -56,6 +56,8 @@ typedef struct YkSession {
     YkState *state;
     YkDynamics *dynamics; // where forces are asked for and the machine has masses or loads; otherwise NULL
     bool is_told;         // the problems are printed already
+    bool is_simulation;   // only --at chooses inputs; the file's problems are printed later, with the simulation's
+    YkProblems *file_problems; // then; otherwise NULL
     YkText out; // for standard output; written once, at the end
 } YkSession;
 

@@ -128,12 +128,15 @@ static void add_ratio(const YkGearsAnswer *answer)
         yk_text_puts(out, "infinite: the output stands still\n");
         return;
     }
-    if (*short_exact(ratio.exact)) yk_text_format(out, "%s = ", ratio.exact);
     char number[YK_NUMBER_SIZE];
-    yk_text_add(out, number, yk_number_write_digits(ratio.value, 10, number));
+    const char *exact = short_exact(ratio.exact);
+    yk_text_puts(out, exact);
+    if (strchr(exact, '/')) yk_text_puts(out, " = ");
+    if (!*exact || strchr(exact, '/')) yk_text_add(out, number, yk_number_write_digits(ratio.value, 10, number));
     if (ratio.formula) yk_text_format(out, "\n  = %s", ratio.formula);
     yk_text_puts(out, "\n");
-    if (!ratio.formula && !ratio.is_by_drives) yk_text_puts(out, "  (too large a train for a formula in tooth numbers)\n");
+    if (!ratio.formula && !ratio.is_by_drives)
+        yk_text_puts(out, "  (too large a train for a formula in tooth numbers)\n");
 }
 
 // Steps between neighbouring gears, as a driver feels them.

@@ -70,7 +70,8 @@ static void add_power(const YkGearsAnswer *answer)
     if (power.in > 0) yk_text_format(out, "; efficiency %e", power.efficiency);
     yk_text_puts(out, "\n");
     if (power.mesh)
-        yk_text_format(out, "  power circulates: %e W more than comes in goes through %s\n", power.circulating, power.mesh);
+        yk_text_format(out, "  power circulates: %e W more than comes in goes through %s\n", power.circulating,
+                       power.mesh);
 }
 
 void yk_gears_power_text(const YkGearsAnswer *answer)

@@ -33,7 +33,8 @@ static void add_head(const YkGearsAnswer *answer)
                    yk_train_mesh_count(train) == 1 ? "" : "es", freedom, freedom == 1 ? "" : "s");
     if (lock) yk_text_format(out, " under the lock %s", lock);
     yk_text_puts(out, "\n");
-    if (*yk_train_message(train) && yk_train_gear_count(train) == 0) yk_text_format(out, "  %s\n", yk_train_message(train));
+    if (*yk_train_message(train) && yk_train_gear_count(train) == 0)
+        yk_text_format(out, "  %s\n", yk_train_message(train));
 }
 
 static void add_length(const YkGearsAnswer *answer, YkTable *table, double value)

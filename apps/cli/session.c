@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "base/names.h"
 #include "out/file.h"
 
 static const YkPlace nowhere = {0};
@@ -44,11 +45,11 @@ static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *p
 {
     const YkRequest *request = session->request;
     const YkPairs *lists[] = {&request->at, &request->rate, &request->accel};
-    size_t count = 0, most = 1 + request->at.count + request->rate.count + request->accel.count;
+    size_t count = 0, list_count = session->is_simulation ? 1 : 3, most = 1 + request->at.count + request->rate.count + request->accel.count;
     const char **names = calloc(most, sizeof *names);
     if (!names) return NULL;
     if (swept) add_name(names, &count, swept);
-    for (size_t l = 0; l < 3; l++)
+    for (size_t l = 0; l < list_count; l++)
         for (size_t i = 0; i < lists[l]->count; i++) add_name(names, &count, lists[l]->items[i].name);
     YkCompileOptions options = yk_default_compile_options();
     options.inputs = names;
@@ -75,9 +76,13 @@ static bool load(YkSession *session, bool compiles, const char *swept)
     if (!problems) return run_out(session);
     session->model = load_model(session, problems);
     if (session->model && compiles) session->mech = compile(session, swept, problems);
-    yk_print_problems(problems, session->request->quiet);
     bool is_told = yk_problems_error_count(problems) > 0;
-    yk_problems_free(problems);
+    if (session->is_simulation) {
+        session->file_problems = problems;
+    } else {
+        yk_print_problems(problems, session->request->quiet);
+        yk_problems_free(problems);
+    }
     bool good = session->model && (session->mech || !compiles);
     if (!good && !is_told) return run_out(session);
     return good;
@@ -137,13 +142,36 @@ bool yk_session_count(YkSession *session, const char *option, const char *text, 
     return true;
 }
 
+static void hint_coordinate(YkSession *session, const char *name)
+{
+    size_t count = yk_coordinate_count(session->mech);
+    const char **names = calloc(count + 1, sizeof *names);
+    for (size_t i = 0; names && i < count; i++) names[i] = yk_coordinate_info(session->mech, i).name;
+    const char *nearest = names ? yk_nearest(name, names, count) : NULL;
+    if (nearest) {
+        yk_problem_hint(session->problems, "did you mean %q?", nearest);
+    } else {
+        yk_problem_hint(session->problems, "`yoke check` lists the coordinates of the machine");
+    }
+    free((void *)names);
+}
+
+bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordinate)
+{
+    int found = yk_coordinate_find(session->mech, name);
+    *coordinate = found < 0 ? 0 : (size_t)found;
+    if (found >= 0) return true;
+    yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", name);
+    hint_coordinate(session, name);
+    return false;
+}
+
 // The input that a coordinate is; refuses names that are none.
 static bool find_input(YkSession *session, const char *name, size_t *input, bool *is_distance)
 {
-    int coordinate = yk_coordinate_find(session->mech, name);
-    if (coordinate < 0)
-        return yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", name);
-    YkCoordinateInfo info = yk_coordinate_info(session->mech, (size_t)coordinate);
+    size_t coordinate;
+    if (!yk_session_coordinate(session, name, &coordinate)) return false;
+    YkCoordinateInfo info = yk_coordinate_info(session->mech, coordinate);
     if (info.input < 0)
         return yk_session_refuse(session, YK_CODE_NOT_AN_INPUT, "no freedom is left to set %q: the others fix it",
                                  name);
@@ -190,11 +218,8 @@ bool yk_session_inputs(YkSession *session)
 bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort)
 {
     const YkPair *pair = &session->request->effort.items[index];
-    int found = yk_coordinate_find(session->mech, pair->name);
-    if (found < 0)
-        return yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", pair->name);
-    bool is_distance = yk_coordinate_info(session->mech, (size_t)found).is_distance;
-    *coordinate = (size_t)found;
+    if (!yk_session_coordinate(session, pair->name, coordinate)) return false;
+    bool is_distance = yk_coordinate_info(session->mech, *coordinate).is_distance;
     return yk_session_value(session, "--effort", pair->name, pair->value,
                             is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE, effort);
 }
@@ -258,5 +283,6 @@ void yk_session_free(YkSession *session)
     yk_state_free(session->state);
     yk_mechanism_free(session->mech);
     yk_model_free(session->model);
+    yk_problems_free(session->file_problems);
     yk_text_free(&session->out);
 }

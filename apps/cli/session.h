@@ -15,6 +15,8 @@ bool yk_session_inputs(YkSession *session);
 bool yk_session_forces(YkSession *session, bool all_prescribed);
 // Reads --method reduced|newton-euler.
 bool yk_session_method(YkSession *session, YkDynamicsMethod *method);
+// Finds a coordinate by name; refuses names that are none, with the nearest.
+bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordinate);
 // Reads --effort pair `index`: the coordinate and its value.
 bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort);
 // Reads a value of the command line; option and name ("--at", "theta1") stand for it in messages.

@@ -109,9 +109,8 @@ void yk_forces_json(YkSession *session, YkJson *json, const YkState *state)
 // In the file's unit; what is rounding beside the largest force is zero.
 static double shown(const YkSession *session, double value, double largest, YkQuantity quantity)
 {
-    double size = 1, scale = quantity == YK_QUANTITY_TORQUE ? yk_mechanism_size(session->mech) : 1;
-    yk_model_unit(session->model, quantity, &size);
-    return fabs(value) <= 1e-13 * largest * scale ? 0 : value / size;
+    double scale = quantity == YK_QUANTITY_TORQUE ? yk_mechanism_size(session->mech) : 1;
+    return fabs(value) <= 1e-13 * largest * scale ? 0 : yk_shown(session, value, quantity);
 }
 
 static double largest_force(const YkSession *session)

@@ -98,8 +98,8 @@ static bool read_length(YkSession *session, const char *option, const char *text
 {
     if (!text) return true;
     if (!yk_session_value(session, option, "", text, YK_QUANTITY_LENGTH, value)) return false;
-    return *value > 0 || yk_session_refuse(session, YK_CODE_OPTION_VALUE, "a length greater than zero is wanted, not %q",
-                                           text);
+    return *value > 0 ||
+           yk_session_refuse(session, YK_CODE_OPTION_VALUE, "a length greater than zero is wanted, not %q", text);
 }
 
 static bool has_ending(const char *path, const char *ending)
@@ -123,7 +123,8 @@ static bool read_request(YkCamAnswer *answer)
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
     size_t cam, fallback = request->format == YK_FORMAT_TEXT ? 0 : STEPS;
-    if (!check_files(session) || !yk_session_count(session, "--steps", request->steps, STEPS_MAX, fallback, &answer->steps))
+    if (!check_files(session) ||
+        !yk_session_count(session, "--steps", request->steps, STEPS_MAX, fallback, &answer->steps))
         return false;
     if (!yk_session_model(session) || !find_cam(session, &cam)) return false;
     answer->design = yk_cam_design_new(session->model, cam);

@@ -63,13 +63,14 @@ static bool read_options(YkSession *session, YkTrainOptions *options, YkTrainEff
     options->effort_count = request->effort.count;
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &options->time))
         return false;
-    if (request->efficiency && !yk_session_value(session, "--efficiency", "", request->efficiency, YK_QUANTITY_NUMBER,
-                                                 &options->efficiency))
+    if (request->efficiency &&
+        !yk_session_value(session, "--efficiency", "", request->efficiency, YK_QUANTITY_NUMBER, &options->efficiency))
         return false;
     return read_efforts(session, efforts);
 }
 
-// A train that several drives leave open is no answer; one that nothing drives has relations only, which were asked for.
+// A train that several drives leave open is no answer; one that nothing drives has relations only, which were asked
+// for.
 static int judge(YkSession *session, const YkTrain *train)
 {
     YkTrainStatus status = yk_train_status(train);

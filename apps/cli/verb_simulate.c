@@ -6,14 +6,13 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
-#include "out/file.h"
 #include "session.h"
 #include "simulate.h"
 
-enum { STEPS_MAX = 10000000, STEPS = 100, CHUNK = 16384 };
+enum { CHUNK = 16384, LOOKS = 200 };
+static const double flush_after = 0.1, progress_after = 0.2; // s of the clock on the wall
 
-// Set by the first Ctrl-C (or a polite kill): the row in work is finished, and what there is comes out whole. A second one
-// ends the program at once.
+// Set by the first Ctrl-C (or a polite kill): what there is comes out whole. A second one ends the program at once.
 static volatile sig_atomic_t interrupted;
 
 static void interrupt(int signal_number)
@@ -24,268 +23,180 @@ static void interrupt(int signal_number)
 
 static void catch_signals(void)
 {
-    struct sigaction action = {.sa_handler = interrupt};
-    action.sa_flags = (int)SA_RESETHAND;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write, which is told
+    struct sigaction once = {.sa_handler = interrupt}, ignore = {.sa_handler = SIG_IGN};
+    once.sa_flags = (int)SA_RESETHAND;
+    sigaction(SIGINT, &once, NULL);
+    sigaction(SIGTERM, &once, NULL);
+    sigaction(SIGPIPE, &ignore, NULL); // a closed pipe is a failed write, which is told
+#ifdef SIGXFSZ
+    sigaction(SIGXFSZ, &ignore, NULL); // so is a file that may not grow
+#endif
 }
 
-// --- the request
-// ----------------------------------------------------------------------------------------------------------
-
-static bool read_number(YkSession *session, const char *option, const char *text, YkQuantity quantity, double *value)
+static double now(void)
 {
-    if (!text) return true;
-    if (!yk_session_value(session, option, "", text, quantity, value)) return false;
-    if (*value > 0) return true;
-    yk_problem(session->problems, YK_CODE_OPTION_VALUE, (YkPlace){0}, "%s must be more than 0, not %q", option, text);
-    return false;
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-static bool read_method(YkSession *session, YkIntegrator *integrator)
+// --- progress: for people who look on
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct Watch {
+    bool shows_progress, has_shown;
+    double last_flush, last_progress;
+} Watch;
+
+// Not where the rows come to the same terminal.
+static bool wants_progress(const YkSession *session)
 {
-    static const char *const names[] = {"dop853", "sdirk4", "rk4"};
-    const char *word = session->request->method;
-    if (!word) return true;
-    for (size_t k = 0; k < 3; k++) {
-        if (strcmp(word, names[k]) != 0) continue;
-        *integrator = (YkIntegrator)k;
-        return true;
-    }
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--method takes dop853, sdirk4 or rk4 here, not %q", word);
+    const char *terminal = getenv("TERM"), *output = session->request->output;
+    bool rows_are_seen = isatty(STDOUT_FILENO) && (!output || strcmp(output, "-") == 0);
+    bool is_dumb = terminal && strcmp(terminal, "dumb") == 0;
+    return isatty(STDERR_FILENO) && !session->request->quiet && !rows_are_seen && !is_dumb;
 }
 
-static bool add_column(YkSimulationAnswer *answer, size_t *capacity, const char *name)
+static void show_progress(const YkSimulationAnswer *answer, Watch *watch)
 {
-    if (!YK_ROOM(answer->columns, answer->column_count, *capacity))
-        return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    YkColumn *column = &answer->columns[answer->column_count++];
-    column->name = name;
-    return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
+    if (!watch->shows_progress || now() - watch->last_progress < progress_after) return;
+    double time = yk_simulation_time(answer->simulation);
+    fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time, 100 * (time - answer->from) / (answer->to - answer->from));
+    watch->has_shown = true;
+    watch->last_progress = now();
 }
 
-// --of a,b,c; without it the coordinates (those that the file names, where it names any) and the energy.
-static bool read_columns(YkSimulationAnswer *answer)
+static void clear_progress(const Watch *watch)
 {
-    YkSession *session = answer->session;
-    size_t capacity = 0;
-    bool good = true, names_some = false;
-    for (const char *at = session->request->of; at && *at;) {
-        size_t length = strcspn(at, ",");
-        const char *name = yk_arena_copy(session->request->arena, at, length);
-        if (length > 0 || at[length] == ',') good &= name && add_column(answer, &capacity, name);
-        at += length + (at[length] == ',');
-    }
-    if (session->request->of) return good;
-    size_t count = yk_coordinate_count(session->mech);
-    for (size_t i = 0; i < count; i++) names_some |= yk_coordinate_info(session->mech, i).is_declared;
-    for (size_t i = 0; i < count; i++)
-        if (!names_some || yk_coordinate_info(session->mech, i).is_declared)
-            good &= add_column(answer, &capacity, yk_coordinate_info(session->mech, i).name);
-    return good && add_column(answer, &capacity, "energy");
-}
-
-static bool read_times(YkSimulationAnswer *answer)
-{
-    YkSession *session = answer->session;
-    const YkRequest *request = session->request;
-    double every = 0;
-    if (!request->to) {
-        yk_session_refuse(session, YK_CODE_OPTION_MISSING, "`yoke simulate` needs --to TIME%s", "");
-        yk_problem_hint(session->problems, "as in --to 10s --every 10ms");
-        return false;
-    }
-    if (!read_number(session, "--to", request->to, YK_QUANTITY_TIME, &answer->to)) return false;
-    if (!read_number(session, "--every", request->every, YK_QUANTITY_TIME, &every)) return false;
-    if (!yk_session_count(session, "--steps", request->steps, STEPS_MAX, STEPS, &answer->steps)) return false;
-    if (every <= 0) return true;
-    double count = answer->to / every, whole = rint(count);
-    if (count > STEPS_MAX) return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--every %s gives more than 1e7 rows", request->every);
-    answer->steps = (size_t)(fabs(count - whole) < 1e-9 * count ? whole : ceil(count));
-    return true;
-}
-
-// Row k is at k * every, the last at the end.
-static double time_of(const YkSimulationAnswer *answer, double every, size_t k)
-{
-    return k >= answer->steps ? answer->to : every > 0 ? every * (double)k : answer->to * (double)k / (double)answer->steps;
-}
-
-static bool read_pairs(YkSession *session, const char *option, const YkPairs *pairs, bool is_rate, YkStartValue *values, size_t *count)
-{
-    for (size_t k = 0; k < pairs->count; k++) {
-        int c = yk_coordinate_find(session->mech, pairs->items[k].name);
-        if (c < 0)
-            return yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", pairs->items[k].name);
-        YkCoordinateInfo info = yk_coordinate_info(session->mech, (size_t)c);
-        double value;
-        if (!yk_session_value(session, option, pairs->items[k].name, pairs->items[k].value, yk_quantity_of(info.is_distance, is_rate), &value))
-            return false;
-        values[(*count)++] = (YkStartValue){info.name, is_rate, value};
-    }
-    return true;
-}
-
-static bool set_efforts(YkSimulationAnswer *answer)
-{
-    YkSession *session = answer->session;
-    for (size_t k = 0; k < session->request->effort.count; k++) {
-        size_t coordinate;
-        double effort;
-        if (!yk_session_effort(session, k, &coordinate, &effort)) return false;
-        const char *name = yk_coordinate_info(session->mech, coordinate).name;
-        if (yk_simulation_set_effort(answer->simulation, name, effort) < 0)
-            return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the effort along %q cannot be set", name);
-    }
-    return true;
-}
-
-static bool set_events(YkSimulationAnswer *answer)
-{
-    YkSession *session = answer->session;
-    for (size_t k = 0; k < session->request->event.count; k++) {
-        const YkPair *pair = &session->request->event.items[k];
-        YkChannel channel;
-        double value;
-        if (yk_channel_parse(session->mech, pair->name, &channel, session->problems) != YK_OK) return false;
-        if (!yk_session_value(session, "--event", pair->name, pair->value, channel.quantity, &value)) return false;
-        if (yk_simulation_watch(answer->simulation, pair->name, channel, value, 0) < 0) return false;
-    }
-    return true;
-}
-
-static bool make(YkSimulationAnswer *answer, YkSimulationOptions *options)
-{
-    YkSession *session = answer->session;
-    const YkRequest *request = session->request;
-    size_t most = request->at.count + request->rate.count + 1, count = 0, names = 0;
-    YkStartValue *values = calloc(most, sizeof *values);
-    const char **inputs = calloc(most, sizeof *inputs);
-    bool good = values && inputs && read_pairs(session, "--at", &request->at, false, values, &count);
-    names = count;
-    good = good && read_pairs(session, "--rate", &request->rate, true, values, &count);
-    for (size_t k = 0; good && k < names; k++) inputs[k] = values[k].coordinate;
-    YkCompileOptions compile = {inputs, names};
-    if (good) {
-        options->values = values;
-        options->value_count = count;
-        if (names > 0) options->compile = &compile;
-        answer->simulation = yk_simulation_new(session->model, options, session->problems);
-        good = answer->simulation && set_efforts(answer) && set_events(answer);
-    }
-    free((void *)inputs);
-    free(values);
-    return good;
+    if (watch->has_shown) fputs("\r                                              \r", stderr);
 }
 
 // --- running
-// --------------------------------------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------------------------------------
 
-static void read_row(YkSimulationAnswer *answer)
+// From the row before to row k, in parts, so that nobody waits long after Ctrl-C. The parts do not depend on the clock:
+// the same request gives the same answer.
+static void go_to(YkSimulationAnswer *answer, size_t k, Watch *watch)
 {
-    double *row = answer->rows + answer->row_count * (answer->column_count + 1);
-    row[0] = yk_simulation_time(answer->simulation);
-    for (size_t c = 0; c < answer->column_count; c++)
-        row[c + 1] = yk_simulation_channel(answer->simulation, answer->columns[c].channel);
-    answer->row_count++;
-}
-
-// Only for people who look on.
-static void show_progress(const YkSimulationAnswer *answer, size_t k, bool is_last)
-{
-    static clock_t last;
-    if (answer->session->request->quiet || !isatty(STDERR_FILENO)) return;
-    clock_t now = clock();
-    if (is_last) {
-        if (last != 0) fputs("\r                                        \r", stderr);
-    } else if (now - last > CLOCKS_PER_SEC / 5) {
-        last = now;
-        fprintf(stderr, "\rsimulate: t = %g s, %.0f %%", yk_simulation_time(answer->simulation),
-                100 * (double)k / (double)answer->steps);
+    double end = yk_simulate_time_of(answer, k), start = k > 0 ? yk_simulate_time_of(answer, k - 1) : end;
+    double parts = fmax(1, ceil((end - start) * LOOKS / (answer->to - answer->from) - 1e-9));
+    for (double part = 1; part <= parts && answer->status == YK_OK; part++) {
+        answer->status = yk_simulation_advance(answer->simulation, part == parts ? end : start + (end - start) * part / parts);
+        show_progress(answer, watch);
+        if (interrupted && part < parts) break;
     }
 }
 
-// CSV on standard output comes as it is computed.
-static bool is_streamed(const YkSession *session)
+// Rows go out when there are many of them, or when somebody may wait for them.
+static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
 {
-    const char *output = session->request->output;
-    return session->request->format == YK_FORMAT_CSV && (!output || strcmp(output, "-") == 0);
+    if (answer->session->out.length < CHUNK && now() - watch->last_flush < flush_after) return true;
+    watch->last_flush = now();
+    return yk_simulate_flush(answer);
 }
 
-static bool flush(YkSession *session)
+// False when memory or the output is at its end; told.
+static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
 {
-    bool good = !session->out.failed && yk_file_write_to(STDOUT_FILENO, "standard output", yk_text_get(&session->out),
-                                                         session->out.length, session->problems);
-    yk_text_clear(&session->out);
-    return good;
+    bool streams = answer->session->request->format != YK_FORMAT_JSON;
+    for (size_t k = 0; k <= answer->steps; k++) {
+        go_to(answer, k, watch);
+        bool has_row = answer->status == YK_OK && yk_simulation_time(answer->simulation) >= yk_simulate_time_of(answer, k);
+        answer->is_interrupted = interrupted && (!has_row || k < answer->steps);
+        if (has_row && !yk_simulate_row(answer)) return false;
+        if (streams && has_row && !flush_if_due(answer, watch)) return false;
+        if (!has_row || answer->is_interrupted) break;
+    }
+    return !streams || yk_simulate_flush(answer);
 }
 
-static bool run(YkSimulationAnswer *answer, double every)
+static bool run(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
-    bool is_csv = session->request->format == YK_FORMAT_CSV, good = true;
-    if (is_csv) yk_simulate_csv_head(answer);
-    for (size_t k = 0; k <= answer->steps && good; k++) {
-        answer->status = yk_simulation_advance(answer->simulation, time_of(answer, every, k));
-        if (answer->status < 0) break;
-        read_row(answer);
-        if (is_csv) yk_simulate_csv_rows(answer);
-        bool is_due = k == answer->steps || session->out.length > CHUNK || interrupted;
-        if (is_streamed(session) && is_due) good = flush(session);
-        show_progress(answer, k, k == answer->steps || interrupted);
-        if (!interrupted || k == answer->steps) continue;
-        answer->is_interrupted = true;
-        break;
-    }
-    if (good && is_streamed(session)) good = flush(session);
-    return good;
+    Watch watch = {.shows_progress = wants_progress(session), .last_flush = now(), .last_progress = now()};
+    if (session->request->format != YK_FORMAT_JSON &&
+        !yk_stream_open(&answer->stream, session->request->output, session->problems))
+        return false;
+    catch_signals();
+    yk_simulate_head(answer);
+    bool good = run_rows(answer, &watch);
+    clear_progress(&watch);
+    return yk_stream_close(&answer->stream, session->problems) && good;
+}
+
+// --- the end of it
+// ---------------------------------------------------------------------------------------------------------------
+
+// What stopped it, as a problem; the message, or NULL where it came to its end.
+static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
+{
+    YkSession *session = answer->session;
+    if (!answer->is_interrupted && answer->status == YK_OK) return NULL;
+    const char *why = answer->is_interrupted ? "" : yk_simulation_report(answer->simulation)->message;
+    yk_text_puts(message, answer->is_interrupted ? "interrupted at t = " : "the motion ends at t = ");
+    yk_add_value(session, message, yk_simulation_time(answer->simulation), YK_QUANTITY_TIME, 10);
+    if (*why) yk_text_format(message, ": %s", why);
+    yk_problem(session->problems, answer->is_interrupted ? YK_CODE_INTERRUPTED : YK_CODE_MOTION_ENDS, (YkPlace){0}, "%s",
+               yk_text_get(message));
+    return yk_text_get(message);
+}
+
+static void tell(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    YkText text = {0};
+    yk_print_problems(session->problems, session->request->quiet);
+    session->is_told = true; // the summary is the last line
+    yk_simulate_tell(answer, &text);
+    fputs(yk_text_get(&text), stderr);
+    yk_text_free(&text);
 }
 
 static int finish(YkSimulationAnswer *answer, bool good)
 {
     YkSession *session = answer->session;
-    int exit_code = !good ? YK_EXIT_WRONG : answer->status < 0 || answer->is_interrupted ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
-    if (answer->status < 0) {
-        yk_tell_status(session, answer->status, yk_simulation_report(answer->simulation)->message);
-        yk_problem_hint(session->problems, "rows up to t = %e s are written", yk_simulation_time(answer->simulation));
+    YkText words = {0};
+    const char *message = explain_stop(answer, &words);
+    int exit_code = !good ? YK_EXIT_WRONG : message ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
+    if (session->request->format == YK_FORMAT_JSON && good) {
+        yk_simulate_json(answer, message, !message ? NULL : answer->is_interrupted ? "E0821" : "E0820");
+        exit_code = yk_session_finish(session, exit_code);
     }
-    if (session->request->format == YK_FORMAT_TEXT) yk_simulate_text(answer);
-    if (session->request->format == YK_FORMAT_JSON) yk_simulate_json(answer);
-    if (good && !is_streamed(session)) exit_code = yk_session_finish(session, exit_code);
     const char *plot = session->request->plot;
     if (plot && good && !yk_simulate_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
-    yk_print_problems(session->problems, session->request->quiet);
-    session->is_told = true; // the summary is the last line
-    yk_simulate_tell(answer);
+    tell(answer);
+    yk_text_free(&words);
     return exit_code;
+}
+
+// A machine that does not go together has no motion: that is an answer. Everything else is a mistake in the file.
+static int refuse(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const YkProblem *first = NULL;
+    for (size_t i = 0; i < yk_problems_count(session->file_problems); i++) {
+        const YkProblem *problem = yk_problems_get(session->file_problems, i);
+        bool is_answer = problem->code == YK_CODE_POSE_NO_ASSEMBLY || problem->code == YK_CODE_POSE_LIMIT;
+        if (!first && is_answer) first = problem;
+    }
+    if (!first) return YK_EXIT_WRONG;
+    answer->status = first->code == YK_CODE_POSE_LIMIT ? YK_LIMIT : YK_NO_ASSEMBLY;
+    if (session->request->format != YK_FORMAT_JSON) return YK_EXIT_NO_ANSWER;
+    yk_simulate_json(answer, first->message, answer->status == YK_LIMIT ? "E0602" : "E0601");
+    return yk_session_finish(session, YK_EXIT_NO_ANSWER);
 }
 
 static int simulate(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
-    const YkRequest *request = session->request;
-    YkSimulationOptions options = yk_default_simulation_options();
-    double every = 0;
-    if (request->plot && yk_file_kind(request->plot) == YK_FILE_OTHER) {
-        yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q", request->plot);
-        return YK_EXIT_WRONG;
-    }
-    if (!read_method(session, &options.integrator) || !yk_session_load(session, NULL)) return YK_EXIT_WRONG;
-    bool good = read_times(answer) && read_number(session, "--tol", request->tolerance, YK_QUANTITY_NUMBER, &options.tolerance) &&
-                read_number(session, "--step", request->step, YK_QUANTITY_TIME, &options.step) &&
-                (!request->every || read_number(session, "--every", request->every, YK_QUANTITY_TIME, &every)) &&
-                read_columns(answer);
+    session->is_simulation = true;
+    bool good = yk_simulate_read(answer);
+    if (good) answer->simulation = yk_simulation_new(session->model, &answer->options, session->file_problems);
+    if (session->file_problems) yk_print_problems(session->file_problems, session->request->quiet);
     if (!good) return YK_EXIT_WRONG;
-    options.horizon = answer->to;
-    answer->rows = calloc((answer->steps + 1) * (answer->column_count + 1), sizeof *answer->rows);
-    if (!answer->rows) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-        return YK_EXIT_WRONG;
-    }
-    if (!make(answer, &options)) return answer->simulation ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
-    catch_signals();
-    return finish(answer, run(answer, every));
+    if (!answer->simulation) return refuse(answer);
+    if (!yk_simulate_prepare(answer)) return YK_EXIT_WRONG;
+    return finish(answer, run(answer));
 }
 
 int yk_run_simulate(YkSession *session)
@@ -294,6 +205,9 @@ int yk_run_simulate(YkSession *session)
     int exit_code = simulate(&answer);
     yk_simulation_free(answer.simulation);
     free(answer.columns);
+    free(answer.values);
+    free((void *)answer.inputs);
+    free(answer.row);
     free(answer.rows);
     return exit_code;
 }

@@ -56,7 +56,7 @@ static bool accept_by_structure(Choice *c)
 {
     YkMechanism *mech = c->mech;
     size_t o = mech->orientation_count, columns = o + mech->distance_count, rows = 2 * mech->loop_count + c->count;
-    size_t entries = 2 * c->count + mech->relation_term_count, most = mech->relation_term_count + 1;
+    size_t entries = 2 * c->count + mech->own_term_count, most = mech->own_term_count + 1;
     rows += mech->relation_count;
     for (size_t l = 0; l < mech->loop_count; l++) {
         entries += 4 * (size_t)mech->loops[l].sum.count;

@@ -173,10 +173,10 @@ struct YkMechanism {
     size_t largest_group;                       // columns
     bool has_groups;
     // relations
-    YkRelation *relations;
-    size_t relation_count;
+    YkRelation *relations;  // those of the model, then sums of them that solve several together
+    size_t relation_count, derived_count;
     YkRelationTerm *relation_terms;
-    size_t relation_term_count, relation_term_capacity;
+    size_t relation_term_count, relation_term_capacity, own_term_count; // own: of the model's
     YkSource *sources;
     size_t source_count, source_capacity, reference_count;
     int gruebler;

@@ -49,7 +49,8 @@ static void reset(YkPlan *plan)
     mech->node_count = 0;
     mech->largest_group = 0;
     mech->has_groups = false;
-    mech->source_count = mech->reference_count = 0;
+    mech->source_count = mech->reference_count = mech->derived_count = 0;
+    mech->relation_term_count = mech->own_term_count;
     for (size_t k = 0; k < mech->relation_count; k++) mech->relations[k].is_solved = mech->relations[k].is_redundant = false;
     for (size_t j = 0; j < mech->model->joint_count; j++) plan->angle_input[j] = plan->distance_input[j] = YK_NONE;
     for (size_t i = 0; i < mech->input_count; i++) {

@@ -176,7 +176,7 @@ bool yk_relations_build(YkMechanism *mech)
     Build b = {.mech = mech};
     b.guess = YK_NEW(mech->arena, double, 2 * n);
     b.is_given = YK_NEW(mech->arena, bool, n);
-    mech->relations = YK_NEW(mech->arena, YkRelation, count);
+    mech->relations = YK_NEW(mech->arena, YkRelation, 2 * count);
     if (yk_arena_failed(mech->arena)) return false;
     b.share = b.guess + n;
     mark_given(&b);
@@ -184,5 +184,6 @@ bool yk_relations_build(YkMechanism *mech)
     add_cams(&b);
     add_follows(&b);
     mech->gruebler -= (int)count;
+    mech->own_term_count = mech->relation_term_count;
     return !b.failed;
 }

@@ -118,6 +118,7 @@ static void add_source(YkPlan *plan, YkSource source, uint32_t first)
 static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_t first, int32_t skip_root)
 {
     YkMechanism *mech = plan->mech;
+    if (factor == 0) return 0;
     if (term.is_distance) {
         add_source(plan, (YkSource){YK_SOURCE_DISTANCE, term.index, YK_NONE, factor}, first);
         return 0;
@@ -176,6 +177,187 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
+// --- several at once
+// ------------------------------------------------------------------------------------------------------
+
+// Relations that need each other (the meshes of a planetary set): rows of factors over their unknowns, reduced until
+// each row that can have a single unknown has it. Each row remembers of which relations it is the sum.
+typedef struct Rows {
+    size_t count, columns;
+    int32_t *relation;     // [row]
+    YkRelationTerm *unknown; // [column]
+    double *factor;        // [row][column]
+    double *share;         // [row][row]
+} Rows;
+
+enum { ROWS_MAX = 400 };
+
+static size_t column_of(Rows *rows, YkRelationTerm root)
+{
+    for (size_t c = 0; c < rows->columns; c++)
+        if (rows->unknown[c].is_distance == root.is_distance && rows->unknown[c].index == root.index) return c;
+    rows->unknown[rows->columns] = root;
+    return rows->columns++;
+}
+
+static bool has_known_argument(const YkPlan *plan, const YkRelation *r)
+{
+    for (uint32_t k = 0; k < r->argument_count; k++)
+        if (!is_known(plan, plan->mech->relation_terms[r->first_argument + k])) return false;
+    return true;
+}
+
+static bool gather(YkPlan *plan, Rows *rows)
+{
+    const YkMechanism *mech = plan->mech;
+    size_t unknowns = 0;
+    rows->relation = YK_NEW(plan->arena, int32_t, mech->relation_count + 1);
+    if (!rows->relation) return false;
+    for (size_t k = 0; k < mech->relation_count; k++) {
+        const YkRelation *r = &mech->relations[k];
+        if (r->is_solved || r->is_redundant || r->law || !has_known_argument(plan, r)) continue;
+        rows->relation[rows->count++] = (int32_t)k;
+        unknowns += r->term_count;
+    }
+    if (rows->count < 2 || rows->count > ROWS_MAX) return false;
+    rows->unknown = YK_NEW(plan->arena, YkRelationTerm, unknowns + 1);
+    rows->factor = YK_NEW(plan->arena, double, rows->count * (unknowns + 1));
+    rows->share = YK_NEW(plan->arena, double, rows->count * rows->count);
+    if (yk_arena_failed(plan->arena)) return false;
+    for (int pass = 0; pass < 2; pass++) // first the columns, then, with their number known, the factors
+        for (size_t i = 0; i < rows->count; i++) {
+            const YkRelation *r = &mech->relations[rows->relation[i]];
+            rows->share[i * rows->count + i] = 1;
+            for (uint32_t k = 0; k < r->term_count; k++) {
+                YkRelationTerm term = mech->relation_terms[r->first_term + k];
+                if (is_known(plan, term)) continue;
+                size_t c = column_of(rows, root_of(plan, term));
+                if (pass == 1) rows->factor[i * rows->columns + c] += term.factor;
+            }
+        }
+    return true;
+}
+
+static void subtract_row(Rows *rows, size_t i, size_t from, double times)
+{
+    for (size_t c = 0; c < rows->columns; c++) {
+        double *x = &rows->factor[i * rows->columns + c], y = times * rows->factor[from * rows->columns + c];
+        *x = fabs(*x - y) < 1e-12 * (fabs(*x) + fabs(y)) ? 0 : *x - y;
+    }
+    for (size_t k = 0; k < rows->count; k++) rows->share[i * rows->count + k] -= times * rows->share[from * rows->count + k];
+}
+
+static void swap_rows(Rows *rows, size_t i, size_t j)
+{
+    for (size_t c = 0; c < rows->columns; c++) {
+        double x = rows->factor[i * rows->columns + c];
+        rows->factor[i * rows->columns + c] = rows->factor[j * rows->columns + c];
+        rows->factor[j * rows->columns + c] = x;
+    }
+    for (size_t k = 0; k < rows->count; k++) {
+        double x = rows->share[i * rows->count + k];
+        rows->share[i * rows->count + k] = rows->share[j * rows->count + k];
+        rows->share[j * rows->count + k] = x;
+    }
+}
+
+// Gauss and Jordan, with the largest pivot of each column.
+static void reduce(Rows *rows)
+{
+    size_t rank = 0;
+    for (size_t c = 0; c < rows->columns && rank < rows->count; c++) {
+        size_t best = rank;
+        for (size_t i = rank; i < rows->count; i++)
+            if (fabs(rows->factor[i * rows->columns + c]) > fabs(rows->factor[best * rows->columns + c])) best = i;
+        double pivot = rows->factor[best * rows->columns + c];
+        if (fabs(pivot) < 1e-12) continue;
+        if (best != rank) swap_rows(rows, best, rank);
+        for (size_t i = 0; i < rows->count; i++) {
+            double x = rows->factor[i * rows->columns + c];
+            if (i != rank && x != 0) subtract_row(rows, i, rank, x / pivot);
+        }
+        rank++;
+    }
+}
+
+static void add_to_derived(YkPlan *plan, uint32_t first, YkRelationTerm term)
+{
+    YkMechanism *mech = plan->mech;
+    for (size_t k = first; k < mech->relation_term_count; k++) {
+        YkRelationTerm *old = &mech->relation_terms[k];
+        if (old->is_distance != term.is_distance || old->index != term.index) continue;
+        old->factor += term.factor;
+        return;
+    }
+    if (YK_ROOM(mech->relation_terms, mech->relation_term_count, mech->relation_term_capacity))
+        mech->relation_terms[mech->relation_term_count++] = term;
+    else
+        plan->failed = true;
+}
+
+// The sum of relations that a row stands for, as a relation of its own behind the others.
+static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
+{
+    YkMechanism *mech = plan->mech;
+    size_t index = mech->relation_count + mech->derived_count++;
+    YkRelation *sum = &mech->relations[index];
+    *sum = (YkRelation){.kind = YK_RELATION_GEAR, .first_term = (uint32_t)mech->relation_term_count};
+    for (size_t k = 0; k < rows->count; k++) {
+        double share = rows->share[row * rows->count + k];
+        const YkRelation *r = &mech->relations[rows->relation[k]];
+        if (share == 0) continue;
+        sum->name = r->name;
+        sum->constant += share * r->constant;
+        for (uint32_t t = 0; t < r->term_count; t++) {
+            YkRelationTerm term = mech->relation_terms[r->first_term + t];
+            term.factor *= share;
+            add_to_derived(plan, sum->first_term, term);
+        }
+    }
+    sum->term_count = (uint32_t)mech->relation_term_count - sum->first_term;
+    return index;
+}
+
+// What a row leaves of other unknowns' factors is rounding: it must not keep the row from its single unknown.
+static void drop_rounding(YkPlan *plan, const YkRelation *sum, YkRelationTerm wanted)
+{
+    for (uint32_t k = 0; k < sum->term_count; k++) {
+        YkRelationTerm *term = &plan->mech->relation_terms[sum->first_term + k], root = root_of(plan, *term);
+        bool is_wanted = root.is_distance == wanted.is_distance && root.index == wanted.index;
+        if (!is_wanted && !is_known(plan, *term)) term->factor = 0;
+    }
+}
+
+// Solves what the relations determine together; true where there was anything.
+static bool solve_together(YkPlan *plan)
+{
+    Rows rows = {0};
+    bool solved = false;
+    if (!gather(plan, &rows)) return false;
+    reduce(&rows);
+    for (size_t i = 0; i < rows.count && !plan->failed; i++) {
+        size_t single = rows.columns, count = 0;
+        for (size_t c = 0; c < rows.columns; c++)
+            if (rows.factor[i * rows.columns + c] != 0) {
+                single = c;
+                count++;
+            }
+        if (count != 1 || is_known(plan, rows.unknown[single])) continue;
+        size_t index = derive(plan, &rows, i);
+        YkRelationTerm unknown = rows.unknown[single];
+        drop_rounding(plan, &plan->mech->relations[index], unknown);
+        unknown.factor = rows.factor[i * rows.columns + single];
+        solve(plan, index, unknown);
+        solved = true;
+    }
+    for (size_t k = 0; k < rows.count && solved; k++) { // those that are used up
+        YkRelation *r = &plan->mech->relations[rows.relation[k]];
+        YkRelationTerm unknown;
+        if (find_unknown(plan, r, &unknown) == 0) r->is_solved = true;
+    }
+    return solved;
+}
+
 bool yk_plan_relations(YkPlan *plan)
 {
     YkMechanism *mech = plan->mech;
@@ -191,5 +373,5 @@ bool yk_plan_relations(YkPlan *plan)
         solve(plan, k, unknown);
         solved = true;
     }
-    return solved;
+    return solved || solve_together(plan);
 }

@@ -2,6 +2,7 @@
 #include "derive/blocks.h"
 #include <string.h>
 #include "derive/frame.h"
+#include "derive/relations.h"
 #include "num/components.h"
 #include "num/matching.h"
 
@@ -49,14 +50,30 @@ static bool add_row(YkDerivation *d, struct YkDeriveBlocks *blocks, YkDeriveRow 
     return true;
 }
 
+// A gear's row depends on what has a derivative, functions of coordinates included.
+static bool add_tie(YkDerivation *d, struct YkDeriveBlocks *blocks, int32_t tie)
+{
+    YkDeriveRow row = {.loop = YK_NONE, .tie = tie, .part = 3, .value = d->ties[tie].value};
+    row.columns = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    if (!row.columns) return false;
+    if (!row.value) return yk_derivation_is_well(d); // cannot be written: the section says so
+    for (size_t k = 0; k < d->coordinate_count; k++) {
+        const YkPoisson *slope = yk_ring_partial(d->ring, row.value, d->coordinates[k].position);
+        if (!slope) return false;
+        if (!yk_ring_is_zero(slope)) row.columns[row.count++] = (int32_t)k;
+    }
+    return add_row(d, blocks, row);
+}
+
 static bool make_rows(YkDerivation *d, struct YkDeriveBlocks *blocks, int32_t *found)
 {
     const YkDeriveLoop *loops = yk_derive_loops(d);
-    blocks->rows = YK_NEW(d->arena, YkDeriveRow, 3 * d->loop_count + 1);
+    yk_derive_ties(d);
+    blocks->rows = YK_NEW(d->arena, YkDeriveRow, 3 * d->loop_count + d->tie_count + 1);
     if (!loops || !blocks->rows) return false;
     for (size_t l = 0; l < d->loop_count; l++) {
         size_t all = coordinates_of(d, &loops[l], found);
-        YkDeriveRow row = {.loop = (int32_t)l, .columns = YK_NEW(d->arena, int32_t, all + 1)};
+        YkDeriveRow row = {.loop = (int32_t)l, .tie = YK_NONE, .columns = YK_NEW(d->arena, int32_t, all + 1)};
         if (!row.columns) return false;
         row.count = keep_mentioned(d, loops[l].sum, found, all, row.columns);
         row.value = yk_ring_real(d->ring, loops[l].sum);
@@ -64,12 +81,14 @@ static bool make_rows(YkDerivation *d, struct YkDeriveBlocks *blocks, int32_t *f
         row.part = 1, row.value = yk_ring_imaginary(d->ring, loops[l].sum);
         if (!add_row(d, blocks, row)) return false;
         if (!loops[l].angle) continue;
-        row = (YkDeriveRow){.loop = (int32_t)l, .part = 2, .columns = YK_NEW(d->arena, int32_t, all + 1),
+        row = (YkDeriveRow){.loop = (int32_t)l, .tie = YK_NONE, .part = 2, .columns = YK_NEW(d->arena, int32_t, all + 1),
                             .value = loops[l].angle};
         if (!row.columns) return false;
         row.count = keep_mentioned(d, row.value, found, all, row.columns);
         if (!add_row(d, blocks, row)) return false;
     }
+    for (size_t k = 0; k < d->tie_count; k++)
+        if (!add_tie(d, blocks, (int32_t)k)) return false;
     return true;
 }
 
@@ -113,7 +132,7 @@ static int32_t sibling(const struct YkDeriveBlocks *blocks, size_t r)
 {
     const YkDeriveRow *row = &blocks->rows[r];
     size_t other = row->part == 0 ? r + 1 : r - 1;
-    if (row->part == 2 || other >= blocks->row_count) return YK_NONE;
+    if (row->part >= 2 || other >= blocks->row_count) return YK_NONE;
     const YkDeriveRow *beside = &blocks->rows[other];
     return beside->loop == row->loop && beside->part == 1 - row->part ? (int32_t)other : YK_NONE;
 }

@@ -5,8 +5,9 @@
 
 // A scalar equation: a row of J.
 typedef struct YkDeriveRow {
-    int32_t loop;
-    int part;               // 0 x, 1 y, 2 angle
+    int32_t loop;           // or YK_NONE: a relation
+    int32_t tie;            // the relation, or YK_NONE
+    int part;               // 0 x, 1 y, 2 angle, 3 relation
     const YkPoisson *value; // joint form, 0 on the machine
     int32_t *columns;       // coordinates that may stand in it, ascending
     size_t count;
@@ -32,6 +33,8 @@ struct YkDeriveBlocks {
 
 enum { YK_CRAMER_MAX = 3 };
 
+// "A x", "sun-planet": a row's name, in the page's arena or the machine's.
+const char *yk_derive_row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row);
 // Made at first use; NULL on failure.
 const YkDeriveBlocks *yk_derive_blocks(YkDerivation *d);
 // Row r's derivative by a coordinate; zero where it is not in it. Never NULL but on failure.

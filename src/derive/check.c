@@ -6,12 +6,13 @@
 #include "derive/blocks.h"
 #include "derive/frame.h"
 
-enum { FIELD_POINTS = 4, POSES = 24, POSES_MIN = 8, TRIES = 400 };
+enum { FIELD_POINTS = 4, POSES = 24, POSES_MIN = 8, TRIES = 100, STEPS = 96 };
 static const double EQUAL = 1e-9;
 
 typedef struct Check {
     YkDerivation *d;
-    YkState *state;
+    YkState *state, *start;
+    double start_margin;
     YkDynamics *dynamics;
     const YkEquation *equation;
     const YkForm *difference;
@@ -43,7 +44,7 @@ static Proof prove(Check *check, const YkForm *form)
         bool has_value = yk_form_field(check->d->ring, form, point, &value);
         yk_field_point_free(point);
         if (!has_value) continue; // a division by zero
-        if (value != 0) return REFUTED;
+        if (value != 0) return check->d->tie_count > 0 ? NO_PROOF : REFUTED; // gears bind no unit vectors there
         points++;
     }
     return points == FIELD_POINTS ? PROVED : NO_PROOF;
@@ -63,16 +64,45 @@ static bool solve_pose(Check *check)
     return status >= 0 && yk_state_has_rates(check->state);
 }
 
-static bool move_to_random_pose(Check *check, const YkMotion *start)
+// The smallest transmission angle of the dyads: at 0 two configurations meet.
+static double margin(const Check *check)
 {
     const YkMechanism *mech = check->d->mech;
-    for (size_t i = 0; i < mech->input_count; i++) {
-        bool is_distance = mech->coordinates[mech->inputs[i]].is_distance;
-        double reach = is_distance ? 0.5 * fabs(start[i].position) + 0.1 * mech->size : YK_PI;
-        YkMotion motion = {start[i].position + uniform(check, -reach, reach), uniform(check, 0.3, 2), uniform(check, -2, 2)};
-        if (is_distance) motion.velocity *= mech->size, motion.acceleration *= mech->size;
+    double least = YK_PI;
+    for (size_t b = 0; b < mech->block_count; b++)
+        if (mech->blocks[b].kind <= YK_BLOCK_RPR) least = fmin(least, yk_state_transmission(check->state, b));
+    return least;
+}
+
+static void go(Check *check, const YkMotion *target, double part)
+{
+    for (size_t i = 0; i < check->d->mech->input_count; i++) {
+        YkMotion motion = target[i], from = yk_state_input(check->start, i);
+        motion.position = from.position + part * (motion.position - from.position);
         yk_state_set_input(check->state, i, motion);
     }
+}
+
+// From the start towards random inputs in small steps, and no further than to where another configuration comes near: with
+// special dimensions (a parallelogram) what holds in one does not hold in the other.
+static bool move_to_random_pose(Check *check, YkMotion *target)
+{
+    const YkMechanism *mech = check->d->mech;
+    double reached = 0, least = fmin(0.1, 0.5 * check->start_margin);
+    for (size_t i = 0; i < mech->input_count; i++) {
+        bool is_distance = mech->coordinates[mech->inputs[i]].is_distance;
+        YkMotion from = yk_state_input(check->start, i);
+        double size = is_distance ? mech->size : 1, reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : YK_PI;
+        target[i] = (YkMotion){from.position + uniform(check, -reach, reach), size * uniform(check, 0.3, 2),
+                               size * uniform(check, -2, 2)};
+    }
+    yk_state_copy(check->state, check->start);
+    for (int step = 1; step <= STEPS; step++) {
+        go(check, target, (double)step / STEPS);
+        if (yk_state_solve(check->state) < 0 || margin(check) < least) break;
+        reached = (double)step / STEPS;
+    }
+    go(check, target, reached);
     return solve_pose(check);
 }
 
@@ -133,14 +163,16 @@ static bool differs_here(Check *check, size_t *poses)
 // The start first, then random poses. Stops at a pose that shows a difference.
 static bool differs_somewhere(Check *check, size_t *poses)
 {
-    size_t inputs = check->d->mech->input_count;
-    YkMotion *start = calloc(inputs + 1, sizeof *start);
+    YkMotion *target = calloc(check->d->mech->input_count + 1, sizeof *target);
+    check->start = yk_state_new(check->d->mech);
     bool differs = false;
-    if (!start) return false;
-    for (size_t i = 0; i < inputs; i++) start[i] = yk_state_input(check->state, i);
-    for (int k = 0; k < TRIES && *poses < POSES && !differs; k++)
-        if (k == 0 ? solve_pose(check) : move_to_random_pose(check, start)) differs = differs_here(check, poses);
-    free(start);
+    if (target && check->start && yk_state_copy(check->start, check->state) >= 0) {
+        check->start_margin = margin(check);
+        for (int k = 0; k < TRIES && *poses < POSES && !differs; k++)
+            if (k == 0 ? solve_pose(check) : move_to_random_pose(check, target)) differs = differs_here(check, poses);
+    }
+    yk_state_free(check->start);
+    free(target);
     return differs;
 }
 

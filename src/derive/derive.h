@@ -78,6 +78,7 @@ typedef struct YkDerivation YkDerivation;
 // Gives values to symbols that a section has added (forces, multipliers): values[symbol] = ...; dynamics may be NULL.
 typedef void (*YkDeriveSource)(void *context, const YkState *state, YkDynamics *dynamics, double *values);
 typedef struct YkDeriveBlocks YkDeriveBlocks; // blocks.h
+typedef struct YkDeriveRelation YkDeriveRelation; // relations.h
 
 struct YkDerivation {
     YkArena *arena;
@@ -96,6 +97,8 @@ struct YkDerivation {
     YkDeriveLoop *loops; // in the file's order; yk_derive_loops makes them at first use
     size_t loop_count;
     struct YkDeriveNames *names; // of points; made at first use
+    YkDeriveRelation *ties;      // gears, racks, belts, cams, laws (relations.h); made at first use
+    size_t tie_count;
     YkDeriveConstant *constants;
     size_t constant_count, constant_capacity;
     const YkPoisson **points; // memo: of each model point in its body's axes

@@ -45,8 +45,7 @@ typedef struct YkDeriveContact {
 // A pin that joins several bodies: a massless junction, in equilibrium under the forces of all of them.
 typedef struct YkDeriveJunction {
     const char *name;
-    int32_t place_body;     // at whose point it is counted to move
-    YkDerivePlace place;
+    YkDerivePlace place;    // the point of a body with which it is counted to move
     const YkPoisson *force; // sum of all contacts on it: 0
 } YkDeriveJunction;
 
@@ -66,6 +65,7 @@ typedef struct YkDeriveOpaque {
     size_t variable_count;
 } YkDeriveOpaque;
 
+struct YkDeriveLagrange;
 typedef struct YkDeriveForces {
     YkDerivation *d;
     bool is_partial; // gears, racks, belts or cams are left out: the equations do not hold
@@ -93,6 +93,8 @@ typedef struct YkDeriveForces {
     const YkPoisson **rows, **identities;
     int32_t *multipliers, *row_joint;
     size_t row_count;
+    const YkPoisson **kinetic, **potential;    // memo: per body; [1]
+    struct YkDeriveLagrange *lagrange;         // memo: per coordinate of the body form
 } YkDeriveForces;
 
 // Made at first use; NULL on failure. Enters symbols, and for proofs the relations between them. Cost O(bodies * depth).
@@ -119,7 +121,7 @@ const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate)
 // What a load gives to a coordinate of the body form.
 const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate);
 // Second derivatives of what closing joints demand, free of their distances; the count, or -1 on failure. rows[3 loops].
-int yk_derive_closing_rows(YkDerivation *d, const YkPoisson **rows, int32_t *joints);
+int yk_derive_closing_rows(const YkDeriveForces *f, const YkPoisson **rows, int32_t *joints);
 
 // --- Energies, body form
 const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body);
@@ -140,10 +142,20 @@ YkEquationCount yk_derive_count(const YkDeriveForces *f, bool all_given);
 // --- Show in joint angles? Beyond a few links the sums of joint angles are not readable: body form then.
 bool yk_derive_shows_joints(const YkDerivation *d);
 const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a);
+// The acceleration of a coordinate as it is shown: its own, or in body form that of its body.
+int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate);
 // Tells which angles are used, where they are the bodies' own.
 void yk_derive_put_angles(YkDerivation *d, YkPage *page);
 // Words about what is left out; true where the section ends with that.
 bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page);
+
+// --- free_bodies.c: pieces of vector equations
+// " + F_{01}", " - F_{12}": what acts on a body; `first`: no plus. A load's name by its kind: W, S, D, R, F, Q.
+void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
+void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
+// The point at which a contact acts.
+const char *yk_derive_contact_point(YkDerivation *d, const YkDeriveContact *contact);
+const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *load, size_t push);
 
 // --- free_bodies_*.c: parts of entering
 bool yk_derive_enter_masses(YkDeriveForces *f);

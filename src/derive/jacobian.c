@@ -1,11 +1,13 @@
 // Section: the Jacobian J of the loop equations, its blocks and their determinants.
 #include "derive/blocks.h"
+#include "derive/relations.h"
 #include "derive/sections.h"
 
 enum { ROWS_SHOWN_MAX = 24 };
 
-static const char *row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
+const char *yk_derive_row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
 {
+    if (row->part == 3) return d->ties[row->tie].name;
     static const char *const parts[] = {"x", "y", "angle"};
     YkText text = {0};
     yk_text_format(&text, "%s %s", d->model->joints[d->loops[row->loop].joint].name, parts[row->part]);
@@ -18,7 +20,7 @@ static const char *row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *r
 static void fill_row(YkDerivation *d, YkPage *page, YkShownMatrix *matrix, size_t i, const YkDeriveRow *row)
 {
     const YkDeriveBlocks *blocks = d->blocks;
-    matrix->row_labels[i] = row_label(d, page, row);
+    matrix->row_labels[i] = yk_derive_row_label(d, page, row);
     for (size_t k = 0; k < matrix->columns; k++) {
         matrix->entries[i * matrix->columns + k] = yk_derive_entry(d, row, blocks->column_order[k]);
         matrix->column_symbols[k] = d->coordinates[blocks->column_order[k]].position;
@@ -54,7 +56,7 @@ static void put_matrix(YkDerivation *d, YkPage *page)
 static void put_row(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
 {
     const YkPoisson *sum = yk_ring_time_derivative(d->ring, row->value);
-    yk_page_equation(page, row_label(d, page, row), sum, NULL, YK_RING_TEXTBOOK);
+    yk_page_equation(page, yk_derive_row_label(d, page, row), sum, NULL, YK_RING_TEXTBOOK);
 }
 
 static void put_determinant(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, size_t number)

@@ -1,5 +1,5 @@
 // Random points of the machine's motion over the prime field: random angles; the loop equations solved for what enters them
-// linearly (distances, lengths); rates from J q' = 0; accelerations, and what sections have added, from their linear equations.
+// linearly (distances, lengths, angles outside of cos and sin); rates from J q' = 0; accelerations, and what sections have added, from their linear equations.
 // All dimensions are random, so what holds there holds for all dimensions.
 #include <stdlib.h>
 #include "derive/blocks.h"
@@ -110,12 +110,13 @@ static bool solve(Making *making, const YkPoisson *const *zeros, size_t rows, co
 // Is every row affine in the symbol, with a slope free of the symbols taken so far?
 static bool is_linear(YkRing *ring, const YkDeriveBlocks *blocks, int32_t symbol, const int32_t *taken, size_t count)
 {
-    bool is_there = false;
+    bool is_there = false; // an angle counts where it stands outside of cos and sin
     for (size_t r = 0; r < blocks->row_count; r++) {
         int32_t lowest, highest;
         const YkPoisson *row = blocks->rows[r].value;
-        if (blocks->rows[r].part == 2 || !yk_ring_mentions(ring, row, symbol)) continue;
-        if (!yk_ring_powers(ring, row, symbol, &lowest, &highest) || lowest < 0 || highest != 1) return false;
+        if (!yk_ring_mentions(ring, row, symbol)) continue;
+        if (!yk_ring_powers(ring, row, symbol, &lowest, &highest) || lowest < 0 || highest > 1) return false;
+        if (highest == 0) continue;
         const YkPoisson *slope = yk_ring_coefficient(ring, row, symbol, 1);
         for (size_t k = 0; k < count; k++)
             if (yk_ring_mentions(ring, slope, taken[k])) return false;
@@ -129,7 +130,7 @@ static size_t find_linear(Making *making, int32_t *unknowns)
     YkDerivation *d = making->d;
     size_t count = 0;
     for (size_t k = 0; k < d->coordinate_count; k++)
-        if (d->coordinates[k].is_distance && is_linear(d->ring, making->blocks, d->coordinates[k].position, unknowns, count))
+        if (is_linear(d->ring, making->blocks, d->coordinates[k].position, unknowns, count))
             unknowns[count++] = d->coordinates[k].position;
     for (size_t k = 0; k < d->model->parameter_count; k++)
         if (!yk_ring_is_angle(d->ring, d->parameters[k]) && !is_defined(d, k) &&
@@ -142,15 +143,13 @@ static void close_loops(Making *making)
 {
     YkDerivation *d = making->d;
     const YkDeriveBlocks *blocks = making->blocks;
-    size_t rows = 0;
     int rank = 0;
     int32_t *unknowns = calloc(d->coordinate_count + d->model->parameter_count + 1, sizeof *unknowns);
     const YkPoisson **zeros = (const YkPoisson **)calloc(blocks->row_count + 1, sizeof *zeros);
     if (unknowns && zeros) {
-        for (size_t r = 0; r < blocks->row_count; r++)
-            if (blocks->rows[r].part != 2) zeros[rows++] = blocks->rows[r].value;
+        for (size_t r = 0; r < blocks->row_count; r++) zeros[r] = blocks->rows[r].value;
         size_t count = find_linear(making, unknowns);
-        making->is_possible = making->is_possible && solve(making, zeros, rows, unknowns, count, &rank);
+        making->is_possible = making->is_possible && solve(making, zeros, blocks->row_count, unknowns, count, &rank);
     } else {
         making->failed = true;
     }

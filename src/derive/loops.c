@@ -1,6 +1,7 @@
 // Section: loop equations, as sums of named vectors and in x and y.
 #include <string.h>
 #include "derive/blocks.h"
+#include "derive/relations.h"
 #include "derive/sections.h"
 
 static const char *joined(YkPage *page, const char *head, const char *tail)
@@ -134,12 +135,36 @@ static void put_constraints(YkDerivation *d, YkPage *page)
     }
 }
 
+// --- Gears and the like: what they tie.
+static void put_ties(YkDerivation *d, YkPage *page)
+{
+    static const char *const kinds[] = {"gear", "rack", "belt", "cam", "law"};
+    if (d->tie_count > 0) yk_page_heading(page, 2, "Gears, belts, racks, cams");
+    for (size_t k = 0; k < d->tie_count; k++) {
+        const YkDeriveRelation *tie = &d->ties[k];
+        YkText remark = {0};
+        yk_text_format(&remark, "%s %s", kinds[tie->kind], tie->name);
+        YkLine *line = tie->value ? yk_page_equation(page, yk_text_get(&remark), tie->value, NULL, YK_RING_TEXTBOOK) : NULL;
+        if (line) line->over = tie->value, line->target = "Phi";
+        if (!tie->value) yk_page_words(page, "%s: not written here", yk_text_get(&remark));
+        yk_text_free(&remark);
+        if (tie->function >= 0)
+            yk_page_words(page, "%s is a function of %s; _v, _a, _j are its derivatives by %s.",
+                          yk_ring_symbol_name(d->ring, tie->function), d->coordinates[tie->argument].name,
+                          d->coordinates[tie->argument].name);
+    }
+}
+
 static void put_drives(YkDerivation *d, YkPage *page)
 {
     bool any = false;
     for (size_t k = 0; k < d->tree_count; k++) {
         const YkDeriveCoordinate *c = &d->coordinates[k];
         if (c->drive == YK_NONE) continue;
+        if (d->model->drives[c->drive].law != YK_NONE) {
+            yk_page_words(page, "%s follows the law %s.", c->name, d->model->laws[d->model->drives[c->drive].law].name);
+            continue;
+        }
         const YkPoisson *law = yk_derive_expression(d, d->model->drives[c->drive].expr);
         if (!law && yk_ring_status(d->ring) == YK_RING_DIVISOR) yk_ring_clear(d->ring);
         if (!law) continue;
@@ -157,11 +182,13 @@ static void put_drives(YkDerivation *d, YkPage *page)
 bool yk_derive_section_loops(YkDerivation *d, YkPage *page)
 {
     if (!yk_derive_loops(d)) return false;
-    if (d->loop_count == 0) yk_page_words(page, "The machine has no loop: every coordinate is free.");
+    yk_derive_ties(d);
+    if (d->loop_count == 0 && d->tie_count == 0) yk_page_words(page, "The machine has no loop: every coordinate is free.");
     if (d->loop_count > 0) yk_page_heading(page, 2, "Vectors");
     define_vectors(d, page);
     for (size_t l = 0; l < d->loop_count; l++) put_loop(d, page, &d->loops[l]);
     put_constraints(d, page);
+    put_ties(d, page);
     put_drives(d, page);
     return true;
 }

@@ -47,14 +47,14 @@ YkLine *yk_page_formula(YkPage *page, const char *remark)
     return add_line(page, YK_LINE_FORMULA, remark);
 }
 
-static YkPiece *add_piece(YkPage *page, YkLine *line, YkPieceKind kind)
+static YkPagePiece *add_piece(YkPage *page, YkLine *line, YkPagePieceKind kind)
 {
-    YkPiece *piece = line ? YK_NEW(page->arena, YkPiece, 1) : NULL;
+    YkPagePiece *piece = line ? YK_NEW(page->arena, YkPagePiece, 1) : NULL;
     if (!piece) {
         page->failed = true;
         return NULL;
     }
-    *piece = (YkPiece){.kind = kind};
+    *piece = (YkPagePiece){.kind = kind};
     if (line->last) line->last->next = piece;
     if (!line->first) line->first = piece;
     line->last = piece;
@@ -63,7 +63,7 @@ static YkPiece *add_piece(YkPage *page, YkLine *line, YkPieceKind kind)
 
 void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style)
 {
-    YkPiece *piece = add_piece(page, line, YK_PIECE_ELEMENT);
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_ELEMENT);
     if (!a) page->failed = true;
     if (piece) piece->over = a, piece->style = style;
 }
@@ -76,32 +76,32 @@ void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a)
 
 void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under)
 {
-    YkPiece *piece = add_piece(page, line, YK_PIECE_QUOTIENT);
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_QUOTIENT);
     if (!over || !under) page->failed = true;
     if (piece) piece->over = over, piece->under = under;
 }
 
 void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub)
 {
-    YkPiece *piece = add_piece(page, line, YK_PIECE_VECTOR);
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_VECTOR);
     if (piece) piece->text = copy(page, base), piece->super = copy(page, super), piece->sub = copy(page, sub);
 }
 
 void yk_line_sign(YkPage *page, YkLine *line, const char *sign)
 {
-    YkPiece *piece = add_piece(page, line, YK_PIECE_SIGN);
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_SIGN);
     if (piece) piece->text = copy(page, sign);
 }
 
 void yk_line_words(YkPage *page, YkLine *line, const char *words)
 {
-    YkPiece *piece = add_piece(page, line, YK_PIECE_WORDS);
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_WORDS);
     if (piece) piece->text = copy(page, words);
 }
 
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns)
 {
-    YkPiece *piece = add_piece(page, line, YK_PIECE_MATRIX);
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_MATRIX);
     YkShownMatrix *matrix = piece ? YK_NEW(page->arena, YkShownMatrix, 1) : NULL;
     if (!matrix) return NULL;
     matrix->rows = rows, matrix->columns = columns;

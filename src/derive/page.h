@@ -10,14 +10,14 @@
 #include "ring/ring.h"
 #include "ring/write.h"
 
-typedef enum YkPieceKind {
+typedef enum YkPagePieceKind {
     YK_PIECE_ELEMENT,  // an element; in brackets where it is a sum and `is_factor`
     YK_PIECE_QUOTIENT, // over / under
     YK_PIECE_VECTOR,   // a vector's or force's name: base, superscript, subscript: p^{A/O1}, F_{01}
     YK_PIECE_SIGN,     // = + - x . ( ) , as they stand; "x" is the cross product, "." the dot product
     YK_PIECE_WORDS,    // plain words inside a formula
     YK_PIECE_MATRIX    // rows x columns of elements
-} YkPieceKind;
+} YkPagePieceKind;
 
 // Entries row by row; NULL is 0. A cut after row or column k is a line in print: the blocks. Labels may be NULL.
 typedef struct YkShownMatrix {
@@ -28,15 +28,15 @@ typedef struct YkShownMatrix {
     int32_t *column_symbols; // NULL: none
 } YkShownMatrix;
 
-typedef struct YkPiece YkPiece;
-struct YkPiece {
-    YkPieceKind kind;
+typedef struct YkPagePiece YkPagePiece;
+struct YkPagePiece {
+    YkPagePieceKind kind;
     const YkPoisson *over, *under;
     YkRingStyle style;
     bool is_factor;
     const char *text, *super, *sub; // sign, words; base of a name
     YkShownMatrix *matrix;
-    YkPiece *next;
+    YkPagePiece *next;
 };
 
 typedef enum YkLineKind { YK_LINE_HEADING, YK_LINE_WORDS, YK_LINE_FORMULA } YkLineKind;
@@ -47,7 +47,7 @@ struct YkLine {
     int level;        // of a heading: 1 section, 2 part of it
     const char *text; // heading, words; of a formula a name or remark, or NULL
     const char *section; // to which section it belongs
-    YkPiece *first, *last;
+    YkPagePiece *first, *last;
     // What is 0 wherever the formula holds, on the machine's own motion; NULL where it is no equation between scalars or vectors.
     const YkPoisson *vanishes;
     bool is_identity; // `vanishes` is 0 by itself, coordinates being free

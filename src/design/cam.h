@@ -66,7 +66,7 @@ YkCamSummary yk_cam_summarize(const YkCamSamples *samples, const YkCamShape *sha
 // Loads on the follower: effort of the cam = inertia * acceleration + what the loads ask for.
 typedef struct YkCamLoad {
     double inertia, stiffness, damping;
-    double constant; // against the lift, at lift 0: preload less what presses the other way
+    double constant;       // against the lift, at lift 0: preload less what presses the other way
     double weight, center; // oscillating: gravity's moment is weight cos(coordinate + center), weight 0: none
     struct YkCamEffort *efforts;
     size_t effort_count;

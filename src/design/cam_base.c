@@ -73,8 +73,8 @@ static void find_bounds(const YkCamSamples *samples, const YkCamShape *shape, do
         *low = fmax(fabs(f - shape->arm) - shape->roller, 1e-6 * f);
         *high = f + shape->arm - shape->roller;
     } else {
-        double least = shape->face == YK_CAM_FLAT ? fmax(-lowest, 0)
-                                                  : hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
+        double least =
+            shape->face == YK_CAM_FLAT ? fmax(-lowest, 0) : hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
         *low = fmax(least, 1e-6 * (extent + fabs(shape->offset) + shape->roller));
         *high = INFINITY;
     }

@@ -1,5 +1,5 @@
-// Contact force, camshaft torque and jump speed at constant speed. Source: Norton 2009, ch. 8-9 (kinetostatics, follower
-// jump); the torque by the power balance.
+// Contact force, camshaft torque and jump speed at constant speed. Source: Norton 2009, ch. 8-9 (kinetostatics,
+// follower jump); the torque by the power balance.
 #include <math.h>
 #include "design/cam.h"
 

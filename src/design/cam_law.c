@@ -188,8 +188,7 @@ YkStatus yk_cam_law_factors(const char *law, YkCamFactors *factors)
     if (!find_rise(law, &rise)) return YK_BAD_ARGUMENT;
     YkArena *arena = yk_arena_new();
     YkLawBuilder *builder = yk_law_builder_new(0, 0);
-    if (arena && builder && yk_law_add_rise(builder, 1, 1, &rise) == YK_LAW_OK)
-        yk_law_finish(builder, 0, arena, &unit);
+    if (arena && builder && yk_law_add_rise(builder, 1, 1, &rise) == YK_LAW_OK) yk_law_finish(builder, 0, arena, &unit);
     if (unit) {
         *factors = (YkCamFactors){fabs(yk_law_peak(unit, 1).value), fabs(yk_law_peak(unit, 2).value),
                                   fabs(yk_law_peak(unit, 3).value)};

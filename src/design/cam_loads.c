@@ -57,10 +57,12 @@ static bool add_efforts(YkCamDesign *design)
         YkCamEffort *own = &load->efforts[load->effort_count];
         own->formula = yk_model_formula(model, expr, variable_of, design, design->arena);
         own->law = has_law ? model->laws[effort->law.law].law : NULL;
-        if (own->formula) load->effort_count++;
-        else design->loads.is_partial = true; // it speaks of other motions
+        if (own->formula)
+            load->effort_count++;
+        else
+            design->loads.is_partial = true; // it speaks of other motions
     }
-    return true;
+    return !yk_arena_failed(design->arena);
 }
 
 // Weight acts as a constant on a follower that slides, by its moment on one that turns. The carrier must stand still.
@@ -88,8 +90,7 @@ static void add_weight(YkCamDesign *design)
     }
     // the moment of the weight m g on the lever c exp(i a) is m |c| |g| sin(gamma - a) = ... cos(a - gamma + pi/2)
     design->load.weight = body->mass * yk_norm(center) * yk_norm(model->gravity);
-    design->load.center =
-        turned + atan2(center.y, center.x) - atan2(model->gravity.y, model->gravity.x) + YK_PI / 2;
+    design->load.center = turned + atan2(center.y, center.x) - atan2(model->gravity.y, model->gravity.x) + YK_PI / 2;
 }
 
 static void add_inertia(YkCamDesign *design)
@@ -113,8 +114,7 @@ static bool has_others(const YkCamDesign *design)
         if (model->forces[i].body == cam->follower) return true;
     for (size_t i = 0; i < model->joint_count; i++) {
         const YkJoint *joint = &model->joints[i];
-        if ((int32_t)i != cam->follower_joint &&
-            (joint->body[0] == cam->follower || joint->body[1] == cam->follower))
+        if ((int32_t)i != cam->follower_joint && (joint->body[0] == cam->follower || joint->body[1] == cam->follower))
             return true;
     }
     return false;

@@ -56,8 +56,7 @@ static void split(Tracer *tracer, YkCamVertex a, double from, YkCamVertex b, dou
 {
     double middle = from + (to - from) / 2, most = 0.8 * tracer->tolerance;
     YkCamVertex m = vertex_at(tracer, middle);
-    bool is_close = off_chord(a, b, m) <= most &&
-                    off_chord(a, b, vertex_at(tracer, from + (to - from) / 4)) <= most &&
+    bool is_close = off_chord(a, b, m) <= most && off_chord(a, b, vertex_at(tracer, from + (to - from) / 4)) <= most &&
                     off_chord(a, b, vertex_at(tracer, to - (to - from) / 4)) <= most;
     if (tracer->failed || is_close || depth >= DEPTH_MAX) return;
     split(tracer, a, from, m, middle, depth + 1);
@@ -93,9 +92,9 @@ static void trace(Tracer *tracer)
             trace_stretch(tracer, samples->items[samples->first[k]].angle,
                           samples->items[samples->first[k + 1] - 1].angle);
     }
-    while (tracer->count > 1 && hypot(tracer->items[tracer->count - 1].x - tracer->items[0].x,
-                                      tracer->items[tracer->count - 1].y - tracer->items[0].y) <=
-                                    1e-3 * tracer->tolerance)
+    while (tracer->count > 1 &&
+           hypot(tracer->items[tracer->count - 1].x - tracer->items[0].x,
+                 tracer->items[tracer->count - 1].y - tracer->items[0].y) <= 1e-3 * tracer->tolerance)
         tracer->count--; // it closes
 }
 

@@ -14,7 +14,6 @@ static double pitch_curvature(const YkCamPoint *p, const void *context)
     return *(const double *)context / p->pitch_radius;
 }
 
-
 static double convex_flat(const YkCamPoint *p, const void *context)
 {
     (void)context;
@@ -86,10 +85,8 @@ static void find_curvature(const Finder *finder, YkCamSummary *summary)
         summary->pitch_hollow = summary->surface_hollow = none;
         return;
     }
-    summary->pitch_convex =
-        radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &plus), 1);
-    summary->pitch_hollow =
-        radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &minus), -1);
+    summary->pitch_convex = radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &plus), 1);
+    summary->pitch_hollow = radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &minus), -1);
     summary->surface_convex = summary->pitch_convex;
     summary->surface_convex.value -= roller;
     summary->surface_hollow = summary->pitch_hollow;
@@ -98,8 +95,8 @@ static void find_curvature(const Finder *finder, YkCamSummary *summary)
 
 static void find_undercut(const Finder *finder, YkCamSummary *summary)
 {
-    summary->undercut_count = yk_cam_negative(finder->samples, finder->shape, fullness, NULL, summary->undercut,
-                                              YK_CAM_RANGES_MAX);
+    summary->undercut_count =
+        yk_cam_negative(finder->samples, finder->shape, fullness, NULL, summary->undercut, YK_CAM_RANGES_MAX);
     summary->outer_undercut_count = yk_cam_negative(finder->samples, finder->shape, outer_fullness, NULL,
                                                     summary->outer_undercut, YK_CAM_RANGES_MAX);
 }

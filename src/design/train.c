@@ -85,10 +85,10 @@ static const char *exact_of(const YkTrain *train, const YkFraction *value)
 // Turns of `in` for one of `out`, nothing else driving; false when out of memory or on overflow.
 static bool ratio_alone(YkTrain *train, const YkLock *lock, YkTrainRatio *ratio, YkTrainCase *one)
 {
-    const YkTrainDrive unit = {
-        .coordinate = YK_NONE,
-        .body = (int32_t)ratio->in,
-        .shown = {.name = train->model->bodies[ratio->in].name, .is_unit = true, .speed = 1}};
+    const YkTrainDrive unit = {.coordinate = YK_NONE,
+                               .body = (int32_t)ratio->in,
+                               .exact = {.is_exact = true, .numerator = 1, .denominator = 1},
+                               .shown = {.name = train->model->bodies[ratio->in].name, .is_unit = true, .speed = 1}};
     int32_t out = train->net.column_of[ratio->out];
     if (!yk_train_case_solve(one, &train->net, lock, &unit, 1, train->arena)) return false;
     if (one->status == YK_TRAIN_LOCKED || !yk_exact_is_determined(&one->system, out)) return true;
@@ -123,8 +123,8 @@ static void ratio_by_drives(YkTrain *train)
 
 static bool find_ratio(YkTrain *train, const YkLock *lock, int32_t in, int32_t out)
 {
-    train->ratio = (YkTrainRatio){.in = in == YK_NONE ? (size_t)-1 : (size_t)in,
-                                  .out = out == YK_NONE ? (size_t)-1 : (size_t)out};
+    train->ratio =
+        (YkTrainRatio){.in = in == YK_NONE ? (size_t)-1 : (size_t)in, .out = out == YK_NONE ? (size_t)-1 : (size_t)out};
     if (in == YK_NONE || out == YK_NONE) return true;
     YkTrainCase one;
     bool good = ratio_alone(train, lock, &train->ratio, &one);
@@ -292,7 +292,8 @@ YkTrain *yk_train_new(const YkModel *model, const YkTrainOptions *options, YkPro
     bool good = train != NULL;
     if (train) {
         *train = (YkTrain){.model = model, .arena = arena, .options = options ? *options : yk_default_train_options()};
-        good = yk_train_net_build(&train->net, model, arena) && is_possible(train, problems) && analyse(train, problems);
+        good =
+            yk_train_net_build(&train->net, model, arena) && is_possible(train, problems) && analyse(train, problems);
         if (!good && train->motion.system.overflow)
             yk_problem(problems, YK_CODE_TRAIN_OVERFLOW, nowhere, "the train's exact ratios are beyond 2048 bits");
         good = good && !yk_arena_failed(arena);

@@ -39,7 +39,7 @@ typedef struct YkTrainSymbol {
 
 typedef struct YkTrainDrive {
     YkTrainInput shown;
-    YkExact exact; // of the speed
+    YkExact exact;      // of the speed
     int32_t coordinate; // or YK_NONE: the unit turn of body
     int32_t body;
 } YkTrainDrive;
@@ -55,7 +55,7 @@ typedef struct YkTrainNet {
     int32_t symbol_count;
     int32_t (*symbol_of)[2]; // per mesh: gears, then belts, then racks
     int32_t mesh_count;
-    bool is_exact; // all symbols are
+    bool is_exact;    // all symbols are
     YkTrainRow *rows; // what holds in every case
     int32_t row_count;
 } YkTrainNet;
@@ -79,7 +79,7 @@ const YkTrainRow *yk_train_mesh_row(const YkTrainNet *net, int32_t mesh);
 bool yk_train_case_solve(YkTrainCase *one, const YkTrainNet *net, const YkLock *lock, const YkTrainDrive *drives,
                          int32_t drive_count, YkArena *arena);
 void yk_train_case_free(YkTrainCase *one);
-YkFraction yk_train_coefficient(const YkTrainNet *net, const YkTrainRow *row, int32_t term); // sign * value
+YkFraction yk_train_coefficient(const YkTrainNet *net, const YkTrainRow *row, int32_t term);  // sign * value
 const YkFraction *yk_train_case_share(const YkTrainCase *one, int32_t column, int32_t input); // of a determined column
 int yk_train_case_freedom(const YkTrainCase *one); // of a case without inputs
 void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text);

@@ -169,6 +169,32 @@ static void join(YkText *text, int32_t index, int32_t count)
     if (index > 0) yk_text_puts(text, index + 1 == count ? " and " : ", ");
 }
 
+// Does a row without unknowns say 0 = something, at the speeds of the drives? Drives may repeat each other, or stand.
+static bool is_contradiction(const YkExactSystem *system, const YkTrainDrive *drives, int32_t drive_count, int32_t row)
+{
+    YkFraction sum = yk_fraction(0, 1);
+    YkOverflow overflow = false;
+    int32_t pi = 0;
+    for (int32_t k = 0; k < drive_count; k++) {
+        const YkFraction *by = yk_exact_cell(system, row, system->columns + k);
+        const YkExact *speed = &drives[k].exact;
+        if (yk_fraction_is_zero(by) || (speed->is_exact && speed->numerator == 0)) continue;
+        if (!speed->is_exact || (!yk_fraction_is_zero(&sum) && speed->pi != pi)) return true;
+        YkFraction part = yk_fraction(speed->numerator, speed->denominator);
+        part = yk_fraction_multiply(&part, by, &overflow);
+        sum = yk_fraction_add(&sum, &part, &overflow);
+        pi = speed->pi;
+    }
+    return overflow || !yk_fraction_is_zero(&sum);
+}
+
+static int32_t find_contradiction(const YkExactSystem *system, const YkTrainDrive *drives, int32_t drive_count)
+{
+    for (int32_t r = 0; r < system->rows; r++)
+        if (system->pivot_column[r] < 0 && is_contradiction(system, drives, drive_count, r)) return r;
+    return -1;
+}
+
 // Which rows contradict each other: those that made up 0 = something.
 static const char *tell_contradiction(const YkTrainCase *one, const YkTrainDrive *drives, YkArena *arena)
 {
@@ -176,7 +202,7 @@ static const char *tell_contradiction(const YkTrainCase *one, const YkTrainDrive
     YkText text = {0};
     int32_t count = 0, shown = 0, columns = one->net->columns;
     if (!solve(one, &system, true)) return NULL;
-    int32_t row = yk_exact_contradiction(&system, one->input_count);
+    int32_t row = find_contradiction(&system, drives, one->input_count);
     for (int pass = 0; pass < 2 && row >= 0; pass++) {
         for (int32_t r = 0; r < one->row_count && shown < NAMES_SHOWN; r++) {
             if (one->rows[r].kind == YK_ROW_GROUND) continue;
@@ -190,7 +216,8 @@ static const char *tell_contradiction(const YkTrainCase *one, const YkTrainDrive
         }
     }
     if (count > shown) yk_text_puts(&text, " and more");
-    yk_text_puts(&text, count == 1 ? " asks for motion where there is none" : " contradict each other: the train is locked");
+    yk_text_puts(&text,
+                 count == 1 ? " asks for motion where there is none" : " contradict each other: the train is locked");
     yk_exact_free(&system);
     return yk_train_keep(arena, &text);
 }
@@ -206,8 +233,8 @@ static const char *tell_open(const YkTrainCase *one, int32_t open, YkArena *aren
         yk_text_format(&text, "%q", one->net->model->bodies[one->net->body_of[c]].name);
     }
     if (open > shown) yk_text_format(&text, " and %d more", (int)(open - shown));
-    yk_text_format(&text, " %s open: %d more %s needed, by a drive or a lock", open == 1 ? "stays" : "stay", (int)freedoms,
-                   freedoms == 1 ? "condition is" : "conditions are");
+    yk_text_format(&text, " %s open: %d more %s needed, by a drive or a lock", open == 1 ? "stays" : "stay",
+                   (int)freedoms, freedoms == 1 ? "condition is" : "conditions are");
     return yk_train_keep(arena, &text);
 }
 
@@ -217,7 +244,7 @@ static bool judge(YkTrainCase *one, const YkTrainDrive *drives, YkArena *arena)
     one->message = "";
     one->status = YK_TRAIN_OK;
     if (one->system.overflow) return false;
-    if (yk_exact_contradiction(&one->system, one->input_count) >= 0) {
+    if (find_contradiction(&one->system, drives, one->input_count) >= 0) {
         one->status = YK_TRAIN_LOCKED;
         one->message = tell_contradiction(one, drives, arena);
         return one->message != NULL;

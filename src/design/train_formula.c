@@ -13,9 +13,9 @@ enum { ROWS_MAX = 24, COLUMNS_MAX = 30, SYMBOLS_MAX = 40, TERMS_MAX = 2000, STAT
 typedef struct Work {
     const YkTrainCase *one;
     YkRing *ring;
-    int32_t *class_of;         // per column of the net: 0 stands still, else 1 + its number; -1 not numbered yet
-    int32_t rows, columns;     // of the small system
-    int32_t row[ROWS_MAX];     // of the case
+    int32_t *class_of;           // per column of the net: 0 stands still, else 1 + its number; -1 not numbered yet
+    int32_t rows, columns;       // of the small system
+    int32_t row[ROWS_MAX];       // of the case
     uint64_t value[SYMBOLS_MAX]; // random
     uint64_t cell[ROWS_MAX][COLUMNS_MAX], trace[ROWS_MAX][ROWS_MAX];
     int32_t pivot[ROWS_MAX]; // column that the row solves, or -1
@@ -141,8 +141,7 @@ static const YkPoisson *entry(Work *work, int32_t row, int32_t column)
     for (int32_t t = 0; t < source->count; t++) {
         const YkTrainTerm *term = &source->terms[t];
         if (work->class_of[term->column] - 1 != column) continue;
-        const YkPoisson *part =
-            term->symbol < 0 ? yk_ring_rational(work->ring, 1, 1) : work->symbol[term->symbol];
+        const YkPoisson *part = term->symbol < 0 ? yk_ring_rational(work->ring, 1, 1) : work->symbol[term->symbol];
         if (term->sign < 0) part = yk_ring_negate(work->ring, part);
         sum = sum ? yk_ring_add(work->ring, sum, part) : part;
     }
@@ -219,7 +218,8 @@ static bool is_independent(Work *work, Square *square, int32_t column, uint64_t 
     uint64_t vector[ROWS_MAX];
     int32_t rows = 0;
     for (int32_t r = 0; r < work->rows; r++) vector[r] = 0;
-    for (int32_t k = 0; k < ROWS_MAX && square->row[k] >= 0; k++) vector[rows++] = original->cell[square->row[k]][column];
+    for (int32_t k = 0; k < ROWS_MAX && square->row[k] >= 0; k++)
+        vector[rows++] = original->cell[square->row[k]][column];
     for (int32_t b = 0; b < square->size; b++) {
         uint64_t by = PRIME - vector[lead[b]];
         for (int32_t r = 0; r < rows; r++) vector[r] = (vector[r] + by * basis[b][r]) % PRIME;
@@ -269,8 +269,8 @@ static const char *share(Work *work, int32_t target, int32_t input, bool is_inve
         if (work->one->rows[work->row[square.row[k]]].input == input) at = k;
     if (at < 0) return is_inverse ? NULL : "0";
     const YkPoisson *under = determinant(work, &square, -1, -1);
-    const YkPoisson *over = square.size > 1 ? determinant(work, &square, square.row[at], target)
-                                            : yk_ring_rational(work->ring, 1, 1);
+    const YkPoisson *over =
+        square.size > 1 ? determinant(work, &square, square.row[at], target) : yk_ring_rational(work->ring, 1, 1);
     if (at % 2 == 1) over = yk_ring_negate(work->ring, over); // the target's column comes first
     if (!over || !under) return NULL;
     bool good = yk_train_write_quotient(work->ring, is_inverse ? under : over, is_inverse ? over : under, &text);

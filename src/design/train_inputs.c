@@ -36,8 +36,7 @@ static bool add_drive(YkTrain *train, const YkDrive *drive)
     if (yk_model_eval(train->model, drive->expr, train->options.time, &jet, NULL) != YK_OK) jet.d[1] = NAN;
     *input = (YkTrainDrive){.coordinate = drive->coordinate, .body = joint->body[1]};
     input->exact = yk_model_exact_rate(train->model, drive->expr);
-    input->shown =
-        (YkTrainInput){.name = coordinate->name, .is_distance = coordinate->is_distance, .speed = jet.d[1]};
+    input->shown = (YkTrainInput){.name = coordinate->name, .is_distance = coordinate->is_distance, .speed = jet.d[1]};
     if (input->exact.is_exact) {
         YkFraction value = yk_fraction(input->exact.numerator, input->exact.denominator);
         input->shown.exact = exact_text(train->arena, &value, input->exact.pi, coordinate->is_distance);

@@ -160,7 +160,8 @@ static int write_product(Quotient *q, const YkPoisson *content, const Factors *f
 {
     int64_t over = 0, under = 1;
     bool is_number = yk_ring_is_rational(content, &over, &under);
-    bool is_alone = factors->count == 1 && is_number && over == 1, is_one = is_number && over == 1 && factors->count > 0;
+    bool is_alone = factors->count == 1 && is_number && over == 1,
+         is_one = is_number && over == 1 && factors->count > 0;
     int count = 0;
     if (is_number && over == -1 && factors->count > 0) {
         yk_text_puts(text, "-");
@@ -184,7 +185,8 @@ static bool write_fraction(Quotient *q, YkText *text)
 {
     YkText over = {0}, under = {0};
     const YkPoisson *above = part_of(q->ring, q->content, 1), *below = part_of(q->ring, q->content, -1);
-    int above_count = write_product(q, above, &q->over, &over), below_count = write_product(q, below, &q->under, &under);
+    int above_count = write_product(q, above, &q->over, &over),
+        below_count = write_product(q, below, &q->under, &under);
     int64_t top = 0, bottom = 1;
     bool is_sum = q->over.count == 1 && yk_ring_terms(q->over.items[0]) > 1 &&
                   yk_ring_is_rational(above, &top, &bottom) && top == 1;

@@ -28,8 +28,8 @@ static int planet_side(const YkModel *model, const YkGear *gear)
         const YkJoint *joint = &model->joints[i];
         for (int k = 0; k < 2; k++)
             for (int end = 0; end < 2; end++)
-                holds[k] |= joint->kind == YK_PIN && joint->body[end] == gear->body[k] &&
-                            joint->body[1 - end] == gear->carrier;
+                holds[k] |=
+                    joint->kind == YK_PIN && joint->body[end] == gear->body[k] && joint->body[1 - end] == gear->carrier;
     }
     if (holds[0] != holds[1]) return holds[1];
     return gear->is_internal ? 0 : 1;
@@ -80,8 +80,8 @@ static bool check_partner(YkTrain *train, const YkGear *gear)
 static bool check_room(YkTrain *train, const YkGear *gear)
 {
     int side = planet_side(train->model, gear);
-    int64_t z = gear->teeth[side], across = gear->is_internal ? gear->teeth[1] - gear->teeth[0]
-                                                              : gear->teeth[0] + gear->teeth[1];
+    int64_t z = gear->teeth[side],
+            across = gear->is_internal ? gear->teeth[1] - gear->teeth[0] : gear->teeth[0] + gear->teeth[1];
     double room = (double)across * sin(YK_PI / gear->planets) - (double)(z + 2);
     YkText text = {0};
     if (side == 1 && gear->is_internal) return true;

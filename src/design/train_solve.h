@@ -16,8 +16,8 @@ typedef struct YkExactSystem {
 bool yk_exact_new(YkExactSystem *system, int32_t rows, int32_t columns, int32_t rights); // false: out of memory
 void yk_exact_free(YkExactSystem *system);
 YkFraction *yk_exact_cell(const YkExactSystem *system, int32_t row, int32_t column);
-// Gauss and Jordan; the next pivot is in the row, then the column, with the fewest entries (Markowitz 1957), which keeps
-// the equations of a train sparse.
+// Gauss and Jordan; the next pivot is in the row, then the column, with the fewest entries (Markowitz 1957), which
+// keeps the equations of a train sparse.
 void yk_exact_reduce(YkExactSystem *system);
 // Is the unknown the same in all solutions? Its values are then right-hand entries of its pivot row.
 bool yk_exact_is_determined(const YkExactSystem *system, int32_t column);

@@ -79,7 +79,8 @@ static void solve(YkTrain *train, YkTrainGroup *group)
     group->exact_y = carrier.exact;
     if (train->drive_count > 8) return;
     for (int32_t k = 0; k < train->drive_count; k++) {
-        YkFraction of_carrier = share_of(train, (size_t)group->carrier, k), of_first = share_of(train, group->body[0], k);
+        YkFraction of_carrier = share_of(train, (size_t)group->carrier, k),
+                   of_first = share_of(train, group->body[0], k);
         of_carrier = yk_fraction_negative(&of_carrier);
         shares[k] = yk_fraction_add(&of_first, &of_carrier, &overflow);
     }

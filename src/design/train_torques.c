@@ -1,7 +1,7 @@
 // Torques in steady motion, by virtual work: each equation between speeds has a multiplier, and its coefficients times
-// the multiplier are the torques that mesh, lock or drive exert on the bodies. Losses make the driven side of a mesh get
-// less than the driving side gives; which side drives is found by repeating until it stays.
-// Source: Merritt 1971, Gear Engineering; power seen from the carrier: Macmillan 1949.
+// the multiplier are the torques that mesh, lock or drive exert on the bodies. Losses make the driven side of a mesh
+// get less than the driving side gives; which side drives is found by repeating until it stays. Source: Merritt 1971,
+// Gear Engineering; power seen from the carrier: Macmillan 1949.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,8 +21,8 @@ typedef struct Work {
     YkTrain *train;
     Known *known;
     int32_t known_count;
-    int32_t load;      // column of the body that takes the load, or -1
-    int32_t *driver;   // per mesh: 0, 1 or -1
+    int32_t load;    // column of the body that takes the load, or -1
+    int32_t *driver; // per mesh: 0, 1 or -1
     YkFraction efficiency;
     YkExactSystem system; // rows: columns of the net; columns: rows of the case, then the load; rights: the known
 } Work;
@@ -192,9 +192,9 @@ static double unknown(const Work *work, int32_t column)
     double sum = 0;
     if (!yk_exact_is_determined(&work->system, column)) return NAN;
     for (int32_t k = 0; k < work->known_count; k++)
-        sum += yk_fraction_value(yk_exact_cell(&work->system, work->system.pivot_row[column],
-                                               work->system.columns + k)) *
-               work->known[k].torque;
+        sum +=
+            yk_fraction_value(yk_exact_cell(&work->system, work->system.pivot_row[column], work->system.columns + k)) *
+            work->known[k].torque;
     return sum;
 }
 
@@ -240,7 +240,8 @@ static int driver_of(Work *work, int32_t mesh)
     return power > 0 ? 0 : power < 0 ? 1 : -1;
 }
 
-// Balances again and again until every mesh is driven from the side that was assumed. 1: found, 0: never, -1: no memory.
+// Balances again and again until every mesh is driven from the side that was assumed. 1: found, 0: never, -1: no
+// memory.
 static int find_drivers(Work *work)
 {
     int32_t count = work->train->net.mesh_count;
@@ -398,7 +399,8 @@ static bool is_answer(const Work *work, YkProblems *problems)
     bool is_open = work->load >= 0 && isnan(unknown(work, motion->row_count));
     for (int32_t r = 0; r < motion->row_count; r++)
         is_open |= motion->rows[r].kind == YK_ROW_INPUT && isnan(multiplier(work, r));
-    if (is_open) yk_problem(problems, YK_CODE_TORQUES_OPEN, nowhere, "the torques that are given do not settle the others");
+    if (is_open)
+        yk_problem(problems, YK_CODE_TORQUES_OPEN, nowhere, "the torques that are given do not settle the others");
     return !is_open;
 }
 
@@ -417,18 +419,20 @@ static bool find_torques(Work *work, YkProblems *problems)
     for (int32_t m = 0; m < train->net.mesh_count; m++) fill_mesh(work, m);
     if (!list_torques(work)) return false;
     sum_up(train);
+    if (train->power.is_known && train->power.in > 0 && train->power.loss > 0 && train->power.out <= 0)
+        yk_problem(problems, YK_CODE_SELF_LOCKING, nowhere,
+                   "self-locking: the losses take more than the drive gives, so the load must push too");
     return true;
 }
 
 bool yk_train_torques(YkTrain *train, YkProblems *problems)
 {
     Work work = {.train = train, .load = -1};
-    if (train->motion.status != YK_TRAIN_OK) return true;
     work.efficiency = efficiency_of(train->options.efficiency);
     work.driver = calloc((size_t)train->net.mesh_count + 1, sizeof *work.driver);
     bool good = work.driver && learn_all(&work, problems);
     for (int32_t m = 0; good && m < train->net.mesh_count; m++) work.driver[m] = -1;
-    if (good && work.known_count > 0) good = find_torques(&work, problems);
+    if (good && work.known_count > 0 && train->motion.status == YK_TRAIN_OK) good = find_torques(&work, problems);
     yk_exact_free(&work.system);
     free(work.known);
     free(work.driver);

@@ -172,8 +172,7 @@ void yk_whole_divide(YkWhole *quotient, YkWhole *rest, const YkWhole *a, const Y
         if (quotient) quotient->limb[k - 1] = digit;
     }
     if (quotient) trim(quotient);
-    for (uint32_t i = 0; i < n; i++)
-        rest->limb[i] = (uint32_t)(((uint64_t)u[i + 1] << 32 | u[i]) >> shift);
+    for (uint32_t i = 0; i < n; i++) rest->limb[i] = (uint32_t)(((uint64_t)u[i + 1] << 32 | u[i]) >> shift);
     rest->count = n;
     trim(rest);
 }

@@ -21,12 +21,13 @@ YkWhole yk_whole(uint64_t value);
 int yk_whole_compare(const YkWhole *a, const YkWhole *b);
 void yk_whole_add(YkWhole *sum, const YkWhole *a, const YkWhole *b, YkOverflow *overflow);
 void yk_whole_subtract(YkWhole *rest, const YkWhole *a, const YkWhole *b); // a >= b
-void yk_whole_multiply(YkWhole *product, const YkWhole *a, const YkWhole *b, YkOverflow *overflow); // product is neither
+void yk_whole_multiply(YkWhole *product, const YkWhole *a, const YkWhole *b,
+                       YkOverflow *overflow); // product is neither
 // b > 0. quotient and rest are neither a nor b; quotient may be NULL. Source: Knuth, TAOCP 2, 4.3.1, algorithm D.
 void yk_whole_divide(YkWhole *quotient, YkWhole *rest, const YkWhole *a, const YkWhole *b);
 void yk_whole_common(YkWhole *divisor, const YkWhole *a, const YkWhole *b); // greatest common divisor
-double yk_whole_value(const YkWhole *a, int *twos); // a = value * 2^twos, value below 2^64
-void yk_whole_write(const YkWhole *a, YkText *text); // decimal digits
+double yk_whole_value(const YkWhole *a, int *twos);                         // a = value * 2^twos, value below 2^64
+void yk_whole_write(const YkWhole *a, YkText *text);                        // decimal digits
 
 // A fraction in lowest terms. Zeroed = 0 (its denominator then counts as 1).
 typedef struct YkFraction {
@@ -43,7 +44,7 @@ YkFraction yk_fraction_add(const YkFraction *a, const YkFraction *b, YkOverflow 
 YkFraction yk_fraction_multiply(const YkFraction *a, const YkFraction *b, YkOverflow *overflow);
 YkFraction yk_fraction_divide(const YkFraction *a, const YkFraction *b, YkOverflow *overflow); // b != 0
 int yk_fraction_sign(const YkFraction *a);
-double yk_fraction_value(const YkFraction *a);                // nearest double, within an ulp
-void yk_fraction_write(const YkFraction *a, YkText *text);    // "-108/23", "3", "0"
+double yk_fraction_value(const YkFraction *a);             // nearest double, within an ulp
+void yk_fraction_write(const YkFraction *a, YkText *text); // "-108/23", "3", "0"
 
 #endif

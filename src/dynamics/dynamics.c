@@ -150,7 +150,7 @@ YkStatus yk_dynamics_fail_at_load(YkDynamics *d, size_t item)
 // --- accelerations
 // ------------------------------------------------------------------------------------------------------
 
-static YkStatus reduce_tree(YkDynamics *d, const YkState *state)
+static YkStatus reduce_tree(YkDynamics *d, const YkState *state, double *accelerations)
 {
     size_t culprit, n = d->mech->input_count;
     for (size_t i = 0; i < n; i++) {
@@ -164,14 +164,14 @@ static YkStatus reduce_tree(YkDynamics *d, const YkState *state)
         d->effort[d->pushed] += d->push;
         has_efforts = true;
     }
-    int bad = yk_tree_accelerate(d->tree, d->q, d->v, has_efforts ? d->effort : NULL, d->acceleration);
+    int bad = yk_tree_accelerate(d->tree, d->q, d->v, has_efforts ? d->effort : NULL, accelerations);
     return bad < 0 ? YK_OK : yk_dynamics_fail_at_input(d, bad);
 }
 
 YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
 {
     if (!yk_dynamics_prepare(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
-    if (d->tree) return reduce_tree(d, state);
+    if (d->tree) return reduce_tree(d, state, d->acceleration);
     for (size_t i = 0; i < d->mech->input_count; i++) {
         if (d->is_free[i]) state->input[3 * i + 2] = 0;
         d->acceleration[i] = state->input[3 * i + 2];
@@ -200,6 +200,7 @@ YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
 
 YkStatus yk_dynamics_accelerate(YkDynamics *d, YkState *state, double *accelerations)
 {
+    if (!d->is_stale && d->tree) return reduce_tree(d, state, accelerations);
     YkStatus status = yk_dynamics_reduce(d, state);
     if (status >= 0) memcpy(accelerations, d->acceleration, d->mech->input_count * sizeof *accelerations);
     return status;

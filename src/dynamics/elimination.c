@@ -284,7 +284,7 @@ static bool add_reference(Order *o, YkTerm term, uint32_t first)
     YkElimination *e = o->e;
     if (term.slot == 0 || (term.v.x == 0 && term.v.y == 0)) return true;
     for (size_t k = first; k < e->piece_count; k++) {
-        YkPiece *piece = &e->pieces[k];
+        YkGradientPiece *piece = &e->pieces[k];
         if (piece->slot != term.slot || piece->distance != YK_NONE) continue;
         piece->v = yk_add(piece->v, term.v);
         return true;

@@ -12,13 +12,13 @@
 
 // One turned vector of a sum, and which columns of the sum's gradient it feeds.
 // u = e(root) e(slot) v (times the distance): columns turn[0], turn[1] get i u; column `along` gets u without its distance.
-typedef struct YkPiece {
+typedef struct YkGradientPiece {
     int32_t root, slot, distance; // slots 0: none
     int32_t turn[2], along;       // columns, or YK_NONE
     int32_t row;                  // loop of a group; 0 otherwise
     int32_t unit;                 // in a plain gradient: root or slot, whichever there is
     YkVec v;
-} YkPiece;
+} YkGradientPiece;
 
 // A vector (or, in a group, several) as a function of the unknowns.
 typedef struct YkGradient {
@@ -72,7 +72,7 @@ typedef struct YkElimination {
     size_t operation_count;
     YkElement *elements; // by operation
     size_t element_count;
-    YkPiece *pieces;
+    YkGradientPiece *pieces;
     size_t piece_count, piece_capacity;
     YkNodePart *nodes;
     size_t node_count, node_capacity;

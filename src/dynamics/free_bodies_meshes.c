@@ -8,7 +8,7 @@
 
 static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
 {
-    const YkGear *gear = &model->gears[r->kind == YK_RELATION_GEAR ? r->index : 0];
+    const YkGear *gear = r->kind == YK_RELATION_GEAR ? &model->gears[r->index] : NULL;
     switch (r->kind) {
     case YK_RELATION_GEAR:
         c->body[0] = gear->body[0];

@@ -19,7 +19,7 @@ YkGradient yk_gradient_begin(const YkElimination *e)
     return (YkGradient){.first_piece = (uint32_t)e->piece_count, .first_node = (uint32_t)e->node_count};
 }
 
-static int32_t only_column(const YkPiece *piece)
+static int32_t only_column(const YkGradientPiece *piece)
 {
     bool one = (piece->turn[0] == YK_NONE) != (piece->turn[1] == YK_NONE) && (piece->root == 0) != (piece->slot == 0);
     if (!one || piece->distance != YK_NONE) return YK_NONE;
@@ -27,14 +27,14 @@ static int32_t only_column(const YkPiece *piece)
 }
 
 // Every piece has a column to itself: they are put in its order.
-static bool make_plain(YkPiece *pieces, uint32_t count)
+static bool make_plain(YkGradientPiece *pieces, uint32_t count)
 {
     for (uint32_t k = 0; k < count; k++)
         if (only_column(&pieces[k]) == YK_NONE) return false;
     for (uint32_t k = 0; k < count; k++) {
         uint32_t at = (uint32_t)only_column(&pieces[k]);
         while (at != k && at < count) { // to its place, and the one found there next
-            YkPiece other = pieces[at];
+            YkGradientPiece other = pieces[at];
             if (only_column(&other) == (int32_t)at) return false; // two pieces for one column
             pieces[at] = pieces[k];
             pieces[k] = other;
@@ -58,7 +58,7 @@ bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int
                           int32_t row)
 {
     if (!YK_ROOM(e->pieces, e->piece_count, e->piece_capacity)) return false;
-    YkPiece piece = {.root = root, .slot = term.slot, .distance = term.distance, .along = YK_NONE, .row = row, .v = term.v};
+    YkGradientPiece piece = {.root = root, .slot = term.slot, .distance = term.distance, .along = YK_NONE, .row = row, .v = term.v};
     piece.turn[0] = root_column;
     piece.turn[1] = yk_column(columns, yk_unknown_of_slot(term.slot));
     if (term.distance != YK_NONE) piece.along = yk_column(columns, yk_unknown_of_distance(e->mech, term.distance));

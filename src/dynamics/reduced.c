@@ -61,7 +61,7 @@ static inline void add_to(YkVec *columns, int32_t column, double k, YkVec v)
     columns[column].y += k * v.y;
 }
 
-static inline void add_piece(const YkSpace *space, const YkPiece *piece, YkVec *columns)
+static inline void add_piece(const YkSpace *space, const YkGradientPiece *piece, YkVec *columns)
 {
     YkVec u = piece->slot ? turned(turn_of(space, piece->slot), piece->v) : piece->v;
     if (piece->root) u = turned(turn_of(space, piece->root), u);
@@ -87,7 +87,7 @@ static inline void add_nodes(const YkElimination *e, const YkGradient *gradient,
 static inline void find_gradient(YkReduced *r, const YkSpace *space, const YkGradient *gradient)
 {
     if (gradient->is_plain) {
-        const YkPiece *piece = &r->e->pieces[gradient->first_piece];
+        const YkGradientPiece *piece = &r->e->pieces[gradient->first_piece];
         for (uint32_t k = 0; k < gradient->columns; k++)
             r->column[k] = yk_quarter(turned(turn_of(space, piece[k].unit), piece[k].v));
         return;
@@ -105,7 +105,7 @@ static inline YkVec find_acceleration(YkReduced *r, const YkSpace *space, const 
 {
     YkVec sum = {0, 0};
     if (gradient->is_plain) {
-        const YkPiece *piece = &r->e->pieces[gradient->first_piece];
+        const YkGradientPiece *piece = &r->e->pieces[gradient->first_piece];
         for (uint32_t k = 0; k < gradient->columns; k++) {
             const double *t = turn_of(space, piece[k].unit);
             YkVec u = turned(t, piece[k].v), iu = yk_quarter(u);
@@ -125,7 +125,7 @@ static inline YkVec find_acceleration(YkReduced *r, const YkSpace *space, const 
         sum = yk_add(sum, yk_scale(part->sign, yk_vec(p.ax[0], p.ay[0])));
     }
     for (uint32_t k = 0; k < gradient->piece_count; k++) {
-        const YkPiece *piece = &r->e->pieces[gradient->first_piece + k];
+        const YkGradientPiece *piece = &r->e->pieces[gradient->first_piece + k];
         YkVec u = piece->v;
         double w = 0, a = 0;
         if (piece->slot) {
@@ -196,7 +196,7 @@ static bool solve_group(YkReduced *r, const YkSpace *space, const YkOperation *o
             r->column[part->column + 1].y += part->sign;
         }
         for (uint32_t k = 0; k < op->gradient.piece_count; k++) {
-            const YkPiece *piece = &e->pieces[op->gradient.first_piece + k];
+            const YkGradientPiece *piece = &e->pieces[op->gradient.first_piece + k];
             if (piece->row == (int32_t)row) add_piece(space, piece, r->column);
         }
         for (size_t k = 0; k < n; k++) {

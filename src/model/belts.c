@@ -27,10 +27,8 @@ void yk_load_belts(YkLoader *loader)
     for (size_t i = 0; i < section->count; i++) {
         const YkPair *pair = &section->pairs[i];
         YkBelt *belt = &model->belts[model->belt_count++];
-        *belt = (YkBelt){.name = pair->key->text,
-                         .place = pair->key->place,
-                         .body = {YK_NONE, YK_NONE},
-                         .carrier = YK_NONE};
+        *belt = (YkBelt){
+            .name = pair->key->text, .place = pair->key->place, .body = {YK_NONE, YK_NONE}, .carrier = YK_NONE};
         yk_load_name(loader, pair->key, "belt");
         read_belt(loader, belt, pair->value);
     }

@@ -27,15 +27,16 @@ static void read_face(YkLoader *loader, YkCam *cam, const YkNode *map)
     static const char *const words[] = {"knife", "roller", "flat", NULL};
     const YkNode *node = yk_node_get(map, "face");
     cam->face = yk_node_get(map, "roller") ? YK_CAM_ROLLER : YK_CAM_KNIFE;
-    if (!node || !yk_load_expect(loader, node, YK_NODE_SCALAR, &(YkSubject){.noun = "face", .owner = cam->name})) return;
+    if (!node || !yk_load_expect(loader, node, YK_NODE_SCALAR, &(YkSubject){.noun = "face", .owner = cam->name}))
+        return;
     for (int i = 0; words[i]; i++) {
         if (strcmp(node->text, words[i]) != 0) continue;
         if (i != YK_CAM_ROLLER && cam->face == YK_CAM_ROLLER) {
             yk_problem(loader->problems, YK_CODE_CAM_KEY, yk_load_key(map, "roller")->place,
                        "cam %q: a %s face has no roller", cam->name, words[i]);
         } else if (i == YK_CAM_ROLLER && cam->face != YK_CAM_ROLLER) {
-            yk_problem(loader->problems, YK_CODE_MISSING_KEY, node->place, "cam %q: a roller needs its radius, `roller`",
-                       cam->name);
+            yk_problem(loader->problems, YK_CODE_MISSING_KEY, node->place,
+                       "cam %q: a roller needs its radius, `roller`", cam->name);
         }
         cam->face = (YkCamFace)i;
         return;
@@ -158,8 +159,8 @@ static void read_sizes(YkLoader *loader, YkCam *cam, const YkNode *map)
 
 static void read_cam(YkLoader *loader, YkCam *cam, const YkNode *map)
 {
-    static const char *const keys[] = {"cam",  "follower", "law",     "carrier", "face",   "roller",    "base",
-                                       "offset", "arm",    "at", "centers", "groove", "conjugate", NULL};
+    static const char *const keys[] = {"cam",    "follower", "law", "carrier", "face",   "roller",    "base",
+                                       "offset", "arm",      "at",  "centers", "groove", "conjugate", NULL};
     const YkSubject subject = {.noun = "cam", .part = cam->name};
     if (!yk_load_expect(loader, map, YK_NODE_MAP, &subject)) return;
     yk_load_check_keys(loader, map, keys, &subject);

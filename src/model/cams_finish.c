@@ -111,21 +111,24 @@ static bool check_slide(YkLoader *loader, const YkCam *cam, const YkLaw *law)
         return false;
     }
     if (start + low > 0) return true;
-    return refuse_size(loader, cam, cam->base_expr, "where the lift is lowest the follower would reach the cam's centre");
+    return refuse_size(loader, cam, cam->base_expr,
+                       "where the lift is lowest the follower would reach the cam's centre");
 }
 
 static bool check_pin(YkLoader *loader, const YkCam *cam)
 {
     double size = cam->base + cam->roller;
     if (!(cam->centers > 0)) {
-        refuse_size(loader, cam, NULL, "cam and follower turn about the same place; `centers` says how far they are apart");
+        refuse_size(loader, cam, NULL,
+                    "cam and follower turn about the same place; `centers` says how far they are apart");
         return false;
     }
     if (cam->face == YK_CAM_FLAT) {
         if (fabs(cam->base + cam->offset) < cam->centers) return true;
         return refuse_size(loader, cam, cam->base_expr, "the flat face cannot touch the base circle: it is too large");
     }
-    if (!(cam->arm > 0)) return refuse_size(loader, cam, NULL, "a follower that turns needs its `arm`, or a point by `at`");
+    if (!(cam->arm > 0))
+        return refuse_size(loader, cam, NULL, "a follower that turns needs its `arm`, or a point by `at`");
     if (size > fabs(cam->centers - cam->arm) && size < cam->centers + cam->arm) return true;
     yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->base_expr),
                "cam %q: with this arm the roller or edge cannot lie %s from the cam's centre", cam->name,
@@ -141,7 +144,8 @@ static void check_law(YkLoader *loader, const YkCam *cam)
     if (!yk_dimension_equal(law->of, YK_DIM_ANGLE) || !yk_dimension_equal(law->value, wanted)) {
         yk_problem(loader->problems, YK_CODE_CAM_LAW, cam->place,
                    "cam %q: law %q gives %s over %s; this follower needs %s over an angle", cam->name, law->name,
-                   yk_dimension_name(law->value), yk_dimension_name(law->of), cam->oscillates ? "an angle" : "a length");
+                   yk_dimension_name(law->value), yk_dimension_name(law->of),
+                   cam->oscillates ? "an angle" : "a length");
         return;
     }
     if (!law->law) return;
@@ -177,8 +181,10 @@ static void finish(YkLoader *loader, YkCam *cam)
     if (cam->oscillates) place_pivot(loader, cam);
     if (cam->is_conjugate && !cam->other_roller_expr) cam->other_roller = cam->roller;
     if (cam->is_conjugate && !cam->other_arm_expr) cam->other_arm = cam->arm;
-    if (cam->oscillates) check_pin(loader, cam);
-    else check_slide(loader, cam, cam->law == YK_NONE ? NULL : loader->model->laws[cam->law].law);
+    if (cam->oscillates)
+        check_pin(loader, cam);
+    else
+        check_slide(loader, cam, cam->law == YK_NONE ? NULL : loader->model->laws[cam->law].law);
 }
 
 void yk_load_finish_cams(YkLoader *loader)

@@ -15,7 +15,7 @@ static void read_teeth(YkLoader *loader, YkGear *gear, const YkNode *node, const
 
 static void read_gear(YkLoader *loader, YkGear *gear, const YkNode *node)
 {
-    static const char *const keys[] = {"mesh",    "teeth",    "module", "pressure_angle",
+    static const char *const keys[] = {"mesh",    "teeth",    "module",  "pressure_angle",
                                        "carrier", "internal", "planets", NULL};
     const YkSubject subject = {.noun = "gears", .part = gear->name};
     YkWant want = {.dimension = YK_DIM_LENGTH, .subject = {.noun = "module", .owner = gear->name}};
@@ -126,8 +126,7 @@ void yk_load_finish_gears(YkLoader *loader)
     YkModel *model = loader->model;
     for (size_t i = 0; i < model->gear_count; i++) {
         YkGear *gear = &model->gears[i];
-        const YkWheelPair pair = {
-            "gears", gear->name, gear->place, {gear->body[0], gear->body[1]}, gear->carrier};
+        const YkWheelPair pair = {"gears", gear->name, gear->place, {gear->body[0], gear->body[1]}, gear->carrier};
         bool has_teeth = finish_teeth(loader, gear);
         if (has_teeth) check_ring(loader, gear);
         check_sizes(loader, gear);

@@ -81,8 +81,8 @@ int32_t yk_load_carrier(YkLoader *loader, const YkNode *map)
 
 // Bodies that turn about one axis, each with the place of the axis on it.
 typedef struct Axis {
-    bool *has;   // per body
-    YkVec *at;   // per body, where it has
+    bool *has; // per body
+    YkVec *at; // per body, where it has
     size_t count;
 } Axis;
 
@@ -139,8 +139,8 @@ static void report_no_carrier(YkLoader *loader, const YkWheelPair *pair, const A
         yk_problem_hint(loader->problems, "a wheel's centre is the origin of its body; pin it to what carries it");
         return;
     }
-    yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
-               "%s %q: no body holds the centres of both %q and %q", pair->noun, pair->name, a, b);
+    yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: no body holds the centres of both %q and %q",
+               pair->noun, pair->name, a, b);
 }
 
 // The one body that can be the carrier; YK_NONE, reported, where there is none or more than one.
@@ -151,9 +151,8 @@ static int32_t infer(YkLoader *loader, const YkWheelPair *pair, const Axis axes[
     for (int32_t b = 0; b < (int32_t)model->body_count; b++) {
         if (!axes[0].has[b] || !axes[1].has[b] || b == pair->body[0] || b == pair->body[1]) continue;
         if (found != YK_NONE) {
-            yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
-                       "%s %q: both %q and %q hold the two centres", pair->noun, pair->name, model->bodies[found].name,
-                       model->bodies[b].name);
+            yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: both %q and %q hold the two centres",
+                       pair->noun, pair->name, model->bodies[found].name, model->bodies[b].name);
             yk_problem_hint(loader->problems, "say which with `carrier: %s`", model->bodies[found].name);
             return YK_NONE;
         }

@@ -6,8 +6,8 @@
 #include "base/vec.h"
 
 typedef struct YkCamOutline {
-    const char *layer;  // "surface", "pitch", "groove", "cutter", "surface-2", "pitch-2"
-    YkVec *points;      // cam's axes, m
+    const char *layer; // "surface", "pitch", "groove", "cutter", "surface-2", "pitch-2"
+    YkVec *points;     // cam's axes, m
     size_t count;
 } YkCamOutline;
 

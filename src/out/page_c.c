@@ -49,7 +49,7 @@ static void put_statement(YkPrinting *printing, const YkLine *line, size_t *row)
 
 static const YkShownMatrix *first_matrix(const YkLine *line)
 {
-    for (const YkPiece *piece = line->first; piece; piece = piece->next)
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next)
         if (piece->kind == YK_PIECE_MATRIX) return piece->matrix;
     return NULL;
 }

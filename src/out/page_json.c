@@ -56,7 +56,7 @@ static void put_matrix(YkPrinting *printing, YkJson *json, const YkShownMatrix *
 static void put_matrices(YkPrinting *printing, YkJson *json, const YkLine *line)
 {
     bool any = false;
-    for (const YkPiece *piece = line->first; piece; piece = piece->next) {
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
         if (piece->kind != YK_PIECE_MATRIX) continue;
         if (!any) yk_json_list(json, "matrices", YK_JSON_LINES);
         any = true;

@@ -60,7 +60,7 @@ static void put_base(YkText *text, const char *base)
     yk_text_format(text, strcmp(base, "D") == 0 ? "%s" : "\\mathbf{%s}", base);
 }
 
-static void put_name(YkText *text, const YkPiece *piece)
+static void put_name(YkText *text, const YkPagePiece *piece)
 {
     put_base(text, piece->text);
     if (piece->sub) {
@@ -107,7 +107,7 @@ static void put_sign(YkText *text, const char *sign)
         yk_text_puts(text, sign);
 }
 
-static void put_element(YkPrinting *printing, const YkPiece *piece, YkText *text)
+static void put_element(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
 {
     bool brackets = piece->is_factor && yk_print_is_sum(printing, piece->over);
     if (brackets) yk_text_puts(text, "\\left(");
@@ -115,7 +115,7 @@ static void put_element(YkPrinting *printing, const YkPiece *piece, YkText *text
     if (brackets) yk_text_puts(text, "\\right)");
 }
 
-static void put_piece(YkPrinting *printing, const YkPiece *piece, YkText *text)
+static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
 {
     switch (piece->kind) {
     case YK_PIECE_ELEMENT:
@@ -147,7 +147,7 @@ static void put_piece(YkPrinting *printing, const YkPiece *piece, YkText *text)
 
 void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *text)
 {
-    for (const YkPiece *piece = line->first; piece; piece = piece->next) {
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
         if (piece != line->first) yk_text_puts(text, " ");
         put_piece(printing, piece, text);
     }
@@ -173,7 +173,7 @@ static void put_value(YkPrinting *printing, const YkLine *line, YkText *text)
     YkVec value;
     const YkShownMatrix *matrix = NULL;
     size_t matrices = 0;
-    for (const YkPiece *piece = line->first; piece; piece = piece->next)
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next)
         if (piece->kind == YK_PIECE_MATRIX) matrix = piece->matrix, matrices++;
     if (printing->values && matrices == 1) {
         yk_text_puts(text, " = ");

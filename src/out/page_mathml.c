@@ -57,7 +57,7 @@ static void put_base(YkText *text, const char *base)
     yk_text_puts(text, "</mi>");
 }
 
-static void put_name(YkText *text, const YkPiece *piece)
+static void put_name(YkText *text, const YkPagePiece *piece)
 {
     const char *tag = piece->sub && piece->super ? "msubsup" : piece->sub ? "msub" : piece->super ? "msup" : "mrow";
     yk_text_format(text, "<%s>", tag);
@@ -103,7 +103,7 @@ static void put_element(YkPrinting *printing, const YkPoisson *a, YkRingStyle st
     yk_text_puts(text, brackets ? "<mo>)</mo></mrow>" : "</mrow>");
 }
 
-static void put_piece(YkPrinting *printing, const YkPiece *piece, YkText *text)
+static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
 {
     switch (piece->kind) {
     case YK_PIECE_ELEMENT:
@@ -137,7 +137,7 @@ static void put_value(YkPrinting *printing, const YkLine *line, YkText *text)
     YkVec value;
     const YkShownMatrix *matrix = NULL;
     size_t matrices = 0;
-    for (const YkPiece *piece = line->first; piece; piece = piece->next)
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next)
         if (piece->kind == YK_PIECE_MATRIX) matrix = piece->matrix, matrices++;
     if (printing->values && matrices == 1) {
         yk_text_puts(text, "<mo>=</mo>");
@@ -163,7 +163,7 @@ static void put_line(YkPrinting *printing, const YkLine *line)
             yk_text_puts(text, ":");
         }
         yk_text_puts(text, "</p>\n<math display=\"block\" xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow>");
-        for (const YkPiece *piece = line->first; piece; piece = piece->next) put_piece(printing, piece, text);
+        for (const YkPagePiece *piece = line->first; piece; piece = piece->next) put_piece(printing, piece, text);
         put_value(printing, line, text);
         yk_text_puts(text, "</mrow></math>\n");
         return;

@@ -91,14 +91,14 @@ static void put_divisor(YkPrinting *printing, const YkPoisson *a, YkText *text)
     yk_text_free(&inner);
 }
 
-static void put_name(const YkPiece *piece, YkText *text)
+static void put_name(const YkPagePiece *piece, YkText *text)
 {
     yk_text_puts(text, piece->text);
     if (piece->sub) yk_text_format(text, "_%s", piece->sub);
     if (piece->super) yk_text_format(text, "^{%s}", piece->super);
 }
 
-static void put_piece(YkPrinting *printing, const YkPiece *piece, const YkPiece *before, YkText *text)
+static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPagePiece *before, YkText *text)
 {
     bool is_spaced = before && !(piece->kind == YK_PIECE_SIGN && (*piece->text == ',' || *piece->text == ')')) &&
                      !(before->kind == YK_PIECE_SIGN && *before->text == '(');
@@ -218,7 +218,7 @@ static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
 static const YkShownMatrix *only_matrix(const YkLine *line)
 {
     const YkShownMatrix *found = NULL;
-    for (const YkPiece *piece = line->first; piece; piece = piece->next) {
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
         if (piece->kind == YK_PIECE_MATRIX && found) return NULL;
         if (piece->kind == YK_PIECE_MATRIX) found = piece->matrix;
     }
@@ -252,11 +252,11 @@ static void put_value(YkPrinting *printing, const YkLine *line, Box *whole)
 static void put_formula(YkPrinting *printing, const YkLine *line)
 {
     Box whole = new_box(printing, 1);
-    const YkPiece *before = NULL;
+    const YkPagePiece *before = NULL;
     if (whole.height == 0) return;
     yk_text_puts(&whole.lines[0], "  ");
     if (line->text) yk_text_format(&whole.lines[0], "%s:  ", line->text);
-    for (const YkPiece *piece = line->first; piece; before = piece, piece = piece->next) {
+    for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next) {
         if (piece->kind == YK_PIECE_MATRIX) {
             Box box = matrix_box(printing, piece->matrix, false);
             if (before) append_text(printing, &whole, " ");
@@ -284,8 +284,8 @@ static void put_formula(YkPrinting *printing, const YkLine *line)
 
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text)
 {
-    const YkPiece *before = NULL;
-    for (const YkPiece *piece = line->first; piece; before = piece, piece = piece->next) {
+    const YkPagePiece *before = NULL;
+    for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next) {
         put_piece(printing, piece, before, text);
         if (piece->kind != YK_PIECE_MATRIX) continue;
         const YkShownMatrix *matrix = piece->matrix;

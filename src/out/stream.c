@@ -42,7 +42,14 @@ bool yk_stream_open(YkStream *stream, const char *path, YkProblems *problems)
     return yk_file_fail(path, error, problems);
 }
 
-// Takes back the part of a piece; where that cannot be done (a pipe), it stays.
+// How much of the data ends behind a line.
+static size_t whole_lines(const char *data, size_t length)
+{
+    while (length > 0 && data[length - 1] != '\n') length--;
+    return length;
+}
+
+// Takes back the last bytes; where that cannot be done (a pipe), they stay.
 static void cut(const YkStream *stream, size_t length)
 {
     off_t end = lseek(stream->descriptor, 0, SEEK_CUR);
@@ -54,18 +61,17 @@ bool yk_stream_write(YkStream *stream, const char *data, size_t length, YkProble
 {
     size_t written = 0;
     int error = yk_file_write_all(stream->descriptor, data, length, &written);
-    if (error == 0) {
-        stream->pieces++;
-        return true;
-    }
-    if (written > 0) cut(stream, written);
+    size_t whole = error == 0 ? length : whole_lines(data, written);
+    if (whole > 0) stream->has_lines = true;
+    if (error == 0) return true;
+    if (written > whole) cut(stream, written - whole);
     return yk_file_fail(stream->name, error, problems);
 }
 
 static int put_file(const YkStream *stream)
 {
     struct stat old = {.st_mode = (mode_t)stream->old_mode};
-    if (stream->pieces > 0)
+    if (stream->has_lines)
         return yk_file_put(stream->descriptor, stream->temporary, stream->target, stream->has_old ? &old : NULL);
     close(stream->descriptor);
     unlink(stream->temporary);

@@ -1,4 +1,4 @@
-// Output that comes piece by piece: whatever happens, it ends behind a whole piece.
+// Output that comes line by line: whatever happens, it ends behind a whole line.
 #ifndef OUT_STREAM_H
 #define OUT_STREAM_H
 #include <stdbool.h>
@@ -9,20 +9,20 @@
 typedef struct YkStream {
     const char *name;   // for messages
     char *target;       // of a file: its place; NULL: standard output, a device or a pipe
-    char *temporary;    // the new file beside it, where the pieces go
+    char *temporary;    // the new file beside it, where the lines go
     int descriptor;
     bool is_open, has_old;
     unsigned old_mode;  // permissions of the file that stood there
-    size_t pieces;      // written whole
+    bool has_lines;     // at least one was written
 } YkStream;
 
 // path: a file, which appears when the stream is closed; NULL or "-": standard output. The path must stay. False with a
 // problem added.
 bool yk_stream_open(YkStream *stream, const char *path, YkProblems *problems);
-// Adds a piece. Where only a part of it fits, that part is cut off again (not from pipes and devices). False with a
-// problem added.
+// Adds whole lines. Where they do not all fit, those that do stay, and the part of the next is cut off again (not from
+// pipes and devices). False with a problem added.
 bool yk_stream_write(YkStream *stream, const char *data, size_t length, YkProblems *problems);
-// Ends the stream; a file appears now, with all pieces written whole, or stays as it was where there are none. False
+// Ends the stream; a file appears now, with all lines that were written, or stays as it was where there are none. False
 // with a problem added.
 bool yk_stream_close(YkStream *stream, YkProblems *problems);
 

@@ -32,7 +32,7 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
                        .distances = mech->distance_count,
                        .nodes = mech->node_count,
                        .blocks = mech->block_count,
-                       .relations = mech->relation_count,
+                       .relations = mech->relation_count + mech->derived_count,
                        .block_margin = with_margins ? &dummy : NULL};
     size_t size = doubles(space) * sizeof(double);
     space->memory = calloc(1, size + 64);

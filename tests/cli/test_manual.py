@@ -7,7 +7,7 @@ import unittest
 
 from harness import Case, ROOT
 
-VERBS = ["check", "solve", "sweep", "draw"]
+VERBS = ["check", "solve", "sweep", "draw", "cam"]
 
 
 def read(*path):

@@ -98,7 +98,7 @@ static void visit_print(Machine *m, const char *name)
 {
     write_all(m, name);
     for (const YkLine *line = m->page.first; line; line = line->next)
-        for (const YkPiece *piece = line->first; piece; piece = piece->next) {
+        for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
             check_back(m, piece->over);
             check_back(m, piece->under);
             for (size_t k = 0; piece->matrix && k < piece->matrix->rows * piece->matrix->columns; k++)
@@ -121,9 +121,8 @@ static void visit_formats(Machine *m, const char *name)
             YkText text = {0};
             assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, numbers ? m->values : NULL, &text));
             assert_true(text.length > 100);
-            const char *nan = strstr(yk_text_get(&text), "nan");
-            if (nan) print_error("%s: %.80s\n", name, nan > yk_text_get(&text) + 60 ? nan - 60 : nan);
-            assert_null(nan);
+            for (const char *nan = strstr(yk_text_get(&text), "nan"); nan; nan = strstr(nan + 1, "nan"))
+                assert_true(nan[-1] >= 'a' && nan[-1] <= 'z'); // as in "Determinants"
             yk_text_free(&text);
         }
 }

@@ -15,10 +15,12 @@
     "joints: {O: {pin: [ground, shaft], angle: theta}, Q: {pin: [ground, rocker], angle: phi}}\n"                      \
     "drives: {theta: 600 rpm * t}\n"
 #define LIFT                                                                                                           \
-    "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 150 deg}}, " \
+    "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 150 "       \
+    "deg}}, "                                                                                                          \
     "{fall: {to: 260 deg, by: 20 mm, law: 3-4-5}}, {dwell: {to: 360 deg}}]}}\n"
 #define SWING                                                                                                          \
-    "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 deg, law: cycloidal}}, {dwell: {to: 150 deg}}, " \
+    "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 deg, law: cycloidal}}, {dwell: {to: 150 "      \
+    "deg}}, "                                                                                                          \
     "{fall: {to: 260 deg, by: 20 deg, law: 4-5-6-7}}, {dwell: {to: 360 deg}}]}}\n"
 
 typedef struct Cam {

@@ -68,8 +68,8 @@ static void strokes_go_from_rest_to_rest(void **state)
 // The CEP cam: one polynomial up and down. s = h (64 u^3 - 192 u^4 + 192 u^5 - 64 u^6), u = theta / (4 pi / 3).
 #define CEP                                                                                                            \
     "laws:\n  lift:\n    period: 2*pi\n    segments:\n"                                                                \
-    "      - {polynomial: [{at: 0, s: 0, v: 0, a: 0}, {at: 2*pi/3, s: 20 cm}, {at: 4*pi/3, s: 0, v: 0, a: 0}]}\n"       \
-    "      - {dwell: {to: 2*pi}}\n"                                                                                     \
+    "      - {polynomial: [{at: 0, s: 0, v: 0, a: 0}, {at: 2*pi/3, s: 20 cm}, {at: 4*pi/3, s: 0, v: 0, a: 0}]}\n"      \
+    "      - {dwell: {to: 2*pi}}\n"                                                                                    \
     "cams: {valve: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 60 mm, offset: 0 mm}}\n"
 
 static void the_cep_cam_moves_as_its_polynomial(void **state)

@@ -35,8 +35,10 @@ static double arm_start(void)
     double gamma = atan2(30, 80), low = gamma + YK_PI, high = gamma + 2 * YK_PI; // distance grows between
     for (int i = 0; i < 200; i++) {
         double m = (low + high) / 2, x = 0.08 + 0.07 * cos(m), y = 0.03 + 0.07 * sin(m);
-        if (sqrt(x * x + y * y) < 0.049) low = m;
-        else high = m;
+        if (sqrt(x * x + y * y) < 0.049)
+            low = m;
+        else
+            high = m;
     }
     return low;
 }
@@ -194,8 +196,9 @@ static void radii_of_curvature_are_those_of_the_curves(void **state)
                        c = yk_cam_at(cam.design, angle + step);
             double radius = circle_radius(yk_vec(b.surface[0], b.surface[1]), yk_vec(p.surface[0], p.surface[1]),
                                           yk_vec(c.surface[0], c.surface[1]));
-            if (fabs(p.lift[2]) + fabs(b.lift[2]) + fabs(c.lift[2]) > 0 && (p.lift[2] == 0 || b.lift[2] == 0 || c.lift[2] == 0))
-                continue; // a joint between
+            if (fabs(p.lift[2]) + fabs(b.lift[2]) + fabs(c.lift[2]) > 0 &&
+                (p.lift[2] == 0 || b.lift[2] == 0 || c.lift[2] == 0))
+                continue;                         // a joint between
             if (p.fullness < 0) radius = -radius; // cut away: the curve runs back there
             CHECK_NEAR(1 / radius, 1 / p.surface_radius, 2e-3 * fabs(1 / p.surface_radius) + 0.05);
         }
@@ -209,7 +212,12 @@ static void a_circle_is_recovered_from_the_motion_it_gives(void **state)
     (void)state;
     const double R = 0.05, E = 0.012, r = 0.008, L = R + r;
     for (int turn = -1; turn <= 1; turn += 2) {
-        YkCamShape shape = {.face = YK_CAM_ROLLER, .turn = turn, .swing = 1, .sign = 1, .base = R - E, .roller = r,
+        YkCamShape shape = {.face = YK_CAM_ROLLER,
+                            .turn = turn,
+                            .swing = 1,
+                            .sign = 1,
+                            .base = R - E,
+                            .roller = r,
                             .along = yk_vec(0, 1)};
         assert_true(yk_cam_shape_fit(&shape));
         for (double x = 0; x < 6.3; x += 0.1) { // lowest at x = 0
@@ -221,7 +229,8 @@ static void a_circle_is_recovered_from_the_motion_it_gives(void **state)
             CHECK_NEAR(p.surface_radius, R, 1e-13);
             CHECK_NEAR(hypot(p.surface[0], p.surface[1] + E), R, 1e-14);
         }
-        YkCamShape face = {.face = YK_CAM_FLAT, .turn = turn, .swing = 1, .sign = 1, .base = R - E, .along = yk_vec(0, 1)};
+        YkCamShape face = {
+            .face = YK_CAM_FLAT, .turn = turn, .swing = 1, .sign = 1, .base = R - E, .along = yk_vec(0, 1)};
         assert_true(yk_cam_shape_fit(&face));
         for (double x = 0; x < 6.3; x += 0.1) {
             double lift[5] = {E * (1 - cos(x)), E * sin(x), E * cos(x), 0, 0};
@@ -238,8 +247,8 @@ static void a_circle_is_recovered_from_an_oscillating_face(void **state)
 {
     (void)state;
     const double R = 0.05, E = 0.012, f = 0.1;
-    YkCamShape shape = {.face = YK_CAM_FLAT, .oscillates = true, .turn = 1, .swing = 1, .sign = 1, .base = 0.04,
-                        .pivot = yk_vec(f, 0)};
+    YkCamShape shape = {
+        .face = YK_CAM_FLAT, .oscillates = true, .turn = 1, .swing = 1, .sign = 1, .base = 0.04, .pivot = yk_vec(f, 0)};
     assert_true(yk_cam_shape_fit(&shape));
     for (double x = 0; x < 6.3; x += 0.1) {
         // the circle's centre in the carrier is E exp(i x); n . Q = n . centre + R with n at angle nu
@@ -262,8 +271,14 @@ static void a_circle_is_recovered_from_an_oscillating_face(void **state)
 static void a_mirrored_cam_is_the_mirror_image(void **state)
 {
     (void)state;
-    YkCamShape shape = {.face = YK_CAM_ROLLER, .turn = 1, .swing = 1, .sign = 1, .base = 0.04, .roller = 0.009,
-                        .offset = 0.007, .along = yk_vec(0, 1)};
+    YkCamShape shape = {.face = YK_CAM_ROLLER,
+                        .turn = 1,
+                        .swing = 1,
+                        .sign = 1,
+                        .base = 0.04,
+                        .roller = 0.009,
+                        .offset = 0.007,
+                        .along = yk_vec(0, 1)};
     YkCamShape mirror = shape;
     mirror.turn = -1;
     mirror.offset = -0.007;

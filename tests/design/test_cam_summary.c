@@ -18,7 +18,7 @@ static void a_flat_faced_follower_has_its_published_sizes(void **state)
     assert_int_equal(yk_cam_smallest_base(cam.design, &limits, &base), YK_OK);
     CHECK_NEAR(base.base / INCH, 1.892631278649045672, 1e-14); // mpmath, 30 digits
     CHECK_NEAR(base.base / INCH, 1.8926312786470736, 1e-11);   // by samples
-    CHECK_NEAR(base.base / INCH, 1.893, 0.0005); // as printed
+    CHECK_NEAR(base.base / INCH, 1.893, 0.0005);               // as printed
     assert_false(base.by_pressure);
     YkCamSummary s = yk_cam_summary(cam.design);
     CHECK_NEAR((s.reach_high.value - s.reach_low.value) / INCH, 2.5464790894703255, 1e-12);
@@ -34,7 +34,8 @@ static void a_flat_faced_follower_has_its_published_sizes(void **state)
 #define ROLLER(base, roller, offset)                                                                                   \
     LIFT "cams: {c: {cam: shaft, follower: tappet, law: lift, base: " base ", roller: " roller ", offset: " offset     \
          "}}\n" SLIDE
-#define ROCKER(base) SWING "cams: {c: {cam: shaft, follower: rocker, law: lift, base: " base ", roller: 9 mm, at: P}}\n" PIVOT
+#define ROCKER(base)                                                                                                   \
+    SWING "cams: {c: {cam: shaft, follower: rocker, law: lift, base: " base ", roller: 9 mm, at: P}}\n" PIVOT
 
 // Every extreme against a plain scan with steps far smaller than the samples'.
 static void extremes_are_those_of_a_fine_scan(void **state)
@@ -77,7 +78,8 @@ static void undercut_lies_between_its_cusps(void **state)
     size_t inside = 0;
     for (double x = 0; x < 2 * YK_PI; x += 1e-4) {
         YkCamPoint p = yk_cam_at(cam.design, x), next = yk_cam_at(cam.design, x + 1e-7);
-        double forward = p.normal[0] * (next.surface[1] - p.surface[1]) - p.normal[1] * (next.surface[0] - p.surface[0]);
+        double forward =
+            p.normal[0] * (next.surface[1] - p.surface[1]) - p.normal[1] * (next.surface[0] - p.surface[0]);
         int is_in = 0;
         for (size_t k = 0; k < s.undercut_count; k++) is_in |= x > s.undercut[k].from && x < s.undercut[k].to;
         assert_int_equal(p.fullness < 0, is_in);
@@ -96,10 +98,10 @@ static void undercut_lies_between_its_cusps(void **state)
 static void a_groove_may_be_undercut_outside(void **state)
 {
     (void)state;
-    Cam cam = cam_load("laws: {lift: {period: 2*pi, segments: [{rise: {to: 40 deg, by: 40 mm, law: cycloidal}}, "
-                       "{dwell: {to: 180 deg}}, {fall: {to: 220 deg, by: 40 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}}\n"
-                       "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 10 mm, roller: 50 mm, groove: true}}\n"
-                       SLIDE);
+    Cam cam = cam_load(
+        "laws: {lift: {period: 2*pi, segments: [{rise: {to: 40 deg, by: 40 mm, law: cycloidal}}, "
+        "{dwell: {to: 180 deg}}, {fall: {to: 220 deg, by: 40 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}}\n"
+        "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 10 mm, roller: 50 mm, groove: true}}\n" SLIDE);
     YkCamSummary s = yk_cam_summary(cam.design);
     assert_true(s.outer_undercut_count > 0);
     assert_true(s.pitch_hollow.value > -0.050);
@@ -142,7 +144,8 @@ static void check_base(const char *with, const char *without, const YkCamLimits 
         int holds = fabs(s.pressure.value) <= limits->pressure * (1 + 1e-9) &&
                     s.surface_convex.value >= limits->curvature - 1e-11;
         assert_int_equal(holds, !less);
-        double value = base.by_pressure ? fabs(yk_cam_at(other.design, base.angle).pressure_angle) / limits->pressure : 1;
+        double value =
+            base.by_pressure ? fabs(yk_cam_at(other.design, base.angle).pressure_angle) / limits->pressure : 1;
         CHECK_NEAR(value, 1, less ? 0.05 : 1e-6);
         cam_free(&other);
     }

@@ -46,7 +46,8 @@ static void the_common_divisor_divides_both_and_nothing_is_left(void **state)
     (void)state;
     uint64_t seed = 6;
     for (int trial = 0; trial < 3000; trial++) {
-        YkWhole a = random_whole(&seed, 6), b = random_whole(&seed, 5), c = random_whole(&seed, 3), ac, bc, g, q, r, one;
+        YkWhole a = random_whole(&seed, 6), b = random_whole(&seed, 5), c = random_whole(&seed, 3), ac, bc, g, q, r,
+                one;
         YkOverflow overflow = false;
         yk_whole_multiply(&ac, &a, &c, &overflow);
         yk_whole_multiply(&bc, &b, &c, &overflow);
@@ -116,18 +117,20 @@ static void fractions_obey_the_laws_of_a_field(void **state)
         for (int k = 0; k < 3; k++) {
             f[k] = yk_fraction(1, 1);
             for (int j = 0; j <= trial % 8; j++) {
-                YkFraction by = yk_fraction((int64_t)(check_random(&seed) % 2001) - 1000,
-                                            (int64_t)(check_random(&seed) % 999) + 1);
+                YkFraction by =
+                    yk_fraction((int64_t)(check_random(&seed) % 2001) - 1000, (int64_t)(check_random(&seed) % 999) + 1);
                 if (yk_fraction_is_zero(&by)) by = yk_fraction(7, 3);
                 f[k] = yk_fraction_multiply(&f[k], &by, &overflow);
             }
         }
         YkFraction sum = yk_fraction_add(&f[0], &f[1], &overflow), left = yk_fraction_multiply(&sum, &f[2], &overflow);
-        YkFraction ac = yk_fraction_multiply(&f[0], &f[2], &overflow), bc = yk_fraction_multiply(&f[1], &f[2], &overflow);
+        YkFraction ac = yk_fraction_multiply(&f[0], &f[2], &overflow),
+                   bc = yk_fraction_multiply(&f[1], &f[2], &overflow);
         YkFraction right = yk_fraction_add(&ac, &bc, &overflow), minus = yk_fraction_negative(&right);
         YkFraction rest = yk_fraction_add(&left, &minus, &overflow);
         assert_true(yk_fraction_is_zero(&rest) && !overflow);
-        YkFraction ratio = yk_fraction_divide(&f[0], &f[1], &overflow), back = yk_fraction_multiply(&ratio, &f[1], &overflow);
+        YkFraction ratio = yk_fraction_divide(&f[0], &f[1], &overflow),
+                   back = yk_fraction_multiply(&ratio, &f[1], &overflow);
         minus = yk_fraction_negative(&f[0]);
         rest = yk_fraction_add(&back, &minus, &overflow);
         assert_true(yk_fraction_is_zero(&rest) && !overflow);

@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "run.h"
 
-static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, FOLLOW, PLANETARY_LINKAGE, BELT};
+static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, FOLLOW, PLANETARY_SET, PLANETARY_LINKAGE, BELT};
 enum { MACHINES = sizeof machines / sizeof *machines };
 
 static double rate_of(const Rig *rig, const char *name)
@@ -111,7 +111,7 @@ static void forces_by_both_formulations(void **unused)
 static void energy_is_kept_through_meshes(void **unused)
 {
     (void)unused;
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; k < 5; k++) {
         Run run = run_of_text(machines[k], run_options(1e-10));
         for (int row = 1; row <= 10; row++) assert_int_equal(yk_simulation_advance(run.sim, 0.05 * row), YK_OK);
         YkSimulationSummary s = yk_simulation_summary(run.sim);
@@ -121,6 +121,18 @@ static void energy_is_kept_through_meshes(void **unused)
 }
 
 // 0.3 x'' + 0.7 y'' (y/x) ... with y = -0.4 x: (0.3 + 0.7 * 0.16) x'' = 2.
+static void meshes_that_need_each_other_are_solved_together(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(PLANETARY_SET);
+    yk_state_set_input(rig.state, 0, (YkMotion){1, 54, 27});
+    assert_true(yk_state_solve(rig.state) >= 0);
+    CHECK_NEAR(rate_of(&rig, "c.rate"), 20, 1e-13); // 20/(20 + 34)
+    CHECK_NEAR(rate_of(&rig, "c.accel"), 10, 1e-13);
+    CHECK_NEAR(20 * (54 - 20) + 7 * (rate_of(&rig, "planet.rate") - 20), 0, 1e-11);
+    rig_free(&rig);
+}
+
 static void a_crossed_belt_turns_backwards(void **unused)
 {
     (void)unused;
@@ -156,6 +168,7 @@ int main(void)
         cmocka_unit_test(a_cam_is_its_law),            cmocka_unit_test(forces_by_both_formulations),
         cmocka_unit_test(energy_is_kept_through_meshes), cmocka_unit_test(a_crossed_belt_turns_backwards),
         cmocka_unit_test(torque_is_multiplied_by_the_ratio),
+        cmocka_unit_test(meshes_that_need_each_other_are_solved_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,9 +76,10 @@ static void the_offset_follows_from_the_guide_where_it_is_not_given(void **state
              "joints: {O: {pin: [ground, shaft]}, T: {slide: [ground, tappet], from: G, along: y}}\n");
     CHECK_NEAR(model->cams[0].offset, 0.03, 1e-17);
     yk_model_free(model);
-    model = fixture_load(LIFT "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 60 mm, offset: -5 mm}}\n"
-                              "bodies: {shaft: {}, tappet: {}}\n"
-                              "joints: {O: {pin: [shaft, ground]}, T: {slide: [tappet, ground], along: y, turned: 90 deg}}\n");
+    model = fixture_load(
+        LIFT "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 60 mm, offset: -5 mm}}\n"
+             "bodies: {shaft: {}, tappet: {}}\n"
+             "joints: {O: {pin: [shaft, ground]}, T: {slide: [tappet, ground], along: y, turned: 90 deg}}\n");
     const YkCam *c = &model->cams[0];
     CHECK_NEAR(c->turn, -1, 0);
     CHECK_NEAR(c->along.x, -1, 1e-16); // the ground goes along y of a tappet that lies at -90 deg
@@ -90,10 +91,11 @@ static void the_offset_follows_from_the_guide_where_it_is_not_given(void **state
 static void grooves_and_conjugate_cams_are_read(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load(LIFT "cams:\n"
-                                       "  a: {cam: shaft, follower: tappet, law: lift, base: 60 mm, roller: 8 mm, groove: true}\n"
-                                       "  b: {cam: shaft, follower: tappet, law: lift, base: 60 mm, roller: 8 mm, "
-                                       "groove: false, conjugate: {span: 160 mm}}\n" SLIDE);
+    YkModel *model =
+        fixture_load(LIFT "cams:\n"
+                          "  a: {cam: shaft, follower: tappet, law: lift, base: 60 mm, roller: 8 mm, groove: true}\n"
+                          "  b: {cam: shaft, follower: tappet, law: lift, base: 60 mm, roller: 8 mm, "
+                          "groove: false, conjugate: {span: 160 mm}}\n" SLIDE);
     assert_true(model->cams[0].is_groove && !model->cams[0].is_conjugate);
     assert_true(!model->cams[1].is_groove && model->cams[1].is_conjugate);
     CHECK_NEAR(model->cams[1].other_span, 0.16, 0);
@@ -120,7 +122,8 @@ static void a_law_without_units_takes_those_of_its_follower(void **state)
     yk_law_eval(model->laws[0].law, YK_PI, d);
     CHECK_NEAR(d[0], 0.02, 1e-16);
     yk_model_free(model);
-    snprintf(text, sizeof text, "%s%s", law, "cams: {c: {cam: shaft, follower: rocker, law: lift, base: 60, at: P}}\n" PIVOT);
+    snprintf(text, sizeof text, "%s%s", law,
+             "cams: {c: {cam: shaft, follower: rocker, law: lift, base: 60, at: P}}\n" PIVOT);
     model = fixture_load(text);
     yk_law_eval(model->laws[0].law, YK_PI, d);
     CHECK_NEAR(d[0], 20 * DEG, 1e-15);
@@ -142,7 +145,8 @@ static void refused(const char *law, const char *keys, const char *machine, int 
 static void sizes_that_cannot_be_are_refused(void **state)
 {
     (void)state;
-    const char *slide = "cam: shaft, follower: tappet, law: lift, ", *turn = "cam: shaft, follower: rocker, law: lift, ";
+    const char *slide = "cam: shaft, follower: tappet, law: lift, ",
+               *turn = "cam: shaft, follower: rocker, law: lift, ";
     const struct {
         const char *keys;
         bool turns;
@@ -221,13 +225,15 @@ static void cam_and_follower_need_one_carrier(void **state)
 {
     (void)state;
     const char *keys = "cam: shaft, follower: tappet, law: lift, base: 60 mm";
-    refused(LIFT, keys, "bodies: {shaft: {}, arm: {}, tappet: {}}\njoints: {O: {pin: [ground, arm]}, K: {pin: [arm, shaft]}, "
-                        "T: {slide: [ground, tappet], along: y}}\n",
+    refused(LIFT, keys,
+            "bodies: {shaft: {}, arm: {}, tappet: {}}\njoints: {O: {pin: [ground, arm]}, K: {pin: [arm, shaft]}, "
+            "T: {slide: [ground, tappet], along: y}}\n",
             YK_CODE_CAM_CARRIER, "no body holds both");
     refused(LIFT, "cam: shaft, follower: shaft, law: lift, base: 60 mm", SLIDE, YK_CODE_CAM_CARRIER, "no body");
-    const char *twice = "bodies: {shaft: {}, arm: {}, tappet: {}}\njoints: {O: {pin: [ground, arm]}, K: {pin: [arm, shaft]}, "
-                        "L: {pin: [ground, shaft]}, T: {slide: [ground, tappet], along: y}, "
-                        "U: {slide: [arm, tappet], along: y}}\n";
+    const char *twice =
+        "bodies: {shaft: {}, arm: {}, tappet: {}}\njoints: {O: {pin: [ground, arm]}, K: {pin: [arm, shaft]}, "
+        "L: {pin: [ground, shaft]}, T: {slide: [ground, tappet], along: y}, "
+        "U: {slide: [arm, tappet], along: y}}\n";
     refused(LIFT, keys, twice, YK_CODE_CAM_CARRIER, "more than one");
     char text[1500];
     snprintf(text, sizeof text, "%scams: {c: {%s, carrier: arm}}\n%s", LIFT, keys, twice);
@@ -259,8 +265,8 @@ static void all_problems_come_at_once(void **state)
     YkProblems *problems =
         fixture_refuse(SWING "cams: {a: {cam: shaft, follower: tappet, law: lift, base: -1 mm, arm: 3 mm, fce: flat}, "
                              "b: {cam: shaft, follower: no, law: lift, base: 3 s}}\n" SLIDE);
-    const int codes[] = {YK_CODE_CAM_SIZE, YK_CODE_CAM_KEY, YK_CODE_UNKNOWN_KEY, YK_CODE_UNKNOWN_BODY, YK_CODE_CAM_LAW,
-                         YK_CODE_WRONG_DIMENSION};
+    const int codes[] = {YK_CODE_CAM_SIZE,     YK_CODE_CAM_KEY, YK_CODE_UNKNOWN_KEY,
+                         YK_CODE_UNKNOWN_BODY, YK_CODE_CAM_LAW, YK_CODE_WRONG_DIMENSION};
     for (size_t i = 0; i < sizeof codes / sizeof *codes; i++) assert_non_null(fixture_problem(problems, codes[i]));
     yk_problems_free(problems);
 }

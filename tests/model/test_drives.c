@@ -98,7 +98,7 @@ static void drives_of_unknown_or_impossible_coordinates_are_refused(void **state
     refused("drives: {J-2.angle: 3}", YK_CODE_COORDINATE_KIND, 10, "a slide has no angle");
     refused("drives: {phi.rate: 3}", YK_CODE_RATE_NOT_HERE, 10, "phi.rate");
     refused("drives: {phi: 3, O.angle: 3}", YK_CODE_GIVEN_TWICE, 18, "`phi`");
-    refused("drives: {phi: {law: lift, of: t}}", YK_CODE_NOT_SUPPORTED, 15, "laws");
+    refused("drives: {phi: {law: lift, of: t}}", YK_CODE_UNKNOWN_LAW, 21, "lift");
     refused("drives: [phi]", YK_CODE_WRONG_KIND, 9, "drives");
 }
 

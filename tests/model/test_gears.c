@@ -3,7 +3,7 @@
 
 #define TRAIN                                                                                                          \
     "parameters: {N1: 27, N2: 36, mod: 2 mm}\n"                                                                        \
-    "bodies: {sun: {}, planet: {points: {P: [0, 0]}}, ring: {}, arm: {points: {P: [mod*(N1 + N2)/2, 0]}}, bar: {}}\n"                     \
+    "bodies: {sun: {}, planet: {points: {P: [0, 0]}}, ring: {}, arm: {points: {P: [mod*(N1 + N2)/2, 0]}}, bar: {}}\n"  \
     "joints: {S: {pin: [ground, sun], angle: s}, C: {pin: [ground, arm], angle: c}, R: {pin: [ground, ring]},\n"       \
     "  P: {pin: [arm, planet]}, B: {slide: [ground, bar], from: Q, distance: d}}\n"
 #define GROUND "{points: {Q: [0, -40 mm]}}"
@@ -55,9 +55,10 @@ static void gears_keep_teeth_module_and_their_carrier(void **state)
 static void a_wheels_centre_needs_no_name(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load("bodies: {arm: {points: {P: [63 mm, 0]}}, planet: {}, sun: {}}\n"
-                                  "joints: {O: {pin: [ground, arm]}, S: {pin: [ground, sun]}, P: {pin: [arm, planet]}}\n"
-                                  "gears: {g: {mesh: [sun, planet], teeth: [27, 36]}}\n");
+    YkModel *model =
+        fixture_load("bodies: {arm: {points: {P: [63 mm, 0]}}, planet: {}, sun: {}}\n"
+                     "joints: {O: {pin: [ground, arm]}, S: {pin: [ground, sun]}, P: {pin: [arm, planet]}}\n"
+                     "gears: {g: {mesh: [sun, planet], teeth: [27, 36]}}\n");
     const YkJoint *pin = fixture_joint(model, "P");
     CHECK_NEAR(pin->at[0].x, 0.063, 1e-15);
     CHECK_NEAR(pin->at[1].x, 0, 0);
@@ -100,18 +101,18 @@ static void a_centre_distance_that_does_not_fit_is_told_with_its_error(void **st
     (void)state;
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2 + 1], module: mod}}", YK_CODE_CENTER_DISTANCE,
             "0.001 m too little");
-    refused("gears: {g: {mesh: [planet, ring], teeth: [24, 86], module: mod, internal: true}}",
-            YK_CODE_CENTER_DISTANCE, "0.001 m too much");
+    refused("gears: {g: {mesh: [planet, ring], teeth: [24, 86], module: mod, internal: true}}", YK_CODE_CENTER_DISTANCE,
+            "0.001 m too much");
 }
 
 static void all_mistakes_are_told_at_once(void **state)
 {
     (void)state;
-    YkProblems *problems = fixture_refuse(
-        "bodies: {sun: {}, planet: {}, arm: {points: {P: [1, 0]}}}\n"
-        "joints: {S: {pin: [ground, sun]}, C: {pin: [ground, arm]}, P: {pin: [arm, planet]}}\n"
-        "gears: {g: {mesh: [sun, planet], teeth: [1.5, 20]}, h: {mesh: [sun, sun], teeth: [1, 2]}}\n"
-        "belts: {b: {between: [sun, planet], radii: [0, 1]}}\nlocks: {x: [moon]}\n");
+    YkProblems *problems =
+        fixture_refuse("bodies: {sun: {}, planet: {}, arm: {points: {P: [1, 0]}}}\n"
+                       "joints: {S: {pin: [ground, sun]}, C: {pin: [ground, arm]}, P: {pin: [arm, planet]}}\n"
+                       "gears: {g: {mesh: [sun, planet], teeth: [1.5, 20]}, h: {mesh: [sun, sun], teeth: [1, 2]}}\n"
+                       "belts: {b: {between: [sun, planet], radii: [0, 1]}}\nlocks: {x: [moon]}\n");
     assert_int_equal(yk_problems_error_count(problems), 4);
     yk_problems_free(problems);
 }
@@ -133,8 +134,9 @@ static void radii_of_belts_are_kept_exactly(void **state)
 static void exact_values_know_units_and_pi(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load("parameters: {a: 20 rpm, b: 3/4 deg, c: 2*pi, d: 1 in, e: sqrt(2), f: (1/3)^2 - 0.1}\n" CRANK
-                                  "drives: {theta: 40 rpm * t + 1}\n");
+    YkModel *model =
+        fixture_load("parameters: {a: 20 rpm, b: 3/4 deg, c: 2*pi, d: 1 in, e: sqrt(2), f: (1/3)^2 - 0.1}\n" CRANK
+                     "drives: {theta: 40 rpm * t + 1}\n");
     const struct {
         const char *name;
         int64_t numerator, denominator;

@@ -1,0 +1,100 @@
+// Section: kinetic energy of every body and in total, potential energy, Lagrangian.
+#include "derive/free_bodies.h"
+#include "derive/sections.h"
+
+// 1/2 m v^2 + 1/2 I w^2
+const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body)
+{
+    YkRing *ring = f->d->ring;
+    const YkDeriveMass *m = &f->bodies[body];
+    if (f->kinetic[body]) return f->kinetic[body];
+    const YkPoisson *spin = f->d->bodies[body].spin, *square = yk_ring_dot(ring, m->velocity, m->velocity);
+    const YkPoisson *turning = yk_ring_product(ring, (const YkPoisson *[]){m->inertia, spin, spin}, 3);
+    f->kinetic[body] = yk_ring_scale(ring, yk_ring_add(ring, yk_ring_multiply(ring, m->mass, square), turning), 1, 2);
+    return f->kinetic[body];
+}
+
+const YkPoisson *yk_derive_potential(const YkDeriveForces *f)
+{
+    const YkPoisson *sum = yk_ring_rational(f->d->ring, 0, 1);
+    if (f->potential[0]) return f->potential[0];
+    for (size_t k = 0; k < f->load_count; k++)
+        if (f->loads[k].energy) sum = yk_ring_add(f->d->ring, sum, f->loads[k].energy);
+    f->potential[0] = sum;
+    return sum;
+}
+
+static void put_energy(YkPage *page, const char *remark, const char *letter, const char *sub, const YkPoisson *energy,
+                       YkRingStyle style)
+{
+    YkLine *line = yk_page_formula(page, remark);
+    yk_line_vector(page, line, letter, NULL, sub);
+    yk_line_sign(page, line, "=");
+    yk_line_element(page, line, energy, style);
+    if (line) line->value = line->over = energy;
+}
+
+// The name of a total is also a variable in C.
+static void put_total(YkPage *page, const char *letter, const YkPoisson *energy)
+{
+    put_energy(page, NULL, letter, NULL, energy, YK_RING_BRACKETS);
+    if (page->last && page->last->kind == YK_LINE_FORMULA) page->last->target = letter;
+}
+
+static void put_kinetic(const YkDeriveForces *f, YkPage *page, const YkPoisson **total)
+{
+    YkDerivation *d = f->d;
+    yk_page_heading(page, 2, "Kinetic energy");
+    yk_page_words(page, "T = 1/2 m v^2 + 1/2 I w^2 of every body, v the velocity of its centre of mass, I about it.");
+    *total = yk_ring_rational(d->ring, 0, 1);
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        const YkPoisson *energy = yk_derive_kinetic(f, (int32_t)b);
+        if (energy && yk_ring_is_zero(energy)) continue;
+        put_energy(page, d->model->bodies[b].name, "T", d->bodies[b].name, yk_derive_shown(d, energy), YK_RING_TEXTBOOK);
+        *total = yk_ring_add(d->ring, *total, energy);
+    }
+    *total = yk_derive_shown(d, *total);
+    put_total(page, "T", *total);
+}
+
+static void put_potential(const YkDeriveForces *f, YkPage *page, const YkPoisson **total)
+{
+    YkDerivation *d = f->d;
+    yk_page_heading(page, 2, "Potential energy");
+    for (size_t k = 0; k < f->length_count; k++) {
+        const YkPoisson *root = yk_ring_of(d->ring, f->lengths[k].symbol);
+        YkLine *line = yk_page_equation(page, "length of the spring", yk_ring_power(d->ring, root, 2),
+                                        yk_derive_shown(d, f->lengths[k].square), YK_RING_TEXTBOOK);
+        if (line) line->is_identity = false;
+    }
+    for (size_t k = 0; k < f->load_count; k++) {
+        const YkDeriveLoad *load = &f->loads[k];
+        if (!load->energy) continue;
+        put_energy(page, load->kind == YK_DERIVE_SPRING ? "spring" : "weight", "V", load->name,
+                   yk_derive_shown(d, load->energy), YK_RING_TEXTBOOK);
+    }
+    *total = yk_derive_shown(d, yk_derive_potential(f));
+    put_total(page, "V", *total);
+}
+
+bool yk_derive_section_energy(YkDerivation *d, YkPage *page)
+{
+    const YkDeriveForces *f = yk_derive_forces(d);
+    const YkPoisson *T, *V;
+    if (!f) return false;
+    yk_derive_put_angles(d, page);
+    put_kinetic(f, page, &T);
+    put_potential(f, page, &V);
+    yk_page_heading(page, 2, "Lagrangian");
+    YkLine *line = yk_page_formula(page, NULL);
+    yk_line_vector(page, line, "L", NULL, NULL);
+    yk_line_sign(page, line, "=");
+    yk_line_vector(page, line, "T", NULL, NULL);
+    yk_line_sign(page, line, "-");
+    yk_line_vector(page, line, "V", NULL, NULL);
+    yk_line_sign(page, line, "=");
+    const YkPoisson *difference = yk_ring_subtract(d->ring, T, V);
+    yk_line_element(page, line, difference, YK_RING_BRACKETS);
+    if (line) line->value = difference;
+    return true;
+}

@@ -1,0 +1,301 @@
+// Contacts: what joints exert on bodies, and pins that join several bodies as massless junctions.
+#include <stdlib.h>
+#include "derive/free_bodies.h"
+
+// --- Junctions: pins chained by the bodies on which they sit at one point.
+
+static int32_t root_of(int32_t *parent, int32_t k)
+{
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+}
+
+static const YkPoisson *at_of(YkDerivation *d, int32_t joint, int side)
+{
+    YkDerivePlace place = yk_derive_place(d, joint, side);
+    return yk_derive_at(d, place.body, place.point);
+}
+
+static bool do_share_a_point(YkDerivation *d, int32_t a, int32_t b)
+{
+    const YkJoint *first = &d->model->joints[a], *second = &d->model->joints[b];
+    for (int s = 0; s < 2; s++)
+        for (int t = 0; t < 2; t++)
+            if (first->body[s] == second->body[t] && first->body[s] != 0 && yk_ring_is_same(at_of(d, a, s), at_of(d, b, t)))
+                return true;
+    return false;
+}
+
+// Pins per body, so that only neighbours are compared.
+typedef struct PinsOf {
+    int32_t *first, *next; // per body; per end of a joint
+} PinsOf;
+
+static void unite_neighbours(YkDerivation *d, const PinsOf *pins, int32_t *parent)
+{
+    for (size_t b = 1; b < d->model->body_count; b++)
+        for (int32_t e = pins->first[b]; e != YK_NONE; e = pins->next[e])
+            for (int32_t o = pins->next[e]; o != YK_NONE; o = pins->next[o])
+                if (do_share_a_point(d, e / 2, o / 2)) parent[root_of(parent, e / 2)] = root_of(parent, o / 2);
+}
+
+// Numbers the sets of two pins and more by their first joint.
+static void number_junctions(YkDeriveForces *f, int32_t *parent, int32_t *size)
+{
+    YkDerivation *d = f->d;
+    for (size_t j = 0; j < d->model->joint_count; j++)
+        if (d->model->joints[j].kind == YK_PIN) size[root_of(parent, (int32_t)j)]++;
+    for (size_t j = 0; j < d->model->joint_count; j++) {
+        int32_t root = root_of(parent, (int32_t)j);
+        f->junction_of[j] = YK_NONE;
+        if (d->model->joints[j].kind != YK_PIN || size[root] < 2) continue;
+        for (size_t i = 0; i < j && f->junction_of[j] == YK_NONE; i++)
+            if (f->junction_of[i] != YK_NONE && root_of(parent, (int32_t)i) == root) f->junction_of[j] = f->junction_of[i];
+        if (f->junction_of[j] != YK_NONE) continue;
+        const YkJoint *joint = &d->model->joints[j];
+        int side = joint->body[0] == 0;
+        f->junctions[f->junction_count] = (YkDeriveJunction){
+            .place = yk_derive_place(d, (int32_t)j, side), .force = yk_ring_rational(d->ring, 0, 1),
+            .name = yk_derive_point_name(d, joint->body[side], joint->point[side])};
+        f->junction_of[j] = (int32_t)f->junction_count++;
+    }
+}
+
+static bool find_junctions(YkDeriveForces *f)
+{
+    const YkModel *model = f->d->model;
+    size_t joints = model->joint_count, bodies = model->body_count;
+    int32_t *block = calloc(4 * joints + bodies + 1, sizeof *block);
+    if (!block) return false;
+    int32_t *parent = block, *size = block + joints;
+    PinsOf pins = {block + 2 * joints, block + 2 * joints + bodies};
+    for (size_t b = 0; b < bodies; b++) pins.first[b] = YK_NONE;
+    for (size_t j = 0; j < joints; j++) {
+        parent[j] = (int32_t)j;
+        for (int side = 0; side < 2 && model->joints[j].kind == YK_PIN; side++) {
+            int32_t *first = &pins.first[model->joints[j].body[side]];
+            pins.next[2 * j + (size_t)side] = *first;
+            *first = (int32_t)(2 * j) + side;
+        }
+    }
+    unite_neighbours(f->d, &pins, parent);
+    number_junctions(f, parent, size);
+    free(block);
+    return true;
+}
+
+// --- Names
+
+static const char *number_of(YkDerivation *d, size_t number)
+{
+    YkText text = {0};
+    yk_text_format(&text, "%z", number);
+    const char *name = yk_derive_text(d, yk_text_get(&text), "", "");
+    yk_text_free(&text);
+    return name;
+}
+
+static bool have_same_bodies(const YkJoint *a, const YkJoint *b)
+{
+    return (a->body[0] == b->body[0] && a->body[1] == b->body[1]) || (a->body[0] == b->body[1] && a->body[1] == b->body[0]);
+}
+
+// "01": by the ground on body 1; with the joint's name where another joint holds the same two bodies.
+static const char *between(YkDeriveForces *f, int32_t joint)
+{
+    YkDerivation *d = f->d;
+    const YkModel *model = d->model;
+    const YkJoint *j = &model->joints[joint];
+    const char *mark = model->body_count > 10 ? "_" : "";
+    const char *name = yk_derive_text(d, number_of(d, (size_t)j->body[0]), mark, number_of(d, (size_t)j->body[1]));
+    for (size_t k = 0; k < model->joint_count; k++)
+        if ((int32_t)k != joint && have_same_bodies(j, &model->joints[k])) return yk_derive_text(d, name, "_", j->name);
+    return name;
+}
+
+static const char *symbol_name(YkDeriveForces *f, const char *letter, const char *name, const char *part)
+{
+    const char *mark = f->d->model->body_count > 10 ? "_" : "";
+    return yk_derive_text(f->d, letter, mark, yk_derive_text(f->d, name, part, ""));
+}
+
+// An unknown of a joint (of a junction: on a body).
+static const YkPoisson *unknown(YkDeriveForces *f, const char *letter, const char *name, char part, int32_t joint, int32_t body)
+{
+    YkDerivation *d = f->d;
+    const char *ending = part == 'x' ? "x" : part == 'y' ? "y" : "";
+    int32_t symbol = yk_derive_symbol(d, symbol_name(f, letter, name, ending), YK_RING_FORCE);
+    if (symbol < 0) return NULL;
+    f->reaction_joint[f->reaction_count] = joint;
+    f->reaction_body[f->reaction_count] = body;
+    f->reaction_part[f->reaction_count] = part;
+    f->reactions[f->reaction_count++] = symbol;
+    return yk_ring_of(d->ring, symbol);
+}
+
+static const YkPoisson *unknown_vector(YkDeriveForces *f, const char *name, int32_t joint, int32_t body)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *x = unknown(f, "F", name, 'x', joint, body), *y = unknown(f, "F", name, 'y', joint, body);
+    return yk_ring_add(ring, x, yk_ring_multiply(ring, yk_ring_i(ring), y));
+}
+
+// --- Junctions' contacts
+
+static const YkDeriveContact *contact_on(const YkDeriveForces *f, int32_t junction, int32_t body)
+{
+    for (size_t k = 0; k < f->contact_count; k++)
+        if (f->contacts[k].junction == junction && f->contacts[k].push.body == body) return &f->contacts[k];
+    return NULL;
+}
+
+static void add_junction_contact(YkDeriveForces *f, int32_t joint, int side)
+{
+    YkDerivation *d = f->d;
+    int32_t junction = f->junction_of[joint], body = d->model->joints[joint].body[side];
+    if (contact_on(f, junction, body)) return;
+    YkDeriveJunction *of = &f->junctions[junction];
+    const char *mark = d->model->body_count > 10 ? "_" : "";
+    const char *name = yk_derive_text(d, of->name, mark, number_of(d, (size_t)body));
+    const YkPoisson *force = unknown_vector(f, name, joint, body), *zero = yk_ring_rational(d->ring, 0, 1);
+    f->contacts[f->contact_count++] = (YkDeriveContact){
+        .joint = joint, .junction = junction, .letter = "F", .between = name,
+        .push = {body, yk_derive_joint_arm(f, joint, side), force, zero}};
+    of->force = yk_ring_subtract(d->ring, of->force, force);
+}
+
+// Marks the bodies that pins of the junction join to `body` without pin `joint`.
+static void mark_side(const YkDeriveForces *f, int32_t joint, int32_t body, bool *marked)
+{
+    const YkModel *model = f->d->model;
+    bool grew = true;
+    marked[body] = true;
+    while (grew) {
+        grew = false;
+        for (size_t j = 0; j < model->joint_count; j++) {
+            if ((int32_t)j == joint || f->junction_of[j] != f->junction_of[joint]) continue;
+            const int32_t *b = model->joints[j].body;
+            if (marked[b[0]] == marked[b[1]]) continue;
+            marked[b[0]] = marked[b[1]] = grew = true;
+        }
+    }
+}
+
+// What a pin of a junction carries: the forces on all bodies beyond it, seen from the junction's place. Where pins form a
+// ring among themselves this is one possible share.
+static const YkPoisson *share_of_pin(YkDeriveForces *f, int32_t joint)
+{
+    YkDerivation *d = f->d;
+    const YkJoint *j = &d->model->joints[joint];
+    bool *marked = calloc(d->model->body_count, sizeof *marked);
+    const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
+    if (!marked) {
+        d->failed = true;
+        return NULL;
+    }
+    mark_side(f, joint, j->body[1], marked);
+    bool holds_place = marked[f->junctions[f->junction_of[joint]].place.body];
+    for (size_t k = 0; k < f->contact_count; k++) {
+        const YkDeriveContact *c = &f->contacts[k];
+        if (c->junction != f->junction_of[joint] || marked[c->push.body] == holds_place) continue;
+        sum = yk_ring_add(d->ring, sum, c->push.force);
+    }
+    free(marked);
+    return holds_place ? yk_ring_negate(d->ring, sum) : sum;
+}
+
+// --- Joints' contacts
+
+static const YkPoisson *normal_of(YkDerivation *d, int32_t joint)
+{
+    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[d->model->joints[joint].body[0]].unit, yk_derive_along(d, joint));
+    return yk_ring_multiply(d->ring, yk_ring_i(d->ring), line);
+}
+
+static void enter_joint(YkDeriveForces *f, int32_t joint)
+{
+    YkDerivation *d = f->d;
+    const YkJoint *j = &d->model->joints[joint];
+    const YkPart *part = yk_part(j->kind);
+    const char *name = between(f, joint), *letter = part->slides ? "N" : "F";
+    const YkPoisson *force, *moment = yk_ring_rational(d->ring, 0, 1);
+    if (part->slides)
+        force = yk_ring_multiply(d->ring, unknown(f, "N", name, 'n', joint, YK_NONE), normal_of(d, joint));
+    else
+        force = unknown_vector(f, name, joint, YK_NONE);
+    if (!part->turns) moment = unknown(f, "M", name, 'm', joint, YK_NONE);
+    f->joint_force[joint] = force;
+    f->joint_moment[joint] = moment;
+    for (int side = 0; side < 2; side++) {
+        YkDerivePush push = {j->body[side], yk_derive_joint_arm(f, joint, side), force, moment};
+        if (side == 0) push.force = yk_ring_negate(d->ring, force), push.moment = yk_ring_negate(d->ring, moment);
+        f->contacts[f->contact_count++] = (YkDeriveContact){.joint = joint, .junction = YK_NONE, .letter = letter,
+                                                            .between = name, .moment = part->turns ? NULL : "M",
+                                                            .is_negative = side == 0, .push = push};
+    }
+}
+
+// --- A guide's moment and the moment balance of a body whose forces all meet in its centre say nothing.
+
+static bool is_turned(const YkDeriveForces *f, int32_t body)
+{
+    for (size_t k = 0; k < f->load_count; k++) {
+        const YkDeriveLoad *load = &f->loads[k];
+        bool is_along_guide = load->joint != YK_NONE && yk_ring_is_zero(load->push[0].moment);
+        if (load->kind == YK_DERIVE_GRAVITY || load->kind == YK_DERIVE_DRIVE || is_along_guide) continue;
+        for (size_t p = 0; p < load->push_count; p++)
+            if (load->push[p].body == body) return true;
+    }
+    return false;
+}
+
+static void find_trivial(YkDeriveForces *f, int32_t body)
+{
+    const YkDerivation *d = f->d;
+    int slides = 0;
+    for (size_t k = 0; k < f->contact_count; k++) {
+        const YkDeriveContact *c = &f->contacts[k];
+        if (c->push.body != body) continue;
+        YkPartKind kind = d->model->joints[c->joint].kind;
+        slides += kind == YK_SLIDE;
+        bool is_bearing = kind == YK_SLIDE && !c->is_negative;
+        if ((kind != YK_PIN && !is_bearing) || !yk_ring_is_zero(c->push.arm)) return;
+    }
+    f->bodies[body].is_trivial = slides == 1 && !is_turned(f, body);
+}
+
+static bool allocate(YkDeriveForces *f)
+{
+    YkArena *arena = f->d->arena;
+    size_t joints = f->d->model->joint_count;
+    f->contacts = YK_NEW(arena, YkDeriveContact, 2 * joints + 1);
+    f->junctions = YK_NEW(arena, YkDeriveJunction, joints + 1);
+    f->junction_of = YK_NEW(arena, int32_t, joints + 1);
+    f->joint_force = YK_NEW(arena, const YkPoisson *, joints + 1);
+    f->joint_moment = YK_NEW(arena, const YkPoisson *, joints + 1);
+    f->reactions = YK_NEW(arena, int32_t, 4 * joints + 1);
+    f->reaction_joint = YK_NEW(arena, int32_t, 4 * joints + 1);
+    f->reaction_body = YK_NEW(arena, int32_t, 4 * joints + 1);
+    f->reaction_part = YK_NEW(arena, char, 4 * joints + 1);
+    return !yk_arena_failed(arena);
+}
+
+bool yk_derive_enter_contacts(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    if (!allocate(f) || !find_junctions(f)) {
+        d->failed = true;
+        return false;
+    }
+    for (size_t j = 0; j < d->model->joint_count; j++) {
+        if (f->junction_of[j] == YK_NONE) enter_joint(f, (int32_t)j);
+        for (int side = 0; side < 2 && f->junction_of[j] != YK_NONE; side++) add_junction_contact(f, (int32_t)j, side);
+    }
+    for (size_t j = 0; j < d->model->joint_count; j++) {
+        if (f->junction_of[j] == YK_NONE) continue;
+        f->joint_force[j] = share_of_pin(f, (int32_t)j);
+        f->joint_moment[j] = yk_ring_rational(d->ring, 0, 1);
+    }
+    for (size_t b = 1; b < d->model->body_count; b++) find_trivial(f, (int32_t)b);
+    return yk_derivation_is_well(d);
+}

@@ -1,0 +1,297 @@
+// Loads: gravity, springs and dampers, friction, forces, efforts, and what drives must exert.
+#include "derive/free_bodies.h"
+#include "model/formulas.h"
+
+const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third)
+{
+    YkText text = {0};
+    yk_text_format(&text, "%s%s%s", first, second, third);
+    const char *copy = text.failed ? NULL : yk_arena_copy(d->arena, yk_text_get(&text), text.length);
+    yk_text_free(&text);
+    if (!copy) d->failed = true;
+    return copy ? copy : "";
+}
+
+// --- Values
+
+typedef struct Variables {
+    const YkDerivation *d;
+    YkDeriveOpaque *opaque;
+} Variables;
+
+static int variable_of(void *context, int32_t declared, bool is_rate)
+{
+    Variables *v = context;
+    const YkCoordinate *c = &v->d->model->coordinates[declared];
+    int32_t index = c->is_distance ? v->d->joint_distance[c->joint] : v->d->joint_angle[c->joint];
+    if (index == YK_NONE) return -2;
+    const YkDeriveCoordinate *of = &v->d->coordinates[index];
+    int32_t symbol = is_rate ? of->rate : of->position;
+    for (size_t k = 1; k < v->opaque->variable_count; k++)
+        if (v->opaque->variables[k] == symbol) return (int)k;
+    v->opaque->variables[v->opaque->variable_count] = symbol;
+    return (int)v->opaque->variable_count++;
+}
+
+static const YkPoisson *opaque(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name)
+{
+    YkDerivation *d = f->d;
+    YkDeriveOpaque *o = &f->opaques[f->opaque_count++];
+    *o = (YkDeriveOpaque){.expr = expr, .law = law, .symbol = yk_derive_symbol(d, name, YK_RING_FORCE)};
+    o->variables = YK_NEW(d->arena, int32_t, 2 * d->coordinate_count + 1);
+    if (!o->variables || o->symbol < 0) return NULL;
+    o->variables[o->variable_count++] = d->time;
+    o->formula = yk_model_formula(d->model, expr, variable_of, &(Variables){d, o}, d->arena);
+    if (!o->formula) d->failed = true;
+    return yk_ring_of(d->ring, o->symbol);
+}
+
+const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
+                                      const char *ending)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *value = law ? NULL : yk_derive_expression(f->d, expr);
+    if (value || (yk_ring_status(ring) != YK_RING_OK && yk_ring_status(ring) != YK_RING_DIVISOR)) return value;
+    yk_ring_clear(ring); // no polynomial
+    return opaque(f, expr, law, yk_derive_text(f->d, name, ending, ""));
+}
+
+// --- Building
+
+static YkDeriveLoad *add_load(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name)
+{
+    YkDeriveLoad *load = &f->loads[f->load_count++];
+    *load = (YkDeriveLoad){.kind = kind, .name = name, .joint = YK_NONE, .symbol = YK_NONE};
+    return load;
+}
+
+static void push(YkDeriveForces *f, YkDeriveLoad *load, int32_t body, const YkPoisson *arm, const YkPoisson *force,
+                 const YkPoisson *moment)
+{
+    const YkPoisson *zero = yk_ring_rational(f->d->ring, 0, 1);
+    load->push[load->push_count++] = (YkDerivePush){body, arm ? arm : zero, force ? force : zero, moment ? moment : zero};
+}
+
+static void add_gravity(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkPoisson *g = yk_derive_gravity(d);
+    for (size_t b = 1; g && b < d->model->body_count; b++) {
+        if (!d->model->bodies[b].has_mass || yk_ring_is_zero(g)) continue;
+        YkDeriveLoad *load = add_load(f, YK_DERIVE_GRAVITY, d->model->bodies[b].name);
+        const YkPoisson *weight = yk_ring_multiply(d->ring, f->bodies[b].mass, g);
+        push(f, load, (int32_t)b, NULL, weight, NULL);
+        load->energy = yk_ring_negate(d->ring, yk_ring_dot(d->ring, weight, f->bodies[b].position));
+    }
+}
+
+// An effort along a joint's freedom: on the second body, and its reaction on the first.
+static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint, bool is_distance,
+                               const YkPoisson *effort)
+{
+    YkDerivation *d = f->d;
+    const YkJoint *j = &d->model->joints[joint];
+    YkDeriveLoad *load = add_load(f, kind, name);
+    load->joint = joint;
+    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[j->body[0]].unit, yk_derive_along(d, joint));
+    for (int side = 1; side >= 0; side--) {
+        const YkPoisson *signed_effort = side ? effort : yk_ring_negate(d->ring, effort);
+        if (is_distance)
+            push(f, load, j->body[side], yk_derive_joint_arm(f, joint, side), yk_ring_multiply(d->ring, signed_effort, line), NULL);
+        else
+            push(f, load, j->body[side], NULL, NULL, signed_effort);
+    }
+    return load;
+}
+
+// A joint's freedom and its rate, body form.
+static const YkPoisson *freedom_of(YkDerivation *d, int32_t joint, bool is_distance, bool rate)
+{
+    const YkJoint *j = &d->model->joints[joint];
+    if (is_distance) {
+        const YkDeriveCoordinate *c = &d->coordinates[d->joint_distance[joint]];
+        return yk_ring_of(d->ring, rate ? c->rate : c->position);
+    }
+    if (rate) return yk_ring_subtract(d->ring, d->bodies[j->body[1]].spin, d->bodies[j->body[0]].spin);
+    return yk_ring_subtract(d->ring, yk_derive_axes_angle(d, j->body[1]), yk_derive_axes_angle(d, j->body[0]));
+}
+
+static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint, bool is_distance, const YkExpr *damping)
+{
+    const YkPoisson *c = yk_derive_expression(f->d, damping), *rate = freedom_of(f->d, joint, is_distance, true);
+    if (!c || yk_ring_is_zero(c)) return;
+    add_along(f, YK_DERIVE_DAMPER, name, joint, is_distance, yk_ring_negate(f->d->ring, yk_ring_multiply(f->d->ring, c, rate)));
+}
+
+static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
+{
+    YkRing *ring = f->d->ring;
+    const YkCoordinate *c = &f->d->model->coordinates[spring->coordinate];
+    const YkPoisson *k = yk_derive_expression(f->d, spring->stiffness_expr);
+    const YkPoisson *stretch = yk_ring_subtract(ring, freedom_of(f->d, c->joint, c->is_distance, false),
+                                                yk_derive_expression(f->d, spring->length_expr));
+    if (k && !yk_ring_is_zero(k)) {
+        const YkPoisson *pull = yk_ring_negate(ring, yk_ring_multiply(ring, k, stretch));
+        YkDeriveLoad *load = add_along(f, YK_DERIVE_SPRING, spring->name, c->joint, c->is_distance, pull);
+        load->energy = yk_ring_scale(ring, yk_ring_product(ring, (const YkPoisson *[]){k, stretch, stretch}, 3), 1, 2);
+    }
+    add_damper_along(f, spring->name, c->joint, c->is_distance, spring->damping_expr);
+}
+
+// Pulls both ends together by `tension` times the vector from the first to the second.
+static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const YkSpring *spring, const YkPoisson *tension,
+                                 const YkPoisson *line)
+{
+    YkDerivation *d = f->d;
+    YkDeriveLoad *load = add_load(f, kind, spring->name);
+    const YkPoisson *pull = yk_ring_multiply(d->ring, tension, line);
+    for (int end = 0; end < 2; end++) {
+        const YkPoisson *arm = yk_derive_arm(f, spring->body[end], yk_derive_at(d, spring->body[end], spring->point[end]));
+        push(f, load, spring->body[end], arm, end ? yk_ring_negate(d->ring, pull) : pull, NULL);
+    }
+    return load;
+}
+
+// The spring's length: a symbol whose square is known.
+static const YkPoisson *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    for (const char *more = "L_";; more = yk_derive_text(d, more, "_", "")) {
+        const char *name = yk_derive_text(d, more, spring->name, "");
+        if (d->failed || yk_ring_status(ring) != YK_RING_OK) return NULL;
+        if (yk_ring_find(ring, name) >= 0) continue;
+        int32_t symbol = yk_ring_root(ring, name, square);
+        if (symbol < 0) return NULL;
+        f->lengths[f->length_count].symbol = symbol;
+        f->lengths[f->length_count++].square = square;
+        return yk_ring_of(ring, symbol);
+    }
+}
+
+static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkPoisson *end[2];
+    for (int e = 0; e < 2; e++)
+        end[e] = yk_derive_position(d, spring->body[e], yk_derive_at(d, spring->body[e], spring->point[e]));
+    const YkPoisson *line = yk_ring_subtract(ring, end[1], end[0]), *square = yk_ring_dot(ring, line, line);
+    const YkPoisson *k = yk_derive_expression(d, spring->stiffness_expr), *c = yk_derive_expression(d, spring->damping_expr);
+    const YkPoisson *free_length = yk_derive_expression(d, spring->length_expr);
+    if (!k || !c || !free_length) return;
+    if (yk_ring_is_zero(free_length) && yk_ring_is_zero(c)) { // needs no direction
+        YkDeriveLoad *load = add_between(f, YK_DERIVE_SPRING, spring, k, line);
+        load->energy = yk_ring_scale(ring, yk_ring_multiply(ring, k, square), 1, 2);
+        return;
+    }
+    const YkPoisson *length = length_of(f, spring, square);
+    if (!length) return;
+    if (!yk_ring_is_zero(k)) {
+        const YkPoisson *stretch = yk_ring_subtract(ring, length, free_length);
+        const YkPoisson *tension = yk_ring_divide(ring, yk_ring_multiply(ring, k, stretch), length);
+        YkDeriveLoad *load = add_between(f, YK_DERIVE_SPRING, spring, tension, line);
+        load->energy = yk_ring_scale(ring, yk_ring_product(ring, (const YkPoisson *[]){k, stretch, stretch}, 3), 1, 2);
+    }
+    if (yk_ring_is_zero(c)) return;
+    const YkPoisson *rate = yk_ring_time_derivative(ring, length);
+    add_between(f, YK_DERIVE_DAMPER, spring, yk_ring_divide(ring, yk_ring_multiply(ring, c, rate), length), line);
+}
+
+// Dry friction and stops at one freedom: what the pose makes them.
+static void add_dry(YkDeriveForces *f, const char *letter, int32_t joint, bool is_distance)
+{
+    YkDerivation *d = f->d;
+    int32_t symbol = yk_derive_symbol(d, yk_derive_text(d, letter, d->model->joints[joint].name, ""), YK_RING_FORCE);
+    if (symbol < 0) return;
+    add_along(f, YK_DERIVE_DRY, d->model->joints[joint].name, joint, is_distance, yk_ring_of(d->ring, symbol))->symbol = symbol;
+}
+
+static void add_friction(YkDeriveForces *f)
+{
+    const YkModel *model = f->d->model;
+    for (size_t j = 0; j < model->joint_count; j++) {
+        const YkJoint *joint = &model->joints[j];
+        if (!joint->has_friction) continue;
+        bool slides = yk_part(joint->kind)->slides;
+        add_damper_along(f, joint->name, (int32_t)j, slides, joint->friction.viscous_expr);
+        if (joint->friction.coulomb_expr) add_dry(f, "R_", (int32_t)j, slides);
+    }
+    for (size_t k = 0; k < model->stop_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->stops[k].coordinate];
+        add_dry(f, "S_", c->joint, c->is_distance);
+    }
+}
+
+static void add_forces(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    for (size_t k = 0; k < d->model->force_count; k++) {
+        const YkForce *force = &d->model->forces[k];
+        YkDeriveLoad *load = add_load(f, YK_DERIVE_FORCE, force->name);
+        const YkPoisson *x = yk_derive_load_value(f, force->x, NULL, force->name, "x");
+        const YkPoisson *y = yk_derive_load_value(f, force->y, NULL, force->name, "y");
+        const YkPoisson *moment = yk_derive_load_value(f, force->moment, NULL, force->name, "m");
+        const YkPoisson *vector = yk_ring_add(d->ring, x, yk_ring_multiply(d->ring, yk_ring_i(d->ring), y));
+        if (force->in_body_axes) vector = yk_ring_multiply(d->ring, d->bodies[force->body].unit, vector);
+        push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->body, force->point)), vector, moment);
+    }
+}
+
+static void add_efforts(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkModel *model = d->model;
+    for (size_t k = 0; k < model->effort_count; k++) {
+        const YkEffort *effort = &model->efforts[k];
+        const YkCoordinate *c = &model->coordinates[effort->coordinate];
+        bool is_law = effort->law.of != NULL;
+        const YkPoisson *value = yk_derive_load_value(f, is_law ? effort->law.of : effort->expr,
+                                                      is_law ? model->laws[effort->law.law].law : NULL,
+                                                      c->is_distance ? "F_" : "tau_", c->name);
+        if (value) add_along(f, YK_DERIVE_EFFORT, c->name, c->joint, c->is_distance, value);
+    }
+}
+
+// Inputs that are given, and of a machine without masses all, need an effort.
+static void add_drives(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    bool has_mass = false;
+    for (size_t b = 1; b < d->model->body_count; b++) has_mass = has_mass || d->model->bodies[b].has_mass;
+    for (size_t k = 0; k < d->tree_count; k++) {
+        const YkDeriveCoordinate *c = &d->coordinates[k];
+        if (!c->is_input || (has_mass && c->drive == YK_NONE)) continue;
+        int32_t symbol = yk_derive_symbol(d, yk_derive_text(d, c->is_distance ? "F_" : "tau_", c->name, ""), YK_RING_FORCE);
+        if (symbol < 0) return;
+        add_along(f, YK_DERIVE_DRIVE, c->name, c->joint, c->is_distance, yk_ring_of(d->ring, symbol))->symbol = symbol;
+        f->effort_coordinate[f->effort_count] = (int32_t)k;
+        f->efforts[f->effort_count++] = symbol;
+    }
+}
+
+bool yk_derive_enter_loads(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkModel *model = d->model;
+    size_t most = model->body_count + model->effort_count + model->force_count + 2 * model->spring_count +
+                  2 * model->joint_count + model->stop_count + d->coordinate_count + 1;
+    f->loads = YK_NEW(d->arena, YkDeriveLoad, most);
+    f->opaques = YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + 1);
+    f->lengths = yk_arena_alloc(d->arena, model->spring_count + 1, sizeof *f->lengths);
+    f->efforts = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    f->effort_coordinate = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    if (yk_arena_failed(d->arena)) return false;
+    add_gravity(f);
+    for (size_t k = 0; k < model->spring_count; k++) {
+        if (model->springs[k].coordinate != YK_NONE)
+            add_spring_along(f, &model->springs[k]);
+        else
+            add_spring_between(f, &model->springs[k]);
+    }
+    add_friction(f);
+    add_forces(f);
+    add_efforts(f);
+    add_drives(f);
+    return yk_derivation_is_well(d);
+}

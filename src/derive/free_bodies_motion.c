@@ -1,0 +1,105 @@
+// Bodies as masses that move: references, velocities, accelerations, and the coordinates of the body form.
+#include "derive/frame.h"
+#include "derive/free_bodies.h"
+
+YkDeriveFreedom yk_derive_freedom(const YkDerivation *d, size_t coordinate)
+{
+    const YkDeriveCoordinate *c = &d->coordinates[coordinate];
+    YkDeriveFreedom freedom = {c->position, c->rate, c->acceleration, YK_NONE};
+    if (c->is_distance) return freedom;
+    const int32_t *body = d->model->joints[c->joint].body;
+    freedom.body = d->bodies[body[1]].joint == c->joint ? body[1] : body[0];
+    const YkDeriveBody *b = &d->bodies[freedom.body];
+    freedom.position = b->angle, freedom.rate = b->rate, freedom.acceleration = b->acceleration;
+    return freedom;
+}
+
+const YkPoisson *yk_derive_axes_angle(YkDerivation *d, int32_t body)
+{
+    const YkPoisson *turned = yk_ring_rational(d->ring, 0, 1);
+    for (; d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
+        int32_t joint = d->bodies[body].joint;
+        if (d->joint_angle[joint] != YK_NONE)
+            return yk_ring_add(d->ring, turned, yk_ring_of(d->ring, d->bodies[body].angle));
+        const YkPoisson *step = yk_derive_expression(d, d->model->joints[joint].turned_expr);
+        bool forwards = d->model->joints[joint].body[1] == body;
+        turned = forwards ? yk_ring_add(d->ring, turned, step) : yk_ring_subtract(d->ring, turned, step);
+    }
+    return turned;
+}
+
+static void enter_mass(YkDeriveForces *f, int32_t b)
+{
+    YkDerivation *d = f->d;
+    YkDeriveMass *m = &f->bodies[b];
+    *m = (YkDeriveMass){.mass = yk_derive_mass(d, b), .inertia = yk_derive_inertia(d, b)};
+    m->center = d->model->bodies[b].has_mass ? yk_derive_center(d, b) : yk_ring_rational(d->ring, 0, 1);
+    m->position = yk_derive_position(d, b, m->center);
+    m->velocity = yk_ring_time_derivative(d->ring, m->position);
+    m->acceleration = yk_ring_time_derivative(d->ring, m->velocity);
+}
+
+bool yk_derive_enter_masses(YkDeriveForces *f)
+{
+    size_t bodies = f->d->model->body_count;
+    f->bodies = YK_NEW(f->d->arena, YkDeriveMass, bodies + 1);
+    f->kinetic = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
+    f->potential = YK_NEW(f->d->arena, const YkPoisson *, 1);
+    f->lagrange = YK_NEW(f->d->arena, struct YkDeriveLagrange, f->d->coordinate_count + 1);
+    if (yk_arena_failed(f->d->arena)) return false;
+    for (size_t b = 0; b < bodies; b++) enter_mass(f, (int32_t)b);
+    return yk_derivation_is_well(f->d);
+}
+
+const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at)
+{
+    YkRing *ring = f->d->ring;
+    return yk_ring_multiply(ring, f->d->bodies[body].unit, yk_ring_subtract(ring, at, f->bodies[body].center));
+}
+
+const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
+{
+    YkDerivation *d = f->d;
+    YkDerivePlace place = yk_derive_place(d, joint, side);
+    const YkPoisson *arm = yk_derive_arm(f, place.body, yk_derive_at(d, place.body, place.point));
+    if (side == 1 || d->joint_distance[joint] == YK_NONE) return arm;
+    return yk_ring_add(d->ring, arm, yk_derive_slide(d, joint));
+}
+
+// Sums of more than this many joint angles are not readable.
+enum { JOINTS_IN_SUM_MAX = 4 };
+
+bool yk_derive_shows_joints(const YkDerivation *d)
+{
+    for (size_t b = 0; b < d->model->body_count; b++) {
+        int count = 0;
+        for (int32_t at = (int32_t)b; d->bodies[at].parent != YK_NONE; at = d->bodies[at].parent)
+            count += d->joint_angle[d->bodies[at].joint] != YK_NONE;
+        if (count > JOINTS_IN_SUM_MAX) return false;
+    }
+    return true;
+}
+
+const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a)
+{
+    return yk_derive_shows_joints(d) ? yk_derive_in_joints(d, a) : a;
+}
+
+int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate)
+{
+    return yk_derive_shows_joints(d) ? d->coordinates[coordinate].acceleration : yk_derive_freedom(d, coordinate).acceleration;
+}
+
+void yk_derive_put_angles(YkDerivation *d, YkPage *page)
+{
+    if (yk_derive_shows_joints(d)) return;
+    yk_page_words(page, "In the angles of the bodies against the ground, which keep the equations short:");
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        const YkDeriveBody *body = &d->bodies[b];
+        int32_t c = d->joint_angle[body->joint];
+        if (c == YK_NONE || body->angle == d->coordinates[c].position) continue;
+        YkLine *line = yk_page_equation(page, body->name, yk_ring_of(d->ring, body->angle),
+                                        yk_derive_body_angle(d, (int32_t)b), YK_RING_TEXTBOOK);
+        if (line) line->vanishes = NULL; // the numeric engine counts turns of bodies apart
+    }
+}

@@ -1,0 +1,21 @@
+// Newton-Euler as a linear system.
+#ifndef DERIVE_NEWTON_EULER_H
+#define DERIVE_NEWTON_EULER_H
+#include "derive/free_bodies.h"
+
+typedef struct YkDeriveSystem { // A xi = b
+    const YkPoisson **zeros; // [row_count] as shown; 0 on the machine
+    const char **labels;
+    int32_t *unknowns; // symbols
+    size_t row_count, unknown_count;
+} YkDeriveSystem;
+
+// Rows: forces x and y and moments of every body, junctions, accelerations of what closes loops; without trivial pairs.
+// Unknowns: reactions, efforts of drives, accelerations that are not given. all_given: every input's acceleration is given
+// and its effort unknown.
+bool yk_derive_system(const YkDeriveForces *f, bool all_given, YkDeriveSystem *system);
+// The entry of A, and of b.
+const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row, size_t column);
+const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row);
+
+#endif

@@ -1,0 +1,118 @@
+// Newton's and Euler's equations of one body, and their projection on the motions that the joints leave free.
+#include "derive/free_bodies.h"
+
+// arm x force + couple
+const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push)
+{
+    YkRing *ring = f->d->ring;
+    if (push->force && (yk_ring_is_zero(push->force) || yk_ring_is_zero(push->arm))) return push->moment;
+    return yk_ring_add(ring, yk_ring_cross(ring, push->arm, push->force), push->moment);
+}
+
+const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *sum = yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].mass, f->bodies[body].acceleration));
+    for (size_t k = 0; k < f->contact_count; k++)
+        if (f->contacts[k].push.body == body) sum = yk_ring_add(ring, sum, f->contacts[k].push.force);
+    for (size_t k = 0; k < f->load_count; k++)
+        for (size_t p = 0; p < f->loads[k].push_count; p++)
+            if (f->loads[k].push[p].body == body) sum = yk_ring_add(ring, sum, f->loads[k].push[p].force);
+    return sum;
+}
+
+const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *sum = yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].inertia, f->d->bodies[body].spin_rate));
+    for (size_t k = 0; k < f->contact_count; k++)
+        if (f->contacts[k].push.body == body)
+            sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->contacts[k].push));
+    for (size_t k = 0; k < f->load_count; k++)
+        for (size_t p = 0; p < f->loads[k].push_count; p++)
+            if (f->loads[k].push[p].body == body)
+                sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->loads[k].push[p]));
+    return sum;
+}
+
+// --- Partial velocities, d(velocity)/d(rate) = d(position)/d(coordinate) in body form
+
+static const YkPoisson *partial_spin(const YkDeriveForces *f, int32_t body, size_t coordinate)
+{
+    YkDeriveFreedom freedom = yk_derive_freedom(f->d, coordinate);
+    bool turns = freedom.body != YK_NONE && f->d->bodies[body].angle == freedom.position;
+    return yk_ring_rational(f->d->ring, turns, 1);
+}
+
+static const YkPoisson *partial_position(const YkDeriveForces *f, const YkPoisson *position, size_t coordinate)
+{
+    return yk_ring_partial(f->d->ring, position, yk_derive_freedom(f->d, coordinate).position);
+}
+
+const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        const YkPoisson *turn = partial_spin(f, (int32_t)b, coordinate);
+        const YkPoisson *shift = partial_position(f, f->bodies[b].position, coordinate);
+        if (!yk_ring_is_zero(shift))
+            sum = yk_ring_add(ring, sum, yk_ring_dot(ring, shift, yk_derive_newton(f, (int32_t)b)));
+        if (!yk_ring_is_zero(turn))
+            sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, turn, yk_derive_euler(f, (int32_t)b)));
+    }
+    for (size_t k = 0; k < f->junction_count; k++) {
+        YkDerivePlace place = f->junctions[k].place;
+        const YkPoisson *at = yk_derive_position(d, place.body, yk_derive_at(d, place.body, place.point));
+        sum = yk_ring_add(ring, sum, yk_ring_dot(ring, partial_position(f, at, coordinate), f->junctions[k].force));
+    }
+    return sum;
+}
+
+const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
+    for (size_t p = 0; p < load->push_count; p++) {
+        const YkDerivePush *push = &load->push[p];
+        if (push->body == 0) continue;
+        const YkPoisson *shift = partial_position(f, f->bodies[push->body].position, coordinate);
+        const YkPoisson *turn = partial_spin(f, push->body, coordinate);
+        sum = yk_ring_add(ring, sum, yk_ring_dot(ring, shift, push->force));
+        if (yk_ring_is_zero(turn)) continue;
+        sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, push));
+    }
+    return sum;
+}
+
+// --- What joints that close loops demand of the accelerations. A guide's distance is left out: only the way across counts.
+
+static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
+{
+    YkDerivePlace first = yk_derive_place(d, loop->joint, 0), second = yk_derive_place(d, loop->joint, 1);
+    const YkPoisson *from = yk_derive_position(d, first.body, yk_derive_at(d, first.body, first.point));
+    const YkPoisson *to = yk_derive_position(d, second.body, yk_derive_at(d, second.body, second.point));
+    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[first.body].unit, yk_derive_along(d, loop->joint));
+    return yk_ring_cross(d->ring, line, yk_ring_subtract(d->ring, to, from));
+}
+
+int yk_derive_closing_rows(const YkDeriveForces *f, const YkPoisson **rows, int32_t *joints)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkPoisson *const *zeros = f->rows;
+    int count = 0;
+    for (size_t k = 0; k < d->loop_count; k++) {
+        const YkDeriveLoop *loop = &d->loops[k];
+        bool slides = d->joint_distance[loop->joint] != YK_NONE;
+        const YkPoisson *parts[3] = {slides ? across(d, loop) : zeros[0], slides ? NULL : zeros[1], loop->angle ? zeros[2] : NULL};
+        zeros += loop->angle ? 3 : 2;
+        for (int part = 0; part < 3; part++) {
+            if (part > 0 && !parts[part]) continue;
+            joints[count] = loop->joint;
+            rows[count++] = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, parts[part]));
+        }
+    }
+    return yk_derivation_is_well(d) ? count : -1;
+}

@@ -1,0 +1,107 @@
+// Newton-Euler as a linear system A xi = b.
+#include "derive/newton_euler.h"
+
+// The guide's moment of a trivial pair, and what it is.
+static size_t trivial_moments(const YkDeriveForces *f, YkRingChange *changes)
+{
+    YkDerivation *d = f->d;
+    size_t count = 0;
+    for (size_t k = 0; k < f->contact_count; k++) {
+        const YkDeriveContact *c = &f->contacts[k];
+        if (!f->bodies[c->push.body].is_trivial || !c->moment || c->is_negative) continue;
+        for (size_t r = 0; r < f->reaction_count; r++) {
+            if (f->reaction_joint[r] != c->joint || f->reaction_part[r] != 'm') continue;
+            const YkPoisson *M = yk_ring_of(d->ring, f->reactions[r]), *rest = yk_derive_euler(f, c->push.body);
+            changes[count++] = (YkRingChange){f->reactions[r], yk_ring_subtract(d->ring, M, rest), NULL};
+        }
+    }
+    return count;
+}
+
+static bool is_changed(const YkRingChange *changes, size_t count, int32_t symbol)
+{
+    for (size_t k = 0; k < count; k++)
+        if (changes[k].symbol == symbol) return true;
+    return false;
+}
+
+typedef struct Rows {
+    const YkDeriveForces *f;
+    YkDeriveSystem *system;
+    const YkRingChange *changes;
+    size_t change_count;
+} Rows;
+
+static void add_row(Rows *rows, const YkPoisson *zero, const char *name, const char *part)
+{
+    YkDerivation *d = rows->f->d;
+    YkDeriveSystem *system = rows->system;
+    if (rows->change_count > 0) zero = yk_ring_substitute(d->ring, zero, rows->changes, rows->change_count);
+    system->labels[system->row_count] = yk_derive_text(d, name, part, "");
+    system->zeros[system->row_count++] = yk_derive_shown(d, zero);
+}
+
+static void add_vector_rows(Rows *rows, const YkPoisson *zero, const char *name)
+{
+    add_row(rows, yk_ring_real(rows->f->d->ring, zero), name, " x");
+    add_row(rows, yk_ring_imaginary(rows->f->d->ring, zero), name, " y");
+}
+
+static bool add_rows(Rows *rows)
+{
+    const YkDeriveForces *f = rows->f;
+    YkDerivation *d = f->d;
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        add_vector_rows(rows, yk_derive_newton(f, (int32_t)b), d->model->bodies[b].name);
+        if (!f->bodies[b].is_trivial) add_row(rows, yk_derive_euler(f, (int32_t)b), d->model->bodies[b].name, " M");
+    }
+    for (size_t k = 0; k < f->junction_count; k++) add_vector_rows(rows, f->junctions[k].force, f->junctions[k].name);
+    const YkPoisson **closing = YK_NEW(d->arena, const YkPoisson *, 3 * d->loop_count + 1);
+    int32_t *joints = YK_NEW(d->arena, int32_t, 3 * d->loop_count + 1);
+    int count = closing && joints ? yk_derive_closing_rows(f, closing, joints) : -1;
+    for (int k = 0; k < count; k++) add_row(rows, closing[k], d->model->joints[joints[k]].name, " closes");
+    return count >= 0;
+}
+
+static void add_unknowns(Rows *rows, bool all_given)
+{
+    const YkDeriveForces *f = rows->f;
+    YkDerivation *d = f->d;
+    YkDeriveSystem *system = rows->system;
+    for (size_t k = 0; k < f->reaction_count; k++)
+        if (!is_changed(rows->changes, rows->change_count, f->reactions[k]))
+            system->unknowns[system->unknown_count++] = f->reactions[k];
+    for (size_t k = 0; k < f->effort_count; k++) system->unknowns[system->unknown_count++] = f->efforts[k];
+    for (size_t k = 0; k < d->tree_count; k++) {
+        bool is_given = all_given && d->coordinates[k].is_input;
+        for (size_t e = 0; e < f->effort_count; e++) is_given = is_given || f->effort_coordinate[e] == (int32_t)k;
+        if (!is_given) system->unknowns[system->unknown_count++] = yk_derive_shown_acceleration(d, k);
+    }
+}
+
+bool yk_derive_system(const YkDeriveForces *f, bool all_given, YkDeriveSystem *system)
+{
+    YkDerivation *d = f->d;
+    size_t rows = 3 * d->model->body_count + 2 * f->junction_count + 3 * d->loop_count + 1;
+    size_t unknowns = f->reaction_count + f->effort_count + d->tree_count + 1;
+    YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->model->body_count + 1);
+    *system = (YkDeriveSystem){.zeros = YK_NEW(d->arena, const YkPoisson *, rows), .labels = YK_NEW(d->arena, const char *, rows),
+                               .unknowns = YK_NEW(d->arena, int32_t, unknowns)};
+    if (yk_arena_failed(d->arena)) return false;
+    Rows all = {f, system, changes, trivial_moments(f, changes)};
+    add_unknowns(&all, all_given);
+    return add_rows(&all) && yk_derivation_is_well(d);
+}
+
+const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row, size_t column)
+{
+    return yk_ring_coefficient(f->d->ring, system->zeros[row], system->unknowns[column], 1);
+}
+
+const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *rest = system->zeros[row];
+    for (size_t k = 0; k < system->unknown_count; k++) rest = yk_ring_coefficient(ring, rest, system->unknowns[k], 0);
+    return yk_ring_negate(ring, rest);
+}

@@ -1,0 +1,158 @@
+// Gears, belts, racks, cams and coordinates that follow a law: what they demand of angles and distances, joint form.
+#include "derive/relations.h"
+#include <math.h>
+#include "derive/frame.h"
+#include "law/law.h"
+
+enum { LAW_ORDERS = 4 };
+
+// A relation's constant: where the teeth met first. 0 where that is no more than rounding.
+static const YkPoisson *phase_of(YkDerivation *d, YkDeriveRelation *relation, double value)
+{
+    YkText name = {0};
+    if (fabs(value) < 1e-12) return yk_ring_rational(d->ring, 0, 1);
+    yk_text_format(&name, "phase_%s", relation->name);
+    relation->phase = yk_derive_symbol(d, yk_text_get(&name), YK_RING_CONSTANT);
+    relation->phase_value = value;
+    d->failed |= name.failed;
+    yk_text_free(&name);
+    return yk_ring_of(d->ring, relation->phase);
+}
+
+static double turn(const YkDerivation *d, int32_t body)
+{
+    return d->mech->bodies[body].turn;
+}
+
+// a (phi_0 - phi_c) + b (phi_1 - phi_c) = phase.
+static const YkPoisson *wheels(YkDerivation *d, YkDeriveRelation *relation, const int32_t body[2], int32_t carrier,
+                               const YkPoisson *a, const YkPoisson *b, const double factor[2], double constant)
+{
+    YkRing *ring = d->ring;
+    const YkPoisson *arm = yk_derive_body_angle(d, carrier);
+    const YkPoisson *first = yk_ring_subtract(ring, yk_derive_body_angle(d, body[0]), arm);
+    const YkPoisson *second = yk_ring_subtract(ring, yk_derive_body_angle(d, body[1]), arm);
+    double phase = constant + factor[0] * (turn(d, body[0]) - turn(d, carrier)) + factor[1] * (turn(d, body[1]) - turn(d, carrier));
+    const YkPoisson *sum = yk_ring_add(ring, yk_ring_multiply(ring, a, first), yk_ring_multiply(ring, b, second));
+    return yk_ring_subtract(ring, sum, phase_of(d, relation, phase));
+}
+
+static const YkPoisson *gear(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
+{
+    const YkGear *g = &d->model->gears[of->index];
+    int sign = g->is_internal ? -1 : 1;
+    const double factor[] = {(double)g->teeth[0], sign * (double)g->teeth[1]};
+    const YkPoisson *second = yk_derive_expression(d, g->teeth_expr[1]);
+    return wheels(d, relation, g->body, g->carrier, yk_derive_expression(d, g->teeth_expr[0]),
+                  yk_ring_scale(d->ring, second, sign, 1), factor, of->constant);
+}
+
+static const YkPoisson *belt(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
+{
+    const YkBelt *b = &d->model->belts[of->index];
+    int sign = b->is_crossed ? 1 : -1;
+    const double factor[] = {b->radius[0], sign * b->radius[1]};
+    const YkPoisson *second = yk_derive_expression(d, b->radius_expr[1]);
+    return wheels(d, relation, b->body, b->carrier, yk_derive_expression(d, b->radius_expr[0]),
+                  yk_ring_scale(d->ring, second, sign, 1), factor, of->constant);
+}
+
+// distance - sense radius (pinion - carrier) = phase.
+static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
+{
+    const YkRack *r = &d->model->racks[of->index];
+    YkRing *ring = d->ring;
+    const YkPoisson *angle = yk_ring_subtract(ring, yk_derive_body_angle(d, r->pinion), yk_derive_body_angle(d, r->carrier));
+    const YkPoisson *rolled = yk_ring_multiply(ring, yk_derive_expression(d, r->radius_expr), angle);
+    double phase = of->constant - r->sense * r->radius * (turn(d, r->pinion) - turn(d, r->carrier));
+    const YkPoisson *moved = yk_ring_subtract(ring, yk_derive_distance(d, r->slide), yk_ring_scale(ring, rolled, r->sense, 1));
+    return yk_ring_subtract(ring, moved, phase_of(d, relation, phase));
+}
+
+// The function s of a coordinate with its derivatives s_v, s_a, s_j.
+static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t argument)
+{
+    static const char *const endings[LAW_ORDERS] = {"", "_v", "_a", "_j"};
+    YkText text[LAW_ORDERS] = {{0}};
+    const char *names[LAW_ORDERS];
+    size_t taken = 0;
+    bool free_name = false;
+    for (; taken < 20 && !free_name; taken++) {
+        free_name = true;
+        for (size_t k = 0; k < LAW_ORDERS; k++) {
+            yk_text_clear(&text[k]);
+            for (const char *c = d->model->laws[law].name; *c; c++) yk_text_format(&text[k], "%c", *c == '-' ? '_' : *c);
+            yk_text_repeat(&text[k], '_', taken);
+            yk_text_puts(&text[k], endings[k]);
+            names[k] = yk_text_get(&text[k]);
+            free_name &= yk_ring_find(d->ring, names[k]) < 0;
+        }
+    }
+    relation->law = d->model->laws[law].law;
+    relation->argument = argument;
+    relation->function = yk_ring_function(d->ring, names, LAW_ORDERS, d->coordinates[argument].position);
+    for (size_t k = 0; k < LAW_ORDERS; k++) yk_text_free(&text[k]);
+    return relation->function < 0 ? NULL : yk_ring_of(d->ring, relation->function);
+}
+
+static const YkPoisson *follows(YkDerivation *d, YkDeriveRelation *relation, const YkPoisson *value, int32_t argument, int32_t law)
+{
+    if (argument == YK_NONE || !value) return NULL;
+    return yk_ring_subtract(d->ring, value, function_of(d, relation, law, argument));
+}
+
+static const YkPoisson *of_coordinate(YkDerivation *d, int32_t c)
+{
+    return c == YK_NONE ? NULL : yk_ring_of(d->ring, d->coordinates[c].position);
+}
+
+static const YkPoisson *cam(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
+{
+    const YkCam *c = &d->model->cams[of->index];
+    int32_t follower = c->oscillates ? d->joint_angle[c->follower_joint] : d->joint_distance[c->follower_joint];
+    return follows(d, relation, of_coordinate(d, follower), d->joint_angle[c->cam_joint], c->law);
+}
+
+static int32_t declared(const YkDerivation *d, int32_t index)
+{
+    const YkCoordinate *c = &d->model->coordinates[index];
+    return c->is_distance ? d->joint_distance[c->joint] : d->joint_angle[c->joint];
+}
+
+static const YkPoisson *law(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
+{
+    const YkFollow *f = &d->model->follows[of->index];
+    return follows(d, relation, of_coordinate(d, declared(d, f->coordinate)), declared(d, f->of), f->law);
+}
+
+static void fill(void *context, const YkState *state, YkDynamics *dynamics, double *values)
+{
+    const YkDerivation *d = context;
+    (void)state, (void)dynamics;
+    for (size_t k = 0; k < d->tie_count; k++) {
+        const YkDeriveRelation *relation = &d->ties[k];
+        if (relation->phase >= 0) values[relation->phase] = relation->phase_value;
+        if (relation->function < 0) continue;
+        double found[YK_LAW_ORDER + 1];
+        yk_law_eval(relation->law, values[d->coordinates[relation->argument].position], found);
+        for (int32_t order = 0; order < LAW_ORDERS; order++) values[relation->function + order] = found[order];
+    }
+}
+
+const YkDeriveRelation *yk_derive_ties(YkDerivation *d)
+{
+    typedef const YkPoisson *(*Maker)(YkDerivation *, YkDeriveRelation *, const YkRelation *);
+    static const Maker makers[] = {gear, rack, belt, cam, law}; // as YkRelationKind
+    if (d->ties || d->mech->relation_count == 0) return d->ties;
+    YkDeriveRelation *ties = YK_NEW(d->arena, YkDeriveRelation, d->mech->relation_count);
+    if (!ties) return NULL;
+    for (size_t k = 0; k < d->mech->relation_count; k++) {
+        const YkRelation *of = &d->mech->relations[k];
+        ties[k] = (YkDeriveRelation){.name = of->name, .kind = of->kind, .phase = -1, .function = -1};
+        ties[k].value = makers[of->kind](d, &ties[k], of);
+    }
+    d->ties = ties;
+    d->tie_count = d->mech->relation_count;
+    yk_derive_add_source(d, fill, d);
+    return ties;
+}

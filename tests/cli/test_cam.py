@@ -1,0 +1,262 @@
+"""`yoke cam`: answers of the gallery's cams against the oracle, published figures, shapes of JSON, files, refusals."""
+import csv
+import glob
+import json
+import math
+import os
+import re
+import unittest
+
+from harness import Case, ROOT, Run
+
+EXAMPLES = os.path.join(ROOT, "examples")
+DEG = math.pi / 180
+UNDERCUT = """\
+name: Undercut
+laws: {lift: {period: 2*pi, segments: [{rise: {to: 60 deg, by: 20 mm, law: cycloidal}}, {fall: {to: 120 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}}
+cams: {c: {cam: shaft, follower: tappet, law: lift, face: flat, base: 20 mm}}
+bodies: {shaft: {}, tappet: {}}
+joints: {K: {pin: [ground, shaft], angle: theta}, T: {slide: [ground, tappet], along: y, distance: s}}
+"""
+
+
+def example(name):
+    return os.path.join(EXAMPLES, name + ".yaml")
+
+
+class Cam(Case):
+    def answer(self, name, *words):
+        return self.good("cam", name if name.endswith(".yaml") else example(name), "--format", "json", "-q", *words).json()
+
+    def rows(self, answer):
+        return [dict(zip(answer["columns"], row)) for row in answer["rows"]]
+
+    def near(self, got, want, tolerance, label=""):
+        self.assertIsNotNone(got, label)
+        self.assertLessEqual(abs(got - want), tolerance * max(1.0, abs(want)), "%s: %r, expected %r" % (label, got, want))
+
+
+class Oracle(Cam):
+    """examples/expected/cams, written by tools/oracle/cam_oracle.py with 60 digits."""
+
+    def test_every_row_agrees(self):
+        documents = sorted(glob.glob(os.path.join(EXAMPLES, "expected", "cams", "*.json")))
+        self.assertGreaterEqual(len(documents), 4)
+        for name in documents:
+            with open(name, encoding="utf-8") as file:
+                document = json.load(file)
+            answer = self.answer(example(document["file"][:-5]), "--cam", document["cam"], "--steps", "360")
+            rows = self.rows(answer)
+            for want in document["rows"]:
+                got = rows[round(want["angle"] / DEG)]
+                for key, value in want.items():
+                    self.near(got[key], value, document["tolerance"], "%s %s at %g deg" % (document["file"], key, want["angle"] / DEG))
+
+    def test_the_cep_cam_is_its_polynomial(self):
+        answer = self.answer("cep-cam", "--steps", "360")
+        for row in self.rows(answer):
+            u = row["angle"] / (4 * math.pi / 3)
+            s = 0.2 * (64 * u**3 - 192 * u**4 + 192 * u**5 - 64 * u**6) if u < 1 else 0
+            self.assertLess(abs(row["s"] - s), 1e-13)
+        segment = answer["segments"][0]
+        self.assertEqual(segment["kind"], "polynomial")
+        self.assertEqual([c["order"] for c in segment["conditions"]], [0, 0, 0, 1, 1, 2, 2])
+        self.assertGreater(segment["condition_number"], 1)
+        self.assertNotIn("conditions", answer["segments"][1])
+
+
+class Figures(Cam):
+    def published(self, name):
+        with open(os.path.join(ROOT, "tests", "validation", "cases.json"), encoding="utf-8") as file:
+            found = []
+
+            def search(node):
+                if isinstance(node, dict):
+                    if node.get("id") == name:
+                        found.append(node)
+                    for value in node.values():
+                        search(value)
+                elif isinstance(node, list):
+                    for value in node:
+                        search(value)
+
+            search(json.load(file))
+        return found[0]
+
+    def test_peak_factors(self):
+        names = {"cycloidal": "cycloidal", "simple harmonic": "harmonic", "constant acceleration": "parabolic",
+                 "modified trapezoidal": "modified-trapezoid", "modified sine": "modified-sine", "3-4-5": "3-4-5", "4-5-6-7": "4-5-6-7"}
+        rows = self.published("CAM-FAC")["check"]["rows"]["rows"]
+        answer = self.answer("cep-cam", "--compare", ",".join(names[row[0]] for row in rows))
+        for row, got in zip(rows, answer["compare"]):
+            self.assertEqual(got["law"], names[row[0]])
+            for key, want in zip(("Cv", "Ca", "Cj"), row[1:4]):
+                if isinstance(want, str):
+                    self.assertIsNone(got[key])
+                else:
+                    self.near(got[key], want, 1e-12, row[0] + " " + key)
+
+    def test_flat_faced_follower(self):
+        case = self.published("CAM-FLAT")
+        answer = self.answer("flat-faced-cam", "--limits", "curvature=6.35mm")
+        base = answer["smallest_base"]
+        self.near(base["base"] / 0.0254, case["check"]["Rb"], 1e-11)
+        self.assertEqual(round(base["base"] / 0.0254, 3), case["published"]["base_radius_in"])
+        self.assertEqual(base["by"], "curvature")
+        width = answer["summary"]["reach_high"]["value"] - answer["summary"]["reach_low"]["value"]
+        self.near(width / 0.0254, case["check"]["face"], 1e-12)
+        self.assertEqual(round(width / 0.0254, 2), case["published"]["min_face_width_in"])
+
+
+class Answers(Cam):
+    def test_json_holds_what_the_manual_says(self):
+        answer = self.answer("valve-cam", "--compare", "cycloidal")
+        self.assertEqual(list(answer), ["model", "status", "cam", "segments", "jumps", "strokes", "summary", "smallest_base", "forces",
+                                        "compare", "columns", "rows"])
+        self.assertEqual(answer["cam"]["motion"], "translating")
+        self.near(answer["cam"]["speed"], 100 * math.pi, 1e-14)
+        self.assertEqual(len(answer["rows"]), 73)
+        with open(os.path.join(ROOT, "man", "yoke-cam.1.scd"), encoding="utf-8") as file:
+            page = file.read()
+        for key in list(answer) + list(answer["cam"]) + list(answer["summary"]) + list(answer["forces"]) + list(answer["smallest_base"]):
+            self.assertIn("_%s_" % key, page)
+
+    def test_forces_at_the_drives_speed_and_at_another(self):
+        answer = self.answer("valve-cam")
+        forces, w = answer["forces"], 100 * math.pi
+        effort = 0.11 * (answer["summary"]["a"]["value"] * w * w + 9.81) + 40000 * (0.009 + 0.008)
+        self.near(forces["contact_low"]["value"], effort, 1e-11)
+        other = self.answer("valve-cam", "--speed", "%rrad/s" % (1.02 * forces["jump_speed"]))["forces"]
+        self.assertLess(other["contact_low"]["value"], 0)
+        self.assertAlmostEqual(self.answer("valve-cam", "--speed", "%rrad/s" % forces["jump_speed"])["forces"]["contact_low"]["value"], 0, 6)
+        run = self.good("cam", example("valve-cam"), "--speed", "3500rpm")
+        self.assertIn("0555]", run.err)
+
+    def test_csv_has_the_rows_of_the_json(self):
+        answer = self.answer("swing-cam", "--steps", "12", "--cutter", "20mm")
+        head, rows = self.good("cam", example("swing-cam"), "--steps", "12", "--cutter", "20mm", "--format", "csv").csv()
+        self.assertEqual(head, answer["columns"])
+        self.assertIn("cutter.x", head)
+        self.assertEqual(rows, [[None if value is None else float(value) for value in row] for row in answer["rows"]])
+
+    def test_text_is_in_the_files_units(self):
+        out = self.good("cam", example("valve-cam"), "--steps", "4").out
+        for words in ("s(60 deg) = 9 mm", "3000 rpm", "5.8872 mm", "-4860 m/s^2", "condition number", "[mm/rad^2]"):
+            self.assertIn(words, out)
+        self.assertRegex(out, r"largest pressure angle +26\.74\d+ deg at 30\.\d+ deg")
+
+    def test_parameters_change_the_cam(self):
+        wide = self.answer("flat-faced-cam", "--param", "in=30mm")
+        self.near(wide["summary"]["s"]["value"], 0.03, 1e-14)
+
+    def test_undercut_is_named_with_its_angles(self):
+        run = self.good("cam", self.write("undercut.yaml", UNDERCUT))
+        self.assertRegex(run.err, r"warning: cam `c`: the surface is undercut at cam angles [\d.]+ rad \(3\d\.\d+ deg\)")
+        ranges = self.answer(self.path("undercut.yaml"))["summary"]["undercut"]
+        rows = self.rows(self.answer(self.path("undercut.yaml"), "--steps", "720"))
+        for row in rows:
+            inside = any(low < row["angle"] < high for low, high in ranges)
+            self.assertEqual(row["surface_radius"] < 0, inside)
+
+    def test_the_same_request_gives_the_same_bytes(self):
+        words = ("cam", example("swing-cam"), "--format", "json", "--compare", "3-4-5")
+        self.assertEqual(self.good(*words).out, self.good(*words).out)
+
+
+class Files(Cam):
+    def outline(self, name, *words):
+        self.good("cam", example(name), "-q", "--profile", self.path("p.csv"), *words)
+        with open(self.path("p.csv"), encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0], ["curve", "x", "y"])
+        curves = {}
+        for curve, x, y in rows[1:]:
+            curves.setdefault(curve, []).append((float(x), float(y)))
+        return curves
+
+    def test_every_point_of_the_table_lies_within_the_tolerance(self):
+        for name in ("cep-cam", "valve-cam", "swing-cam", "flat-faced-cam"):
+            points = self.outline(name, "--tolerance", "0.01mm")["surface"]
+            for row in self.rows(self.answer(name, "--steps", "90")):
+                best = 1.0
+                for (ax, ay), (bx, by) in zip(points, points[1:] + points[:1]):
+                    ux, uy, px, py = bx - ax, by - ay, row["x"] - ax, row["y"] - ay
+                    k = min(max((ux * px + uy * py) / (ux * ux + uy * uy), 0), 1)
+                    best = min(best, math.hypot(px - k * ux, py - k * uy))
+                self.assertLessEqual(best, 1e-5)
+
+    def test_a_finer_tolerance_takes_more_points(self):
+        coarse, fine = (len(self.outline("valve-cam", "--tolerance", t)["surface"]) for t in ("0.1mm", "0.001mm"))
+        self.assertGreater(fine, 5 * coarse)
+
+    def test_the_svg_is_to_scale_and_has_every_curve(self):
+        self.good("cam", example("valve-cam"), "-q", "--profile", self.path("p.svg"), "--cutter", "5mm")
+        svg = self.read("p.svg").decode()
+        width = float(re.search(r'width="([\d.]+)mm"', svg).group(1))
+        self.assertEqual(width, float(re.search(r'viewBox="\S+ \S+ (\S+) ', svg).group(1)))
+        for curve in ("surface", "pitch", "cutter"):
+            self.assertIn('id="%s"' % curve, svg)
+        self.assertIn('r="17.00000"', svg)
+        self.assertIn('r="8.00000"', svg)
+
+    def test_the_dxf_holds_the_points_in_millimetres(self):
+        self.good("cam", example("valve-cam"), "-q", "--profile", self.path("p.dxf"))
+        lines = self.read("p.dxf").decode().split("\n")
+        pairs = list(zip(lines[0::2], lines[1::2]))
+        self.assertEqual(pairs[-1], ("0", "EOF"))
+        self.assertEqual(pairs.count(("0", "SECTION")), pairs.count(("0", "ENDSEC")))
+        points = []
+        for at, pair in enumerate(pairs):
+            if pair == ("0", "VERTEX") and pairs[at + 1] == ("8", "surface"):
+                points.append((float(pairs[at + 2][1]) / 1000, float(pairs[at + 3][1]) / 1000))
+        outline = self.outline("valve-cam")["surface"]
+        self.assertEqual(len(points), len(outline))
+        for a, b in zip(points, outline):
+            self.assertLess(math.dist(a, b), 1e-12)
+
+    def test_the_diagram_is_drawn(self):
+        run = Run("cam", example("swing-cam"), "-q", "--plot", self.path("d.svg"), "--compare", "cycloidal")
+        if "E0710" in run.err:
+            self.skipTest("needs gnuplot")
+        self.assertEqual(run.code, 0, run.err)
+        svg = self.read("d.svg").decode()
+        for words in ("deg/rad^2", "cycloidal", "pressure angle", "cam angle"):
+            self.assertIn(words, svg)
+
+    def test_an_undercut_cam_has_no_profile(self):
+        run = Run("cam", self.write("undercut.yaml", UNDERCUT), "--profile", self.path("p.dxf"))
+        self.assertEqual(run.code, 1)
+        self.assertIn("[E0557]", run.err)
+        self.assertFalse(os.path.exists(self.path("p.dxf")))
+
+
+class Refusals(Cam):
+    def test_a_machine_without_cams(self):
+        self.wrong(551, "cam", self.four_bar)
+
+    def test_a_cam_that_is_not_there(self):
+        run = self.wrong(550, "cam", example("valve-cam"), "--cam", "intak")
+        self.assertIn("did you mean `intake`?", run.err)
+
+    def test_a_law_that_is_not_there(self):
+        run = self.wrong(558, "cam", example("valve-cam"), "--compare", "3-4-5,cycliodal")
+        self.assertIn("did you mean `cycloidal`?", run.err)
+
+    def test_limits(self):
+        self.wrong(559, "cam", example("valve-cam"), "--limits", "pressur=30deg")
+        self.wrong(806, "cam", example("valve-cam"), "--limits", "pressure=0deg")
+        self.wrong(321, "cam", example("valve-cam"), "--limits", "pressure=3mm")
+        run = self.good("cam", example("swing-cam"), "--limits", "pressure=1deg")
+        self.assertIn("0556", run.err)
+
+    def test_lengths_and_endings(self):
+        self.wrong(806, "cam", example("valve-cam"), "--tolerance", "-1mm")
+        self.wrong(806, "cam", example("valve-cam"), "--cutter", "0mm")
+        self.wrong(706, "cam", example("valve-cam"), "--profile", self.path("p.step"))
+        self.wrong(706, "cam", example("valve-cam"), "--plot", self.path("p.dxf"))
+        self.wrong(806, "cam", example("valve-cam"), "--steps", "0")
+        self.wrong(808, "cam")
+
+
+if __name__ == "__main__":
+    unittest.main()

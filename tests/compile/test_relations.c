@@ -1,0 +1,160 @@
+// Gears, racks, belts, cams and laws as relations: when they are solved, from what, and what is refused.
+#include "../check.h"
+#include <yoke/yoke.h>
+#include "compile/mechanism.h"
+
+typedef struct Made {
+    YkProblems *problems;
+    YkModel *model;
+    YkMechanism *mech;
+} Made;
+
+static Made make(const char *text)
+{
+    Made m = {.problems = yk_problems_new()};
+    m.model = yk_model_parse(text, strlen(text), "t.yaml", NULL, m.problems);
+    if (!m.model) print_error("%s", yk_problems_text(m.problems, 0));
+    assert_non_null(m.model);
+    m.mech = yk_mechanism_compile(m.model, NULL, m.problems);
+    return m;
+}
+
+static void drop(Made *m)
+{
+    yk_mechanism_free(m->mech);
+    yk_model_free(m->model);
+    yk_problems_free(m->problems);
+}
+
+static bool tells(const Made *m, const char *words)
+{
+    for (size_t k = 0; k < yk_problems_count(m->problems); k++)
+        if (strstr(yk_problems_get(m->problems, k)->message, words)) return true;
+    return false;
+}
+
+#define TRAIN                                                                                                          \
+    "bodies: {ground: {points: {A: [0, 0], B: [3, 0], C: [7, 0]}}, a: {points: {A: [0, 0]}}, b: {points: {B: [0, 0]}}, " \
+    "c: {points: {C: [0, 0]}}}\njoints: {A: {pin: [ground, a], angle: x}, B: {pin: [ground, b], angle: y}, "           \
+    "C: {pin: [ground, c], angle: z}}\n"
+
+static double value(const Made *m, YkState *state, const char *name)
+{
+    YkChannel channel;
+    assert_int_equal(yk_channel_parse(m->mech, name, &channel, NULL), YK_OK);
+    return yk_state_channel(state, channel);
+}
+
+static void a_train_is_sums_of_its_inputs(void **unused)
+{
+    (void)unused;
+    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {x: 3 rad/s * t}\n");
+    assert_non_null(m.mech);
+    assert_int_equal(m.mech->relation_count, 2);
+    assert_int_equal(m.mech->reference_count, 0); // nothing has to be taken nearest to anything
+    assert_int_equal(yk_mechanism_freedom(m.mech).gruebler, 1);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "z.rate"), 3 * 0.5 * 0.6, 1e-15);
+    yk_state_free(state);
+    drop(&m);
+}
+
+static void any_wheel_may_be_the_input(void **unused)
+{
+    (void)unused;
+    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {z: 3 rad/s * t}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "x.rate"), 3 / (0.5 * 0.6), 1e-14);
+    yk_state_free(state);
+    drop(&m);
+}
+
+static void the_start_gives_the_phase(void **unused)
+{
+    (void)unused;
+    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\nstart: {x: 0.2, y: 0.7}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "x"), 0.2, 0);
+    CHECK_NEAR(value(&m, state, "y"), 0.7, 1e-15);      // both are given: theirs
+    CHECK_NEAR(value(&m, state, "z"), -0.7 * 0.6, 1e-15); // z is not: all 0 meets
+    yk_state_free(state);
+    drop(&m);
+}
+
+static void two_drives_on_one_train_are_too_many(void **unused)
+{
+    (void)unused;
+    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {x: 1 rad/s * t, z: 2 rad/s * t}\n");
+    assert_null(m.mech);
+    assert_true(tells(&m, "already fix it"));
+    drop(&m);
+}
+
+static void a_law_drives_over_time(void **unused)
+{
+    (void)unused;
+    Made m = make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, by: 2 rad, law: harmonic}}]}}\n"
+                  TRAIN "drives: {x: {law: l, of: 2 rad/s * t}, y: 1 rad/s * t, z: 1 rad/s * t}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    double t = 0.3;
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    assert_int_equal(yk_state_set_time(state, t, NULL), YK_OK);
+    assert_int_equal(yk_state_solve(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "x"), 1 - cos(2 * t), 1e-14);
+    CHECK_NEAR(value(&m, state, "x.rate"), 2 * sin(2 * t), 1e-14);
+    CHECK_NEAR(value(&m, state, "x.accel"), 4 * cos(2 * t), 1e-13);
+    yk_state_free(state);
+    drop(&m);
+}
+
+static void a_law_follows_a_coordinate(void **unused)
+{
+    (void)unused;
+    Made m = make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, by: 2 rad, law: harmonic}}]}}\n"
+                  TRAIN "drives: {x: 3 rad/s * t + 0.4, y: {law: l, of: x}, z: 1 rad/s * t}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "y"), 1 - cos(0.4), 1e-14);
+    CHECK_NEAR(value(&m, state, "y.rate"), 3 * sin(0.4), 1e-14);
+    CHECK_NEAR(value(&m, state, "y.accel"), 9 * cos(0.4), 1e-13);
+    yk_state_free(state);
+    drop(&m);
+}
+
+// A wheel fixed to the rocker drives one on the coupler about their common pin: its angle comes from the loop's.
+static void a_wheel_may_hang_on_what_loops_place(void **unused)
+{
+    (void)unused;
+    Made m = make("bodies:\n  ground: {points: {A: [0, 0], D: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}}\n"
+                  "  b: {points: {B: [0, 0], C: [3, 0]}}\n  c: {points: {C: [0, 0], D: [2, 0]}}\n  w: {points: {B: [0, 0]}}\n"
+                  "joints:\n  A: {pin: [ground, a], angle: x}\n  B: {pin: [a, b], angle: y}\n  D: {pin: [ground, c], angle: z}\n"
+                  "  C: {pin: [b, c]}\n  W: {pin: [b, w], at: B, angle: p}\n"
+                  "gears: {g: {mesh: [c, w], teeth: [20, 10], carrier: b}}\nstart: {y: -50 deg, z: 220 deg}\n"
+                  "drives: {x: 60 deg + 1 rad/s * t}\n");
+    assert_non_null(m.mech);
+    assert_true(m.mech->reference_count > 0);
+    YkState *state = yk_state_new(m.mech);
+    assert_true(yk_state_assemble(state) >= 0);
+    double b = value(&m, state, "b.rate"), c = value(&m, state, "c.rate"), w = value(&m, state, "w.rate");
+    CHECK_NEAR(20 * (c - b) + 10 * (w - b), 0, 1e-13);
+    yk_state_free(state);
+    drop(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_train_is_sums_of_its_inputs), cmocka_unit_test(any_wheel_may_be_the_input),
+        cmocka_unit_test(the_start_gives_the_phase),     cmocka_unit_test(two_drives_on_one_train_are_too_many),
+        cmocka_unit_test(a_law_drives_over_time),        cmocka_unit_test(a_law_follows_a_coordinate),
+        cmocka_unit_test(a_wheel_may_hang_on_what_loops_place),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

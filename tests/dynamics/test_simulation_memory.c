@@ -1,0 +1,149 @@
+// Simulating, finding rest and setting efforts survive the failure of any one allocation, and leave nothing behind.
+// Interposes malloc, so only with glibc and without sanitizers that do the same.
+#include <stdlib.h>
+#include <yoke/yoke.h>
+#include "../check.h"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
+#define IS_SANITIZED 1
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
+#define CAN_INTERPOSE 1
+#endif
+
+#ifdef CAN_INTERPOSE
+extern void *__libc_malloc(size_t size);
+extern void *__libc_calloc(size_t count, size_t size);
+extern void *__libc_realloc(void *memory, size_t size);
+extern void __libc_free(void *memory);
+
+static long countdown = -1; // allocations until one fails; below 0: none fails
+static long requests, live; // live: blocks that are not freed
+
+static bool must_fail(void)
+{
+    requests++;
+    return countdown >= 0 && countdown-- == 0;
+}
+
+void *malloc(size_t size)
+{
+    void *memory = must_fail() ? NULL : __libc_malloc(size);
+    live += memory != NULL;
+    return memory;
+}
+void *calloc(size_t count, size_t size)
+{
+    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
+    live += memory != NULL;
+    return memory;
+}
+void *realloc(void *old, size_t size)
+{
+    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
+    live += memory && !old;
+    return memory;
+}
+void free(void *memory)
+{
+    live -= memory != NULL;
+    __libc_free(memory);
+}
+
+// Other coordinates on the way, stops, friction, formulas, a drive, a watch: most of what allocates.
+static const char text[] =
+    "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+    "  crank: {points: {O: [0, 0], A: [0.1, 0]}, mass: 2, inertia: 0.01, center: [0, 0]}\n"
+    "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 0.5, rod: [A, B]}\n  piston: {points: {B: [0, 0]}, mass: 1}\n"
+    "  arm: {points: {O: [0, 0]}, mass: 1, inertia: 1}\n  hand: {points: {B: [0, 0]}, mass: 1, inertia: 1, center: "
+    "[0.1, 0]}\n"
+    "joints:\n  R: {slide: [ground, piston], along: x, distance: d}\n  O: {pin: [ground, crank], angle: q}\n"
+    "  B: {pin: [piston, rod], angle: p}\n  A: {pin: [crank, rod]}\n"
+    "  W: {pin: [ground, arm], angle: w}\n  H: {pin: [piston, hand], at: B, angle: h, friction: {viscous: 0.1 "
+    "N*m*s/rad}}\n"
+    "drives: {w: 1 rad/s * t}\nefforts: {q: 1 N*m * cos(q)}\nstops: {h: [-1, 1]}\n"
+    "start: {d: 0.33, q: 60 deg, p: 160 deg, q.rate: 20 rad/s, h: 0}\n";
+
+static YkModel *load(void)
+{
+    YkModel *model = yk_model_parse(text, strlen(text), "test.yaml", NULL, NULL);
+    assert_non_null(model);
+    return model;
+}
+
+static bool simulate(const YkModel *model)
+{
+    YkSimulationOptions o = yk_default_simulation_options();
+    YkProblems *problems = yk_problems_new();
+    YkSimulation *sim = problems ? yk_simulation_new(model, &o, problems) : NULL;
+    bool ok = sim && yk_simulation_set_effort(sim, "p", 0.1) == YK_OK;
+    YkChannel channel = {.kind = YK_CHANNEL_COORDINATE};
+    ok = ok && yk_simulation_watch(sim, "d", channel, 0.3, 0) == YK_OK;
+    for (int row = 0; ok && row <= 5; row++) {
+        ok = yk_simulation_advance(sim, 0.04 * row) == YK_OK;
+        if (ok) yk_simulation_dynamics(sim);
+    }
+    if (sim) yk_simulation_summary(sim);
+    if (sim && !ok) yk_simulation_advance(sim, 1); // what failed stays failed
+    yk_simulation_free(sim);
+    yk_problems_free(problems);
+    return ok;
+}
+
+static bool rest(const YkModel *model)
+{
+    YkRestOptions o = yk_default_rest_options();
+    o.starts = 1;
+    YkProblems *problems = yk_problems_new();
+    YkRest *found = problems ? yk_rest_find(model, &o, problems) : NULL;
+    bool ok = found != NULL;
+    yk_rest_free(found);
+    yk_problems_free(problems);
+    return ok;
+}
+
+static void fail_each(bool (*use)(const YkModel *))
+{
+    YkModel *model = load();
+    long before = live, survived = 0;
+    assert_true(use(model));
+    for (long k = 0;; k++) {
+        countdown = k;
+        bool ok = use(model);
+        bool is_done = countdown >= 0; // nothing failed
+        countdown = -1;
+        assert_int_equal(live, before);
+        if (is_done) break;
+        survived += !ok;
+    }
+    assert_true(survived > 50);
+    yk_model_free(model);
+}
+
+static void simulations_survive_every_failed_allocation(void **unused)
+{
+    (void)unused;
+    fail_each(simulate);
+}
+
+static void rests_survive_every_failed_allocation(void **unused)
+{
+    (void)unused;
+    fail_each(rest);
+}
+#endif
+
+int main(void)
+{
+#ifdef CAN_INTERPOSE
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(simulations_survive_every_failed_allocation),
+        cmocka_unit_test(rests_survive_every_failed_allocation),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+#else
+    return 0;
+#endif
+}
