@@ -13,14 +13,20 @@ _yoke() {
     done
     case $previous in
     --format)
-        COMPREPLY=($(compgen -W "text json csv" -- "$word"))
+        local formats="text json csv"
+        [[ $verb == derive ]] && formats="text latex mathml json c"
+        COMPREPLY=($(compgen -W "$formats" -- "$word"))
+        return
+        ;;
+    --what)
+        COMPREPLY=($(compgen -W "all loops jacobian velocity acceleration points free-bodies newton-euler energy lagrange gears cam" -- "$word"))
         return
         ;;
     --plot | --profile | -o | --output)
         COMPREPLY=($(compgen -f -- "$word"))
         return
         ;;
-    --at | --rate | --accel | --param | --effort | --time | --over | --of | --steps | --poses | --trace | --cam | --tolerance | --cutter | --limits | --speed) return ;;
+    --at | --rate | --accel | --param | --effort | --time | --over | --of | --steps | --poses | --trace | --cam | --tolerance | --cutter | --limits | --speed | --check) return ;;
     esac
     if [[ $previous == --compare ]]; then
         COMPREPLY=($(compgen -W "harmonic double-harmonic cycloidal modified-trapezoid modified-sine 3-4-5 4-5-6-7 parabolic constant-velocity" -- "$word"))
@@ -28,7 +34,7 @@ _yoke() {
     fi
     local pose="--at --rate --accel --time --param --effort" always="--quiet --help --version"
     case $verb in
-    "") COMPREPLY=($(compgen -W "check solve sweep draw cam explain help $always" -- "$word")) ; return ;;
+    "") COMPREPLY=($(compgen -W "check solve sweep draw cam derive explain help $always" -- "$word")) ; return ;;
     explain) COMPREPLY=($(compgen -W "$(yoke explain 2>/dev/null | cut -d' ' -f1) $always" -- "$word")) ; return ;;
     esac
     if [[ $word == -* ]]; then
@@ -38,6 +44,7 @@ _yoke() {
         sweep) COMPREPLY=($(compgen -W "$pose --over --steps --of --plot --format --output $always" -- "$word")) ;;
         cam) COMPREPLY=($(compgen -W "--param --cam --steps --plot --profile --tolerance --cutter --compare --limits --speed --format --output $always" -- "$word")) ;;
         draw) COMPREPLY=($(compgen -W "$pose --over --poses --trace --no-labels --output $always" -- "$word")) ;;
+        derive) COMPREPLY=($(compgen -W "$pose --what --numbers --check --format --output $always" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "$always" -- "$word")) ;;
         esac
     else

@@ -4,7 +4,7 @@
 #define POSE " solve sweep draw derive "
 #define START " solve sweep draw simulate derive "
 #define FORCES " solve sweep simulate gears derive "
-#define MODEL " check solve sweep draw simulate cam gears rest "
+#define MODEL " check solve sweep draw simulate cam gears rest derive "
 #define FIELD(name) offsetof(YkRequest, name)
 
 const YkOption yk_options[] = {

@@ -40,6 +40,8 @@ YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *c
 // many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite: nothing changes.
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);
 YK_API double yk_simulation_time(const YkSimulation *simulation);
+// State, its mechanism and dynamics are valid until the next advance, which may take other coordinates: coordinates, joints,
+// bodies and points keep their indices, blocks (channels of transmission angles) may not.
 YK_API YkState *yk_simulation_state(YkSimulation *simulation);       // pose, rates and accelerations at that time
 YK_API YkDynamics *yk_simulation_dynamics(YkSimulation *simulation);  // forces at that time: solved when first asked for
 YK_API double yk_simulation_channel(YkSimulation *simulation, YkChannel channel);

@@ -57,19 +57,29 @@ static void put_kinetic(const YkDeriveForces *f, YkPage *page, const YkPoisson *
     put_total(page, "T", *total);
 }
 
+void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    for (size_t k = 0; k < f->length_count; k++) {
+        const YkDeriveLength *l = &f->lengths[k];
+        const YkPoisson *length = yk_ring_of(ring, l->symbol), *square = yk_derive_shown(d, l->square);
+        yk_page_equation(page, "length of the spring", yk_ring_power(ring, length, 2), square, YK_RING_TEXTBOOK);
+        if (l->rate_symbol == YK_NONE) continue;
+        const YkPoisson *rate = yk_ring_multiply(ring, length, yk_ring_of(ring, l->rate_symbol));
+        const YkPoisson *is = yk_derive_shown(d, yk_ring_multiply(ring, length, l->rate));
+        yk_page_equation(page, "its rate", rate, is, YK_RING_TEXTBOOK);
+    }
+}
+
 static void put_potential(const YkDeriveForces *f, YkPage *page, const YkPoisson **total)
 {
     YkDerivation *d = f->d;
     yk_page_heading(page, 2, "Potential energy");
-    for (size_t k = 0; k < f->length_count; k++) {
-        const YkPoisson *root = yk_ring_of(d->ring, f->lengths[k].symbol);
-        YkLine *line = yk_page_equation(page, "length of the spring", yk_ring_power(d->ring, root, 2),
-                                        yk_derive_shown(d, f->lengths[k].square), YK_RING_TEXTBOOK);
-        if (line) line->is_identity = false;
-    }
+    yk_derive_put_lengths(f, page);
     for (size_t k = 0; k < f->load_count; k++) {
         const YkDeriveLoad *load = &f->loads[k];
-        if (!load->energy) continue;
+        if (!load->energy || yk_ring_is_zero(load->energy)) continue;
         put_energy(page, load->kind == YK_DERIVE_SPRING ? "spring" : "weight", "V", load->name,
                    yk_derive_shown(d, load->energy), YK_RING_TEXTBOOK);
     }

@@ -166,6 +166,7 @@ bool yk_derive_section_free_bodies(YkDerivation *d, YkPage *page)
     if (yk_derive_put_limits(f, page)) return true;
     yk_page_words(page, "F_ij is the force by body i on body j, in world axes; N_ij is normal to a guide, M_ij a moment.");
     yk_derive_put_angles(d, page);
+    yk_derive_put_lengths(f, page);
     for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
     for (size_t k = 0; k < f->junction_count; k++) put_junction(f, page, (int32_t)k);
     return true;

@@ -65,6 +65,19 @@ typedef struct YkDeriveOpaque {
     size_t variable_count;
 } YkDeriveOpaque;
 
+// The length of a spring between points, and its rate where a damper needs it: symbols.
+typedef struct YkDeriveLength {
+    int32_t symbol, rate_symbol;         // rate: YK_NONE
+    const YkPoisson *square, *rate;      // L^2; dL/dt, with L in the denominator
+} YkDeriveLength;
+
+// A polynomial in constants under a name of its own.
+typedef struct YkDeriveLump {
+    int32_t symbol;
+    const YkPoisson *value;
+    struct YkDeriveLump *next;
+} YkDeriveLump;
+
 struct YkDeriveLagrange;
 typedef struct YkDeriveForces {
     YkDerivation *d;
@@ -87,7 +100,7 @@ typedef struct YkDeriveForces {
     size_t effort_count;
     YkDeriveOpaque *opaques;
     size_t opaque_count;
-    struct { int32_t symbol; const YkPoisson *square; } *lengths; // of springs
+    YkDeriveLength *lengths; // of springs
     size_t length_count;
     // Lagrange: a row for each scalar equation of the loops, its multiplier, and what that is as a joint force.
     const YkPoisson **rows, **identities;
@@ -95,6 +108,7 @@ typedef struct YkDeriveForces {
     size_t row_count;
     const YkPoisson **kinetic, **potential;    // memo: per body; [1]
     struct YkDeriveLagrange *lagrange;         // memo: per coordinate of the body form
+    YkDeriveLump **lumps; // [1]: the first
 } YkDeriveForces;
 
 // Made at first use; NULL on failure. Enters symbols, and for proofs the relations between them. Cost O(bodies * depth).
@@ -146,6 +160,8 @@ const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a);
 int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate);
 // Tells which angles are used, where they are the bodies' own.
 void yk_derive_put_angles(YkDerivation *d, YkPage *page);
+// What the symbols of springs' lengths and rates stand for.
+void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page);
 // Words about what is left out; true where the section ends with that.
 bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page);
 

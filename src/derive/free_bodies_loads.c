@@ -152,21 +152,23 @@ static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const
     return load;
 }
 
-// The spring's length: a symbol whose square is known.
-static const YkPoisson *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square)
+// The spring's length: a symbol whose square is known. Of its rate a symbol, too: written out it would fill pages.
+static const YkDeriveLength *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square, bool is_damped)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
-    for (const char *more = "L_";; more = yk_derive_text(d, more, "_", "")) {
-        const char *name = yk_derive_text(d, more, spring->name, "");
+    YkDeriveLength *length = &f->lengths[f->length_count];
+    *length = (YkDeriveLength){.symbol = -1, .rate_symbol = YK_NONE, .square = square};
+    for (const char *stem = "L_"; length->symbol < 0; stem = yk_derive_text(d, stem, "_", "")) {
+        const char *name = yk_derive_text(d, stem, spring->name, ""), *rate = yk_derive_text(d, name, "'", "");
         if (d->failed || yk_ring_status(ring) != YK_RING_OK) return NULL;
-        if (yk_ring_find(ring, name) >= 0) continue;
-        int32_t symbol = yk_ring_root(ring, name, square);
-        if (symbol < 0) return NULL;
-        f->lengths[f->length_count].symbol = symbol;
-        f->lengths[f->length_count++].square = square;
-        return yk_ring_of(ring, symbol);
+        if (yk_ring_find(ring, name) >= 0 || yk_ring_find(ring, rate) >= 0) continue;
+        length->symbol = yk_ring_root(ring, name, square);
+        if (is_damped) length->rate_symbol = yk_ring_symbol(ring, rate, YK_RING_RATE);
     }
+    length->rate = yk_ring_time_derivative(ring, yk_ring_of(ring, length->symbol));
+    f->length_count++;
+    return yk_ring_status(ring) == YK_RING_OK ? length : NULL;
 }
 
 static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
@@ -185,8 +187,9 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
         load->energy = yk_ring_scale(ring, yk_ring_multiply(ring, k, square), 1, 2);
         return;
     }
-    const YkPoisson *length = length_of(f, spring, square);
-    if (!length) return;
+    const YkDeriveLength *of = length_of(f, spring, square, !yk_ring_is_zero(c));
+    if (!of) return;
+    const YkPoisson *length = yk_ring_of(ring, of->symbol);
     if (!yk_ring_is_zero(k)) {
         const YkPoisson *stretch = yk_ring_subtract(ring, length, free_length);
         const YkPoisson *tension = yk_ring_divide(ring, yk_ring_multiply(ring, k, stretch), length);
@@ -194,7 +197,7 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
         load->energy = yk_ring_scale(ring, yk_ring_product(ring, (const YkPoisson *[]){k, stretch, stretch}, 3), 1, 2);
     }
     if (yk_ring_is_zero(c)) return;
-    const YkPoisson *rate = yk_ring_time_derivative(ring, length);
+    const YkPoisson *rate = yk_ring_of(ring, of->rate_symbol);
     add_between(f, YK_DERIVE_DAMPER, spring, yk_ring_divide(ring, yk_ring_multiply(ring, c, rate), length), line);
 }
 
@@ -278,7 +281,7 @@ bool yk_derive_enter_loads(YkDeriveForces *f)
                   2 * model->joint_count + model->stop_count + d->coordinate_count + 1;
     f->loads = YK_NEW(d->arena, YkDeriveLoad, most);
     f->opaques = YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + 1);
-    f->lengths = yk_arena_alloc(d->arena, model->spring_count + 1, sizeof *f->lengths);
+    f->lengths = YK_NEW(d->arena, YkDeriveLength, model->spring_count + 1);
     f->efforts = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     f->effort_coordinate = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     if (yk_arena_failed(d->arena)) return false;

@@ -45,6 +45,7 @@ bool yk_derive_enter_masses(YkDeriveForces *f)
     f->bodies = YK_NEW(f->d->arena, YkDeriveMass, bodies + 1);
     f->kinetic = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
     f->potential = YK_NEW(f->d->arena, const YkPoisson *, 1);
+    f->lumps = YK_NEW(f->d->arena, YkDeriveLump *, 1);
     f->lagrange = YK_NEW(f->d->arena, struct YkDeriveLagrange, f->d->coordinate_count + 1);
     if (yk_arena_failed(f->d->arena)) return false;
     for (size_t b = 0; b < bodies; b++) enter_mass(f, (int32_t)b);

@@ -81,8 +81,12 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
     const YkDeriveForces *f = context;
     (void)state;
     for (size_t k = 0; k < f->opaque_count; k++) fill_opaque(&f->opaques[k], values);
-    if (!dynamics || f->is_partial) return;
+    for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next) values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
     yk_ring_complete(f->d->ring, values);
+    for (size_t k = 0; k < f->length_count; k++)
+        if (f->lengths[k].rate_symbol != YK_NONE)
+            values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
+    if (!dynamics || f->is_partial) return;
     fill_dry(f, dynamics, values);
     for (size_t k = 0; k < f->effort_count; k++)
         values[f->efforts[k]] = yk_dynamics_effort(dynamics, (size_t)f->effort_coordinate[k]);
@@ -100,9 +104,17 @@ static void relate(YkDerivation *d, const YkPoisson *zero)
         if (parts[k] && !yk_ring_is_zero(parts[k])) yk_derive_add_relation(d, parts[k]);
 }
 
+static void relate_length(YkDerivation *d, const YkDeriveLength *length)
+{
+    if (length->rate_symbol == YK_NONE) return;
+    relate(d, yk_ring_subtract(d->ring, yk_ring_of(d->ring, length->rate_symbol), length->rate));
+    yk_derive_add_unknown(d, length->rate_symbol);
+}
+
 static bool add_relations(const YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
+    for (size_t k = 0; k < f->length_count; k++) relate_length(d, &f->lengths[k]);
     for (size_t b = 1; b < d->model->body_count; b++) {
         relate(d, yk_derive_newton(f, (int32_t)b));
         relate(d, yk_derive_euler(f, (int32_t)b));

@@ -63,7 +63,7 @@ static bool add_rows(Rows *rows)
     return count >= 0;
 }
 
-static void add_unknowns(Rows *rows, bool all_given)
+static void add_unknowns(Rows *rows)
 {
     const YkDeriveForces *f = rows->f;
     YkDerivation *d = f->d;
@@ -73,13 +73,13 @@ static void add_unknowns(Rows *rows, bool all_given)
             system->unknowns[system->unknown_count++] = f->reactions[k];
     for (size_t k = 0; k < f->effort_count; k++) system->unknowns[system->unknown_count++] = f->efforts[k];
     for (size_t k = 0; k < d->tree_count; k++) {
-        bool is_given = all_given && d->coordinates[k].is_input;
+        bool is_given = false;
         for (size_t e = 0; e < f->effort_count; e++) is_given = is_given || f->effort_coordinate[e] == (int32_t)k;
         if (!is_given) system->unknowns[system->unknown_count++] = yk_derive_shown_acceleration(d, k);
     }
 }
 
-bool yk_derive_system(const YkDeriveForces *f, bool all_given, YkDeriveSystem *system)
+bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
 {
     YkDerivation *d = f->d;
     size_t rows = 3 * d->model->body_count + 2 * f->junction_count + 3 * d->loop_count + 1;
@@ -89,7 +89,7 @@ bool yk_derive_system(const YkDeriveForces *f, bool all_given, YkDeriveSystem *s
                                .unknowns = YK_NEW(d->arena, int32_t, unknowns)};
     if (yk_arena_failed(d->arena)) return false;
     Rows all = {f, system, changes, trivial_moments(f, changes)};
-    add_unknowns(&all, all_given);
+    add_unknowns(&all);
     return add_rows(&all) && yk_derivation_is_well(d);
 }
 

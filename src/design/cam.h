@@ -63,6 +63,9 @@ size_t yk_cam_negative(const YkCamSamples *samples, const YkCamShape *shape, YkC
                        YkCamRange *ranges, size_t capacity);
 YkCamSummary yk_cam_summarize(const YkCamSamples *samples, const YkCamShape *shape);
 
+// A jump of the law within a stroke makes its next derivative, and so its factor, infinite. period 0: none.
+void yk_cam_count_jumps(const YkLaw *law, double from, double to, double period, YkCamFactors *factors);
+
 // Loads on the follower: effort of the cam = inertia * acceleration + what the loads ask for.
 typedef struct YkCamLoad {
     double inertia, stiffness, damping;

@@ -6,26 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
-#include "design/train.h"
+#include "design/train_torques.h"
 
 enum { ROUNDS_MAX = 60 };
 static const YkPlace nowhere = {0};
-
-typedef struct Known {
-    int32_t coordinate;
-    double torque;
-    int32_t row; // the input's row in the case, or -1
-} Known;
-
-typedef struct Work {
-    YkTrain *train;
-    Known *known;
-    int32_t known_count;
-    int32_t load;    // column of the body that takes the load, or -1
-    int32_t *driver; // per mesh: 0, 1 or -1
-    YkFraction efficiency;
-    YkExactSystem system; // rows: columns of the net; columns: rows of the case, then the load; rights: the known
-} Work;
 
 // --- What is known ---------------------------------------------------------------------------------------------------
 
@@ -47,14 +31,14 @@ static int32_t row_of_input(const YkTrain *train, int32_t coordinate)
     return -1;
 }
 
-static void learn(Work *work, int32_t coordinate, double torque)
+static void learn(YkTrainBalance *work, int32_t coordinate, double torque)
 {
     for (int32_t k = 0; k < work->known_count; k++) {
         if (work->known[k].coordinate != coordinate) continue;
         work->known[k].torque = torque;
         return;
     }
-    work->known[work->known_count++] = (Known){coordinate, torque, row_of_input(work->train, coordinate)};
+    work->known[work->known_count++] = (YkTrainKnown){coordinate, torque, row_of_input(work->train, coordinate)};
 }
 
 static bool is_of_train(const YkTrain *train, int32_t coordinate)
@@ -67,7 +51,7 @@ static bool is_of_train(const YkTrain *train, int32_t coordinate)
     return false;
 }
 
-static bool learn_option(Work *work, const YkTrainEffort *effort, YkProblems *problems)
+static bool learn_option(YkTrainBalance *work, const YkTrainEffort *effort, YkProblems *problems)
 {
     const YkModel *model = work->train->model;
     int32_t coordinate = yk_names_find(&model->coordinate_names, effort->coordinate);
@@ -80,7 +64,7 @@ static bool learn_option(Work *work, const YkTrainEffort *effort, YkProblems *pr
     return true;
 }
 
-static bool learn_all(Work *work, YkProblems *problems)
+static bool learn_all(YkTrainBalance *work, YkProblems *problems)
 {
     const YkTrain *train = work->train;
     const YkModel *model = train->model;
@@ -129,7 +113,7 @@ static bool is_mesh(const YkTrainRow *row)
 }
 
 // The coefficient by which a row's multiplier becomes a torque; the driven side of a mesh gets less.
-static YkFraction torque_of(const Work *work, int32_t r, int32_t term, YkOverflow *overflow)
+static YkFraction torque_of(const YkTrainBalance *work, int32_t r, int32_t term, YkOverflow *overflow)
 {
     const YkTrainRow *row = &work->train->motion.rows[r];
     YkFraction by = yk_train_coefficient(&work->train->net, row, term);
@@ -137,21 +121,21 @@ static YkFraction torque_of(const Work *work, int32_t r, int32_t term, YkOverflo
     return yk_fraction_multiply(&by, &work->efficiency, overflow);
 }
 
-static int32_t known_of_row(const Work *work, int32_t row)
+static int32_t known_of_row(const YkTrainBalance *work, int32_t row)
 {
     for (int32_t k = 0; k < work->known_count; k++)
         if (work->known[k].row == row) return k;
     return -1;
 }
 
-static void add_to(Work *work, int32_t row, int32_t column, const YkFraction *by)
+static void add_to(YkTrainBalance *work, int32_t row, int32_t column, const YkFraction *by)
 {
     YkFraction *cell = yk_exact_cell(&work->system, row, column);
     *cell = yk_fraction_add(cell, by, &work->system.overflow);
 }
 
 // A known torque along a coordinate stands on the other side: -1 on the second body, +1 on the first.
-static void add_known(Work *work, int32_t k)
+static void add_known(YkTrainBalance *work, int32_t k)
 {
     const YkTrain *train = work->train;
     const YkCoordinate *coordinate = &train->model->coordinates[work->known[k].coordinate];
@@ -168,7 +152,7 @@ static void add_known(Work *work, int32_t k)
             add_to(work, train->net.bodies + (int32_t)r, column, &minus);
 }
 
-static bool balance(Work *work)
+static bool balance(YkTrainBalance *work)
 {
     const YkTrainCase *motion = &work->train->motion;
     yk_exact_free(&work->system);
@@ -187,7 +171,7 @@ static bool balance(Work *work)
 }
 
 // The value of an unknown; NaN where it is not determined.
-static double unknown(const Work *work, int32_t column)
+double yk_train_unknown(const YkTrainBalance *work, int32_t column)
 {
     double sum = 0;
     if (!yk_exact_is_determined(&work->system, column)) return NAN;
@@ -198,43 +182,35 @@ static double unknown(const Work *work, int32_t column)
     return sum;
 }
 
-static double multiplier(const Work *work, int32_t row)
+double yk_train_multiplier(const YkTrainBalance *work, int32_t row)
 {
     int32_t k = known_of_row(work, row);
-    return k >= 0 ? work->known[k].torque : unknown(work, row);
+    return k >= 0 ? work->known[k].torque : yk_train_unknown(work, row);
 }
 
 // --- Meshes ----------------------------------------------------------------------------------------------------------
-
-static double speed_of(const YkTrain *train, int32_t column)
-{
-    if (column == 0) return 0;
-    if (column < train->net.bodies) return train->bodies[column - 1].speed;
-    const YkModel *model = train->model;
-    return train->rack_speeds[model->gear_count + model->belt_count + (size_t)(column - train->net.bodies)];
-}
 
 // Speed of one side of a mesh, seen from its carrier.
 static double rolling_speed(const YkTrain *train, int32_t mesh, int side)
 {
     const YkTrainRow *row = yk_train_mesh_row(&train->net, mesh);
     bool is_rack = row->kind == YK_ROW_RACK;
-    if (is_rack && side == 1) return speed_of(train, row->terms[2].column);
-    double own = speed_of(train, row->terms[side].column),
-           carrier = speed_of(train, row->terms[is_rack ? 1 : 2].column);
+    if (is_rack && side == 1) return yk_train_column_speed(train, row->terms[2].column);
+    double own = yk_train_column_speed(train, row->terms[side].column),
+           carrier = yk_train_column_speed(train, row->terms[is_rack ? 1 : 2].column);
     return fabs(own - carrier) > 1e-13 * (fabs(own) + fabs(carrier)) ? own - carrier : 0;
 }
 
-static double torque_on(Work *work, int32_t mesh, int side)
+static double torque_on(YkTrainBalance *work, int32_t mesh, int side)
 {
     const YkTrainRow *row = yk_train_mesh_row(&work->train->net, mesh);
     int32_t term = row->kind == YK_ROW_RACK && side == 1 ? 2 : side;
     YkFraction by = torque_of(work, mesh, term, &work->system.overflow);
-    return multiplier(work, mesh) * yk_fraction_value(&by);
+    return yk_train_multiplier(work, mesh) * yk_fraction_value(&by);
 }
 
 // Which side gives power to the mesh, as the torques are now.
-static int driver_of(Work *work, int32_t mesh)
+static int driver_of(YkTrainBalance *work, int32_t mesh)
 {
     double power = -torque_on(work, mesh, 0) * rolling_speed(work->train, mesh, 0);
     return power > 0 ? 0 : power < 0 ? 1 : -1;
@@ -242,7 +218,7 @@ static int driver_of(Work *work, int32_t mesh)
 
 // Balances again and again until every mesh is driven from the side that was assumed. 1: found, 0: never, -1: no
 // memory.
-static int find_drivers(Work *work)
+static int find_drivers(YkTrainBalance *work)
 {
     int32_t count = work->train->net.mesh_count;
     for (int round = 0; round < ROUNDS_MAX; round++) {
@@ -258,7 +234,7 @@ static int find_drivers(Work *work)
     return 0;
 }
 
-static void fill_mesh(Work *work, int32_t mesh)
+static void fill_mesh(YkTrainBalance *work, int32_t mesh)
 {
     YkTrainMeshPower *power = &work->train->mesh_power[mesh];
     double torque[2] = {torque_on(work, mesh, 0), torque_on(work, mesh, 1)}, flow[2];
@@ -273,122 +249,10 @@ static void fill_mesh(Work *work, int32_t mesh)
                                 .loss = work->train->options.efficiency < 1 ? fmax(flow[0] + flow[1], 0) : 0};
 }
 
-// --- The list and the sum --------------------------------------------------------------------------------------------
-
-static void add_torque(YkTrain *train, const char *name, const char *role, int32_t on, int32_t from, double torque)
-{
-    double speed = speed_of(train, train->net.column_of[on]) - speed_of(train, train->net.column_of[from]);
-    bool has_power = train->drive_count > 0 && !train->drives[0].shown.is_unit;
-    train->torques[train->torque_count++] = (YkTrainTorque){.name = name,
-                                                            .role = role,
-                                                            .on = (size_t)on,
-                                                            .from = (size_t)from,
-                                                            .torque = torque,
-                                                            .power = has_power ? torque * speed : NAN};
-}
-
-static void add_along(YkTrain *train, int32_t coordinate, const char *role, double torque)
-{
-    const YkCoordinate *c = &train->model->coordinates[coordinate];
-    const YkJoint *joint = &train->model->joints[c->joint];
-    if (!c->is_distance) {
-        add_torque(train, c->name, role, joint->body[1], joint->body[0], torque);
-        return;
-    }
-    for (size_t r = 0; r < train->model->rack_count; r++) {
-        if (train->model->racks[r].slide != c->joint) continue;
-        bool has_power = train->drive_count > 0 && !train->drives[0].shown.is_unit;
-        double speed = speed_of(train, train->net.bodies + (int32_t)r);
-        train->torques[train->torque_count++] = (YkTrainTorque){.name = c->name,
-                                                                .role = role,
-                                                                .on = (size_t)joint->body[1],
-                                                                .from = (size_t)joint->body[0],
-                                                                .torque = torque,
-                                                                .power = has_power ? torque * speed : NAN};
-    }
-}
-
-static void add_row(Work *work, int32_t r)
-{
-    YkTrain *train = work->train;
-    const YkTrainRow *row = &train->motion.rows[r];
-    const YkLock *lock = train->motion.lock;
-    double torque = multiplier(work, r);
-    if (isnan(torque)) return;
-    if (row->kind == YK_ROW_INPUT) {
-        const YkTrainDrive *drive = &train->drives[row->index];
-        if (drive->coordinate != YK_NONE) {
-            add_along(train, drive->coordinate, "drive", torque);
-        } else {
-            add_torque(train, drive->shown.name, "drive", drive->body, 0, torque);
-        }
-    } else if (row->kind == YK_ROW_HOLD) {
-        const YkHold *hold = &lock->holds[row->index];
-        if (hold->body != YK_NONE) {
-            add_torque(train, train->model->bodies[hold->body].name, "hold", hold->body, 0, torque);
-        } else if (row->count > 0) {
-            add_along(train, hold->coordinate, "hold", torque);
-        }
-    } else if (row->kind == YK_ROW_JOIN) {
-        const int32_t *pair = lock->joins[row->index];
-        add_torque(train, train->model->bodies[pair[1]].name, "join", pair[1], pair[0], torque);
-    }
-}
-
-static bool list_torques(Work *work)
-{
-    YkTrain *train = work->train;
-    train->torques = YK_NEW(train->arena, YkTrainTorque,
-                            (size_t)train->motion.row_count + (size_t)work->known_count + train->model->rack_count + 1);
-    if (!train->torques) return false;
-    for (int32_t r = 0; r < train->motion.row_count; r++)
-        if (train->motion.rows[r].kind == YK_ROW_INPUT) add_row(work, r);
-    for (int32_t k = 0; k < work->known_count; k++)
-        if (work->known[k].row < 0) add_along(train, work->known[k].coordinate, "effort", work->known[k].torque);
-    if (work->load >= 0) {
-        int32_t body = train->net.body_of[work->load];
-        add_torque(train, train->model->bodies[body].name, "load", body, 0, unknown(work, train->motion.row_count));
-    }
-    for (int32_t r = 0; r < train->motion.row_count; r++)
-        if (train->motion.rows[r].kind != YK_ROW_INPUT) add_row(work, r);
-    return true;
-}
-
-// The largest power that goes through one gear of a mesh, as the ground sees it.
-static void find_circulation(YkTrain *train)
-{
-    YkTrainPower *power = &train->power;
-    for (int32_t m = 0; m < train->net.mesh_count; m++) {
-        const YkTrainRow *row = yk_train_mesh_row(&train->net, m);
-        const YkTrainMeshPower *mesh = &train->mesh_power[m];
-        for (int k = 0; k < 2 && mesh->is_known && row->kind != YK_ROW_RACK; k++) {
-            double flow = fabs(mesh->torque[k] * speed_of(train, row->terms[k].column));
-            if (flow <= power->in * (1 + 1e-9) || flow - power->in <= power->circulating) continue;
-            power->circulating = flow - power->in;
-            power->mesh = yk_train_mesh(train, (size_t)m).name;
-        }
-    }
-}
-
-static void sum_up(YkTrain *train)
-{
-    YkTrainPower *power = &train->power;
-    if (train->drives[0].shown.is_unit) return;
-    power->is_known = true;
-    for (size_t i = 0; i < train->torque_count; i++) {
-        double flow = train->torques[i].power;
-        if (flow > 0) power->in += flow;
-        if (flow < 0) power->out -= flow;
-    }
-    for (int32_t m = 0; m < train->net.mesh_count; m++) power->loss += train->mesh_power[m].loss;
-    power->efficiency = power->in > 0 ? power->out / power->in : NAN;
-    find_circulation(train);
-}
-
 // --- The whole -------------------------------------------------------------------------------------------------------
 
 // Is all that matters determined, and free of contradiction?
-static bool is_answer(const Work *work, YkProblems *problems)
+static bool is_answer(const YkTrainBalance *work, YkProblems *problems)
 {
     const YkTrainCase *motion = &work->train->motion;
     if (yk_exact_contradiction(&work->system, work->known_count) >= 0) {
@@ -396,15 +260,15 @@ static bool is_answer(const Work *work, YkProblems *problems)
         if (work->load < 0) yk_problem_hint(problems, "name the body that takes the load: --out BODY");
         return false;
     }
-    bool is_open = work->load >= 0 && isnan(unknown(work, motion->row_count));
+    bool is_open = work->load >= 0 && isnan(yk_train_unknown(work, motion->row_count));
     for (int32_t r = 0; r < motion->row_count; r++)
-        is_open |= motion->rows[r].kind == YK_ROW_INPUT && isnan(multiplier(work, r));
+        is_open |= motion->rows[r].kind == YK_ROW_INPUT && isnan(yk_train_multiplier(work, r));
     if (is_open)
         yk_problem(problems, YK_CODE_TORQUES_OPEN, nowhere, "the torques that are given do not settle the others");
     return !is_open;
 }
 
-static bool find_torques(Work *work, YkProblems *problems)
+static bool find_torques(YkTrainBalance *work, YkProblems *problems)
 {
     YkTrain *train = work->train;
     train->mesh_power = YK_NEW(train->arena, YkTrainMeshPower, (size_t)train->net.mesh_count + 1);
@@ -417,8 +281,8 @@ static bool find_torques(Work *work, YkProblems *problems)
         return true;
     }
     for (int32_t m = 0; m < train->net.mesh_count; m++) fill_mesh(work, m);
-    if (!list_torques(work)) return false;
-    sum_up(train);
+    if (!yk_train_list_torques(work)) return false;
+    yk_train_sum_power(train);
     if (train->power.is_known && train->power.in > 0 && train->power.loss > 0 && train->power.out <= 0)
         yk_problem(problems, YK_CODE_SELF_LOCKING, nowhere,
                    "self-locking: the losses take more than the drive gives, so the load must push too");
@@ -427,7 +291,7 @@ static bool find_torques(Work *work, YkProblems *problems)
 
 bool yk_train_torques(YkTrain *train, YkProblems *problems)
 {
-    Work work = {.train = train, .load = -1};
+    YkTrainBalance work = {.train = train, .load = -1};
     work.efficiency = efficiency_of(train->options.efficiency);
     work.driver = calloc((size_t)train->net.mesh_count + 1, sizeof *work.driver);
     bool good = work.driver && learn_all(&work, problems);

@@ -246,7 +246,10 @@ bool yk_simulation_contacts_check(YkSimulation *sim)
             yk_simulation_note(sim, YK_HAPPENING_RELEASE, sim->time, item->name, 0);
             let_go(sim, c, 0);
         } else {
-            if (!moves || fabs(force) < sim->contacts[c].high * (1 - 1e-9)) continue;
+            bool is_driven = !(sim->matrix[c * sim->contact_count + c] > 0); // no force at this joint could hold it
+            bool holds = is_driven ? fabs(acceleration) <= 1e-9 * item_scale(sim, item)
+                                   : fabs(force) < sim->contacts[c].high * (1 - 1e-9);
+            if (!moves || holds) continue;
             note_slip(sim, item);
             let_go(sim, c, acceleration > 0 ? 1 : -1);
         }

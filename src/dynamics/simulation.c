@@ -432,6 +432,8 @@ YkDynamics *yk_simulation_dynamics(YkSimulation *sim)
 
 double yk_simulation_channel(YkSimulation *sim, YkChannel channel)
 {
+    bool is_gone = channel.kind == YK_CHANNEL_TRANSMISSION && (size_t)channel.index >= sim->mech->block_count;
+    if (is_gone) return 0; // other coordinates make other blocks
     if (!yk_channel_needs_forces(channel)) return yk_state_channel(sim->state, channel);
     if (channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL) {
         YkEnergy e = yk_dynamics_energy_at(sim->dynamics, sim->state);

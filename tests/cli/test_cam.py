@@ -132,6 +132,14 @@ class Answers(Cam):
         run = self.good("cam", example("valve-cam"), "--speed", "3500rpm")
         self.assertIn("0555]", run.err)
 
+    def test_the_engine_finds_the_same_torque(self):
+        """The same cam as a constraint of the motion, solved as a linkage."""
+        for name in ("cep-cam", "valve-cam", "swing-cam", "flat-faced-cam"):
+            rows = self.rows(self.answer(name))
+            for row in (6, 15, 40):
+                run = self.good("solve", example(name), "--at", "theta=%ddeg" % (5 * row), "--format", "json", "-q")
+                self.near(run.json()["configurations"][0]["efforts"]["theta"], rows[row]["torque"], 1e-12, name)
+
     def test_csv_has_the_rows_of_the_json(self):
         answer = self.answer("swing-cam", "--steps", "12", "--cutter", "20mm")
         head, rows = self.good("cam", example("swing-cam"), "--steps", "12", "--cutter", "20mm", "--format", "csv").csv()

@@ -7,7 +7,7 @@ import unittest
 
 from harness import Case, ROOT
 
-VERBS = ["check", "solve", "sweep", "draw", "cam"]
+VERBS = ["check", "solve", "sweep", "draw", "cam", "derive"]
 
 
 def read(*path):

@@ -39,7 +39,9 @@ static void count_free(void *memory)
 #include "../../src/design/cam_design.c"
 #include "../../src/design/cam_samples.c"
 #define JUMPS_MAX LAW_JUMPS_MAX
+#define lift_at lift_of_law
 #include "../../src/design/cam_law.c"
+#undef lift_at
 #define DEPTH_MAX PROFILE_DEPTH_MAX
 #include "../../src/design/cam_profile.c"
 #undef malloc

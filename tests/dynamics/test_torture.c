@@ -158,6 +158,39 @@ static void a_rough_linkage_sticks_everywhere_at_once(void **unused)
     run_free(&run);
 }
 
+// A guide that a drive moves to and fro rubs all the time: its friction is that of the pose, also behind the dead
+// points, where nothing could hold it.
+static void a_driven_guide_rubs_behind_its_dead_points(void **unused)
+{
+    (void)unused;
+    const char *text =
+        "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+        "  crank: {points: {O: [0, 0], A: [0.1, 0]}, mass: 2, inertia: 0.01, center: [0, 0]}\n"
+        "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 0.5, rod: [A, B]}\n  piston: {points: {B: [0, 0]}, mass: 1}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: q}\n  A: {pin: [crank, rod], angle: p}\n"
+        "  B: {pin: [rod, piston], friction: {coulomb: 0.1, radius: 0.01 m}}\n"
+        "  R: {slide: [ground, piston], along: x, distance: d, friction: {coulomb: 0.2}}\n"
+        "drives: {q: 1 + 8 rad/s * t}\nstart: {p: -0.5, d: 0.33}\n";
+    Run run = run_of_text(text, run_options(1e-9));
+    YkMechanism *mech = yk_mechanism_compile(run.model, NULL, run.problems);
+    YkState *state = yk_state_new(mech);
+    YkDynamics *dynamics = yk_dynamics_new(mech, run.problems);
+    assert_true(state && dynamics && yk_state_assemble(state) >= 0);
+    for (int k = 0; k <= 20; k++) {
+        double t = 0.1 * k;
+        assert_int_equal(yk_simulation_advance(run.sim, t), YK_OK);
+        yk_state_set_input(state, 0, (YkMotion){1 + 8 * t, 8, 0});
+        assert_int_equal(yk_dynamics_solve(dynamics, state, YK_METHOD_NEWTON_EULER), YK_OK);
+        double effort = yk_dynamics_effort(dynamics, (size_t)yk_coordinate_find(mech, "q"));
+        CHECK_NEAR(run_value(&run, "q.effort"), effort, 1e-9 * (1 + fabs(effort)));
+    }
+    assert_true(yk_simulation_summary(run.sim).energy_error < 1e-6);
+    yk_dynamics_free(dynamics);
+    yk_state_free(state);
+    yk_mechanism_free(mech);
+    run_free(&run);
+}
+
 // A load without a value names itself, and the machine stands where it last had one.
 static void a_load_that_loses_its_value_is_named(void **unused)
 {
@@ -252,6 +285,7 @@ int main(void)
         cmocka_unit_test(a_drive_past_a_stop_is_a_limit),
         cmocka_unit_test(stops_hit_together_keep_the_energy),
         cmocka_unit_test(a_rough_linkage_sticks_everywhere_at_once),
+        cmocka_unit_test(a_driven_guide_rubs_behind_its_dead_points),
         cmocka_unit_test(a_load_that_loses_its_value_is_named),
         cmocka_unit_test(times_that_make_no_sense_are_refused),
         cmocka_unit_test(steps_may_be_counted_out),

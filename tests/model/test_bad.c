@@ -76,7 +76,7 @@ static void each_problem_is_told_in_the_same_form(void **state)
 static const int not_by_a_file[] = {YK_CODE_OUT_OF_MEMORY,    YK_CODE_MORE_PROBLEMS,      YK_CODE_FILE_NOT_FOUND,
                                     YK_CODE_FILE_DIRECTORY,   YK_CODE_FILE_UNREADABLE,    YK_CODE_FILE_TOO_LARGE,
                                     YK_CODE_UNKNOWN_OVERRIDE, YK_CODE_OVERRIDE_DIMENSION, YK_CODE_TOO_MANY,
-                                    YK_CODE_NOT_SUPPORTED}; // of earlier versions; nothing is refused so now
+                                    YK_CODE_RING_ANGLE,       YK_CODE_RING_DIVISOR,       YK_CODE_RING_SIZE}; // of equations, not of files
 
 static int has_file(int code)
 {

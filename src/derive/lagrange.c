@@ -1,0 +1,89 @@
+// Section: Lagrange's equations, with multipliers for loops; mass matrix; lumped constants; the tie to Newton and Euler.
+#include "derive/lagrange.h"
+#include "derive/sections.h"
+
+enum { COORDINATES_SHOWN_MAX = 24, LUMPED_MAX = 12, PROJECTED_MAX = 12 };
+
+static void put_multipliers(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    if (f->row_count == 0) return;
+    yk_page_heading(page, 2, "Multipliers");
+    yk_page_words(page, "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
+                        "the joint's first body acts on its second (of an angle: the second on the first).");
+    for (size_t k = 0; k < f->row_count; k++) {
+        const YkPoisson *lambda = yk_ring_of(d->ring, f->multipliers[k]);
+        YkLine *line = yk_page_equation(page, d->model->joints[f->row_joint[k]].name, lambda,
+                                        yk_derive_shown(d, f->identities[k]), YK_RING_TEXTBOOK);
+        if (line) line->value = lambda;
+    }
+}
+
+static const char *name_of(const YkDeriveForces *f, size_t coordinate)
+{
+    YkDerivation *d = f->d;
+    if (yk_derive_shows_joints(d) || d->coordinates[coordinate].is_distance) return d->coordinates[coordinate].name;
+    return yk_ring_symbol_name(d->ring, yk_derive_freedom(d, coordinate).position);
+}
+
+// left = M q'' + h + J^T lambda
+static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLagrange *equations)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    size_t n = d->tree_count;
+    YkLine *mass = yk_page_formula(page, f->row_count ? "M q'' + h + J^T lambda = Q" : "M q'' + h = Q");
+    yk_line_vector(page, mass, "M", NULL, NULL);
+    yk_line_sign(page, mass, "=");
+    YkShownMatrix *M = yk_line_matrix(page, mass, n, n);
+    YkLine *rest = yk_page_formula(page, NULL);
+    yk_line_vector(page, rest, "h", NULL, NULL);
+    yk_line_sign(page, rest, "=");
+    YkShownMatrix *h = yk_line_matrix(page, rest, n, 1);
+    if (!M || !h) return;
+    mass->target = "M";
+    rest->target = "h";
+    for (size_t i = 0; i < n; i++) {
+        const YkPoisson *left = equations[i].left;
+        M->row_labels[i] = h->row_labels[i] = name_of(f, i);
+        for (size_t k = 0; k < n; k++) {
+            int32_t acceleration = yk_derive_shown_acceleration(d, k);
+            M->entries[i * n + k] = yk_ring_coefficient(ring, left, acceleration, 1);
+            M->column_symbols[k] = acceleration;
+            left = yk_ring_coefficient(ring, left, acceleration, 0);
+        }
+        for (size_t k = 0; k < f->row_count; k++) left = yk_ring_coefficient(ring, left, f->multipliers[k], 0);
+        h->entries[i] = left;
+    }
+}
+
+static YkDeriveLagrange *all_equations(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    bool in_joints = yk_derive_shows_joints(d);
+    YkDeriveLagrange *equations = YK_NEW(page->arena, YkDeriveLagrange, d->coordinate_count + 1);
+    for (size_t k = 0; equations && k < d->coordinate_count; k++)
+        equations[k] = in_joints ? yk_derive_lagrange_of(f, k) : yk_derive_lagrange(f, k);
+    if (!equations) page->failed = true;
+    return equations;
+}
+
+bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page)
+{
+    const YkDeriveForces *f = yk_derive_forces(d);
+    YkDeriveLagrange *equations = f ? all_equations(f, page) : NULL;
+    if (!equations) return false;
+    if (yk_derive_put_limits(f, page)) return true;
+    yk_page_words(page, "d/dt (dL/dq') - dL/dq = Q for every coordinate q, dampers and multipliers beside it.");
+    yk_derive_put_angles(d, page);
+    for (size_t k = 0; k < d->coordinate_count; k++) {
+        yk_page_equation(page, name_of(f, k), equations[k].left, equations[k].right, YK_RING_TEXTBOOK);
+    }
+    put_multipliers(f, page);
+    if (d->tree_count > COORDINATES_SHOWN_MAX) return true;
+    yk_page_heading(page, 2, "Mass matrix");
+    put_matrices(f, page, equations);
+    if (d->tree_count <= LUMPED_MAX) yk_derive_put_lumps(f, page, equations, d->coordinate_count);
+    if (d->tree_count <= PROJECTED_MAX) yk_derive_put_projection(f, page);
+    return true;
+}

@@ -1,0 +1,79 @@
+// Part of the section of Lagrange's equations: why Newton and Euler say the same.
+//
+// The joints' forces do no work on motions that the joints allow. So the sum over the bodies of (forces - m a) . dv/du and
+// (moments - I alpha) dw/du, u the rate of a coordinate, is free of the reactions of the tree's joints, and is Lagrange's equation;
+// of joints that close loops it keeps the force, which is the multiplier.
+#include "derive/lagrange.h"
+
+bool yk_derive_do_methods_agree(const YkDeriveForces *f, size_t coordinate)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    YkRingChange *changes = YK_NEW(d->arena, YkRingChange, f->row_count + 1);
+    if (!changes) return false;
+    for (size_t k = 0; k < f->row_count; k++) changes[k] = (YkRingChange){f->multipliers[k], f->identities[k], NULL};
+    YkDeriveLagrange sides = yk_derive_lagrange(f, coordinate);
+    const YkPoisson *lagrange = yk_ring_subtract(ring, sides.left, sides.right);
+    if (f->row_count > 0) lagrange = yk_ring_substitute(ring, lagrange, changes, f->row_count);
+    return yk_ring_is_equal(ring, lagrange, yk_ring_negate(ring, yk_derive_projected(f, coordinate)));
+}
+
+// How a body turns with a coordinate as it is shown: 1, -1 or 0.
+static int32_t turning(const YkDeriveForces *f, int32_t body, size_t coordinate, int32_t *B)
+{
+    const YkDerivation *d = f->d;
+    YkDeriveFreedom freedom = yk_derive_freedom(d, coordinate);
+    if (freedom.body == YK_NONE) return 0;
+    if (!yk_derive_shows_joints(d)) return d->bodies[body].angle == freedom.position;
+    yk_derive_combination(d, body, B);
+    return B[coordinate];
+}
+
+static void put_term(YkPage *page, YkLine *line, const YkPoisson *factor, bool *first, bool is_negative)
+{
+    if (is_negative || !*first) yk_line_sign(page, line, is_negative ? "-" : "+");
+    yk_line_factor(page, line, factor);
+    *first = false;
+}
+
+static void put_sum(const YkDeriveForces *f, YkPage *page, size_t coordinate, int32_t *B)
+{
+    YkDerivation *d = f->d;
+    int32_t symbol = yk_derive_shows_joints(d) ? d->coordinates[coordinate].rate : yk_derive_freedom(d, coordinate).rate;
+    const char *rate = yk_ring_symbol_name(d->ring, symbol);
+    YkLine *line = yk_page_formula(page, d->coordinates[coordinate].name);
+    bool first = true;
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        const YkDeriveMass *m = &f->bodies[b];
+        const char *center = yk_derive_center_name(d, (int32_t)b);
+        int32_t turn = turning(f, (int32_t)b, coordinate, B);
+        if (!yk_ring_is_zero(m->mass) && yk_ring_mentions(d->ring, yk_derive_shown(d, m->velocity), symbol)) {
+            put_term(page, line, m->mass, &first, false);
+            yk_line_vector(page, line, "a", center, NULL);
+            yk_line_sign(page, line, ".");
+            yk_line_words(page, line, yk_derive_text(d, "dv(", center, yk_derive_text(d, ")/d(", rate, ")")));
+        }
+        if (turn == 0 || yk_ring_is_zero(m->inertia)) continue;
+        put_term(page, line, m->inertia, &first, turn < 0);
+        yk_line_vector(page, line, "alpha", NULL, d->bodies[b].name);
+    }
+    if (first) yk_line_sign(page, line, "0");
+    yk_line_sign(page, line, "=");
+    yk_line_words(page, line, "work of the loads and of the loops' joints");
+}
+
+void yk_derive_put_projection(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    bool agree = true;
+    int32_t *B = YK_NEW(page->arena, int32_t, d->tree_count + 1);
+    if (!B) return;
+    yk_page_heading(page, 2, "Newton-Euler, projected");
+    yk_page_words(page, "Forces of joints do no work on motions that the joints allow: multiplied by the partial velocities and "
+                        "summed over the bodies, Newton's and Euler's equations lose them and are Lagrange's.");
+    for (size_t k = 0; k < d->tree_count; k++) {
+        put_sum(f, page, k, B);
+        agree = agree && yk_derive_do_methods_agree(f, k);
+    }
+    if (agree) yk_page_words(page, "Proved: both are the same, term by term, so both give the same accelerations.");
+}

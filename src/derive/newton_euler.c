@@ -1,0 +1,254 @@
+// Section: Newton-Euler. Equations of every body as vectors and in x, y and moments; the count; the matrix form A xi = b.
+#include "derive/newton_euler.h"
+#include "derive/sections.h"
+
+enum { ROWS_SHOWN_MAX = 24 };
+
+// --- Vector form
+
+static const char *joined(YkDerivation *d, const char *head, const char *tail)
+{
+    return yk_derive_text(d, head, "/", tail);
+}
+
+static void put_zero_if_empty(YkPage *page, YkLine *line, bool is_empty)
+{
+    if (is_empty) yk_line_sign(page, line, "0");
+}
+
+static void put_newton(const YkDeriveForces *f, YkPage *page, int32_t body)
+{
+    YkDerivation *d = f->d;
+    YkLine *line = yk_page_formula(page, NULL);
+    bool first = true;
+    for (size_t k = 0; k < f->contact_count; k++) {
+        if (f->contacts[k].push.body != body || !f->contacts[k].letter) continue;
+        yk_derive_put_contact(page, line, &f->contacts[k], first);
+        first = false;
+    }
+    for (size_t k = 0; k < f->load_count; k++)
+        for (size_t p = 0; p < f->loads[k].push_count; p++) {
+            if (f->loads[k].push[p].body != body || yk_ring_is_zero(f->loads[k].push[p].force)) continue;
+            yk_derive_put_load(page, line, &f->loads[k], p, first);
+            first = false;
+        }
+    put_zero_if_empty(page, line, first);
+    yk_line_sign(page, line, "=");
+    put_zero_if_empty(page, line, yk_ring_is_zero(f->bodies[body].mass));
+    if (yk_ring_is_zero(f->bodies[body].mass)) return;
+    yk_line_factor(page, line, f->bodies[body].mass);
+    yk_line_vector(page, line, "a", yk_derive_center_name(d, body), NULL);
+}
+
+// " + p^{A/C1} x": what turns a force into its moment.
+static void put_arm(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, const char *point, bool negative, bool first)
+{
+    YkDerivation *d = f->d;
+    if (negative || !first) yk_line_sign(page, line, negative ? "-" : "+");
+    yk_line_vector(page, line, "p", joined(d, point, yk_derive_center_name(d, body)), NULL);
+    yk_line_sign(page, line, "x");
+}
+
+static bool has_moment(const YkDerivePush *push)
+{
+    return !yk_ring_is_zero(push->force) && !yk_ring_is_zero(push->arm);
+}
+
+static bool put_contact_moments(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body)
+{
+    bool first = true;
+    for (size_t k = 0; k < f->contact_count; k++) {
+        const YkDeriveContact *c = &f->contacts[k];
+        if (c->push.body != body) continue;
+        if (has_moment(&c->push)) {
+            put_arm(f, page, line, body, yk_derive_contact_point(f->d, c), c->is_negative, first);
+            yk_line_vector(page, line, c->letter, NULL, c->between);
+            first = false;
+        }
+        if (!c->moment) continue;
+        if (c->is_negative || !first) yk_line_sign(page, line, c->is_negative ? "-" : "+");
+        yk_line_vector(page, line, c->moment, NULL, c->between);
+        first = false;
+    }
+    return first;
+}
+
+static bool put_load_moments(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first)
+{
+    for (size_t k = 0; k < f->load_count; k++)
+        for (size_t p = 0; p < f->loads[k].push_count; p++) {
+            const YkDerivePush *push = &f->loads[k].push[p];
+            if (push->body != body) continue;
+            if (has_moment(push)) {
+                put_arm(f, page, line, body, yk_derive_load_point(f, &f->loads[k], p), p == 1, first);
+                yk_derive_put_load(page, line, &f->loads[k], 0, true);
+                first = false;
+            }
+            if (yk_ring_is_zero(push->moment)) continue;
+            if (p == 1 || !first) yk_line_sign(page, line, p == 1 ? "-" : "+");
+            yk_line_vector(page, line, "M", NULL, f->loads[k].name);
+            first = false;
+        }
+    return first;
+}
+
+static void put_euler(const YkDeriveForces *f, YkPage *page, int32_t body)
+{
+    YkDerivation *d = f->d;
+    YkLine *line = yk_page_formula(page, NULL);
+    bool first = put_load_moments(f, page, line, body, put_contact_moments(f, page, line, body));
+    put_zero_if_empty(page, line, first);
+    yk_line_sign(page, line, "=");
+    bool is_still = yk_ring_is_zero(f->bodies[body].inertia) || yk_ring_is_zero(d->bodies[body].spin_rate);
+    put_zero_if_empty(page, line, is_still);
+    if (is_still) return;
+    yk_line_factor(page, line, f->bodies[body].inertia);
+    yk_line_vector(page, line, "alpha", NULL, d->bodies[body].name);
+}
+
+// --- Scalar form: forces = inertia
+
+static void put_scalar(YkDerivation *d, YkPage *page, const char *remark, const YkPoisson *zero, const YkPoisson *inertia)
+{
+    const YkPoisson *right = yk_derive_shown(d, inertia);
+    const YkPoisson *left = yk_ring_add(d->ring, yk_derive_shown(d, zero), right);
+    yk_page_equation(page, remark, left, right, YK_RING_TEXTBOOK);
+}
+
+// About the point at which a pin of the tree holds the body, whose force then has no moment.
+static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body, const YkPoisson *newton, const YkPoisson *euler)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkDeriveMass *m = &f->bodies[body];
+    int32_t joint = d->bodies[body].joint;
+    int side = d->model->joints[joint].body[1] == body;
+    const YkPoisson *arm = yk_derive_joint_arm((YkDeriveForces *)f, joint, side);
+    if (d->model->joints[joint].kind != YK_PIN || yk_ring_is_zero(arm)) return;
+    YkDerivePlace place = yk_derive_place(d, joint, side);
+    const YkPoisson *zero = yk_ring_subtract(ring, euler, yk_ring_cross(ring, arm, newton));
+    const YkPoisson *moved = yk_ring_multiply(ring, m->mass, yk_ring_cross(ring, arm, m->acceleration));
+    const YkPoisson *inertia = yk_ring_subtract(ring, yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate), moved);
+    put_scalar(d, page, yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), ""), zero, inertia);
+}
+
+static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkDeriveMass *m = &f->bodies[body];
+    const YkPoisson *newton = yk_derive_newton(f, body), *euler = yk_derive_euler(f, body);
+    const YkPoisson *inertia = yk_ring_multiply(ring, m->mass, m->acceleration);
+    yk_page_heading(page, 2, d->model->bodies[body].name);
+    put_newton(f, page, body);
+    put_euler(f, page, body);
+    put_scalar(d, page, "x", yk_ring_real(ring, newton), yk_ring_real(ring, inertia));
+    put_scalar(d, page, "y", yk_ring_imaginary(ring, newton), yk_ring_imaginary(ring, inertia));
+    put_scalar(d, page, yk_derive_text(d, "moments about ", yk_derive_center_name(d, body), ""), euler,
+               yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate));
+    put_about_joint(f, page, body, newton, euler);
+    if (f->bodies[body].is_trivial)
+        yk_page_words(page, "All forces on %s meet in one point: its moment balance gives the moment of its guide and no more. "
+                            "Both are left out of the count.", d->model->bodies[body].name);
+}
+
+static void put_junctions(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    for (size_t k = 0; k < f->junction_count; k++) {
+        const YkPoisson *force = yk_ring_negate(d->ring, f->junctions[k].force);
+        yk_page_heading(page, 2, yk_derive_text(d, "Junction ", f->junctions[k].name, ""));
+        yk_page_equation(page, "x", yk_ring_real(d->ring, force), NULL, YK_RING_TEXTBOOK);
+        yk_page_equation(page, "y", yk_ring_imaginary(d->ring, force), NULL, YK_RING_TEXTBOOK);
+    }
+}
+
+static void put_closing(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    const YkPoisson **rows = YK_NEW(page->arena, const YkPoisson *, 3 * d->loop_count + 1);
+    int32_t *joints = YK_NEW(page->arena, int32_t, 3 * d->loop_count + 1);
+    int count = rows && joints ? yk_derive_closing_rows(f, rows, joints) : -1;
+    if (count > 0) yk_page_heading(page, 2, "Accelerations: the loops stay closed");
+    for (int k = 0; k < count; k++)
+        yk_page_equation(page, d->model->joints[joints[k]].name, yk_derive_shown(d, rows[k]), NULL, YK_RING_TEXTBOOK);
+    page->failed |= count < 0;
+}
+
+// --- The count
+
+static void put_count(const YkDeriveForces *f, YkPage *page, bool all_given, const char *title)
+{
+    YkEquationCount c = yk_derive_count(f, all_given);
+    yk_page_words(page, "%s: %z force + %z moment + %z acceleration = %z equations; %z reactions + %z accelerations + %z efforts "
+                        "= %z unknowns.", title, c.force, c.moment, c.acceleration, c.force + c.moment + c.acceleration,
+                  c.unknown_reactions, c.unknown_accelerations, c.unknown_efforts,
+                  c.unknown_reactions + c.unknown_accelerations + c.unknown_efforts);
+}
+
+static void put_unknowns(const YkDeriveForces *f, YkPage *page, const YkDeriveSystem *system)
+{
+    YkText text = {0};
+    for (size_t k = 0; k < system->unknown_count; k++)
+        yk_text_format(&text, "%s%s", k ? ", " : "", yk_ring_symbol_name(f->d->ring, system->unknowns[k]));
+    yk_page_words(page, "Unknowns: %s.", yk_text_get(&text));
+    page->failed |= text.failed;
+    yk_text_free(&text);
+}
+
+static void put_counts(const YkDeriveForces *f, YkPage *page, const YkDeriveSystem *system)
+{
+    YkEquationCount given = yk_derive_count(f, true), as_filed = yk_derive_count(f, false);
+    yk_page_heading(page, 2, "Count");
+    put_count(f, page, true, "Inverse dynamics, all inputs given");
+    if (given.unknown_efforts != as_filed.unknown_efforts) put_count(f, page, false, "Forward dynamics");
+    put_unknowns(f, page, system);
+    size_t unknowns = system->unknown_count, rows = system->row_count;
+    if (rows < unknowns)
+        yk_page_words(page, "%z unknowns more than equations: the machine is held more often than it needs, and reactions are "
+                            "not determined by these equations alone.", unknowns - rows);
+}
+
+// --- The matrix form
+
+static void fill_matrix(const YkDeriveForces *f, const YkDeriveSystem *system, YkShownMatrix *A, YkShownMatrix *xi, YkShownMatrix *b)
+{
+    for (size_t i = 0; i < system->row_count; i++) {
+        A->row_labels[i] = system->labels[i];
+        for (size_t k = 0; k < system->unknown_count; k++)
+            A->entries[i * system->unknown_count + k] = yk_derive_system_entry(f, system, i, k);
+        b->entries[i] = yk_derive_system_right(f, system, i);
+    }
+    for (size_t k = 0; k < system->unknown_count; k++) {
+        xi->entries[k] = yk_ring_of(f->d->ring, system->unknowns[k]);
+        A->column_symbols[k] = system->unknowns[k];
+    }
+}
+
+static void put_system(const YkDeriveForces *f, YkPage *page, const YkDeriveSystem *system)
+{
+    if (system->row_count == 0 || system->row_count > ROWS_SHOWN_MAX) return;
+    yk_page_heading(page, 2, "Matrix form");
+    YkLine *line = yk_page_formula(page, "A xi = b");
+    YkShownMatrix *A = yk_line_matrix(page, line, system->row_count, system->unknown_count);
+    YkShownMatrix *xi = yk_line_matrix(page, line, system->unknown_count, 1);
+    yk_line_sign(page, line, "=");
+    YkShownMatrix *b = yk_line_matrix(page, line, system->row_count, 1);
+    if (A && xi && b) fill_matrix(f, system, A, xi, b);
+}
+
+bool yk_derive_section_newton_euler(YkDerivation *d, YkPage *page)
+{
+    const YkDeriveForces *f = yk_derive_forces(d);
+    YkDeriveSystem system;
+    if (!f) return false;
+    if (yk_derive_put_limits(f, page)) return true;
+    yk_derive_put_angles(d, page);
+    for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
+    put_junctions(f, page);
+    put_closing(f, page);
+    if (!yk_derive_system(f, &system)) return false;
+    put_counts(f, page, &system);
+    put_system(f, page, &system);
+    return true;
+}

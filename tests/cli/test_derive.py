@@ -1,0 +1,153 @@
+"""yoke derive: sections, formats, numbers, and verdicts on equations."""
+import math
+import os
+import re
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree
+
+from harness import Case, ROOT, Run
+
+QUICK = os.path.join(ROOT, "examples", "quick-return.yaml")
+TOGGLE = os.path.join(ROOT, "examples", "toggle.yaml")
+RIGHT = "l1*cos(theta1) - d3*cos(theta2) = 0"
+WRONG = "l1*cos(theta1) + d3*cos(theta2) = 0"
+
+
+def formulas(answer):
+    return [item for section in answer["sections"] for item in section["items"] if item["kind"] == "formula"]
+
+
+class Derive(Case):
+    def test_all_that_there_is_comes_by_default(self):
+        run = self.good("derive", QUICK)
+        for title in ("Loop equations", "Jacobian", "Velocities", "Accelerations"):
+            self.assertRegex(run.out, "(?m)^%s\n=+$" % title)
+        self.assertIn("  x:  l1 cos(theta1) - d3 cos(theta2) = 0\n", run.out)
+
+    def test_what_chooses_and_keeps_the_order_of_the_book(self):
+        run = self.good("derive", QUICK, "--what", "velocity,loops")
+        self.assertLess(run.out.index("Loop equations"), run.out.index("Velocities"))
+        self.assertNotIn("Jacobian", run.out)
+
+    def test_an_unknown_part_is_refused_with_a_hint(self):
+        run = Run("derive", QUICK, "--what", "jacobien")
+        self.assertEqual(run.code, 2)
+        self.assertIn("jacobian", run.err)
+
+    def test_json_holds_J_with_its_blocks(self):
+        answer = self.good("derive", QUICK, "--what", "jacobian", "--format", "json").json()
+        matrix = formulas(answer)[0]["matrices"][0]
+        self.assertEqual(matrix["columns"], ["theta1", "theta2", "d3", "theta4", "d5"])
+        self.assertEqual((matrix["row_cuts"], matrix["column_cuts"]), ([2], [1, 3]))
+        self.assertEqual(len(matrix["entries"]), 4)
+        self.assertEqual(matrix["entries"][2][4], "-1")
+        self.assertNotIn("values", matrix)
+
+    def test_numbers_are_those_of_solve(self):
+        pose = ("--at", "theta1=40deg", "--rate", "theta1=2", "--accel", "theta1=0.5")
+        solved = self.good("solve", QUICK, *pose, "--format", "json").json()["configurations"][0]["coordinates"]
+        answer = self.good("derive", QUICK, *pose, "--what", "velocity,acceleration", "--numbers", "--format", "json").json()
+        seen = 0
+        for item in formulas(answer):
+            found = re.match(r"(theta2|theta4|d3|d5)('+) = ", item["text"])
+            if not found:
+                continue
+            value = solved[found.group(1)]["velocity" if found.group(2) == "'" else "acceleration"]
+            self.assertTrue(math.isclose(item["value"], value, rel_tol=1e-10, abs_tol=1e-12), item["text"])
+            seen += 1
+        self.assertEqual(seen, 8)
+
+    def test_text_shows_values_beside_the_symbols(self):
+        run = self.good("derive", QUICK, "--what", "velocity", "--numbers")
+        self.assertRegex(run.out, r"theta2' = l1 cos\(theta1 - theta2\) / d3 \* theta1' = -0\.202703\n")
+
+    def test_mathml_is_well_formed(self):
+        text = self.good("derive", TOGGLE, "--format", "mathml", "--numbers").out
+        found = re.findall(r"<math.*?</math>", text, re.S)
+        self.assertGreater(len(found), 20)
+        for formula in found:
+            xml.etree.ElementTree.fromstring(formula)
+
+    def test_latex_is_a_document(self):
+        text = self.good("derive", TOGGLE, "--format", "latex").out
+        self.assertTrue(text.startswith("\\documentclass{article}"))
+        self.assertEqual(text.count("\\["), text.count("\\]"))
+        self.assertEqual(text.count("\\begin{array}"), text.count("\\end{array}"))
+
+    def test_c_compiles_and_gives_the_same_rates(self):
+        statements = self.good("derive", QUICK, "--what", "velocity", "--format", "c").out
+        solved = self.good("solve", QUICK, "--format", "json").json()["configurations"][0]["coordinates"]
+        known = {"l1": 0.75, "l2": 1.75, "l4": 2 / 3}
+        for name in solved:
+            known[name] = solved[name]["position"]
+        known["theta1_rate"] = solved["theta1"]["velocity"]
+        lines = ["const double %s = %r;" % pair for pair in known.items()]
+        program = "#include <math.h>\n#include <stdio.h>\nint main(void) {\n%s\n%s\nprintf(\"%%.17g %%.17g\\n\", d5_rate, k_d5); }\n" % (
+            "\n".join(lines), statements)
+        source, binary = os.path.join(self.folder, "rates.c"), os.path.join(self.folder, "rates")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(program)
+        subprocess.run(["cc", "-std=c17", "-o", binary, source, "-lm"], check=True)
+        rate, influence = map(float, subprocess.run([binary], capture_output=True, check=True).stdout.split())
+        self.assertAlmostEqual(rate, solved["d5"]["velocity"], 12)
+        self.assertAlmostEqual(influence, solved["d5"]["velocity"] / solved["theta1"]["velocity"], 12)
+
+    def test_an_unknown_format_is_refused(self):
+        run = Run("derive", QUICK, "--format", "csv")
+        self.assertEqual(run.code, 2)
+        self.assertIn("latex", run.err)
+
+
+class Check(Case):
+    def verdict(self, *equations, code=0, file=QUICK, stdin=None):
+        words = [word for equation in equations for word in ("--check", equation)]
+        run = Run("derive", file, *words, "--format", "json", stdin=stdin)
+        self.assertEqual(run.code, code, run.err)
+        return run.json()["checks"]
+
+    def test_a_right_equation_exits_0(self):
+        self.assertEqual(self.verdict(RIGHT)[0]["verdict"], "true")
+
+    def test_a_wrong_one_exits_1_with_a_pose_and_a_hint(self):
+        answer = self.verdict(WRONG, code=1)[0]
+        self.assertEqual(answer["verdict"], "false")
+        self.assertGreater(abs(answer["left"] - answer["right"]), 0.1)
+        pose = {name: motion["position"] for name, motion in answer["pose"].items()}
+        self.assertAlmostEqual(0.75 * math.cos(pose["theta1"]) + pose["d3"] * math.cos(pose["theta2"]), answer["left"], 12)
+        self.assertIn("`d3*cos(theta2)`", answer["hint"])
+
+    def test_what_only_these_numbers_make_true(self):
+        self.assertEqual(self.verdict("l1 = 3/4")[0]["verdict"], "true-here")
+
+    def test_rates_in_both_ways_of_writing(self):
+        for equation in ("d3*theta2' = l1*cos(theta1 - theta2)*theta1'", "d3 theta2.rate = l1 cos(theta1 - theta2) theta1.rate",
+                         "d3*theta2'' + 2*d3'*theta2' = l1*cos(theta1-theta2)*theta1.accel - l1*sin(theta1-theta2)*theta1'^2"):
+            self.assertEqual(self.verdict(equation)[0]["verdict"], "true", equation)
+
+    def test_standard_input_gives_one_a_line(self):
+        answers = self.verdict("-", code=1, stdin="# mine\n%s\n\n%s\n" % (RIGHT, WRONG))
+        self.assertEqual([answer["verdict"] for answer in answers], ["true", "false"])
+
+    def test_text_is_kind_and_exact(self):
+        run = Run("derive", QUICK, "--check", WRONG)
+        self.assertEqual(run.code, 1)
+        self.assertRegex(run.out, r"false: the left side is 1\.29904, the right side 0")
+        self.assertIn("theta1 = 0.523599 rad (30 deg)", run.out)
+        self.assertIn("with the other sign before `d3*cos(theta2)` it would be true", run.out)
+
+    def test_a_mistake_in_the_equation_is_shown_with_a_caret(self):
+        run = Run("derive", QUICK, "--check", "l1*cos(theta1) = nonsense")
+        self.assertEqual(run.code, 2)
+        self.assertIn("unknown name `nonsense`", run.err)
+        self.assertIn("                 ^~~~~~~~", run.err)
+
+    def test_a_gear_trains_willis_equation(self):
+        train = os.path.join(ROOT, "examples", "epicyclic.yaml")
+        self.assertEqual(self.verdict("N1*(theta1' - thetaC') = -N2*theta2'", file=train)[0]["verdict"], "true")
+        self.assertEqual(self.verdict("N1*(theta1' - thetaC') = N2*theta2'", file=train, code=1)[0]["verdict"], "false")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
