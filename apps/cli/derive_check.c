@@ -48,10 +48,13 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
         break;
     case YK_CHECK_TRUE_HERE:
         if (verdict->is_for_these_numbers)
-            yk_text_format(out, "true with this file's numbers, at %z poses; for other dimensions it cannot be told here "
-                                "(lengths that the file gives as `parameters:` can be)\n", verdict->poses);
+            yk_text_format(out,
+                           "true with this file's numbers, at %z poses; for other dimensions it cannot be told here "
+                           "(lengths that the file gives as `parameters:` can be)\n",
+                           verdict->poses);
         else
-            yk_text_format(out, "true only with this file's numbers (at %z poses): with other dimensions it does not hold\n",
+            yk_text_format(out,
+                           "true only with this file's numbers (at %z poses): with other dimensions it does not hold\n",
                            verdict->poses);
         break;
     case YK_CHECK_FALSE:
@@ -80,7 +83,8 @@ static void say_json(Checking *checking, const char *equation, const YkCheckVerd
         yk_json_bool(json, "identity", verdict->is_identity);
         yk_json_integer(json, "poses", (long long)verdict->poses);
     }
-    if (verdict->kind == YK_CHECK_TRUE_HERE) yk_json_bool(json, "other_dimensions_decided", !verdict->is_for_these_numbers);
+    if (verdict->kind == YK_CHECK_TRUE_HERE)
+        yk_json_bool(json, "other_dimensions_decided", !verdict->is_for_these_numbers);
     if (verdict->kind == YK_CHECK_FALSE) {
         const YkMechanism *mech = checking->session->mech;
         yk_json_number(json, "left", verdict->left);
@@ -143,7 +147,8 @@ static void check_lines(Checking *checking)
 
 int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
 {
-    Checking checking = {.session = session, .derivation = derivation, .json = {.text = &session->out}, .as_json = as_json};
+    Checking checking = {
+        .session = session, .derivation = derivation, .json = {.text = &session->out}, .as_json = as_json};
     const YkWords *checks = &session->request->checks;
     checking.start = yk_state_new(session->mech);
     if (!checking.start || yk_state_copy(checking.start, session->state) < 0) {

@@ -63,14 +63,16 @@ static bool read_format(YkSession *session, YkPageFormat *format)
     const char *word = session->request->format_word;
     *format = word ? yk_page_format_find(word) : YK_PAGE_TEXT;
     if (*format < YK_PAGE_FORMATS) return true;
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text, latex, mathml, json or c here, not %q", word);
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE,
+                             "--format takes text, latex, mathml, json or c here, not %q", word);
 }
 
 bool yk_derive_pose(YkSession *session)
 {
     if (!yk_session_inputs(session) || !yk_session_forces(session, false)) return false;
     YkStatus status = yk_state_assemble(session->state);
-    if (status >= 0 && session->dynamics) status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
+    if (status >= 0 && session->dynamics)
+        status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
     yk_tell_status(session, status, yk_state_report(session->state)->message);
     return status >= 0;
 }
@@ -81,7 +83,8 @@ static int cannot(YkSession *session, const YkDerivation *derivation)
     return YK_EXIT_NO_ANSWER;
 }
 
-static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format, const bool *wanted)
+static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
+                      const bool *wanted)
 {
     double *values = NULL;
     for (size_t k = 0; yk_derive_sections[k].name; k++)

@@ -81,7 +81,10 @@ static bool make_rows(YkDerivation *d, struct YkDeriveBlocks *blocks, int32_t *f
         row.part = 1, row.value = yk_ring_imaginary(d->ring, loops[l].sum);
         if (!add_row(d, blocks, row)) return false;
         if (!loops[l].angle) continue;
-        row = (YkDeriveRow){.loop = (int32_t)l, .tie = YK_NONE, .part = 2, .columns = YK_NEW(d->arena, int32_t, all + 1),
+        row = (YkDeriveRow){.loop = (int32_t)l,
+                            .tie = YK_NONE,
+                            .part = 2,
+                            .columns = YK_NEW(d->arena, int32_t, all + 1),
                             .value = loops[l].angle};
         if (!row.columns) return false;
         row.count = keep_mentioned(d, row.value, found, all, row.columns);
@@ -198,7 +201,8 @@ static bool make_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
     if (yk_arena_failed(d->arena) || !match_rows(d, blocks, &order, unknowns)) return false;
     // Given first; what no loop determines goes with it.
     for (size_t k = 0; k < d->coordinate_count; k++)
-        if (d->coordinates[k].is_input || order.matching.row_of[k] < 0) blocks->column_order[blocks->column_count++] = (int32_t)k;
+        if (d->coordinates[k].is_input || order.matching.row_of[k] < 0)
+            blocks->column_order[blocks->column_count++] = (int32_t)k;
     blocks->input_count = blocks->column_count;
     find_components(d, blocks, &order);
     for (size_t c = 0; c < order.components; c++) gather_block(d, blocks, &order, c);
@@ -243,7 +247,8 @@ const YkPoisson *yk_derive_determinant(YkRing *ring, const YkPoisson *const *A, 
     return sum;
 }
 
-const YkPoisson *yk_derive_cramer(YkDerivation *d, const YkDeriveBlock *block, size_t unknown, const YkPoisson *const *right)
+const YkPoisson *yk_derive_cramer(YkDerivation *d, const YkDeriveBlock *block, size_t unknown,
+                                  const YkPoisson *const *right)
 {
     const YkPoisson *A[YK_CRAMER_MAX * YK_CRAMER_MAX];
     const YkDeriveBlocks *blocks = d->blocks;
@@ -260,7 +265,8 @@ const char *yk_derive_block_name(YkDerivation *d, const YkDeriveBlock *block)
 {
     YkText text = {0};
     for (size_t k = 0; k < block->column_count; k++)
-        yk_text_format(&text, "%s%s", k ? ", " : "", d->coordinates[d->blocks->column_order[block->first_column + k]].name);
+        yk_text_format(&text, "%s%s", k ? ", " : "",
+                       d->coordinates[d->blocks->column_order[block->first_column + k]].name);
     const char *name = yk_arena_copy(d->arena, yk_text_get(&text), text.length);
     yk_text_free(&text);
     return name ? name : "";

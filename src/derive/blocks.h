@@ -42,7 +42,8 @@ const YkPoisson *yk_derive_entry(YkDerivation *d, const YkDeriveRow *row, int32_
 // The determinant of an n x n matrix, n <= YK_CRAMER_MAX, row after row.
 const YkPoisson *yk_derive_determinant(YkRing *ring, const YkPoisson *const *A, size_t n);
 // Cramer's rule on a block: determinant * unknown = over, where J_block unknown = right (row_count elements).
-const YkPoisson *yk_derive_cramer(YkDerivation *d, const YkDeriveBlock *block, size_t unknown, const YkPoisson *const *right);
+const YkPoisson *yk_derive_cramer(YkDerivation *d, const YkDeriveBlock *block, size_t unknown,
+                                  const YkPoisson *const *right);
 // Can the block be solved in print?
 static inline bool yk_derive_is_solved(const YkDeriveBlock *block)
 {

@@ -10,7 +10,8 @@ static int sense(const YkDerivation *d, int32_t body)
 static bool enter_own_angle(YkDerivation *d, YkDeriveBody *body, const char *name)
 {
     YkText text = {0};
-    yk_text_format(&text, "%s.angle", name);
+    bool is_joint = yk_names_find(&d->model->joint_names, name) != YK_NONE; // then NAME.angle is the joint's
+    yk_text_format(&text, is_joint ? "%s_body.angle" : "%s.angle", name);
     body->angle = yk_derive_angle(d, yk_text_get(&text));
     body->rate = yk_ring_rates(d->ring, body->angle);
     body->acceleration = body->rate + 1;
@@ -18,14 +19,6 @@ static bool enter_own_angle(YkDerivation *d, YkDeriveBody *body, const char *nam
     yk_text_free(&text);
     d->change_count += 3;
     return body->rate >= 0;
-}
-
-static void other_names(YkDerivation *d, const YkDeriveBody *body, const char *name)
-{
-    static const char *const endings[] = {".angle", ".angle.rate", ".angle.accel", ".angle'", ".angle''", ".rate", ".accel"};
-    const int32_t symbols[] = {body->angle, body->rate, body->acceleration, body->rate,
-                               body->acceleration, body->rate, body->acceleration};
-    for (size_t i = 0; i < 7; i++) yk_derive_also(d, symbols[i], name, endings[i]);
 }
 
 static bool turn_with(YkDerivation *d, int32_t index)
@@ -41,8 +34,8 @@ static bool turn_with(YkDerivation *d, int32_t index)
         body->turn = yk_ring_multiply(d->ring, parent->turn, turned);
     } else {
         const YkDeriveCoordinate *c = &d->coordinates[coordinate];
-        bool is_coordinate = parent->angle == YK_NONE && yk_ring_is_same(parent->unit, yk_ring_rational(d->ring, 1, 1)) &&
-                             sense(d, index) > 0;
+        bool is_coordinate = parent->angle == YK_NONE &&
+                             yk_ring_is_same(parent->unit, yk_ring_rational(d->ring, 1, 1)) && sense(d, index) > 0;
         if (is_coordinate) body->angle = c->position, body->rate = c->rate, body->acceleration = c->acceleration;
         if (!is_coordinate && !enter_own_angle(d, body, name)) return false;
         body->turn = yk_ring_rational(d->ring, 1, 1);
@@ -55,7 +48,6 @@ static bool turn_with(YkDerivation *d, int32_t index)
     body->unit = yk_ring_multiply(d->ring, yk_ring_unit(d->ring, body->angle), body->turn);
     body->spin = yk_ring_of(d->ring, body->rate);
     body->spin_rate = yk_ring_of(d->ring, body->acceleration);
-    if (yk_ring_is_same(body->turn, yk_ring_rational(d->ring, 1, 1))) other_names(d, body, name);
     return body->unit && body->spin && body->spin_rate;
 }
 
@@ -67,8 +59,12 @@ bool yk_derive_enter_bodies(YkDerivation *d)
     for (size_t k = 0; k < d->model->body_count; k++) {
         int32_t b = mech->tree_order[k];
         YkDeriveBody *body = &d->bodies[b];
-        *body = (YkDeriveBody){.name = d->model->bodies[b].name, .parent = mech->tree.parent[b], .joint = mech->tree.joint[b],
-                               .angle = YK_NONE, .rate = YK_NONE, .acceleration = YK_NONE};
+        *body = (YkDeriveBody){.name = d->model->bodies[b].name,
+                               .parent = mech->tree.parent[b],
+                               .joint = mech->tree.joint[b],
+                               .angle = YK_NONE,
+                               .rate = YK_NONE,
+                               .acceleration = YK_NONE};
         if (body->parent == YK_NONE) {
             body->unit = body->turn = yk_ring_rational(d->ring, 1, 1);
             body->spin = body->spin_rate = yk_ring_rational(d->ring, 0, 1);
@@ -93,7 +89,8 @@ static const YkPoisson *angle_by_parent(YkDerivation *d, const YkPoisson *before
     return sense(d, body) > 0 ? yk_ring_add(d->ring, before, step) : yk_ring_subtract(d->ring, before, step);
 }
 
-// The angle of a body (of its axes, outside of cos and sin), its spin and the spin's rate in joint form, from the parent's.
+// The angle of a body (of its axes, outside of cos and sin), its spin and the spin's rate in joint form, from the
+// parent's.
 static bool in_joint_form(YkDerivation *d, int32_t body, const YkPoisson *(*forms)[4])
 {
     YkRing *ring = d->ring;

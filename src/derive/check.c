@@ -5,6 +5,7 @@
 #include <string.h>
 #include "derive/blocks.h"
 #include "derive/frame.h"
+#include "derive/free_bodies.h"
 
 enum { FIELD_POINTS = 4, POSES = 24, POSES_MIN = 8, TRIES = 100, STEPS = 96 };
 static const double EQUAL = 1e-9;
@@ -36,14 +37,17 @@ typedef enum Proof { PROVED, REFUTED, NO_PROOF } Proof;
 static Proof prove(Check *check, const YkForm *form)
 {
     int points = 0;
-    for (uint64_t seed = 1; points < FIELD_POINTS && seed < 4 * FIELD_POINTS; seed++) {
+    const YkDeriveForces *forces = yk_derive_forces(check->d);
+    bool has_roots = forces && forces->length_count > 0; // then only some seeds lead to a point
+    for (uint64_t seed = 1; points < FIELD_POINTS && seed < (has_roots ? 40u : 4u) * FIELD_POINTS; seed++) {
         bool is_possible;
         uint64_t value;
         YkFieldPoint *point = yk_derive_loop_point(check->d, seed * 7919, &is_possible);
-        if (!point) return NO_PROOF;
+        if (!point && !has_roots) return NO_PROOF;
+        if (!point) continue;
         bool has_value = yk_form_field(check->d->ring, form, point, &value);
         yk_field_point_free(point);
-        if (!has_value) continue; // a division by zero
+        if (!has_value) continue;                                            // a division by zero
         if (value != 0) return check->d->tie_count > 0 ? NO_PROOF : REFUTED; // gears bind no unit vectors there
         points++;
     }
@@ -52,7 +56,8 @@ static Proof prove(Check *check, const YkForm *form)
 
 static bool is_identity(Check *check)
 {
-    return yk_form_compare(check->d->ring, check->equation->left, check->equation->right, FIELD_POINTS, 17) == YK_FORM_EQUAL;
+    return yk_form_compare(check->d->ring, check->equation->left, check->equation->right, FIELD_POINTS, 17) ==
+           YK_FORM_EQUAL;
 }
 
 // --- At poses
@@ -83,8 +88,8 @@ static void go(Check *check, const YkMotion *target, double part)
     }
 }
 
-// From the start towards random inputs in small steps, and no further than to where another configuration comes near: with
-// special dimensions (a parallelogram) what holds in one does not hold in the other.
+// From the start towards random inputs in small steps, and no further than to where another configuration comes near:
+// with special dimensions (a parallelogram) what holds in one does not hold in the other.
 static bool move_to_random_pose(Check *check, YkMotion *target)
 {
     const YkMechanism *mech = check->d->mech;
@@ -92,7 +97,8 @@ static bool move_to_random_pose(Check *check, YkMotion *target)
     for (size_t i = 0; i < mech->input_count; i++) {
         bool is_distance = mech->coordinates[mech->inputs[i]].is_distance;
         YkMotion from = yk_state_input(check->start, i);
-        double size = is_distance ? mech->size : 1, reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : YK_PI;
+        double size = is_distance ? mech->size : 1,
+               reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : YK_PI;
         target[i] = (YkMotion){from.position + uniform(check, -reach, reach), size * uniform(check, 0.3, 2),
                                size * uniform(check, -2, 2)};
     }
@@ -184,13 +190,15 @@ static const YkForm *without_slip(Check *check, const YkEquationTerm *term)
     // The difference is left - right: a term there with its sign turned is the difference minus twice its share.
     const YkForm *twice = yk_form_multiply(ring, yk_form_of(ring, yk_ring_rational(ring, 2, 1)), term->form);
     bool is_subtracted = term->is_negative != term->is_right;
-    return is_subtracted ? yk_form_add(ring, check->difference, twice) : yk_form_subtract(ring, check->difference, twice);
+    return is_subtracted ? yk_form_add(ring, check->difference, twice)
+                         : yk_form_subtract(ring, check->difference, twice);
 }
 
 static const char *find_slip(Check *check)
 {
     const YkEquation *equation = check->equation;
-    for (size_t k = equation->term_count; k > 0 && equation->term_count > 1; k--) { // the first has often no sign of its own
+    for (size_t k = equation->term_count; k > 0 && equation->term_count > 1;
+         k--) { // the first has often no sign of its own
         const YkEquationTerm *term = &equation->terms[k - 1];
         if (prove(check, without_slip(check, term)) != PROVED) continue;
         YkText text = {0}, words = {0};
@@ -226,10 +234,17 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
 {
     YkEquation equation;
     YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
-    if (!yk_derive_blocks(d) || !yk_equation_read(d->ring, text, length, place, problems, &equation)) return verdict;
+    if (!yk_derive_blocks(d) || !yk_derive_enter_forces(d)) {
+        yk_problem(problems, YK_CODE_DERIVATION, (YkPlace){0}, "the machine cannot be written in symbols: %s",
+                   yk_ring_status_text(yk_ring_status(d->ring)));
+        return verdict;
+    }
+    yk_derive_enter_names(d);
+    if (!yk_equation_read(d->ring, text, length, place, problems, &equation)) return verdict;
     Check check = {.d = d, .state = state, .dynamics = dynamics, .equation = &equation, .text = text, .seed = 2024};
     check.difference = yk_form_subtract(d->ring, equation.left, equation.right);
-    for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k); // enters all symbols there will be
+    for (size_t k = 0; k < d->model->parameter_count; k++)
+        yk_derive_definition(d, k); // enters all symbols there will be
     yk_derive_body_angle(d, 0);
     check.values = calloc(yk_ring_symbol_count(d->ring) + 64, sizeof *check.values);
     verdict.kind = YK_CHECK_UNDECIDED;

@@ -1,6 +1,7 @@
 // Is an equation true of this machine? By three ways that support each other:
 // - as an identity: both sides are the same element of the ring, whatever the coordinates are;
-// - on the loops, for all dimensions: both sides are equal at random points of the machine's own motion over the prime field
+// - on the loops, for all dimensions: both sides are equal at random points of the machine's own motion over the prime
+// field
 //   p = 2^64 - 2^32 + 1 (loop_point.c). A false equation passes one point by chance with probability about degree / p;
 // - with the file's numbers: both sides are equal at many random poses of the numeric engine.
 #ifndef DERIVE_CHECK_H
@@ -26,9 +27,9 @@ typedef struct YkCheckVerdict {
     const char *slip;          // false: "with the other sign before `d3*cos(theta2)` it would be true"; or NULL
 } YkCheckVerdict;
 
-// Decides about "LEFT = RIGHT", in the file's names (theta1', theta1.rate, lever.angle, tan and quotients allowed). The state
-// must be assembled; its inputs and pose change, and for a false equation it is left at the pose that shows it. dynamics: for
-// equations with forces; may be NULL.
+// Decides about "LEFT = RIGHT", in the file's names (theta1', theta1.rate, lever.angle, tan and quotients allowed). The
+// state must be assembled; its inputs and pose change, and for a false equation it is left at the pose that shows it.
+// dynamics: for equations with forces; may be NULL.
 YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
                                YkPlace place, YkProblems *problems);
 
@@ -44,10 +45,11 @@ typedef struct YkEquation {
     YkEquationTerm terms[YK_EQUATION_TERMS_MAX]; // the first so many
     size_t term_count;
 } YkEquation;
-bool yk_equation_read(YkRing *ring, const char *text, size_t length, YkPlace place, YkProblems *problems, YkEquation *equation);
+bool yk_equation_read(YkRing *ring, const char *text, size_t length, YkPlace place, YkProblems *problems,
+                      YkEquation *equation);
 
-// --- loop_point.c: a random point of the machine's motion, dimensions included, over the prime field; NULL where none could be
-// made (*is_possible false) or memory ran out. Free it with yk_field_point_free.
+// --- loop_point.c: a random point of the machine's motion, dimensions included, over the prime field; NULL where none
+// could be made (*is_possible false) or memory ran out. Free it with yk_field_point_free.
 YkFieldPoint *yk_derive_loop_point(YkDerivation *d, uint64_t seed, bool *is_possible);
 
 #endif

@@ -1,14 +1,15 @@
-// The machine in symbols. A derivation holds a ring with a symbol for everything the model speaks of, and builds from the
-// topology alone - the spanning tree, its coordinates, the joints that close loops - what an engineer would write by hand.
-// It shares that topology with the numeric engine and nothing else, so each can check the other.
+// The machine in symbols. A derivation holds a ring with a symbol for everything the model speaks of, and builds from
+// the topology alone - the spanning tree, its coordinates, the joints that close loops - what an engineer would write
+// by hand. It shares that topology with the numeric engine and nothing else, so each can check the other.
 //
 // Vectors of the plane are complex elements: x is the real part, y the imaginary part.
-// Two forms: in *body form* every body that turns has one angle, its own, and one rate; everything stays short there. In
-// *joint form* only the coordinates of the file appear, as in a textbook. yk_derive_in_joints takes the first into the
-// second by whole-number combinations. Derive in body form, show in joint form.
+// Two forms: in *body form* every body that turns has one angle, its own, and one rate; everything stays short there.
+// In *joint form* only the coordinates of the file appear, as in a textbook. yk_derive_in_joints takes the first into
+// the second by whole-number combinations. Derive in body form, show in joint form.
 //
-// Elements are constant and live as long as the derivation. A function that returns one returns NULL when the ring could
-// not make it (yk_ring_status tells why) and takes NULL for any element, so that a derivation is checked once, at its end.
+// Elements are constant and live as long as the derivation. A function that returns one returns NULL when the ring
+// could not make it (yk_ring_status tells why) and takes NULL for any element, so that a derivation is checked once, at
+// its end.
 #ifndef DERIVE_DERIVE_H
 #define DERIVE_DERIVE_H
 #include <yoke/dynamics.h>
@@ -17,8 +18,8 @@
 #include "ring/ring.h"
 #include "derive/page.h"
 
-// A coordinate of the machine and its derivatives. First those of the spanning tree in the mechanism's order (the file's),
-// then the distances of slides and pin-slots that close a loop (JOINT.distance).
+// A coordinate of the machine and its derivatives. First those of the spanning tree in the mechanism's order (the
+// file's), then the distances of slides and pin-slots that close a loop (JOINT.distance).
 typedef struct YkDeriveCoordinate {
     const char *name; // as the ring knows it
     int32_t joint;
@@ -32,12 +33,12 @@ typedef struct YkDeriveCoordinate {
 typedef struct YkDeriveBody {
     const char *name;      // as the ring knows it
     int32_t parent, joint; // in the tree; YK_NONE: the ground
-    // Symbols of the angle of the body's orientation, and its derivatives; YK_NONE where the body never turns. A body whose
-    // angle is a coordinate of the file uses that coordinate, others have NAME.angle, NAME.angle', NAME.angle''. Bodies
-    // that never turn against each other share their symbols.
+    // Symbols of the angle of the body's orientation, and its derivatives; YK_NONE where the body never turns. A body
+    // whose angle is a coordinate of the file uses that coordinate, others have NAME.angle, NAME.angle', NAME.angle''.
+    // Bodies that never turn against each other share their symbols.
     int32_t angle, rate, acceleration;
-    const YkPoisson *unit;         // e^(i angle of the body's axes), body form
-    const YkPoisson *turn;         // the same by the angle of its orientation: constant
+    const YkPoisson *unit;             // e^(i angle of the body's axes), body form
+    const YkPoisson *turn;             // the same by the angle of its orientation: constant
     const YkPoisson *spin, *spin_rate; // angular velocity and acceleration, body form: a symbol, or 0
 } YkDeriveBody;
 
@@ -58,8 +59,8 @@ typedef struct YkDerivePath {
 } YkDerivePath;
 
 // A joint that closes a loop: first body's point minus the second's = 0 (rows x and y), and where it does not turn, the
-// second body's angle minus the first's minus a constant = 0. Rows are in world axes, or in those of the body from which both
-// branches of the loop start (`axes`).
+// second body's angle minus the first's minus a constant = 0. Rows are in world axes, or in those of the body from
+// which both branches of the loop start (`axes`).
 typedef struct YkDeriveLoop {
     int32_t joint, axes;
     YkDerivePath path;      // its sum in world axes, body form
@@ -77,7 +78,7 @@ typedef struct YkDeriveConstant {
 typedef struct YkDerivation YkDerivation;
 // Gives values to symbols that a section has added (forces, multipliers): values[symbol] = ...; dynamics may be NULL.
 typedef void (*YkDeriveSource)(void *context, const YkState *state, YkDynamics *dynamics, double *values);
-typedef struct YkDeriveBlocks YkDeriveBlocks; // blocks.h
+typedef struct YkDeriveBlocks YkDeriveBlocks;     // blocks.h
 typedef struct YkDeriveRelation YkDeriveRelation; // relations.h
 
 struct YkDerivation {
@@ -88,13 +89,13 @@ struct YkDerivation {
     int32_t time;        // symbol t, with rate 1
     int32_t *parameters; // symbols, by the model's index
     YkDeriveCoordinate *coordinates;
-    size_t coordinate_count, tree_count; // all; those of the tree come first and agree with the mechanism's indices
+    size_t coordinate_count, tree_count;   // all; those of the tree come first and agree with the mechanism's indices
     int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE
     YkDeriveBody *bodies;
     YkRingChange *to_joints; // one for each angle, rate and acceleration that is a body's own; made at first use
     size_t change_count;
     const YkPoisson **body_angles; // made with them: of each body's axes, joint form
-    YkDeriveLoop *loops; // in the file's order; yk_derive_loops makes them at first use
+    YkDeriveLoop *loops;           // in the file's order; yk_derive_loops makes them at first use
     size_t loop_count;
     struct YkDeriveNames *names; // of points; made at first use
     YkDeriveRelation *ties;      // gears, racks, belts, cams, laws (relations.h); made at first use
@@ -105,44 +106,49 @@ struct YkDerivation {
     struct YkDeriveSourceEntry {
         YkDeriveSource fill;
         void *context;
-    } *sources;
+    } * sources;
     size_t source_count, source_capacity;
     YkDeriveBlocks *blocks; // made at first use
-    int32_t *influence;     // per coordinate: the symbol of its influence coefficient; made by the section of velocities
+    int32_t *influence; // per coordinate: the symbol of its influence coefficient; made by the section of velocities
     // What sections add for proofs: elements that are 0 on the machine, linear in accelerations and in these symbols.
     const YkPoisson **relations;
     size_t relation_count, relation_capacity;
     int32_t *unknowns;
     size_t unknown_count, unknown_capacity;
-    bool failed; // out of memory outside of the ring
+    bool has_names; // JOINT.angle, BODY.rate, ... are entered as other names of symbols
+    bool failed;    // out of memory outside of the ring
 };
 
-// Builds the frame: symbols and angles. The model and the mechanism must outlive it. NULL with a problem added when out of
-// memory or where the file's numbers are too large to be exact. Cost O(bodies).
+// Builds the frame: symbols and angles. The model and the mechanism must outlive it. NULL with a problem added when out
+// of memory or where the file's numbers are too large to be exact. Cost O(bodies).
 YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
 void yk_derivation_free(YkDerivation *derivation);
 // Everything derived so far exists: memory, the ring's status.
 bool yk_derivation_is_well(const YkDerivation *derivation);
 
-// --- From the file (expression.c, symbols.c) -------------------------------------------------------------------------------
-// An expression of the file in SI, exactly: parameters, coordinates, rates and t become symbols; decimals and units exact
-// (deg with the symbol pi). What is no polynomial becomes a constant symbol where it is constant; otherwise NULL with the
-// status YK_RING_DIVISOR. NULL expression: 0.
+// --- From the file (expression.c, symbols.c)
+// ------------------------------------------------------------------------------- An expression of the file in SI,
+// exactly: parameters, coordinates, rates and t become symbols; decimals and units exact (deg with the symbol pi). What
+// is no polynomial becomes a constant symbol where it is constant; otherwise NULL with the status YK_RING_DIVISOR. NULL
+// expression: 0.
 const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr);
 // e^(i expr) of an angle. NULL expression: 1.
 const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
-// A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on failure.
+// A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on
+// failure.
 int32_t yk_derive_symbol(YkDerivation *d, const char *name, YkRingClass kind);
 // What a parameter stands for in terms of others: NULL where it is a number of its own (or no polynomial).
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 
-// --- The machine (machine.c, path.c) -----------------------------------------------------------------------------------------
+// --- The machine (machine.c, path.c)
+// -----------------------------------------------------------------------------------------
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
-const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);            // a slide's direction in its first body's axes
-const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint);         // the symbol; NULL where it does not slide
+const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes
+const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint); // the symbol; NULL where it does not slide
 // From the first body's place to the second's along the line: distance * unit vector, in the world, body form.
 const YkPoisson *yk_derive_slide(YkDerivation *d, int32_t joint);
-// Positions in the world, body form: a body's origin, and a place given in its axes. Cost: the body's depth in the tree.
+// Positions in the world, body form: a body's origin, and a place given in its axes. Cost: the body's depth in the
+// tree.
 const YkPoisson *yk_derive_origin(YkDerivation *d, int32_t body);
 const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoisson *at);
 // Of a body with mass: centre of mass in its axes, mass, inertia about the centre (a rod's follow); 0 where not given.
@@ -157,32 +163,37 @@ const YkDeriveLoop *yk_derive_loops(YkDerivation *d);
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a);
 void yk_derive_combination(const YkDerivation *d, int32_t body, int32_t *B);
 
-// The names of points, as short as they are clear: "A"; "crank.A" where several points that do not coincide are called A.
-// The origin has the name of a point that the file puts there, or the body's name with 0.
+// The names of points, as short as they are clear: "A"; "crank.A" where several points that do not coincide are called
+// A. The origin has the name of a point that the file puts there, or the body's name with 0.
 const char *yk_derive_point_name(YkDerivation *d, int32_t body, int32_t point);
 const char *yk_derive_center_name(YkDerivation *d, int32_t body); // C1, C2, ... unless taken
 // From the place `from` (a point of a body, by its index or YK_NONE for the origin) to the place `to`.
-typedef struct YkDerivePlace { int32_t body, point; } YkDerivePlace;
+typedef struct YkDerivePlace {
+    int32_t body, point;
+} YkDerivePlace;
 bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDerivePath *path);
 // The place at which joint j holds body side 0 or 1: `from` or `at` on the first, `to` or `at` on the second.
 YkDerivePlace yk_derive_place(const YkDerivation *d, int32_t joint, int side);
 
-// --- Values (values.c) ---------------------------------------------------------------------------------------------------
-// values[yk_ring_symbol_count(d->ring)]: parameters and constants from the file, coordinates and bodies from the state, what
-// sources know; 0 for the rest. dynamics may be NULL. Completed: ready for yk_ring_value.
+// --- Values (values.c)
+// ---------------------------------------------------------------------------------------------------
+// values[yk_ring_symbol_count(d->ring)]: parameters and constants from the file, coordinates and bodies from the state,
+// what sources know; 0 for the rest. dynamics may be NULL. Completed: ready for yk_ring_value.
 void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamics, double *values);
 bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context);
-// For --check: `zero` (an element, in any form) is 0 on the machine; `unknown` is a symbol that such elements determine (a force,
-// a multiplier, an effort), together with the accelerations, in which they are linear. Solved at random points of the field.
+// For --check: `zero` (an element, in any form) is 0 on the machine; `unknown` is a symbol that such elements determine
+// (a force, a multiplier, an effort), together with the accelerations, in which they are linear. Solved at random
+// points of the field.
 bool yk_derive_add_relation(YkDerivation *d, const YkPoisson *zero);
 bool yk_derive_add_unknown(YkDerivation *d, int32_t symbol);
 
-// --- Sections (sections.c) -----------------------------------------------------------------------------------------------
-// A section adds its headings and formulas to a page. false when something failed (the ring's status tells).
+// --- Sections (sections.c)
+// ----------------------------------------------------------------------------------------------- A section adds its
+// headings and formulas to a page. false when something failed (the ring's status tells).
 typedef bool (*YkDeriveSection)(YkDerivation *d, YkPage *page);
 typedef struct YkDeriveSectionEntry {
-    const char *name;  // as --what takes it
-    const char *title; // heading
+    const char *name;      // as --what takes it
+    const char *title;     // heading
     YkDeriveSection write; // NULL: not part of this version
 } YkDeriveSectionEntry;
 extern const YkDeriveSectionEntry yk_derive_sections[]; // in the order of `all`; ends at name NULL

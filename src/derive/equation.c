@@ -20,7 +20,8 @@ static const YkForm *read_sum(Reader *reader, bool is_side);
 
 static char peek(Reader *reader)
 {
-    while (reader->at < reader->length && (reader->text[reader->at] == ' ' || reader->text[reader->at] == '\t')) reader->at++;
+    while (reader->at < reader->length && (reader->text[reader->at] == ' ' || reader->text[reader->at] == '\t'))
+        reader->at++;
     return reader->at < reader->length ? reader->text[reader->at] : '\0';
 }
 
@@ -51,14 +52,17 @@ static const YkForm *leaf(Reader *reader, size_t start, size_t end)
 {
     YkPlace place = reader->place;
     place.column += (uint32_t)start;
-    const YkPoisson *a = yk_ring_read(reader->ring, YK_RING_TEXT, reader->text + start, end - start, place, reader->problems);
+    const YkPoisson *a =
+        yk_ring_read(reader->ring, YK_RING_TEXT, reader->text + start, end - start, place, reader->problems);
     if (!a) reader->failed = true;
     return yk_form_of(reader->ring, a);
 }
 
 static size_t name_end(const Reader *reader, size_t at)
 {
-    while (at < reader->length && (is_letter(reader->text[at]) || is_digit(reader->text[at]) || reader->text[at] == '.')) at++;
+    while (at < reader->length &&
+           (is_letter(reader->text[at]) || is_digit(reader->text[at]) || reader->text[at] == '.'))
+        at++;
     while (at < reader->length && reader->text[at] == '\'') at++;
     return at;
 }
@@ -90,8 +94,8 @@ static const YkForm *function(Reader *reader, size_t start, size_t end)
         yk_text_add(&text, reader->text + open, behind - open);
         YkPlace place = reader->place;
         place.column += (uint32_t)start;
-        parts[k] = yk_form_of(reader->ring, yk_ring_read(reader->ring, YK_RING_TEXT, yk_text_get(&text), text.length, place,
-                                                         k == 0 ? reader->problems : NULL));
+        parts[k] = yk_form_of(reader->ring, yk_ring_read(reader->ring, YK_RING_TEXT, yk_text_get(&text), text.length,
+                                                         place, k == 0 ? reader->problems : NULL));
     }
     yk_text_free(&text);
     if (!parts[0] || !parts[1]) reader->failed = true;
@@ -178,7 +182,8 @@ static const YkForm *read_product(Reader *reader)
         if (c == '*' || c == '/') reader->at++;
         const YkForm *factor = read_power(reader);
         if (!factor) return NULL;
-        product = c == '/' ? yk_form_divide(reader->ring, product, factor) : yk_form_multiply(reader->ring, product, factor);
+        product =
+            c == '/' ? yk_form_divide(reader->ring, product, factor) : yk_form_multiply(reader->ring, product, factor);
     }
     return product;
 }
@@ -212,13 +217,16 @@ static const YkForm *read_sum(Reader *reader, bool is_side)
     return sum;
 }
 
-bool yk_equation_read(YkRing *ring, const char *text, size_t length, YkPlace place, YkProblems *problems, YkEquation *equation)
+bool yk_equation_read(YkRing *ring, const char *text, size_t length, YkPlace place, YkProblems *problems,
+                      YkEquation *equation)
 {
-    Reader reader = {.ring = ring, .text = text, .length = length, .place = place, .problems = problems, .equation = equation};
+    Reader reader = {
+        .ring = ring, .text = text, .length = length, .place = place, .problems = problems, .equation = equation};
     *equation = (YkEquation){0};
     equation->left = read_sum(&reader, true);
     if (equation->left && peek(&reader) != '=')
-        refuse(&reader, reader.at, reader.at < length ? "an operator or `=` is wanted here" : "there is no `=` in this equation",
+        refuse(&reader, reader.at,
+               reader.at < length ? "an operator or `=` is wanted here" : "there is no `=` in this equation",
                "an equation has two sides: `l1*cos(theta1) - d3*cos(theta2) = 0`");
     if (reader.failed || !equation->left) return false;
     reader.at++;

@@ -55,8 +55,8 @@ static const YkPoisson *unit_size(YkRing *ring, double size, int angle)
 
 static const YkPoisson *number(YkDerivation *d, const YkExpr *expr)
 {
-    const YkPoisson *value =
-        expr->is_exact ? yk_ring_decimal(d->ring, expr->mantissa, expr->exponent) : as_decimal(d->ring, expr->number, INT64_MAX);
+    const YkPoisson *value = expr->is_exact ? yk_ring_decimal(d->ring, expr->mantissa, expr->exponent)
+                                            : as_decimal(d->ring, expr->number, INT64_MAX);
     double size = expr->has_unit ? expr->unit_size : expr->value_scale;
     if (size == 1) return value;
     int angle = expr->has_unit ? expr->unit.angle : expr->dimension.angle;
@@ -67,6 +67,10 @@ static const YkPoisson *name(YkDerivation *d, const YkExpr *expr)
 {
     if (strcmp(expr->name, "pi") == 0) return yk_ring_pi(d->ring);
     int32_t symbol = yk_derive_find(d, expr->name);
+    if (symbol < 0) {
+        yk_derive_enter_names(d);
+        symbol = yk_derive_find(d, expr->name);
+    }
     return symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
 }
 
@@ -236,5 +240,6 @@ const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter)
     bool has_names = false;
     const YkExpr *expr = d->model->parameters[parameter].expr;
     yk_expr_names(expr, look_for_name, &has_names);
-    return has_names && !(expr->kind == YK_EXPR_NAME && strcmp(expr->name, "pi") == 0) ? yk_derive_expression(d, expr) : NULL;
+    return has_names && !(expr->kind == YK_EXPR_NAME && strcmp(expr->name, "pi") == 0) ? yk_derive_expression(d, expr)
+                                                                                       : NULL;
 }

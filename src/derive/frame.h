@@ -8,6 +8,8 @@ int32_t yk_derive_find(const YkDerivation *d, const char *name);
 int32_t yk_derive_angle(YkDerivation *d, const char *name); // as yk_derive_symbol, an angle
 // One more name for a symbol, first + second, where it is free and can be a name.
 void yk_derive_also(YkDerivation *d, int32_t symbol, const char *first, const char *second);
+// Other names, for equations and expressions: JOINT.angle of a coordinate, BODY.angle and BODY.rate of a body.
+void yk_derive_enter_names(YkDerivation *d);
 // Enters all symbols. false on failure.
 bool yk_derive_enter_parameters(YkDerivation *d);
 bool yk_derive_enter_coordinates(YkDerivation *d);

@@ -32,7 +32,8 @@ static void cut(const YkDeriveBlocks *blocks, YkShownMatrix *matrix)
     if (blocks->input_count > 0) matrix->column_cut[blocks->input_count - 1] = true;
     for (size_t b = 0; b < blocks->block_count; b++) {
         const YkDeriveBlock *block = &blocks->blocks[b];
-        if (block->first_row + block->row_count < matrix->rows) matrix->row_cut[block->first_row + block->row_count - 1] = true;
+        if (block->first_row + block->row_count < matrix->rows)
+            matrix->row_cut[block->first_row + block->row_count - 1] = true;
         if (block->first_column + block->column_count < matrix->columns)
             matrix->column_cut[block->first_column + block->column_count - 1] = true;
     }
@@ -46,8 +47,7 @@ static void put_matrix(YkDerivation *d, YkPage *page)
     yk_line_sign(page, line, "=");
     YkShownMatrix *matrix = yk_line_matrix(page, line, blocks->row_count, blocks->column_count);
     if (!matrix) return;
-    for (size_t i = 0; i < blocks->row_count; i++)
-        fill_row(d, page, matrix, i, &blocks->rows[blocks->row_order[i]]);
+    for (size_t i = 0; i < blocks->row_count; i++) fill_row(d, page, matrix, i, &blocks->rows[blocks->row_order[i]]);
     cut(blocks, matrix);
     line->target = "J";
 }

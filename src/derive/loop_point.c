@@ -1,10 +1,12 @@
-// Random points of the machine's motion over the prime field: random angles; the loop equations solved for what enters them
-// linearly (distances, lengths, angles outside of cos and sin); rates from J q' = 0; accelerations, and what sections have added, from their linear equations.
-// All dimensions are random, so what holds there holds for all dimensions.
+// Random points of the machine's motion over the prime field: random angles; the loop equations solved for what enters
+// them linearly (distances, lengths, angles outside of cos and sin); rates from J q' = 0; accelerations, and what
+// sections have added, from their linear equations. All dimensions are random, so what holds there holds for all
+// dimensions.
 #include <stdlib.h>
 #include "derive/blocks.h"
 #include "derive/check.h"
 #include "derive/frame.h"
+#include "derive/free_bodies.h"
 
 typedef struct Making {
     YkDerivation *d;
@@ -43,7 +45,8 @@ static bool is_defined(YkDerivation *d, size_t parameter)
     return false;
 }
 
-// --- Slides and welds that close loops: e^(i angle row) = 1, solved for a coordinate that stands in no earlier such row.
+// --- Slides and welds that close loops: e^(i angle row) = 1, solved for a coordinate that stands in no earlier such
+// row.
 static const YkPoisson *unit_of_row(YkDerivation *d, const YkDeriveLoop *loop)
 {
     const YkJoint *j = &d->model->joints[loop->joint];
@@ -82,7 +85,8 @@ static void close_angles(Making *making)
 }
 
 // --- Linear systems over the field: rows `zero` of the ring, affine in the unknown symbols.
-static bool solve(Making *making, const YkPoisson *const *zeros, size_t rows, const int32_t *unknowns, size_t count, int *rank)
+static bool solve(Making *making, const YkPoisson *const *zeros, size_t rows, const int32_t *unknowns, size_t count,
+                  int *rank)
 {
     YkRing *ring = making->d->ring;
     uint64_t *block = calloc(rows * count + rows + count + 1, sizeof *block);
@@ -157,13 +161,27 @@ static void close_loops(Making *making)
     free((void *)zeros);
 }
 
+// Lengths of springs: roots of their squares, where there are any.
+static void take_roots(Making *making)
+{
+    const YkDeriveForces *forces = yk_derive_forces(making->d);
+    for (size_t k = 0; forces && k < forces->length_count && making->is_possible; k++) {
+        uint64_t root;
+        if (yk_field_sqrt(field(making, forces->lengths[k].square), &root) && root != 0)
+            yk_field_point_set(making->point, forces->lengths[k].symbol, root);
+        else
+            making->is_possible = false;
+    }
+}
+
 // Rates: J q' = 0. A machine that moves only with special dimensions has too little freedom here.
 static void move(Making *making, bool accelerations)
 {
     YkDerivation *d = making->d;
     const YkDeriveBlocks *blocks = making->blocks;
     int rank = 0;
-    size_t more = accelerations ? d->relation_count : 0, n = d->coordinate_count + (accelerations ? d->unknown_count : 0);
+    size_t more = accelerations ? d->relation_count : 0,
+           n = d->coordinate_count + (accelerations ? d->unknown_count : 0);
     int32_t *unknowns = calloc(n + 1, sizeof *unknowns);
     const YkPoisson **zeros = (const YkPoisson **)calloc(blocks->row_count + more + 1, sizeof *zeros);
     making->failed |= !unknowns || !zeros;
@@ -172,11 +190,14 @@ static void move(Making *making, bool accelerations)
         if (accelerations) zeros[r] = yk_ring_time_derivative(d->ring, zeros[r]);
     }
     for (size_t r = 0; r < more && !making->failed; r++) zeros[blocks->row_count + r] = d->relations[r];
-    for (size_t k = 0; k < d->coordinate_count && !making->failed; k++) // unknown ones first: given ones stay as they are
+    for (size_t k = 0; k < d->coordinate_count && !making->failed;
+         k++) // unknown ones first: given ones stay as they are
         unknowns[k] = accelerations ? d->coordinates[blocks->column_order[d->coordinate_count - 1 - k]].acceleration
                                     : d->coordinates[blocks->column_order[d->coordinate_count - 1 - k]].rate;
-    for (size_t k = d->coordinate_count; k < n && !making->failed; k++) unknowns[k] = d->unknowns[k - d->coordinate_count];
-    if (!making->failed && !solve(making, zeros, blocks->row_count + more, unknowns, n, &rank)) making->is_possible = false;
+    for (size_t k = d->coordinate_count; k < n && !making->failed; k++)
+        unknowns[k] = d->unknowns[k - d->coordinate_count];
+    if (!making->failed && !solve(making, zeros, blocks->row_count + more, unknowns, n, &rank))
+        making->is_possible = false;
     if (!accelerations && (size_t)rank + d->mech->input_count > d->coordinate_count) making->is_possible = false;
     free(unknowns);
     free((void *)zeros);
@@ -199,11 +220,14 @@ YkFieldPoint *yk_derive_loop_point(YkDerivation *d, uint64_t seed, bool *is_poss
     Making making = {.d = d, .blocks = yk_derive_blocks(d), .is_possible = true};
     *is_possible = false;
     for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k); // enters the symbols they need
+    yk_derive_enter_forces(d);
     making.point = making.blocks ? yk_field_point_new(d->ring, seed) : NULL;
     if (!making.point) return NULL;
     follow_definitions(&making);
     close_angles(&making);
     close_loops(&making);
+    set_bodies(&making);
+    take_roots(&making);
     move(&making, false);
     set_bodies(&making);
     move(&making, true);

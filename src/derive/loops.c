@@ -99,7 +99,8 @@ static void put_constraint(YkDerivation *d, YkPage *page, int32_t joint)
 {
     const YkJoint *j = &d->model->joints[joint];
     YkDerivePlace from = yk_derive_place(d, joint, 0), to = yk_derive_place(d, joint, 1);
-    const char *name = joined(page, yk_derive_point_name(d, to.body, to.point), yk_derive_point_name(d, from.body, from.point));
+    const char *name =
+        joined(page, yk_derive_point_name(d, to.body, to.point), yk_derive_point_name(d, from.body, from.point));
     YkText words = {0};
     yk_text_format(&words, "%s", j->name);
     YkLine *line = yk_page_formula(page, yk_text_get(&words));
@@ -144,7 +145,8 @@ static void put_ties(YkDerivation *d, YkPage *page)
         const YkDeriveRelation *tie = &d->ties[k];
         YkText remark = {0};
         yk_text_format(&remark, "%s %s", kinds[tie->kind], tie->name);
-        YkLine *line = tie->value ? yk_page_equation(page, yk_text_get(&remark), tie->value, NULL, YK_RING_TEXTBOOK) : NULL;
+        YkLine *line =
+            tie->value ? yk_page_equation(page, yk_text_get(&remark), tie->value, NULL, YK_RING_TEXTBOOK) : NULL;
         if (line) line->over = tie->value, line->target = "Phi";
         if (!tie->value) yk_page_words(page, "%s: not written here", yk_text_get(&remark));
         yk_text_free(&remark);
@@ -183,7 +185,8 @@ bool yk_derive_section_loops(YkDerivation *d, YkPage *page)
 {
     if (!yk_derive_loops(d)) return false;
     yk_derive_ties(d);
-    if (d->loop_count == 0 && d->tie_count == 0) yk_page_words(page, "The machine has no loop: every coordinate is free.");
+    if (d->loop_count == 0 && d->tie_count == 0)
+        yk_page_words(page, "The machine has no loop: every coordinate is free.");
     if (d->loop_count > 0) yk_page_heading(page, 2, "Vectors");
     define_vectors(d, page);
     for (size_t l = 0; l < d->loop_count; l++) put_loop(d, page, &d->loops[l]);

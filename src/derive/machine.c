@@ -19,7 +19,8 @@ const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint)
 {
     const YkJoint *j = &d->model->joints[joint];
     if (j->along_expr) return yk_derive_turn(d, j->along_expr);
-    const YkPoisson *across = yk_ring_scale(d->ring, yk_ring_i(d->ring), (int64_t)j->along.y, 1); // x, y or their opposites
+    const YkPoisson *across =
+        yk_ring_scale(d->ring, yk_ring_i(d->ring), (int64_t)j->along.y, 1); // x, y or their opposites
     return yk_ring_add(d->ring, yk_ring_rational(d->ring, (int64_t)j->along.x, 1), across);
 }
 
@@ -40,12 +41,14 @@ const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoiss
     YkRing *ring = d->ring;
     const YkPoisson *sum = yk_ring_multiply(ring, d->bodies[body].unit, at);
     for (int32_t b = body; d->bodies[b].parent != YK_NONE; b = d->bodies[b].parent) {
-        // From b's origin back over the joint: - at_b, + at_parent, and the slide along a line of the joint's first body.
+        // From b's origin back over the joint: - at_b, + at_parent, and the slide along a line of the joint's first
+        // body.
         int32_t joint = d->bodies[b].joint, parent = d->bodies[b].parent;
         int side = d->model->joints[joint].body[1] == b;
         YkDerivePlace here = yk_derive_place(d, joint, side), there = yk_derive_place(d, joint, !side);
         sum = yk_ring_subtract(ring, sum, yk_ring_multiply(ring, d->bodies[b].unit, yk_derive_at(d, b, here.point)));
-        sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, d->bodies[parent].unit, yk_derive_at(d, parent, there.point)));
+        sum = yk_ring_add(ring, sum,
+                          yk_ring_multiply(ring, d->bodies[parent].unit, yk_derive_at(d, parent, there.point)));
         if (d->joint_distance[joint] == YK_NONE) continue;
         const YkPoisson *slide = yk_derive_slide(d, joint);
         sum = side ? yk_ring_add(ring, sum, slide) : yk_ring_subtract(ring, sum, slide);
@@ -55,7 +58,8 @@ const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoiss
 
 const YkPoisson *yk_derive_slide(YkDerivation *d, int32_t joint)
 {
-    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[d->model->joints[joint].body[0]].unit, yk_derive_along(d, joint));
+    const YkPoisson *line =
+        yk_ring_multiply(d->ring, d->bodies[d->model->joints[joint].body[0]].unit, yk_derive_along(d, joint));
     return yk_ring_multiply(d->ring, yk_derive_distance(d, joint), line);
 }
 
@@ -87,7 +91,8 @@ const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
     if (!is_rod(b)) return yk_derive_expression(d, b->inertia_expr);
-    const YkPoisson *rod = yk_ring_subtract(d->ring, yk_derive_at(d, body, b->rod[1]), yk_derive_at(d, body, b->rod[0]));
+    const YkPoisson *rod =
+        yk_ring_subtract(d->ring, yk_derive_at(d, body, b->rod[1]), yk_derive_at(d, body, b->rod[0]));
     const YkPoisson *square = yk_ring_dot(d->ring, rod, rod);
     return yk_ring_scale(d->ring, yk_ring_multiply(d->ring, yk_derive_mass(d, body), square), 1, 12);
 }

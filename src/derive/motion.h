@@ -5,7 +5,8 @@
 
 // J q'' = gamma, one row: gamma = - (d/dt J) q'.
 const YkPoisson *yk_derive_gamma(YkDerivation *d, const YkDeriveRow *row);
-// determinant * unknown = over[unknown], for rates or accelerations, from those before. false where the block is not solved.
+// determinant * unknown = over[unknown], for rates or accelerations, from those before. false where the block is not
+// solved.
 bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over);
 // All blocks in order: their unknowns, then the rates of bodies that they settle; systems where they are not solved.
 void yk_derive_put_solutions(YkDerivation *d, YkPage *page, bool accelerations);
@@ -13,6 +14,7 @@ void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *bl
 // determinant * (a body's rate or acceleration), where this block is the last that it needs; NULL otherwise.
 const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block, const YkPoisson *const *over,
                                      bool accelerations);
-void yk_derive_put_bodies(YkDerivation *d, YkPage *page, size_t block, const YkPoisson *const *over, bool accelerations);
+void yk_derive_put_bodies(YkDerivation *d, YkPage *page, size_t block, const YkPoisson *const *over,
+                          bool accelerations);
 
 #endif

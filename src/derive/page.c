@@ -105,7 +105,7 @@ YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t co
     YkShownMatrix *matrix = piece ? YK_NEW(page->arena, YkShownMatrix, 1) : NULL;
     if (!matrix) return NULL;
     matrix->rows = rows, matrix->columns = columns;
-    matrix->entries = YK_NEW(page->arena, const YkPoisson *, rows * columns + 1);
+    matrix->entries = YK_NEW(page->arena, const YkPoisson *, rows *columns + 1);
     matrix->row_cut = YK_NEW(page->arena, bool, rows + 1);
     matrix->column_cut = YK_NEW(page->arena, bool, columns + 1);
     matrix->row_labels = YK_NEW(page->arena, const char *, rows + 1);
@@ -119,7 +119,8 @@ YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t co
     return matrix;
 }
 
-YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right, YkRingStyle style)
+YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
+                         YkRingStyle style)
 {
     YkLine *line = yk_page_formula(page, remark);
     if (!line) return NULL;
@@ -141,14 +142,13 @@ static bool is_whole_in_print(YkRing *ring, const YkPoisson *a)
     return whole;
 }
 
-// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix): what is even in print may still have a common 2.
-static void halve_while_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
+// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix): where it finds no common divisor, print may have a 2, no
+// more.
+static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
-    for (int step = 0; step < 3; step++) {
-        const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2), *b = yk_ring_scale(ring, *under, 1, 2);
-        if (!a || !b || !is_whole_in_print(ring, a) || !is_whole_in_print(ring, b)) return;
-        *over = a, *under = b;
-    }
+    const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2), *b = yk_ring_scale(ring, *under, 1, 2);
+    if (!a || !b || !is_whole_in_print(ring, b) || !is_whole_in_print(ring, a)) return;
+    *over = a, *under = b;
 }
 
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
@@ -163,7 +163,7 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
         *over = yk_ring_divide(ring, *over, common);
         *under = yk_ring_divide(ring, *under, common);
     }
-    halve_while_whole(ring, over, under);
+    halve_if_whole(ring, over, under);
     return *over && *under;
 }
 
@@ -204,7 +204,8 @@ static bool has_leading_minus(YkRing *ring, const YkPoisson *a)
     return minus;
 }
 
-YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over, const YkPoisson *under)
+YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over,
+                         const YkPoisson *under)
 {
     YkRing *ring = page->ring;
     YkLine *line = yk_page_formula(page, remark);

@@ -1,6 +1,6 @@
-// A page of mathematics, before it is text, LaTeX, MathML, JSON or C: headings, sentences, formulas. Formulas are rows of
-// pieces that know their elements, so that every printer writes them its way, values can be put beside them, and tests can
-// ask whether a formula is true.
+// A page of mathematics, before it is text, LaTeX, MathML, JSON or C: headings, sentences, formulas. Formulas are rows
+// of pieces that know their elements, so that every printer writes them its way, values can be put beside them, and
+// tests can ask whether a formula is true.
 #ifndef DERIVE_PAGE_H
 #define DERIVE_PAGE_H
 #include <stdbool.h>
@@ -44,11 +44,12 @@ typedef enum YkLineKind { YK_LINE_HEADING, YK_LINE_WORDS, YK_LINE_FORMULA } YkLi
 typedef struct YkLine YkLine;
 struct YkLine {
     YkLineKind kind;
-    int level;        // of a heading: 1 section, 2 part of it
-    const char *text; // heading, words; of a formula a name or remark, or NULL
+    int level;           // of a heading: 1 section, 2 part of it
+    const char *text;    // heading, words; of a formula a name or remark, or NULL
     const char *section; // to which section it belongs
     YkPagePiece *first, *last;
-    // What is 0 wherever the formula holds, on the machine's own motion; NULL where it is no equation between scalars or vectors.
+    // What is 0 wherever the formula holds, on the machine's own motion; NULL where it is no equation between scalars
+    // or vectors.
     const YkPoisson *vanishes;
     bool is_identity; // `vanishes` is 0 by itself, coordinates being free
     // For C: target = over / under; under NULL: 1. NULL: no statement.
@@ -68,7 +69,8 @@ typedef struct YkPage {
     bool failed;         // out of memory
 } YkPage;
 
-// A zeroed page with arena and ring set is an empty one. All of the following take NULL lines (after a failure) and copy texts.
+// A zeroed page with arena and ring set is an empty one. All of the following take NULL lines (after a failure) and
+// copy texts.
 void yk_page_heading(YkPage *page, int level, const char *text);
 void yk_page_words(YkPage *page, const char *format, ...); // yk_text_format's
 YkLine *yk_page_formula(YkPage *page, const char *remark); // an empty formula; remark may be NULL
@@ -83,9 +85,11 @@ void yk_line_words(YkPage *page, YkLine *line, const char *words);
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
 
 // left = right, both real elements; right may be NULL for 0. `vanishes` is set, and the value unless right is a number.
-YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right, YkRingStyle style);
+YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
+                         YkRingStyle style);
 // symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
-YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over, const YkPoisson *under);
+YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over,
+                         const YkPoisson *under);
 // Divides both by what all their terms have in common. false where the ring failed.
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under);
 

@@ -34,7 +34,8 @@ static void unite_places(YkDerivation *d, struct YkDeriveNames *names)
     for (size_t j = 0; j < d->model->joint_count; j++) {
         YkPartKind kind = d->model->joints[j].kind;
         if (kind != YK_PIN && kind != YK_WELD) continue;
-        unite(names, place_index(d, yk_derive_place(d, (int32_t)j, 0)), place_index(d, yk_derive_place(d, (int32_t)j, 1)));
+        unite(names, place_index(d, yk_derive_place(d, (int32_t)j, 0)),
+              place_index(d, yk_derive_place(d, (int32_t)j, 1)));
     }
     for (size_t p = 0; p < d->model->point_count; p++) {
         int32_t body = d->model->points[p].body;
@@ -183,16 +184,18 @@ static void add_vector(Walk *walk, YkDeriveVector vector)
     }
 }
 
-// On one body from a place to a place. Bound away from where the body hangs in the tree, a vector keeps its sense; towards it,
-// the vector of the book points outwards and is subtracted.
+// On one body from a place to a place. Bound away from where the body hangs in the tree, a vector keeps its sense;
+// towards it, the vector of the book points outwards and is subtracted.
 static void step_on(Walk *walk, YkDerivePlace from, YkDerivePlace to, bool inwards)
 {
     YkDerivation *d = walk->d;
     YkDerivePlace tail = inwards ? to : from, head = inwards ? from : to;
-    const YkPoisson *arm = yk_ring_subtract(d->ring, yk_derive_at(d, head.body, head.point), yk_derive_at(d, tail.body, tail.point));
+    const YkPoisson *arm =
+        yk_ring_subtract(d->ring, yk_derive_at(d, head.body, head.point), yk_derive_at(d, tail.body, tail.point));
     add_vector(walk, (YkDeriveVector){.head = yk_derive_point_name(d, head.body, head.point),
                                       .tail = yk_derive_point_name(d, tail.body, tail.point),
-                                      .body = from.body, .is_negative = inwards,
+                                      .body = from.body,
+                                      .is_negative = inwards,
                                       .value = yk_ring_multiply(d->ring, d->bodies[from.body].unit, arm)});
 }
 
@@ -204,8 +207,11 @@ static void step_over(Walk *walk, int32_t joint, bool inwards, bool to_second)
     YkDerivePlace from = yk_derive_place(d, joint, 0), to = yk_derive_place(d, joint, 1);
     (void)inwards;
     add_vector(walk, (YkDeriveVector){.head = yk_derive_point_name(d, to.body, to.point),
-                                      .tail = yk_derive_point_name(d, from.body, from.point), .body = from.body,
-                                      .is_negative = !to_second, .is_variable = true, .value = yk_derive_slide(d, joint)});
+                                      .tail = yk_derive_point_name(d, from.body, from.point),
+                                      .body = from.body,
+                                      .is_negative = !to_second,
+                                      .is_variable = true,
+                                      .value = yk_derive_slide(d, joint)});
 }
 
 static int side_of(const YkDerivation *d, int32_t body)
@@ -268,7 +274,8 @@ bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDer
     *path = (YkDerivePath){walk.vectors, walk.count, yk_ring_rational(d->ring, 0, 1)};
     for (size_t k = 0; k < walk.count; k++) {
         const YkDeriveVector *v = &walk.vectors[k];
-        path->sum = v->is_negative ? yk_ring_subtract(d->ring, path->sum, v->value) : yk_ring_add(d->ring, path->sum, v->value);
+        path->sum =
+            v->is_negative ? yk_ring_subtract(d->ring, path->sum, v->value) : yk_ring_add(d->ring, path->sum, v->value);
     }
     return path->sum != NULL;
 }
@@ -298,9 +305,11 @@ static bool make_loop(YkDerivation *d, YkDeriveLoop *loop, int32_t joint)
     if (!yk_derive_path(d, second, first, &loop->path)) return false;
     if (d->joint_distance[joint] != YK_NONE) { // the first body's point moves along its line
         YkDerivePath *path = &loop->path;
-        path->vectors[path->count++] = (YkDeriveVector){
-            .head = yk_derive_point_name(d, second.body, second.point), .tail = yk_derive_point_name(d, first.body, first.point),
-            .body = first.body, .is_variable = true, .value = yk_derive_slide(d, joint)};
+        path->vectors[path->count++] = (YkDeriveVector){.head = yk_derive_point_name(d, second.body, second.point),
+                                                        .tail = yk_derive_point_name(d, first.body, first.point),
+                                                        .body = first.body,
+                                                        .is_variable = true,
+                                                        .value = yk_derive_slide(d, joint)};
         path->sum = yk_ring_add(d->ring, path->sum, yk_derive_slide(d, joint));
     }
     const YkPoisson *axes = yk_derive_in_joints(d, d->bodies[loop->axes].unit);

@@ -32,7 +32,8 @@ static const YkPoisson *wheels(YkDerivation *d, YkDeriveRelation *relation, cons
     const YkPoisson *arm = yk_derive_body_angle(d, carrier);
     const YkPoisson *first = yk_ring_subtract(ring, yk_derive_body_angle(d, body[0]), arm);
     const YkPoisson *second = yk_ring_subtract(ring, yk_derive_body_angle(d, body[1]), arm);
-    double phase = constant + factor[0] * (turn(d, body[0]) - turn(d, carrier)) + factor[1] * (turn(d, body[1]) - turn(d, carrier));
+    double phase = constant + factor[0] * (turn(d, body[0]) - turn(d, carrier)) +
+                   factor[1] * (turn(d, body[1]) - turn(d, carrier));
     const YkPoisson *sum = yk_ring_add(ring, yk_ring_multiply(ring, a, first), yk_ring_multiply(ring, b, second));
     return yk_ring_subtract(ring, sum, phase_of(d, relation, phase));
 }
@@ -62,10 +63,12 @@ static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const 
 {
     const YkRack *r = &d->model->racks[of->index];
     YkRing *ring = d->ring;
-    const YkPoisson *angle = yk_ring_subtract(ring, yk_derive_body_angle(d, r->pinion), yk_derive_body_angle(d, r->carrier));
+    const YkPoisson *angle =
+        yk_ring_subtract(ring, yk_derive_body_angle(d, r->pinion), yk_derive_body_angle(d, r->carrier));
     const YkPoisson *rolled = yk_ring_multiply(ring, yk_derive_expression(d, r->radius_expr), angle);
     double phase = of->constant - r->sense * r->radius * (turn(d, r->pinion) - turn(d, r->carrier));
-    const YkPoisson *moved = yk_ring_subtract(ring, yk_derive_distance(d, r->slide), yk_ring_scale(ring, rolled, r->sense, 1));
+    const YkPoisson *moved =
+        yk_ring_subtract(ring, yk_derive_distance(d, r->slide), yk_ring_scale(ring, rolled, r->sense, 1));
     return yk_ring_subtract(ring, moved, phase_of(d, relation, phase));
 }
 
@@ -81,7 +84,8 @@ static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation,
         free_name = true;
         for (size_t k = 0; k < LAW_ORDERS; k++) {
             yk_text_clear(&text[k]);
-            for (const char *c = d->model->laws[law].name; *c; c++) yk_text_format(&text[k], "%c", *c == '-' ? '_' : *c);
+            for (const char *c = d->model->laws[law].name; *c; c++)
+                yk_text_format(&text[k], "%c", *c == '-' ? '_' : *c);
             yk_text_repeat(&text[k], '_', taken);
             yk_text_puts(&text[k], endings[k]);
             names[k] = yk_text_get(&text[k]);
@@ -95,7 +99,8 @@ static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation,
     return relation->function < 0 ? NULL : yk_ring_of(d->ring, relation->function);
 }
 
-static const YkPoisson *follows(YkDerivation *d, YkDeriveRelation *relation, const YkPoisson *value, int32_t argument, int32_t law)
+static const YkPoisson *follows(YkDerivation *d, YkDeriveRelation *relation, const YkPoisson *value, int32_t argument,
+                                int32_t law)
 {
     if (argument == YK_NONE || !value) return NULL;
     return yk_ring_subtract(d->ring, value, function_of(d, relation, law, argument));

@@ -22,7 +22,8 @@ static int32_t enter(YkDerivation *d, const char *name, YkRingClass kind, bool i
         fit_name(&text, name, taken);
         if (text.failed) break;
         if (yk_ring_find(d->ring, yk_text_get(&text)) >= 0) continue;
-        symbol = is_angle ? yk_ring_angle(d->ring, yk_text_get(&text)) : yk_ring_symbol(d->ring, yk_text_get(&text), kind);
+        symbol =
+            is_angle ? yk_ring_angle(d->ring, yk_text_get(&text)) : yk_ring_symbol(d->ring, yk_text_get(&text), kind);
         if (symbol < 0 && yk_ring_status(d->ring) == YK_RING_NAME) yk_ring_clear(d->ring); // a word that is reserved
     }
     d->failed |= text.failed;
@@ -90,8 +91,8 @@ bool yk_derive_enter_parameters(YkDerivation *d)
     if (!d->parameters) return false;
     for (size_t k = 0; k < model->parameter_count; k++) {
         const YkParameter *p = &model->parameters[k];
-        d->parameters[k] = is_angle(p->dimension) ? yk_derive_angle(d, p->name)
-                                                  : yk_derive_symbol(d, p->name, class_of(p->dimension));
+        d->parameters[k] =
+            is_angle(p->dimension) ? yk_derive_angle(d, p->name) : yk_derive_symbol(d, p->name, class_of(p->dimension));
         if (d->parameters[k] < 0) return false;
     }
     return true;
@@ -99,16 +100,11 @@ bool yk_derive_enter_parameters(YkDerivation *d)
 
 static bool enter_coordinate(YkDerivation *d, YkDeriveCoordinate *c, const char *name)
 {
-    const char *joint = d->model->joints[c->joint].name;
     c->position = c->is_distance ? yk_derive_symbol(d, name, YK_RING_COORDINATE) : yk_derive_angle(d, name);
     c->rate = yk_ring_rates(d->ring, c->position);
     if (c->rate < 0) return false;
     c->acceleration = c->rate + 1;
     c->name = yk_ring_symbol_name(d->ring, c->position);
-    static const char *const endings[2][5] = {{".angle", ".angle.rate", ".angle.accel", ".angle'", ".angle''"},
-                                              {".distance", ".distance.rate", ".distance.accel", ".distance'", ".distance''"}};
-    const int32_t symbols[] = {c->position, c->rate, c->acceleration, c->rate, c->acceleration};
-    for (size_t i = 0; i < 5; i++) yk_derive_also(d, symbols[i], joint, endings[c->is_distance][i]);
     int32_t *place = c->is_distance ? d->joint_distance : d->joint_angle;
     place[c->joint] = (int32_t)(c - d->coordinates);
     return true;
@@ -149,10 +145,42 @@ bool yk_derive_enter_coordinates(YkDerivation *d)
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         const YkTreeCoordinate *of = &mech->coordinates[k];
         YkDeriveCoordinate *c = &d->coordinates[d->coordinate_count++];
-        *c = (YkDeriveCoordinate){.joint = of->joint, .is_distance = of->is_distance, .in_tree = true,
-                                  .is_input = of->input != YK_NONE, .drive = of->drive};
+        *c = (YkDeriveCoordinate){.joint = of->joint,
+                                  .is_distance = of->is_distance,
+                                  .in_tree = true,
+                                  .is_input = of->input != YK_NONE,
+                                  .drive = of->drive};
         if (!enter_coordinate(d, c, of->name)) return false;
     }
     d->tree_count = d->coordinate_count;
     return enter_closing_distances(d);
+}
+
+static void name_coordinate(YkDerivation *d, const YkDeriveCoordinate *c)
+{
+    const char *joint = d->model->joints[c->joint].name;
+    static const char *const endings[2][5] = {
+        {".angle", ".angle.rate", ".angle.accel", ".angle'", ".angle''"},
+        {".distance", ".distance.rate", ".distance.accel", ".distance'", ".distance''"}};
+    const int32_t symbols[] = {c->position, c->rate, c->acceleration, c->rate, c->acceleration};
+    for (size_t i = 0; i < 5; i++) yk_derive_also(d, symbols[i], joint, endings[c->is_distance][i]);
+}
+
+// A body's angle under its name, also where it is a coordinate of the file.
+static void name_body(YkDerivation *d, const YkDeriveBody *body)
+{
+    static const char *const endings[] = {".angle",   ".angle.rate", ".angle.accel", ".angle'",
+                                          ".angle''", ".rate",       ".accel"};
+    const int32_t symbols[] = {body->angle,        body->rate, body->acceleration, body->rate,
+                               body->acceleration, body->rate, body->acceleration};
+    if (body->angle < 0 || !yk_ring_is_same(body->turn, yk_ring_rational(d->ring, 1, 1))) return;
+    for (size_t i = 0; i < 7; i++) yk_derive_also(d, symbols[i], body->name, endings[i]);
+}
+
+void yk_derive_enter_names(YkDerivation *d)
+{
+    if (d->has_names) return;
+    d->has_names = true;
+    for (size_t k = 0; k < d->coordinate_count; k++) name_coordinate(d, &d->coordinates[k]);
+    for (size_t b = 0; d->bodies && b < d->model->body_count; b++) name_body(d, &d->bodies[b]);
 }

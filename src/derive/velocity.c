@@ -4,15 +4,17 @@
 #include "derive/sections.h"
 
 // Row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
-static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row, bool accelerations)
+static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row,
+                                   bool accelerations)
 {
     const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
     for (size_t k = 0; k < block->first_column; k++) {
         const YkDeriveCoordinate *c = &d->coordinates[d->blocks->column_order[k]];
         const YkPoisson *entry = yk_derive_entry(d, row, d->blocks->column_order[k]);
         if (yk_ring_is_zero(entry)) continue;
-        sum = yk_ring_subtract(d->ring, sum,
-                               yk_ring_multiply(d->ring, entry, yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate)));
+        sum = yk_ring_subtract(
+            d->ring, sum,
+            yk_ring_multiply(d->ring, entry, yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate)));
     }
     return sum;
 }
@@ -81,7 +83,8 @@ static bool has_own_angle(const YkDerivation *d, int32_t body)
     return b->angle != d->coordinates[d->joint_angle[b->joint]].position;
 }
 
-const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block, const YkPoisson *const *over, bool accelerations)
+const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block, const YkPoisson *const *over,
+                                     bool accelerations)
 {
     YkRing *ring = d->ring;
     const YkDeriveBlock *last = &d->blocks->blocks[block];
@@ -93,7 +96,8 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
         int32_t in = B[c] ? block_of(d, (int32_t)c) : YK_NONE;
         if (in > latest) latest = in;
         if (B[c] == 0 || in == (int32_t)block) continue;
-        const YkPoisson *rate = yk_ring_of(ring, accelerations ? d->coordinates[c].acceleration : d->coordinates[c].rate);
+        const YkPoisson *rate =
+            yk_ring_of(ring, accelerations ? d->coordinates[c].acceleration : d->coordinates[c].rate);
         sum = yk_ring_add(ring, sum, yk_ring_scale(ring, yk_ring_multiply(ring, last->determinant, rate), B[c], 1));
     }
     if (latest != (int32_t)block) return NULL;
@@ -186,7 +190,8 @@ static void put_influence(YkDerivation *d, YkPage *page)
         if (!yk_derive_solve_block(d, block, false, over)) continue;
         for (size_t k = 0; k < block->column_count; k++) {
             const YkPoisson *sum = yk_ring_substitute(d->ring, over[k], changes, blocks->column_count);
-            yk_page_solution(page, NULL, d->influence[blocks->column_order[block->first_column + k]], sum, block->determinant);
+            yk_page_solution(page, NULL, d->influence[blocks->column_order[block->first_column + k]], sum,
+                             block->determinant);
         }
     }
 }

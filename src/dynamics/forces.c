@@ -76,6 +76,10 @@ YkStatus yk_dynamics_apply(YkDynamics *d, YkState *state)
     if (status < 0 || status == YK_SINGULAR) return status;
     status = find_loads(d, state);
     if (status >= 0) status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
+    if (status >= 0 && status != YK_SINGULAR && yk_free_bodies_radial(d->bodies, d->load, 1)) {
+        status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
+        yk_free_bodies_radial(d->bodies, d->load, -1); // told as forces of the mesh, not as loads
+    }
     if (status >= 0 && status != YK_SINGULAR) take_results(d, state);
     return status;
 }
@@ -105,6 +109,10 @@ static YkStatus solve_bodies(YkDynamics *d, YkState *state)
     status = yk_free_bodies_forward(d->bodies, &state->space, d->load, is_prescribed, d->acceleration, &culprit);
     if (status == YK_SINGULAR) return yk_dynamics_fail_at_input(d, culprit);
     if (status < 0) return status;
+    if (yk_free_bodies_radial(d->bodies, d->load, 1)) {
+        status = yk_free_bodies_forward(d->bodies, &state->space, d->load, is_prescribed, d->acceleration, &culprit);
+        yk_free_bodies_radial(d->bodies, d->load, -1);
+    }
     YkStatus again = set_accelerations(d, state);
     for (size_t b = 1; b < d->mech->model->body_count; b++) d->motion[b] = yk_body_motion(d->mech, &state->space, b);
     take_results(d, state);

@@ -33,6 +33,9 @@ typedef struct YkJointForce {
 } YkJointForce;
 YkJointForce yk_free_bodies_joint(const YkFreeBodies *bodies, size_t joint);
 double yk_free_bodies_effort(const YkFreeBodies *bodies, size_t input);
+// The forces along the lines of centres that gears' pressure angles bring with the forces found: times sign, added to
+// load[body]. False where there are none. They turn nothing: solved again with them, only reactions change.
+bool yk_free_bodies_radial(const YkFreeBodies *bodies, YkLoad *load, double sign);
 // Adds what gears, racks, belts and cams exert on every body to load[body] (moments about the reference points, N m).
 void yk_free_bodies_meshes(const YkFreeBodies *bodies, YkLoad *load);
 // Largest residual of any body's equations over the largest force (moments over the machine's size).

@@ -30,6 +30,8 @@ typedef struct YkWrenchColumn {
     YkVec force;      // on the second body
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
     double third_moment, fourth_moment;
+    YkVec radial;             // MESH of gears: on the second body for each newton of the force's size; turns nothing
+    double radial_moment[2];  // ... about the reference points, m
     double bias;      // 1/s^2: what A^T accelerations must be when the coordinate does not accelerate
     // Solved:
     double share;    // its part of the whole, N

@@ -3,7 +3,8 @@
 //   racks    a force along the rack at the pitch line
 //   belts    couples on both pulleys and what carries them
 //   cams     a force along the common normal through the follower's roller (or edge); where its place is not known, couples
-// Flanks lean by the pressure angle: the force along the line of centres that comes with it turns nothing; it is not in here.
+// Flanks of gears lean by the pressure angle: with the force across comes one along the line of centres, towards the first wheel's
+// centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is applied as a load.
 #include "dynamics/free_bodies_inside.h"
 
 static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
@@ -81,6 +82,16 @@ static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     }
 }
 
+static void set_radial(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec pitch, double slope)
+{
+    YkVec out = yk_sub(pitch, center);
+    c->radial = yk_scale(slope / yk_norm(out), out);
+    for (int k = 0; k < 2; k++) {
+        YkVec arm = yk_sub(pitch, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
+        c->radial_moment[k] = (k ? 1 : -1) * yk_cross(arm, c->radial);
+    }
+}
+
 static void set_couples(YkWrenchColumn *c, double a, double b, double third)
 {
     double most = fmax(fabs(a), fmax(fabs(b), fabs(third)));
@@ -100,6 +111,7 @@ static void pose_gear(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     YkVec A = wheel_center(f, space, gear->body[0]), B = wheel_center(f, space, gear->body[1]), line = yk_sub(B, A);
     YkVec pitch = yk_add(A, yk_scale(a / (a + b), line)); // internal: beyond A
     set_force(f, space, c, pitch, yk_scale(1 / yk_norm(line), yk_quarter(line)));
+    set_radial(f, space, c, A, pitch, tan(gear->pressure_angle));
 }
 
 static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRack *rack)
@@ -208,6 +220,26 @@ void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c
     c->bias = bias_of(f, space, c);
 }
 
+static bool add_radial(const YkWrenchColumn *c, YkLoad *load, double sign)
+{
+    double size = sign * fabs(c->share);
+    if (c->radial.x == 0 && c->radial.y == 0) return false;
+    for (int i = 0; i < 2; i++) {
+        YkLoad *l = &load[c->body[i]];
+        l->force = yk_add(l->force, yk_scale(i ? size : -size, c->radial));
+        l->moment += size * c->radial_moment[i];
+    }
+    return size != 0;
+}
+
+bool yk_free_bodies_radial(const YkFreeBodies *f, YkLoad *load, double sign)
+{
+    bool any = false;
+    for (size_t k = 0; k < f->column_count; k++)
+        if (f->columns[k].kind == YK_WRENCH_MESH) any = add_radial(&f->columns[k], load, sign) || any;
+    return any;
+}
+
 void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
 {
     for (size_t k = 0; k < f->column_count; k++) {
@@ -218,6 +250,7 @@ void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
             l->force = yk_add(l->force, yk_scale(i ? c->share : -c->share, c->force));
             l->moment += c->share * c->moment[i] * f->size;
         }
+        add_radial(c, load, 1);
         load[c->third].moment += c->share * c->third_moment * f->size;
         load[c->fourth].moment += c->share * c->fourth_moment * f->size;
     }

@@ -25,7 +25,8 @@ static void put_matrix(YkPrinting *printing, YkJson *json, const YkShownMatrix *
     yk_json_list(json, "entries", YK_JSON_LINES);
     for (size_t i = 0; i < matrix->rows; i++) {
         yk_json_list(json, NULL, YK_JSON_INLINE);
-        for (size_t k = 0; k < matrix->columns; k++) put_element(printing, json, NULL, matrix->entries[i * matrix->columns + k]);
+        for (size_t k = 0; k < matrix->columns; k++)
+            put_element(printing, json, NULL, matrix->entries[i * matrix->columns + k]);
         yk_json_end(json);
     }
     yk_json_end(json);

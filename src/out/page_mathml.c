@@ -47,8 +47,8 @@ static void put_points(YkText *text, const char *names)
 
 static void put_base(YkText *text, const char *base)
 {
-    static const char *const greek[][2] = {{"gamma", "γ"}, {"lambda", "λ"}, {"xi", "ξ"}, {"tau", "τ"}, {"omega", "ω"},
-                                           {"alpha", "α"}};
+    static const char *const greek[][2] = {{"gamma", "γ"}, {"lambda", "λ"}, {"xi", "ξ"},
+                                           {"tau", "τ"},   {"omega", "ω"},  {"alpha", "α"}};
     const char *shown = base;
     for (size_t k = 0; k < sizeof greek / sizeof *greek; k++)
         if (strcmp(base, greek[k][0]) == 0) shown = greek[k][1];
@@ -80,10 +80,14 @@ static void put_matrix(YkPrinting *printing, const YkShownMatrix *matrix, bool n
     for (size_t i = 0; i < matrix->rows; i++) {
         yk_text_puts(text, "<mtr>");
         for (size_t k = 0; k < matrix->columns; k++) {
-            bool below = i + 1 < matrix->rows && matrix->row_cut[i], beside = k + 1 < matrix->columns && matrix->column_cut[k];
+            bool below = i + 1 < matrix->rows && matrix->row_cut[i],
+                 beside = k + 1 < matrix->columns && matrix->column_cut[k];
             const YkPoisson *entry = matrix->entries[i * matrix->columns + k];
             yk_text_format(text, "<mtd%s><mrow>",
-                           below && beside ? " class=\"b r\"" : below ? " class=\"b\"" : beside ? " class=\"r\"" : "");
+                           below && beside ? " class=\"b r\""
+                           : below         ? " class=\"b\""
+                           : beside        ? " class=\"r\""
+                                           : "");
             if (numbers)
                 put_number(text, yk_print_entry(printing, entry));
             else
@@ -119,7 +123,10 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *te
         put_name(text, piece);
         break;
     case YK_PIECE_SIGN:
-        yk_text_format(text, "<mo>%s</mo>", strcmp(piece->text, "x") == 0 ? "×" : strcmp(piece->text, ".") == 0 ? "·" : piece->text);
+        yk_text_format(text, "<mo>%s</mo>",
+                       strcmp(piece->text, "x") == 0   ? "×"
+                       : strcmp(piece->text, ".") == 0 ? "·"
+                                                       : piece->text);
         break;
     case YK_PIECE_WORDS:
         yk_text_puts(text, "<mtext>");
@@ -179,8 +186,9 @@ void yk_print_mathml(YkPrinting *printing, const YkPage *page)
     const char *title = printing->title ? printing->title : "Derivation";
     yk_text_puts(printing->text, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
     put_escaped(printing->text, title);
-    yk_text_puts(printing->text, "</title>\n<style>math { margin: 0.6em 2em; text-align: left } .r { border-right: 1px solid } "
-                                 ".b { border-bottom: 1px solid } mtd { padding: 0.2em 0.6em }</style>\n</head>\n<body>\n<h1>");
+    yk_text_puts(printing->text,
+                 "</title>\n<style>math { margin: 0.6em 2em; text-align: left } .r { border-right: 1px solid } "
+                 ".b { border-bottom: 1px solid } mtd { padding: 0.2em 0.6em }</style>\n</head>\n<body>\n<h1>");
     put_escaped(printing->text, title);
     yk_text_puts(printing->text, "</h1>\n");
     for (const YkLine *line = page->first; line && !printing->failed; line = line->next) put_line(printing, line);

@@ -15,8 +15,8 @@ YkPageFormat yk_page_format_find(const char *name)
 
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text)
 {
-    static void (*const printers[YK_PAGE_FORMATS])(YkPrinting *, const YkPage *) = {yk_print_text, yk_print_latex,
-                                                                                  yk_print_mathml, yk_print_json, yk_print_c};
+    static void (*const printers[YK_PAGE_FORMATS])(YkPrinting *, const YkPage *) = {
+        yk_print_text, yk_print_latex, yk_print_mathml, yk_print_json, yk_print_c};
     YkPrinting printing = {.ring = page->ring, .text = text, .values = values, .title = title};
     if (page->failed || format >= YK_PAGE_FORMATS) return false;
     printers[format](&printing, page);

@@ -4,7 +4,14 @@
 #include "base/text.h"
 #include "derive/page.h"
 
-typedef enum YkPageFormat { YK_PAGE_TEXT, YK_PAGE_LATEX, YK_PAGE_MATHML, YK_PAGE_JSON, YK_PAGE_C, YK_PAGE_FORMATS } YkPageFormat;
+typedef enum YkPageFormat {
+    YK_PAGE_TEXT,
+    YK_PAGE_LATEX,
+    YK_PAGE_MATHML,
+    YK_PAGE_JSON,
+    YK_PAGE_C,
+    YK_PAGE_FORMATS
+} YkPageFormat;
 
 typedef struct YkPrinting {
     YkRing *ring;
@@ -14,9 +21,9 @@ typedef struct YkPrinting {
     bool failed;
 } YkPrinting;
 
-// Writes a page: text for people (80 columns are not kept: a formula is one line, a matrix a box); a whole LaTeX document
-// (article, amsmath); a whole HTML document with presentation MathML; JSON as documented in docs/json.md; C statements.
-// false when out of memory or where the ring failed.
+// Writes a page: text for people (80 columns are not kept: a formula is one line, a matrix a box); a whole LaTeX
+// document (article, amsmath); a whole HTML document with presentation MathML; JSON as documented in docs/json.md; C
+// statements. false when out of memory or where the ring failed.
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
 // "text", "latex", ...; YK_PAGE_FORMATS where there is no such format.
 YkPageFormat yk_page_format_find(const char *name);

@@ -204,7 +204,8 @@ static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
     if (matrix->columns == 0 || matrix->column_symbols[0] < 0) return;
     yk_text_puts(printing->text, "      columns:");
     for (size_t k = 0; k < matrix->columns; k++)
-        yk_text_format(printing->text, "%s %s%s", k ? "," : "", yk_ring_symbol_name(printing->ring, matrix->column_symbols[k]),
+        yk_text_format(printing->text, "%s %s%s", k ? "," : "",
+                       yk_ring_symbol_name(printing->ring, matrix->column_symbols[k]),
                        k + 1 < matrix->columns && matrix->column_cut[k] ? " |" : "");
     yk_text_puts(printing->text, "\n      rows:");
     for (size_t i = 0; i < matrix->rows; i++)

@@ -7,7 +7,7 @@ import unittest
 
 from harness import Case, ROOT
 
-VERBS = ["check", "solve", "sweep", "draw", "cam", "derive"]
+VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive"]
 
 
 def read(*path):
@@ -45,15 +45,9 @@ class Manual(Case):
             done = subprocess.run(["scdoc"], input=read("man", name), capture_output=True, encoding="utf-8", check=False)
             self.assertEqual(done.returncode, 0, name + ": " + done.stderr)
 
-    def test_completions_know_every_option_of_every_verb(self):
-        bash, zsh, fish = read("completions", "yoke.bash"), read("completions", "_yoke"), read("completions", "yoke.fish")
-        for verb in VERBS:
-            for option in self.options(verb):
-                self.assertIn(option, bash)
-                self.assertIn(option, zsh)
-                self.assertRegex(fish, r"-l %s\b" % option[2:])
-            for text in (bash, zsh, fish):
-                self.assertIn(verb, text)
+    def test_completions_ask_the_command(self):
+        for name in ("yoke.bash", "_yoke", "yoke.fish"):
+            self.assertIn("--help", read("completions", name))
 
     @unittest.skipUnless(shutil.which("bash"), "needs bash")
     def test_bash_completes_verbs_and_their_options(self):
@@ -61,7 +55,9 @@ class Manual(Case):
         file = os.path.join(ROOT, "completions", "yoke.bash")
 
         def complete(*words):
-            done = subprocess.run(["bash", "-c", script, "bash", file, *words], capture_output=True, encoding="utf-8", check=True)
+            path = os.path.dirname(os.environ["YOKE"]) + os.pathsep + os.environ["PATH"]
+            done = subprocess.run(["bash", "-c", script, "bash", file, *words], capture_output=True, encoding="utf-8", check=True,
+                                  env=dict(os.environ, PATH=path))
             return done.stdout.split()
 
         self.assertEqual(complete("sw"), ["sweep"])

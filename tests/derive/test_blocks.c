@@ -17,8 +17,9 @@ static void visit_derivative(Machine *m, const char *name)
         const YkDeriveRow *row = &blocks->rows[r];
         const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
         for (size_t k = 0; k < m->d->coordinate_count; k++)
-            sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, yk_derive_entry(m->d, row, (int32_t)k),
-                                                          yk_ring_of(ring, m->d->coordinates[k].rate)));
+            sum = yk_ring_add(ring, sum,
+                              yk_ring_multiply(ring, yk_derive_entry(m->d, row, (int32_t)k),
+                                               yk_ring_of(ring, m->d->coordinates[k].rate)));
         assert_true(yk_ring_is_same(sum, yk_ring_time_derivative(ring, row->value)));
     }
 }
@@ -64,8 +65,8 @@ static bool is_one_term(YkRing *ring, const YkPoisson *a)
 static void dyads_have_determinants_of_one_term(void **state)
 {
     (void)state;
-    static const char *const names[] = {"quick-return", "toggle", "four-bar", "slider-crank", "crank-slotted-lever",
-                                        "scotch-yoke"};
+    static const char *const names[] = {"quick-return",        "toggle",     "four-bar", "slider-crank",
+                                        "crank-slotted-lever", "scotch-yoke"};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         Machine m = example(names[n]);
         const YkDeriveBlocks *blocks = blocks_of(&m);

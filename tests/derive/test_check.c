@@ -5,7 +5,8 @@ static void check_kind(Machine *m, const char *equation, YkCheckKind expected)
 {
     YkCheckVerdict verdict = verdict_on(m, equation);
     if (verdict.kind == expected) return;
-    print_error("%s: verdict %d, expected %d\n%s", equation, (int)verdict.kind, (int)expected, yk_problems_text(m->problems, 0));
+    print_error("%s: verdict %d, expected %d\n%s", equation, (int)verdict.kind, (int)expected,
+                yk_problems_text(m->problems, 0));
     fail();
 }
 
@@ -120,8 +121,10 @@ static void four_bars_obey_freudenstein_and_the_ratio_of_the_books(void **state)
     check_kind(&m, "c sin(theta4 - coupler.angle) theta4' = a sin(theta2 - coupler.angle) theta2'", YK_CHECK_TRUE);
     check_kind(&m, "c sin(theta4 - coupler.angle) theta4' = -a sin(theta2 - coupler.angle) theta2'", YK_CHECK_FALSE);
     // Freudenstein 1955: K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4)
-    check_kind(&m, "d/a cos(theta4) - d/c cos(theta2) + (a^2 - b^2 + c^2 + d^2)/(2 a c) = cos(theta2 - theta4)", YK_CHECK_TRUE);
-    check_kind(&m, "d/a cos(theta4) - d/c cos(theta2) + (a^2 + b^2 + c^2 + d^2)/(2 a c) = cos(theta2 - theta4)", YK_CHECK_FALSE);
+    check_kind(&m, "d/a cos(theta4) - d/c cos(theta2) + (a^2 - b^2 + c^2 + d^2)/(2 a c) = cos(theta2 - theta4)",
+               YK_CHECK_TRUE);
+    check_kind(&m, "d/a cos(theta4) - d/c cos(theta2) + (a^2 + b^2 + c^2 + d^2)/(2 a c) = cos(theta2 - theta4)",
+               YK_CHECK_FALSE);
     machine_end(&m);
 }
 
@@ -143,8 +146,8 @@ static void what_cannot_be_read_is_told_with_its_place(void **state)
     static const struct {
         const char *equation;
         uint32_t column;
-    } cases[] = {{"l1 = foo", 6}, {"l1", 3}, {"l1 + = 2", 6}, {"(l1 = 2", 5}, {"l1 = 2 )", 8}, {"l1^theta1 = 2", 4},
-                 {"", 1}, {"l1 = ", 6}, {"l1 = cos(theta1", 9}, {"l1 = #", 6}};
+    } cases[] = {{"l1 = foo", 6},      {"l1", 3}, {"l1 + = 2", 6}, {"(l1 = 2", 5},         {"l1 = 2 )", 8},
+                 {"l1^theta1 = 2", 4}, {"", 1},   {"l1 = ", 6},    {"l1 = cos(theta1", 9}, {"l1 = #", 6}};
     Machine m = example("quick-return");
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         YkProblems *problems = yk_problems_new();
@@ -157,6 +160,42 @@ static void what_cannot_be_read_is_told_with_its_place(void **state)
         assert_int_equal(yk_problems_get(problems, 0)->place.column, cases[k].column);
         yk_problems_free(problems);
     }
+    machine_end(&m);
+}
+
+// With forces: the double pendulum's two equations, and one with a term that is missing or turned.
+static void equations_of_motion_are_proved_too(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *equation;
+        YkCheckKind kind;
+    } cases[] = {
+        {"(I1 + I2 + m1 lc1^2 + m2 (l1^2 + lc2^2) + 2 m2 l1 lc2 cos(theta2)) theta1'' + "
+         "(I2 + m2 lc2^2 + m2 l1 lc2 cos(theta2)) theta2'' - m2 l1 lc2 sin(theta2) theta2' (2 theta1' + theta2') + "
+         "g ((m1 lc1 + m2 l1) sin(theta1) + m2 lc2 sin(theta1 + theta2)) = tau1",
+         YK_CHECK_TRUE},
+        {"(I2 + m2 lc2^2 + m2 l1 lc2 cos(theta2)) theta1'' + (I2 + m2 lc2^2) theta2'' + "
+         "m2 l1 lc2 sin(theta2) theta1'^2 + g m2 lc2 sin(theta1 + theta2) = tau2",
+         YK_CHECK_TRUE},
+        {"(I2 + m2 lc2^2 + m2 l1 lc2 cos(theta2)) theta1'' + (I2 + m2 lc2^2) theta2'' - "
+         "m2 l1 lc2 sin(theta2) theta1'^2 + g m2 lc2 sin(theta1 + theta2) = tau2",
+         YK_CHECK_FALSE},
+        {"(m2 lc2^2 + m2 l1 lc2 cos(theta2)) theta1'' + (I2 + m2 lc2^2) theta2'' + "
+         "m2 l1 lc2 sin(theta2) theta1'^2 + g m2 lc2 sin(theta1 + theta2) = tau2",
+         YK_CHECK_FALSE},
+    };
+    Machine m = example("double-pendulum");
+    YkDynamics *dynamics = yk_dynamics_new(m.mech, m.problems);
+    assert_non_null(dynamics);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        yk_state_set_time(m.state, 0, NULL);
+        assert_true(yk_state_assemble(m.state) >= 0);
+        YkCheckVerdict verdict = yk_derive_check(m.d, m.state, dynamics, cases[k].equation, strlen(cases[k].equation),
+                                                 (YkPlace){1, 1, 0}, m.problems);
+        assert_int_equal(verdict.kind, cases[k].kind);
+    }
+    yk_dynamics_free(dynamics);
     machine_end(&m);
 }
 
@@ -173,7 +212,8 @@ static void visit_point(Machine *m, const char *name)
     for (size_t r = 0; r < blocks->row_count; r++) {
         const YkPoisson *value = blocks->rows[r].value;
         for (int order = 0; order < 3; order++) {
-            if (yk_ring_field(m->d->ring, value, point, false) != 0) print_error("%s: row %zu order %d\n", name, r, order);
+            if (yk_ring_field(m->d->ring, value, point, false) != 0)
+                print_error("%s: row %zu order %d\n", name, r, order);
             assert_true(yk_ring_field(m->d->ring, value, point, false) == 0);
             value = yk_ring_time_derivative(m->d->ring, value);
         }
@@ -234,6 +274,7 @@ int main(void)
         cmocka_unit_test(four_bars_obey_freudenstein_and_the_ratio_of_the_books),
         cmocka_unit_test(parameters_that_follow_from_others_stay_tied_to_them),
         cmocka_unit_test(what_cannot_be_read_is_told_with_its_place),
+        cmocka_unit_test(equations_of_motion_are_proved_too),
         cmocka_unit_test(random_points_lie_on_the_machines_motion),
         cmocka_unit_test(what_sections_print_is_proved_on_the_loops),
     };

@@ -85,8 +85,9 @@ static void parameters_have_the_class_of_their_dimension(void **state)
     static const struct {
         const char *name;
         YkRingClass kind;
-    } cases[] = {{"m1", YK_RING_MASS}, {"I1", YK_RING_INERTIA}, {"l1", YK_RING_CONSTANT}, {"g", YK_RING_GRAVITY},
-                 {"tau1", YK_RING_FORCE}, {"theta1", YK_RING_COORDINATE}, {"theta1'", YK_RING_RATE}};
+    } cases[] = {{"m1", YK_RING_MASS},     {"I1", YK_RING_INERTIA}, {"l1", YK_RING_CONSTANT},
+                 {"g", YK_RING_GRAVITY},   {"tau1", YK_RING_FORCE}, {"theta1", YK_RING_COORDINATE},
+                 {"theta1'", YK_RING_RATE}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
         assert_int_equal(yk_ring_symbol_class(m.d->ring, yk_ring_find(m.d->ring, cases[k].name)), cases[k].kind);
     machine_end(&m);

@@ -1,5 +1,5 @@
-// Every formula of every section, on every example: true at random poses of the numeric engine, and the same when it is read
-// back from print.
+// Every formula of every section, on every example: true at random poses of the numeric engine, and the same when it is
+// read back from print.
 #include "derive_check.h"
 
 static size_t formulas_seen, poses_seen;
@@ -8,7 +8,8 @@ static void write_all(Machine *m, const char *name)
 {
     for (size_t k = 0; k <= section_of("points"); k++)
         if (!yk_derive_write(m->d, k, &m->page)) {
-            print_error("%s: %s: %s\n", name, yk_derive_sections[k].name, yk_ring_status_text(yk_ring_status(m->d->ring)));
+            print_error("%s: %s: %s\n", name, yk_derive_sections[k].name,
+                        yk_ring_status_text(yk_ring_status(m->d->ring)));
             fail();
         }
 }

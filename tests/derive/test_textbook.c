@@ -74,7 +74,8 @@ static void the_toggle_reads_as_in_a_book(void **state)
         "y:  a0y + l1 sin(theta1) - l3 sin(theta3) + l2 sin(theta1 + theta2) = 0\n",
         "y:  l3 sin(theta3) + l4 sin(theta3 + theta4) = 0\n",
     };
-    static const char *const determinants[] = {"D_1 = l2 l3 sin(theta1 + theta2 - theta3)\n", "D_2 = l4 cos(theta3 + theta4)\n"};
+    static const char *const determinants[] = {"D_1 = l2 l3 sin(theta1 + theta2 - theta3)\n",
+                                               "D_2 = l4 cos(theta3 + theta4)\n"};
     static const char *const points[] = {"C1, centre of mass of link1", "p^{C1} = [ 1/2 l1 cos(theta1) ]"};
     Machine m = example("toggle");
     check_lines(&m, "loops", lines, sizeof lines / sizeof *lines);
@@ -136,8 +137,9 @@ static void paths_between_points_add_up_to_the_difference_of_positions(void **st
 static void latex_is_well_formed(void **state)
 {
     (void)state;
-    static const char *const parts[] = {"\\documentclass{article}", "\\mathbf{p}^{A/O_{1}}", "\\begin{array}{c|cc|cc}", "\\hline",
-                                        "\\frac{", "\\end{document}"};
+    static const char *const parts[] = {
+        "\\documentclass{article}", "\\mathbf{p}^{A/O_{1}}", "\\begin{array}{c|cc|cc}", "\\hline", "\\frac{",
+        "\\end{document}"};
     Machine m = example("quick-return");
     YkText text = {0};
     for (size_t k = 0; k <= section_of("points"); k++) assert_true(yk_derive_write(m.d, k, &m.page));
