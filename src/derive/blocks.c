@@ -171,7 +171,8 @@ static void gather_block(YkDerivation *d, struct YkDeriveBlocks *blocks, const O
     for (size_t k = 0; k < d->coordinate_count; k++) {
         int32_t row = d->coordinates[k].is_input ? -1 : order->matching.row_of[k];
         if (row >= 0 && blocks->rows[row].block == (int32_t)blocks->block_count)
-            blocks->column_order[blocks->column_count++] = (int32_t)k;
+            blocks->column_order[blocks->column_count++] = (int32_t)k,
+            blocks->block_of[k] = (int32_t)blocks->block_count;
     }
     block->row_count = blocks->solved_row_count - block->first_row;
     block->column_count = blocks->column_count - block->first_column;
@@ -197,6 +198,7 @@ static bool make_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
     int32_t *unknowns = YK_NEW(d->arena, int32_t, 2 * d->coordinate_count + 2);
     blocks->row_order = YK_NEW(d->arena, size_t, blocks->row_count + 1);
     blocks->column_order = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    blocks->block_of = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     blocks->blocks = YK_NEW(d->arena, YkDeriveBlock, blocks->row_count + 1);
     if (yk_arena_failed(d->arena) || !match_rows(d, blocks, &order, unknowns)) return false;
     // Given first; what no loop determines goes with it.
@@ -204,6 +206,7 @@ static bool make_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
         if (d->coordinates[k].is_input || order.matching.row_of[k] < 0)
             blocks->column_order[blocks->column_count++] = (int32_t)k;
     blocks->input_count = blocks->column_count;
+    for (size_t k = 0; k < d->coordinate_count; k++) blocks->block_of[k] = YK_NONE;
     find_components(d, blocks, &order);
     for (size_t c = 0; c < order.components; c++) gather_block(d, blocks, &order, c);
     size_t last = blocks->solved_row_count;

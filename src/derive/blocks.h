@@ -27,6 +27,7 @@ struct YkDeriveBlocks {
     size_t *row_order;
     int32_t *column_order; // coordinates: inputs first, then block by block
     size_t column_count, input_count;
+    int32_t *block_of; // per coordinate; YK_NONE: given
     YkDeriveBlock *blocks;
     size_t block_count;
 };

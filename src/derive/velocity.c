@@ -67,13 +67,15 @@ void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *bl
 
 // --- Rates of bodies: sum of B[k] rate_k, over the determinant of the last block among them.
 
-static int32_t block_of(const YkDerivation *d, int32_t coordinate)
+// The last block that a body's angle needs; YK_NONE: none.
+static int32_t last_block(const YkDerivation *d, int32_t body)
 {
-    const YkDeriveBlocks *blocks = d->blocks;
-    for (size_t b = 0; b < blocks->block_count; b++)
-        for (size_t k = 0; k < blocks->blocks[b].column_count; k++)
-            if (blocks->column_order[blocks->blocks[b].first_column + k] == coordinate) return (int32_t)b;
-    return YK_NONE;
+    int32_t last = YK_NONE;
+    for (; d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
+        int32_t c = d->joint_angle[d->bodies[body].joint];
+        if (c != YK_NONE && d->blocks->block_of[c] > last) last = d->blocks->block_of[c];
+    }
+    return last;
 }
 
 static bool has_own_angle(const YkDerivation *d, int32_t body)
@@ -89,21 +91,17 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
     YkRing *ring = d->ring;
     const YkDeriveBlock *last = &d->blocks->blocks[block];
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    int32_t *B = YK_NEW(d->arena, int32_t, d->tree_count + 1), latest = YK_NONE;
-    if (!B) return NULL;
-    yk_derive_combination(d, body, B);
-    for (size_t c = 0; c < d->tree_count; c++) {
-        int32_t in = B[c] ? block_of(d, (int32_t)c) : YK_NONE;
-        if (in > latest) latest = in;
-        if (B[c] == 0 || in == (int32_t)block) continue;
-        const YkPoisson *rate =
-            yk_ring_of(ring, accelerations ? d->coordinates[c].acceleration : d->coordinates[c].rate);
-        sum = yk_ring_add(ring, sum, yk_ring_scale(ring, yk_ring_multiply(ring, last->determinant, rate), B[c], 1));
-    }
-    if (latest != (int32_t)block) return NULL;
-    for (size_t k = 0; k < last->column_count; k++) {
-        int32_t c = d->blocks->column_order[last->first_column + k];
-        if (c < (int32_t)d->tree_count && B[c]) sum = yk_ring_add(ring, sum, yk_ring_scale(ring, over[k], B[c], 1));
+    if (last_block(d, body) != (int32_t)block) return NULL;
+    for (; d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
+        int32_t joint = d->bodies[body].joint, c = d->joint_angle[joint];
+        if (c == YK_NONE) continue;
+        const YkDeriveCoordinate *of = &d->coordinates[c];
+        const YkPoisson *share =
+            yk_ring_multiply(ring, last->determinant, yk_ring_of(ring, accelerations ? of->acceleration : of->rate));
+        for (size_t k = 0; k < last->column_count; k++)
+            if (d->blocks->column_order[last->first_column + k] == c) share = over[k];
+        bool forwards = d->model->joints[joint].body[1] == body;
+        sum = forwards ? yk_ring_add(ring, sum, share) : yk_ring_subtract(ring, sum, share);
     }
     return sum;
 }

@@ -35,20 +35,33 @@ static bool allocate(YkSimulation *sim)
     return true;
 }
 
+// The machine as one lump that turns at 1 rad/s.
+static double energy_scale(const YkSimulation *sim)
+{
+    double inertia = 0;
+    for (size_t b = 1; b < sim->model->body_count; b++)
+        inertia += sim->model->bodies[b].mass * sim->mech->size * sim->mech->size + sim->model->bodies[b].inertia;
+    return inertia > 0 ? inertia : 1;
+}
+
 bool yk_simulation_stepper(YkSimulation *sim)
 {
     static const YkOdeMethod methods[] = {YK_ODE_DOP853, YK_ODE_SDIRK4, YK_ODE_RK4};
     size_t n = sim->free_count, all = 2 * n + sim->work_count;
-    double *scale = sim->sampled;
+    double *scale = sim->sampled, energy = energy_scale(sim);
     for (size_t k = 0; k < all; k++) {
         bool is_distance = k < 2 * n && sim->mech->coordinates[sim->mech->inputs[sim->free_input[k % n]]].is_distance;
-        scale[k] = is_distance ? sim->mech->size : 1;
+        scale[k] = k >= 2 * n ? energy : is_distance ? sim->mech->size : 1;
     }
+    // What drives do is no consequence of the free motion: works are under control too then. The mean of the errors is not
+    // to be made smaller by works that are always 0.
+    size_t controlled = sim->has_drives ? all : 2 * n;
+    double share = n > 0 ? sqrt(2 * (double)n / (double)controlled) : 1;
     YkOdeOptions options = {.method = methods[sim->options.integrator],
-                            .relative = sim->options.tolerance,
-                            .absolute = sim->options.tolerance,
+                            .relative = share * sim->options.tolerance,
+                            .absolute = share * sim->options.tolerance,
                             .scale = scale,
-                            .controlled = 2 * n,
+                            .controlled = controlled,
                             .fixed_step = sim->options.step};
     sim->ode = yk_ode_new(all, &options, yk_simulation_motion, sim);
     return sim->ode != NULL;

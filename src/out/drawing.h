@@ -77,6 +77,11 @@ typedef struct YkStretch {
 YkStretch yk_drawing_stretch(const YkDrawing *drawing, const YkJoint *joint);
 // The lines of moving bodies along which others slide: they lie under everything.
 void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames);
+// Pitch circles with marks, pulleys and belts, base circles of cams.
+void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames);
+double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 where neither centres nor module are given
+// Raises `reach` to the largest radius of the body's wheels about its origin, m.
+void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach);
 // Pins, boxes and slots of one pose.
 void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
 

@@ -19,6 +19,12 @@ static void include_pose(YkDrawing *drawing, const YkFrame *frames)
     for (size_t j = 0; j < model->joint_count; j++)
         for (int side = 0; side < 2; side++)
             include(drawing, yk_drawing_joint(drawing, frames, &model->joints[j], side));
+    for (size_t b = 0; b < model->body_count; b++) {
+        double reach = 0;
+        yk_drawing_wheel_reach(drawing, (int32_t)b, &reach);
+        for (int corner = 0; corner < 4 && reach > 0; corner++)
+            include(drawing, yk_add(frames[b].origin, yk_vec(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach)));
+    }
 }
 
 // The mean length of a link, m: the distance between the first two corners of an outline.

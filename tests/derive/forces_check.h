@@ -124,7 +124,8 @@ static inline void check_says(Machine *m, const char *expected)
 // Machines whose dynamics are proved exactly in the ring.
 static const char *const proved_examples[] = {"double-pendulum", "toggle", "slider-crank", "four-bar", "five-bar-motors",
                                               "cart-pendulum", "spring-slider-crank", "quick-return", "torsion-spring",
-                                              "crank-press", "andrews", "inverted-slider-crank", "whitworth-kg"};
+                                              "crank-press", "andrews", "inverted-slider-crank", "whitworth-kg",
+                                              "rocking-four-bar", "steam-engine", "gas-engine", "watt-with-masses"};
 enum { PROVED_EXAMPLES = sizeof proved_examples / sizeof *proved_examples };
 
 static inline const YkDeriveForces *forces_of(Machine *m)

@@ -1,7 +1,7 @@
 // Energies in symbols: the engine's numbers, and dE/dt = power, exactly.
 #include "forces_check.h"
 
-static size_t poses_seen;
+static size_t poses_seen, terms_seen;
 
 static void compare_energies(Machine *m, const char *name)
 {
@@ -68,7 +68,7 @@ static void check_power(Machine *m, const char *name)
         print_error("%s\n", name);
         fail();
     }
-    assert_true(m->d->model->body_count < 3 || yk_ring_terms(rate) > 0 || m->d->loop_count == 0);
+    terms_seen += yk_ring_terms(rate);
 }
 
 static void the_energy_changes_by_the_power_of_the_loads_exactly(void **state)
@@ -79,6 +79,7 @@ static void the_energy_changes_by_the_power_of_the_loads_exactly(void **state)
         check_power(&m, proved_examples[k]);
         machine_end(&m);
     }
+    assert_true(terms_seen > 400);
 }
 
 static void a_springs_force_is_the_slope_of_its_energy(void **state)

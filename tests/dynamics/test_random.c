@@ -6,7 +6,8 @@
 #include "rig.h"
 
 enum { MACHINES = 200 };
-static RandomMachine machine; // large
+static RandomMachine machine;   // large
+static uint64_t machine_number; // for messages
 
 static uint64_t machine_count(void)
 {
@@ -17,6 +18,7 @@ static uint64_t machine_count(void)
 // With dynamics at a pose near the start; false where it does not assemble or stands near a dead point.
 static bool make(Rig *rig, uint64_t number, bool dry)
 {
+    machine_number = number;
     random_machine(&machine, 7919 * number + 1);
     if (machine.dry && !dry) return false;
     *rig = (Rig){.problems = yk_problems_new()};
@@ -65,7 +67,9 @@ static void check_balance(const Rig *rig, double loose)
         double loads = yk_dot(d->load[b].force, m->velocity) + d->load[b].moment * m->w;
         off += inertia - loads;
         sum += fabs(inertia) + fabs(loads);
-        CHECK_NEAR(yk_dynamics_balance(d, b).residual, 0, 1e-10 * loose);
+        double residual = yk_dynamics_balance(d, b).residual;
+        if (!(residual <= 1e-10 * loose)) print_error("machine %lu:\n", (unsigned long)machine_number);
+        CHECK_NEAR(residual, 0, 1e-10 * loose);
     }
     CHECK_NEAR(off, 0, 1e-10 * loose * sum);
 }
@@ -94,8 +98,8 @@ static void check_same(const Rig *rig, const Answer *a, const Answer *b, double 
     }
     for (size_t j = 0; j < yk_model_joint_count(rig->model); j++) {
         const YkReaction *p = &a->reaction[j], *q = &b->reaction[j];
-        assert_int_equal(p->is_determinate, q->is_determinate);
-        if (!p->is_determinate) continue;
+        assert_true(rig->mech->redundant_count > 0 || (p->is_determinate && q->is_determinate));
+        if (!p->is_determinate || !q->is_determinate) continue;
         CHECK_NEAR(p->force[0], q->force[0], 1e-11 * loose * b->scale);
         CHECK_NEAR(p->force[1], q->force[1], 1e-11 * loose * b->scale);
         CHECK_NEAR(p->moment, q->moment, 1e-11 * loose * b->scale * size);
@@ -114,8 +118,9 @@ static void reduced_equations_equal_the_free_bodies(void **unused)
             uint64_t seed = 31 * k + (uint64_t)pose;
             move(&rig, &seed);
             if (yk_state_solve(rig.state) < 0 || rig.state->space.margin[0] < 1e-4) break;
-            double loose = 1 / rig.state->space.margin[0]; // near a dead point rounding grows
-            if (machine.dry) loose = fmax(loose, 1e4);     // friction is settled to 1e-10 or better
+            double loose = 1 / rig.state->space.margin[0];   // near a dead point rounding grows
+            if (rig.mech->redundant_count > 0) loose *= 1e4; // repeated constraints agree to rounding only
+            if (machine.dry) loose = fmax(loose, 1e4);       // friction is settled to 1e-10 or better
             bool one = solve(&rig, YK_METHOD_REDUCED, &reduced);
             if (one) check_balance(&rig, loose);
             bool two = solve(&rig, YK_METHOD_NEWTON_EULER, &bodies);
@@ -226,23 +231,27 @@ static void motions_keep_their_energy_and_do_not_depend_on_the_stepper(void **un
         Rig rig;
         if (!make(&rig, k, true)) continue;
         bool is_dry = machine.dry, reversible = machine.reversible;
+        double energy_error = is_dry ? 1e-4 : 1e-5;
         Trip trip = {rig.model, rig.problems};
         YkSimulation *sim = start(&trip, YK_INTEGRATOR_DOP853, 1e-10, NULL, 0);
         bool ok = sim && yk_simulation_advance(sim, END) == YK_OK;
         if (ok) {
             ran++;
             YkSimulationSummary s = yk_simulation_summary(sim);
-            if (!(s.energy_error < 1e-6 && s.worst_residual < 1e-10))
+            bool well = s.energy_error < energy_error && s.worst_residual < 1e-10;
+            if (!well)
                 print_error("machine %lu: energy %g, residual %g\n", (unsigned long)k, s.energy_error,
                             s.worst_residual);
-            assert_true(s.energy_error < (is_dry ? 1e-4 : 1e-6) && s.worst_residual < 1e-10);
+            assert_true(well);
         }
         if (ok && !is_dry && is_calm(sim)) {
             YkSimulation *other = start(&trip, k % 2 ? YK_INTEGRATOR_SDIRK4 : YK_INTEGRATOR_RK4, 1e-8, NULL, 0);
             if (other && yk_simulation_advance(other, END) == YK_OK && is_calm(other)) {
                 double off = coordinate_off(sim, other);
-                if (!(off < 1e-4)) print_error("machine %lu: steppers are apart by %g\n", (unsigned long)k, off);
-                assert_true(off < 1e-4);
+                double allowed =
+                    1e-4 + 100 * yk_simulation_summary(other).energy_error; // fixed steps tell their own error
+                if (!(off < allowed)) print_error("machine %lu: steppers are apart by %g\n", (unsigned long)k, off);
+                assert_true(off < allowed);
                 same++;
             }
             yk_simulation_free(other);
