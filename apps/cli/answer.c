@@ -153,3 +153,8 @@ double yk_if_rates(const YkState *state, double value)
 {
     return yk_state_has_rates(state) ? value : (double)NAN;
 }
+
+double yk_if_accelerations(const YkSession *session, const YkState *state, double value)
+{
+    return session->lacks_accelerations ? (double)NAN : yk_if_rates(state, value);
+}

@@ -23,6 +23,8 @@ const char *yk_unit_of(const YkSession *session, YkQuantity quantity);
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits);
 // The configuration's label in a text of its own; the caller frees it.
 YkText yk_label_of(const YkState *state);
+// An acceleration, or NaN where it is not defined, or where the dynamics that should give it found none.
+double yk_if_accelerations(const YkSession *session, const YkState *state, double value);
 // A position, or NaN where it is a rate that is not defined here.
 double yk_if_rates(const YkState *state, double value);
 

@@ -55,6 +55,8 @@ typedef struct YkSession {
     YkMechanism *mech;
     YkState *state;
     YkDynamics *dynamics; // where forces are asked for and the machine has masses or loads; otherwise NULL
+    const char *forces_message; // why the pose has no forces, though the machine has loads; otherwise NULL
+    bool lacks_accelerations; // the dynamics has none for the pose: those of the state mean nothing
     bool is_told;         // the problems are printed already
     bool is_simulation;   // only --at chooses inputs; the file's problems are printed later, with the simulation's
     YkProblems *file_problems; // then; otherwise NULL

@@ -19,7 +19,7 @@ static void add_row(YkSession *session, const YkState *state, const char *label,
     yk_csv_name(&csv, name);
     yk_csv_number(&csv, motion.position);
     yk_csv_number(&csv, yk_if_rates(state, motion.velocity));
-    yk_csv_number(&csv, yk_if_rates(state, motion.acceleration));
+    yk_csv_number(&csv, yk_if_accelerations(session, state, motion.acceleration));
     yk_csv_row(&csv);
 }
 

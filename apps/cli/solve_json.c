@@ -1,10 +1,11 @@
+#include <math.h>
 #include "out/words.h"
 #include "solve.h"
 
-static void add_rates(YkJson *json, const YkState *state, const char *rate, double velocity, double acceleration)
+static void add_rates(YkSession *session, YkJson *json, const YkState *state, const char *rate, YkMotion motion)
 {
-    yk_json_number(json, rate, yk_if_rates(state, velocity));
-    yk_json_number(json, "acceleration", yk_if_rates(state, acceleration));
+    yk_json_number(json, rate, yk_if_rates(state, motion.velocity));
+    yk_json_number(json, "acceleration", yk_if_accelerations(session, state, motion.acceleration));
 }
 
 static void add_coordinates(YkSession *session, YkJson *json, const YkState *state)
@@ -14,7 +15,7 @@ static void add_coordinates(YkSession *session, YkJson *json, const YkState *sta
         YkMotion motion = yk_state_coordinate(state, i);
         yk_json_object(json, yk_coordinate_info(session->mech, i).name, YK_JSON_INLINE);
         yk_json_number(json, "position", motion.position);
-        add_rates(json, state, "velocity", motion.velocity, motion.acceleration);
+        add_rates(session, json, state, "velocity", motion);
         yk_json_end(json);
     }
     yk_json_end(json);
@@ -27,22 +28,24 @@ static void add_bodies(YkSession *session, YkJson *json, const YkState *state)
         YkMotion motion = yk_state_body(state, i);
         yk_json_object(json, yk_model_body_name(session->model, i), YK_JSON_INLINE);
         yk_json_number(json, "angle", motion.position);
-        add_rates(json, state, "rate", motion.velocity, motion.acceleration);
+        add_rates(session, json, state, "rate", motion);
         yk_json_end(json);
     }
     yk_json_end(json);
 }
 
-static void add_vector(YkJson *json, const char *key, const double vector[2], bool is_known, const YkState *state)
+// [x, y], or [null, null] where it is not known.
+static void add_vector(YkJson *json, const char *key, const double vector[2], bool is_known)
 {
     yk_json_list(json, key, YK_JSON_INLINE);
-    for (int i = 0; i < 2; i++) yk_json_number(json, NULL, is_known ? vector[i] : yk_if_rates(state, vector[i]));
+    for (int i = 0; i < 2; i++) yk_json_number(json, NULL, is_known ? vector[i] : (double)NAN);
     yk_json_end(json);
 }
 
 static void add_points(YkSession *session, YkJson *json, const YkState *state)
 {
     YkText name = {0};
+    bool has_rates = yk_state_has_rates(state);
     yk_json_object(json, "points", YK_JSON_LINES);
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
         YkPointMotion motion = yk_state_point(state, i);
@@ -50,9 +53,9 @@ static void add_points(YkSession *session, YkJson *json, const YkState *state)
         yk_words_renew(&name);
         yk_text_format(&name, "%s.%s", body, yk_model_point_name(session->model, i));
         yk_json_object(json, yk_text_get(&name), YK_JSON_INLINE);
-        add_vector(json, "position", motion.position, true, state);
-        add_vector(json, "velocity", motion.velocity, false, state);
-        add_vector(json, "acceleration", motion.acceleration, false, state);
+        add_vector(json, "position", motion.position, true);
+        add_vector(json, "velocity", motion.velocity, has_rates);
+        add_vector(json, "acceleration", motion.acceleration, has_rates && !session->lacks_accelerations);
         yk_json_end(json);
     }
     yk_json_end(json);
@@ -76,6 +79,7 @@ void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
     YkText label = yk_label_of(state);
     yk_json_object(json, NULL, YK_JSON_LINES);
     yk_json_string(json, "label", yk_text_get(&label));
+    if (session->forces_message) yk_json_string(json, "message", session->forces_message); // why there are no forces
     add_coordinates(session, json, state);
     add_bodies(session, json, state);
     add_points(session, json, state);

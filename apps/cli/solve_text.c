@@ -24,7 +24,7 @@ static void add_motion(YkSession *session, YkTable *table, const YkState *state,
                        bool is_distance)
 {
     const double values[] = {motion.position, yk_if_rates(state, motion.velocity),
-                             yk_if_rates(state, motion.acceleration)};
+                             yk_if_accelerations(session, state, motion.acceleration)};
     yk_table_word(table, name);
     for (int order = 0; order < 3; order++)
         yk_table_number(table, yk_shown(session, values[order], yk_quantity_of(is_distance, order)), YK_DIGITS);
@@ -78,7 +78,8 @@ static void add_points(YkSession *session, const YkState *state)
                        yk_model_point_name(session->model, p));
         yk_table_word(table, yk_text_get(&name));
         for (int i = 0; i < 6; i++) {
-            double value = i < 2 ? values[0][i] : yk_if_rates(state, values[i / 2][i % 2]);
+            double value = values[i / 2][i % 2];
+            if (i >= 2) value = i < 4 ? yk_if_rates(state, value) : yk_if_accelerations(session, state, value);
             yk_table_number(table, yk_shown(session, value, yk_quantity_of(true, i / 2)), YK_DIGITS);
         }
     }

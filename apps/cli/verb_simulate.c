@@ -1,5 +1,4 @@
 // yoke simulate: motion in time.
-#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +8,7 @@
 #include "session.h"
 #include "simulate.h"
 
-enum { CHUNK = 16384, LOOKS = 200 };
+enum { CHUNK = 16384 };
 static const double flush_after = 0.1, progress_after = 0.2; // s of the clock on the wall
 
 // Set by the first Ctrl-C (or a polite kill): what there is comes out whole. A second one ends the program at once.
@@ -40,10 +39,11 @@ static double now(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-// --- progress: for people who look on
+// --- after every step: does it go on? And progress, for people who look on
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct Watch {
+    double from, to; // s
     bool shows_progress, has_shown;
     double last_flush, last_progress;
 } Watch;
@@ -57,13 +57,15 @@ static bool wants_progress(const YkSession *session)
     return isatty(STDERR_FILENO) && !session->request->quiet && !rows_are_seen && !is_dumb;
 }
 
-static void show_progress(const YkSimulationAnswer *answer, Watch *watch)
+static bool look(void *context, double time)
 {
-    if (!watch->shows_progress || now() - watch->last_progress < progress_after) return;
-    double time = yk_simulation_time(answer->simulation);
-    fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time, 100 * (time - answer->from) / (answer->to - answer->from));
-    watch->has_shown = true;
-    watch->last_progress = now();
+    Watch *watch = context;
+    if (watch->shows_progress && now() - watch->last_progress > progress_after) {
+        fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time, 100 * (time - watch->from) / (watch->to - watch->from));
+        watch->has_shown = true;
+        watch->last_progress = now();
+    }
+    return !interrupted;
 }
 
 static void clear_progress(const Watch *watch)
@@ -73,19 +75,6 @@ static void clear_progress(const Watch *watch)
 
 // --- running
 // ---------------------------------------------------------------------------------------------------------------
-
-// From the row before to row k, in parts, so that nobody waits long after Ctrl-C. The parts do not depend on the clock:
-// the same request gives the same answer.
-static void go_to(YkSimulationAnswer *answer, size_t k, Watch *watch)
-{
-    double end = yk_simulate_time_of(answer, k), start = k > 0 ? yk_simulate_time_of(answer, k - 1) : end;
-    double parts = fmax(1, ceil((end - start) * LOOKS / (answer->to - answer->from) - 1e-9));
-    for (double part = 1; part <= parts && answer->status == YK_OK; part++) {
-        answer->status = yk_simulation_advance(answer->simulation, part == parts ? end : start + (end - start) * part / parts);
-        show_progress(answer, watch);
-        if (interrupted && part < parts) break;
-    }
-}
 
 // Rows go out when there are many of them, or when somebody may wait for them.
 static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
@@ -100,8 +89,9 @@ static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
 {
     bool streams = answer->session->request->format != YK_FORMAT_JSON;
     for (size_t k = 0; k <= answer->steps; k++) {
-        go_to(answer, k, watch);
-        bool has_row = answer->status == YK_OK && yk_simulation_time(answer->simulation) >= yk_simulate_time_of(answer, k);
+        double time = yk_simulate_time_of(answer, k);
+        answer->status = yk_simulation_advance(answer->simulation, time);
+        bool has_row = answer->status == YK_OK && yk_simulation_time(answer->simulation) >= time;
         answer->is_interrupted = interrupted && (!has_row || k < answer->steps);
         if (has_row && !yk_simulate_row(answer)) return false;
         if (streams && has_row && !flush_if_due(answer, watch)) return false;
@@ -110,17 +100,16 @@ static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
     return !streams || yk_simulate_flush(answer);
 }
 
-static bool run(YkSimulationAnswer *answer)
+static bool run(YkSimulationAnswer *answer, Watch *watch)
 {
     YkSession *session = answer->session;
-    Watch watch = {.shows_progress = wants_progress(session), .last_flush = now(), .last_progress = now()};
     if (session->request->format != YK_FORMAT_JSON &&
         !yk_stream_open(&answer->stream, session->request->output, session->problems))
         return false;
     catch_signals();
     yk_simulate_head(answer);
-    bool good = run_rows(answer, &watch);
-    clear_progress(&watch);
+    bool good = run_rows(answer, watch);
+    clear_progress(watch);
     return yk_stream_close(&answer->stream, session->problems) && good;
 }
 
@@ -191,12 +180,16 @@ static int simulate(YkSimulationAnswer *answer)
     YkSession *session = answer->session;
     session->is_simulation = true;
     bool good = yk_simulate_read(answer);
+    Watch watch = {.from = answer->from, .to = answer->to, .shows_progress = wants_progress(session)};
+    watch.last_flush = watch.last_progress = now();
+    answer->options.goes_on = look;
+    answer->options.context = &watch;
     if (good) answer->simulation = yk_simulation_new(session->model, &answer->options, session->file_problems);
     if (session->file_problems) yk_print_problems(session->file_problems, session->request->quiet);
     if (!good) return YK_EXIT_WRONG;
     if (!answer->simulation) return refuse(answer);
     if (!yk_simulate_prepare(answer)) return YK_EXIT_WRONG;
-    return finish(answer, run(answer));
+    return finish(answer, run(answer, &watch));
 }
 
 int yk_run_simulate(YkSession *session)

@@ -1,5 +1,4 @@
 // yoke solve: one pose, or every one that the inputs allow.
-#include <string.h>
 #include "session.h"
 #include "solve.h"
 
@@ -10,26 +9,39 @@ typedef struct Writer {
     size_t count; // configurations written
     YkDynamics *dynamics;
     YkDynamicsMethod method;
+    YkState *scratch;
 } Writer;
 
-// Forces at the pose; a pose without (a dead point, a freedom without inertia) says so and keeps its motion.
-static void find_forces(Writer *writer, YkState *state)
+// Has the machine inputs whose accelerations are sought?
+static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics)
+{
+    for (size_t i = 0; i < yk_input_count(session->mech); i++)
+        if (!yk_dynamics_is_prescribed(dynamics, i)) return true;
+    return false;
+}
+
+// Forces at a pose, and the accelerations that they give to free inputs. A pose without (a dead point, a freedom without
+// inertia) keeps its motion. session->dynamics is NULL where there are none, and the status says why.
+static YkStatus find_forces(Writer *writer, YkState *state)
 {
     YkSession *session = writer->session;
     YkDynamics *dynamics = writer->dynamics;
     session->dynamics = NULL;
-    if (!dynamics || !yk_state_has_rates(state)) return;
+    session->forces_message = NULL;
+    session->lacks_accelerations = false;
+    if (!dynamics || !yk_state_has_rates(state)) return YK_OK;
     YkStatus status = yk_dynamics_solve(dynamics, state, writer->method);
     if (status == YK_OK || status == YK_REDUNDANT) {
         session->dynamics = dynamics;
-        return;
+        return YK_OK;
     }
-    yk_tell_status(session, status, yk_dynamics_report(dynamics)->message);
+    session->forces_message = yk_dynamics_report(dynamics)->message;
+    session->lacks_accelerations = has_free_inputs(session, dynamics);
+    return status;
 }
 
-static void write_one(Writer *writer, YkState *state)
+static void write_one(Writer *writer, const YkState *state)
 {
-    find_forces(writer, state);
     switch (writer->session->request->format) {
     case YK_FORMAT_TEXT:
         yk_solve_text(writer->session, state, writer->count);
@@ -44,9 +56,13 @@ static void write_one(Writer *writer, YkState *state)
     writer->count++;
 }
 
+// One of several configurations: its forces are found in a state of their own, since the search goes on from this one.
 static bool visit(void *context, YkState *state)
 {
-    write_one(context, state);
+    Writer *writer = context;
+    yk_state_copy(writer->scratch, state);
+    find_forces(writer, writer->scratch);
+    write_one(writer, writer->scratch);
     return true;
 }
 
@@ -92,6 +108,22 @@ static void end(Writer *writer, bool is_complete)
     }
 }
 
+static int solve(Writer *writer)
+{
+    YkSession *session = writer->session;
+    bool is_complete = true;
+    YkStatus pose = yk_state_assemble(session->state);
+    YkReport report = *yk_state_report(session->state);
+    YkStatus forces = pose < 0 ? YK_OK : find_forces(writer, session->state);
+    YkStatus status = forces == YK_OK ? pose : forces; // of the nearest configuration
+    const char *message = forces == YK_OK ? report.message : session->forces_message;
+    yk_tell_status(session, status, message);
+    begin(writer, status, message);
+    YkStatus written = write_all(writer, pose, &is_complete);
+    end(writer, is_complete);
+    return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));
+}
+
 int yk_run_solve(YkSession *session)
 {
     Writer writer = {.session = session, .json = {.text = &session->out}};
@@ -99,13 +131,14 @@ int yk_run_solve(YkSession *session)
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
         return YK_EXIT_WRONG;
     writer.dynamics = session->dynamics;
-    bool is_complete = true;
-    YkStatus status = yk_state_assemble(session->state);
-    const char *message = yk_state_report(session->state)->message;
-    yk_tell_status(session, status, message);
-    begin(&writer, status, message);
-    status = write_all(&writer, status, &is_complete);
-    end(&writer, is_complete);
+    writer.scratch = yk_state_new(session->mech);
+    int exit_code = YK_EXIT_WRONG;
+    if (writer.scratch) {
+        exit_code = solve(&writer);
+    } else {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    }
+    yk_state_free(writer.scratch);
     session->dynamics = writer.dynamics; // the session frees it
-    return yk_session_finish(session, yk_status_exit(status));
+    return exit_code;
 }

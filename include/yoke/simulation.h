@@ -19,6 +19,8 @@ typedef struct YkSimulationOptions {
     double start;       // time at which it begins, s
     double horizon;     // the last time that will be asked for, s: lets steps pass the rows (0: each row ends a step)
     size_t steps_max;   // accepted steps and happenings, in all, after which it gives up (0: no limit)
+    bool (*goes_on)(void *context, double time); // asked after every step (NULL: it does); false ends yk_simulation_advance there
+    void *context;
     const YkStartValue *values; // in place of what `start:` says
     size_t value_count;
     const YkCompileOptions *compile; // NULL: defaults
@@ -37,7 +39,8 @@ YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, 
 YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
 // Goes on to time `to`. The state then stands at `to` exactly (dense output, loops closed by the position solver). On failure it
 // stands at the last good time: YK_LIMIT (also: a drive goes past a stop), YK_SINGULAR, YK_NOT_CONVERGED (step too small, too
-// many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite: nothing changes.
+// many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite: nothing changes. Where
+// options.goes_on said no, it is YK_OK and yk_simulation_time tells how far it came.
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);
 YK_API double yk_simulation_time(const YkSimulation *simulation);
 // State, its mechanism and dynamics are valid until the next advance, which may take other coordinates: coordinates, joints,

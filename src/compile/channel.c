@@ -94,8 +94,7 @@ static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *c
     static const struct {
         const char *suffix;
         YkChannelKind kind;
-    } forces[] = {
-        {".force.x", YK_CHANNEL_FORCE_X}, {".force.y", YK_CHANNEL_FORCE_Y}, {".force", YK_CHANNEL_FORCE}};
+    } forces[] = {{".force.x", YK_CHANNEL_FORCE_X}, {".force.y", YK_CHANNEL_FORCE_Y}, {".force", YK_CHANNEL_FORCE}};
     for (size_t k = 0; k < sizeof forces / sizeof *forces; k++)
         if (cut_suffix(name, forces[k].suffix))
             return set_force(channel, forces[k].kind, find_joint(mech, name), YK_QUANTITY_FORCE);
@@ -198,7 +197,7 @@ YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *
 
 static void force_name(const YkMechanism *mech, YkChannel channel, YkText *name)
 {
-    static const char *const suffixes[] = {".force.x", ".force.y", ".force",    ".moment",   ".effort",       "energy",
+    static const char *const suffixes[] = {".force.x", ".force.y",  ".force",    ".moment",   ".effort",       "energy",
                                            "kinetic",  "potential", "shaking.x", "shaking.y", "shaking.moment"};
     if (channel.kind == YK_CHANNEL_EFFORT)
         yk_text_puts(name, mech->coordinates[channel.index].name);

@@ -139,8 +139,7 @@ void yk_inputs_guess(const YkMechanism *mech, double *guess)
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         YkJet jet;
         int32_t drive = mech->coordinates[k].drive;
-        if (drive != YK_NONE && yk_model_drive(model, (size_t)drive, 0, &jet, NULL) == YK_OK)
-            guess[k] = jet.d[0];
+        if (drive != YK_NONE && yk_model_drive(model, (size_t)drive, 0, &jet, NULL) == YK_OK) guess[k] = jet.d[0];
     }
 }
 
@@ -200,10 +199,11 @@ static bool choose(Choice *c, const YkCompileOptions *options)
     }
     bool ok = report_overdriven(c);
     if (unsolved && ok) {
-        yk_problem(c->problems, YK_CODE_RELATION_IN_LOOP, (YkPlace){0},
-                   "%q ties angles or distances that loops determine together with it; this version solves a gear or cam only "
-                   "where one side of it is known before the other",
-                   unsolved->name);
+        yk_problem(
+            c->problems, YK_CODE_RELATION_IN_LOOP, (YkPlace){0},
+            "%q ties angles or distances that loops determine together with it; this version solves a gear or cam only "
+            "where one side of it is known before the other",
+            unsolved->name);
         yk_problem_hint(c->problems, "drive, or list first under `start:`, a coordinate that the gear or cam ties");
         return false;
     }

@@ -68,7 +68,13 @@ typedef struct YkRelationTerm {
     double factor;
 } YkRelationTerm;
 
-typedef enum YkRelationKind { YK_RELATION_GEAR, YK_RELATION_RACK, YK_RELATION_BELT, YK_RELATION_CAM, YK_RELATION_LAW } YkRelationKind;
+typedef enum YkRelationKind {
+    YK_RELATION_GEAR,
+    YK_RELATION_RACK,
+    YK_RELATION_BELT,
+    YK_RELATION_CAM,
+    YK_RELATION_LAW
+} YkRelationKind;
 
 // Where a solved relation takes a value from: an input, an orientation that loops place (its angle nearest to a
 // reference, kept in the state), or a distance.
@@ -85,13 +91,13 @@ typedef struct YkRelation {
     const char *name;
     uint32_t first_term, term_count; // in relation_terms
     uint32_t first_argument, argument_count;
-    const YkLaw *law;    // NULL: none
+    const YkLaw *law; // NULL: none
     double constant, argument_constant;
     // solved for a target: value = offset + sources (+ law(argument_offset + argument sources))
     bool is_solved, is_redundant;
     YkRelationTerm target;
     uint32_t first_source, source_count, first_argument_source, argument_source_count; // in sources
-    double offset, argument_offset, gain; // gain of the law
+    double offset, argument_offset, gain;                                              // gain of the law
 } YkRelation;
 
 typedef enum YkStepKind {
@@ -173,7 +179,7 @@ struct YkMechanism {
     size_t largest_group;                       // columns
     bool has_groups;
     // relations
-    YkRelation *relations;  // those of the model, then sums of them that solve several together
+    YkRelation *relations; // those of the model, then sums of them that solve several together
     size_t relation_count, derived_count;
     YkRelationTerm *relation_terms;
     size_t relation_term_count, relation_term_capacity, own_term_count; // own: of the model's

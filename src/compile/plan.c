@@ -51,7 +51,8 @@ static void reset(YkPlan *plan)
     mech->has_groups = false;
     mech->source_count = mech->reference_count = mech->derived_count = 0;
     mech->relation_term_count = mech->own_term_count;
-    for (size_t k = 0; k < mech->relation_count; k++) mech->relations[k].is_solved = mech->relations[k].is_redundant = false;
+    for (size_t k = 0; k < mech->relation_count; k++)
+        mech->relations[k].is_solved = mech->relations[k].is_redundant = false;
     for (size_t j = 0; j < mech->model->joint_count; j++) plan->angle_input[j] = plan->distance_input[j] = YK_NONE;
     for (size_t i = 0; i < mech->input_count; i++) {
         const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];
@@ -283,7 +284,8 @@ static void count_missing(YkPlan *plan)
 {
     const YkMechanism *mech = plan->mech;
     for (size_t k = 0; k < mech->relation_count; k++) // among unknowns that loops determine together
-        if (!mech->relations[k].is_solved && !mech->relations[k].is_redundant && !plan->unsolved) plan->unsolved = &mech->relations[k];
+        if (!mech->relations[k].is_solved && !mech->relations[k].is_redundant && !plan->unsolved)
+            plan->unsolved = &mech->relations[k];
     for (size_t o = 0; o < mech->orientation_count; o++)
         if (mech->group_root[o] == (int32_t)o && !plan->root_known[o]) plan->missing++;
     for (size_t d = 0; d < mech->distance_count; d++)

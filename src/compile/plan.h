@@ -36,8 +36,8 @@ typedef struct YkPlan {
     struct YkForm *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
     YkTermList list;
     const YkRelation *unsolved; // one that no single unknown was left for
-    size_t missing; // unknowns that nothing determines
-    bool failed;    // out of memory
+    size_t missing;             // unknowns that nothing determines
+    bool failed;                // out of memory
 } YkPlan;
 
 // Makes steps and blocks for the inputs of mech->inputs. false when out of memory. plan->missing > 0: more inputs

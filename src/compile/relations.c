@@ -61,7 +61,8 @@ static YkRelation *begin(Build *b, YkRelationKind kind, size_t index, const char
 {
     YkMechanism *mech = b->mech;
     YkRelation *r = &mech->relations[mech->relation_count++];
-    *r = (YkRelation){.kind = kind, .index = (int32_t)index, .name = name, .first_term = (uint32_t)mech->relation_term_count};
+    *r = (YkRelation){
+        .kind = kind, .index = (int32_t)index, .name = name, .first_term = (uint32_t)mech->relation_term_count};
     return r;
 }
 
@@ -72,11 +73,12 @@ static void end_terms(const Build *b, YkRelation *r)
 }
 
 // factor_a (a - carrier) + factor_b (b - carrier) = phase
-static void add_wheels(Build *b, YkRelationKind kind, size_t index, const char *name, const int32_t body[2], int32_t carrier,
-                       double factor_a, double factor_b)
+static void add_wheels(Build *b, YkRelationKind kind, size_t index, const char *name, const int32_t body[2],
+                       int32_t carrier, double factor_a, double factor_b)
 {
     YkRelation *r = begin(b, kind, index, name);
-    double turns = add_body(b, body[0], factor_a) + add_body(b, body[1], factor_b) + add_body(b, carrier, -factor_a - factor_b);
+    double turns =
+        add_body(b, body[0], factor_a) + add_body(b, body[1], factor_b) + add_body(b, carrier, -factor_a - factor_b);
     end_terms(b, r);
     r->constant = phase(b) - turns;
 }
@@ -92,7 +94,8 @@ static void add_gears(Build *b)
     for (size_t k = 0; k < model->belt_count; k++) {
         const YkBelt *belt = &model->belts[k];
         double sign = belt->is_crossed ? 1 : -1;
-        add_wheels(b, YK_RELATION_BELT, k, belt->name, belt->body, belt->carrier, belt->radius[0], sign * belt->radius[1]);
+        add_wheels(b, YK_RELATION_BELT, k, belt->name, belt->body, belt->carrier, belt->radius[0],
+                   sign * belt->radius[1]);
     }
     for (size_t k = 0; k < model->rack_count; k++) {
         const YkRack *rack = &model->racks[k];

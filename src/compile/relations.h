@@ -3,8 +3,9 @@
 #define COMPILE_RELATIONS_H
 #include "compile/mechanism.h"
 
-// Fills mech->relations (after the tree and its coordinates). The phase of a gear: where `start:` and drives give all the
-// coordinates that it ties, theirs; otherwise the teeth that meet when all coordinates are 0 meet. False when out of memory.
+// Fills mech->relations (after the tree and its coordinates). The phase of a gear: where `start:` and drives give all
+// the coordinates that it ties, theirs; otherwise the teeth that meet when all coordinates are 0 meet. False when out
+// of memory.
 bool yk_relations_build(YkMechanism *mech);
 
 #endif

@@ -1,7 +1,7 @@
 // Relations in the plan: as soon as all but one of its angles and distances are known, a relation gives the last.
 //
-// An angle that is a sum of inputs is kept as such a sum (a *form*), so that trains of gears stay exact over any number of
-// turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// An angle that is a sum of inputs is kept as such a sum (a *form*), so that trains of gears stay exact over any number
+// of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "compile/plan.h"
 #include <stdlib.h>
 
@@ -132,7 +132,8 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
         return 0;
     }
     for (size_t k = 0; k < form->count; k++)
-        add_source(plan, (YkSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, factor * form->sources[k].factor}, first);
+        add_source(plan, (YkSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, factor * form->sources[k].factor},
+                   first);
     return factor * form->constant;
 }
 
@@ -184,10 +185,10 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
 // each row that can have a single unknown has it. Each row remembers of which relations it is the sum.
 typedef struct Rows {
     size_t count, columns;
-    int32_t *relation;     // [row]
+    int32_t *relation;       // [row]
     YkRelationTerm *unknown; // [column]
-    double *factor;        // [row][column]
-    double *share;         // [row][row]
+    double *factor;          // [row][column]
+    double *share;           // [row][row]
 } Rows;
 
 enum { ROWS_MAX = 400 };
@@ -221,7 +222,7 @@ static bool gather(YkPlan *plan, Rows *rows)
     }
     if (rows->count < 2 || rows->count > ROWS_MAX) return false;
     rows->unknown = YK_NEW(plan->arena, YkRelationTerm, unknowns + 1);
-    rows->factor = YK_NEW(plan->arena, double, rows->count * (unknowns + 1));
+    rows->factor = YK_NEW(plan->arena, double, rows->count *(unknowns + 1));
     rows->share = YK_NEW(plan->arena, double, rows->count * rows->count);
     if (yk_arena_failed(plan->arena)) return false;
     for (int pass = 0; pass < 2; pass++) // first the columns, then, with their number known, the factors
@@ -244,7 +245,8 @@ static void subtract_row(Rows *rows, size_t i, size_t from, double times)
         double *x = &rows->factor[i * rows->columns + c], y = times * rows->factor[from * rows->columns + c];
         *x = fabs(*x - y) < 1e-12 * (fabs(*x) + fabs(y)) ? 0 : *x - y;
     }
-    for (size_t k = 0; k < rows->count; k++) rows->share[i * rows->count + k] -= times * rows->share[from * rows->count + k];
+    for (size_t k = 0; k < rows->count; k++)
+        rows->share[i * rows->count + k] -= times * rows->share[from * rows->count + k];
 }
 
 static void swap_rows(Rows *rows, size_t i, size_t j)

@@ -81,6 +81,7 @@ typedef struct YkDeriveLump {
 struct YkDeriveLagrange;
 typedef struct YkDeriveForces {
     YkDerivation *d;
+    bool is_related; // relations are entered
     bool is_partial; // gears, racks, belts or cams are left out: the equations do not hold
     YkDeriveMass *bodies;
     YkDeriveLoad *loads;
@@ -106,14 +107,18 @@ typedef struct YkDeriveForces {
     const YkPoisson **rows, **identities;
     int32_t *multipliers, *row_joint;
     size_t row_count;
-    const YkPoisson **kinetic, **potential;    // memo: per body; [1]
-    struct YkDeriveLagrange *lagrange;         // memo: per coordinate of the body form
+    const YkPoisson **kinetic, **newton, **euler, **potential; // memo: per body; [1]
+    const YkPoisson **closing;                 // memo: second derivatives of what closes loops, as shown
+    int32_t *closing_joint;
+    int *closing_count;                        // [1]; -1: not made yet
+    struct YkDeriveLagrange *lagrange;         // memo: per coordinate of the body form; the same, in joint form
+    struct YkDeriveLagrange *lagrange_in_joints;
     YkDeriveLump **lumps; // [1]: the first
 } YkDeriveForces;
 
-// Made at first use; NULL on failure. Enters symbols, and for proofs the relations between them. Cost O(bodies * depth).
+// Made at first use; NULL on failure. Cost O(bodies * depth).
 const YkDeriveForces *yk_derive_forces(YkDerivation *d);
-// The same at once, for who needs the names of forces before a section is written. False on failure.
+// For proofs (--check): the same with the relations between the symbols, in joint form. False on failure.
 bool yk_derive_enter_forces(YkDerivation *d);
 
 // --- Coordinates of the body form: one for each coordinate of the machine, in their order: the angle of the body that its
@@ -134,8 +139,9 @@ const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush
 const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate);
 // What a load gives to a coordinate of the body form.
 const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate);
-// Second derivatives of what closing joints demand, free of their distances; the count, or -1 on failure. rows[3 loops].
-int yk_derive_closing_rows(const YkDeriveForces *f, const YkPoisson **rows, int32_t *joints);
+// Second derivatives of what closing joints demand, free of their distances, as shown: f->closing, f->closing_joint. The
+// count, or -1 on failure.
+int yk_derive_closing_rows(const YkDeriveForces *f);
 
 // --- Energies, body form
 const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body);

@@ -44,10 +44,17 @@ bool yk_derive_enter_masses(YkDeriveForces *f)
     size_t bodies = f->d->model->body_count;
     f->bodies = YK_NEW(f->d->arena, YkDeriveMass, bodies + 1);
     f->kinetic = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
+    f->newton = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
+    f->euler = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
+    f->closing = YK_NEW(f->d->arena, const YkPoisson *, 3 * f->d->mech->loop_count + 1);
+    f->closing_joint = YK_NEW(f->d->arena, int32_t, 3 * f->d->mech->loop_count + 1);
+    f->closing_count = YK_NEW(f->d->arena, int, 1);
     f->potential = YK_NEW(f->d->arena, const YkPoisson *, 1);
     f->lumps = YK_NEW(f->d->arena, YkDeriveLump *, 1);
+    f->lagrange_in_joints = YK_NEW(f->d->arena, struct YkDeriveLagrange, f->d->coordinate_count + 1);
     f->lagrange = YK_NEW(f->d->arena, struct YkDeriveLagrange, f->d->coordinate_count + 1);
     if (yk_arena_failed(f->d->arena)) return false;
+    *f->closing_count = -1;
     for (size_t b = 0; b < bodies; b++) enter_mass(f, (int32_t)b);
     return yk_derivation_is_well(f->d);
 }

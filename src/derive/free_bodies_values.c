@@ -135,7 +135,6 @@ static YkDeriveForces *make(YkDerivation *d)
     *f = (YkDeriveForces){.d = d, .is_partial = d->mech->relation_count > 0};
     bool well = yk_derive_enter_masses(f) && yk_derive_enter_loads(f) && yk_derive_enter_contacts(f) &&
                 yk_derive_enter_multipliers(f);
-    if (well && !f->is_partial) well = add_relations(f);
     return well && yk_derive_add_source(d, yk_derive_fill_forces, f) ? f : NULL;
 }
 
@@ -149,7 +148,10 @@ const YkDeriveForces *yk_derive_forces(YkDerivation *d)
 
 bool yk_derive_enter_forces(YkDerivation *d)
 {
-    return yk_derive_forces(d) != NULL;
+    YkDeriveForces *f = (YkDeriveForces *)yk_derive_forces(d);
+    if (!f || f->is_related) return f != NULL;
+    f->is_related = true;
+    return f->is_partial || add_relations(f);
 }
 
 bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page)

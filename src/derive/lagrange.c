@@ -48,11 +48,14 @@ static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLa
         M->row_labels[i] = h->row_labels[i] = name_of(f, i);
         for (size_t k = 0; k < n; k++) {
             int32_t acceleration = yk_derive_shown_acceleration(d, k);
-            M->entries[i * n + k] = yk_ring_coefficient(ring, left, acceleration, 1);
             M->column_symbols[k] = acceleration;
+            M->entries[i * n + k] = yk_ring_rational(ring, 0, 1);
+            if (!yk_ring_mentions(ring, left, acceleration)) continue;
+            M->entries[i * n + k] = yk_ring_coefficient(ring, left, acceleration, 1);
             left = yk_ring_coefficient(ring, left, acceleration, 0);
         }
-        for (size_t k = 0; k < f->row_count; k++) left = yk_ring_coefficient(ring, left, f->multipliers[k], 0);
+        for (size_t k = 0; k < f->row_count; k++)
+            if (yk_ring_mentions(ring, left, f->multipliers[k])) left = yk_ring_coefficient(ring, left, f->multipliers[k], 0);
         h->entries[i] = left;
     }
 }

@@ -17,6 +17,7 @@ static const YkPoisson *multiplied_rows(const YkDeriveForces *f, int32_t positio
     YkRing *ring = f->d->ring;
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
     for (size_t k = 0; k < f->row_count; k++) {
+        if (!yk_ring_mentions(ring, f->rows[k], position)) continue;
         const YkPoisson *slope = yk_ring_partial(ring, f->rows[k], position);
         sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, slope, yk_ring_of(ring, f->multipliers[k])));
     }
@@ -51,6 +52,13 @@ YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate)
     return sides;
 }
 
+static YkDeriveLagrange in_joints(const YkDeriveForces *f, size_t coordinate)
+{
+    YkDeriveLagrange *memo = &f->lagrange_in_joints[coordinate], own = yk_derive_lagrange(f, coordinate);
+    if (!memo->left) *memo = (YkDeriveLagrange){yk_derive_in_joints(f->d, own.left), yk_derive_in_joints(f->d, own.right)};
+    return *memo;
+}
+
 YkDeriveLagrange yk_derive_lagrange_of(const YkDeriveForces *f, size_t coordinate)
 {
     YkDerivation *d = f->d;
@@ -61,14 +69,14 @@ YkDeriveLagrange yk_derive_lagrange_of(const YkDeriveForces *f, size_t coordinat
     for (size_t k = 0; k < d->coordinate_count; k++) {
         YkDeriveFreedom freedom = yk_derive_freedom(d, k);
         int32_t factor = k == coordinate;
-        if (freedom.body != YK_NONE && !d->coordinates[coordinate].is_distance && coordinate < d->tree_count) {
+        if (freedom.body != YK_NONE && !d->coordinates[coordinate].is_distance) {
             yk_derive_combination(d, freedom.body, B);
             factor = B[coordinate];
         }
         if (factor == 0) continue;
-        YkDeriveLagrange part = yk_derive_lagrange(f, k);
+        YkDeriveLagrange part = in_joints(f, k);
         sum.left = yk_ring_add(ring, sum.left, yk_ring_scale(ring, part.left, factor, 1));
         sum.right = yk_ring_add(ring, sum.right, yk_ring_scale(ring, part.right, factor, 1));
     }
-    return (YkDeriveLagrange){yk_derive_in_joints(d, sum.left), yk_derive_in_joints(d, sum.right)};
+    return sum;
 }

@@ -108,11 +108,9 @@ static void put_euler(const YkDeriveForces *f, YkPage *page, int32_t body)
 
 // --- Scalar form: forces = inertia
 
-static void put_scalar(YkDerivation *d, YkPage *page, const char *remark, const YkPoisson *zero, const YkPoisson *inertia)
+static void put_scalar(YkPage *page, const char *remark, const YkPoisson *zero, const YkPoisson *inertia)
 {
-    const YkPoisson *right = yk_derive_shown(d, inertia);
-    const YkPoisson *left = yk_ring_add(d->ring, yk_derive_shown(d, zero), right);
-    yk_page_equation(page, remark, left, right, YK_RING_TEXTBOOK);
+    yk_page_equation(page, remark, yk_ring_add(page->ring, zero, inertia), inertia, YK_RING_TEXTBOOK);
 }
 
 // About the point at which a pin of the tree holds the body, whose force then has no moment.
@@ -129,7 +127,8 @@ static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body,
     const YkPoisson *zero = yk_ring_subtract(ring, euler, yk_ring_cross(ring, arm, newton));
     const YkPoisson *moved = yk_ring_multiply(ring, m->mass, yk_ring_cross(ring, arm, m->acceleration));
     const YkPoisson *inertia = yk_ring_subtract(ring, yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate), moved);
-    put_scalar(d, page, yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), ""), zero, inertia);
+    put_scalar(page, yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), ""), yk_derive_shown(d, zero),
+               yk_derive_shown(d, inertia));
 }
 
 static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
@@ -138,14 +137,16 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
     YkRing *ring = d->ring;
     const YkDeriveMass *m = &f->bodies[body];
     const YkPoisson *newton = yk_derive_newton(f, body), *euler = yk_derive_euler(f, body);
-    const YkPoisson *inertia = yk_ring_multiply(ring, m->mass, m->acceleration);
+    const YkPoisson *inertia = yk_derive_shown(d, yk_ring_multiply(ring, m->mass, m->acceleration));
+    const YkPoisson *forces = yk_derive_shown(d, newton);
     yk_page_heading(page, 2, d->model->bodies[body].name);
     put_newton(f, page, body);
     put_euler(f, page, body);
-    put_scalar(d, page, "x", yk_ring_real(ring, newton), yk_ring_real(ring, inertia));
-    put_scalar(d, page, "y", yk_ring_imaginary(ring, newton), yk_ring_imaginary(ring, inertia));
-    put_scalar(d, page, yk_derive_text(d, "moments about ", yk_derive_center_name(d, body), ""), euler,
-               yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate));
+    put_scalar(page, "x", yk_ring_real(ring, forces), yk_ring_real(ring, inertia));
+    put_scalar(page, "y", yk_ring_imaginary(ring, forces), yk_ring_imaginary(ring, inertia));
+    const YkPoisson *turning = yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate);
+    put_scalar(page, yk_derive_text(d, "moments about ", yk_derive_center_name(d, body), ""), yk_derive_shown(d, euler),
+               yk_derive_shown(d, turning));
     put_about_joint(f, page, body, newton, euler);
     if (f->bodies[body].is_trivial)
         yk_page_words(page, "All forces on %s meet in one point: its moment balance gives the moment of its guide and no more. "
@@ -165,13 +166,10 @@ static void put_junctions(const YkDeriveForces *f, YkPage *page)
 
 static void put_closing(const YkDeriveForces *f, YkPage *page)
 {
-    YkDerivation *d = f->d;
-    const YkPoisson **rows = YK_NEW(page->arena, const YkPoisson *, 3 * d->loop_count + 1);
-    int32_t *joints = YK_NEW(page->arena, int32_t, 3 * d->loop_count + 1);
-    int count = rows && joints ? yk_derive_closing_rows(f, rows, joints) : -1;
+    int count = yk_derive_closing_rows(f);
     if (count > 0) yk_page_heading(page, 2, "Accelerations: the loops stay closed");
     for (int k = 0; k < count; k++)
-        yk_page_equation(page, d->model->joints[joints[k]].name, yk_derive_shown(d, rows[k]), NULL, YK_RING_TEXTBOOK);
+        yk_page_equation(page, f->d->model->joints[f->closing_joint[k]].name, f->closing[k], NULL, YK_RING_TEXTBOOK);
     page->failed |= count < 0;
 }
 

@@ -9,19 +9,25 @@ const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush
     return yk_ring_add(ring, yk_ring_cross(ring, push->arm, push->force), push->moment);
 }
 
-const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body)
+static const YkPoisson *newton(const YkDeriveForces *f, int32_t body)
 {
     YkRing *ring = f->d->ring;
-    const YkPoisson *sum = yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].mass, f->bodies[body].acceleration));
+    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
     for (size_t k = 0; k < f->contact_count; k++)
         if (f->contacts[k].push.body == body) sum = yk_ring_add(ring, sum, f->contacts[k].push.force);
     for (size_t k = 0; k < f->load_count; k++)
         for (size_t p = 0; p < f->loads[k].push_count; p++)
             if (f->loads[k].push[p].body == body) sum = yk_ring_add(ring, sum, f->loads[k].push[p].force);
-    return sum;
+    return yk_ring_subtract(ring, sum, yk_ring_multiply(ring, f->bodies[body].mass, f->bodies[body].acceleration));
 }
 
-const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
+const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body)
+{
+    if (!f->newton[body]) f->newton[body] = newton(f, body);
+    return f->newton[body];
+}
+
+static const YkPoisson *euler(const YkDeriveForces *f, int32_t body)
 {
     YkRing *ring = f->d->ring;
     const YkPoisson *sum = yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].inertia, f->d->bodies[body].spin_rate));
@@ -33,6 +39,12 @@ const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
             if (f->loads[k].push[p].body == body)
                 sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->loads[k].push[p]));
     return sum;
+}
+
+const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
+{
+    if (!f->euler[body]) f->euler[body] = euler(f, body);
+    return f->euler[body];
 }
 
 // --- Partial velocities, d(velocity)/d(rate) = d(position)/d(coordinate) in body form
@@ -97,22 +109,27 @@ static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
     return yk_ring_cross(d->ring, line, yk_ring_subtract(d->ring, to, from));
 }
 
-int yk_derive_closing_rows(const YkDeriveForces *f, const YkPoisson **rows, int32_t *joints)
+static void add_closing_row(const YkDeriveForces *f, int32_t joint, const YkPoisson *zero)
+{
+    YkRing *ring = f->d->ring;
+    const YkPoisson *second = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, zero));
+    f->closing_joint[*f->closing_count] = joint;
+    f->closing[(*f->closing_count)++] = yk_derive_shown(f->d, second);
+}
+
+int yk_derive_closing_rows(const YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
-    YkRing *ring = d->ring;
     const YkPoisson *const *zeros = f->rows;
-    int count = 0;
+    if (*f->closing_count >= 0) return *f->closing_count;
+    *f->closing_count = 0;
     for (size_t k = 0; k < d->loop_count; k++) {
         const YkDeriveLoop *loop = &d->loops[k];
         bool slides = d->joint_distance[loop->joint] != YK_NONE;
-        const YkPoisson *parts[3] = {slides ? across(d, loop) : zeros[0], slides ? NULL : zeros[1], loop->angle ? zeros[2] : NULL};
+        add_closing_row(f, loop->joint, slides ? across(d, loop) : zeros[0]);
+        if (!slides) add_closing_row(f, loop->joint, zeros[1]);
+        if (loop->angle) add_closing_row(f, loop->joint, zeros[2]);
         zeros += loop->angle ? 3 : 2;
-        for (int part = 0; part < 3; part++) {
-            if (part > 0 && !parts[part]) continue;
-            joints[count] = loop->joint;
-            rows[count++] = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, parts[part]));
-        }
     }
-    return yk_derivation_is_well(d) ? count : -1;
+    return yk_derivation_is_well(d) ? *f->closing_count : -1;
 }

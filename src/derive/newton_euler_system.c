@@ -32,34 +32,41 @@ typedef struct Rows {
     size_t change_count;
 } Rows;
 
-static void add_row(Rows *rows, const YkPoisson *zero, const char *name, const char *part)
+static void add_row(Rows *rows, const YkPoisson *shown, const char *name, const char *part)
 {
-    YkDerivation *d = rows->f->d;
     YkDeriveSystem *system = rows->system;
-    if (rows->change_count > 0) zero = yk_ring_substitute(d->ring, zero, rows->changes, rows->change_count);
-    system->labels[system->row_count] = yk_derive_text(d, name, part, "");
-    system->zeros[system->row_count++] = yk_derive_shown(d, zero);
+    system->labels[system->row_count] = yk_derive_text(rows->f->d, name, part, "");
+    system->zeros[system->row_count++] = shown;
+}
+
+static const YkPoisson *without_trivial(const Rows *rows, const YkPoisson *zero)
+{
+    if (rows->change_count == 0) return zero;
+    return yk_ring_substitute(rows->f->d->ring, zero, rows->changes, rows->change_count);
 }
 
 static void add_vector_rows(Rows *rows, const YkPoisson *zero, const char *name)
 {
-    add_row(rows, yk_ring_real(rows->f->d->ring, zero), name, " x");
-    add_row(rows, yk_ring_imaginary(rows->f->d->ring, zero), name, " y");
+    YkRing *ring = rows->f->d->ring;
+    const YkPoisson *shown = yk_derive_shown(rows->f->d, zero);
+    add_row(rows, yk_ring_real(ring, shown), name, " x");
+    add_row(rows, yk_ring_imaginary(ring, shown), name, " y");
 }
 
 static bool add_rows(Rows *rows)
 {
     const YkDeriveForces *f = rows->f;
     YkDerivation *d = f->d;
+    int count = yk_derive_closing_rows(f);
     for (size_t b = 1; b < d->model->body_count; b++) {
         add_vector_rows(rows, yk_derive_newton(f, (int32_t)b), d->model->bodies[b].name);
-        if (!f->bodies[b].is_trivial) add_row(rows, yk_derive_euler(f, (int32_t)b), d->model->bodies[b].name, " M");
+        if (f->bodies[b].is_trivial) continue;
+        const YkPoisson *euler = without_trivial(rows, yk_derive_euler(f, (int32_t)b));
+        add_row(rows, yk_derive_shown(d, euler), d->model->bodies[b].name, " M");
     }
     for (size_t k = 0; k < f->junction_count; k++) add_vector_rows(rows, f->junctions[k].force, f->junctions[k].name);
-    const YkPoisson **closing = YK_NEW(d->arena, const YkPoisson *, 3 * d->loop_count + 1);
-    int32_t *joints = YK_NEW(d->arena, int32_t, 3 * d->loop_count + 1);
-    int count = closing && joints ? yk_derive_closing_rows(f, closing, joints) : -1;
-    for (int k = 0; k < count; k++) add_row(rows, closing[k], d->model->joints[joints[k]].name, " closes");
+    for (int k = 0; k < count; k++)
+        add_row(rows, f->closing[k], d->model->joints[f->closing_joint[k]].name, " closes");
     return count >= 0;
 }
 
@@ -95,13 +102,17 @@ bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
 
 const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row, size_t column)
 {
-    return yk_ring_coefficient(f->d->ring, system->zeros[row], system->unknowns[column], 1);
+    YkRing *ring = f->d->ring;
+    if (!yk_ring_mentions(ring, system->zeros[row], system->unknowns[column])) return yk_ring_rational(ring, 0, 1);
+    return yk_ring_coefficient(ring, system->zeros[row], system->unknowns[column], 1);
 }
 
 const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row)
 {
     YkRing *ring = f->d->ring;
     const YkPoisson *rest = system->zeros[row];
-    for (size_t k = 0; k < system->unknown_count; k++) rest = yk_ring_coefficient(ring, rest, system->unknowns[k], 0);
+    for (size_t k = 0; k < system->unknown_count; k++)
+        if (yk_ring_mentions(ring, rest, system->unknowns[k]))
+            rest = yk_ring_coefficient(ring, rest, system->unknowns[k], 0);
     return yk_ring_negate(ring, rest);
 }

@@ -398,6 +398,8 @@ YkStatus yk_simulation_advance(YkSimulation *sim, double to)
         sim->report.message[0] = 0;
         sim->is_new_step = true;
         look_back(sim);
+        double reached = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
+        if (sim->options.goes_on && !sim->options.goes_on(sim->options.context, reached)) to = fmin(to, reached);
     }
     if (yk_ode_dense(sim->ode, to, sim->dense) != YK_ODE_OK) return fail(sim, YK_ODE_FAILED);
     return stand(sim, to, sim->dense) ? YK_OK : fail(sim, YK_ODE_FAILED);

@@ -27,14 +27,15 @@ static void read_law(YkLoader *loader, int32_t coordinate, const YkPair *pair)
     int32_t law = name ? yk_load_law(loader, name) : YK_NONE;
     if (law == YK_NONE || !of) return;
     if (!yk_dimension_equal(model->laws[law].value, dimension_of(model, coordinate)))
-        yk_problem(loader->problems, YK_CODE_WRONG_DIMENSION, name->place, "law %q gives %s; the drive of %q must be %s",
-                   model->laws[law].name, yk_dimension_name(model->laws[law].value), pair->key->text,
+        yk_problem(loader->problems, YK_CODE_WRONG_DIMENSION, name->place,
+                   "law %q gives %s; the drive of %q must be %s", model->laws[law].name,
+                   yk_dimension_name(model->laws[law].value), pair->key->text,
                    yk_dimension_name(dimension_of(model, coordinate)));
     bool is_rate = false;
     int32_t followed = of->kind == YK_NODE_SCALAR ? yk_load_coordinate(loader, of->text, of->place, &is_rate) : YK_NONE;
     if (followed >= 0 && model->coordinates[followed].is_distance) {
-        yk_problem(loader->problems, YK_CODE_NOT_SUPPORTED, of->place, "%q is a distance; a coordinate can follow an angle only",
-                   of->text);
+        yk_problem(loader->problems, YK_CODE_NOT_SUPPORTED, of->place,
+                   "%q is a distance; a coordinate can follow an angle only", of->text);
         return;
     }
     if (followed >= 0 && !is_rate && followed != coordinate) {

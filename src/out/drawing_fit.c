@@ -23,7 +23,8 @@ static void include_pose(YkDrawing *drawing, const YkFrame *frames)
         double reach = 0;
         yk_drawing_wheel_reach(drawing, (int32_t)b, &reach);
         for (int corner = 0; corner < 4 && reach > 0; corner++)
-            include(drawing, yk_add(frames[b].origin, yk_vec(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach)));
+            include(drawing,
+                    yk_add(frames[b].origin, yk_vec(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach)));
     }
 }
 

@@ -1,7 +1,7 @@
 // Wheels: pitch circles of gears with a mark at every tooth, pulleys, pinions, base circles of cams.
 //
-// Marks of two wheels in mesh meet at their pitch point. They are set so at the pose drawn; since both circles roll on each
-// other by the same arc, they meet in every pose. A body has one set of marks for every mesh it takes part in.
+// Marks of two wheels in mesh meet at their pitch point. They are set so at the pose drawn; since both circles roll on
+// each other by the same arc, they meet in every pose. A body has one set of marks for every mesh it takes part in.
 #include "out/drawing.h"
 #include "out/svg.h"
 #include "out/words.h"
@@ -36,8 +36,8 @@ static void add_circle(YkDrawing *drawing, YkVec center, double radius, size_t b
 }
 
 // A mark at every tooth, the first at the angle given (world, rad); inwards, or outwards on a ring.
-static void add_marks(YkDrawing *drawing, YkVec center, double radius, double first, int64_t teeth, double way, size_t body,
-                      YkText *style)
+static void add_marks(YkDrawing *drawing, YkVec center, double radius, double first, int64_t teeth, double way,
+                      size_t body, YkText *style)
 {
     double pitch = 2 * YK_PI * radius / (double)teeth, length = 0.35 * pitch;
     if (teeth > MARKS_MAX || pitch * drawing->scale < 2) return; // they would run together
@@ -50,7 +50,8 @@ static void add_marks(YkDrawing *drawing, YkVec center, double radius, double fi
     }
 }
 
-// The first wheel's marks go with its own axes; the second's start from where the first's nearest mark is off the pitch point.
+// The first wheel's marks go with its own axes; the second's start from where the first's nearest mark is off the pitch
+// point.
 static void add_pair(YkDrawing *drawing, const YkFrame *frames, const YkGear *gear, YkText *style)
 {
     YkVec a = center_of(frames, gear->body[0]), b = center_of(frames, gear->body[1]), line = yk_sub(b, a);
@@ -72,8 +73,7 @@ static void add_belt(YkDrawing *drawing, const YkFrame *frames, const YkBelt *be
 {
     YkVec a = center_of(frames, belt->body[0]), b = center_of(frames, belt->body[1]), line = yk_sub(b, a);
     double length = yk_norm(line), turn = (belt->radius[0] + (belt->is_crossed ? 1 : -1) * belt->radius[1]) / length;
-    for (int k = 0; k < 2; k++)
-        add_circle(drawing, k ? b : a, belt->radius[k], (size_t)belt->body[k], "", style);
+    for (int k = 0; k < 2; k++) add_circle(drawing, k ? b : a, belt->radius[k], (size_t)belt->body[k], "", style);
     if (!(length > 0) || !(fabs(turn) <= 1)) return;
     for (int side = -1; side <= 1; side += 2) {
         YkVec out = yk_mul(yk_scale(1 / length, line), yk_vec(turn, side * sqrt(1 - turn * turn)));
@@ -90,7 +90,8 @@ void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames)
     for (size_t k = 0; k < model->gear_count; k++) add_pair(drawing, frames, &model->gears[k], &style);
     for (size_t k = 0; k < model->belt_count; k++) add_belt(drawing, frames, &model->belts[k], &style);
     for (size_t k = 0; k < model->rack_count; k++)
-        add_circle(drawing, center_of(frames, model->racks[k].pinion), model->racks[k].radius, (size_t)model->racks[k].pinion, "", &style);
+        add_circle(drawing, center_of(frames, model->racks[k].pinion), model->racks[k].radius,
+                   (size_t)model->racks[k].pinion, "", &style);
     for (size_t k = 0; k < model->cam_count; k++) {
         const YkCam *cam = &model->cams[k];
         const YkJoint *pin = &model->joints[cam->cam_joint];
@@ -106,7 +107,8 @@ void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reac
     const YkModel *model = drawing->model;
     for (size_t k = 0; k < model->gear_count; k++)
         for (int side = 0; side < 2; side++)
-            if (model->gears[k].body[side] == body) *reach = fmax(*reach, yk_drawing_pitch_radius(&model->gears[k], side));
+            if (model->gears[k].body[side] == body)
+                *reach = fmax(*reach, yk_drawing_pitch_radius(&model->gears[k], side));
     for (size_t k = 0; k < model->belt_count; k++)
         for (int side = 0; side < 2; side++)
             if (model->belts[k].body[side] == body) *reach = fmax(*reach, model->belts[k].radius[side]);

@@ -50,7 +50,8 @@ void yk_run_relation(const YkRun *run, size_t index)
 {
     const YkRelation *r = &run->mech->relations[index];
     size_t n = run->lanes;
-    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN), argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
+    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN),
+            argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
     double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x;
     add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
     if (r->law) {

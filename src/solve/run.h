@@ -11,7 +11,8 @@ typedef struct YkRun {
     const signed char *branch;   // per block
     YkGroupWork *groups;         // for GROUP blocks (one lane only), or NULL
     size_t lanes;
-    const double *references; // [mech->reference_count]: angles of orientations that relations start from come out nearest
+    const double
+        *references; // [mech->reference_count]: angles of orientations that relations start from come out nearest
 } YkRun;
 
 // Runs steps [from, to). The margins and gaps go on from where they are: call yk_run_begin before step 0.

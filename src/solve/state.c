@@ -21,8 +21,8 @@ static bool allocate(YkState *s)
     s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
     s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
     s->search = yk_search_new(mech);
-    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->slot_reference && s->is_guessed && s->branch &&
-           s->valid_x && s->search && yk_space_start(&s->space, mech, 1, true) &&
+    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->slot_reference &&
+           s->is_guessed && s->branch && s->valid_x && s->search && yk_space_start(&s->space, mech, 1, true) &&
            yk_space_start(&s->spare, mech, 1, true) && yk_group_start(&s->groups, mech);
 }
 

@@ -347,9 +347,8 @@ static bool wants_forces(const YkSweep *w)
 static void read_channels(const YkSweep *w, double *values)
 {
     YkState *s = w->path.state;
-    YkStatus status = wants_forces(w) && s->has_rates
-                          ? yk_dynamics_solve(w->options.dynamics, s, w->options.method)
-                          : YK_SINGULAR;
+    YkStatus status =
+        wants_forces(w) && s->has_rates ? yk_dynamics_solve(w->options.dynamics, s, w->options.method) : YK_SINGULAR;
     bool has_forces = status == YK_OK || status == YK_REDUNDANT;
     for (size_t c = 0; c < w->channel_count; c++) {
         if (!yk_channel_needs_forces(w->channels[c]))

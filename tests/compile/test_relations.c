@@ -34,7 +34,8 @@ static bool tells(const Made *m, const char *words)
 }
 
 #define TRAIN                                                                                                          \
-    "bodies: {ground: {points: {A: [0, 0], B: [3, 0], C: [7, 0]}}, a: {points: {A: [0, 0]}}, b: {points: {B: [0, 0]}}, " \
+    "bodies: {ground: {points: {A: [0, 0], B: [3, 0], C: [7, 0]}}, a: {points: {A: [0, 0]}}, b: {points: {B: [0, "     \
+    "0]}}, "                                                                                                           \
     "c: {points: {C: [0, 0]}}}\njoints: {A: {pin: [ground, a], angle: x}, B: {pin: [ground, b], angle: y}, "           \
     "C: {pin: [ground, c], angle: z}}\n"
 
@@ -48,7 +49,9 @@ static double value(const Made *m, YkState *state, const char *name)
 static void a_train_is_sums_of_its_inputs(void **unused)
 {
     (void)unused;
-    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {x: 3 rad/s * t}\n");
+    Made m = make(
+        TRAIN
+        "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {x: 3 rad/s * t}\n");
     assert_non_null(m.mech);
     assert_int_equal(m.mech->relation_count, 2);
     assert_int_equal(m.mech->reference_count, 0); // nothing has to be taken nearest to anything
@@ -63,7 +66,9 @@ static void a_train_is_sums_of_its_inputs(void **unused)
 static void any_wheel_may_be_the_input(void **unused)
 {
     (void)unused;
-    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {z: 3 rad/s * t}\n");
+    Made m = make(
+        TRAIN
+        "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {z: 3 rad/s * t}\n");
     assert_non_null(m.mech);
     YkState *state = yk_state_new(m.mech);
     assert_int_equal(yk_state_assemble(state), YK_OK);
@@ -75,12 +80,14 @@ static void any_wheel_may_be_the_input(void **unused)
 static void the_start_gives_the_phase(void **unused)
 {
     (void)unused;
-    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\nstart: {x: 0.2, y: 0.7}\n");
+    Made m = make(
+        TRAIN
+        "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\nstart: {x: 0.2, y: 0.7}\n");
     assert_non_null(m.mech);
     YkState *state = yk_state_new(m.mech);
     assert_int_equal(yk_state_assemble(state), YK_OK);
     CHECK_NEAR(value(&m, state, "x"), 0.2, 0);
-    CHECK_NEAR(value(&m, state, "y"), 0.7, 1e-15);      // both are given: theirs
+    CHECK_NEAR(value(&m, state, "y"), 0.7, 1e-15);        // both are given: theirs
     CHECK_NEAR(value(&m, state, "z"), -0.7 * 0.6, 1e-15); // z is not: all 0 meets
     yk_state_free(state);
     drop(&m);
@@ -89,7 +96,8 @@ static void the_start_gives_the_phase(void **unused)
 static void two_drives_on_one_train_are_too_many(void **unused)
 {
     (void)unused;
-    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {x: 1 rad/s * t, z: 2 rad/s * t}\n");
+    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [15, 25]}}\ndrives: {x: "
+                        "1 rad/s * t, z: 2 rad/s * t}\n");
     assert_null(m.mech);
     assert_true(tells(&m, "already fix it"));
     drop(&m);
@@ -98,8 +106,9 @@ static void two_drives_on_one_train_are_too_many(void **unused)
 static void a_law_drives_over_time(void **unused)
 {
     (void)unused;
-    Made m = make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, by: 2 rad, law: harmonic}}]}}\n"
-                  TRAIN "drives: {x: {law: l, of: 2 rad/s * t}, y: 1 rad/s * t, z: 1 rad/s * t}\n");
+    Made m = make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, "
+                  "by: 2 rad, law: harmonic}}]}}\n" TRAIN
+                  "drives: {x: {law: l, of: 2 rad/s * t}, y: 1 rad/s * t, z: 1 rad/s * t}\n");
     assert_non_null(m.mech);
     YkState *state = yk_state_new(m.mech);
     double t = 0.3;
@@ -116,8 +125,9 @@ static void a_law_drives_over_time(void **unused)
 static void a_law_follows_a_coordinate(void **unused)
 {
     (void)unused;
-    Made m = make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, by: 2 rad, law: harmonic}}]}}\n"
-                  TRAIN "drives: {x: 3 rad/s * t + 0.4, y: {law: l, of: x}, z: 1 rad/s * t}\n");
+    Made m =
+        make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, by: 2 "
+             "rad, law: harmonic}}]}}\n" TRAIN "drives: {x: 3 rad/s * t + 0.4, y: {law: l, of: x}, z: 1 rad/s * t}\n");
     assert_non_null(m.mech);
     YkState *state = yk_state_new(m.mech);
     assert_int_equal(yk_state_assemble(state), YK_OK);
@@ -132,12 +142,13 @@ static void a_law_follows_a_coordinate(void **unused)
 static void a_wheel_may_hang_on_what_loops_place(void **unused)
 {
     (void)unused;
-    Made m = make("bodies:\n  ground: {points: {A: [0, 0], D: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}}\n"
-                  "  b: {points: {B: [0, 0], C: [3, 0]}}\n  c: {points: {C: [0, 0], D: [2, 0]}}\n  w: {points: {B: [0, 0]}}\n"
-                  "joints:\n  A: {pin: [ground, a], angle: x}\n  B: {pin: [a, b], angle: y}\n  D: {pin: [ground, c], angle: z}\n"
-                  "  C: {pin: [b, c]}\n  W: {pin: [b, w], at: B, angle: p}\n"
-                  "gears: {g: {mesh: [c, w], teeth: [20, 10], carrier: b}}\nstart: {y: -50 deg, z: 220 deg}\n"
-                  "drives: {x: 60 deg + 1 rad/s * t}\n");
+    Made m = make(
+        "bodies:\n  ground: {points: {A: [0, 0], D: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}}\n"
+        "  b: {points: {B: [0, 0], C: [3, 0]}}\n  c: {points: {C: [0, 0], D: [2, 0]}}\n  w: {points: {B: [0, 0]}}\n"
+        "joints:\n  A: {pin: [ground, a], angle: x}\n  B: {pin: [a, b], angle: y}\n  D: {pin: [ground, c], angle: z}\n"
+        "  C: {pin: [b, c]}\n  W: {pin: [b, w], at: B, angle: p}\n"
+        "gears: {g: {mesh: [c, w], teeth: [20, 10], carrier: b}}\nstart: {y: -50 deg, z: 220 deg}\n"
+        "drives: {x: 60 deg + 1 rad/s * t}\n");
     assert_non_null(m.mech);
     assert_true(m.mech->reference_count > 0);
     YkState *state = yk_state_new(m.mech);
@@ -151,9 +162,12 @@ static void a_wheel_may_hang_on_what_loops_place(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_train_is_sums_of_its_inputs), cmocka_unit_test(any_wheel_may_be_the_input),
-        cmocka_unit_test(the_start_gives_the_phase),     cmocka_unit_test(two_drives_on_one_train_are_too_many),
-        cmocka_unit_test(a_law_drives_over_time),        cmocka_unit_test(a_law_follows_a_coordinate),
+        cmocka_unit_test(a_train_is_sums_of_its_inputs),
+        cmocka_unit_test(any_wheel_may_be_the_input),
+        cmocka_unit_test(the_start_gives_the_phase),
+        cmocka_unit_test(two_drives_on_one_train_are_too_many),
+        cmocka_unit_test(a_law_drives_over_time),
+        cmocka_unit_test(a_law_follows_a_coordinate),
         cmocka_unit_test(a_wheel_may_hang_on_what_loops_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,24 +40,27 @@
 
 #define PLANETARY_LINKAGE                                                                                              \
     "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], E: [0.35, 0.05]}}\n"                                 \
-    "  sun: {points: {O: [0, 0]}, mass: 1, inertia: 0.002}\n  arm: {points: {O: [0, 0], P: [0.1, 0]}, mass: 1, rod: [O, P]}\n" \
+    "  sun: {points: {O: [0, 0]}, mass: 1, inertia: 0.002}\n  arm: {points: {O: [0, 0], P: [0.1, 0]}, mass: 1, rod: "  \
+    "[O, P]}\n"                                                                                                        \
     "  planet: {points: {P: [0, 0], Q: [0.05, 0]}, mass: 0.5, inertia: 0.001, center: [0.01, 0]}\n"                    \
     "  rod: {points: {Q: [0, 0], R: [0.3, 0]}, mass: 0.4, rod: [Q, R]}\n"                                              \
     "  rocker: {points: {E: [0, 0], R: [0.2, 0]}, mass: 0.3, rod: [E, R]}\n"                                           \
     "joints:\n  S: {pin: [ground, sun], at: O, angle: a}\n  C: {pin: [ground, arm], at: O, angle: c}\n"                \
-    "  P: {pin: [arm, planet], angle: p}\n  Q: {pin: [planet, rod], angle: r}\n  E: {pin: [ground, rocker], angle: e}\n" \
+    "  P: {pin: [arm, planet], angle: p}\n  Q: {pin: [planet, rod], angle: r}\n  E: {pin: [ground, rocker], angle: "   \
+    "e}\n"                                                                                                             \
     "  R: {pin: [rod, rocker]}\ngears: {m: {mesh: [sun, planet], teeth: [20, 30], carrier: arm}}\n"                    \
     "start: {c: 30 deg, a: 10 deg, r: -20 deg, e: 120 deg, c.rate: 4, a.rate: -3}\n"
 
 // The ring is held: both meshes are needed to find planet and arm.
 #define PLANETARY_SET                                                                                                  \
     "gravity: [0, -9.81]\nparameters: {mod: 2 mm}\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                         \
-    "  sun: {points: {O: [0, 0]}, mass: 0.5, inertia: 0.0002}\n  arm: {points: {O: [0, 0], P: [0.027, 0]}, mass: 0.2, inertia: 0.0003, center: [0.01, 0]}\n" \
-    "  planet: {points: {P: [0, 0]}, mass: 0.1, inertia: 0.00001}\n  ring: {points: {O: [0, 0]}, mass: 1}\n"            \
-    "joints:\n  S: {pin: [ground, sun], at: O, angle: s}\n  C: {pin: [ground, arm], at: O, angle: c}\n"                 \
-    "  P: {pin: [arm, planet], angle: p}\n  R: {weld: [ground, ring], at: O}\n"                                         \
-    "gears:\n  a: {mesh: [sun, planet], teeth: [20, 7], module: mod, carrier: arm}\n"                                    \
-    "  b: {mesh: [planet, ring], teeth: [7, 34], module: mod, carrier: arm, internal: true}\n"                            \
+    "  sun: {points: {O: [0, 0]}, mass: 0.5, inertia: 0.0002}\n  arm: {points: {O: [0, 0], P: [0.027, 0]}, mass: "     \
+    "0.2, inertia: 0.0003, center: [0.01, 0]}\n"                                                                       \
+    "  planet: {points: {P: [0, 0]}, mass: 0.1, inertia: 0.00001}\n  ring: {points: {O: [0, 0]}, mass: 1}\n"           \
+    "joints:\n  S: {pin: [ground, sun], at: O, angle: s}\n  C: {pin: [ground, arm], at: O, angle: c}\n"                \
+    "  P: {pin: [arm, planet], angle: p}\n  R: {weld: [ground, ring], at: O}\n"                                        \
+    "gears:\n  a: {mesh: [sun, planet], teeth: [20, 7], module: mod, carrier: arm}\n"                                  \
+    "  b: {mesh: [planet, ring], teeth: [7, 34], module: mod, carrier: arm, internal: true}\n"                         \
     "efforts: {s: 0.3}\nstart: {s: 0, s.rate: 5}\n"
 
 #define BELT                                                                                                           \

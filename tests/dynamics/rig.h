@@ -18,7 +18,8 @@ static inline Rig rig_of_model(YkModel *model, YkProblems *problems)
 {
     Rig rig = {.model = model, .problems = problems};
     if (!model)
-        for (size_t k = 0; k < yk_problems_count(problems); k++) print_error("%s\n", yk_problems_get(problems, k)->message);
+        for (size_t k = 0; k < yk_problems_count(problems); k++)
+            print_error("%s\n", yk_problems_get(problems, k)->message);
     assert_non_null(model);
     rig.mech = yk_mechanism_compile(model, NULL, problems);
     assert_non_null(rig.mech);
@@ -75,9 +76,13 @@ static inline bool rig_shake(Rig *rig, uint64_t *seed)
 }
 
 // Examples with masses.
-static const char *const rig_examples[] = {"toggle", "double-pendulum", "andrews", "n-four-bar", "rocking-four-bar",
-                                           "spring-slider-crank", "steam-engine", "gas-engine", "five-bar-motors",
-                                           "cart-pendulum", "crank-press", "watt-with-masses", "car-axis", "chain"};
+static const char *const rig_examples[] = {"toggle",           "double-pendulum",
+                                           "andrews",          "n-four-bar",
+                                           "rocking-four-bar", "spring-slider-crank",
+                                           "steam-engine",     "gas-engine",
+                                           "five-bar-motors",  "cart-pendulum",
+                                           "crank-press",      "watt-with-masses",
+                                           "car-axis",         "chain"};
 enum { RIG_EXAMPLES = sizeof rig_examples / sizeof *rig_examples };
 
 #endif

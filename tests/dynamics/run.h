@@ -16,7 +16,8 @@ static inline Run run_of_model(YkModel *model, YkProblems *problems, YkSimulatio
     Run run = {.model = model, .problems = problems};
     if (model) run.sim = yk_simulation_new(model, &options, problems);
     if (!run.sim)
-        for (size_t k = 0; k < yk_problems_count(problems); k++) print_error("%s\n", yk_problems_get(problems, k)->message);
+        for (size_t k = 0; k < yk_problems_count(problems); k++)
+            print_error("%s\n", yk_problems_get(problems, k)->message);
     assert_non_null(run.sim);
     return run;
 }

@@ -76,10 +76,11 @@ static void a_block_slips_on_a_shaking_table(void **unused)
 static void a_blow_passes_through_the_loops(void **unused)
 {
     (void)unused;
-    const char *text = "bodies:\n  ground: {points: {A: [0, 0]}}\n  arm: {points: {A: [0, 0], B: [1, 0]}, mass: 3, rod: [A, B]}\n"
-                       "  end: {points: {B: [0, 0]}, mass: 1, inertia: 0.5}\n"
-                       "joints:\n  A: {pin: [ground, arm], angle: x}\n  B: {pin: [arm, end], angle: y}\n"
-                       "start: {x: 0, y: 0, x.rate: 2, y.rate: -2}\nstops: {x: [-1, 1]}\n";
+    const char *text =
+        "bodies:\n  ground: {points: {A: [0, 0]}}\n  arm: {points: {A: [0, 0], B: [1, 0]}, mass: 3, rod: [A, B]}\n"
+        "  end: {points: {B: [0, 0]}, mass: 1, inertia: 0.5}\n"
+        "joints:\n  A: {pin: [ground, arm], angle: x}\n  B: {pin: [arm, end], angle: y}\n"
+        "start: {x: 0, y: 0, x.rate: 2, y.rate: -2}\nstops: {x: [-1, 1]}\n";
     Run run = run_of_text(text, run_options(1e-11));
     assert_int_equal(yk_simulation_advance(run.sim, 1), YK_OK);
     CHECK_NEAR(run_value(&run, "x"), 1, 1e-9);

@@ -24,11 +24,13 @@ static void parallelograms_stay_parallelograms(void **unused)
 static void dead_points_of_a_coordinate_are_passed(void **unused)
 {
     (void)unused;
-    const char *text = "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [0.1, 0]}, mass: 2, inertia: 0.01, center: [0, 0]}\n"
-                       "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 0.5, rod: [A, B]}\n  piston: {points: {B: [0, 0]}, mass: 1}\n"
-                       "joints:\n  R: {slide: [ground, piston], along: x, distance: d}\n  O: {pin: [ground, crank], angle: q}\n"
-                       "  B: {pin: [piston, rod], angle: p}\n  A: {pin: [crank, rod]}\n"
-                       "start: {d: 0.33, q: 60 deg, p: 160 deg, q.rate: 20 rad/s}\n";
+    const char *text =
+        "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [0.1, 0]}, mass: 2, inertia: 0.01, "
+        "center: [0, 0]}\n"
+        "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 0.5, rod: [A, B]}\n  piston: {points: {B: [0, 0]}, mass: 1}\n"
+        "joints:\n  R: {slide: [ground, piston], along: x, distance: d}\n  O: {pin: [ground, crank], angle: q}\n"
+        "  B: {pin: [piston, rod], angle: p}\n  A: {pin: [crank, rod]}\n"
+        "start: {d: 0.33, q: 60 deg, p: 160 deg, q.rate: 20 rad/s}\n";
     Run run = run_of_text(text, run_options(1e-11));
     for (int k = 1; k <= 50; k++) assert_int_equal(yk_simulation_advance(run.sim, 0.05 * k), YK_OK);
     assert_true(run_value(&run, "q") > 40); // several turns

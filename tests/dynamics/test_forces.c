@@ -1,4 +1,5 @@
-// Reactions, efforts and sums: every body balances, power is the rate of energy, the frame carries what the machine needs.
+// Reactions, efforts and sums: every body balances, power is the rate of energy, the frame carries what the machine
+// needs.
 #include "rig.h"
 
 static void every_body_balances(void **unused)
@@ -33,7 +34,8 @@ static void the_frame_carries_weight_less_inertia(void **unused)
         sum[1] += body->mass * (rig.model->gravity.y - m.acceleration.y);
     }
     YkWrench shaking = yk_dynamics_shaking(rig.dynamics);
-    for (int axis = 0; axis < 2; axis++) CHECK_NEAR(shaking.force[axis], sum[axis], 1e-11 * rig.dynamics->largest_force);
+    for (int axis = 0; axis < 2; axis++)
+        CHECK_NEAR(shaking.force[axis], sum[axis], 1e-11 * rig.dynamics->largest_force);
     rig_free(&rig);
 }
 
@@ -52,8 +54,8 @@ static double energy_after(Rig *rig, double dt)
     return e.kinetic + e.potential;
 }
 
-// Inverse dynamics by the power balance: sum of effort times rate is the rate of kinetic and potential energy, less what the
-// other loads deliver.
+// Inverse dynamics by the power balance: sum of effort times rate is the rate of kinetic and potential energy, less
+// what the other loads deliver.
 static void efforts_balance_power(void **unused)
 {
     (void)unused;
@@ -103,7 +105,8 @@ static void inverse_undoes_forward(void **unused)
 static void a_hanging_weight_pulls_its_pin(void **unused)
 {
     (void)unused;
-    Rig rig = rig_of_text("gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}, mass: 2, center: [0, -1]}\n"
+    Rig rig = rig_of_text("gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}, "
+                          "mass: 2, center: [0, -1]}\n"
                           "joints:\n  O: {pin: [ground, bob], angle: x}\n");
     assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
     YkReaction r = yk_dynamics_reaction(rig.dynamics, 0);
@@ -133,9 +136,12 @@ static void the_toggle_has_twenty_equations(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_body_balances),         cmocka_unit_test(the_frame_carries_weight_less_inertia),
-        cmocka_unit_test(efforts_balance_power),       cmocka_unit_test(inverse_undoes_forward),
-        cmocka_unit_test(a_hanging_weight_pulls_its_pin), cmocka_unit_test(the_toggle_has_twenty_equations),
+        cmocka_unit_test(every_body_balances),
+        cmocka_unit_test(the_frame_carries_weight_less_inertia),
+        cmocka_unit_test(efforts_balance_power),
+        cmocka_unit_test(inverse_undoes_forward),
+        cmocka_unit_test(a_hanging_weight_pulls_its_pin),
+        cmocka_unit_test(the_toggle_has_twenty_equations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-// Gears, racks, belts and cams as constraints: motion by their ratios and laws, forces by two formulations and by power.
+// Gears, racks, belts and cams as constraints: motion by their ratios and laws, forces by two formulations and by
+// power.
 #include "rig.h"
 #include "meshes.h"
 #include "run.h"
@@ -22,7 +23,8 @@ static void the_train_of_the_format(void **unused)
     rig_free(&rig);
 }
 
-// After a million turns of the sun the ring is where exact arithmetic has it: 23/58 of the sun's turns beyond whole ones.
+// After a million turns of the sun the ring is where exact arithmetic has it: 23/58 of the sun's turns beyond whole
+// ones.
 static void many_turns_stay_exact(void **unused)
 {
     (void)unused;
@@ -48,7 +50,8 @@ static void wheels_keep_their_ratio(void **unused)
         if (!rig_shake(&rig, &seed)) continue;
         CHECK_NEAR(rate_of(&rig, "t2.rate"), -0.5 * rate_of(&rig, "t1.rate"), 1e-13);
         CHECK_NEAR(rate_of(&rig, "t2.accel"), -0.5 * rate_of(&rig, "t1.accel"), 1e-13);
-        CHECK_NEAR(rate_of(&rig, "t1") + 2 * rate_of(&rig, "t2"), (60 + 2 * 100) * YK_PI / 180, 1e-12); // phase of `start:`
+        CHECK_NEAR(rate_of(&rig, "t1") + 2 * rate_of(&rig, "t2"), (60 + 2 * 100) * YK_PI / 180,
+                   1e-12); // phase of `start:`
         assert_true(yk_state_residuals(rig.state).position < 1e-13);
     }
     rig_free(&rig);
@@ -72,7 +75,8 @@ static void a_cam_is_its_law(void **unused)
 {
     (void)unused;
     Rig cam = rig_of_text(CAM);
-    Rig driven = rig_of_text(CAM_PARTS "drives: {s: 20 mm * (1 rad/s * t / (120 deg) - sin(3 rad/s * t)/(2*pi))}\nstart: {th: 0, b: 60 deg, c: 170 deg}\n");
+    Rig driven = rig_of_text(CAM_PARTS "drives: {s: 20 mm * (1 rad/s * t / (120 deg) - sin(3 rad/s * "
+                                       "t)/(2*pi))}\nstart: {th: 0, b: 60 deg, c: 170 deg}\n");
     for (int k = 1; k < 20; k++) {
         double t = 0.1 * k; // as the cam's angle, at unit speed
         yk_state_set_input(cam.state, 0, (YkMotion){t, 1, 0});
@@ -99,7 +103,8 @@ static void forces_by_both_formulations(void **unused)
                 assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)way) >= 0);
                 for (size_t b = 1; b < rig.model->body_count; b++)
                     assert_true(yk_dynamics_balance(rig.dynamics, b).residual < 1e-11);
-                for (size_t i = 0; i < rig.mech->input_count; i++) found[way][i] = yk_state_input(rig.state, i).acceleration;
+                for (size_t i = 0; i < rig.mech->input_count; i++)
+                    found[way][i] = yk_state_input(rig.state, i).acceleration;
             }
             for (size_t i = 0; i < rig.mech->input_count; i++)
                 CHECK_NEAR(found[0][i], found[1][i], 1e-10 * (1 + fabs(found[0][i])));
@@ -147,15 +152,16 @@ static void a_crossed_belt_turns_backwards(void **unused)
 static void torque_is_multiplied_by_the_ratio(void **unused)
 {
     (void)unused;
-    Rig rig = rig_of_text("bodies:\n  ground: {points: {A: [0, 0], B: [0.09, 0]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 1}\n"
-                          "  q: {points: {B: [0, 0]}, mass: 1, inertia: 1}\njoints:\n  A: {pin: [ground, p], angle: x}\n"
-                          "  B: {pin: [ground, q], angle: y}\ngears: {g: {mesh: [p, q], teeth: [10, 20]}}\n"
-                          "efforts: {y: 6}\nstart: {x: 0}\n");
+    Rig rig = rig_of_text(
+        "bodies:\n  ground: {points: {A: [0, 0], B: [0.09, 0]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 1}\n"
+        "  q: {points: {B: [0, 0]}, mass: 1, inertia: 1}\njoints:\n  A: {pin: [ground, p], angle: x}\n"
+        "  B: {pin: [ground, q], angle: y}\ngears: {g: {mesh: [p, q], teeth: [10, 20]}}\n"
+        "efforts: {y: 6}\nstart: {x: 0}\n");
     yk_dynamics_prescribe(rig.dynamics, 0, true);
     assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
     CHECK_NEAR(yk_dynamics_effort(rig.dynamics, 0), 3, 1e-13); // x = -2 y: the drive holds 6 N m by 3
     YkReaction a = yk_dynamics_reaction(rig.dynamics, 0);
-    CHECK_NEAR(fabs(a.force[1]), 3 / 0.03, 1e-10); // pitch radius 30 mm
+    CHECK_NEAR(fabs(a.force[1]), 3 / 0.03, 1e-10);              // pitch radius 30 mm
     CHECK_NEAR(a.force[0], 100 * tan(20 * YK_PI / 180), 1e-10); // the pin holds it against the flanks' push apart
     rig_free(&rig);
 }
@@ -163,10 +169,14 @@ static void torque_is_multiplied_by_the_ratio(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_train_of_the_format),     cmocka_unit_test(many_turns_stay_exact),
-        cmocka_unit_test(wheels_keep_their_ratio),     cmocka_unit_test(a_pinion_moves_its_rack),
-        cmocka_unit_test(a_cam_is_its_law),            cmocka_unit_test(forces_by_both_formulations),
-        cmocka_unit_test(energy_is_kept_through_meshes), cmocka_unit_test(a_crossed_belt_turns_backwards),
+        cmocka_unit_test(the_train_of_the_format),
+        cmocka_unit_test(many_turns_stay_exact),
+        cmocka_unit_test(wheels_keep_their_ratio),
+        cmocka_unit_test(a_pinion_moves_its_rack),
+        cmocka_unit_test(a_cam_is_its_law),
+        cmocka_unit_test(forces_by_both_formulations),
+        cmocka_unit_test(energy_is_kept_through_meshes),
+        cmocka_unit_test(a_crossed_belt_turns_backwards),
         cmocka_unit_test(torque_is_multiplied_by_the_ratio),
         cmocka_unit_test(meshes_that_need_each_other_are_solved_together),
     };

@@ -94,7 +94,8 @@ static void the_published_double_pendulum(void **unused)
 static void a_freedom_without_inertia_is_named(void **unused)
 {
     (void)unused;
-    Rig rig = rig_of_text("bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0], P: [1, 0]}}\n  b: {points: {P: [0, 0], Q: [1, 0]}, mass: 1}\n"
+    Rig rig = rig_of_text("bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0], P: [1, 0]}}\n  b: "
+                          "{points: {P: [0, 0], Q: [1, 0]}, mass: 1}\n"
                           "joints:\n  O: {pin: [ground, a], angle: x}\n  P: {pin: [b, a], angle: y}\n");
     double a[2];
     assert_int_equal(yk_dynamics_accelerate(rig.dynamics, rig.state, a), YK_SINGULAR);

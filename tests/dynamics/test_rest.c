@@ -18,7 +18,8 @@ static YkRest *rest_of(const char *text, YkModel **model)
 #define DOUBLE                                                                                                         \
     "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                                                    \
     "  a: {points: {O: [0, 0], P: [0, -1]}, mass: 1, center: [0, -1]}\n"                                               \
-    "  b: {points: {P: [0, 0]}, mass: 1, center: [0, -1]}\njoints:\n  O: {pin: [ground, a], angle: x}\n  P: {pin: [a, b], angle: y}\n"
+    "  b: {points: {P: [0, 0]}, mass: 1, center: [0, -1]}\njoints:\n  O: {pin: [ground, a], angle: x}\n  P: {pin: "    \
+    "[a, b], angle: y}\n"
 
 static void a_double_pendulum_rests_in_four_places(void **unused)
 {
@@ -48,9 +49,11 @@ static void a_damped_spring_has_its_roots(void **unused)
 {
     (void)unused;
     YkModel *model;
-    YkRest *rest = rest_of("bodies:\n  b: {points: {P: [0, 0]}, mass: 2}\njoints:\n  s: {slide: [ground, b], along: x, distance: d}\n"
-                           "springs: {k: {along: d, stiffness: 50, length: 0.3, damping: 4}}\nforces: {F: {on: b, at: P, value: [5, 0]}}\nstart: {d: 0.1}\n",
-                           &model);
+    YkRest *rest = rest_of(
+        "bodies:\n  b: {points: {P: [0, 0]}, mass: 2}\njoints:\n  s: {slide: [ground, b], along: x, distance: d}\n"
+        "springs: {k: {along: d, stiffness: 50, length: 0.3, damping: 4}}\nforces: {F: {on: b, at: P, value: [5, "
+        "0]}}\nstart: {d: 0.1}\n",
+        &model);
     assert_int_equal(yk_rest_count(rest), 1);
     CHECK_NEAR(yk_state_coordinate(yk_rest_state(rest, 0), 0).position, 0.4, 1e-12);
     CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 5, 1e-9);
@@ -67,8 +70,10 @@ static void a_wheel_is_neutral(void **unused)
 {
     (void)unused;
     YkModel *model;
-    YkRest *rest = rest_of("gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  w: {points: {O: [0, 0]}, mass: 1, inertia: 1}\n"
-                           "joints:\n  O: {pin: [ground, w], angle: x}\n", &model);
+    YkRest *rest = rest_of(
+        "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  w: {points: {O: [0, 0]}, mass: 1, inertia: 1}\n"
+        "joints:\n  O: {pin: [ground, w], angle: x}\n",
+        &model);
     assert_true(yk_rest_count(rest) >= 1);
     assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_NEUTRAL);
     yk_rest_free(rest);
@@ -90,7 +95,8 @@ static void a_mode_is_how_it_swings(void **unused)
     YkStartValue values[8];
     size_t n = yk_coordinate_count(yk_rest_mechanism(rest));
     for (size_t c = 0; c < n; c++)
-        values[c] = (YkStartValue){yk_coordinate_info(yk_rest_mechanism(rest), c).name, false, yk_state_coordinate(s, c).position};
+        values[c] = (YkStartValue){yk_coordinate_info(yk_rest_mechanism(rest), c).name, false,
+                                   yk_state_coordinate(s, c).position};
     values[n] = (YkStartValue){values[yk_rest_input(rest, 0)].coordinate, true, 1e-6};
     YkSimulationOptions options = run_options(1e-12);
     options.values = values;

@@ -32,7 +32,8 @@ static void energy_stays_for_a_thousand_seconds(void **unused)
         YkSimulationOptions options = run_options(tolerance[k]);
         options.horizon = 1000;
         Run run = run_of_example("double-pendulum", options);
-        assert_int_equal(yk_simulation_set_effort(run.sim, "theta1", 0), YK_OK); // constant torques would feed it for ever
+        assert_int_equal(yk_simulation_set_effort(run.sim, "theta1", 0),
+                         YK_OK); // constant torques would feed it for ever
         assert_int_equal(yk_simulation_set_effort(run.sim, "theta2", 0), YK_OK);
         for (int row = 1; row <= 100; row++) assert_int_equal(yk_simulation_advance(run.sim, 10.0 * row), YK_OK);
         assert_true(yk_simulation_summary(run.sim).energy_error <= allowed[k]);
@@ -67,7 +68,7 @@ static void reversed_motion_comes_back(void **unused)
     assert_int_equal(yk_simulation_advance(there.sim, 1.3), YK_OK);
     double angle = run_value(&there, "theta0"), rate = run_value(&there, "theta0.rate");
     YkStartValue values[] = {{"theta0", false, angle}, {"theta1", false, angle}, {"theta2", false, angle},
-                             {"psi1", false, -angle}, {"psi2", false, -angle}, {"theta0.rate", true, 0}};
+                             {"psi1", false, -angle},  {"psi2", false, -angle},  {"theta0.rate", true, 0}};
     values[5] = (YkStartValue){"theta0", true, -rate};
     YkSimulationOptions options = run_options(1e-12);
     options.values = values;
@@ -96,7 +97,8 @@ static void the_squeezer_reaches_its_reference(void **unused)
 static void works_and_energy_balance(void **unused)
 {
     (void)unused;
-    static const char *const names[] = {"spring-slider-crank", "five-bar-motors", "gas-engine", "car-axis", "cart-pendulum"};
+    static const char *const names[] = {"spring-slider-crank", "five-bar-motors", "gas-engine", "car-axis",
+                                        "cart-pendulum"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         Run run = run_of_example(names[k], run_options(1e-10));
         for (int row = 1; row <= 10; row++) assert_int_equal(yk_simulation_advance(run.sim, 0.1 * row), YK_OK);
@@ -134,10 +136,13 @@ static void rates_that_break_the_loops_are_projected(void **unused)
 {
     (void)unused;
     YkProblems *problems = yk_problems_new();
-    const char *text = "bodies:\n  ground: {points: {A: [0, 0], D: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}, mass: 1, rod: [A, B]}\n"
-                       "  b: {points: {B: [0, 0], C: [3, 0]}, mass: 1, rod: [B, C]}\n  c: {points: {D: [0, 0], C: [2, 0]}, mass: 1, rod: [D, C]}\n"
-                       "joints:\n  A: {pin: [ground, a], angle: x}\n  B: {pin: [a, b], angle: y}\n  D: {pin: [ground, c], angle: z}\n"
-                       "  C: {pin: [b, c]}\nstart: {x: 60 deg, y: -50 deg, z: 80 deg, x.rate: 1, z.rate: 5}\n";
+    const char *text =
+        "bodies:\n  ground: {points: {A: [0, 0], D: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}, mass: 1, rod: [A, "
+        "B]}\n"
+        "  b: {points: {B: [0, 0], C: [3, 0]}, mass: 1, rod: [B, C]}\n  c: {points: {D: [0, 0], C: [2, 0]}, mass: 1, "
+        "rod: [D, C]}\n"
+        "joints:\n  A: {pin: [ground, a], angle: x}\n  B: {pin: [a, b], angle: y}\n  D: {pin: [ground, c], angle: z}\n"
+        "  C: {pin: [b, c]}\nstart: {x: 60 deg, y: -50 deg, z: 80 deg, x.rate: 1, z.rate: 5}\n";
     Run run = run_of_model(yk_model_parse(text, strlen(text), "t.yaml", NULL, problems), problems, run_options(1e-9));
     assert_true(yk_problems_count(problems) > 0);
     assert_non_null(strstr(yk_problems_get(problems, 0)->message, "the loops do not allow"));
@@ -165,7 +170,8 @@ static void bad_starts_are_refused(void **unused)
 {
     (void)unused;
     refuses(PENDULUM "start: {a: 180 deg}\nstops: {a: [0, 90 deg]}\n", "outside of its stops");
-    refuses("bodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}}\njoints:\n  O: {pin: [ground, bob], angle: a}\n",
+    refuses("bodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}}\njoints:\n  O: {pin: [ground, "
+            "bob], angle: a}\n",
             "no body has mass");
 }
 

@@ -12,7 +12,8 @@ static YkGear gear(int64_t a, int64_t b, bool is_internal, double distance, doub
 static void pitch_circles_touch(void **unused)
 {
     (void)unused;
-    YkGear outside = gear(27, 36, false, 0.063, 0), inside = gear(24, 87, true, 0.063, 0), bare = gear(20, 30, false, 0, 0.002);
+    YkGear outside = gear(27, 36, false, 0.063, 0), inside = gear(24, 87, true, 0.063, 0),
+           bare = gear(20, 30, false, 0, 0.002);
     CHECK_NEAR(yk_drawing_pitch_radius(&outside, 0) + yk_drawing_pitch_radius(&outside, 1), 0.063, 1e-16);
     CHECK_NEAR(yk_drawing_pitch_radius(&inside, 1) - yk_drawing_pitch_radius(&inside, 0), 0.063, 1e-16);
     CHECK_NEAR(yk_drawing_pitch_radius(&bare, 1), 0.030, 1e-16);
