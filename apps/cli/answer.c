@@ -86,8 +86,8 @@ static bool is_length(YkQuantity quantity)
     return quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
 }
 
-// The unit of a quantity in tables and its size in SI: the file's own. Where it names no unit of force, and its units of
-// length, mass and time would make an unusual one (kg*mm/s^2), forces are told in N, N*m and J; energies always in J
+// The unit of a quantity in tables and its size in SI: the file's own. Where it names no unit of force, and its units
+// of length, mass and time would make an unusual one (kg*mm/s^2), forces are told in N, N*m and J; energies always in J
 // rather than in N*m.
 static const char *unit_of(const YkSession *session, YkQuantity quantity, double *size)
 {

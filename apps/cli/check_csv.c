@@ -28,6 +28,5 @@ void yk_check_csv(const YkCheckAnswer *answer)
     add_fact(answer, "loads.masses", (double)answer->loads.masses);
     add_fact(answer, "loads.mass", answer->loads.mass);
     add_fact(answer, "equations.count", (double)(e.force + e.moment + e.acceleration));
-    add_fact(answer, "equations.unknowns",
-             (double)(e.unknown_reactions + e.unknown_accelerations + e.unknown_efforts));
+    add_fact(answer, "equations.unknowns", (double)(e.unknown_reactions + e.unknown_accelerations + e.unknown_efforts));
 }

@@ -130,8 +130,8 @@ static void add_loads(const YkCheckAnswer *answer, YkJson *json)
     const struct {
         const char *name;
         size_t count;
-    } kinds[] = {{"efforts", loads->efforts},   {"forces", loads->forces},       {"springs", loads->springs},
-                 {"dampers", loads->dampers},   {"frictions", loads->frictions}, {"stops", loads->stops}};
+    } kinds[] = {{"efforts", loads->efforts}, {"forces", loads->forces},       {"springs", loads->springs},
+                 {"dampers", loads->dampers}, {"frictions", loads->frictions}, {"stops", loads->stops}};
     yk_json_object(json, "loads", YK_JSON_INLINE);
     yk_json_bool(json, "gravity", loads->has_gravity);
     yk_json_number(json, "mass", loads->mass);

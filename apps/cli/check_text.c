@@ -215,7 +215,8 @@ static void add_forces(const YkCheckAnswer *answer)
     add_kind(out, loads->forces, "force");
     add_kind(out, loads->springs, "spring");
     add_kind(out, loads->dampers, "damper");
-    if (loads->frictions > 0) yk_text_format(out, "; friction at %z joint%s", loads->frictions, plural(loads->frictions));
+    if (loads->frictions > 0)
+        yk_text_format(out, "; friction at %z joint%s", loads->frictions, plural(loads->frictions));
     add_kind(out, loads->stops, "stop");
     yk_text_puts(out, "\n  free bodies: ");
     yk_add_count(out, answer->equations);

@@ -26,7 +26,7 @@ static int refuse_verb(YkSession *session)
     const YkVerb *verb = session->request->verb;
     yk_problem(session->problems, YK_CODE_VERB_LATER, (YkPlace){0}, "`yoke %s` (%s) is not part of this version yet",
                verb->name, verb->summary);
-    yk_problem_hint(session->problems, "this version checks, solves, sweeps and draws");
+    yk_problem_hint(session->problems, "`yoke` alone lists what this version answers");
     return YK_EXIT_WRONG;
 }
 

@@ -19,12 +19,11 @@ static void add_matrix(YkJson *json, const char *key, const double *entries, siz
 static void add_mode(const YkRestAnswer *answer, YkJson *json, YkMode mode)
 {
     yk_json_object(json, NULL, YK_JSON_INLINE);
-    yk_json_number(json, "frequency", yk_mode_hertz(mode)); // Hz
-    yk_json_number(json, "omega", mode.frequency);          // rad/s; negative: grows at that rate
+    yk_json_number(json, "frequency", mode.frequency); // rad/s; negative: grows at that rate
+    yk_json_number(json, "hertz", yk_mode_hertz(mode));
     yk_json_number(json, "damping_ratio", mode.damping_ratio);
-    yk_json_object(json, "shape", YK_JSON_INLINE);
-    for (size_t k = 0; k < yk_rest_freedom(answer->rest); k++)
-        yk_json_number(json, input_name(answer, k), mode.shape[k]);
+    yk_json_list(json, "shape", YK_JSON_INLINE);
+    for (size_t k = 0; k < yk_rest_freedom(answer->rest); k++) yk_json_number(json, NULL, mode.shape[k]);
     yk_json_end(json);
     yk_json_end(json);
 }

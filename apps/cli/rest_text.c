@@ -26,7 +26,8 @@ static void add_coordinates(const YkRestAnswer *answer, const YkState *state, bo
         YkCoordinateInfo info = yk_coordinate_info(answer->mech, i);
         if (info.is_distance != is_distance) continue;
         yk_table_word(table, info.name);
-        yk_table_number(table, yk_shown(session, yk_state_coordinate(state, i).position, yk_quantity_of(is_distance, 0)),
+        yk_table_number(table,
+                        yk_shown(session, yk_state_coordinate(state, i).position, yk_quantity_of(is_distance, 0)),
                         YK_DIGITS);
         count++;
     }

@@ -45,7 +45,8 @@ static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *p
 {
     const YkRequest *request = session->request;
     const YkPairs *lists[] = {&request->at, &request->rate, &request->accel};
-    size_t count = 0, list_count = session->is_simulation ? 1 : 3, most = 1 + request->at.count + request->rate.count + request->accel.count;
+    size_t count = 0, list_count = session->is_simulation ? 1 : 3,
+           most = 1 + request->at.count + request->rate.count + request->accel.count;
     const char **names = calloc(most, sizeof *names);
     if (!names) return NULL;
     if (swept) add_name(names, &count, swept);
@@ -229,7 +230,8 @@ bool yk_session_method(YkSession *session, YkDynamicsMethod *method)
     const char *word = session->request->method;
     *method = word && strcmp(word, "newton-euler") == 0 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED;
     if (!word || *method == YK_METHOD_NEWTON_EULER || strcmp(word, "reduced") == 0) return true;
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--method takes reduced or newton-euler here, not %q", word);
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--method takes reduced or newton-euler here, not %q",
+                             word);
 }
 
 static void prescribe(YkSession *session, bool all)

@@ -10,8 +10,8 @@ bool yk_session_model(YkSession *session);
 bool yk_session_load(YkSession *session, const char *swept);
 // Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel. False when a value is wrong.
 bool yk_session_inputs(YkSession *session);
-// Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all (a motion that is imposed). False when
-// a name or value is wrong.
+// Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all (a motion that is imposed). False
+// when a name or value is wrong.
 bool yk_session_forces(YkSession *session, bool all_prescribed);
 // Reads --method reduced|newton-euler.
 bool yk_session_method(YkSession *session, YkDynamicsMethod *method);

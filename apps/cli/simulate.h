@@ -27,7 +27,7 @@ typedef struct YkSimulationAnswer {
 } YkSimulationAnswer;
 
 // simulate_request.c. Each false with a problem added.
-bool yk_simulate_read(YkSimulationAnswer *answer); // all that the command line asks for; the machine is compiled
+bool yk_simulate_read(YkSimulationAnswer *answer);    // all that the command line asks for; the machine is compiled
 bool yk_simulate_prepare(YkSimulationAnswer *answer); // --effort and --event
 double yk_simulate_time_of(const YkSimulationAnswer *answer, size_t row); // s
 

@@ -39,15 +39,18 @@ static bool read_options(YkSimulationAnswer *answer)
     YkSimulationOptions *options = &answer->options;
     bool is_fixed = options->integrator == YK_INTEGRATOR_RK4;
     if (request->step && !is_fixed)
-        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--step %s: only --method rk4 has a fixed step", request->step);
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--step %s: only --method rk4 has a fixed step",
+                                 request->step);
     if (request->tolerance && is_fixed)
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE,
-                                 "--tol %s: --method rk4 has a fixed step (--step) and no tolerance", request->tolerance);
+                                 "--tol %s: --method rk4 has a fixed step (--step) and no tolerance",
+                                 request->tolerance);
     if (!read_positive(session, "--tol", request->tolerance, YK_QUANTITY_NUMBER, &options->tolerance) ||
         !read_positive(session, "--step", request->step, YK_QUANTITY_TIME, &options->step))
         return false;
     if (options->tolerance >= tolerance_least && options->tolerance <= tolerance_most) return true;
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--tol takes a number from 1e-15 to 0.1, not %q", request->tolerance);
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--tol takes a number from 1e-15 to 0.1, not %q",
+                             request->tolerance);
 }
 
 // --to, --from, and a row --every so often or --steps of them.
@@ -55,7 +58,8 @@ static bool read_times(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
-    if (request->from && !yk_session_value(session, "--from", "", request->from, YK_QUANTITY_TIME, &answer->from)) return false;
+    if (request->from && !yk_session_value(session, "--from", "", request->from, YK_QUANTITY_TIME, &answer->from))
+        return false;
     if (!yk_session_value(session, "--to", "", request->to, YK_QUANTITY_TIME, &answer->to)) return false;
     double span = answer->to - answer->from;
     if (!(span > 0) || !isfinite(span))
@@ -124,10 +128,12 @@ static bool read_pair(YkSimulationAnswer *answer, const char *option, YkPair pai
     if (!yk_session_coordinate(session, pair.name, &coordinate)) return false;
     YkCoordinateInfo info = yk_coordinate_info(session->mech, coordinate);
     if (info.has_drive)
-        return yk_session_refuse(session, YK_CODE_START_DRIVEN, "%q is driven: its drive says where it starts", info.name);
+        return yk_session_refuse(session, YK_CODE_START_DRIVEN, "%q is driven: its drive says where it starts",
+                                 info.name);
     YkStartValue *value = &answer->values[answer->options.value_count++];
     *value = (YkStartValue){.coordinate = info.name, .is_rate = is_rate};
-    return yk_session_value(session, option, pair.name, pair.value, yk_quantity_of(info.is_distance, is_rate), &value->value);
+    return yk_session_value(session, option, pair.name, pair.value, yk_quantity_of(info.is_distance, is_rate),
+                            &value->value);
 }
 
 // A coordinate that --at sets is one of the independent ones.
@@ -160,10 +166,11 @@ static bool check_request(YkSession *session)
         return false;
     }
     if (request->every && request->steps)
-        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "--every and --steps %s both say how many rows; give one",
-                                 request->steps);
+        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED,
+                                 "--every and --steps %s both say how many rows; give one", request->steps);
     if (request->plot && yk_file_kind(request->plot) == YK_FILE_OTHER)
-        return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q", request->plot);
+        return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q",
+                                 request->plot);
     return true;
 }
 

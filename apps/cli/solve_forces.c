@@ -147,8 +147,8 @@ static void add_reaction_table(YkSession *session, double largest)
         YkReaction r = yk_dynamics_reaction(session->dynamics, j);
         yk_table_word(table, yk_model_joint_name(session->model, j));
         yk_words_renew(&words);
-        yk_text_format(&words, "%s, %s%s", yk_model_body_name(session->model, r.by), yk_model_body_name(session->model, r.on),
-                       r.is_determinate ? "" : " (one of many, least)");
+        yk_text_format(&words, "%s, %s%s", yk_model_body_name(session->model, r.by),
+                       yk_model_body_name(session->model, r.on), r.is_determinate ? "" : " (one of many, least)");
         yk_table_word(table, yk_text_get(&words));
         for (int axis = 0; axis < 2; axis++)
             yk_table_number(table, shown(session, r.force[axis], largest, YK_QUANTITY_FORCE), YK_DIGITS);
@@ -168,7 +168,9 @@ static void add_effort_table(YkSession *session, bool is_distance, double larges
     yk_table_head(table, is_distance ? "force along" : "torque along", NULL);
     yk_table_head(table, "", yk_unit_of(session, quantity));
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
-        if (yk_coordinate_info(session->mech, c).is_distance != is_distance || !yk_dynamics_has_effort(session->dynamics, c)) continue;
+        if (yk_coordinate_info(session->mech, c).is_distance != is_distance ||
+            !yk_dynamics_has_effort(session->dynamics, c))
+            continue;
         yk_table_word(table, yk_coordinate_info(session->mech, c).name);
         yk_table_number(table, shown(session, yk_dynamics_effort(session->dynamics, c), largest, quantity), YK_DIGITS);
         count++;
@@ -197,7 +199,8 @@ void yk_forces_text(YkSession *session, const YkState *state)
 // --- CSV: one line a force: x, y and moment in place of position, velocity and acceleration
 // ---------------------------------------------------------------------------------------------------------------
 
-static void add_csv(YkSession *session, const char *label, const char *kind, const char *name, double a, double b, double c)
+static void add_csv(YkSession *session, const char *label, const char *kind, const char *name, double a, double b,
+                    double c)
 {
     YkCsv csv = {.text = &session->out};
     yk_csv_name(&csv, label);
@@ -219,4 +222,7 @@ void yk_forces_csv(YkSession *session, const char *label)
         if (yk_dynamics_has_effort(session->dynamics, c))
             add_csv(session, label, "effort", yk_coordinate_info(session->mech, c).name,
                     yk_dynamics_effort(session->dynamics, c), (double)NAN, (double)NAN);
+    YkEnergy energy = yk_dynamics_energy(session->dynamics);
+    add_csv(session, label, "energy", "kinetic", energy.kinetic, (double)NAN, (double)NAN);
+    add_csv(session, label, "energy", "potential", energy.potential, (double)NAN, (double)NAN);
 }

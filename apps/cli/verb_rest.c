@@ -32,7 +32,8 @@ static bool find(YkRestAnswer *answer)
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
     YkRestOptions options = yk_default_rest_options();
-    if (!yk_session_count(session, "--starts", request->starts, STARTS_MAX, options.starts, &options.starts)) return false;
+    if (!yk_session_count(session, "--starts", request->starts, STARTS_MAX, options.starts, &options.starts))
+        return false;
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &options.time))
         return false;
     answer->rest = yk_rest_find(session->model, &options, session->problems);

@@ -61,7 +61,8 @@ static bool look(void *context, double time)
 {
     Watch *watch = context;
     if (watch->shows_progress && now() - watch->last_progress > progress_after) {
-        fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time, 100 * (time - watch->from) / (watch->to - watch->from));
+        fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time,
+                100 * (time - watch->from) / (watch->to - watch->from));
         watch->has_shown = true;
         watch->last_progress = now();
     }
@@ -125,8 +126,8 @@ static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
     yk_text_puts(message, answer->is_interrupted ? "interrupted at t = " : "the motion ends at t = ");
     yk_add_value(session, message, yk_simulation_time(answer->simulation), YK_QUANTITY_TIME, 10);
     if (*why) yk_text_format(message, ": %s", why);
-    yk_problem(session->problems, answer->is_interrupted ? YK_CODE_INTERRUPTED : YK_CODE_MOTION_ENDS, (YkPlace){0}, "%s",
-               yk_text_get(message));
+    yk_problem(session->problems, answer->is_interrupted ? YK_CODE_INTERRUPTED : YK_CODE_MOTION_ENDS, (YkPlace){0},
+               "%s", yk_text_get(message));
     return yk_text_get(message);
 }
 

@@ -20,8 +20,8 @@ static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics
     return false;
 }
 
-// Forces at a pose, and the accelerations that they give to free inputs. A pose without (a dead point, a freedom without
-// inertia) keeps its motion. session->dynamics is NULL where there are none, and the status says why.
+// Forces at a pose, and the accelerations that they give to free inputs. A pose without (a dead point, a freedom
+// without inertia) keeps its motion. session->dynamics is NULL where there are none, and the status says why.
 static YkStatus find_forces(Writer *writer, YkState *state)
 {
     YkSession *session = writer->session;

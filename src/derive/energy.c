@@ -14,6 +14,15 @@ const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body)
     return f->kinetic[body];
 }
 
+const YkPoisson *yk_derive_kinetic_total(const YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    if (f->kinetic[0]) return f->kinetic[0]; // the ground's place
+    for (size_t b = 1; b < d->model->body_count; b++) yk_derive_kinetic(f, (int32_t)b);
+    f->kinetic[0] = yk_ring_sum(d->ring, f->kinetic + 1, d->model->body_count - 1);
+    return f->kinetic[0];
+}
+
 const YkPoisson *yk_derive_potential(const YkDeriveForces *f)
 {
     const YkPoisson *sum = yk_ring_rational(f->d->ring, 0, 1);
@@ -46,14 +55,13 @@ static void put_kinetic(const YkDeriveForces *f, YkPage *page, const YkPoisson *
     YkDerivation *d = f->d;
     yk_page_heading(page, 2, "Kinetic energy");
     yk_page_words(page, "T = 1/2 m v^2 + 1/2 I w^2 of every body, v the velocity of its centre of mass, I about it.");
-    *total = yk_ring_rational(d->ring, 0, 1);
     for (size_t b = 1; b < d->model->body_count; b++) {
         const YkPoisson *energy = yk_derive_kinetic(f, (int32_t)b);
         if (energy && yk_ring_is_zero(energy)) continue;
-        put_energy(page, d->model->bodies[b].name, "T", d->bodies[b].name, yk_derive_shown(d, energy), YK_RING_TEXTBOOK);
-        *total = yk_ring_add(d->ring, *total, energy);
+        put_energy(page, d->model->bodies[b].name, "T", d->bodies[b].name, yk_derive_shown(d, energy),
+                   YK_RING_TEXTBOOK);
     }
-    *total = yk_derive_shown(d, *total);
+    *total = yk_derive_shown(d, yk_derive_kinetic_total(f));
     put_total(page, "T", *total);
 }
 

@@ -1,4 +1,5 @@
-// Section: free bodies. Every body by itself, with all that acts on it: forces by other bodies, loads, and the forces of inertia.
+// Section: free bodies. Every body by itself, with all that acts on it: forces by other bodies, loads, and the forces
+// of inertia.
 #include "derive/free_bodies.h"
 #include "derive/sections.h"
 
@@ -40,7 +41,8 @@ const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *lo
     for (size_t k = 0; k < d->model->force_count && load->kind == YK_DERIVE_FORCE; k++)
         if (d->model->forces[k].name == load->name) return yk_derive_point_name(d, body, d->model->forces[k].point);
     for (size_t k = 0; k < d->model->spring_count; k++)
-        if (d->model->springs[k].name == load->name) return yk_derive_point_name(d, body, d->model->springs[k].point[push]);
+        if (d->model->springs[k].name == load->name)
+            return yk_derive_point_name(d, body, d->model->springs[k].point[push]);
     return yk_derive_center_name(d, body);
 }
 
@@ -86,7 +88,8 @@ static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDer
 
 static const char *word_of(YkDeriveLoadKind kind)
 {
-    static const char *const words[] = {"weight", "spring", "damper", "friction or stop", "force", "effort", "effort of the drive"};
+    static const char *const words[] = {
+        "weight", "spring", "damper", "friction or stop", "force", "effort", "effort of the drive"};
     return words[kind];
 }
 
@@ -164,7 +167,8 @@ bool yk_derive_section_free_bodies(YkDerivation *d, YkPage *page)
     const YkDeriveForces *f = yk_derive_forces(d);
     if (!f) return false;
     if (yk_derive_put_limits(f, page)) return true;
-    yk_page_words(page, "F_ij is the force by body i on body j, in world axes; N_ij is normal to a guide, M_ij a moment.");
+    yk_page_words(page,
+                  "F_ij is the force by body i on body j, in world axes; N_ij is normal to a guide, M_ij a moment.");
     yk_derive_put_angles(d, page);
     yk_derive_put_lengths(f, page);
     for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);

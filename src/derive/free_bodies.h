@@ -1,8 +1,8 @@
-// Forces in symbols: what acts on every body, named as an engineer names it on a free-body diagram, F_ij by body i on body
-// j. Shared by the sections of free bodies, Newton-Euler, energies and Lagrange. Everything here is in body form.
+// Forces in symbols: what acts on every body, named as an engineer names it on a free-body diagram, F_ij by body i on
+// body j. Shared by the sections of free bodies, Newton-Euler, energies and Lagrange. Everything here is in body form.
 //
-// Every force is a *push* on a body: a force at an arm from the body's reference - its centre of mass, or its origin where it
-// has no mass - and a couple. Loads are known pushes; contacts are those of joints, whose sizes are unknowns.
+// Every force is a *push* on a body: a force at an arm from the body's reference - its centre of mass, or its origin
+// where it has no mass - and a couple. Loads are known pushes; contacts are those of joints, whose sizes are unknowns.
 #ifndef DERIVE_FREE_BODIES_H
 #define DERIVE_FREE_BODIES_H
 #include "derive/derive.h"
@@ -35,11 +35,11 @@ typedef struct YkDeriveLoad {
 
 // What a joint or a junction exerts on one body.
 typedef struct YkDeriveContact {
-    int32_t joint, junction;             // junction: YK_NONE where there is none
-    const char *letter, *between;        // "F", "01"; NULL where it exerts no force
-    const char *moment;                  // "M"; NULL where it exerts none
-    bool is_negative;                    // this body is the first: its names are those of the second's
-    YkDerivePush push;                   // with the sign
+    int32_t joint, junction;      // junction: YK_NONE where there is none
+    const char *letter, *between; // "F", "01"; NULL where it exerts no force
+    const char *moment;           // "M"; NULL where it exerts none
+    bool is_negative;             // this body is the first: its names are those of the second's
+    YkDerivePush push;            // with the sign
 } YkDeriveContact;
 
 // A pin that joins several bodies: a massless junction, in equilibrium under the forces of all of them.
@@ -50,7 +50,7 @@ typedef struct YkDeriveJunction {
 } YkDeriveJunction;
 
 typedef struct YkDeriveMass {
-    const YkPoisson *mass, *inertia, *center; // center: in the body's axes
+    const YkPoisson *mass, *inertia, *center;            // center: in the body's axes
     const YkPoisson *position, *velocity, *acceleration; // of the reference
     bool is_trivial; // its moment balance says no more than that its guide exerts no moment
 } YkDeriveMass;
@@ -60,15 +60,15 @@ typedef struct YkDeriveOpaque {
     int32_t symbol;
     const YkExpr *expr;
     const struct YkFormula *formula;
-    const YkLaw *law; // of the formula, or NULL
+    const YkLaw *law;   // of the formula, or NULL
     int32_t *variables; // [variable_count] symbols; [0] is the time
     size_t variable_count;
 } YkDeriveOpaque;
 
 // The length of a spring between points, and its rate where a damper needs it: symbols.
 typedef struct YkDeriveLength {
-    int32_t symbol, rate_symbol;         // rate: YK_NONE
-    const YkPoisson *square, *rate;      // L^2; dL/dt, with L in the denominator
+    int32_t symbol, rate_symbol;    // rate: YK_NONE
+    const YkPoisson *square, *rate; // L^2; dL/dt, with L in the denominator
 } YkDeriveLength;
 
 // A polynomial in constants under a name of its own.
@@ -90,13 +90,13 @@ typedef struct YkDeriveForces {
     size_t contact_count;
     YkDeriveJunction *junctions;
     size_t junction_count;
-    int32_t *junction_of;               // per joint, or YK_NONE
+    int32_t *junction_of;                          // per joint, or YK_NONE
     const YkPoisson **joint_force, **joint_moment; // per joint: on the second body by the first
-    int32_t *reactions;                 // symbols, joint by joint
+    int32_t *reactions;                            // symbols, joint by joint
     size_t reaction_count;
     int32_t *reaction_joint, *reaction_body; // per reaction: joint, and of a junction's the body; otherwise YK_NONE
-    char *reaction_part;                // 'x' 'y' 'n' (normal) 'm' (moment)
-    int32_t *efforts;                   // symbols of unknown efforts
+    char *reaction_part;                     // 'x' 'y' 'n' (normal) 'm' (moment)
+    int32_t *efforts;                        // symbols of unknown efforts
     int32_t *effort_coordinate;
     size_t effort_count;
     YkDeriveOpaque *opaques;
@@ -107,11 +107,12 @@ typedef struct YkDeriveForces {
     const YkPoisson **rows, **identities;
     int32_t *multipliers, *row_joint;
     size_t row_count;
-    const YkPoisson **kinetic, **newton, **euler, **potential; // memo: per body; [1]
-    const YkPoisson **closing;                 // memo: second derivatives of what closes loops, as shown
+    const YkPoisson **kinetic, **newton, **euler, **potential; // memo: per body, [0]
+                                                               // of kinetic: in total; [1]
+    const YkPoisson **closing; // memo: second derivatives of what closes loops, as shown
     int32_t *closing_joint;
-    int *closing_count;                        // [1]; -1: not made yet
-    struct YkDeriveLagrange *lagrange;         // memo: per coordinate of the body form; the same, in joint form
+    int *closing_count;                // [1]; -1: not made yet
+    struct YkDeriveLagrange *lagrange; // memo: per coordinate of the body form; the same, in joint form
     struct YkDeriveLagrange *lagrange_in_joints;
     YkDeriveLump **lumps; // [1]: the first
 } YkDeriveForces;
@@ -121,8 +122,8 @@ const YkDeriveForces *yk_derive_forces(YkDerivation *d);
 // For proofs (--check): the same with the relations between the symbols, in joint form. False on failure.
 bool yk_derive_enter_forces(YkDerivation *d);
 
-// --- Coordinates of the body form: one for each coordinate of the machine, in their order: the angle of the body that its
-// joint carries, or the distance.
+// --- Coordinates of the body form: one for each coordinate of the machine, in their order: the angle of the body that
+// its joint carries, or the distance.
 typedef struct YkDeriveFreedom {
     int32_t position, rate, acceleration, body; // symbols; body: YK_NONE for a distance
 } YkDeriveFreedom;
@@ -139,16 +140,17 @@ const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush
 const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate);
 // What a load gives to a coordinate of the body form.
 const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate);
-// Second derivatives of what closing joints demand, free of their distances, as shown: f->closing, f->closing_joint. The
-// count, or -1 on failure.
+// Second derivatives of what closing joints demand, free of their distances, as shown: f->closing, f->closing_joint.
+// The count, or -1 on failure.
 int yk_derive_closing_rows(const YkDeriveForces *f);
 
 // --- Energies, body form
 const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body);
+const YkPoisson *yk_derive_kinetic_total(const YkDeriveForces *f);
 const YkPoisson *yk_derive_potential(const YkDeriveForces *f);
 
-// --- Lagrange: equation of a coordinate of the body form, left = right: inertia, potential, dampers and multipliers on the left;
-// efforts and forces on the right.
+// --- Lagrange: equation of a coordinate of the body form, left = right: inertia, potential, dampers and multipliers on
+// the left; efforts and forces on the right.
 typedef struct YkDeriveLagrange {
     const YkPoisson *left, *right;
 } YkDeriveLagrange;
@@ -183,6 +185,7 @@ const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *lo
 bool yk_derive_enter_masses(YkDeriveForces *f);
 bool yk_derive_enter_loads(YkDeriveForces *f);
 bool yk_derive_enter_contacts(YkDeriveForces *f);
+bool yk_derive_find_junctions(YkDeriveForces *f); // of contacts; false when out of memory
 bool yk_derive_enter_multipliers(YkDeriveForces *f);
 // From a body's reference to a place given in its axes, in world axes.
 const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at);
@@ -192,7 +195,7 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
 const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
                                       const char *ending);
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
-// "theta1" of an angle's effort: tau_theta1; of a distance's: F_d5.
+// The three texts as one; "" with d->failed when out of memory.
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
 
 #endif

@@ -1,88 +1,6 @@
-// Contacts: what joints exert on bodies, and pins that join several bodies as massless junctions.
+// Contacts: what joints and junctions exert on bodies.
 #include <stdlib.h>
 #include "derive/free_bodies.h"
-
-// --- Junctions: pins chained by the bodies on which they sit at one point.
-
-static int32_t root_of(int32_t *parent, int32_t k)
-{
-    while (parent[k] != k) k = parent[k] = parent[parent[k]];
-    return k;
-}
-
-static const YkPoisson *at_of(YkDerivation *d, int32_t joint, int side)
-{
-    YkDerivePlace place = yk_derive_place(d, joint, side);
-    return yk_derive_at(d, place.body, place.point);
-}
-
-static bool do_share_a_point(YkDerivation *d, int32_t a, int32_t b)
-{
-    const YkJoint *first = &d->model->joints[a], *second = &d->model->joints[b];
-    for (int s = 0; s < 2; s++)
-        for (int t = 0; t < 2; t++)
-            if (first->body[s] == second->body[t] && first->body[s] != 0 && yk_ring_is_same(at_of(d, a, s), at_of(d, b, t)))
-                return true;
-    return false;
-}
-
-// Pins per body, so that only neighbours are compared.
-typedef struct PinsOf {
-    int32_t *first, *next; // per body; per end of a joint
-} PinsOf;
-
-static void unite_neighbours(YkDerivation *d, const PinsOf *pins, int32_t *parent)
-{
-    for (size_t b = 1; b < d->model->body_count; b++)
-        for (int32_t e = pins->first[b]; e != YK_NONE; e = pins->next[e])
-            for (int32_t o = pins->next[e]; o != YK_NONE; o = pins->next[o])
-                if (do_share_a_point(d, e / 2, o / 2)) parent[root_of(parent, e / 2)] = root_of(parent, o / 2);
-}
-
-// Numbers the sets of two pins and more by their first joint.
-static void number_junctions(YkDeriveForces *f, int32_t *parent, int32_t *size)
-{
-    YkDerivation *d = f->d;
-    for (size_t j = 0; j < d->model->joint_count; j++)
-        if (d->model->joints[j].kind == YK_PIN) size[root_of(parent, (int32_t)j)]++;
-    for (size_t j = 0; j < d->model->joint_count; j++) {
-        int32_t root = root_of(parent, (int32_t)j);
-        f->junction_of[j] = YK_NONE;
-        if (d->model->joints[j].kind != YK_PIN || size[root] < 2) continue;
-        for (size_t i = 0; i < j && f->junction_of[j] == YK_NONE; i++)
-            if (f->junction_of[i] != YK_NONE && root_of(parent, (int32_t)i) == root) f->junction_of[j] = f->junction_of[i];
-        if (f->junction_of[j] != YK_NONE) continue;
-        const YkJoint *joint = &d->model->joints[j];
-        int side = joint->body[0] == 0;
-        f->junctions[f->junction_count] = (YkDeriveJunction){
-            .place = yk_derive_place(d, (int32_t)j, side), .force = yk_ring_rational(d->ring, 0, 1),
-            .name = yk_derive_point_name(d, joint->body[side], joint->point[side])};
-        f->junction_of[j] = (int32_t)f->junction_count++;
-    }
-}
-
-static bool find_junctions(YkDeriveForces *f)
-{
-    const YkModel *model = f->d->model;
-    size_t joints = model->joint_count, bodies = model->body_count;
-    int32_t *block = calloc(4 * joints + bodies + 1, sizeof *block);
-    if (!block) return false;
-    int32_t *parent = block, *size = block + joints;
-    PinsOf pins = {block + 2 * joints, block + 2 * joints + bodies};
-    for (size_t b = 0; b < bodies; b++) pins.first[b] = YK_NONE;
-    for (size_t j = 0; j < joints; j++) {
-        parent[j] = (int32_t)j;
-        for (int side = 0; side < 2 && model->joints[j].kind == YK_PIN; side++) {
-            int32_t *first = &pins.first[model->joints[j].body[side]];
-            pins.next[2 * j + (size_t)side] = *first;
-            *first = (int32_t)(2 * j) + side;
-        }
-    }
-    unite_neighbours(f->d, &pins, parent);
-    number_junctions(f, parent, size);
-    free(block);
-    return true;
-}
 
 // --- Names
 
@@ -97,7 +15,8 @@ static const char *number_of(YkDerivation *d, size_t number)
 
 static bool have_same_bodies(const YkJoint *a, const YkJoint *b)
 {
-    return (a->body[0] == b->body[0] && a->body[1] == b->body[1]) || (a->body[0] == b->body[1] && a->body[1] == b->body[0]);
+    return (a->body[0] == b->body[0] && a->body[1] == b->body[1]) ||
+           (a->body[0] == b->body[1] && a->body[1] == b->body[0]);
 }
 
 // "01": by the ground on body 1; with the joint's name where another joint holds the same two bodies.
@@ -120,7 +39,8 @@ static const char *symbol_name(YkDeriveForces *f, const char *letter, const char
 }
 
 // An unknown of a joint (of a junction: on a body).
-static const YkPoisson *unknown(YkDeriveForces *f, const char *letter, const char *name, char part, int32_t joint, int32_t body)
+static const YkPoisson *unknown(YkDeriveForces *f, const char *letter, const char *name, char part, int32_t joint,
+                                int32_t body)
 {
     YkDerivation *d = f->d;
     const char *ending = part == 'x' ? "x" : part == 'y' ? "y" : "";
@@ -158,9 +78,12 @@ static void add_junction_contact(YkDeriveForces *f, int32_t joint, int side)
     const char *mark = d->model->body_count > 10 ? "_" : "";
     const char *name = yk_derive_text(d, of->name, mark, number_of(d, (size_t)body));
     const YkPoisson *force = unknown_vector(f, name, joint, body), *zero = yk_ring_rational(d->ring, 0, 1);
-    f->contacts[f->contact_count++] = (YkDeriveContact){
-        .joint = joint, .junction = junction, .letter = "F", .between = name,
-        .push = {body, yk_derive_joint_arm(f, joint, side), force, zero}};
+    f->contacts[f->contact_count++] =
+        (YkDeriveContact){.joint = joint,
+                          .junction = junction,
+                          .letter = "F",
+                          .between = name,
+                          .push = {body, yk_derive_joint_arm(f, joint, side), force, zero}};
     of->force = yk_ring_subtract(d->ring, of->force, force);
 }
 
@@ -181,8 +104,8 @@ static void mark_side(const YkDeriveForces *f, int32_t joint, int32_t body, bool
     }
 }
 
-// What a pin of a junction carries: the forces on all bodies beyond it, seen from the junction's place. Where pins form a
-// ring among themselves this is one possible share.
+// What a pin of a junction carries: the forces on all bodies beyond it, seen from the junction's place. Where pins form
+// a ring among themselves this is one possible share.
 static const YkPoisson *share_of_pin(YkDeriveForces *f, int32_t joint)
 {
     YkDerivation *d = f->d;
@@ -208,7 +131,8 @@ static const YkPoisson *share_of_pin(YkDeriveForces *f, int32_t joint)
 
 static const YkPoisson *normal_of(YkDerivation *d, int32_t joint)
 {
-    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[d->model->joints[joint].body[0]].unit, yk_derive_along(d, joint));
+    const YkPoisson *line =
+        yk_ring_multiply(d->ring, d->bodies[d->model->joints[joint].body[0]].unit, yk_derive_along(d, joint));
     return yk_ring_multiply(d->ring, yk_ring_i(d->ring), line);
 }
 
@@ -229,9 +153,13 @@ static void enter_joint(YkDeriveForces *f, int32_t joint)
     for (int side = 0; side < 2; side++) {
         YkDerivePush push = {j->body[side], yk_derive_joint_arm(f, joint, side), force, moment};
         if (side == 0) push.force = yk_ring_negate(d->ring, force), push.moment = yk_ring_negate(d->ring, moment);
-        f->contacts[f->contact_count++] = (YkDeriveContact){.joint = joint, .junction = YK_NONE, .letter = letter,
-                                                            .between = name, .moment = part->turns ? NULL : "M",
-                                                            .is_negative = side == 0, .push = push};
+        f->contacts[f->contact_count++] = (YkDeriveContact){.joint = joint,
+                                                            .junction = YK_NONE,
+                                                            .letter = letter,
+                                                            .between = name,
+                                                            .moment = part->turns ? NULL : "M",
+                                                            .is_negative = side == 0,
+                                                            .push = push};
     }
 }
 
@@ -283,7 +211,7 @@ static bool allocate(YkDeriveForces *f)
 bool yk_derive_enter_contacts(YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
-    if (!allocate(f) || !find_junctions(f)) {
+    if (!allocate(f) || !yk_derive_find_junctions(f)) {
         d->failed = true;
         return false;
     }

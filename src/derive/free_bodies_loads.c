@@ -1,6 +1,5 @@
 // Loads: gravity, springs and dampers, friction, forces, efforts, and what drives must exert.
 #include "derive/free_bodies.h"
-#include "model/formulas.h"
 
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third)
 {
@@ -10,50 +9,6 @@ const char *yk_derive_text(YkDerivation *d, const char *first, const char *secon
     yk_text_free(&text);
     if (!copy) d->failed = true;
     return copy ? copy : "";
-}
-
-// --- Values
-
-typedef struct Variables {
-    const YkDerivation *d;
-    YkDeriveOpaque *opaque;
-} Variables;
-
-static int variable_of(void *context, int32_t declared, bool is_rate)
-{
-    Variables *v = context;
-    const YkCoordinate *c = &v->d->model->coordinates[declared];
-    int32_t index = c->is_distance ? v->d->joint_distance[c->joint] : v->d->joint_angle[c->joint];
-    if (index == YK_NONE) return -2;
-    const YkDeriveCoordinate *of = &v->d->coordinates[index];
-    int32_t symbol = is_rate ? of->rate : of->position;
-    for (size_t k = 1; k < v->opaque->variable_count; k++)
-        if (v->opaque->variables[k] == symbol) return (int)k;
-    v->opaque->variables[v->opaque->variable_count] = symbol;
-    return (int)v->opaque->variable_count++;
-}
-
-static const YkPoisson *opaque(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name)
-{
-    YkDerivation *d = f->d;
-    YkDeriveOpaque *o = &f->opaques[f->opaque_count++];
-    *o = (YkDeriveOpaque){.expr = expr, .law = law, .symbol = yk_derive_symbol(d, name, YK_RING_FORCE)};
-    o->variables = YK_NEW(d->arena, int32_t, 2 * d->coordinate_count + 1);
-    if (!o->variables || o->symbol < 0) return NULL;
-    o->variables[o->variable_count++] = d->time;
-    o->formula = yk_model_formula(d->model, expr, variable_of, &(Variables){d, o}, d->arena);
-    if (!o->formula) d->failed = true;
-    return yk_ring_of(d->ring, o->symbol);
-}
-
-const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
-                                      const char *ending)
-{
-    YkRing *ring = f->d->ring;
-    const YkPoisson *value = law ? NULL : yk_derive_expression(f->d, expr);
-    if (value || (yk_ring_status(ring) != YK_RING_OK && yk_ring_status(ring) != YK_RING_DIVISOR)) return value;
-    yk_ring_clear(ring); // no polynomial
-    return opaque(f, expr, law, yk_derive_text(f->d, name, ending, ""));
 }
 
 // --- Building
@@ -69,7 +24,8 @@ static void push(YkDeriveForces *f, YkDeriveLoad *load, int32_t body, const YkPo
                  const YkPoisson *moment)
 {
     const YkPoisson *zero = yk_ring_rational(f->d->ring, 0, 1);
-    load->push[load->push_count++] = (YkDerivePush){body, arm ? arm : zero, force ? force : zero, moment ? moment : zero};
+    load->push[load->push_count++] =
+        (YkDerivePush){body, arm ? arm : zero, force ? force : zero, moment ? moment : zero};
 }
 
 static void add_gravity(YkDeriveForces *f)
@@ -86,8 +42,8 @@ static void add_gravity(YkDeriveForces *f)
 }
 
 // An effort along a joint's freedom: on the second body, and its reaction on the first.
-static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint, bool is_distance,
-                               const YkPoisson *effort)
+static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint,
+                               bool is_distance, const YkPoisson *effort)
 {
     YkDerivation *d = f->d;
     const YkJoint *j = &d->model->joints[joint];
@@ -97,7 +53,8 @@ static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const c
     for (int side = 1; side >= 0; side--) {
         const YkPoisson *signed_effort = side ? effort : yk_ring_negate(d->ring, effort);
         if (is_distance)
-            push(f, load, j->body[side], yk_derive_joint_arm(f, joint, side), yk_ring_multiply(d->ring, signed_effort, line), NULL);
+            push(f, load, j->body[side], yk_derive_joint_arm(f, joint, side),
+                 yk_ring_multiply(d->ring, signed_effort, line), NULL);
         else
             push(f, load, j->body[side], NULL, NULL, signed_effort);
     }
@@ -116,11 +73,13 @@ static const YkPoisson *freedom_of(YkDerivation *d, int32_t joint, bool is_dista
     return yk_ring_subtract(d->ring, yk_derive_axes_angle(d, j->body[1]), yk_derive_axes_angle(d, j->body[0]));
 }
 
-static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint, bool is_distance, const YkExpr *damping)
+static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint, bool is_distance,
+                             const YkExpr *damping)
 {
     const YkPoisson *c = yk_derive_expression(f->d, damping), *rate = freedom_of(f->d, joint, is_distance, true);
     if (!c || yk_ring_is_zero(c)) return;
-    add_along(f, YK_DERIVE_DAMPER, name, joint, is_distance, yk_ring_negate(f->d->ring, yk_ring_multiply(f->d->ring, c, rate)));
+    add_along(f, YK_DERIVE_DAMPER, name, joint, is_distance,
+              yk_ring_negate(f->d->ring, yk_ring_multiply(f->d->ring, c, rate)));
 }
 
 static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
@@ -139,21 +98,23 @@ static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
 }
 
 // Pulls both ends together by `tension` times the vector from the first to the second.
-static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const YkSpring *spring, const YkPoisson *tension,
-                                 const YkPoisson *line)
+static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const YkSpring *spring,
+                                 const YkPoisson *tension, const YkPoisson *line)
 {
     YkDerivation *d = f->d;
     YkDeriveLoad *load = add_load(f, kind, spring->name);
     const YkPoisson *pull = yk_ring_multiply(d->ring, tension, line);
     for (int end = 0; end < 2; end++) {
-        const YkPoisson *arm = yk_derive_arm(f, spring->body[end], yk_derive_at(d, spring->body[end], spring->point[end]));
+        const YkPoisson *arm =
+            yk_derive_arm(f, spring->body[end], yk_derive_at(d, spring->body[end], spring->point[end]));
         push(f, load, spring->body[end], arm, end ? yk_ring_negate(d->ring, pull) : pull, NULL);
     }
     return load;
 }
 
 // The spring's length: a symbol whose square is known. Of its rate a symbol, too: written out it would fill pages.
-static const YkDeriveLength *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square, bool is_damped)
+static const YkDeriveLength *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square,
+                                       bool is_damped)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
@@ -179,7 +140,8 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
     for (int e = 0; e < 2; e++)
         end[e] = yk_derive_position(d, spring->body[e], yk_derive_at(d, spring->body[e], spring->point[e]));
     const YkPoisson *line = yk_ring_subtract(ring, end[1], end[0]), *square = yk_ring_dot(ring, line, line);
-    const YkPoisson *k = yk_derive_expression(d, spring->stiffness_expr), *c = yk_derive_expression(d, spring->damping_expr);
+    const YkPoisson *k = yk_derive_expression(d, spring->stiffness_expr),
+                    *c = yk_derive_expression(d, spring->damping_expr);
     const YkPoisson *free_length = yk_derive_expression(d, spring->length_expr);
     if (!k || !c || !free_length) return;
     if (yk_ring_is_zero(free_length) && yk_ring_is_zero(c)) { // needs no direction
@@ -207,7 +169,8 @@ static void add_dry(YkDeriveForces *f, const char *letter, int32_t joint, bool i
     YkDerivation *d = f->d;
     int32_t symbol = yk_derive_symbol(d, yk_derive_text(d, letter, d->model->joints[joint].name, ""), YK_RING_FORCE);
     if (symbol < 0) return;
-    add_along(f, YK_DERIVE_DRY, d->model->joints[joint].name, joint, is_distance, yk_ring_of(d->ring, symbol))->symbol = symbol;
+    add_along(f, YK_DERIVE_DRY, d->model->joints[joint].name, joint, is_distance, yk_ring_of(d->ring, symbol))->symbol =
+        symbol;
 }
 
 static void add_friction(YkDeriveForces *f)
@@ -237,7 +200,8 @@ static void add_forces(YkDeriveForces *f)
         const YkPoisson *moment = yk_derive_load_value(f, force->moment, NULL, force->name, "m");
         const YkPoisson *vector = yk_ring_add(d->ring, x, yk_ring_multiply(d->ring, yk_ring_i(d->ring), y));
         if (force->in_body_axes) vector = yk_ring_multiply(d->ring, d->bodies[force->body].unit, vector);
-        push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->body, force->point)), vector, moment);
+        push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->body, force->point)), vector,
+             moment);
     }
 }
 
@@ -265,7 +229,8 @@ static void add_drives(YkDeriveForces *f)
     for (size_t k = 0; k < d->tree_count; k++) {
         const YkDeriveCoordinate *c = &d->coordinates[k];
         if (!c->is_input || (has_mass && c->drive == YK_NONE)) continue;
-        int32_t symbol = yk_derive_symbol(d, yk_derive_text(d, c->is_distance ? "F_" : "tau_", c->name, ""), YK_RING_FORCE);
+        int32_t symbol =
+            yk_derive_symbol(d, yk_derive_text(d, c->is_distance ? "F_" : "tau_", c->name, ""), YK_RING_FORCE);
         if (symbol < 0) return;
         add_along(f, YK_DERIVE_DRIVE, c->name, c->joint, c->is_distance, yk_ring_of(d->ring, symbol))->symbol = symbol;
         f->effort_coordinate[f->effort_count] = (int32_t)k;

@@ -95,7 +95,8 @@ const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a)
 
 int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate)
 {
-    return yk_derive_shows_joints(d) ? d->coordinates[coordinate].acceleration : yk_derive_freedom(d, coordinate).acceleration;
+    return yk_derive_shows_joints(d) ? d->coordinates[coordinate].acceleration
+                                     : yk_derive_freedom(d, coordinate).acceleration;
 }
 
 void yk_derive_put_angles(YkDerivation *d, YkPage *page)

@@ -1,7 +1,7 @@
 // Multipliers: one for each scalar equation of the loops, and the joint's force that it is.
 //
-// The convention is M q'' + ... + J^T lambda = Q. A loop is the first body's point minus the second's, so lambda is the force
-// that the first body exerts on the second (of a row of angles: the moment that the second exerts on the first).
+// The convention is M q'' + ... + J^T lambda = Q. A loop is the first body's point minus the second's, so lambda is the
+// force that the first body exerts on the second (of a row of angles: the moment that the second exerts on the first).
 #include "derive/free_bodies.h"
 
 static const char *multiplier_name(YkDerivation *d, size_t number)
@@ -43,7 +43,8 @@ static void enter_loop(YkDeriveForces *f, const YkDeriveLoop *loop)
     add_row(f, loop->joint, yk_ring_real(ring, sum), yk_ring_real(ring, force));
     add_row(f, loop->joint, yk_ring_imaginary(ring, sum), yk_ring_imaginary(ring, force));
     if (!loop->angle) return;
-    const YkPoisson *angle = yk_ring_subtract(ring, yk_derive_axes_angle(d, j->body[1]), yk_derive_axes_angle(d, j->body[0]));
+    const YkPoisson *angle =
+        yk_ring_subtract(ring, yk_derive_axes_angle(d, j->body[1]), yk_derive_axes_angle(d, j->body[0]));
     angle = yk_ring_subtract(ring, angle, yk_derive_expression(d, j->turned_expr));
     add_row(f, loop->joint, angle, yk_ring_negate(ring, f->joint_moment[loop->joint]));
 }

@@ -51,7 +51,8 @@ static void add_part(const YkDeriveForces *f, size_t k, const YkReaction *r, dou
         *value += sign * r->moment;
         break;
     default: { // along the normal, which the force's element is a multiple of
-        const YkPoisson *normal = yk_ring_coefficient(d->ring, f->joint_force[f->reaction_joint[k]], f->reactions[k], 1);
+        const YkPoisson *normal =
+            yk_ring_coefficient(d->ring, f->joint_force[f->reaction_joint[k]], f->reactions[k], 1);
         YkVec n = yk_ring_value(d->ring, normal, values);
         *value += sign * (r->force[0] * n.x + r->force[1] * n.y);
     }
@@ -81,7 +82,8 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
     const YkDeriveForces *f = context;
     (void)state;
     for (size_t k = 0; k < f->opaque_count; k++) fill_opaque(&f->opaques[k], values);
-    for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next) values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
+    for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next)
+        values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
     yk_ring_complete(f->d->ring, values);
     for (size_t k = 0; k < f->length_count; k++)
         if (f->lengths[k].rate_symbol != YK_NONE)
@@ -157,6 +159,7 @@ bool yk_derive_enter_forces(YkDerivation *d)
 bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page)
 {
     if (f->is_partial)
-        yk_page_words(page, "This machine has gears, racks, belts or cams, whose forces are not written in symbols yet.");
+        yk_page_words(page,
+                      "This machine has gears, racks, belts or cams, whose forces are not written in symbols yet.");
     return f->is_partial;
 }

@@ -1,4 +1,5 @@
-// Section: Lagrange's equations, with multipliers for loops; mass matrix; lumped constants; the tie to Newton and Euler.
+// Section: Lagrange's equations, with multipliers for loops; mass matrix; lumped constants; the tie to Newton and
+// Euler.
 #include "derive/lagrange.h"
 #include "derive/sections.h"
 
@@ -9,8 +10,9 @@ static void put_multipliers(const YkDeriveForces *f, YkPage *page)
     YkDerivation *d = f->d;
     if (f->row_count == 0) return;
     yk_page_heading(page, 2, "Multipliers");
-    yk_page_words(page, "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
-                        "the joint's first body acts on its second (of an angle: the second on the first).");
+    yk_page_words(
+        page, "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
+              "the joint's first body acts on its second (of an angle: the second on the first).");
     for (size_t k = 0; k < f->row_count; k++) {
         const YkPoisson *lambda = yk_ring_of(d->ring, f->multipliers[k]);
         YkLine *line = yk_page_equation(page, d->model->joints[f->row_joint[k]].name, lambda,
@@ -55,7 +57,8 @@ static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLa
             left = yk_ring_coefficient(ring, left, acceleration, 0);
         }
         for (size_t k = 0; k < f->row_count; k++)
-            if (yk_ring_mentions(ring, left, f->multipliers[k])) left = yk_ring_coefficient(ring, left, f->multipliers[k], 0);
+            if (yk_ring_mentions(ring, left, f->multipliers[k]))
+                left = yk_ring_coefficient(ring, left, f->multipliers[k], 0);
         h->entries[i] = left;
     }
 }

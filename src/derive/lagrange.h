@@ -7,7 +7,8 @@
 const YkPoisson *yk_derive_lumped(const YkDeriveForces *f, const YkPoisson *a);
 // Definitions of the names, and the equations by them.
 void yk_derive_put_lumps(const YkDeriveForces *f, YkPage *page, const YkDeriveLagrange *equations, size_t count);
-// Newton's and Euler's equations projected on the partial velocities, and whether they are Lagrange's: proved in the ring.
+// Newton's and Euler's equations projected on the partial velocities, and whether they are Lagrange's: proved in the
+// ring.
 void yk_derive_put_projection(const YkDeriveForces *f, YkPage *page);
 // Is left - right + projected = 0, with the multipliers as joint forces, for a coordinate of the body form?
 bool yk_derive_do_methods_agree(const YkDeriveForces *f, size_t coordinate);

@@ -1,13 +1,11 @@
 // Lagrange's equations: derived in the coordinates of the body form, summed for the machine's own.
 #include "derive/free_bodies.h"
 
-// d/dt dT/du - dT/dq of one body, where T depends on them.
-static const YkPoisson *inertia_of(const YkDeriveForces *f, int32_t body, const YkDeriveFreedom *freedom)
+// d/dt dT/du - dT/dq of the whole machine.
+static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedom *freedom)
 {
     YkRing *ring = f->d->ring;
-    const YkPoisson *T = yk_derive_kinetic(f, body);
-    if (T && !yk_ring_mentions(ring, T, freedom->rate)) return yk_ring_rational(ring, 0, 1); // then q is not in it either
-    const YkPoisson *momentum = yk_ring_partial(ring, T, freedom->rate);
+    const YkPoisson *T = yk_derive_kinetic_total(f), *momentum = yk_ring_partial(ring, T, freedom->rate);
     return yk_ring_subtract(ring, yk_ring_time_derivative(ring, momentum), yk_ring_partial(ring, T, freedom->position));
 }
 
@@ -35,9 +33,9 @@ YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate)
     YkRing *ring = d->ring;
     YkDeriveFreedom freedom = yk_derive_freedom(d, coordinate);
     if (f->lagrange[coordinate].left) return f->lagrange[coordinate];
-    YkDeriveLagrange sides = {yk_ring_partial(ring, yk_derive_potential(f), freedom.position), yk_ring_rational(ring, 0, 1)};
-    for (size_t b = 1; b < d->model->body_count; b++)
-        sides.left = yk_ring_add(ring, sides.left, inertia_of(f, (int32_t)b, &freedom));
+    YkDeriveLagrange sides = {yk_ring_partial(ring, yk_derive_potential(f), freedom.position),
+                              yk_ring_rational(ring, 0, 1)};
+    sides.left = yk_ring_add(ring, sides.left, inertia_of(f, &freedom));
     for (size_t k = 0; k < f->load_count; k++) {
         const YkDeriveLoad *load = &f->loads[k];
         if (load->energy) continue;
@@ -55,7 +53,8 @@ YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate)
 static YkDeriveLagrange in_joints(const YkDeriveForces *f, size_t coordinate)
 {
     YkDeriveLagrange *memo = &f->lagrange_in_joints[coordinate], own = yk_derive_lagrange(f, coordinate);
-    if (!memo->left) *memo = (YkDeriveLagrange){yk_derive_in_joints(f->d, own.left), yk_derive_in_joints(f->d, own.right)};
+    if (!memo->left)
+        *memo = (YkDeriveLagrange){yk_derive_in_joints(f->d, own.left), yk_derive_in_joints(f->d, own.right)};
     return *memo;
 }
 

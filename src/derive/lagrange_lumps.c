@@ -63,7 +63,6 @@ void yk_derive_put_lumps(const YkDeriveForces *f, YkPage *page, const YkDeriveLa
     if (!f->lumps[0]) return;
     yk_page_heading(page, 2, "Lumped constants");
     for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next) yk_page_solution(page, NULL, l->symbol, l->value, NULL);
-    for (size_t k = 0; k < count; k++)
-        yk_page_equation(page, NULL, lumped[k], equations[k].right, YK_RING_TEXTBOOK);
+    for (size_t k = 0; k < count; k++) yk_page_equation(page, NULL, lumped[k], equations[k].right, YK_RING_TEXTBOOK);
     page->failed |= yk_ring_status(ring) != YK_RING_OK;
 }

@@ -1,8 +1,8 @@
 // Part of the section of Lagrange's equations: why Newton and Euler say the same.
 //
-// The joints' forces do no work on motions that the joints allow. So the sum over the bodies of (forces - m a) . dv/du and
-// (moments - I alpha) dw/du, u the rate of a coordinate, is free of the reactions of the tree's joints, and is Lagrange's equation;
-// of joints that close loops it keeps the force, which is the multiplier.
+// The joints' forces do no work on motions that the joints allow. So the sum over the bodies of (forces - m a) . dv/du
+// and (moments - I alpha) dw/du, u the rate of a coordinate, is free of the reactions of the tree's joints, and is
+// Lagrange's equation; of joints that close loops it keeps the force, which is the multiplier.
 #include "derive/lagrange.h"
 
 bool yk_derive_do_methods_agree(const YkDeriveForces *f, size_t coordinate)
@@ -39,7 +39,8 @@ static void put_term(YkPage *page, YkLine *line, const YkPoisson *factor, bool *
 static void put_sum(const YkDeriveForces *f, YkPage *page, size_t coordinate, int32_t *B)
 {
     YkDerivation *d = f->d;
-    int32_t symbol = yk_derive_shows_joints(d) ? d->coordinates[coordinate].rate : yk_derive_freedom(d, coordinate).rate;
+    int32_t symbol =
+        yk_derive_shows_joints(d) ? d->coordinates[coordinate].rate : yk_derive_freedom(d, coordinate).rate;
     const char *rate = yk_ring_symbol_name(d->ring, symbol);
     YkLine *line = yk_page_formula(page, d->coordinates[coordinate].name);
     bool first = true;
@@ -69,8 +70,9 @@ void yk_derive_put_projection(const YkDeriveForces *f, YkPage *page)
     int32_t *B = YK_NEW(page->arena, int32_t, d->tree_count + 1);
     if (!B) return;
     yk_page_heading(page, 2, "Newton-Euler, projected");
-    yk_page_words(page, "Forces of joints do no work on motions that the joints allow: multiplied by the partial velocities and "
-                        "summed over the bodies, Newton's and Euler's equations lose them and are Lagrange's.");
+    yk_page_words(
+        page, "Forces of joints do no work on motions that the joints allow: multiplied by the partial velocities and "
+              "summed over the bodies, Newton's and Euler's equations lose them and are Lagrange's.");
     for (size_t k = 0; k < d->tree_count; k++) {
         put_sum(f, page, k, B);
         agree = agree && yk_derive_do_methods_agree(f, k);

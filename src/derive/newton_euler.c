@@ -1,4 +1,5 @@
-// Section: Newton-Euler. Equations of every body as vectors and in x, y and moments; the count; the matrix form A xi = b.
+// Section: Newton-Euler. Equations of every body as vectors and in x, y and moments; the count; the matrix form A xi =
+// b.
 #include "derive/newton_euler.h"
 #include "derive/sections.h"
 
@@ -41,7 +42,8 @@ static void put_newton(const YkDeriveForces *f, YkPage *page, int32_t body)
 }
 
 // " + p^{A/C1} x": what turns a force into its moment.
-static void put_arm(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, const char *point, bool negative, bool first)
+static void put_arm(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, const char *point, bool negative,
+                    bool first)
 {
     YkDerivation *d = f->d;
     if (negative || !first) yk_line_sign(page, line, negative ? "-" : "+");
@@ -114,7 +116,8 @@ static void put_scalar(YkPage *page, const char *remark, const YkPoisson *zero, 
 }
 
 // About the point at which a pin of the tree holds the body, whose force then has no moment.
-static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body, const YkPoisson *newton, const YkPoisson *euler)
+static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body, const YkPoisson *newton,
+                            const YkPoisson *euler)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
@@ -126,9 +129,10 @@ static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body,
     YkDerivePlace place = yk_derive_place(d, joint, side);
     const YkPoisson *zero = yk_ring_subtract(ring, euler, yk_ring_cross(ring, arm, newton));
     const YkPoisson *moved = yk_ring_multiply(ring, m->mass, yk_ring_cross(ring, arm, m->acceleration));
-    const YkPoisson *inertia = yk_ring_subtract(ring, yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate), moved);
-    put_scalar(page, yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), ""), yk_derive_shown(d, zero),
-               yk_derive_shown(d, inertia));
+    const YkPoisson *inertia =
+        yk_ring_subtract(ring, yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate), moved);
+    put_scalar(page, yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), ""),
+               yk_derive_shown(d, zero), yk_derive_shown(d, inertia));
 }
 
 static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
@@ -149,8 +153,11 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
                yk_derive_shown(d, turning));
     put_about_joint(f, page, body, newton, euler);
     if (f->bodies[body].is_trivial)
-        yk_page_words(page, "All forces on %s meet in one point: its moment balance gives the moment of its guide and no more. "
-                            "Both are left out of the count.", d->model->bodies[body].name);
+        yk_page_words(
+            page,
+            "All forces on %s meet in one point: its moment balance gives the moment of its guide and no more. "
+            "Both are left out of the count.",
+            d->model->bodies[body].name);
 }
 
 static void put_junctions(const YkDeriveForces *f, YkPage *page)
@@ -178,10 +185,12 @@ static void put_closing(const YkDeriveForces *f, YkPage *page)
 static void put_count(const YkDeriveForces *f, YkPage *page, bool all_given, const char *title)
 {
     YkEquationCount c = yk_derive_count(f, all_given);
-    yk_page_words(page, "%s: %z force + %z moment + %z acceleration = %z equations; %z reactions + %z accelerations + %z efforts "
-                        "= %z unknowns.", title, c.force, c.moment, c.acceleration, c.force + c.moment + c.acceleration,
-                  c.unknown_reactions, c.unknown_accelerations, c.unknown_efforts,
-                  c.unknown_reactions + c.unknown_accelerations + c.unknown_efforts);
+    yk_page_words(
+        page,
+        "%s: %z force + %z moment + %z acceleration = %z equations; %z reactions + %z accelerations + %z efforts "
+        "= %z unknowns.",
+        title, c.force, c.moment, c.acceleration, c.force + c.moment + c.acceleration, c.unknown_reactions,
+        c.unknown_accelerations, c.unknown_efforts, c.unknown_reactions + c.unknown_accelerations + c.unknown_efforts);
 }
 
 static void put_unknowns(const YkDeriveForces *f, YkPage *page, const YkDeriveSystem *system)
@@ -203,13 +212,17 @@ static void put_counts(const YkDeriveForces *f, YkPage *page, const YkDeriveSyst
     put_unknowns(f, page, system);
     size_t unknowns = system->unknown_count, rows = system->row_count;
     if (rows < unknowns)
-        yk_page_words(page, "%z unknowns more than equations: the machine is held more often than it needs, and reactions are "
-                            "not determined by these equations alone.", unknowns - rows);
+        yk_page_words(
+            page,
+            "%z unknowns more than equations: the machine is held more often than it needs, and reactions are "
+            "not determined by these equations alone.",
+            unknowns - rows);
 }
 
 // --- The matrix form
 
-static void fill_matrix(const YkDeriveForces *f, const YkDeriveSystem *system, YkShownMatrix *A, YkShownMatrix *xi, YkShownMatrix *b)
+static void fill_matrix(const YkDeriveForces *f, const YkDeriveSystem *system, YkShownMatrix *A, YkShownMatrix *xi,
+                        YkShownMatrix *b)
 {
     for (size_t i = 0; i < system->row_count; i++) {
         A->row_labels[i] = system->labels[i];

@@ -4,7 +4,7 @@
 #include "derive/free_bodies.h"
 
 typedef struct YkDeriveSystem { // A xi = b
-    const YkPoisson **zeros; // [row_count] as shown; 0 on the machine
+    const YkPoisson **zeros;    // [row_count] as shown; 0 on the machine
     const char **labels;
     int32_t *unknowns; // symbols
     size_t row_count, unknown_count;
@@ -14,7 +14,8 @@ typedef struct YkDeriveSystem { // A xi = b
 // Unknowns: reactions, efforts of drives, accelerations that are not given.
 bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system);
 // The entry of A, and of b.
-const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row, size_t column);
+const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
+                                        size_t column);
 const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row);
 
 #endif

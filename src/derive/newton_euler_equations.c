@@ -30,7 +30,8 @@ const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body)
 static const YkPoisson *euler(const YkDeriveForces *f, int32_t body)
 {
     YkRing *ring = f->d->ring;
-    const YkPoisson *sum = yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].inertia, f->d->bodies[body].spin_rate));
+    const YkPoisson *sum =
+        yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].inertia, f->d->bodies[body].spin_rate));
     for (size_t k = 0; k < f->contact_count; k++)
         if (f->contacts[k].push.body == body)
             sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->contacts[k].push));
@@ -98,7 +99,8 @@ const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLo
     return sum;
 }
 
-// --- What joints that close loops demand of the accelerations. A guide's distance is left out: only the way across counts.
+// --- What joints that close loops demand of the accelerations. A guide's distance is left out: only the way across
+// counts.
 
 static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
 {

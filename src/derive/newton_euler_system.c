@@ -65,8 +65,7 @@ static bool add_rows(Rows *rows)
         add_row(rows, yk_derive_shown(d, euler), d->model->bodies[b].name, " M");
     }
     for (size_t k = 0; k < f->junction_count; k++) add_vector_rows(rows, f->junctions[k].force, f->junctions[k].name);
-    for (int k = 0; k < count; k++)
-        add_row(rows, f->closing[k], d->model->joints[f->closing_joint[k]].name, " closes");
+    for (int k = 0; k < count; k++) add_row(rows, f->closing[k], d->model->joints[f->closing_joint[k]].name, " closes");
     return count >= 0;
 }
 
@@ -92,7 +91,8 @@ bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
     size_t rows = 3 * d->model->body_count + 2 * f->junction_count + 3 * d->loop_count + 1;
     size_t unknowns = f->reaction_count + f->effort_count + d->tree_count + 1;
     YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->model->body_count + 1);
-    *system = (YkDeriveSystem){.zeros = YK_NEW(d->arena, const YkPoisson *, rows), .labels = YK_NEW(d->arena, const char *, rows),
+    *system = (YkDeriveSystem){.zeros = YK_NEW(d->arena, const YkPoisson *, rows),
+                               .labels = YK_NEW(d->arena, const char *, rows),
                                .unknowns = YK_NEW(d->arena, int32_t, unknowns)};
     if (yk_arena_failed(d->arena)) return false;
     Rows all = {f, system, changes, trivial_moments(f, changes)};
@@ -100,7 +100,8 @@ bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
     return add_rows(&all) && yk_derivation_is_well(d);
 }
 
-const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row, size_t column)
+const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
+                                        size_t column)
 {
     YkRing *ring = f->d->ring;
     if (!yk_ring_mentions(ring, system->zeros[row], system->unknowns[column])) return yk_ring_rational(ring, 0, 1);

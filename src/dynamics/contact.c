@@ -1,9 +1,10 @@
 // Contacts: stops that a coordinate rests against, and joints that dry friction makes stick.
 //
 // Each exerts an effort along its coordinate within bounds (a stop pushes only; friction holds up to its limit), just
-// enough that the coordinate does not accelerate: a quadratic problem with bounds in as many unknowns as there are contacts
-// (its matrix: the accelerations that unit efforts cause), solved by projected Gauss-Seidel (Moreau; Jourdan, Alart & Jean
-// 1998). Sliding friction and limits depend on the joint reactions, which depend on them: repeated until they stand.
+// enough that the coordinate does not accelerate: a quadratic problem with bounds in as many unknowns as there are
+// contacts (its matrix: the accelerations that unit efforts cause), solved by projected Gauss-Seidel (Moreau; Jourdan,
+// Alart & Jean 1998). Sliding friction and limits depend on the joint reactions, which depend on them: repeated until
+// they stand.
 #include <stdlib.h>
 #include <string.h>
 #include "dynamics/simulation.h"
@@ -177,7 +178,8 @@ static void let_go(YkSimulation *sim, size_t contact, double direction)
     item->direction = direction;
     item->dry = 0;
     sim->contact_count--;
-    memmove(sim->contacts + contact, sim->contacts + contact + 1, (sim->contact_count - contact) * sizeof *sim->contacts);
+    memmove(sim->contacts + contact, sim->contacts + contact + 1,
+            (sim->contact_count - contact) * sizeof *sim->contacts);
     memmove(sim->lambda + contact, sim->lambda + contact + 1, (sim->contact_count - contact) * sizeof *sim->lambda);
 }
 
@@ -186,7 +188,8 @@ static double rate_floor(const YkSimulation *sim)
     double fastest = 0;
     for (size_t k = 0; k < sim->free_count; k++) {
         bool is_distance = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance;
-        fastest = fmax(fastest, fabs(sim->state->input[3 * sim->free_input[k] + 1]) / (is_distance ? sim->mech->size : 1));
+        fastest =
+            fmax(fastest, fabs(sim->state->input[3 * sim->free_input[k] + 1]) / (is_distance ? sim->mech->size : 1));
     }
     return 1e-8 * fmax(1e-3, fastest);
 }
@@ -208,7 +211,8 @@ bool yk_simulation_contacts_start(YkSimulation *sim)
         if (item->kind == YK_LOAD_COULOMB) {
             if (is_slow)
                 stick(sim, k, rate);
-            else if (!item->is_held) item->direction = rate > 0 ? 1 : -1;
+            else if (!item->is_held)
+                item->direction = rate > 0 ? 1 : -1;
         } else {
             double value = value_of(sim, item), scale = 1e-9 * item_scale(sim, item);
             bool low = value - item->stop->low <= scale, high = item->stop->high - value <= scale;
@@ -239,7 +243,8 @@ bool yk_simulation_contacts_check(YkSimulation *sim)
     for (size_t c = sim->contact_count; c-- > 0;) {
         YkLoadItem *item = item_of(sim, c);
         double force = sim->lambda[c], acceleration = sim->bias[c];
-        for (size_t k = 0; k < sim->contact_count; k++) acceleration += sim->matrix[c * sim->contact_count + k] * sim->lambda[k];
+        for (size_t k = 0; k < sim->contact_count; k++)
+            acceleration += sim->matrix[c * sim->contact_count + k] * sim->lambda[k];
         bool moves = fabs(acceleration) > 1e-9 * (fabs(sim->bias[c]) + fabs(acceleration));
         if (item->kind == YK_LOAD_STOP) {
             if (force != 0 || !moves) continue;
@@ -300,7 +305,8 @@ static bool factor_here(YkSimulation *sim)
 static bool goes_on_past(const YkSimulation *sim, const YkLoadItem *item, double before)
 {
     double after = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
-    return before * after > 0 && fabs(after) > 1e-6 * fabs(before) && fabs(after) > rate_floor(sim) * item_scale(sim, item);
+    return before * after > 0 && fabs(after) > 1e-6 * fabs(before) &&
+           fabs(after) > rate_floor(sim) * item_scale(sim, item);
 }
 
 // After a blow: what rebounds or was struck away from its stop is free, and dry joints slide.

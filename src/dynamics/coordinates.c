@@ -1,5 +1,5 @@
-// Independent coordinates: everything that belongs to a choice of them, and another choice where this one comes to a dead
-// point.
+// Independent coordinates: everything that belongs to a choice of them, and another choice where this one comes to a
+// dead point.
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
@@ -53,8 +53,8 @@ bool yk_simulation_stepper(YkSimulation *sim)
         bool is_distance = k < 2 * n && sim->mech->coordinates[sim->mech->inputs[sim->free_input[k % n]]].is_distance;
         scale[k] = k >= 2 * n ? energy : is_distance ? sim->mech->size : 1;
     }
-    // What drives do is no consequence of the free motion: works are under control too then. The mean of the errors is not
-    // to be made smaller by works that are always 0.
+    // What drives do is no consequence of the free motion: works are under control too then. The mean of the errors is
+    // not to be made smaller by works that are always 0.
     size_t controlled = sim->has_drives ? all : 2 * n;
     double share = n > 0 ? sqrt(2 * (double)n / (double)controlled) : 1;
     YkOdeOptions options = {.method = methods[sim->options.integrator],
@@ -134,8 +134,7 @@ static bool find_rates(YkSimulation *sim, double *rates)
     size_t n = mech->coordinate_count;
     bool ok = true;
     for (size_t j = 0; j < sim->free_count && ok; j++) {
-        for (size_t i = 0; i < mech->input_count; i++)
-            s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+        for (size_t i = 0; i < mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
         s->input[3 * sim->free_input[j] + 1] = 1;
         ok = yk_state_solve(s) >= 0 && s->has_rates;
         for (size_t c = 0; c < n && ok; c++) {
@@ -149,7 +148,8 @@ static bool find_rates(YkSimulation *sim, double *rates)
     return ok;
 }
 
-// The coordinates that the pivots of the rates choose, and how much larger their determinant is than that of the present.
+// The coordinates that the pivots of the rates choose, and how much larger their determinant is than that of the
+// present.
 static double choose(const YkSimulation *sim, double *rates, size_t *order, double *tau)
 {
     size_t f = sim->free_count, n = sim->mech->coordinate_count;

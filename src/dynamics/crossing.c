@@ -1,9 +1,10 @@
 // Singular positions that the motion passes: a parallelogram flat on the line of its pivots, where two branches meet.
 //
-// The angle between the two columns of a dyad goes through 0 (or half a turn) there, smoothly on the branch that momentum
-// takes: its sine, with its sign, is the determinant. So the sign of a stage follows from that angle as predicted from the
-// last accepted step by its rate and acceleration. Next to the singular position, where the two unknowns are known to
-// rounding over the sine only, accelerations are interpolated between poses before and after it along the motion.
+// The angle between the two columns of a dyad goes through 0 (or half a turn) there, smoothly on the branch that
+// momentum takes: its sine, with its sign, is the determinant. So the sign of a stage follows from that angle as
+// predicted from the last accepted step by its rate and acceleration. Next to the singular position, where the two
+// unknowns are known to rounding over the sine only, accelerations are interpolated between poses before and after it
+// along the motion.
 #include <stdlib.h>
 #include <string.h>
 #include "dynamics/simulation.h"
@@ -11,7 +12,7 @@
 #define NEAR_SINE2 0.06 // sin^2 from which a block is watched
 #define ZONE 0.02       // sine below which accelerations are interpolated
 #define BLIND 1e-4      // sine below which the pose does not tell its own rates well enough
-#define NODES 6
+#define NODES 8
 
 typedef struct Direction {
     double angle, rate, acceleration;
@@ -67,7 +68,8 @@ static Direction between_columns(const YkRun *run, const YkBlock *b)
             two.angle -= YK_PI / 2; // i p, p = -K
         }
     }
-    return (Direction){yk_nearest_turn(two.angle - one.angle, 0), two.rate - one.rate, two.acceleration - one.acceleration};
+    return (Direction){yk_nearest_turn(two.angle - one.angle, 0), two.rate - one.rate,
+                       two.acceleration - one.acceleration};
 }
 
 static bool has_columns(const YkBlock *b)
@@ -127,8 +129,8 @@ static double way_left(Direction d)
     return gap - CLOSE;
 }
 
-// The estimates of DOP853 now and then overlook a step of most of a radian that is a thousand times worse than asked for:
-// half a radian at a tolerance of 1e-9 is about what good steps of turning links have.
+// The estimates of DOP853 now and then overlook a step of most of a radian that is a thousand times worse than asked
+// for: half a radian at a tolerance of 1e-9 is about what good steps of turning links have.
 static double longest_turn(const YkSimulation *sim)
 {
     double fastest = 0;
@@ -218,7 +220,8 @@ static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *
 }
 
 // Accelerations at the inputs moved on by `ahead` along the way.
-static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead, double *dydt)
+static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead,
+                   double *dydt)
 {
     size_t n = sim->free_count;
     double *moved = sim->moved, angle = predicted(near, t - sim->near_time) + ahead * way->slope;

@@ -143,7 +143,8 @@ static bool begin(YkSimulation *sim, YkProblems *problems)
     if (!set_positions(sim, problems)) return false;
     sim->time = sim->target = sim->options.start;
     if (!yk_simulation_start_rates(sim, problems))
-        return refuse(sim, problems, YK_SINGULAR, "it stands at a dead point, where the rates of `start:` are not determined");
+        return refuse(sim, problems, YK_SINGULAR,
+                      "it stands at a dead point, where the rates of `start:` are not determined");
     read_inputs(sim);
     if (!check_stops(sim, problems)) return false;
     return true;
@@ -167,10 +168,12 @@ static bool are_options_good(const YkSimulationOptions *o, YkProblems *problems)
 {
     bool is_fixed = o->integrator == YK_INTEGRATOR_RK4;
     double size = is_fixed ? o->step : o->tolerance;
-    bool good = o->integrator <= YK_INTEGRATOR_RK4 && size > 0 && isfinite(size) && isfinite(o->start) && !isnan(o->horizon);
+    bool good =
+        o->integrator <= YK_INTEGRATOR_RK4 && size > 0 && isfinite(size) && isfinite(o->start) && !isnan(o->horizon);
     for (size_t k = 0; k < o->value_count; k++) good = good && isfinite(o->values[k].value);
     if (!good)
-        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "the simulation cannot start: the %s must be positive and all times and values finite",
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
+                   "the simulation cannot start: the %s must be positive and all times and values finite",
                    is_fixed ? "step" : "tolerance");
     return good;
 }
@@ -188,8 +191,10 @@ YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions 
     }
     bool ok = sim->arena && yk_simulation_build(sim, sim->options.compile, problems) && yk_simulation_stepper(sim);
     if (ok && !sim->dynamics->has_mass) {
-        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "no body has mass or inertia, so nothing says how the machine moves");
-        yk_problem_hint(problems, "give bodies `mass:` and `inertia:`, or use `yoke sweep` for motion that drives prescribe");
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
+                   "no body has mass or inertia, so nothing says how the machine moves");
+        yk_problem_hint(problems,
+                        "give bodies `mass:` and `inertia:`, or use `yoke sweep` for motion that drives prescribe");
         ok = false;
     }
     if (ok && begin(sim, problems)) return sim;
@@ -257,7 +262,8 @@ static void stand_still(YkSimulation *sim)
     if (!sim->state || !sim->y) return;
     yk_simulation_set(sim, sim->time, sim->y);
     bool has_rate = sim->ode && yk_ode_time(sim->ode) == sim->time;
-    for (size_t k = 0; k < n && has_rate; k++) sim->state->input[3 * sim->free_input[k] + 2] = yk_ode_rate(sim->ode)[n + k];
+    for (size_t k = 0; k < n && has_rate; k++)
+        sim->state->input[3 * sim->free_input[k] + 2] = yk_ode_rate(sim->ode)[n + k];
     if (yk_state_solve(sim->state) >= 0) yk_state_refer(sim->state);
     memcpy(sim->work, sim->y + 2 * n, sim->work_count * sizeof *sim->work);
 }
@@ -273,7 +279,8 @@ static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
 {
     if (sim->status == YK_OK) sim->status = status == YK_ODE_NO_MEMORY ? YK_NO_MEMORY : YK_NOT_CONVERGED;
     if (sim->report.message[0] == 0) {
-        yk_dynamics_fail(sim->dynamics, sim->status, "the step size fell below 1e-14 of the span: something changes too fast", "", "");
+        yk_dynamics_fail(sim->dynamics, sim->status,
+                         "the step size fell below 1e-14 of the span: something changes too fast", "", "");
         sim->report = sim->dynamics->report;
     }
     stand_still(sim);
@@ -309,7 +316,8 @@ static bool take_pending(YkSimulation *sim)
     sim->pending = YK_PENDING_NONE;
     if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !yk_simulation_hit(sim, sim->pending_item)) return false;
     sim->near_count = 0; // its rates have changed
-    return stand(sim, sim->time, sim->y) && restart(sim) && yk_simulation_pose(sim, sim->time, sim->y) && look_round(sim);
+    return stand(sim, sim->time, sim->y) && restart(sim) && yk_simulation_pose(sim, sim->time, sim->y) &&
+           look_round(sim);
 }
 
 // Right after an accepted step: what happened in it. Rows within the step may still be asked for.
@@ -325,7 +333,8 @@ static void look_back(YkSimulation *sim)
 static bool return_to_end(YkSimulation *sim, double t)
 {
     memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
-    if (sim->contact_count > 0 || sim->near_count > 0 || yk_simulation_margin(sim) < 0.25) return yk_simulation_pose(sim, t, sim->y);
+    if (sim->contact_count > 0 || sim->near_count > 0 || yk_simulation_margin(sim) < 0.25)
+        return yk_simulation_pose(sim, t, sim->y);
     if (sim->is_elsewhere && (!yk_simulation_set(sim, t, sim->y) || yk_state_solve(sim->state) < 0)) return false;
     if (sim->is_elsewhere && yk_simulation_margin(sim) < 0.25) return yk_simulation_pose(sim, t, sim->y);
     sim->time = t;
@@ -439,7 +448,8 @@ double yk_simulation_channel(YkSimulation *sim, YkChannel channel)
     if (!yk_channel_needs_forces(channel)) return yk_state_channel(sim->state, channel);
     if (channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL) {
         YkEnergy e = yk_dynamics_energy_at(sim->dynamics, sim->state);
-        return (channel.kind != YK_CHANNEL_POTENTIAL ? e.kinetic : 0) + (channel.kind != YK_CHANNEL_KINETIC ? e.potential : 0);
+        return (channel.kind != YK_CHANNEL_POTENTIAL ? e.kinetic : 0) +
+               (channel.kind != YK_CHANNEL_KINETIC ? e.potential : 0);
     }
     return yk_dynamics_channel(yk_simulation_dynamics(sim), sim->state, channel);
 }

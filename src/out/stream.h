@@ -7,13 +7,13 @@
 
 // A zeroed stream is closed.
 typedef struct YkStream {
-    const char *name;   // for messages
-    char *target;       // of a file: its place; NULL: standard output, a device or a pipe
-    char *temporary;    // the new file beside it, where the lines go
+    const char *name; // for messages
+    char *target;     // of a file: its place; NULL: standard output, a device or a pipe
+    char *temporary;  // the new file beside it, where the lines go
     int descriptor;
     bool is_open, has_old;
-    unsigned old_mode;  // permissions of the file that stood there
-    bool has_lines;     // at least one was written
+    unsigned old_mode; // permissions of the file that stood there
+    bool has_lines;    // at least one was written
 } YkStream;
 
 // path: a file, which appears when the stream is closed; NULL or "-": standard output. The path must stay. False with a

@@ -35,8 +35,8 @@ static int by_rest(const void *a, const void *b)
 }
 
 // The sum of one rest's constants as number * lump, the lump's first number positive.
-static const YkPoisson *lumped(YkRing *ring, const Piece *pieces, size_t count, int64_t denominator, YkLumpSymbol symbol_of,
-                               void *context)
+static const YkPoisson *lumped(YkRing *ring, const Piece *pieces, size_t count, int64_t denominator,
+                               YkLumpSymbol symbol_of, void *context)
 {
     if (!yk_gather_room(ring, count)) return NULL;
     for (size_t i = 0; i < count; i++) ring->gather.terms[i] = pieces[i].constant;
@@ -58,7 +58,8 @@ const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol sym
     size_t part_count = 0;
     bool well = pieces && parts;
     if (!well) yk_ring_fail(ring, YK_RING_MEMORY);
-    for (size_t i = 0; well && i < a->count; i++) well = take_apart(ring, a->terms[i].key, &pieces[i], a->terms[i].number);
+    for (size_t i = 0; well && i < a->count; i++)
+        well = take_apart(ring, a->terms[i].key, &pieces[i], a->terms[i].number);
     if (well) qsort(pieces, a->count, sizeof *pieces, by_rest);
     for (size_t start = 0, end; well && start < a->count; start = end) {
         for (end = start; end < a->count && pieces[end].rest == pieces[start].rest; end++) {}

@@ -6,7 +6,7 @@ import unittest
 from harness import Case, FOUR_BAR, Run
 
 LATER = ["report", "code"]
-VERBS = ["check", "solve", "sweep", "draw", "derive", "explain"]
+VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "explain"]
 
 
 class Front(Case):
@@ -69,7 +69,7 @@ class Mistakes(Case):
             self.wrong(807, "solve", self.four_bar, "--at", word)
 
     def test_one_file_is_needed_and_no_more(self):
-        for verb in ("check", "solve", "sweep", "draw"):
+        for verb in ("check", "solve", "sweep", "simulate", "rest", "draw"):
             self.wrong(808, verb)
         self.wrong(809, "solve", self.four_bar, self.rocker)
 

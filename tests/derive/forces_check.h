@@ -1,4 +1,5 @@
-// What the tests of forces in symbols share: a machine with the numeric engine's accelerations and reactions at random poses.
+// What the tests of forces in symbols share: a machine with the numeric engine's accelerations and reactions at random
+// poses.
 #ifndef TESTS_DERIVE_FORCES_CHECK_H
 #define TESTS_DERIVE_FORCES_CHECK_H
 #include "derive_check.h"
@@ -87,7 +88,8 @@ static inline size_t check_read_back(Machine *m, const YkPoisson *a)
         for (int style = 0; style < YK_RING_STYLES; style++) {
             YkText text = {0};
             assert_true(yk_ring_write(ring, a, formats[f], (YkRingStyle)style, &text));
-            const YkPoisson *read = yk_ring_read(ring, formats[f], yk_text_get(&text), text.length, (YkPlace){1, 1, 0}, NULL);
+            const YkPoisson *read =
+                yk_ring_read(ring, formats[f], yk_text_get(&text), text.length, (YkPlace){1, 1, 0}, NULL);
             if (!yk_ring_is_same(read, a)) {
                 print_error("%s\n", yk_text_get(&text));
                 fail();
@@ -122,10 +124,23 @@ static inline void check_says(Machine *m, const char *expected)
 }
 
 // Machines whose dynamics are proved exactly in the ring.
-static const char *const proved_examples[] = {"double-pendulum", "toggle", "slider-crank", "four-bar", "five-bar-motors",
-                                              "cart-pendulum", "spring-slider-crank", "quick-return", "torsion-spring",
-                                              "crank-press", "andrews", "inverted-slider-crank", "whitworth-kg",
-                                              "rocking-four-bar", "steam-engine", "gas-engine", "watt-with-masses"};
+static const char *const proved_examples[] = {"double-pendulum",
+                                              "toggle",
+                                              "slider-crank",
+                                              "four-bar",
+                                              "five-bar-motors",
+                                              "cart-pendulum",
+                                              "spring-slider-crank",
+                                              "quick-return",
+                                              "torsion-spring",
+                                              "crank-press",
+                                              "andrews",
+                                              "inverted-slider-crank",
+                                              "whitworth-kg",
+                                              "rocking-four-bar",
+                                              "steam-engine",
+                                              "gas-engine",
+                                              "watt-with-masses"};
 enum { PROVED_EXAMPLES = sizeof proved_examples / sizeof *proved_examples };
 
 static inline const YkDeriveForces *forces_of(Machine *m)

@@ -45,7 +45,8 @@ static const YkPoisson *power_of(const YkDeriveForces *f, const YkDeriveLoad *lo
     return sum;
 }
 
-// d(T + V)/dt + lambda . dPhi/dt = sum of q' (left - right) + power of all that has no potential: an identity of the ring.
+// d(T + V)/dt + lambda . dPhi/dt = sum of q' (left - right) + power of all that has no potential: an identity of the
+// ring.
 static void check_power(Machine *m, const char *name)
 {
     const YkDeriveForces *f = forces_of(m);
@@ -54,8 +55,9 @@ static void check_power(Machine *m, const char *name)
     for (size_t b = 1; b < m->d->model->body_count; b++) E = yk_ring_add(ring, E, yk_derive_kinetic(f, (int32_t)b));
     const YkPoisson *rate = yk_ring_time_derivative(ring, E);
     for (size_t k = 0; k < f->row_count; k++)
-        rate = yk_ring_add(ring, rate, yk_ring_multiply(ring, yk_ring_of(ring, f->multipliers[k]),
-                                                        yk_ring_time_derivative(ring, f->rows[k])));
+        rate = yk_ring_add(
+            ring, rate,
+            yk_ring_multiply(ring, yk_ring_of(ring, f->multipliers[k]), yk_ring_time_derivative(ring, f->rows[k])));
     for (size_t k = 0; k < m->d->coordinate_count; k++) {
         YkDeriveLagrange sides = yk_derive_lagrange(f, k);
         const YkPoisson *u = yk_ring_of(ring, yk_derive_freedom(m->d, k).rate);
@@ -107,8 +109,10 @@ static void kinetic_energy_prints_with_one_bracket_for_each_product_of_rates(voi
     (void)state;
     Machine m = example("double-pendulum");
     write_section(&m, "energy");
-    check_says(&m, "T = 1/2 (I1 + I2 + m1 lc1^2 + m2 (l1^2 + lc2^2) + 2 m2 l1 lc2 cos(theta2)) theta1'^2 + (I2 + m2 lc2^2 + m2 l1 "
-                   "lc2 cos(theta2)) theta1' theta2' + 1/2 (I2 + m2 lc2^2) theta2'^2\n");
+    check_says(
+        &m,
+        "T = 1/2 (I1 + I2 + m1 lc1^2 + m2 (l1^2 + lc2^2) + 2 m2 l1 lc2 cos(theta2)) theta1'^2 + (I2 + m2 lc2^2 + m2 l1 "
+        "lc2 cos(theta2)) theta1' theta2' + 1/2 (I2 + m2 lc2^2) theta2'^2\n");
     check_says(&m, "V = -g ((m1 lc1 + m2 l1) cos(theta1) + m2 lc2 cos(theta1 + theta2))\n");
     check_says(&m, "T_link1 = 1/2 I1 theta1'^2 + 1/2 m1 lc1^2 theta1'^2\n");
     check_says(&m, "L = T - V = ");

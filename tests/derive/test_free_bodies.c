@@ -28,7 +28,8 @@ static void compare_balances(Machine *m, const char *name)
                 }
             const YkWrench *engine[2] = {&balance.reactions, &balance.loads};
             double most = 1 + yk_mechanism_size(m->mech);
-            for (int k = 0; k < 2; k++) most += hypot(engine[k]->force[0], engine[k]->force[1]) + fabs(engine[k]->moment);
+            for (int k = 0; k < 2; k++)
+                most += hypot(engine[k]->force[0], engine[k]->force[1]) + fabs(engine[k]->moment);
             for (int k = 0; k < 2; k++) {
                 YkVec value = yk_ring_value(ring, force[k], m->values);
                 double error = fmax(fabs(value.x - engine[k]->force[0]), fabs(value.y - engine[k]->force[1]));
@@ -94,9 +95,10 @@ static void a_pin_of_several_bodies_is_one_massless_junction(void **state)
 static void pins_at_the_ground_are_no_junction(void **state)
 {
     (void)state;
-    Machine m = machine_of("bodies: {ground: {points: {O: [0, 0]}}, a: {points: {O: [0, 0]}, mass: 1, center: [1, 0], inertia: 1}, "
-                           "b: {points: {O: [0, 0]}, mass: 1, center: [1, 0], inertia: 1}}\n"
-                           "joints: {A: {pin: [ground, a], at: O, angle: q1}, B: {pin: [ground, b], at: O, angle: q2}}\n");
+    Machine m = machine_of(
+        "bodies: {ground: {points: {O: [0, 0]}}, a: {points: {O: [0, 0]}, mass: 1, center: [1, 0], inertia: 1}, "
+        "b: {points: {O: [0, 0]}, mass: 1, center: [1, 0], inertia: 1}}\n"
+        "joints: {A: {pin: [ground, a], at: O, angle: q1}, B: {pin: [ground, b], at: O, angle: q2}}\n");
     const YkDeriveForces *f = forces_of(&m);
     assert_int_equal(f->junction_count, 0);
     assert_int_equal(f->reaction_count, 4);
@@ -122,7 +124,8 @@ static void beyond_ten_bodies_numbers_stand_apart(void **state)
     (void)state;
     YkText text = {0};
     yk_text_puts(&text, "bodies:\n  ground: {points: {P0: [0, 0]}}\n");
-    for (int k = 1; k <= 11; k++) yk_text_format(&text, "  b%d: {points: {P%d: [0, 0], P%d: [1, 0]}, mass: 1}\n", k, k - 1, k);
+    for (int k = 1; k <= 11; k++)
+        yk_text_format(&text, "  b%d: {points: {P%d: [0, 0], P%d: [1, 0]}, mass: 1}\n", k, k - 1, k);
     yk_text_puts(&text, "joints:\n  P0: {pin: [ground, b1]}\n");
     for (int k = 1; k < 11; k++) yk_text_format(&text, "  P%d: {pin: [b%d, b%d]}\n", k, k, k + 1);
     Machine m = machine_of(yk_text_get(&text));
@@ -182,9 +185,10 @@ static void loads_that_are_no_polynomials_are_symbols_with_the_files_values(void
 static void forces_in_a_bodys_axes_turn_with_it(void **state)
 {
     (void)state;
-    Machine m = machine_of("parameters: {F: 4 N, l: 1}\nbodies: {ground: {}, a: {points: {T: [l, 0]}, mass: 1, inertia: 1}}\n"
-                           "joints: {A: {pin: [ground, a], angle: q}}\n"
-                           "forces: {thrust: {on: a, at: T, value: [0, F], axes: body}}\n");
+    Machine m =
+        machine_of("parameters: {F: 4 N, l: 1}\nbodies: {ground: {}, a: {points: {T: [l, 0]}, mass: 1, inertia: 1}}\n"
+                   "joints: {A: {pin: [ground, a], angle: q}}\n"
+                   "forces: {thrust: {on: a, at: T, value: [0, F], axes: body}}\n");
     const YkDeriveForces *f = forces_of(&m);
     const YkDeriveLoad *load = load_of(f, YK_DERIVE_FORCE);
     check_element(&m, yk_ring_real(m.d->ring, load->push[0].force), "-F*sin(q)");
@@ -234,8 +238,24 @@ static void relations_decide_about_equations_with_forces(void **state)
                                         "(I2 + m2*lc2^2)*(theta1'' + theta2'') + m2*l1*lc2*(cos(theta2)*theta1'' + "
                                         "sin(theta2)*theta1'^2) + m2*lc2*g*sin(theta1 + theta2) = tau2"};
     for (size_t k = 0; k < 2; k++) assert_int_equal(verdict_with_forces(&m, dynamics, right[k]), YK_CHECK_TRUE);
-    assert_int_equal(verdict_with_forces(&m, dynamics, "(I2 + m2*lc2^2)*(theta1'' + theta2'') + m2*l1*lc2*(cos(theta2)*theta1'' - "
-                                        "sin(theta2)*theta1'^2) + m2*lc2*g*sin(theta1 + theta2) = tau2"), YK_CHECK_FALSE);
+    assert_int_equal(verdict_with_forces(&m, dynamics,
+                                         "(I2 + m2*lc2^2)*(theta1'' + theta2'') + m2*l1*lc2*(cos(theta2)*theta1'' - "
+                                         "sin(theta2)*theta1'^2) + m2*lc2*g*sin(theta1 + theta2) = tau2"),
+                     YK_CHECK_FALSE);
+    yk_dynamics_free(dynamics);
+    machine_end(&m);
+}
+
+static void equations_of_a_torsion_spring_are_decided(void **state)
+{
+    (void)state;
+    Machine m = example("torsion-spring");
+    YkDynamics *dynamics = dynamics_of(&m);
+    assert_true(yk_derive_enter_forces(m.d));
+    const char *right = "4.1*theta'' + 10*theta' + 200*theta + 2*9.80665*cos(theta) = 0";
+    const char *wrong = "4.1*theta'' - 10*theta' + 200*theta + 2*9.80665*cos(theta) = 0";
+    assert_int_equal(verdict_with_forces(&m, dynamics, right), YK_CHECK_TRUE);
+    assert_int_equal(verdict_with_forces(&m, dynamics, wrong), YK_CHECK_FALSE);
     yk_dynamics_free(dynamics);
     machine_end(&m);
 }
@@ -267,6 +287,7 @@ int main(void)
         cmocka_unit_test(forces_in_a_bodys_axes_turn_with_it),
         cmocka_unit_test(dry_friction_is_a_symbol_with_the_engines_value),
         cmocka_unit_test(relations_decide_about_equations_with_forces),
+        cmocka_unit_test(equations_of_a_torsion_spring_are_decided),
         cmocka_unit_test(printed_forces_read_back_identical),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

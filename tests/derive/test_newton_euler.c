@@ -32,9 +32,9 @@ static void compare_counts(const char *name, YkEquationCount a, YkEquationCount 
         a.unknown_reactions == b.unknown_reactions && a.unknown_accelerations == b.unknown_accelerations &&
         a.unknown_efforts == b.unknown_efforts)
         return;
-    print_error("%s: %zu + %zu + %zu, %zu + %zu + %zu against %zu + %zu + %zu, %zu + %zu + %zu\n", name, a.force, a.moment,
-                a.acceleration, a.unknown_reactions, a.unknown_accelerations, a.unknown_efforts, b.force, b.moment,
-                b.acceleration, b.unknown_reactions, b.unknown_accelerations, b.unknown_efforts);
+    print_error("%s: %zu + %zu + %zu, %zu + %zu + %zu against %zu + %zu + %zu, %zu + %zu + %zu\n", name, a.force,
+                a.moment, a.acceleration, a.unknown_reactions, a.unknown_accelerations, a.unknown_efforts, b.force,
+                b.moment, b.acceleration, b.unknown_reactions, b.unknown_accelerations, b.unknown_efforts);
     fail();
 }
 
@@ -79,7 +79,8 @@ static void the_toggle_linkage_has_twenty_equations_and_twenty_unknowns(void **s
     (void)state;
     Machine m = example("toggle");
     write_section(&m, "newton-euler");
-    check_says(&m, "12 force + 4 moment + 4 acceleration = 20 equations; 15 reactions + 5 accelerations + 0 efforts = 20 unknowns");
+    check_says(&m, "12 force + 4 moment + 4 acceleration = 20 equations; 15 reactions + 5 accelerations + 0 efforts = "
+                   "20 unknowns");
     check_says(&m, "15 reactions + 4 accelerations + 1 efforts = 20 unknowns");
     check_says(&m, "All forces on slider meet in one point");
     machine_end(&m);
@@ -102,8 +103,9 @@ static void vector_equations_name_arms_and_forces(void **state)
     check_says(&m, "F_01 - F_12 + W_link1 = m1 a^{C1}");
     check_says(&m, "p^{O/C1} x F_01 - p^{A/C1} x F_12 + M_theta1 - M_theta2 = I1 alpha_link1");
     check_says(&m, "p^{A/C2} x F_12 + M_theta2 = I2 alpha_link2");
-    check_says(&m, "moments about O:  -m1 lc1 g sin(theta1) + tau1 - tau2 - l1 F12x cos(theta1) - l1 F12y sin(theta1) = "
-                   "(I1 + m1 lc1^2) theta1''");
+    check_says(&m,
+               "moments about O:  -m1 lc1 g sin(theta1) + tau1 - tau2 - l1 F12x cos(theta1) - l1 F12y sin(theta1) = "
+               "(I1 + m1 lc1^2) theta1''");
     machine_end(&m);
 }
 
@@ -160,8 +162,9 @@ static void check_solution(const char *name, bool start)
 static void the_matrix_form_solves_for_the_engines_accelerations_and_reactions(void **state)
 {
     (void)state;
-    static const char *const names[] = {"double-pendulum", "toggle", "cart-pendulum", "five-bar-motors", "torsion-spring",
-                                        "crank-press", "spring-slider-crank", "watt-with-masses", "rocking-four-bar"};
+    static const char *const names[] = {"double-pendulum",     "toggle",           "cart-pendulum",
+                                        "five-bar-motors",     "torsion-spring",   "crank-press",
+                                        "spring-slider-crank", "watt-with-masses", "rocking-four-bar"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         check_solution(names[k], true);
         check_solution(names[k], false);

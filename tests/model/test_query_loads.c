@@ -55,8 +55,8 @@ static void a_machine_of_motion_alone_has_none(void **state)
     YkLoadCounts counts = yk_model_loads(model);
     assert_false(counts.has_gravity);
     assert_true(counts.mass == 0);
-    assert_int_equal(counts.masses + counts.efforts + counts.forces + counts.springs + counts.dampers + counts.frictions +
-                         counts.stops,
+    assert_int_equal(counts.masses + counts.efforts + counts.forces + counts.springs + counts.dampers +
+                         counts.frictions + counts.stops,
                      0);
     yk_model_free(model);
 }

@@ -166,12 +166,9 @@ static void devices_are_written_and_never_replaced(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(a_file_appears_when_the_stream_is_closed),
-        IN_FOLDER(without_lines_what_stood_there_still_stands),
-        IN_FOLDER(a_new_file_keeps_the_old_ones_permissions),
-        IN_FOLDER(what_cannot_be_opened_has_its_code),
-        IN_FOLDER(a_full_disk_leaves_all_lines_that_fit),
-        cmocka_unit_test(devices_are_written_and_never_replaced),
+        IN_FOLDER(a_file_appears_when_the_stream_is_closed),  IN_FOLDER(without_lines_what_stood_there_still_stands),
+        IN_FOLDER(a_new_file_keeps_the_old_ones_permissions), IN_FOLDER(what_cannot_be_opened_has_its_code),
+        IN_FOLDER(a_full_disk_leaves_all_lines_that_fit),     cmocka_unit_test(devices_are_written_and_never_replaced),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
