@@ -42,7 +42,7 @@ typedef struct YkRequest {
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
     YkPairs event;
     const char *cam, *profile, *chord, *cutter, *compare, *limits, *speed; // cam
-    const char *lock, *in, *out, *efficiency; // gears
+    const char *lock, *in, *out, *efficiency;                              // gears
     YkFormat format;
     bool all, modes, quiet, help, version, no_labels, numbers;
 } YkRequest;
@@ -54,13 +54,13 @@ typedef struct YkSession {
     YkModel *model;
     YkMechanism *mech;
     YkState *state;
-    YkDynamics *dynamics; // where forces are asked for and the machine has masses or loads; otherwise NULL
+    YkDynamics *dynamics;       // where forces are asked for and the machine has masses or loads; otherwise NULL
     const char *forces_message; // why the pose has no forces, though the machine has loads; otherwise NULL
-    bool lacks_accelerations; // the dynamics has none for the pose: those of the state mean nothing
-    bool is_told;         // the problems are printed already
-    bool is_simulation;   // only --at chooses inputs; the file's problems are printed later, with the simulation's
+    bool lacks_accelerations;   // the dynamics has none for the pose: those of the state mean nothing
+    bool is_told;               // the problems are printed already
+    bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's
     YkProblems *file_problems; // then; otherwise NULL
-    YkText out; // for standard output; written once, at the end
+    YkText out;                // for standard output; written once, at the end
 } YkSession;
 
 struct YkVerb {

@@ -16,13 +16,14 @@ void yk_help_tour(YkText *text)
                    "yoke %s: the workbench for planar machines. One file describes a machine; each verb asks one "
                    "question of it.\n\n",
                    yk_version());
-    yk_text_puts(text, "Start here:\n"
-                       "  yoke check machine.yaml                           what machine is it? can it move?\n"
-                       "  yoke solve machine.yaml --at theta1=30deg         where is everything, how fast?\n"
-                       "  yoke sweep machine.yaml --over theta1=0:360deg    how does it move?\n"
-                       "  yoke draw  machine.yaml -o machine.svg            what does it look like?\n"
-                       "  yoke simulate machine.yaml --to 5s                with masses: what happens when I let go?\n\n"
-                       "Verbs:\n");
+    yk_text_puts(text,
+                 "Start here:\n"
+                 "  yoke check machine.yaml                           what machine is it? can it move?\n"
+                 "  yoke solve machine.yaml --at theta1=30deg         where is everything, how fast?\n"
+                 "  yoke sweep machine.yaml --over theta1=0:360deg    how does it move?\n"
+                 "  yoke draw  machine.yaml -o machine.svg            what does it look like?\n"
+                 "  yoke simulate machine.yaml --to 5s                with masses: what happens when I let go?\n\n"
+                 "Verbs:\n");
     for (const YkVerb *verb = yk_verbs; verb->name; verb++) {
         yk_text_puts(text, "  ");
         add_padded(text, verb->name, strlen(verb->name), VERB_COLUMN);

@@ -225,7 +225,8 @@ int yk_run_sweep(YkSession *session)
         good && yk_session_load(session, swept) && yk_session_inputs(session) && yk_over_read(session, &answer->over);
     good = good && read_columns(answer) && (!wants_forces(answer) || yk_session_forces(session, true));
     if (good && wants_forces(answer) && !session->dynamics)
-        good = yk_session_refuse(session, YK_CODE_NO_FORCES, "the machine has neither masses nor loads, so there are no forces%s", "");
+        good = yk_session_refuse(session, YK_CODE_NO_FORCES,
+                                 "the machine has neither masses nor loads, so there are no forces%s", "");
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
     yk_text_free(&answer->message);

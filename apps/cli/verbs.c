@@ -43,9 +43,10 @@ const YkVerb yk_verbs[] = {
      "yoke explain E0602", yk_run_explain},
     {"derive", "the equations, in symbols", "FILE [options]",
      "Derives what an engineer would write by hand: loop equations as vector sums and in x and y, the Jacobian\n"
-     "with its blocks and their determinants, velocities and accelerations block by block, points. --numbers puts\n"
-     "the values of a pose beside the symbols. --check 'EQUATION' tells whether an equation in the file's names is\n"
-     "true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians): exit 0 true, 1 false.",
+     "with its blocks and their determinants, velocities and accelerations block by block, points; free bodies,\n"
+     "Newton's and Euler's equations, energies, Lagrange's equations. --numbers puts the values of a pose beside\n"
+     "the symbols. --check 'EQUATION' tells whether an equation in the file's names is true for this machine\n"
+     "(rates: theta1' or theta1.rate; numbers in SI and radians): exit 0 true, 1 false.",
      "yoke derive examples/quick-return.yaml --check 'l1*cos(theta1) - d3*cos(theta2) = 0'", yk_run_derive},
     {"gears", "ratios, torques and power flow of a gear train", "FILE [options]",
      "Speeds of all wheels and carriers of a gear train, exactly: fractions of the inputs, and formulas in tooth\n"
@@ -53,7 +54,6 @@ const YkVerb yk_verbs[] = {
      "With locks: in the file a shift table, or with --lock one of them. With efforts: or --effort the torques on\n"
      "all members, and where the power goes; --efficiency counts losses.",
      "yoke gears examples/gearbox-8hp70.yaml --in input --out output", yk_run_gears},
-    {"cam", "motion program, profile and pressure angle of a cam", "FILE [options]", "", "", NULL},
     {"report", "all of it as one page", "FILE [options]", "", "", NULL},
     {"code", "C for this machine", "FILE [options]", "", "", NULL},
     {NULL, NULL, NULL, NULL, NULL, NULL},

@@ -28,7 +28,7 @@ YK_API void yk_cam_design_free(YkCamDesign *design);
 typedef struct YkCamSize {
     const char *name, *law, *cam, *follower, *carrier; // bodies by name
     YkCamFace face;
-    bool oscillates;  // lifts are angles then
+    bool oscillates; // lifts are angles then
     bool is_groove, is_conjugate;
     double base, roller, offset; // offset: of the line of motion, towards the side where the cam's rise pushes; of a
                                  // flat oscillating face: how far it lies from the pivot, towards the cam
@@ -43,39 +43,43 @@ YK_API YkCamSize yk_cam_size(const YkCamDesign *design);
 // hollow, infinite where straight.
 typedef struct YkCamPoint {
     double angle;
-    double lift[5];             // s and its derivatives to the cam angle: v, a, j, p (m or rad per rad^k)
-    double pressure_angle;      // between the push on the follower and its motion; signed
-    double pitch[2];            // cam's axes: the roller's centre or edge; of a flat face the point of contact
-    double surface[2];          // cam's axes: the point of contact
-    double normal[2];           // cam's axes: outward unit normal there
-    double outer[2];            // cam's axes: the outer wall of a groove
-    double contact[2];          // carrier's axes, from the cam's centre: the point of contact
-    double pitch_radius;        // of curvature of the pitch curve
-    double surface_radius;      // of the cam's surface
-    double fullness;            // 1 - roller / pitch radius; of a flat face the surface radius over the base; negative: undercut
-    double outer_fullness;      // the same for the outer wall of a groove: 1 + roller / pitch radius
-    double reach;               // of a flat face: where the contact lies along it, from the line of motion or the pivot's foot
+    double lift[5];        // s and its derivatives to the cam angle: v, a, j, p (m or rad per rad^k)
+    double pressure_angle; // between the push on the follower and its motion; signed
+    double pitch[2];       // cam's axes: the roller's centre or edge; of a flat face the point of contact
+    double surface[2];     // cam's axes: the point of contact
+    double normal[2];      // cam's axes: outward unit normal there
+    double outer[2];       // cam's axes: the outer wall of a groove
+    double contact[2];     // carrier's axes, from the cam's centre: the point of contact
+    double pitch_radius;   // of curvature of the pitch curve
+    double surface_radius; // of the cam's surface
+    double fullness; // 1 - roller / pitch radius; of a flat face the surface radius over the base; negative: undercut
+    double outer_fullness; // the same for the outer wall of a groove: 1 + roller / pitch radius
+    double reach; // of a flat face: where the contact lies along it, from the line of motion or the pivot's foot
 } YkCamPoint;
 // Just after `angle` where the law has a jump. Cost O(log segments).
 YK_API YkCamPoint yk_cam_at(const YkCamDesign *design, double angle);
 // The same for the second cam of a conjugate pair, whose roller lies on the other side.
 YK_API YkCamPoint yk_cam_conjugate_at(const YkCamDesign *design, double angle);
 
-typedef struct YkCamExtreme { double value, angle; } YkCamExtreme;
-typedef struct YkCamRange { double from, to; } YkCamRange; // cam angles, rad
+typedef struct YkCamExtreme {
+    double value, angle;
+} YkCamExtreme;
+typedef struct YkCamRange {
+    double from, to;
+} YkCamRange; // cam angles, rad
 enum { YK_CAM_RANGES_MAX = 16 };
 // Extremes over a period, by samples (1440 a period, ends of segments from both sides) refined to rounding.
 typedef struct YkCamSummary {
     YkCamExtreme lift_low, lift_high;
-    YkCamExtreme peak[5];         // largest magnitude of s, v, a, j, p, with its sign
-    YkCamExtreme pressure;        // largest magnitude, with its sign
+    YkCamExtreme peak[5];                    // largest magnitude of s, v, a, j, p, with its sign
+    YkCamExtreme pressure;                   // largest magnitude, with its sign
     YkCamExtreme pitch_convex, pitch_hollow; // smallest radius of curvature of either kind; infinite: there is none
     YkCamExtreme surface_convex, surface_hollow;
     YkCamExtreme reach_low, reach_high; // flat face
-    YkCamExtreme far, near;       // largest and smallest distance of the surface from the cam's centre
-    size_t undercut_count;        // ranges in which the surface is cut away; cusps at their ends
+    YkCamExtreme far, near;             // largest and smallest distance of the surface from the cam's centre
+    size_t undercut_count;              // ranges in which the surface is cut away; cusps at their ends
     YkCamRange undercut[YK_CAM_RANGES_MAX];
-    size_t outer_undercut_count;  // the same for a groove's outer wall
+    size_t outer_undercut_count; // the same for a groove's outer wall
     YkCamRange outer_undercut[YK_CAM_RANGES_MAX];
 } YkCamSummary;
 YK_API YkCamSummary yk_cam_summary(const YkCamDesign *design);
@@ -87,11 +91,12 @@ typedef struct YkCamLimits {
     double curvature; // smallest convex radius of the surface, m; 0: no undercut
 } YkCamLimits;
 typedef struct YkCamBase {
-    double base;       // m
-    double angle;      // where the limit that decides is reached
-    bool by_pressure;  // otherwise by curvature
+    double base;      // m
+    double angle;     // where the limit that decides is reached
+    bool by_pressure; // otherwise by curvature
 } YkCamBase;
-YK_API YkCamLimits yk_default_cam_limits(const YkCamDesign *design); // 30 deg translating, 35 deg oscillating; no undercut
+YK_API YkCamLimits
+yk_default_cam_limits(const YkCamDesign *design); // 30 deg translating, 35 deg oscillating; no undercut
 // YK_OK, or YK_LIMIT where no base circle keeps them. Source: Rothbart 2004, ch. 7; by search over the base radius from
 // below (steps of 1 %) and bisection; extremes at each as in the summary.
 YK_API YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimits *limits, YkCamBase *base);
@@ -103,16 +108,26 @@ typedef struct YkCamSegment {
     size_t condition_count;
     double condition_number; // of the linear system that was solved; 0 where none was
 } YkCamSegment;
-typedef struct YkCamCondition { double at; int order; double value; } YkCamCondition;
+typedef struct YkCamCondition {
+    double at;
+    int order;
+    double value;
+} YkCamCondition;
 YK_API size_t yk_cam_segment_count(const YkCamDesign *design);
 YK_API YkCamSegment yk_cam_segment(const YkCamDesign *design, size_t segment);
 YK_API YkCamCondition yk_cam_condition(const YkCamDesign *design, size_t segment, size_t condition);
 // Jumps of s, v, a at joints (fundamental law of cam design): returns how many.
-typedef struct YkCamJump { double angle; int order; double size; } YkCamJump;
+typedef struct YkCamJump {
+    double angle;
+    int order;
+    double size;
+} YkCamJump;
 YK_API size_t yk_cam_jumps(const YkCamDesign *design, YkCamJump *jumps, size_t capacity);
 
 // Peak factors: |v| = Cv h / beta, |a| = Ca h / beta^2, |j| = Cj h / beta^3; infinite where there is a jump below.
-typedef struct YkCamFactors { double v, a, j; } YkCamFactors;
+typedef struct YkCamFactors {
+    double v, a, j;
+} YkCamFactors;
 typedef struct YkCamStroke {
     double from, to; // cam angles
     double lift;     // signed: a fall is negative
@@ -128,17 +143,25 @@ YK_API const char *yk_cam_law_name(size_t index);
 YK_API YkCamDesign *yk_cam_design_with(const YkCamDesign *design, const char *law);
 
 // Profiles as closed polylines: first point not repeated at the end.
-typedef enum YkCamCurve { YK_CAM_SURFACE, YK_CAM_PITCH, YK_CAM_OUTER, YK_CAM_CUTTER, YK_CAM_SECOND_SURFACE,
-    YK_CAM_SECOND_PITCH } YkCamCurve;
-typedef struct YkCamVertex { double angle, x, y; } YkCamVertex; // cam angle, rad; cam's axes, m
-// Nowhere farther than `tolerance` (m) from the curve. cutter: radius of the cutter for YK_CAM_CUTTER. *vertices is to be
-// freed by yk_cam_vertices_free. YK_OK, YK_BAD_ARGUMENT, YK_NO_MEMORY. Cost O(points).
+typedef enum YkCamCurve {
+    YK_CAM_SURFACE,
+    YK_CAM_PITCH,
+    YK_CAM_OUTER,
+    YK_CAM_CUTTER,
+    YK_CAM_SECOND_SURFACE,
+    YK_CAM_SECOND_PITCH
+} YkCamCurve;
+typedef struct YkCamVertex {
+    double angle, x, y;
+} YkCamVertex; // cam angle, rad; cam's axes, m
+// Nowhere farther than `tolerance` (m) from the curve. cutter: radius of the cutter for YK_CAM_CUTTER. *vertices is to
+// be freed by yk_cam_vertices_free. YK_OK, YK_BAD_ARGUMENT, YK_NO_MEMORY. Cost O(points).
 YK_API YkStatus yk_cam_profile(const YkCamDesign *design, YkCamCurve curve, double tolerance, double cutter,
                                YkCamVertex **vertices, size_t *count);
 YK_API void yk_cam_vertices_free(YkCamVertex *vertices);
 
-// Forces at constant cam speed, quasi-rigid: inertia of the follower along its coordinate, springs `along` the follower's
-// coordinate, efforts along it, gravity on the follower; other bodies hung on the follower are not counted.
+// Forces at constant cam speed, quasi-rigid: inertia of the follower along its coordinate, springs `along` the
+// follower's coordinate, efforts along it, gravity on the follower; other bodies hung on the follower are not counted.
 typedef struct YkCamLoads {
     bool has_mass, has_spring;
     double inertia;            // kg, or kg m^2 about the pivot
@@ -155,10 +178,10 @@ typedef struct YkCamForce {
 YK_API YkCamForce yk_cam_force(const YkCamDesign *design, double speed, double angle);
 typedef struct YkCamForceSummary {
     YkCamExtreme contact_low, contact_high, torque_low, torque_high;
-    double torque_mean;      // over a period
-    double jump_speed;       // from which the follower leaves the cam, rad/s; infinite: never
-    double jump_angle;       // where
-    double preload_needed;   // at this speed, for a contact that just holds, N or N m
+    double torque_mean;    // over a period
+    double jump_speed;     // from which the follower leaves the cam, rad/s; infinite: never
+    double jump_angle;     // where
+    double preload_needed; // at this speed, for a contact that just holds, N or N m
 } YkCamForceSummary;
 YK_API YkCamForceSummary yk_cam_force_summary(const YkCamDesign *design, double speed);
 

@@ -5,25 +5,33 @@
 #include <yoke/sweep.h>
 
 // A four-bar inside the machine: four pins, four bodies in a ring.
-typedef enum YkFourBarClass { YK_CRANK_ROCKER, YK_ROCKER_CRANK, YK_DRAG_LINK, YK_DOUBLE_ROCKER_GRASHOF, YK_CHANGE_POINT_FOUR_BAR, YK_TRIPLE_ROCKER } YkFourBarClass;
+typedef enum YkFourBarClass {
+    YK_CRANK_ROCKER,
+    YK_ROCKER_CRANK,
+    YK_DRAG_LINK,
+    YK_DOUBLE_ROCKER_GRASHOF,
+    YK_CHANGE_POINT_FOUR_BAR,
+    YK_TRIPLE_ROCKER
+} YkFourBarClass;
 typedef struct YkFourBar {
-    size_t body[4];        // frame link, one neighbour (the input when one is driven), coupler, the other neighbour
-    size_t joint[4];       // between body[k] and body[(k + 1) % 4]
-    double length[4];      // m
-    YkFourBarClass kind;   // with body[0] as the frame and body[1] as the input
+    size_t body[4];      // frame link, one neighbour (the input when one is driven), coupler, the other neighbour
+    size_t joint[4];     // between body[k] and body[(k + 1) % 4]
+    double length[4];    // m
+    YkFourBarClass kind; // with body[0] as the frame and body[1] as the input
 } YkFourBar;
-// Four-bars of the machine whose frame link is the ground or, failing that, any ring of four pins. Returns how many there are.
+// Four-bars of the machine whose frame link is the ground or, failing that, any ring of four pins. Returns how many
+// there are.
 YK_API size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capacity);
 YK_API const char *yk_four_bar_name(YkFourBarClass kind); // "crank-rocker (Grashof)", ...
 
 // One turn of an input: extremes of a channel and the time ratio of a quick-return.
 typedef struct YkStroke {
-    double low, high;           // extreme values of the channel
-    double low_at, high_at;     // input angles there, rad, to 1e-9
-    double ratio;               // input angle of the slower stroke over the faster one, >= 1
+    double low, high;       // extreme values of the channel
+    double low_at, high_at; // input angles there, rad, to 1e-9
+    double ratio;           // input angle of the slower stroke over the faster one, >= 1
 } YkStroke;
-// YK_OK; YK_LIMIT when the input cannot turn through; YK_BAD_ARGUMENT when it does not turn at all (a distance) or the channel has
-// not exactly two extremes.
+// YK_OK; YK_LIMIT when the input cannot turn through; YK_BAD_ARGUMENT when it does not turn at all (a distance) or the
+// channel has not exactly two extremes.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);
 
 #endif

@@ -15,22 +15,22 @@ typedef struct YkCompileOptions {
 
 YK_API YkCompileOptions yk_default_compile_options(void);
 
-// Compiles a model. The inputs are, until the freedom is used up: options->inputs, the drives, the coordinates of `start:`
-// in their order, then any. The model must outlive the mechanism. NULL with problems added (over-driven machines, coordinates
-// that close a loop, ...). Cost linear in the number of joints for machines made of dyads.
+// Compiles a model. The inputs are, until the freedom is used up: options->inputs, the drives, the coordinates of
+// `start:` in their order, then any. The model must outlive the mechanism. NULL with problems added (over-driven
+// machines, coordinates that close a loop, ...). Cost linear in the number of joints for machines made of dyads.
 YK_API YkMechanism *yk_mechanism_compile(const YkModel *model, const YkCompileOptions *options, YkProblems *problems);
 YK_API void yk_mechanism_free(YkMechanism *mech);
 YK_API const YkModel *yk_mechanism_model(const YkMechanism *mech);
 
-// Coordinates: those of the spanning tree, in the order of the file's joints; names that the program chose are `joint.angle`,
-// `joint.distance`. A driven or held coordinate is an input.
+// Coordinates: those of the spanning tree, in the order of the file's joints; names that the program chose are
+// `joint.angle`, `joint.distance`. A driven or held coordinate is an input.
 typedef struct YkCoordinateInfo {
     const char *name;
     size_t joint;
-    bool is_distance;      // metres; otherwise radians
-    bool is_declared;      // named by the file
-    bool has_drive;        // an expression of time drives it
-    int input;             // its place among the inputs, or -1
+    bool is_distance; // metres; otherwise radians
+    bool is_declared; // named by the file
+    bool has_drive;   // an expression of time drives it
+    int input;        // its place among the inputs, or -1
 } YkCoordinateInfo;
 YK_API size_t yk_coordinate_count(const YkMechanism *mech);
 YK_API YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate);
@@ -41,34 +41,35 @@ YK_API size_t yk_input_coordinate(const YkMechanism *mech, size_t input); // whi
 // Freedom, two ways: Gruebler's count 3 (bodies - 1) - sum of constraints, and by the rank of the loop equations.
 typedef struct YkFreedom {
     int gruebler;
-    int by_rank;           // -1 when the machine could not be assembled to measure it
-    size_t redundant;      // constraints that repeat others = by_rank - gruebler
-    size_t driven;         // coordinates with a drive
+    int by_rank;      // -1 when the machine could not be assembled to measure it
+    size_t redundant; // constraints that repeat others = by_rank - gruebler
+    size_t driven;    // coordinates with a drive
 } YkFreedom;
 YK_API YkFreedom yk_mechanism_freedom(const YkMechanism *mech);
 
 // Loops of the spanning tree: the joint that closes each.
 YK_API size_t yk_loop_count(const YkMechanism *mech);
 YK_API size_t yk_loop_joint(const YkMechanism *mech, size_t loop);
-YK_API size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity); // in order round the loop
+YK_API size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies,
+                             size_t capacity); // in order round the loop
 
 // Blocks: what is solved together, in the order of solution.
 typedef enum YkBlockKind {
-    YK_BLOCK_RRR,     // dyad with two unknown angles: two circles meet
-    YK_BLOCK_RRP,     // dyad with an unknown angle and a distance along a known line: a circle meets a line
-    YK_BLOCK_RPR,     // dyad with an unknown angle and a distance along the line that turns with it
-    YK_BLOCK_PP,      // dyad with two unknown distances (RPP, PRP, PPR): two lines meet
-    YK_BLOCK_LINK,    // one unknown, two equations: repeats constraints
-    YK_BLOCK_CHECK,   // no unknown: a redundant loop, only checked
-    YK_BLOCK_GROUP    // a larger Assur group, solved by Newton's method
+    YK_BLOCK_RRR,   // dyad with two unknown angles: two circles meet
+    YK_BLOCK_RRP,   // dyad with an unknown angle and a distance along a known line: a circle meets a line
+    YK_BLOCK_RPR,   // dyad with an unknown angle and a distance along the line that turns with it
+    YK_BLOCK_PP,    // dyad with two unknown distances (RPP, PRP, PPR): two lines meet
+    YK_BLOCK_LINK,  // one unknown, two equations: repeats constraints
+    YK_BLOCK_CHECK, // no unknown: a redundant loop, only checked
+    YK_BLOCK_GROUP  // a larger Assur group, solved by Newton's method
 } YkBlockKind;
 typedef struct YkBlockInfo {
     YkBlockKind kind;
-    const char *label;          // name of the joint that labels its branch ("A"), unique among blocks
-    int assur_class;            // 2 for dyads, 3 and more for groups, 0 for LINK and CHECK
+    const char *label; // name of the joint that labels its branch ("A"), unique among blocks
+    int assur_class;   // 2 for dyads, 3 and more for groups, 0 for LINK and CHECK
     size_t unknowns, equations;
-    size_t joint_count;         // joints of the group, see yk_block_joint
-    size_t body_count;          // bodies that it places
+    size_t joint_count; // joints of the group, see yk_block_joint
+    size_t body_count;  // bodies that it places
 } YkBlockInfo;
 YK_API size_t yk_block_count(const YkMechanism *mech);
 YK_API YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block);
@@ -91,19 +92,40 @@ YK_API double yk_mechanism_size(const YkMechanism *mech);
 //   theta1.effort                          effort along a coordinate: of its drive, or what the file says
 //   energy, kinetic, potential             J
 //   shaking.x, shaking.y, shaking.moment   what the machine exerts on its frame, about the world's origin
-typedef enum YkChannelKind { YK_CHANNEL_TIME, YK_CHANNEL_COORDINATE, YK_CHANNEL_JOINT_ANGLE, YK_CHANNEL_JOINT_DISTANCE, YK_CHANNEL_BODY,
-    YK_CHANNEL_POINT_X, YK_CHANNEL_POINT_Y, YK_CHANNEL_POINT_SPEED, YK_CHANNEL_TRANSMISSION,
+typedef enum YkChannelKind {
+    YK_CHANNEL_TIME,
+    YK_CHANNEL_COORDINATE,
+    YK_CHANNEL_JOINT_ANGLE,
+    YK_CHANNEL_JOINT_DISTANCE,
+    YK_CHANNEL_BODY,
+    YK_CHANNEL_POINT_X,
+    YK_CHANNEL_POINT_Y,
+    YK_CHANNEL_POINT_SPEED,
+    YK_CHANNEL_TRANSMISSION,
     // from here on forces: yk_dynamics_channel alone answers them
-    YK_CHANNEL_FORCE_X, YK_CHANNEL_FORCE_Y, YK_CHANNEL_FORCE, YK_CHANNEL_MOMENT, YK_CHANNEL_EFFORT, YK_CHANNEL_ENERGY,
-    YK_CHANNEL_KINETIC, YK_CHANNEL_POTENTIAL, YK_CHANNEL_SHAKING_X, YK_CHANNEL_SHAKING_Y, YK_CHANNEL_SHAKING_MOMENT } YkChannelKind;
+    YK_CHANNEL_FORCE_X,
+    YK_CHANNEL_FORCE_Y,
+    YK_CHANNEL_FORCE,
+    YK_CHANNEL_MOMENT,
+    YK_CHANNEL_EFFORT,
+    YK_CHANNEL_ENERGY,
+    YK_CHANNEL_KINETIC,
+    YK_CHANNEL_POTENTIAL,
+    YK_CHANNEL_SHAKING_X,
+    YK_CHANNEL_SHAKING_Y,
+    YK_CHANNEL_SHAKING_MOMENT
+} YkChannelKind;
 typedef struct YkChannel {
     YkChannelKind kind;
-    int index;            // of the coordinate, joint, body, point or block
-    int order;            // 0 value, 1 rate, 2 acceleration
-    YkQuantity quantity;  // for its unit
+    int index;           // of the coordinate, joint, body, point or block
+    int order;           // 0 value, 1 rate, 2 acceleration
+    YkQuantity quantity; // for its unit
 } YkChannel;
 // YK_OK, or YK_BAD_ARGUMENT with a problem (did you mean) added.
-static inline bool yk_channel_needs_forces(YkChannel channel) { return channel.kind >= YK_CHANNEL_FORCE_X; }
+static inline bool yk_channel_needs_forces(YkChannel channel)
+{
+    return channel.kind >= YK_CHANNEL_FORCE_X;
+}
 YK_API YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems);
 // Its name as `--of` takes it; returns the length needed, writes at most capacity bytes with a final NUL.
 YK_API size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, size_t capacity);

@@ -32,12 +32,13 @@ YK_API void yk_model_free(YkModel *model);
 YK_API const char *yk_model_name(const YkModel *model);
 YK_API size_t yk_model_body_count(const YkModel *model);
 YK_API const char *yk_model_body_name(const YkModel *model, size_t body);
-YK_API size_t yk_model_point_count(const YkModel *model);  // points of all bodies
+YK_API size_t yk_model_point_count(const YkModel *model); // points of all bodies
 YK_API const char *yk_model_point_name(const YkModel *model, size_t point);
 YK_API size_t yk_model_point_body(const YkModel *model, size_t point);
 YK_API size_t yk_model_joint_count(const YkModel *model);
 YK_API const char *yk_model_joint_name(const YkModel *model, size_t joint);
-// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld") and its two bodies (side 0: first, 1: second).
+// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld") and its two bodies (side 0: first, 1:
+// second).
 YK_API const char *yk_model_joint_kind(const YkModel *model, size_t joint);
 YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
 // Finds by name; (size_t)-1 where there is none. A point is asked for as "body.point".
@@ -46,16 +47,24 @@ YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_poi
 // What acts on the machine, as the file gives it. Gravity counts where it is given and not zero.
 typedef struct YkLoadCounts {
     bool has_gravity;
-    size_t masses;      // bodies with mass or inertia
-    double mass;        // of all of them, kg
+    size_t masses; // bodies with mass or inertia
+    double mass;   // of all of them, kg
     size_t efforts, forces, springs, dampers, frictions, stops;
 } YkLoadCounts;
 YK_API YkLoadCounts yk_model_loads(const YkModel *model);
 YK_API double yk_model_body_mass(const YkModel *model, size_t body); // kg; 0 where the file gives none
 // A value with units in the model's own terms, as the command line takes them ("30deg", "a1/2", "0.5 rad/s").
 typedef enum YkQuantity {
-    YK_QUANTITY_NUMBER, YK_QUANTITY_ANGLE, YK_QUANTITY_LENGTH, YK_QUANTITY_TIME, YK_QUANTITY_ANGLE_RATE,
-    YK_QUANTITY_SPEED, YK_QUANTITY_ANGLE_ACCELERATION, YK_QUANTITY_ACCELERATION, YK_QUANTITY_FORCE, YK_QUANTITY_TORQUE,
+    YK_QUANTITY_NUMBER,
+    YK_QUANTITY_ANGLE,
+    YK_QUANTITY_LENGTH,
+    YK_QUANTITY_TIME,
+    YK_QUANTITY_ANGLE_RATE,
+    YK_QUANTITY_SPEED,
+    YK_QUANTITY_ANGLE_ACCELERATION,
+    YK_QUANTITY_ACCELERATION,
+    YK_QUANTITY_FORCE,
+    YK_QUANTITY_TORQUE,
     YK_QUANTITY_ENERGY
 } YkQuantity;
 // Reads `text` as such a quantity, converted to SI. Returns YK_OK or YK_BAD_ARGUMENT with a problem added.

@@ -16,7 +16,7 @@ typedef enum YkSeverity { YK_NOTE, YK_WARNING, YK_ERROR } YkSeverity;
 
 typedef struct YkProblem {
     YkSeverity severity;
-    int code;            // 123 prints as E0123 and is explained by yk_code_explain(123)
+    int code; // 123 prints as E0123 and is explained by yk_code_explain(123)
     YkPlace place;
     const char *message; // one sentence, no final stop; never contains control characters
     const char *hint;    // what to do about it, or NULL

@@ -13,15 +13,16 @@ typedef struct YkRestOptions {
 YK_API YkRestOptions yk_default_rest_options(void);
 
 typedef struct YkRest YkRest;
-// Searches equilibria by Newton's method from `start:` and from seeded random poses of all configurations: all that it finds,
-// that of `start:` first where there is one, the others by energy. The model must outlive the answer. NULL with problems added:
-// no assembly, a freedom without inertia. An empty answer is no error. Cost: about starts * 20 * freedom^2 evaluations.
+// Searches equilibria by Newton's method from `start:` and from seeded random poses of all configurations: all that it
+// finds, that of `start:` first where there is one, the others by energy. The model must outlive the answer. NULL with
+// problems added: no assembly, a freedom without inertia. An empty answer is no error. Cost: about starts * 20 *
+// freedom^2 evaluations.
 YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);
 YK_API void yk_rest_free(YkRest *rest);
 YK_API size_t yk_rest_count(const YkRest *rest);
 YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
-YK_API size_t yk_rest_freedom(const YkRest *rest);                     // f, the free inputs
-YK_API size_t yk_rest_input(const YkRest *rest, size_t k);             // which coordinate free input k is
+YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the free inputs
+YK_API size_t yk_rest_input(const YkRest *rest, size_t k); // which coordinate free input k is
 
 typedef enum YkStability {
     YK_STABLE,   // every small motion dies out or, without damping, stays small
@@ -42,9 +43,9 @@ YK_API const double *yk_rest_damping(const YkRest *rest, size_t index);
 YK_API const double *yk_rest_stiffness(const YkRest *rest, size_t index);
 // Mode k of f, by rising frequency of the undamped motion.
 typedef struct YkMode {
-    double frequency;      // undamped, rad/s; negative: grows at that rate (K has a negative direction)
-    double damping_ratio;  // of the mode alone: shape' C shape / (2 omega)
-    const double *shape;   // [f], largest entry 1
+    double frequency;     // undamped, rad/s; negative: grows at that rate (K has a negative direction)
+    double damping_ratio; // of the mode alone: shape' C shape / (2 omega)
+    const double *shape;  // [f], largest entry 1
 } YkMode;
 YK_API YkMode yk_rest_mode(const YkRest *rest, size_t index, size_t k);
 // The 2 f characteristic roots of the damped motion, 1/s: real and imaginary part.

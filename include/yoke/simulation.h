@@ -9,17 +9,18 @@ typedef enum YkIntegrator { YK_INTEGRATOR_DOP853, YK_INTEGRATOR_SDIRK4, YK_INTEG
 typedef struct YkStartValue {
     const char *coordinate; // of the tree
     bool is_rate;
-    double value;           // rad, m, rad/s, m/s
+    double value; // rad, m, rad/s, m/s
 } YkStartValue;
 
 typedef struct YkSimulationOptions {
     YkIntegrator integrator;
-    double tolerance;   // relative and (of the coordinate's size) absolute error per step; default 1e-9
-    double step;        // RK4: its fixed step, s
-    double start;       // time at which it begins, s
-    double horizon;     // the last time that will be asked for, s: lets steps pass the rows (0: each row ends a step)
-    size_t steps_max;   // accepted steps and happenings, in all, after which it gives up (0: no limit)
-    bool (*goes_on)(void *context, double time); // asked after every step (NULL: it does); false ends yk_simulation_advance there
+    double tolerance; // relative and (of the coordinate's size) absolute error per step; default 1e-9
+    double step;      // RK4: its fixed step, s
+    double start;     // time at which it begins, s
+    double horizon;   // the last time that will be asked for, s: lets steps pass the rows (0: each row ends a step)
+    size_t steps_max; // accepted steps and happenings, in all, after which it gives up (0: no limit)
+    bool (*goes_on)(void *context,
+                    double time); // asked after every step (NULL: it does); false ends yk_simulation_advance there
     void *context;
     const YkStartValue *values; // in place of what `start:` says
     size_t value_count;
@@ -29,46 +30,56 @@ YK_API YkSimulationOptions yk_default_simulation_options(void);
 
 typedef struct YkSimulation YkSimulation;
 
-// Assembles the machine at its start. Start rates that the loops do not allow are projected, with a note. NULL with problems
-// added: no assembly, a freedom without inertia, stops that exclude the start. The model must outlive it.
+// Assembles the machine at its start. Start rates that the loops do not allow are projected, with a note. NULL with
+// problems added: no assembly, a freedom without inertia, stops that exclude the start. The model must outlive it.
 YK_API YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems);
 YK_API void yk_simulation_free(YkSimulation *simulation);
 // Also report zero crossings of a channel minus a value (an event named `name`, copied). direction: +1, -1 or 0 = both.
-YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, YkChannel channel, double value, int direction);
+YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, YkChannel channel, double value,
+                                    int direction);
 // Replaces what `efforts:` says along a coordinate by a constant, before the first advance.
 YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
-// Goes on to time `to`. The state then stands at `to` exactly (dense output, loops closed by the position solver). On failure it
-// stands at the last good time: YK_LIMIT (also: a drive goes past a stop), YK_SINGULAR, YK_NOT_CONVERGED (step too small, too
-// many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite: nothing changes. Where
-// options.goes_on said no, it is YK_OK and yk_simulation_time tells how far it came.
+// Goes on to time `to`. The state then stands at `to` exactly (dense output, loops closed by the position solver). On
+// failure it stands at the last good time: YK_LIMIT (also: a drive goes past a stop), YK_SINGULAR, YK_NOT_CONVERGED
+// (step too small, too many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite:
+// nothing changes. Where options.goes_on said no, it is YK_OK and yk_simulation_time tells how far it came.
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);
 YK_API double yk_simulation_time(const YkSimulation *simulation);
-// State, its mechanism and dynamics are valid until the next advance, which may take other coordinates: coordinates, joints,
-// bodies and points keep their indices, blocks (channels of transmission angles) may not.
+// State, its mechanism and dynamics are valid until the next advance, which may take other coordinates: coordinates,
+// joints, bodies and points keep their indices, blocks (channels of transmission angles) may not.
 YK_API YkState *yk_simulation_state(YkSimulation *simulation);       // pose, rates and accelerations at that time
-YK_API YkDynamics *yk_simulation_dynamics(YkSimulation *simulation);  // forces at that time: solved when first asked for
+YK_API YkDynamics *yk_simulation_dynamics(YkSimulation *simulation); // forces at that time: solved when first asked for
 YK_API double yk_simulation_channel(YkSimulation *simulation, YkChannel channel);
 YK_API const YkReport *yk_simulation_report(const YkSimulation *simulation);
 
-typedef enum YkHappeningKind { YK_HAPPENING_STOP, YK_HAPPENING_RELEASE, YK_HAPPENING_STICK, YK_HAPPENING_SLIP, YK_HAPPENING_CHANGE_POINT,
-    YK_HAPPENING_DEAD_POINT, YK_HAPPENING_CROSSING } YkHappeningKind;
+typedef enum YkHappeningKind {
+    YK_HAPPENING_STOP,
+    YK_HAPPENING_RELEASE,
+    YK_HAPPENING_STICK,
+    YK_HAPPENING_SLIP,
+    YK_HAPPENING_CHANGE_POINT,
+    YK_HAPPENING_DEAD_POINT,
+    YK_HAPPENING_CROSSING
+} YkHappeningKind;
 typedef struct YkHappening {
     YkHappeningKind kind;
     double time;
-    const char *name;  // of the coordinate, joint or watched expression
-    double value;      // STOP: rate before; CROSSING: the value watched
+    const char *name; // of the coordinate, joint or watched expression
+    double value;     // STOP: rate before; CROSSING: the value watched
 } YkHappening;
 YK_API size_t yk_simulation_happening_count(const YkSimulation *simulation);
 YK_API YkHappening yk_simulation_happening(const YkSimulation *simulation, size_t index);
 
 typedef struct YkSimulationSummary {
     size_t steps, rejected, evaluations, recoordinations; // how often other coordinates were taken as independent
-    double energy_error;    // |E - E(0) - work of loads and drives| at worst, over the largest energy (kinetic + span of potential)
-    double worst_residual;  // of the loops, over the machine's size
+    double energy_error;   // |E - E(0) - work of loads and drives| at worst, over the largest energy (kinetic + span of
+                           // potential)
+    double worst_residual; // of the loops, over the machine's size
     double energy_start, energy_end;
 } YkSimulationSummary;
 YK_API YkSimulationSummary yk_simulation_summary(const YkSimulation *simulation);
-// Work done so far by every load that is not a potential (efforts, forces, dampers, friction, drives, stops): name and J.
+// Work done so far by every load that is not a potential (efforts, forces, dampers, friction, drives, stops): name and
+// J.
 YK_API size_t yk_simulation_work_count(const YkSimulation *simulation);
 YK_API const char *yk_simulation_work_name(const YkSimulation *simulation, size_t index);
 YK_API double yk_simulation_work(const YkSimulation *simulation, size_t index);

@@ -6,10 +6,14 @@
 
 typedef struct YkState YkState;
 
-// Scalar motion: a coordinate (m or rad) or a body's angle; the value, its rate and its acceleration. NaN never: rates that
-// are not defined (status YK_SINGULAR) come as 0 with yk_state_has_rates() false.
-typedef struct YkMotion { double position, velocity, acceleration; } YkMotion;
-typedef struct YkPointMotion { double position[2], velocity[2], acceleration[2]; } YkPointMotion; // world axes, m
+// Scalar motion: a coordinate (m or rad) or a body's angle; the value, its rate and its acceleration. NaN never: rates
+// that are not defined (status YK_SINGULAR) come as 0 with yk_state_has_rates() false.
+typedef struct YkMotion {
+    double position, velocity, acceleration;
+} YkMotion;
+typedef struct YkPointMotion {
+    double position[2], velocity[2], acceleration[2];
+} YkPointMotion; // world axes, m
 
 YK_API YkState *yk_state_new(const YkMechanism *mech); // NULL when out of memory
 YK_API void yk_state_free(YkState *state);
@@ -22,17 +26,19 @@ YK_API double yk_state_time(const YkState *state);
 YK_API void yk_state_set_input(YkState *state, size_t input, YkMotion motion);
 YK_API YkMotion yk_state_input(const YkState *state, size_t input);
 
-// Assembles: among all configurations that close at the inputs, takes the one nearest to the guesses of `start:` (squared
-// differences of angles modulo a turn and of lengths over the machine's size), and keeps its branches and its angles as reference.
-// Cost: 2^d solutions of d dyads at worst, cut short by bounds. YK_OK, YK_SINGULAR, YK_REDUNDANT, YK_NO_ASSEMBLY, ...
+// Assembles: among all configurations that close at the inputs, takes the one nearest to the guesses of `start:`
+// (squared differences of angles modulo a turn and of lengths over the machine's size), and keeps its branches and its
+// angles as reference. Cost: 2^d solutions of d dyads at worst, cut short by bounds. YK_OK, YK_SINGULAR, YK_REDUNDANT,
+// YK_NO_ASSEMBLY, ...
 YK_API YkStatus yk_state_assemble(YkState *state);
 // Solves at the present inputs on the branches set (by assembling, by the last configuration, by yk_state_set_branch).
 // Angles come out nearest to the reference. The last valid pose is kept on failure. Cost linear; allocates nothing.
 YK_API YkStatus yk_state_solve(YkState *state);
 // Visits every configuration at the present inputs, each as the state's pose, in a fixed order ("+" before "-").
-// visit returns false to stop. complete: false where a GROUP was searched and not enumerated, or the cap of 4096 was reached.
-// The state ends at the configuration it had. Returns YK_OK or YK_NO_ASSEMBLY.
-YK_API YkStatus yk_state_each(YkState *state, bool (*visit)(void *context, YkState *state), void *context, bool *complete);
+// visit returns false to stop. complete: false where a GROUP was searched and not enumerated, or the cap of 4096 was
+// reached. The state ends at the configuration it had. Returns YK_OK or YK_NO_ASSEMBLY.
+YK_API YkStatus yk_state_each(YkState *state, bool (*visit)(void *context, YkState *state), void *context,
+                              bool *complete);
 
 // The branch of a block: the sign of its determinant, +1, -1, or 0 where the block has none.
 YK_API int yk_state_branch(const YkState *state, size_t block);
@@ -46,22 +52,24 @@ YK_API YkMotion yk_state_coordinate(const YkState *state, size_t coordinate);
 YK_API YkMotion yk_state_body(const YkState *state, size_t body); // angle to the ground
 YK_API YkPointMotion yk_state_point(const YkState *state, size_t point);
 YK_API double yk_state_channel(const YkState *state, YkChannel channel);
-// Transmission angle of a block, rad in [0, pi/2]: between the two directions in which its dyad is closed; its sine is the block's
-// determinant over the product of its column lengths. 0 at a dead point.
+// Transmission angle of a block, rad in [0, pi/2]: between the two directions in which its dyad is closed; its sine is
+// the block's determinant over the product of its column lengths. 0 at a dead point.
 YK_API double yk_state_transmission(const YkState *state, size_t block);
 
 // How well it closes: the largest residual of all loop equations over the machine's size, of J q' + Phi_t, and of
 // J q'' + gamma over the largest term; measured in the loops of the tree, not in the steps that solved it.
-typedef struct YkResiduals { double position, velocity, acceleration; } YkResiduals;
+typedef struct YkResiduals {
+    double position, velocity, acceleration;
+} YkResiduals;
 YK_API YkResiduals yk_state_residuals(const YkState *state);
 
 // What went wrong in the last assemble or solve: where, by how much. joint, block = -1 where none.
 typedef struct YkReport {
     YkStatus status;
     int block, joint;
-    double gap;            // by how many metres the loop misses (NO_ASSEMBLY, LIMIT)
-    double determinant;    // of the worst block, over the product of its column lengths (SINGULAR)
-    char message[240];     // one sentence, naming joint and loop
+    double gap;         // by how many metres the loop misses (NO_ASSEMBLY, LIMIT)
+    double determinant; // of the worst block, over the product of its column lengths (SINGULAR)
+    char message[240];  // one sentence, naming joint and loop
 } YkReport;
 YK_API const YkReport *yk_state_report(const YkState *state);
 

@@ -1,16 +1,18 @@
-// The sweep: a motion through many poses along a path of the inputs, verified between the poses as well: no limit is jumped,
-// no branch changes without a word.
+// The sweep: a motion through many poses along a path of the inputs, verified between the poses as well: no limit is
+// jumped, no branch changes without a word.
 #ifndef YOKE_SWEEP_H
 #define YOKE_SWEEP_H
 
 #include <yoke/dynamics.h>
 
 typedef struct YkSweepOptions {
-    int coordinate;        // the coordinate swept, an input; -1 sweeps time (all drives)
-    double from, to;       // its range (rad, m or s)
-    size_t steps;          // n gives n + 1 poses
-    double turn_max;       // the path is verified at least every so many radians (or this times the machine's size / 1 s): default 2 deg
-    YkDynamics *dynamics;  // answers the channels that need forces (inverse and forward dynamics at every row); NULL: there are none
+    int coordinate;  // the coordinate swept, an input; -1 sweeps time (all drives)
+    double from, to; // its range (rad, m or s)
+    size_t steps;    // n gives n + 1 poses
+    double turn_max; // the path is verified at least every so many radians (or this times the machine's size / 1 s):
+                     // default 2 deg
+    YkDynamics *dynamics; // answers the channels that need forces (inverse and forward dynamics at every row); NULL:
+                          // there are none
     YkDynamicsMethod method;
 } YkSweepOptions;
 YK_API YkSweepOptions yk_default_sweep_options(void);
@@ -18,32 +20,36 @@ YK_API YkSweepOptions yk_default_sweep_options(void);
 typedef enum YkEventKind { YK_EVENT_LIMIT, YK_EVENT_CHANGE_POINT, YK_EVENT_SINGULAR, YK_EVENT_EXTREME } YkEventKind;
 typedef struct YkEvent {
     YkEventKind kind;
-    double at;             // value of the swept variable, to 1e-8 or better
-    int block;             // LIMIT, CHANGE_POINT, SINGULAR
-    size_t channel;        // EXTREME: index into the channels
-    double value;          // EXTREME: the channel's value there
+    double at;      // value of the swept variable, to 1e-8 or better
+    int block;      // LIMIT, CHANGE_POINT, SINGULAR
+    size_t channel; // EXTREME: index into the channels
+    double value;   // EXTREME: the channel's value there
     bool is_maximum;
 } YkEvent;
 
 typedef struct YkSweep YkSweep;
-// Sweeps from the configuration that `state` has (assembled; its inputs other than the swept one stay; the swept coordinate's
-// rate and acceleration stay those of the state). Channels are recorded row by row. On a limit the rows so far remain and status is
-// YK_LIMIT. NULL only when out of memory or the options are wrong.
-YK_API YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count,
-                             YkProblems *problems);
+// Sweeps from the configuration that `state` has (assembled; its inputs other than the swept one stay; the swept
+// coordinate's rate and acceleration stay those of the state). Channels are recorded row by row. On a limit the rows so
+// far remain and status is YK_LIMIT. NULL only when out of memory or the options are wrong.
+YK_API YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels,
+                             size_t channel_count, YkProblems *problems);
 YK_API void yk_sweep_free(YkSweep *sweep);
 YK_API YkStatus yk_sweep_status(const YkSweep *sweep);
 YK_API size_t yk_sweep_row_count(const YkSweep *sweep);
-YK_API double yk_sweep_at(const YkSweep *sweep, size_t row);                        // the swept variable
+YK_API double yk_sweep_at(const YkSweep *sweep, size_t row); // the swept variable
 YK_API double yk_sweep_value(const YkSweep *sweep, size_t row, size_t channel);
-YK_API YkStatus yk_sweep_row_status(const YkSweep *sweep, size_t row);              // OK, SINGULAR (rates are 0 and must not be shown), CHANGE_POINT
+YK_API YkStatus yk_sweep_row_status(const YkSweep *sweep,
+                                    size_t row); // OK, SINGULAR (rates are 0 and must not be shown), CHANGE_POINT
 YK_API size_t yk_sweep_event_count(const YkSweep *sweep);
 YK_API YkEvent yk_sweep_event(const YkSweep *sweep, size_t index);
 YK_API double yk_sweep_worst_residual(const YkSweep *sweep);
 
-// Every range of a coordinate in which the configuration of `state` closes, by its labels: for an angle within a turn that starts
-// at the state's value minus pi, for a distance within +-(sum of lengths). Ends to 1e-10. Returns the count; a full turn is one range of 2 pi.
-typedef struct YkRange { double from, to; } YkRange;
+// Every range of a coordinate in which the configuration of `state` closes, by its labels: for an angle within a turn
+// that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends to 1e-10. Returns the
+// count; a full turn is one range of 2 pi.
+typedef struct YkRange {
+    double from, to;
+} YkRange;
 YK_API size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity);
 
 #endif

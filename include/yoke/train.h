@@ -17,11 +17,11 @@ typedef struct YkTrainEffort { // in place of what `efforts:` says
 } YkTrainEffort;
 
 typedef struct YkTrainOptions {
-    const char *lock;    // one of `locks:`, or NULL: none is locked
-    const char *in;      // body whose turning is the input of the ratio; NULL: the driven one, or `input`, or `in`
-    const char *out;     // body that takes the output; NULL: `output` or `out`
-    double efficiency;   // of every mesh, of the power that rolls through it (seen from its carrier); (0, 1]
-    double time;         // at which drives that are not steady are taken, s
+    const char *lock;  // one of `locks:`, or NULL: none is locked
+    const char *in;    // body whose turning is the input of the ratio; NULL: the driven one, or `input`, or `in`
+    const char *out;   // body that takes the output; NULL: `output` or `out`
+    double efficiency; // of every mesh, of the power that rolls through it (seen from its carrier); (0, 1]
+    double time;       // at which drives that are not steady are taken, s
     const YkTrainEffort *efforts;
     size_t effort_count;
 } YkTrainOptions;
@@ -47,8 +47,8 @@ YK_API const char *yk_train_lock(const YkTrain *train);        // NULL: none
 
 // What turns the train: the drives, or, where there are none, one turn of the body `in`.
 typedef struct YkTrainInput {
-    const char *name;  // of the coordinate or body
-    bool is_unit;      // no drive: speeds are per turn of it
+    const char *name; // of the coordinate or body
+    bool is_unit;     // no drive: speeds are per turn of it
     bool is_distance;
     double speed;      // rad/s, m/s
     const char *exact; // "40 rpm", "740 rad/s"; NULL where the file does not give it exactly
@@ -58,7 +58,7 @@ YK_API YkTrainInput yk_train_input(const YkTrain *train, size_t input);
 
 // A body of the train; torques where efforts were given and all follows from them.
 typedef struct YkTrainBody {
-    size_t body;       // of the model
+    size_t body; // of the model
     bool is_determined;
     double speed;      // rad/s, counter-clockwise; NaN unless determined
     const char *exact; // "460/29 rpm"; NULL unless exact
@@ -67,7 +67,7 @@ YK_API size_t yk_train_body_count(const YkTrain *train);
 YK_API YkTrainBody yk_train_body(const YkTrain *train, size_t member);
 // Its speed is the sum over the inputs of share * input.
 typedef struct YkTrainShare {
-    const char *exact;   // "-24/29"
+    const char *exact; // "-24/29"
     double value;
     const char *formula; // in tooth numbers, "-N1*N3/(N2*N4)"; NULL where there is none
 } YkTrainShare;
@@ -78,21 +78,21 @@ typedef enum YkTrainKind { YK_TRAIN_GEARS, YK_TRAIN_BELT, YK_TRAIN_RACK } YkTrai
 typedef struct YkTrainMesh {
     YkTrainKind kind;
     const char *name;
-    size_t body[2];         // rack: pinion and rack
+    size_t body[2]; // rack: pinion and rack
     size_t carrier;
-    bool is_internal;       // or an open belt: both turn the same way
-    long long teeth[2];     // 0 for belts and racks
-    const char *symbol[2];  // how formulas name teeth or radii
-    double module;          // m; 0 where it is not known
-    double radius[2];       // of the pitch circles, m; 0 where not known
-    double distance;        // of the centres, m; 0 where not known
-    const char *willis;     // "(sun - arm)*N1 = -(planet - arm)*N2"
-    bool has_power;         // the rest is known
-    double torque[2];       // that the mesh exerts on its two bodies, N m (rack: N)
-    double carrier_torque;  // and on its carrier
-    double rolling_power;   // into the mesh by its driving body, seen from the carrier, >= 0, W
-    int driver;             // 0 or 1: which body drives in that sense; -1: none
-    double loss;            // W
+    bool is_internal;      // or an open belt: both turn the same way
+    long long teeth[2];    // 0 for belts and racks
+    const char *symbol[2]; // how formulas name teeth or radii
+    double module;         // m; 0 where it is not known
+    double radius[2];      // of the pitch circles, m; 0 where not known
+    double distance;       // of the centres, m; 0 where not known
+    const char *willis;    // "(sun - arm)*N1 = -(planet - arm)*N2"
+    bool has_power;        // the rest is known
+    double torque[2];      // that the mesh exerts on its two bodies, N m (rack: N)
+    double carrier_torque; // and on its carrier
+    double rolling_power;  // into the mesh by its driving body, seen from the carrier, >= 0, W
+    int driver;            // 0 or 1: which body drives in that sense; -1: none
+    double loss;           // W
 } YkTrainMesh;
 YK_API size_t yk_train_mesh_count(const YkTrain *train);
 YK_API YkTrainMesh yk_train_mesh(const YkTrain *train, size_t mesh);
@@ -101,12 +101,12 @@ YK_API double yk_train_rack_speed(const YkTrain *train, size_t mesh); // of a ra
 // The ratio of `in` to `out` when nothing else turns the train, or of their speeds where several drives do.
 typedef struct YkTrainRatio {
     bool is_known;
-    bool is_by_drives;    // at the drives' speeds
-    bool out_stands;      // the output does not turn: the ratio is infinite
-    size_t in, out;       // bodies; (size_t)-1: not asked
-    const char *exact;    // "108/23"; NULL unless exact
+    bool is_by_drives; // at the drives' speeds
+    bool out_stands;   // the output does not turn: the ratio is infinite
+    size_t in, out;    // bodies; (size_t)-1: not asked
+    const char *exact; // "108/23"; NULL unless exact
     double value;
-    const char *formula;  // NULL where there is none
+    const char *formula; // NULL where there is none
 } YkTrainRatio;
 YK_API YkTrainRatio yk_train_ratio(const YkTrain *train);
 
@@ -125,12 +125,12 @@ YK_API YkTrainGear yk_train_gear(const YkTrain *train, size_t gear);
 // then times x, plus y, so that all conditions hold.
 typedef struct YkTrainTable {
     size_t carrier;
-    size_t count;             // of wheels
+    size_t count; // of wheels
     const size_t *body;
     const char *const *turns; // exact, the first "1"
     const double *turns_value;
     bool has_speeds;
-    double x, y;              // rad/s
+    double x, y; // rad/s
     const char *exact_x, *exact_y;
 } YkTrainTable;
 YK_API size_t yk_train_table_count(const YkTrain *train);
@@ -138,12 +138,12 @@ YK_API YkTrainTable yk_train_table(const YkTrain *train, size_t table);
 
 // Torques from outside: at drives and efforts, on the output, and on what holds locked bodies.
 typedef struct YkTrainTorque {
-    const char *name;   // of the coordinate, body or lock entry
-    const char *role;   // "drive", "effort", "load", "hold", "join"
-    size_t on;          // body it acts on
-    size_t from;        // its reaction goes there
-    double torque;      // N m
-    double power;       // into the train, W
+    const char *name; // of the coordinate, body or lock entry
+    const char *role; // "drive", "effort", "load", "hold", "join"
+    size_t on;        // body it acts on
+    size_t from;      // its reaction goes there
+    double torque;    // N m
+    double power;     // into the train, W
 } YkTrainTorque;
 YK_API size_t yk_train_torque_count(const YkTrain *train); // 0: not asked, or not determined (a problem told why)
 YK_API YkTrainTorque yk_train_torque(const YkTrain *train, size_t torque);

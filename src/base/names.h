@@ -6,7 +6,11 @@
 #include <stdint.h>
 
 enum { YK_NONE = -1 };
-typedef struct YkNames { const char **keys; int32_t *values; size_t count, capacity; } YkNames; // zeroed = empty
+typedef struct YkNames {
+    const char **keys;
+    int32_t *values;
+    size_t count, capacity;
+} YkNames; // zeroed = empty
 
 void yk_names_free(YkNames *names);
 // Adds key -> value (the key is not copied and must outlive the table). False when out of memory; *existing gets the

@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 enum { YK_NUMBER_SIZE = 40 };
-// Shortest decimal that reads back to the same double ("0.1", "1e-07" is written "1e-7", "12", "-0.0" as "-0", "nan", "inf").
-// Returns the length; the text is NUL-terminated. Source: Giulietti 2020 (Schubfach).
+// Shortest decimal that reads back to the same double ("0.1", "1e-07" is written "1e-7", "12", "-0.0" as "-0", "nan",
+// "inf"). Returns the length; the text is NUL-terminated. Source: Giulietti 2020 (Schubfach).
 size_t yk_number_write(double value, char text[YK_NUMBER_SIZE]);
 // `digits` (1..17) significant digits, correctly rounded, trailing zeros dropped; exponent form outside 1e-5..1e15.
 size_t yk_number_write_digits(double value, int digits, char text[YK_NUMBER_SIZE]);
@@ -17,8 +17,8 @@ size_t yk_number_write_fixed(double value, int decimals, char text[YK_NUMBER_SIZ
 // Correctly rounded (Lemire 2021, with an exact fallback). Returns how many bytes were read, 0 when there is no number.
 // A value beyond the range of double reads as infinity (the caller reports it).
 size_t yk_number_read(const char *text, size_t length, double *value);
-// The exact decimal: value = mantissa * 10^exponent, the mantissa without trailing zeros ("60" is 6 * 10^1), when it fits
-// int64; false otherwise. Same syntax.
+// The exact decimal: value = mantissa * 10^exponent, the mantissa without trailing zeros ("60" is 6 * 10^1), when it
+// fits int64; false otherwise. Same syntax.
 bool yk_number_read_exact(const char *text, size_t length, int64_t *mantissa, int32_t *exponent);
 
 #endif

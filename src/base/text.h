@@ -6,14 +6,14 @@
 #include <stddef.h>
 
 typedef struct YkText {
-    char *data;      // always NUL-terminated once anything was added; "" before (use yk_text_get)
+    char *data; // always NUL-terminated once anything was added; "" before (use yk_text_get)
     size_t length, capacity;
-    bool failed;     // an allocation failed; the text is then incomplete
+    bool failed; // an allocation failed; the text is then incomplete
 } YkText;
 
-void yk_text_free(YkText *text);                       // frees and zeroes; a zeroed YkText is an empty text
-const char *yk_text_get(const YkText *text);           // never NULL
-void yk_text_clear(YkText *text);                      // empties, keeps the memory
+void yk_text_free(YkText *text);             // frees and zeroes; a zeroed YkText is an empty text
+const char *yk_text_get(const YkText *text); // never NULL
+void yk_text_clear(YkText *text);            // empties, keeps the memory
 void yk_text_add(YkText *text, const char *data, size_t length);
 void yk_text_puts(YkText *text, const char *string);
 void yk_text_repeat(YkText *text, char character, size_t count);

@@ -6,21 +6,27 @@
 
 // Exponents of length, mass, time and angle. The angle's exponent serves only to convert bare numbers: two dimensions
 // that differ in it alone are equal, since a radian is a number.
-typedef struct YkDimension { signed char length, mass, time, angle; } YkDimension;
+typedef struct YkDimension {
+    signed char length, mass, time, angle;
+} YkDimension;
 
 bool yk_dimension_equal(YkDimension a, YkDimension b);
 YkDimension yk_dimension_times(YkDimension a, YkDimension b, int power); // a * b^power
-const char *yk_dimension_name(YkDimension dimension); // "a length", "a mass", "a torque or energy", "a number"; or "a quantity in kg m^2 s^-1" never NULL, static or built once from a table
+const char *
+yk_dimension_name(YkDimension dimension); // "a length", "a mass", "a torque or energy", "a number"; or "a quantity in
+                                          // kg m^2 s^-1" never NULL, static or built once from a table
 // Reads a unit word: "mm", "kg*m^2", "rad/s", "N*s/m", "m/s^2", "rpm", "deg", "%". Its size in SI; false when unknown
 // (*bad, *bad_length then point at the part that is not a unit).
-bool yk_unit_read(const char *text, size_t length, double *size, YkDimension *dimension, const char **bad, size_t *bad_length);
+bool yk_unit_read(const char *text, size_t length, double *size, YkDimension *dimension, const char **bad,
+                  size_t *bad_length);
 // The nearest unit name for a hint, or NULL.
 const char *yk_unit_nearest(const char *text, size_t length);
 
 // What bare numbers mean in a file: `units: {length: mm, mass: kg, time: s, angle: deg, force: N}`.
 typedef struct YkUnits {
     double length, mass, time, angle, force; // sizes in SI; force 0: derived from the others
-    const char *length_name, *mass_name, *time_name, *angle_name, *force_name; // as written; force_name NULL when derived
+    const char *length_name, *mass_name, *time_name, *angle_name,
+        *force_name; // as written; force_name NULL when derived
 } YkUnits;
 YkUnits yk_units_si(void); // m, kg, s, rad, force derived (N)
 // The size in SI of a bare number of this dimension. With a force unit declared, mass^b time^c (b, c both nonzero)

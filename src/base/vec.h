@@ -3,21 +3,56 @@
 #define BASE_VEC_H
 #include <math.h>
 
-typedef struct YkVec { double x, y; } YkVec;
+typedef struct YkVec {
+    double x, y;
+} YkVec;
 
 #define YK_PI 3.14159265358979323846
 
-static inline YkVec yk_vec(double x, double y) { return (YkVec){x, y}; }
-static inline YkVec yk_add(YkVec a, YkVec b) { return yk_vec(a.x + b.x, a.y + b.y); }
-static inline YkVec yk_sub(YkVec a, YkVec b) { return yk_vec(a.x - b.x, a.y - b.y); }
-static inline YkVec yk_scale(double k, YkVec a) { return yk_vec(k * a.x, k * a.y); }
-static inline YkVec yk_mul(YkVec a, YkVec b) { return yk_vec(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); } // turn and stretch
-static inline YkVec yk_conj(YkVec a) { return yk_vec(a.x, -a.y); }
-static inline YkVec yk_quarter(YkVec a) { return yk_vec(-a.y, a.x); }                                        // i a: turned by 90 deg
-static inline double yk_dot(YkVec a, YkVec b) { return a.x * b.x + a.y * b.y; }
-static inline double yk_cross(YkVec a, YkVec b) { return a.x * b.y - a.y * b.x; }
-static inline double yk_norm(YkVec a) { return hypot(a.x, a.y); }
-static inline YkVec yk_unit(double angle) { return yk_vec(cos(angle), sin(angle)); }
+static inline YkVec yk_vec(double x, double y)
+{
+    return (YkVec){x, y};
+}
+static inline YkVec yk_add(YkVec a, YkVec b)
+{
+    return yk_vec(a.x + b.x, a.y + b.y);
+}
+static inline YkVec yk_sub(YkVec a, YkVec b)
+{
+    return yk_vec(a.x - b.x, a.y - b.y);
+}
+static inline YkVec yk_scale(double k, YkVec a)
+{
+    return yk_vec(k * a.x, k * a.y);
+}
+static inline YkVec yk_mul(YkVec a, YkVec b)
+{
+    return yk_vec(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+} // turn and stretch
+static inline YkVec yk_conj(YkVec a)
+{
+    return yk_vec(a.x, -a.y);
+}
+static inline YkVec yk_quarter(YkVec a)
+{
+    return yk_vec(-a.y, a.x);
+} // i a: turned by 90 deg
+static inline double yk_dot(YkVec a, YkVec b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+static inline double yk_cross(YkVec a, YkVec b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+static inline double yk_norm(YkVec a)
+{
+    return hypot(a.x, a.y);
+}
+static inline YkVec yk_unit(double angle)
+{
+    return yk_vec(cos(angle), sin(angle));
+}
 // The angle nearest to `reference` that equals `angle` modulo a turn.
 static inline double yk_nearest_turn(double angle, double reference)
 {

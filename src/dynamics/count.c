@@ -1,9 +1,10 @@
 // The count of equations and unknowns, as a textbook makes it.
 //
 // Every moving body has two force equations and a moment equation; a pin that joins three bodies or more is a massless
-// junction with two force equations of its own and a force from each body; every loop gives two acceleration equations. A
-// body whose forces all meet in its centre of mass has a trivial moment equation - the moment of its guide is 0 - and both
-// are left out.
+// junction with two force equations of its own and a force from each body. A joint that closes a loop gives as many
+// acceleration equations as it takes freedoms, a gear, rack, belt, cam or law one and a force of its own. A body whose
+// forces all meet in its centre of mass has a trivial moment equation - the moment of its guide is 0 - and both are
+// left out.
 #include <stdlib.h>
 #include "dynamics/dynamics.h"
 
@@ -32,7 +33,8 @@ static void look_at_joints(const YkDynamics *d, Meeting *meetings)
             bool is_bearing = joint->kind == YK_SLIDE && side == 1; // its normal force passes the point `to`
             bool is_pin = joint->kind == YK_PIN;
             YkVec center = yk_reference_point(model, (size_t)joint->body[side]);
-            if ((!is_pin && !is_bearing) || !are_one_point(joint->at[side], center, d->mech->size)) m->in_center = false;
+            if ((!is_pin && !is_bearing) || !are_one_point(joint->at[side], center, d->mech->size))
+                m->in_center = false;
         }
     }
 }
@@ -44,7 +46,8 @@ static bool is_turned(const YkDynamics *d, size_t body)
         const YkLoadItem *item = &d->loads->items[k];
         if (item->joint != YK_NONE && item->is_distance) continue; // along the guide
         if (item->joint == YK_NONE) {
-            if (item->body[0] == (int32_t)body || (item->kind == YK_LOAD_SPRING && item->body[1] == (int32_t)body)) return true;
+            if (item->body[0] == (int32_t)body || (item->kind == YK_LOAD_SPRING && item->body[1] == (int32_t)body))
+                return true;
             continue;
         }
         const YkJoint *j = &d->mech->model->joints[item->joint];
@@ -81,7 +84,8 @@ static int by_place(const void *a, const void *b)
 static size_t count_junctions(const YkModel *model)
 {
     PinEnd *ends = calloc(2 * model->joint_count + 1, sizeof *ends);
-    int32_t *parent = calloc(model->joint_count + 1, sizeof *parent), *size = calloc(model->joint_count + 1, sizeof *size);
+    int32_t *parent = calloc(model->joint_count + 1, sizeof *parent),
+            *size = calloc(model->joint_count + 1, sizeof *size);
     size_t count = 0, junctions = 0;
     for (size_t j = 0; ends && parent && size && j < model->joint_count; j++) {
         const YkJoint *joint = &model->joints[j];
@@ -104,25 +108,57 @@ static size_t count_junctions(const YkModel *model)
     return junctions;
 }
 
+// Sets of bodies whose angles slides and welds of the tree hold together.
+static void join_orientations(const YkMechanism *mech, int32_t *parent)
+{
+    const YkModel *model = mech->model;
+    for (size_t b = 0; b < model->body_count; b++) parent[b] = (int32_t)b;
+    for (size_t b = 1; b < model->body_count; b++) {
+        int32_t j = mech->tree.joint[b];
+        if (j == YK_NONE || yk_part(model->joints[j].kind)->turns) continue;
+        parent[root_of(parent, model->joints[j].body[0])] = root_of(parent, model->joints[j].body[1]);
+    }
+}
+
+static size_t count_closing(const YkMechanism *mech, int32_t *parent)
+{
+    size_t count = mech->relation_count;
+    join_orientations(mech, parent);
+    for (size_t l = 0; l < mech->loop_count; l++) {
+        const YkJoint *joint = &mech->model->joints[mech->loops[l].joint];
+        const YkPart *part = yk_part(joint->kind);
+        bool turn_together = root_of(parent, joint->body[0]) == root_of(parent, joint->body[1]);
+        count += part->slides ? 1 : 2;
+        if (!part->turns && !turn_together) count++;
+    }
+    return count;
+}
+
 YkEquationCount yk_dynamics_count(const YkDynamics *d)
 {
-    static const size_t reactions[YK_PART_COUNT] = {[YK_PIN] = 2, [YK_SLIDE] = 2, [YK_PIN_SLOT] = 1, [YK_WELD] = 3};
     const YkModel *model = d->mech->model;
     YkEquationCount c = {0};
     Meeting *meetings = calloc(model->body_count, sizeof *meetings);
-    if (!meetings) return c;
+    int32_t *parent = calloc(model->body_count, sizeof *parent);
+    if (!meetings || !parent) {
+        free(meetings);
+        free(parent);
+        return c;
+    }
     look_at_joints(d, meetings);
     size_t junctions = count_junctions(model);
     c.force = 2 * (model->body_count - 1 + junctions);
     c.unknown_reactions = 2 * junctions;
-    for (size_t j = 0; j < model->joint_count; j++) c.unknown_reactions += reactions[model->joints[j].kind];
+    for (size_t j = 0; j < model->joint_count; j++)
+        c.unknown_reactions += (size_t)yk_part(model->joints[j].kind)->constraints;
     for (size_t b = 1; b < model->body_count; b++) {
         if (is_trivial(d, meetings, b))
             c.unknown_reactions--;
         else
             c.moment++;
     }
-    c.acceleration = 2 * d->mech->loop_count;
+    c.acceleration = count_closing(d->mech, parent);
+    c.unknown_reactions += d->mech->relation_count;
     c.unknown_accelerations = d->mech->coordinate_count;
     for (size_t i = 0; i < d->mech->input_count; i++)
         if (!d->is_free[i]) {
@@ -130,5 +166,6 @@ YkEquationCount yk_dynamics_count(const YkDynamics *d)
             c.unknown_efforts++;
         }
     free(meetings);
+    free(parent);
     return c;
 }

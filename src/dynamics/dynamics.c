@@ -18,7 +18,8 @@ static bool allocate(YkDynamics *d)
     d->motion = calloc(bodies, sizeof *d->motion);
     d->joint = calloc(d->mech->model->joint_count + 1, sizeof *d->joint);
     d->power = d->loads ? calloc(d->loads->item_count + d->mech->coordinate_count + 1, sizeof *d->power) : NULL;
-    if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->power) return false;
+    if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->power)
+        return false;
     d->prescribed = d->is_free + inputs;
     d->v = d->q + inputs;
     d->effort = d->v + inputs;
@@ -158,7 +159,8 @@ static YkStatus reduce_tree(YkDynamics *d, const YkState *state, double *acceler
         d->v[i] = state->input[3 * i + 1];
     }
     bool has_efforts = d->loads->item_count > 0;
-    if (has_efforts && !yk_loads_efforts(d->loads, state, d->effort, d->power, &culprit)) return yk_dynamics_fail_at_load(d, culprit);
+    if (has_efforts && !yk_loads_efforts(d->loads, state, d->effort, d->power, &culprit))
+        return yk_dynamics_fail_at_load(d, culprit);
     if (d->push != 0) {
         if (!has_efforts) memset(d->effort, 0, n * sizeof *d->effort);
         d->effort[d->pushed] += d->push;
@@ -185,7 +187,8 @@ YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
     const YkLoad *loads = NULL;
     if (d->loads->item_count > 0 || d->push != 0) {
         memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
-        if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit)) return yk_dynamics_fail_at_load(d, culprit);
+        if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit))
+            return yk_dynamics_fail_at_load(d, culprit);
         if (d->push != 0) {
             const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[d->pushed]];
             yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->push, d->load);

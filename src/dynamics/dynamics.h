@@ -12,17 +12,17 @@ struct YkDynamics {
     bool has_mass;
     YkElimination *elimination; // made anew when what is free changes
     YkReduced *reduced;
-    YkTreeDynamics *tree;  // open trees: the fast way; otherwise NULL
+    YkTreeDynamics *tree; // open trees: the fast way; otherwise NULL
     YkFreeBodies *bodies;
-    bool is_stale;         // elimination and tree do not fit the choice of free inputs
+    bool is_stale;                         // elimination and tree do not fit the choice of free inputs
     double *q, *v, *effort, *acceleration; // per input
-    double *power;         // per item of the loads
-    YkLoad *load;          // per body: all loads with gravity, and what drives exert
-    YkLoad *reaction;      // per body: sum over its joints
-    YkBodyMotion *motion;  // per body
-    YkReaction *joint;     // per joint
-    double *drive;         // per input: what its drive exerts
-    double stored;         // in springs, J
+    double *power;                         // per item of the loads
+    YkLoad *load;                          // per body: all loads with gravity, and what drives exert
+    YkLoad *reaction;                      // per body: sum over its joints
+    YkBodyMotion *motion;                  // per body
+    YkReaction *joint;                     // per joint
+    double *drive;                         // per input: what its drive exerts
+    double stored;                         // in springs, J
     double largest_force;
     int32_t pushed; // an input on which `push` acts besides all loads, for responses
     double push;
@@ -31,8 +31,9 @@ struct YkDynamics {
 
 // Makes what is stale. False when out of memory.
 bool yk_dynamics_prepare(YkDynamics *dynamics);
-// Accelerations of the free inputs at the state's inputs, into dynamics->acceleration; the state's pose stands there with
-// the free inputs' accelerations 0 (open trees: its pose is not touched). All loads but gravity are in `load` then.
+// Accelerations of the free inputs at the state's inputs, into dynamics->acceleration; the state's pose stands there
+// with the free inputs' accelerations 0 (open trees: its pose is not touched). All loads but gravity are in `load`
+// then.
 YkStatus yk_dynamics_reduce(YkDynamics *dynamics, YkState *state);
 // With dynamics->acceleration for the free inputs: solves the state again, then all reactions and efforts.
 YkStatus yk_dynamics_apply(YkDynamics *dynamics, YkState *state);

@@ -26,7 +26,7 @@ typedef struct Order {
     int32_t *head;
     struct Link {
         int32_t next, unknown, entry;
-    } *links;
+    } * links;
     size_t link_count, link_capacity;
     size_t factor_first; // of the relation in work
     bool failed;
@@ -54,7 +54,8 @@ static YkOperation *add_raw(Order *o, YkOperationKind kind, size_t own, YkGradie
     op->given = (uint32_t)(o->columns.count - own);
     o->raw_first[o->raw_count] = (uint32_t)o->raw_column_count;
     for (size_t k = 0; k < o->columns.count; k++) {
-        if (!keep(&o->raw_columns, &o->raw_column_count, &o->raw_column_capacity, o->columns.unknown[k])) o->failed = true;
+        if (!keep(&o->raw_columns, &o->raw_column_count, &o->raw_column_capacity, o->columns.unknown[k]))
+            o->failed = true;
         if (k < own) o->defined_by[o->columns.unknown[k]] = (int32_t)o->raw_count;
     }
     if (o->columns.failed) o->failed = true;
@@ -204,7 +205,8 @@ static void add_block(Order *o, int32_t index)
     o->raw[o->raw_count - 1].block = (uint32_t)index;
 }
 
-// Adds what a term of a relation depends on, with its factor. Beyond the target's own orientation only the relative angle counts.
+// Adds what a term of a relation depends on, with its factor. Beyond the target's own orientation only the relative
+// angle counts.
 static void add_relation_term(Order *o, const YkRelation *r, YkRelationTerm term, double factor, bool in_law)
 {
     const YkMechanism *mech = o->mech;
@@ -511,7 +513,8 @@ static void mark_back_needed(Order *o)
     YkElimination *e = o->e;
     for (size_t i = 0; i < o->mech->input_count; i++) {
         int32_t parent = e->parent_of_input[i];
-        if (o->is_free[i] && parent > 0 && o->defined_by[parent] != YK_NONE) e->is_back_needed[place_of(o, parent)] = true;
+        if (o->is_free[i] && parent > 0 && o->defined_by[parent] != YK_NONE)
+            e->is_back_needed[place_of(o, parent)] = true;
     }
     for (size_t p = e->operation_count; p-- > 0;) {
         const YkOperation *op = &e->operations[p];

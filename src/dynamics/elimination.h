@@ -11,7 +11,8 @@
 #include "compile/mechanism.h"
 
 // One turned vector of a sum, and which columns of the sum's gradient it feeds.
-// u = e(root) e(slot) v (times the distance): columns turn[0], turn[1] get i u; column `along` gets u without its distance.
+// u = e(root) e(slot) v (times the distance): columns turn[0], turn[1] get i u; column `along` gets u without its
+// distance.
 typedef struct YkGradientPiece {
     int32_t root, slot, distance; // slots 0: none
     int32_t turn[2], along;       // columns, or YK_NONE
@@ -34,27 +35,28 @@ typedef struct YkNodePart { // +node or -node; columns `column`, `column` + 1
 } YkNodePart;
 
 typedef enum YkOperationKind {
-    YK_OP_FREE,   // one unknown, free: minimised out
-    YK_OP_KNOWN,  // one unknown, a prescribed input on the ground: nothing to solve
-    YK_OP_COPY,   // one unknown, the sum of the others
+    YK_OP_FREE,     // one unknown, free: minimised out
+    YK_OP_KNOWN,    // one unknown, a prescribed input on the ground: nothing to solve
+    YK_OP_COPY,     // one unknown, the sum of the others
     YK_OP_RELATION, // one unknown, by a gear, rack, belt or cam
-    YK_OP_NODE,   // two unknowns: a sum
-    YK_OP_PAIR,   // two unknowns of a dyad, from its loop
-    YK_OP_SINGLE, // one unknown of a loop that repeats constraints
-    YK_OP_GROUP   // the unknowns of a group, from its loops
+    YK_OP_NODE,     // two unknowns: a sum
+    YK_OP_PAIR,     // two unknowns of a dyad, from its loop
+    YK_OP_SINGLE,   // one unknown of a loop that repeats constraints
+    YK_OP_GROUP     // the unknowns of a group, from its loops
 } YkOperationKind;
 
 // Unknowns U (own) are defined as C W of others; Z are further neighbours. Entry: an address in the form's storage.
 typedef struct YkOperation {
     YkOperationKind kind;
-    int32_t input; // FREE, KNOWN and COPY by an input: which; otherwise YK_NONE
+    int32_t input;                   // FREE, KNOWN and COPY by an input: which; otherwise YK_NONE
     uint32_t own, given, neighbours; // |U|, |W|, |W| + |Z|
     YkGradient gradient;             // columns: U, then W
-    uint32_t first_index;            // in `index`: U, then W, Z, then entries of U x U (upper), U x (W + Z), and of pairs
-    uint32_t first_coefficient;      // C[own][given]; FREE: none
+    uint32_t first_index;       // in `index`: U, then W, Z, then entries of U x U (upper), U x (W + Z), and of pairs
+    uint32_t first_coefficient; // C[own][given]; FREE: none
     uint32_t first_element, element_count; // bodies whose latest unknown this operation defines
-    uint32_t block;       // or relation
-    uint32_t first_factor; // RELATION: of the given unknowns, two each in `factors`: constant, and times the law's slope
+    uint32_t block;                        // or relation
+    uint32_t
+        first_factor; // RELATION: of the given unknowns, two each in `factors`: constant, and times the law's slope
 } YkOperation;
 
 typedef struct YkElement { // a body with mass or load
@@ -80,15 +82,15 @@ typedef struct YkElimination {
     size_t index_count, index_capacity;
     double *factors;
     size_t factor_count, factor_capacity;
-    size_t unknown_count;           // scalars
-    size_t entry_count;             // of the form
+    size_t unknown_count; // scalars
+    size_t entry_count;   // of the form
     size_t coefficient_count;
-    size_t widest;                  // most columns or neighbours of any operation or element
-    size_t largest_group;           // most unknowns or equations of a group
-    int32_t *operation_of_input;    // YK_NONE where it plays no part
-    int32_t *parent_of_input;       // angle inputs: unknown of the orientation it turns from, or 0
+    size_t widest;               // most columns or neighbours of any operation or element
+    size_t largest_group;        // most unknowns or equations of a group
+    int32_t *operation_of_input; // YK_NONE where it plays no part
+    int32_t *parent_of_input;    // angle inputs: unknown of the orientation it turns from, or 0
     double *sign_of_input;
-    bool *is_back_needed;           // per operation: does a free input's acceleration depend on its unknowns?
+    bool *is_back_needed; // per operation: does a free input's acceleration depend on its unknowns?
 } YkElimination;
 
 // is_free[input]; is_loaded[body]: loads may act on it. NULL when out of memory.
@@ -96,7 +98,10 @@ YkElimination *yk_elimination_new(const YkMechanism *mech, const bool *is_free, 
 void yk_elimination_free(YkElimination *elimination);
 
 // Unknowns by number.
-static inline int32_t yk_unknown_of_slot(int32_t slot) { return slot; } // 0: the ground, no unknown
+static inline int32_t yk_unknown_of_slot(int32_t slot)
+{
+    return slot;
+} // 0: the ground, no unknown
 static inline int32_t yk_unknown_of_distance(const YkMechanism *mech, int32_t distance)
 {
     return (int32_t)mech->slot_count + distance;

@@ -37,8 +37,8 @@ static void take_joint(YkDynamics *d, size_t joint)
     const YkJoint *j = &d->mech->model->joints[joint];
     YkJointForce f = yk_free_bodies_joint(d->bodies, joint);
     YkVec at = joint_point(d, joint);
-    d->joint[joint] = (YkReaction){(size_t)j->body[0],     (size_t)j->body[1], {f.force.x, f.force.y}, f.moment,
-                                   {at.x, at.y}, f.is_determinate};
+    d->joint[joint] = (YkReaction){(size_t)j->body[0], (size_t)j->body[1], {f.force.x, f.force.y},
+                                   f.moment,           {at.x, at.y},       f.is_determinate};
     push(d, j->body[1], at, f.force, f.moment);
     push(d, j->body[0], at, yk_scale(-1, f.force), -f.moment);
     d->largest_force = fmax(d->largest_force, fmax(yk_norm(f.force), fabs(f.moment) / d->mech->size));
@@ -132,7 +132,8 @@ double yk_dynamics_dry_tolerance(int round)
 
 bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state, int round)
 {
-    double tolerance = yk_dynamics_dry_tolerance(round), share = round < YK_DRY_ROUNDS / 4 ? 1 : 0.5; // against swinging
+    double tolerance = yk_dynamics_dry_tolerance(round),
+           share = round < YK_DRY_ROUNDS / 4 ? 1 : 0.5; // against swinging
     bool stands = true;
     for (size_t k = 0; k < d->loads->item_count; k++) {
         YkLoadItem *item = &d->loads->items[k];
@@ -160,7 +161,8 @@ YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod metho
         status = method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
         if (status < 0) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
         if (status == YK_SINGULAR) {
-            if (d->report.status != YK_SINGULAR) yk_dynamics_fail(d, YK_SINGULAR, "a dead point: forces are not determined", "", "");
+            if (d->report.status != YK_SINGULAR)
+                yk_dynamics_fail(d, YK_SINGULAR, "a dead point: forces are not determined", "", "");
             return status;
         }
         if (!d->loads->has_dry || yk_dynamics_find_dry(d, state, round)) return status;
@@ -189,7 +191,8 @@ bool yk_dynamics_has_effort(const YkDynamics *d, size_t coordinate)
     int32_t input = d->mech->coordinates[coordinate].input;
     if (input != YK_NONE && !d->is_free[input]) return true;
     for (size_t k = 0; k < d->loads->item_count; k++)
-        if (d->loads->items[k].kind == YK_LOAD_EFFORT && d->loads->items[k].coordinate == (int32_t)coordinate) return true;
+        if (d->loads->items[k].kind == YK_LOAD_EFFORT && d->loads->items[k].coordinate == (int32_t)coordinate)
+            return true;
     return false;
 }
 
@@ -228,7 +231,8 @@ YkBalance yk_dynamics_balance(const YkDynamics *d, size_t b)
 {
     const YkBody *body = &d->mech->model->bodies[b];
     const YkBodyMotion *m = &d->motion[b];
-    YkBalance balance = {wrench(d->load[b].force, d->load[b].moment), wrench(d->reaction[b].force, d->reaction[b].moment),
+    YkBalance balance = {wrench(d->load[b].force, d->load[b].moment),
+                         wrench(d->reaction[b].force, d->reaction[b].moment),
                          wrench(yk_scale(body->mass, m->acceleration), body->inertia * m->a), 0};
     double x = balance.loads.force[0] + balance.reactions.force[0] - balance.inertia.force[0];
     double y = balance.loads.force[1] + balance.reactions.force[1] - balance.inertia.force[1];
@@ -259,12 +263,15 @@ double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel 
     case YK_CHANNEL_KINETIC:
     case YK_CHANNEL_POTENTIAL:
         energy = yk_dynamics_energy(d);
-        return (c.kind != YK_CHANNEL_POTENTIAL ? energy.kinetic : 0) + (c.kind != YK_CHANNEL_KINETIC ? energy.potential : 0);
+        return (c.kind != YK_CHANNEL_POTENTIAL ? energy.kinetic : 0) +
+               (c.kind != YK_CHANNEL_KINETIC ? energy.potential : 0);
     case YK_CHANNEL_SHAKING_X:
     case YK_CHANNEL_SHAKING_Y:
     case YK_CHANNEL_SHAKING_MOMENT:
         shaking = yk_dynamics_shaking(d);
-        return c.kind == YK_CHANNEL_SHAKING_X ? shaking.force[0] : c.kind == YK_CHANNEL_SHAKING_Y ? shaking.force[1] : shaking.moment;
+        return c.kind == YK_CHANNEL_SHAKING_X   ? shaking.force[0]
+               : c.kind == YK_CHANNEL_SHAKING_Y ? shaking.force[1]
+                                                : shaking.moment;
     default:
         return yk_state_channel(state, c);
     }

@@ -1,10 +1,11 @@
 // Free bodies: Newton's and Euler's equations of every body, with the reactions of all joints as unknowns.
 //
-// Three equations a body (two of force, one of moment about its reference point). Unknown: of a pin two force components;
-// of a slide the force normal to its line and a moment about `to`; of a pin-slot the normal force; of a weld two
-// components and a moment; of every input its effort (along its coordinate: on the joint's second body, the reaction on the
-// first). The matrix is square for a machine without redundant constraints: as many unknowns as equations, since bodies * 3 =
-// constraints + freedom. It is the transpose of the bodies' velocity Jacobian, sparse, factored by num/sparse.
+// Three equations a body (two of force, one of moment about its reference point). Unknown: of a pin two force
+// components; of a slide the force normal to its line and a moment about `to`; of a pin-slot the normal force; of a
+// weld two components and a moment; of every input its effort (along its coordinate: on the joint's second body, the
+// reaction on the first). The matrix is square for a machine without redundant constraints: as many unknowns as
+// equations, since bodies * 3 = constraints + freedom. It is the transpose of the bodies' velocity Jacobian, sparse,
+// factored by num/sparse.
 #ifndef DYNAMICS_FREE_BODIES_H
 #define DYNAMICS_FREE_BODIES_H
 #include "dynamics/loads.h"
@@ -14,16 +15,18 @@ typedef struct YkFreeBodies YkFreeBodies;
 YkFreeBodies *yk_free_bodies_new(const YkMechanism *mech); // NULL when out of memory
 void yk_free_bodies_free(YkFreeBodies *bodies);
 
-// Inverse dynamics: all accelerations are those of the space's pose (lane 0). loads[body]: everything applied besides the
-// efforts sought (gravity included; efforts along coordinates as moments and forces on both bodies). Solves for all reactions and
-// the effort of every input. YK_OK, YK_REDUNDANT (least norm, moments divided by the machine's size), YK_SINGULAR (dead point).
+// Inverse dynamics: all accelerations are those of the space's pose (lane 0). loads[body]: everything applied besides
+// the efforts sought (gravity included; efforts along coordinates as moments and forces on both bodies). Solves for all
+// reactions and the effort of every input. YK_OK, YK_REDUNDANT (least norm, moments divided by the machine's size),
+// YK_SINGULAR (dead point).
 YkStatus yk_free_bodies_inverse(YkFreeBodies *bodies, const YkSpace *space, const YkLoad *loads);
-// Forward dynamics: additionally the accelerations of the bodies are unknown, and the joints' constraints differentiated twice are
-// equations. is_prescribed[input]: its acceleration is given (accelerations[input], in) and its effort unknown; otherwise its
-// effort is 0 beyond the loads and its acceleration is sought (out). Positions and velocities are those of the space.
-// YK_SINGULAR also when a freedom has no inertia; then *culprit is an input that it is (or -1).
-YkStatus yk_free_bodies_forward(YkFreeBodies *bodies, const YkSpace *space, const YkLoad *loads, const bool *is_prescribed,
-                                double *accelerations, int *culprit);
+// Forward dynamics: additionally the accelerations of the bodies are unknown, and the joints' constraints
+// differentiated twice are equations. is_prescribed[input]: its acceleration is given (accelerations[input], in) and
+// its effort unknown; otherwise its effort is 0 beyond the loads and its acceleration is sought (out). Positions and
+// velocities are those of the space. YK_SINGULAR also when a freedom has no inertia; then *culprit is an input that it
+// is (or -1).
+YkStatus yk_free_bodies_forward(YkFreeBodies *bodies, const YkSpace *space, const YkLoad *loads,
+                                const bool *is_prescribed, double *accelerations, int *culprit);
 
 // Results of the last solve.
 typedef struct YkJointForce {

@@ -24,15 +24,15 @@ typedef struct YkWrenchColumn {
     int32_t joint, input; // input: YK_NONE for a reaction; joint: YK_NONE of a mesh
     int32_t relation;     // MESH: which
     int32_t body[2];
-    int32_t third, fourth;  // MESH: bodies that carry couples besides; 0 where there are none (or the ground does)
+    int32_t third, fourth; // MESH: bodies that carry couples besides; 0 where there are none (or the ground does)
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
     double third_moment, fourth_moment;
-    YkVec radial;             // MESH of gears: on the second body for each newton of the force's size; turns nothing
-    double radial_moment[2];  // ... about the reference points, m
-    double bias;      // 1/s^2: what A^T accelerations must be when the coordinate does not accelerate
+    YkVec radial;            // MESH of gears: on the second body for each newton of the force's size; turns nothing
+    double radial_moment[2]; // ... about the reference points, m
+    double bias;             // 1/s^2: what A^T accelerations must be when the coordinate does not accelerate
     // Solved:
     double share;    // its part of the whole, N
     double freeness; // redundant parts: how far it could be otherwise; 0 when it is determined

@@ -2,9 +2,11 @@
 //   gears    a force at the pitch point across the line of centres, where the centres are apart; otherwise couples
 //   racks    a force along the rack at the pitch line
 //   belts    couples on both pulleys and what carries them
-//   cams     a force along the common normal through the follower's roller (or edge); where its place is not known, couples
-// Flanks of gears lean by the pressure angle: with the force across comes one along the line of centres, towards the first wheel's
-// centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is applied as a load.
+//   cams     a force along the common normal through the follower's roller (or edge); where its place is not known,
+//   couples
+// Flanks of gears lean by the pressure angle: with the force across comes one along the line of centres, towards the
+// first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
+// applied as a load.
 #include "dynamics/free_bodies_inside.h"
 
 static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
@@ -82,7 +84,8 @@ static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     }
 }
 
-static void set_radial(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec pitch, double slope)
+static void set_radial(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec pitch,
+                       double slope)
 {
     YkVec out = yk_sub(pitch, center);
     c->radial = yk_scale(slope / yk_norm(out), out);
@@ -125,7 +128,8 @@ static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
 }
 
 // Where the follower's roller or edge is; false where it is not known.
-static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift, YkVec *at)
+static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift,
+                      YkVec *at)
 {
     if (cam->point != YK_NONE) {
         *at = place_of(f, space, cam->follower, f->mech->model->points[cam->point].at).at;
@@ -137,12 +141,13 @@ static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *
     return true;
 }
 
-static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r, const YkCam *cam)
+static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r,
+                     const YkCam *cam)
 {
     const YkModel *model = f->mech->model;
     const YkJoint *guide = &model->joints[cam->follower_joint], *shaft = &model->joints[cam->cam_joint];
-    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain, way = guide->body[1] == cam->follower ? 1 : -1,
-           turn = shaft->body[1] == cam->cam ? 1 : -1, lift = 0;
+    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain,
+           way = guide->body[1] == cam->follower ? 1 : -1, turn = shaft->body[1] == cam->cam ? 1 : -1, lift = 0;
     YkVec center = center_of(f, space, cam->cam_joint, cam->cam), u = {0, 0}, velocity = {0, 0}, at;
     Place carrier = place_of(f, space, cam->carrier, yk_vec(0, 0));
     if (!cam->oscillates) {
@@ -154,7 +159,8 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
         return;
     }
     if (cam->oscillates)
-        velocity = yk_scale(way * slope, yk_quarter(yk_sub(at, center_of(f, space, cam->follower_joint, cam->follower))));
+        velocity =
+            yk_scale(way * slope, yk_quarter(yk_sub(at, center_of(f, space, cam->follower_joint, cam->follower))));
     else
         velocity = yk_scale(slope, u);
     YkVec against = yk_sub(velocity, yk_scale(turn, yk_quarter(yk_sub(at, center)))); // of the roller on the cam

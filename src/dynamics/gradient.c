@@ -58,7 +58,8 @@ bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int
                           int32_t row)
 {
     if (!YK_ROOM(e->pieces, e->piece_count, e->piece_capacity)) return false;
-    YkGradientPiece piece = {.root = root, .slot = term.slot, .distance = term.distance, .along = YK_NONE, .row = row, .v = term.v};
+    YkGradientPiece piece = {
+        .root = root, .slot = term.slot, .distance = term.distance, .along = YK_NONE, .row = row, .v = term.v};
     piece.turn[0] = root_column;
     piece.turn[1] = yk_column(columns, yk_unknown_of_slot(term.slot));
     if (term.distance != YK_NONE) piece.along = yk_column(columns, yk_unknown_of_distance(e->mech, term.distance));

@@ -15,7 +15,9 @@ int32_t yk_column(YkColumns *columns, int32_t unknown);
 YkGradient yk_gradient_begin(const YkElimination *e);
 void yk_gradient_end(YkElimination *e, const YkColumns *columns, YkGradient *gradient);
 // Adds a sum turned by the orientation `root` (0: none); root_column gets what turning the whole adds.
-bool yk_gradient_add_sum(YkElimination *e, YkColumns *columns, const YkSum *sum, int32_t root, int32_t root_column, int32_t row);
-bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int32_t root, int32_t root_column, int32_t row);
+bool yk_gradient_add_sum(YkElimination *e, YkColumns *columns, const YkSum *sum, int32_t root, int32_t root_column,
+                         int32_t row);
+bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int32_t root, int32_t root_column,
+                          int32_t row);
 
 #endif

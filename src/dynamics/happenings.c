@@ -48,7 +48,8 @@ static double event_at(const Event *e, double t, bool *ok)
     return *ok ? event_here(e) : 0;
 }
 
-// The time at which the event's function passes 0 between a (not above) and b (above): Illinois' variant of the false position.
+// The time at which the event's function passes 0 between a (not above) and b (above): Illinois' variant of the false
+// position.
 static double locate(const Event *e, double a, double fa, double b, double fb, bool *ok)
 {
     int side = 0;

@@ -94,7 +94,8 @@ static inline void find_gradient(YkReduced *r, const YkSpace *space, const YkGra
     }
     for (uint32_t k = 0; k < gradient->columns; k++) r->column[k] = yk_vec(0, 0);
     add_nodes(r->e, gradient, r->column);
-    for (uint32_t k = 0; k < gradient->piece_count; k++) add_piece(space, &r->e->pieces[gradient->first_piece + k], r->column);
+    for (uint32_t k = 0; k < gradient->piece_count; k++)
+        add_piece(space, &r->e->pieces[gradient->first_piece + k], r->column);
 }
 
 // --- bodies
@@ -377,7 +378,8 @@ int yk_reduced_factor(YkReduced *r, const YkSpace *space, const YkLoad *loads)
     memset(r->H, 0, (e->entry_count + 2 * e->unknown_count) * sizeof *r->H); // and g, and lost
     for (size_t p = e->operation_count; p-- > 0;) {
         const YkOperation *op = &e->operations[p];
-        for (uint32_t k = 0; k < op->element_count; k++) add_element(r, space, loads, &e->elements[op->first_element + k]);
+        for (uint32_t k = 0; k < op->element_count; k++)
+            add_element(r, space, loads, &e->elements[op->first_element + k]);
         if (!eliminate(r, space, op)) return op->kind == YK_OP_FREE ? op->input : -2;
     }
     return -1;

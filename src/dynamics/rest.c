@@ -17,7 +17,8 @@ static double norm(const YkRest *rest, const double *a)
     return sqrt(sum);
 }
 
-// Newton's method with a line search on the size of the accelerations. True at an equilibrium, whose inputs are in rest->q.
+// Newton's method with a line search on the size of the accelerations. True at an equilibrium, whose inputs are in
+// rest->q.
 static bool descend(YkRest *rest)
 {
     enum { STEPS_MAX = 60 };
@@ -185,7 +186,8 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     if (!rest) return NULL;
     bool ok = prepare(rest, model, options, problems) && assemble(rest, options->time, problems);
     if (ok && !rest->dynamics->has_mass) {
-        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "no body has mass or inertia, so the machine has no motion of its own");
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
+                   "no body has mass or inertia, so the machine has no motion of its own");
         ok = false;
     }
     if (ok && !yk_rest_accelerations(rest, rest->q, NULL, rest->a) && rest->dynamics->report.status == YK_SINGULAR) {

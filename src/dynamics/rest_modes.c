@@ -122,8 +122,8 @@ static void find_shape(YkRestPoint *p, size_t f, size_t mode, const double *L, c
 static bool find_modes(YkRest *rest, YkRestPoint *p)
 {
     size_t f = rest->freedom;
-    double *L = YK_NEW(rest->arena, double, f * f), *S = YK_NEW(rest->arena, double, f * f),
-           *vectors = YK_NEW(rest->arena, double, f * f);
+    double *L = YK_NEW(rest->arena, double, f *f), *S = YK_NEW(rest->arena, double, f *f),
+           *vectors = YK_NEW(rest->arena, double, f *f);
     if (!L || !S || !vectors || !cholesky(f, p->mass, L)) return false;
     to_standard(f, L, p->stiffness, S);
     if (!yk_eigen_symmetric(f, S, p->frequency, vectors)) return false;
@@ -135,11 +135,12 @@ static bool find_modes(YkRest *rest, YkRestPoint *p)
     return true;
 }
 
-// Roots of the damped motion: eigenvalues of [0 I; -M^-1 K, -M^-1 C], whose blocks below are the derivatives themselves.
+// Roots of the damped motion: eigenvalues of [0 I; -M^-1 K, -M^-1 C], whose blocks below are the derivatives
+// themselves.
 static bool find_roots(YkRest *rest, YkRestPoint *p, const double *by_position, const double *by_rate)
 {
     size_t f = rest->freedom, n = 2 * f;
-    double *A = YK_NEW(rest->arena, double, n * n);
+    double *A = YK_NEW(rest->arena, double, n *n);
     if (!A) return false;
     for (size_t i = 0; i < f; i++) {
         A[i * n + f + i] = 1;
@@ -167,9 +168,10 @@ static YkStability judge(const YkRest *rest, const YkRestPoint *p)
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
 {
     size_t f = rest->freedom;
-    double *by_position = YK_NEW(rest->arena, double, f * f), *by_rate = YK_NEW(rest->arena, double, f * f);
+    double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f);
     if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
-    if (!yk_rest_differentiate(rest, rest->q, false, by_position) || !yk_rest_differentiate(rest, rest->q, true, by_rate))
+    if (!yk_rest_differentiate(rest, rest->q, false, by_position) ||
+        !yk_rest_differentiate(rest, rest->q, true, by_rate))
         return false;
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);

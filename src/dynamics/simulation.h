@@ -35,11 +35,11 @@ struct YkSimulation {
     YkState *state;
     YkDynamics *dynamics;
     YkOde *ode;
-    int32_t *free_input;      // inputs that are free
+    int32_t *free_input; // inputs that are free
     size_t free_count;
     size_t work_count, item_count; // quadratures: items of the loads, then driven inputs, then stops
     const char **work_name;
-    double *effort;           // per coordinate: set from outside
+    double *effort; // per coordinate: set from outside
     bool *has_effort;
     double *y, *dense, *rate, *work; // [2 free + works]; work[work_count] at `time`
     double time;
@@ -48,8 +48,8 @@ struct YkSimulation {
     // singular positions
     YkNear *near, *near_next, *near_memory;
     size_t near_count;
-    double near_time;         // of the step at which they were looked at
-    double *moved, *sampled;  // scratch, as y
+    double near_time;        // of the step at which they were looked at
+    double *moved, *sampled; // scratch, as y
     // contacts
     YkContact *contacts;
     size_t contact_count;
@@ -68,10 +68,10 @@ struct YkSimulation {
     double energy_low, energy_high; // potential
     double kinetic_high, energy_off;
     bool has_energy, has_begun;
-    bool is_new_step;  // its end has not been looked at yet
-    bool is_elsewhere; // the state stands at a row, not at the end of the last step
-    double target; // time asked for
-    YkOdeCounts counts;             // of steppers that were replaced
+    bool is_new_step;   // its end has not been looked at yet
+    bool is_elsewhere;  // the state stands at a row, not at the end of the last step
+    double target;      // time asked for
+    YkOdeCounts counts; // of steppers that were replaced
     YkReport report;
     YkStatus status;
 };
@@ -106,15 +106,16 @@ bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: afte
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
 
 // contact.c
-bool yk_simulation_contacts_start(YkSimulation *sim); // which stops are touched, which joints stick, at the pose that stands
+bool yk_simulation_contacts_start(
+    YkSimulation *sim); // which stops are touched, which joints stick, at the pose that stands
 // Accelerations with what the contacts exert, into dynamics->acceleration.
 YkStatus yk_simulation_accelerate(YkSimulation *sim);
-bool yk_simulation_contacts_check(YkSimulation *sim);  // after a step: contacts that let go
+bool yk_simulation_contacts_check(YkSimulation *sim);   // after a step: contacts that let go
 bool yk_simulation_hit(YkSimulation *sim, size_t item); // an impact on a stop, or the rate of a dry joint has become 0
 
 // happenings.c
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);
-void yk_simulation_look(YkSimulation *sim);             // after a step: what happened in it
+void yk_simulation_look(YkSimulation *sim); // after a step: what happened in it
 void yk_simulation_watch_start(YkSimulation *sim);
 
 #endif

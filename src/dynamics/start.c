@@ -62,7 +62,8 @@ static bool are_inputs(YkSimulation *sim, const Given *given, size_t m)
 {
     for (size_t k = 0; k < m; k++)
         if (sim->mech->coordinates[given[k].coordinate].input == YK_NONE) return false;
-    for (size_t k = 0; k < m; k++) sim->state->input[3 * sim->mech->coordinates[given[k].coordinate].input + 1] = given[k].rate;
+    for (size_t k = 0; k < m; k++)
+        sim->state->input[3 * sim->mech->coordinates[given[k].coordinate].input + 1] = given[k].rate;
     return true;
 }
 

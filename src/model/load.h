@@ -72,7 +72,7 @@ typedef struct YkLoader {
     YkText text;             // scratch
     bool *is_wheel;          // per body: gears, belts or racks name it, so that its centre is its origin
     bool has_bad_joint;      // a joint's bodies are unknown: connections cannot be judged
-    bool failed; // out of memory
+    bool failed;             // out of memory
 } YkLoader;
 
 // values.c: single values, pairs of values, and what kind a node is.
@@ -139,9 +139,9 @@ void yk_load_bodies(YkLoader *loader);
 void yk_load_points(YkLoader *loader, const YkNode *bodies, const YkNode **nodes);
 void yk_load_mass(YkLoader *loader, int32_t body, const YkNode *node);
 void yk_load_joints(YkLoader *loader);
-void yk_load_laws(YkLoader *loader);                        // after the joints, before what uses laws
-int32_t yk_load_law(YkLoader *loader, const YkNode *node);  // a law by name; YK_NONE, reported
-void yk_load_cams(YkLoader *loader);                        // after the laws
+void yk_load_laws(YkLoader *loader);                       // after the joints, before what uses laws
+int32_t yk_load_law(YkLoader *loader, const YkNode *node); // a law by name; YK_NONE, reported
+void yk_load_cams(YkLoader *loader);                       // after the laws
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
 void yk_load_drives(YkLoader *loader);
 void yk_load_starts(YkLoader *loader);

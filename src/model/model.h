@@ -44,9 +44,9 @@ typedef struct YkBody {
 // Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the turning, and viscous * rate; in a
 // slide: a force coulomb * |normal force| against the sliding, and viscous * speed. A pin-slot slides: as a slide.
 typedef struct YkFriction {
-    double coulomb;       // >= 0, a number
-    double radius;        // of a pin, m
-    double viscous;       // N m s (pin) or N s/m (slide, pin-slot), >= 0
+    double coulomb; // >= 0, a number
+    double radius;  // of a pin, m
+    double viscous; // N m s (pin) or N s/m (slide, pin-slot), >= 0
     YkPlace place;
     YkExpr *coulomb_expr, *radius_expr, *viscous_expr; // NULL where not given (0)
 } YkFriction;
@@ -128,10 +128,10 @@ typedef struct YkForce { // at a point of a body
 typedef struct YkSpring {
     const char *name;
     YkPlace place;
-    int32_t coordinate;                // along it; or YK_NONE: between points
-    int32_t body[2], point[2];         // of the points
-    YkVec at[2];                       // in each body's axes, m
-    double stiffness, length, damping; // length: free length, m, or free angle, rad
+    int32_t coordinate;                                  // along it; or YK_NONE: between points
+    int32_t body[2], point[2];                           // of the points
+    YkVec at[2];                                         // in each body's axes, m
+    double stiffness, length, damping;                   // length: free length, m, or free angle, rad
     YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL where not given (0)
 } YkSpring;
 
@@ -139,7 +139,7 @@ typedef struct YkSpring {
 typedef struct YkStop {
     int32_t coordinate;
     YkPlace place;
-    double low, high, restitution;                 // restitution: 0 to 1, 0 where not given
+    double low, high, restitution;                   // restitution: 0 to 1, 0 where not given
     YkExpr *low_expr, *high_expr, *restitution_expr; // NULL where not given
 } YkStop;
 
@@ -166,12 +166,12 @@ typedef struct YkGear {
     int32_t body[2]; // internal: the second is the ring
     int32_t carrier; // given, or the one body that holds both centres; YK_NONE only while loading
     bool is_internal;
-    int64_t teeth[2];        // > 0
-    double teeth_value[2];   // the same, as first read
-    double module;           // m; 0: not given
-    double pressure_angle;   // rad; 20 deg where not given
-    double planets;          // how many alike, equally spaced, mesh here; 0: not given
-    double center_distance;  // of the two centres on the carrier, m
+    int64_t teeth[2];       // > 0
+    double teeth_value[2];  // the same, as first read
+    double module;          // m; 0: not given
+    double pressure_angle;  // rad; 20 deg where not given
+    double planets;         // how many alike, equally spaced, mesh here; 0: not given
+    double center_distance; // of the two centres on the carrier, m
     YkExpr *teeth_expr[2], *module_expr, *pressure_angle_expr, *planets_expr;
 } YkGear;
 
@@ -181,9 +181,9 @@ typedef struct YkRack {
     const char *name;
     YkPlace place;
     int32_t pinion, rack, carrier;
-    int32_t slide;        // the joint between carrier and rack
-    int32_t sense;        // +1 or -1: rate of the slide over radius times the pinion's rate
-    double radius;        // m
+    int32_t slide; // the joint between carrier and rack
+    int32_t sense; // +1 or -1: rate of the slide over radius times the pinion's rate
+    double radius; // m
     YkExact exact_radius;
     YkExpr *radius_expr;
 } YkRack;
@@ -224,10 +224,10 @@ typedef struct YkCam {
     int32_t point;                  // `at`: of the follower, where the roller or edge sits; or YK_NONE
     bool oscillates, is_groove, is_conjugate;
     YkCamFace face;
-    double base, roller, offset; // m; offset towards -i along
-    double arm, centers;         // m, oscillating
-    double other_roller;         // of a conjugate pair's second roller, m
-    double other_span;           // how far it lies behind the first along the line of motion, m
+    double base, roller, offset;   // m; offset towards -i along
+    double arm, centers;           // m, oscillating
+    double other_roller;           // of a conjugate pair's second roller, m
+    double other_span;             // how far it lies behind the first along the line of motion, m
     double other_arm, other_angle; // oscillating: its arm, m, and the angle from the first arm to it, rad
     YkExpr *base_expr, *roller_expr, *offset_expr, *arm_expr, *centers_expr; // NULL where not given
     YkExpr *other_roller_expr, *other_span_expr, *other_arm_expr, *other_angle_expr;

@@ -150,8 +150,8 @@ bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol); /
 // quotient has whole coefficients without common divisor and no symbol in all terms. 0 of 0.
 const YkPoisson *yk_ring_content(YkRing *ring, const YkPoisson *a);
 
-// Lumped constants: every polynomial in inertias, masses, lengths, gravity and other constants becomes a rational number times
-// symbol_of(lump): the same symbol for the same lump, or -1 to leave it as it is.
+// Lumped constants: every polynomial in inertias, masses, lengths, gravity and other constants becomes a rational
+// number times symbol_of(lump): the same symbol for the same lump, or -1 to leave it as it is.
 typedef int32_t (*YkLumpSymbol)(void *context, const YkPoisson *lump);
 const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol symbol_of, void *context);
 

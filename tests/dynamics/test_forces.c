@@ -133,9 +133,27 @@ static void the_toggle_has_twenty_equations(void **unused)
     rig_free(&rig);
 }
 
+// A slot closes its loop by one equation, a mesh brings a force and an equation: as many equations as unknowns
+// everywhere.
+static void every_count_balances(void **unused)
+{
+    (void)unused;
+    static const char *const names[] = {"scotch-yoke",     "crank-slotted-lever", "toggle",
+                                        "epicyclic-drive", "swing-cam",           "watt-with-masses"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        Rig rig = rig_of_example(names[k]);
+        YkEquationCount c = yk_dynamics_count(rig.dynamics);
+        assert_true(c.acceleration > 0);
+        assert_int_equal(c.force + c.moment + c.acceleration,
+                         c.unknown_reactions + c.unknown_accelerations + c.unknown_efforts);
+        rig_free(&rig);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_count_balances),
         cmocka_unit_test(every_body_balances),
         cmocka_unit_test(the_frame_carries_weight_less_inertia),
         cmocka_unit_test(efforts_balance_power),

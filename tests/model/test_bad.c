@@ -73,10 +73,11 @@ static void each_problem_is_told_in_the_same_form(void **state)
 
 // No file holds what these speak of: the machine's memory, too many problems, the file system, values from outside,
 // and a file of ten million entries.
-static const int not_by_a_file[] = {YK_CODE_OUT_OF_MEMORY,    YK_CODE_MORE_PROBLEMS,      YK_CODE_FILE_NOT_FOUND,
-                                    YK_CODE_FILE_DIRECTORY,   YK_CODE_FILE_UNREADABLE,    YK_CODE_FILE_TOO_LARGE,
-                                    YK_CODE_UNKNOWN_OVERRIDE, YK_CODE_OVERRIDE_DIMENSION, YK_CODE_TOO_MANY,
-                                    YK_CODE_RING_ANGLE,       YK_CODE_RING_DIVISOR,       YK_CODE_RING_SIZE}; // of equations, not of files
+static const int not_by_a_file[] = {
+    YK_CODE_OUT_OF_MEMORY,    YK_CODE_MORE_PROBLEMS,      YK_CODE_FILE_NOT_FOUND,
+    YK_CODE_FILE_DIRECTORY,   YK_CODE_FILE_UNREADABLE,    YK_CODE_FILE_TOO_LARGE,
+    YK_CODE_UNKNOWN_OVERRIDE, YK_CODE_OVERRIDE_DIMENSION, YK_CODE_TOO_MANY,
+    YK_CODE_RING_ANGLE,       YK_CODE_RING_DIVISOR,       YK_CODE_RING_SIZE}; // of equations, not of files
 
 static int has_file(int code)
 {

@@ -96,8 +96,8 @@ static void check_well_formed(const char *svg)
 }
 
 static const char *const machines[] = {
-    "quick-return", "toggle", "double-pendulum",      "scotch-yoke", "elliptic-trammel",
-    "peaucellier",  "jansen", "oscillating-cylinder", "excavator",   "three-crank-parallelogram",
+    "quick-return", "toggle",       "double-pendulum",      "scotch-yoke", "elliptic-trammel",
+    "peaucellier",  "jansen",       "oscillating-cylinder", "excavator",   "three-crank-parallelogram",
     "epicyclic",    "gearbox-8hp70"};
 
 static void every_machine_gives_a_well_formed_page(void **state)
