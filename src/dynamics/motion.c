@@ -53,7 +53,11 @@ static int move_lean(YkSimulation *sim, double t, const double *y, double *dydt)
         }
         memcpy(dydt + 2 * n, d->power, sim->item_count * sizeof *dydt);
     }
-    return yk_tree_accelerate(d->tree, y, y + n, sim->item_count > 0 ? d->effort : NULL, dydt + n) >= 0;
+    int failed = yk_tree_accelerate(d->tree, y, y + n, sim->item_count > 0 ? d->effort : NULL, dydt + n);
+    if (failed < 0) return 0;
+    yk_dynamics_fail_at_input(d, failed);
+    sim->report = d->report;
+    return 1;
 }
 
 int yk_simulation_motion(void *context, double t, const double *y, double *dydt)

@@ -93,6 +93,22 @@ class Solve(Machine):
         same = self.pose(self.pendulum, "--param", "tau=3 N*m", "--at", "theta=0")
         self.assertEqual(pose, same)
 
+    def test_a_freedom_without_inertia_is_named(self):
+        file = self.write("bare.yaml", """gravity: [0, -9.81]
+bodies:
+  ground: {points: {O: [0, 0]}}
+  arm:    {points: {O: [0, 0], A: [1, 0]}, mass: 1, center: [0.5, 0]}
+  bare:   {points: {A: [0, 0]}, mass: 1}
+joints:
+  O: {pin: [ground, arm], angle: p}
+  A: {pin: [arm, bare], angle: q}
+start: {p: 0, q: 0}
+""")
+        for words in (("simulate", file, "--to", "1"), ("simulate", file, "--to", "1", "--of", "O.force.x")):
+            run = Run(*words)
+            self.assertEqual(run.code, 1)
+            self.assertIn("no inertia resists `q`: give mass or inertia to body `bare`", run.err)
+
     def test_efforts_that_do_not_fit_are_refused(self):
         self.assertIn("did you mean `theta`?", self.wrong(814, "solve", self.pendulum, "--effort", "thata=3").err)
         self.assertEqual(Run("solve", self.pendulum, "--effort", "theta=3 m").code, 2)
