@@ -1,63 +1,8 @@
 // Compiling survives the failure of any one allocation, and of all from any one on: it is refused, nothing leaks,
-// nothing crashes, and what is not refused is the same mechanism. Interposes malloc, so only with glibc and without
-// sanitizers that do the same.
+// nothing crashes, and what is not refused is the same mechanism.
+#include "interposed.h"
 #include "machine.h"
 #include "table.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
-#define CAN_INTERPOSE 1
-#endif
-
-#ifdef CAN_INTERPOSE
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *memory, size_t size);
-extern void __libc_free(void *memory);
-
-static long countdown = -1; // allocations until one fails; below 0: none fails
-static bool fails_for_good, has_failed;
-static long live; // blocks that are not freed
-
-static bool must_fail(void)
-{
-    if (countdown < 0) return false;
-    if (countdown > 0) {
-        countdown--;
-        return false;
-    }
-    if (!fails_for_good) countdown = -1;
-    has_failed = true;
-    return true;
-}
-
-void *malloc(size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_malloc(size);
-    live += memory != NULL;
-    return memory;
-}
-void *calloc(size_t count, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
-    live += memory != NULL;
-    return memory;
-}
-void *realloc(void *old, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
-    live += memory && !old;
-    return memory;
-}
-void free(void *memory)
-{
-    live -= memory != NULL;
-    __libc_free(memory);
-}
 
 typedef struct Summary {
     char inputs[200], blocks[400];
@@ -131,12 +76,14 @@ static void check_all(const char *source, const YkCompileOptions *options)
 static void a_machine_is_compiled_or_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     for (size_t k = 0; k < MACHINES; k++) check_all(machines[k].source, NULL);
 }
 
 static void what_is_wrong_is_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     const char *both[] = {"theta4", "gamma"};
     check_all("four-bar", &(YkCompileOptions){both, 2});
     check_all("bodies: {a: {}, b: {}}\njoints: {S: {slide: [ground, a], along: x}, T: {slide: [a, b], along: y}, U: "
@@ -150,6 +97,7 @@ static void what_is_wrong_is_refused_whichever_allocation_fails(void **state)
 static void channels_are_read_and_written_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     Machine m = machine("quick-return");
     static const char *const names[] = {"ram.C.x.rate", "levr.angle", "theta3", "C.transmission"};
     for (size_t n = 0; n < 4; n++) {
@@ -173,20 +121,6 @@ static void channels_are_read_and_written_whichever_allocation_fails(void **stat
     }
     machine_free(&m);
 }
-#else
-static void a_machine_is_compiled_or_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-static void what_is_wrong_is_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-static void channels_are_read_and_written_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-#endif
 
 int main(void)
 {

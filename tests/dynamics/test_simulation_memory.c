@@ -1,56 +1,6 @@
 // Simulating, finding rest and setting efforts survive the failure of any one allocation, and leave nothing behind.
-// Interposes malloc, so only with glibc and without sanitizers that do the same.
-#include <stdlib.h>
 #include <yoke/yoke.h>
-#include "../check.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
-#define CAN_INTERPOSE 1
-#endif
-
-#ifdef CAN_INTERPOSE
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *memory, size_t size);
-extern void __libc_free(void *memory);
-
-static long countdown = -1; // allocations until one fails; below 0: none fails
-static long requests, live; // live: blocks that are not freed
-
-static bool must_fail(void)
-{
-    requests++;
-    return countdown >= 0 && countdown-- == 0;
-}
-
-void *malloc(size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_malloc(size);
-    live += memory != NULL;
-    return memory;
-}
-void *calloc(size_t count, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
-    live += memory != NULL;
-    return memory;
-}
-void *realloc(void *old, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
-    live += memory && !old;
-    return memory;
-}
-void free(void *memory)
-{
-    live -= memory != NULL;
-    __libc_free(memory);
-}
+#include "interposed.h"
 
 // Other coordinates on the way, stops, friction, formulas, a drive, a watch: most of what allocates.
 static const char text[] =
@@ -125,25 +75,22 @@ static void fail_each(bool (*use)(const YkModel *))
 static void simulations_survive_every_failed_allocation(void **unused)
 {
     (void)unused;
+    skip_unless_interposed();
     fail_each(simulate);
 }
 
 static void rests_survive_every_failed_allocation(void **unused)
 {
     (void)unused;
+    skip_unless_interposed();
     fail_each(rest);
 }
-#endif
 
 int main(void)
 {
-#ifdef CAN_INTERPOSE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(simulations_survive_every_failed_allocation),
         cmocka_unit_test(rests_survive_every_failed_allocation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
-#else
-    return 0;
-#endif
 }

@@ -1,54 +1,6 @@
-// Compiling an open tree survives the failure of any one allocation, and accelerating allocates nothing. Interposes
-// malloc, so only with glibc and without sanitizers that do the same.
+// Compiling an open tree survives the failure of any one allocation, and accelerating allocates nothing.
+#include "interposed.h"
 #include "open_tree.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
-#define CAN_INTERPOSE 1
-#endif
-
-#ifdef CAN_INTERPOSE
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *memory, size_t size);
-extern void __libc_free(void *memory);
-
-static long countdown = -1; // allocations until one fails; below 0: none fails
-static long requests, live; // live: blocks that are not freed
-
-static bool must_fail(void)
-{
-    requests++;
-    return countdown >= 0 && countdown-- == 0;
-}
-
-void *malloc(size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_malloc(size);
-    live += memory != NULL;
-    return memory;
-}
-void *calloc(size_t count, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
-    live += memory != NULL;
-    return memory;
-}
-void *realloc(void *old, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
-    live += memory && !old;
-    return memory;
-}
-void free(void *memory)
-{
-    live -= memory != NULL;
-    __libc_free(memory);
-}
 
 static void check_every_allocation(TreeRecipe recipe)
 {
@@ -75,6 +27,7 @@ static void check_every_allocation(TreeRecipe recipe)
 static void test_every_failed_allocation_is_survived(void **unused)
 {
     (void)unused;
+    skip_unless_interposed();
     check_every_allocation((TreeRecipe){.bodies = 12, .pins_only = true});
     check_every_allocation((TreeRecipe){.bodies = 12});
     check_every_allocation((TreeRecipe){.bodies = 3000, .pins_only = true}); // more than one piece of the arena
@@ -101,21 +54,10 @@ static void check_no_request(TreeRecipe recipe)
 static void test_accelerating_allocates_nothing(void **unused)
 {
     (void)unused;
+    skip_unless_interposed();
     check_no_request((TreeRecipe){.bodies = 300, .pins_only = true});
     check_no_request((TreeRecipe){.bodies = 300});
 }
-#else
-static void test_every_failed_allocation_is_survived(void **unused)
-{
-    (void)unused;
-    skip();
-}
-static void test_accelerating_allocates_nothing(void **unused)
-{
-    (void)unused;
-    skip();
-}
-#endif
 
 int main(void)
 {

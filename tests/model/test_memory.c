@@ -1,63 +1,8 @@
 // Loading survives the failure of any one allocation, and of all from any one on: it is refused, nothing leaks, nothing
-// crashes. Works by interposing malloc, so only with glibc and without sanitizers that do the same.
-#include <stdlib.h>
+// crashes.
+#include "interposed.h"
 #include "model/examples.h"
 #include "model/fixture.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
-#define CAN_INTERPOSE 1
-#endif
-
-#ifdef CAN_INTERPOSE
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *memory, size_t size);
-extern void __libc_free(void *memory);
-
-static long countdown = -1; // allocations until one fails; below 0: none fails
-static int fails_for_good, has_failed;
-static long live; // blocks that are not freed
-
-static int must_fail(void)
-{
-    if (countdown < 0) return 0;
-    if (countdown > 0) return countdown--, 0;
-    if (!fails_for_good) countdown = -1;
-    has_failed = 1;
-    return 1;
-}
-
-void *malloc(size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_malloc(size);
-    live += memory != NULL;
-    return memory;
-}
-
-void *calloc(size_t count, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
-    live += memory != NULL;
-    return memory;
-}
-
-void *realloc(void *old, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
-    live += memory && !old;
-    return memory;
-}
-
-void free(void *memory)
-{
-    live -= memory != NULL;
-    __libc_free(memory);
-}
 
 // Loads while allocation number k fails. True when k is beyond the last one, so that the load was undisturbed.
 static int load_while_failing(const char *text, const YkLoadOptions *options, long k, int is_good)
@@ -78,7 +23,8 @@ static int load_while_failing(const char *text, const YkLoadOptions *options, lo
 
 static void check_all(const char *text, const YkLoadOptions *options, int is_good)
 {
-    for (fails_for_good = 0; fails_for_good < 2; fails_for_good++) {
+    for (int for_good = 0; for_good < 2; for_good++) {
+        fails_for_good = for_good;
         long k = 0, before = live;
         while (!load_while_failing(text, options, k, is_good)) {
             if (live != before) print_error("leak of %ld blocks when allocation %ld fails\n", live - before, k);
@@ -87,12 +33,13 @@ static void check_all(const char *text, const YkLoadOptions *options, int is_goo
         }
         assert_true(k > 20); // there was something to fail
     }
-    fails_for_good = 0;
+    fails_for_good = false;
 }
 
 static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     const YkOverride override = {"l1", "0.12 m"};
     check_all(quick_return, NULL, 1);
     check_all(toggle, &(YkLoadOptions){&override, 1}, 1);
@@ -109,6 +56,7 @@ static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **s
 static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     check_all("parameters: {k: 3, mu: 0.1}\nbodies: {a: {points: {P: [0, 1]}}, b: {}}\n"
               "joints: {O: {pin: [ground, a], angle: phi, friction: {coulomb: mu, radius: 2*k}},\n"
               "  S: {slide: [a, b], friction: {viscous: k*1 N*s/m^2}}}\n"
@@ -122,6 +70,7 @@ static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
 static void trains_are_read_or_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     check_all(epicyclic, NULL, 1);
     check_all(cam, NULL, 1);
     check_all("bodies: {a: {}, b: {}, bar: {}, arm: {points: {B: [1, 0]}}}\n"
@@ -136,6 +85,7 @@ static void trains_are_read_or_refused_whichever_allocation_fails(void **state)
 static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     check_all("parameters: {a: b, b: a, c: 1/0, l1: 3 m}\nbodies: {k: {points: {A: [l2, 0]}, mass: -1}, m: {}}\n"
               "joints: {O: {pin: [ground, kk]}, A: {pin: [k, m], angle: q, at: B}}\n"
               "drives: {O.angle: 3, qq: 2, q: q}\nstart: {A.angle.rate: 1}\nspeed: 3\n",
@@ -145,6 +95,7 @@ static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
 static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     YkModel *model = fixture_load(toggle);
     int undisturbed = 0;
     for (long k = 0; !undisturbed; k++) {
@@ -161,28 +112,6 @@ static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
     }
     yk_model_free(model);
 }
-#else
-static void trains_are_read_or_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-static void a_good_file_is_loaded_or_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-static void a_bad_file_is_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-static void a_value_is_read_or_refused_whichever_allocation_fails(void **state)
-{
-    (void)state, skip();
-}
-#endif
 
 int main(void)
 {

@@ -1,41 +1,7 @@
 // Sparse LU against its own products, against the dense LU, on what has zeros for a diagonal, on what is singular, on
 // what is large, and where memory runs out.
+#include "allocations.h"
 #include "check.h"
-#include <stdbool.h>
-#include <stdlib.h>
-
-static long countdown = -1; // allocations until one fails; below 0: none does
-static long live, requests;
-
-static bool fails(void)
-{
-    requests++;
-    return countdown >= 0 && countdown-- == 0;
-}
-static void *counted(void *memory)
-{
-    live += memory != NULL;
-    return memory;
-}
-static void *try_malloc(size_t size)
-{
-    return fails() ? NULL : counted(malloc(size));
-}
-static void *try_calloc(size_t count, size_t size)
-{
-    return fails() ? NULL : counted(calloc(count, size));
-}
-static void *try_realloc(void *old, size_t size)
-{
-    if (fails()) return NULL;
-    live -= old != NULL;
-    return counted(realloc(old, size));
-}
-static void count_free(void *memory)
-{
-    live -= memory != NULL;
-    free(memory);
-}
 
 #define malloc try_malloc
 #define calloc try_calloc

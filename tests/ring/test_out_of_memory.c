@@ -1,53 +1,8 @@
 // The ring survives the failure of any one allocation: the status says so, nothing leaks, nothing crashes, and what
-// comes out is right. Interposes malloc, so only with glibc and without sanitizers that do the same.
+// comes out is right.
+#include "interposed.h"
 #include "ring/form.h"
 #include "ring/machines.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(IS_SANITIZED)
-#define CAN_INTERPOSE 1
-#endif
-
-#ifdef CAN_INTERPOSE
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *memory, size_t size);
-extern void __libc_free(void *memory);
-
-static long countdown = -1; // allocations until one fails; below 0: none fails
-static long live;           // blocks that are not freed
-
-static bool must_fail(void)
-{
-    return countdown >= 0 && countdown-- == 0;
-}
-void *malloc(size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_malloc(size);
-    live += memory != NULL;
-    return memory;
-}
-void *calloc(size_t count, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_calloc(count, size);
-    live += memory != NULL;
-    return memory;
-}
-void *realloc(void *old, size_t size)
-{
-    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
-    live += memory && !old;
-    return memory;
-}
-void free(void *memory)
-{
-    live -= memory != NULL;
-    __libc_free(memory);
-}
 
 // Symbols of all kinds, arithmetic, derivatives, substitution, forms, points and reading; writes one equation.
 static bool use(YkRing *r, YkRingFormat format, YkText *out)
@@ -77,6 +32,7 @@ static bool use(YkRing *r, YkRingFormat format, YkText *out)
 static void any_one_failed_allocation_is_told_and_leaks_nothing(void **state)
 {
     (void)state;
+    skip_unless_interposed();
     for (int format = 0; format < YK_RING_FORMATS; format++) {
         YkText whole = {0};
         YkRing *ring = yk_ring_new();
@@ -99,13 +55,6 @@ static void any_one_failed_allocation_is_told_and_leaks_nothing(void **state)
         yk_text_free(&whole);
     }
 }
-#else
-static void any_one_failed_allocation_is_told_and_leaks_nothing(void **state)
-{
-    (void)state;
-    skip();
-}
-#endif
 
 int main(void)
 {

@@ -1,64 +1,7 @@
 // Everything is allocated while loading and compiling: solving, sweeping over poses by hand and running a batch ask the
 // allocator for nothing. Every request of the process is counted, those that the C library makes for itself too.
-#include "check.h"
-#include <stdlib.h>
+#include "interposed.h"
 #include <yoke/yoke.h>
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define COUNTED_BY_SANITIZER 1
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define COUNTED_BY_SANITIZER 1
-#endif
-
-static volatile size_t requests; // since the start of the program
-
-#ifdef COUNTED_BY_SANITIZER
-int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void *, size_t),
-                                              void (*on_free)(const volatile void *));
-static void on_malloc(const volatile void *memory, size_t size)
-{
-    (void)memory;
-    (void)size;
-    requests++;
-}
-static void on_free(const volatile void *memory)
-{
-    (void)memory;
-}
-static void start_counting(void)
-{
-    __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
-}
-#else
-// Our definitions come before the C library's, also for its own calls (qsort, stdio).
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void *__libc_realloc(void *memory, size_t size);
-void *__libc_memalign(size_t alignment, size_t size);
-void *malloc(size_t size)
-{
-    requests++;
-    return __libc_malloc(size);
-}
-void *calloc(size_t count, size_t size)
-{
-    requests++;
-    return __libc_calloc(count, size);
-}
-void *realloc(void *memory, size_t size)
-{
-    requests++;
-    return __libc_realloc(memory, size);
-}
-void *aligned_alloc(size_t alignment, size_t size)
-{
-    requests++;
-    return __libc_memalign(alignment, size);
-}
-static void start_counting(void) {}
-#endif
 
 typedef struct Machine {
     YkProblems *problems;
@@ -98,7 +41,7 @@ static void *volatile sink;
 static void test_the_counter_sees_every_way_to_allocate(void **unused)
 {
     (void)unused;
-    size_t before = requests;
+    long before = requests;
     sink = malloc(10);
     assert_int_equal(requests - before, 1);
     sink = realloc(sink, 1000);
@@ -120,7 +63,7 @@ static void check_solving_allocates_nothing(const char *file, double step, int p
     assert_non_null(copy);
     char label[64];
     double sum = 0;
-    const size_t before = requests;
+    const long before = requests;
     for (int pose = 0; pose < poses; pose++) {
         yk_state_set_input(machine.state, 0,
                            (YkMotion){start.position + step * pose, start.velocity, start.acceleration});
@@ -133,7 +76,7 @@ static void check_solving_allocates_nothing(const char *file, double step, int p
         yk_state_label(machine.state, label, sizeof label);
         yk_state_copy(copy, machine.state);
     }
-    const size_t after = requests;
+    const long after = requests;
     assert_true(isfinite(sum));
     assert_int_equal(after - before, 0);
     yk_state_free(copy);
@@ -163,7 +106,7 @@ static void test_another_time_allocates_nothing(void **unused)
 {
     (void)unused;
     Machine machine = load("quick-return.yaml");
-    const size_t before = requests;
+    const long before = requests;
     for (int i = 0; i < 100; i++) {
         assert_int_equal(yk_state_set_time(machine.state, -0.02 * i, machine.problems), YK_OK);
         assert_int_equal(yk_state_solve(machine.state), YK_OK);
@@ -194,7 +137,7 @@ static void test_running_a_batch_allocates_nothing(void **unused)
     YkBatch *batch = yk_batch_new(machine.state, channels, CHANNELS);
     assert_non_null(batch);
     static signed char status[POSES];
-    const size_t before = requests;
+    const long before = requests;
     assert_int_equal(yk_batch_run(batch, inputs, outputs, status, POSES), YK_OK);
     assert_int_equal(yk_batch_run(batch, inputs, outputs, NULL, 1), YK_OK);
     assert_int_equal(requests - before, 0);
