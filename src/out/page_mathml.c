@@ -142,11 +142,8 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *te
 static void put_value(YkPrinting *printing, const YkLine *line, YkText *text)
 {
     YkVec value;
-    const YkShownMatrix *matrix = NULL;
-    size_t matrices = 0;
-    for (const YkPagePiece *piece = line->first; piece; piece = piece->next)
-        if (piece->kind == YK_PIECE_MATRIX) matrix = piece->matrix, matrices++;
-    if (printing->values && matrices == 1) {
+    const YkShownMatrix *matrix = yk_print_only_matrix(line);
+    if (printing->values && matrix) {
         yk_text_puts(text, "<mo>=</mo>");
         put_matrix(printing, matrix, true, text);
     } else if (yk_print_value(printing, line, &value)) {

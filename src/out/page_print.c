@@ -74,6 +74,17 @@ bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value
     return isfinite(value->x) && isfinite(value->y);
 }
 
+const YkShownMatrix *yk_print_only_matrix(const YkLine *line)
+{
+    const YkShownMatrix *matrix = NULL;
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
+        if (piece->kind != YK_PIECE_MATRIX) continue;
+        if (matrix) return NULL;
+        matrix = piece->matrix;
+    }
+    return matrix;
+}
+
 void yk_print_number(YkText *text, double value)
 {
     char digits[YK_NUMBER_SIZE];

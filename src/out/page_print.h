@@ -43,6 +43,8 @@ bool yk_print_is_one_factor(const char *text);
 bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a); // does it need brackets as a factor?
 // The value of a line; false where there is none. 6 significant digits.
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value);
+// The matrix of a line that shows just one, else NULL: its values may stand behind it.
+const YkShownMatrix *yk_print_only_matrix(const YkLine *line);
 double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry);
 void yk_print_number(YkText *text, double value);
 // Names: a letter with digits behind it is set with a subscript, others as words.

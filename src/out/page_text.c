@@ -216,21 +216,11 @@ static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
 
 // --- Lines
 
-static const YkShownMatrix *only_matrix(const YkLine *line)
-{
-    const YkShownMatrix *found = NULL;
-    for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
-        if (piece->kind == YK_PIECE_MATRIX && found) return NULL;
-        if (piece->kind == YK_PIECE_MATRIX) found = piece->matrix;
-    }
-    return found;
-}
-
 static void put_value(YkPrinting *printing, const YkLine *line, Box *whole)
 {
     YkVec value;
     YkText text = {0};
-    const YkShownMatrix *matrix = only_matrix(line);
+    const YkShownMatrix *matrix = yk_print_only_matrix(line);
     if (printing->values && matrix) {
         Box box = matrix_box(printing, matrix, true);
         append_text(printing, whole, " = ");
@@ -279,7 +269,7 @@ static void put_formula(YkPrinting *printing, const YkLine *line)
         yk_text_puts(printing->text, "\n");
     }
     free_box(&whole);
-    const YkShownMatrix *matrix = only_matrix(line);
+    const YkShownMatrix *matrix = yk_print_only_matrix(line);
     if (matrix) put_matrix_names(printing, matrix);
 }
 
