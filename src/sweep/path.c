@@ -1,4 +1,4 @@
-#include "solve/path.h"
+#include "sweep/path.h"
 #include <stdlib.h>
 #include <string.h>
 

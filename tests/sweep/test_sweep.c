@@ -1,6 +1,6 @@
 // Sweeps: what a row holds, where a limit lies, extremes between rows, and that nothing is jumped - over a coordinate
 // or over time, however far apart the rows.
-#include "four_bar.h"
+#include "solve/four_bar.h"
 
 static const char *const names[] = {"coupler.angle", "theta4", "theta4.rate", "theta4.accel"};
 

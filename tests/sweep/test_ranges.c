@@ -1,5 +1,5 @@
 // Where a configuration closes: every range, to 1e-10, against closed forms.
-#include "four_bar.h"
+#include "solve/four_bar.h"
 
 enum { CAPACITY = 16 };
 

@@ -1,6 +1,6 @@
 // Change points: the motion goes on as the kind it was, the event is told, and nothing is ever NaN - whether rows fall
 // on the change point or beside it.
-#include "four_bar.h"
+#include "solve/four_bar.h"
 
 static const char *const four_bar_names[] = {"coupler.angle", "theta4", "coupler.angle.rate", "theta4.rate",
                                              "theta4.accel"};

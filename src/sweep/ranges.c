@@ -1,6 +1,6 @@
 // The ranges of an input in which a configuration closes.
 #include <stdlib.h>
-#include "solve/path.h"
+#include "sweep/path.h"
 
 enum { SAMPLES = 1440 };
 

@@ -1,6 +1,6 @@
 // A path of the inputs: one coordinate, or time; and probing poses on it.
-#ifndef SOLVE_PATH_H
-#define SOLVE_PATH_H
+#ifndef SWEEP_PATH_H
+#define SWEEP_PATH_H
 #include <yoke/sweep.h>
 #include "solve/state.h"
 

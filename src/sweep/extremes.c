@@ -1,0 +1,88 @@
+// Extremes of the channels: where a slope along the path changes its sign, bisected on the branch that was passed.
+#include "sweep/sweep.h"
+
+static bool is_smooth(YkChannel c)
+{
+    return c.order == 0 && c.kind != YK_CHANNEL_TIME && c.kind < YK_CHANNEL_POINT_SPEED;
+}
+
+// The derivative of a channel along the path, or 0 where it is not above rounding.
+static double slope_here(const YkSweep *w, YkChannel c)
+{
+    if (!yk_state_has_rates(w->path.state)) return 0;
+    double value = yk_state_channel(w->path.state, c);
+    c.order = 1;
+    double slope = yk_state_channel(w->path.state, c);
+    return fabs(slope) * yk_path_scale(&w->path) > 1e-10 * (w->path.state->mech->size + fabs(value)) ? slope : 0;
+}
+
+// Takes the signs of the blocks from before the change points between `at` and `here` to after them, or back.
+static void exchange_signs(YkSweep *w, double at, double here)
+{
+    for (size_t k = 0; k < w->event_count; k++) {
+        const YkEvent *e = &w->events[k];
+        bool between = (e->at - at) * (here - e->at) >= 0;
+        if (e->kind == YK_EVENT_CHANGE_POINT && between)
+            w->path.state->branch[e->block] = (signed char)-w->path.state->branch[e->block];
+    }
+}
+
+// Solves at a place that the sweep has passed, on the branch that it had there.
+static YkStatus look_back(YkSweep *w, double at, double here)
+{
+    exchange_signs(w, at, here);
+    YkStatus status = yk_path_try(&w->path, at, true);
+    exchange_signs(w, at, here);
+    return status;
+}
+
+// Where a change point leaves no rates in the last digits of `at`, the motion turns round in it.
+static double at_change_point(const YkSweep *w, double at)
+{
+    for (size_t k = w->event_count; k-- > 0;)
+        if (w->events[k].kind == YK_EVENT_CHANGE_POINT && fabs(w->events[k].at - at) < 1e-5 * yk_path_scale(&w->path))
+            return w->events[k].at;
+    return at;
+}
+
+static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, double slope)
+{
+    YkChannel value = w->channels[channel], rate = value;
+    double here = to;
+    rate.order = 1;
+    for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->path); k++) {
+        double middle = 0.5 * (from + to);
+        if (look_back(w, middle, here) < 0) break;
+        if (yk_state_channel(w->path.state, rate) * slope > 0)
+            from = middle;
+        else
+            to = middle;
+    }
+    double at = 0.5 * (from + to);
+    if (w->path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
+    if (look_back(w, at, here) < 0) return;
+    yk_sweep_note(w, (YkEvent){.kind = YK_EVENT_EXTREME,
+                               .at = at,
+                               .block = -1,
+                               .channel = channel,
+                               .value = yk_state_channel(w->path.state, value),
+                               .is_maximum = (slope > 0) == (w->options.to > w->options.from)});
+}
+
+void yk_sweep_watch_extremes(YkSweep *w, double at)
+{
+    bool moved = false;
+    for (size_t c = 0; c < w->channel_count; c++) {
+        if (!is_smooth(w->channels[c])) continue;
+        double slope = slope_here(w, w->channels[c]);
+        if (slope == 0) continue;
+        if (w->slope[c] * slope < 0 && fabs(slope) * yk_path_scale(&w->path) < 1e6) {
+            bisect_extreme(w, c, w->slope_at[c], at, w->slope[c]);
+            moved = true;
+            yk_path_try(&w->path, at, true);
+        }
+        w->slope[c] = slope;
+        w->slope_at[c] = at;
+    }
+    if (moved) yk_path_probe(&w->path, at, true);
+}

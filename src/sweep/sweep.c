@@ -1,0 +1,158 @@
+// The sweep as a whole: memory, the way from row to row, its results.
+#include "sweep/sweep.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+
+enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
+
+YkSweepOptions yk_default_sweep_options(void)
+{
+    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180, NULL, YK_METHOD_REDUCED};
+}
+
+void yk_sweep_note(YkSweep *w, YkEvent event)
+{
+    if (w->event_count >= EVENTS_MAX) return;
+    if (!YK_ROOM(w->events, w->event_count, w->event_capacity)) {
+        w->failed = true;
+        return;
+    }
+    w->events[w->event_count++] = event;
+}
+
+static void run_rows(YkSweep *w)
+{
+    const YkSweepOptions *o = &w->options;
+    double last = o->from;
+    // from the pose of the state to the start of the sweep, on the same branch
+    YkState *s = w->path.state;
+    double here = w->path.input < 0 ? s->time : s->valid_input[3 * w->path.input];
+    w->from = here;
+    yk_path_probe(&w->path, here, true);
+    size_t channels = w->channel_count;
+    w->channel_count = 0;
+    bool ok = here == o->from || yk_sweep_progress(w, here, o->from);
+    w->channel_count = channels;
+    w->event_count = ok ? 0 : w->event_count;
+    w->from = o->from;
+    if (!ok || !yk_sweep_record(w, o->from)) return;
+    yk_path_probe(&w->path, o->from, true);
+    yk_sweep_watch_extremes(w, o->from);
+    for (size_t k = 1; k <= o->steps; k++) {
+        double next = k == o->steps ? o->to : o->from + (o->to - o->from) * (double)k / (double)o->steps;
+        if (!yk_sweep_progress(w, last, next) || !yk_sweep_record(w, next)) return;
+        yk_path_probe(&w->path, next, true);
+        yk_sweep_try_change_row(w);
+        last = next;
+    }
+}
+
+// The state ends at the last pose, with the motion's own rates.
+static void run(YkSweep *w)
+{
+    run_rows(w);
+    yk_path_probe(&w->path, w->path.last, false);
+}
+
+static bool allocate(YkSweep *w)
+{
+    size_t rows = w->options.steps + 1, blocks = w->path.state->mech->block_count;
+    w->margin_count = blocks == 0 || blocks > MARGINS_MAX ? 1 : blocks;
+    w->at = calloc(rows, sizeof *w->at);
+    w->values = calloc(rows * w->channel_count + 1, sizeof *w->values);
+    w->row_status = calloc(rows, 1);
+    w->margins = calloc(3 * (SWEEP_DEPTH_MAX + 1) * w->margin_count, sizeof *w->margins);
+    w->slope = calloc(w->channel_count + 1, sizeof *w->slope);
+    w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
+    w->sums = calloc(w->channel_count + 1, sizeof *w->sums);
+    w->flipped_at = calloc(w->margin_count, sizeof *w->flipped_at);
+    for (size_t k = 0; w->flipped_at && k < w->margin_count; k++) w->flipped_at[k] = NAN;
+    w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
+    return w->at && w->values && w->row_status && w->margins && w->slope && w->slope_at && w->sums && w->flipped_at &&
+           w->channels;
+}
+
+static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
+{
+    bool is_input = o->coordinate < 0 || ((size_t)o->coordinate < state->mech->coordinate_count &&
+                                          state->mech->coordinates[o->coordinate].input != YK_NONE);
+    bool ok = is_input && isfinite(o->from) && isfinite(o->to) && o->steps > 0 && o->steps < 100000000 &&
+              o->turn_max > 0 && state->has_pose;
+    if (!ok)
+        yk_problem(problems, YK_CODE_SWEEP_RANGE, (YkPlace){0},
+                   "this range cannot be swept: it needs finite ends, 1 to 1e8 steps and an input of the machine");
+    return ok;
+}
+
+YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count,
+                      YkProblems *problems)
+{
+    if (!are_good(state, options, problems)) return NULL;
+    YkSweep *w = calloc(1, sizeof *w);
+    if (!w) return NULL;
+    w->options = *options;
+    w->channel_count = channel_count;
+    w->problems = problems;
+    if (!yk_path_start(&w->path, state, options->coordinate) || !allocate(w)) {
+        yk_sweep_free(w);
+        return NULL;
+    }
+    if (channel_count > 0) memcpy(w->channels, channels, channel_count * sizeof *channels);
+    run(w);
+    if (w->failed) {
+        yk_sweep_free(w);
+        return NULL;
+    }
+    return w;
+}
+
+void yk_sweep_free(YkSweep *w)
+{
+    if (!w) return;
+    yk_path_end(&w->path);
+    free(w->at);
+    free(w->values);
+    free(w->row_status);
+    free(w->events);
+    free(w->margins);
+    free(w->slope);
+    free(w->slope_at);
+    free(w->sums);
+    free(w->flipped_at);
+    free(w->channels);
+    free(w);
+}
+
+YkStatus yk_sweep_status(const YkSweep *w)
+{
+    return w->status;
+}
+size_t yk_sweep_row_count(const YkSweep *w)
+{
+    return w->row_count;
+}
+double yk_sweep_at(const YkSweep *w, size_t row)
+{
+    return w->at[row];
+}
+double yk_sweep_value(const YkSweep *w, size_t row, size_t channel)
+{
+    return w->values[row * w->channel_count + channel];
+}
+YkStatus yk_sweep_row_status(const YkSweep *w, size_t row)
+{
+    return (YkStatus)w->row_status[row];
+}
+size_t yk_sweep_event_count(const YkSweep *w)
+{
+    return w->event_count;
+}
+YkEvent yk_sweep_event(const YkSweep *w, size_t index)
+{
+    return w->events[index];
+}
+double yk_sweep_worst_residual(const YkSweep *w)
+{
+    return w->worst_residual;
+}
