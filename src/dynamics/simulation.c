@@ -379,6 +379,16 @@ static bool is_passed(const YkSimulation *sim, double to)
     return sim->pending != YK_PENDING_NONE ? sim->pending_time >= to : reached >= to;
 }
 
+// Rows may all meet the machine at the same phase of its motion - every one at standstill -, so the energy is looked at
+// between them too: at the end of each of the first steps, then of some.
+static bool sample_energy(YkSimulation *sim)
+{
+    enum { EACH = 64, SOME = 16 };
+    size_t steps = yk_ode_counts(sim->ode).steps;
+    if (sim->pending != YK_PENDING_NONE || (steps > EACH && steps % SOME != 0)) return true;
+    return stand(sim, yk_ode_time(sim->ode), yk_ode_state(sim->ode));
+}
+
 YkStatus yk_simulation_advance(YkSimulation *sim, double to)
 {
     if (sim->status != YK_OK) return sim->status;
@@ -407,6 +417,7 @@ YkStatus yk_simulation_advance(YkSimulation *sim, double to)
         sim->report.message[0] = 0;
         sim->is_new_step = true;
         look_back(sim);
+        if (!sample_energy(sim)) return fail(sim, YK_ODE_FAILED);
         double reached = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
         if (sim->options.goes_on && !sim->options.goes_on(sim->options.context, reached)) to = fmin(to, reached);
     }

@@ -24,6 +24,17 @@ static void a_pendulum_follows_its_elliptic_function(void **unused)
     run_free(&run);
 }
 
+// Every row of this pendulum meets it where it stands still: the error is measured against the energy between them.
+static void energy_is_seen_between_rows(void **unused)
+{
+    (void)unused;
+    Run run = run_of_example("two-second-pendulum", run_options(1e-9));
+    for (int row = 0; row <= 10; row++) assert_int_equal(yk_simulation_advance(run.sim, row), YK_OK);
+    assert_true(fabs(run_value(&run, "kinetic")) < 1e-12);
+    assert_true(yk_simulation_summary(run.sim).energy_error < 1e-8);
+    run_free(&run);
+}
+
 static void energy_stays_for_a_thousand_seconds(void **unused)
 {
     (void)unused;
@@ -193,6 +204,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pendulum_follows_its_elliptic_function),
+        cmocka_unit_test(energy_is_seen_between_rows),
         cmocka_unit_test(energy_stays_for_a_thousand_seconds),
         cmocka_unit_test(steppers_agree),
         cmocka_unit_test(reversed_motion_comes_back),
