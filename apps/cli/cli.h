@@ -37,7 +37,7 @@ typedef struct YkRequest {
     YkPairs at, rate, accel, param, effort;
     YkWords trace;
     YkWords checks;   // derive
-    const char *what; // derive
+    const char *what, *svg; // derive
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
     YkPairs event;

@@ -10,5 +10,7 @@
 bool yk_derive_pose(YkSession *session);
 // --check: verdicts on all equations; returns the exit code.
 int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json);
+// --svg: free bodies as drawings; returns the exit code.
+int yk_derive_drawings(YkSession *session, YkDerivation *derivation);
 
 #endif

@@ -65,6 +65,8 @@ const YkOption yk_options[] = {
      "the cam's speed, as in 600rpm (default: its drive's)"},
     {"what", 0, YK_OPTION_WORD, FIELD(what), "LIST", " derive ",
      "loops,jacobian,velocity,acceleration,points,free-bodies,newton-euler,energy,lagrange or all (default)"},
+    {"svg", 0, YK_OPTION_WORD, FIELD(svg), "DIR", " derive ",
+     "also draw the free bodies, one file BODY.svg each, into this folder"},
     {"numbers", 0, YK_OPTION_SWITCH, FIELD(numbers), NULL, " derive ", "put the values of a pose beside the symbols"},
     {"check", 0, YK_OPTION_WORDS, FIELD(checks), "EQUATION", " derive ",
      "is it true for this machine? - reads equations from standard input, one a line; repeatable"},

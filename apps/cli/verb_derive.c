@@ -69,7 +69,7 @@ static bool read_format(YkSession *session, YkPageFormat *format)
 
 bool yk_derive_pose(YkSession *session)
 {
-    if (!yk_session_inputs(session) || !yk_session_forces(session, false)) return false;
+    if ((!session->state && !yk_session_inputs(session)) || !yk_session_forces(session, false)) return false;
     YkStatus status = yk_state_assemble(session->state);
     if (status >= 0 && session->dynamics)
         status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
@@ -109,6 +109,8 @@ static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat for
         return yk_derive_checks(session, derivation, format == YK_PAGE_JSON);
     }
     if (!read_what(session, wanted)) return YK_EXIT_WRONG;
+    int drawn = session->request->svg ? yk_derive_drawings(session, derivation) : YK_EXIT_DONE;
+    if (drawn != YK_EXIT_DONE) return drawn;
     YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring};
     int exit_code = page.arena ? write_page(session, derivation, &page, format, wanted) : cannot(session, derivation);
     yk_arena_free(page.arena);

@@ -45,8 +45,9 @@ const YkVerb yk_verbs[] = {
      "Derives what an engineer would write by hand: loop equations as vector sums and in x and y, the Jacobian\n"
      "with its blocks and their determinants, velocities and accelerations block by block, points; free bodies,\n"
      "Newton's and Euler's equations, energies, Lagrange's equations. --numbers puts the values of a pose beside\n"
-     "the symbols. --check 'EQUATION' tells whether an equation in the file's names is true for this machine\n"
-     "(rates: theta1' or theta1.rate; numbers in SI and radians): exit 0 true, 1 false.",
+     "the symbols; --svg DIR draws the free bodies. --check 'EQUATION' tells whether an equation in the file's\n"
+     "names is true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians): exit 0 true,\n"
+     "1 false.",
      "yoke derive examples/quick-return.yaml --check 'l1*cos(theta1) - d3*cos(theta2) = 0'", yk_run_derive},
     {"gears", "ratios, torques and power flow of a gear train", "FILE [options]",
      "Speeds of all wheels and carriers of a gear train, exactly: fractions of the inputs, and formulas in tooth\n"

@@ -9,7 +9,7 @@ void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *co
     yk_line_vector(page, line, contact->letter, NULL, contact->between);
 }
 
-static const char *letter_of(YkDeriveLoadKind kind)
+const char *yk_derive_load_letter(YkDeriveLoadKind kind)
 {
     static const char *const letters[] = {"W", "S", "D", "R", "F", "Q", "Q"};
     return letters[kind];
@@ -18,7 +18,7 @@ static const char *letter_of(YkDeriveLoadKind kind)
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first)
 {
     if (push == 1 || !first) yk_line_sign(page, line, push == 1 ? "-" : "+");
-    yk_line_vector(page, line, letter_of(load->kind), NULL, load->name);
+    yk_line_vector(page, line, yk_derive_load_letter(load->kind), NULL, load->name);
 }
 
 const char *yk_derive_contact_point(YkDerivation *d, const YkDeriveContact *contact)
@@ -61,7 +61,7 @@ static void put_couple(YkDerivation *d, YkPage *page, YkLine *line, const YkPois
     if (line) line->value = yk_derive_shown(d, moment);
 }
 
-static const char *giver(const YkDeriveForces *f, const YkDeriveContact *contact)
+const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact)
 {
     const YkDerivation *d = f->d;
     if (contact->junction != YK_NONE) return yk_derive_text(f->d, "the pin ", f->junctions[contact->junction].name, "");
@@ -72,7 +72,7 @@ static const char *giver(const YkDeriveForces *f, const YkDeriveContact *contact
 static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDeriveContact *contact)
 {
     YkDerivation *d = f->d;
-    const char *by = yk_derive_text(d, "by ", giver(f, contact), " at ");
+    const char *by = yk_derive_text(d, "by ", yk_derive_giver(f, contact), " at ");
     by = yk_derive_text(d, by, yk_derive_contact_point(d, contact), "");
     if (contact->letter) {
         YkLine *line = yk_page_formula(page, by);
@@ -86,7 +86,7 @@ static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDer
     put_couple(d, page, line, contact->push.moment);
 }
 
-static const char *word_of(YkDeriveLoadKind kind)
+const char *yk_derive_load_word(YkDeriveLoadKind kind)
 {
     static const char *const words[] = {
         "weight", "spring", "damper", "friction or stop", "force", "effort", "effort of the drive"};
@@ -97,14 +97,14 @@ static void put_load_lines(const YkDeriveForces *f, YkPage *page, const YkDerive
 {
     YkDerivation *d = f->d;
     const YkDerivePush *push = &load->push[p];
-    const char *at = yk_derive_text(d, word_of(load->kind), " at ", yk_derive_load_point(f, load, p));
+    const char *at = yk_derive_text(d, yk_derive_load_word(load->kind), " at ", yk_derive_load_point(f, load, p));
     if (!yk_ring_is_zero(push->force)) {
         YkLine *line = yk_page_formula(page, at);
         yk_derive_put_load(page, line, load, p, true);
         put_column(d, page, line, push->force);
     }
     if (yk_ring_is_zero(push->moment)) return;
-    YkLine *line = yk_page_formula(page, word_of(load->kind));
+    YkLine *line = yk_page_formula(page, yk_derive_load_word(load->kind));
     if (p == 1) yk_line_sign(page, line, "-");
     yk_line_vector(page, line, "M", NULL, load->name);
     put_couple(d, page, line, push->moment);

@@ -177,6 +177,9 @@ bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page);
 // " + F_{01}", " - F_{12}": what acts on a body; `first`: no plus. A load's name by its kind: W, S, D, R, F, Q.
 void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
+const char *yk_derive_load_letter(YkDeriveLoadKind kind);
+const char *yk_derive_load_word(YkDeriveLoadKind kind);                               // "weight", "spring", ...
+const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact); // the other body, or "the pin A"
 // The point at which a contact acts.
 const char *yk_derive_contact_point(YkDerivation *d, const YkDeriveContact *contact);
 const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *load, size_t push);

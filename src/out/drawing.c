@@ -88,7 +88,7 @@ YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state)
     return YK_OK;
 }
 
-static void open_document(YkDrawing *drawing)
+void yk_drawing_open(YkDrawing *drawing, const char *title)
 {
     YkText *svg = &drawing->svg;
     yk_text_puts(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
@@ -100,7 +100,7 @@ static void open_document(YkDrawing *drawing)
     yk_text_puts(svg, " ");
     yk_svg_number(svg, drawing->height);
     yk_text_puts(svg, "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"13\">\n<title>");
-    yk_svg_escape(svg, yk_model_name(drawing->model));
+    yk_svg_escape(svg, title);
     yk_text_puts(svg, "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fcfcfa\"/>\n");
 }
 
@@ -109,7 +109,7 @@ const char *yk_drawing_svg(YkDrawing *drawing)
     YkText *svg = &drawing->svg;
     yk_text_clear(svg);
     yk_drawing_fit(drawing);
-    open_document(drawing);
+    yk_drawing_open(drawing, yk_model_name(drawing->model));
     if (drawing->pose_count > 0) yk_drawing_guides(drawing);
     for (size_t pose = 0; pose + 1 < drawing->pose_count; pose++) {
         yk_text_puts(svg, "<g opacity=\"0.22\">\n");

@@ -57,6 +57,13 @@ bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *f
 void yk_drawing_fit(YkDrawing *drawing);
 YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres);
 
+// Instead of fitting all: `middle` (m) at the middle of a page of this size (px), so many px per metre.
+void yk_drawing_center(YkDrawing *drawing, YkVec middle, double scale, double width, double height);
+// How large the machine is that fits into a drawing: the largest coordinate of a joint or corner, m.
+double yk_drawing_extent(const YkDrawing *drawing);
+// The head of the document.
+void yk_drawing_open(YkDrawing *drawing, const char *title);
+
 // Layers, from the back to the front; `pose` is the one whose joints are drawn.
 void yk_drawing_guides(YkDrawing *drawing); // ground rails and ground pins, hatched
 void yk_drawing_traces(YkDrawing *drawing);
@@ -84,5 +91,10 @@ double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 where neit
 void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach);
 // Pins, boxes and slots of one pose.
 void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
+
+// One body by itself: its bar or plate; its wheels as circles; what a joint looks like on its body side 0 or 1.
+void yk_drawing_body(YkDrawing *drawing, const YkFrame *frame, size_t body);
+void yk_drawing_body_wheels(YkDrawing *drawing, const YkFrame *frames, int32_t body);
+void yk_drawing_joint_on(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, int side);
 
 #endif

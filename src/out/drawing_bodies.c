@@ -19,7 +19,7 @@ static void add_shape(YkDrawing *drawing, const YkVec *corners, size_t count, co
     yk_text_free(&style);
 }
 
-static void add_body(YkDrawing *drawing, const YkFrame *frame, size_t body)
+void yk_drawing_body(YkDrawing *drawing, const YkFrame *frame, size_t body)
 {
     YkVec corners[CORNERS_MAX];
     YkOutline outline = drawing->outlines[body];
@@ -40,6 +40,6 @@ void yk_drawing_bodies(YkDrawing *drawing, size_t pose)
     const YkFrame *frames = yk_drawing_frames(drawing, pose);
     yk_drawing_rods(drawing, frames);
     yk_drawing_wheels(drawing, frames);
-    for (size_t b = 1; b < drawing->model->body_count; b++) add_body(drawing, &frames[b], b);
+    for (size_t b = 1; b < drawing->model->body_count; b++) yk_drawing_body(drawing, &frames[b], b);
     yk_drawing_joints(drawing, frames);
 }

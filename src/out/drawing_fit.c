@@ -61,6 +61,25 @@ void yk_drawing_fit(YkDrawing *drawing)
     drawing->bar = fmin(fmax(bar > 0 ? bar : 10, 0.8), 12);
 }
 
+void yk_drawing_center(YkDrawing *drawing, YkVec middle, double scale, double width, double height)
+{
+    drawing->scale = scale;
+    drawing->width = width;
+    drawing->height = height;
+    drawing->low = yk_vec(middle.x, middle.y);
+    drawing->high = yk_vec(middle.x, middle.y + (0.5 * height - head - margin) / scale);
+}
+
+double yk_drawing_extent(const YkDrawing *drawing)
+{
+    YkDrawing all = *drawing;
+    all.low = yk_vec(INFINITY, INFINITY);
+    all.high = yk_vec(-INFINITY, -INFINITY);
+    include_pose(&all, yk_drawing_frames(drawing, 0));
+    if (!(all.low.x <= all.high.x)) return 0;
+    return fmax(fmax(fabs(all.low.x), fabs(all.high.x)), fmax(fabs(all.low.y), fabs(all.high.y)));
+}
+
 YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres)
 {
     double middle = 0.5 * (drawing->low.x + drawing->high.x);

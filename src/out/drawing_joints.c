@@ -120,3 +120,15 @@ void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames)
     drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
+
+void yk_drawing_joint_on(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, int side)
+{
+    YkText style = {0};
+    if (side == 0 && joint->kind == YK_SLIDE) add_rod(drawing, frames, joint, &style);
+    if (side == 0 && joint->kind == YK_PIN_SLOT) add_slot(drawing, frames, joint, &style);
+    if (side == 1 && joint->kind == YK_SLIDE) add_box(drawing, frames, joint, &style);
+    if (joint->kind == YK_WELD) add_weld(drawing, frames, joint, &style);
+    if (joint->kind == YK_PIN || (side == 1 && joint->kind == YK_PIN_SLOT)) add_pin(drawing, frames, joint, &style);
+    drawing->svg.failed |= style.failed;
+    yk_text_free(&style);
+}

@@ -102,18 +102,59 @@ void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames)
     yk_text_free(&style);
 }
 
-void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach)
+// All wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle.
+typedef void SeeWheel(void *context, YkVec center, double radius, bool is_base);
+
+static void each_wheel(const YkDrawing *drawing, const YkFrame *frames, int32_t body, SeeWheel *see, void *context)
 {
     const YkModel *model = drawing->model;
+    YkVec own = frames ? center_of(frames, body) : yk_vec(0, 0);
     for (size_t k = 0; k < model->gear_count; k++)
         for (int side = 0; side < 2; side++)
             if (model->gears[k].body[side] == body)
-                *reach = fmax(*reach, yk_drawing_pitch_radius(&model->gears[k], side));
+                see(context, own, yk_drawing_pitch_radius(&model->gears[k], side), false);
     for (size_t k = 0; k < model->belt_count; k++)
         for (int side = 0; side < 2; side++)
-            if (model->belts[k].body[side] == body) *reach = fmax(*reach, model->belts[k].radius[side]);
+            if (model->belts[k].body[side] == body) see(context, own, model->belts[k].radius[side], false);
     for (size_t k = 0; k < model->rack_count; k++)
-        if (model->racks[k].pinion == body) *reach = fmax(*reach, model->racks[k].radius);
-    for (size_t k = 0; k < model->cam_count; k++)
-        if (model->cams[k].cam == body) *reach = fmax(*reach, model->cams[k].base);
+        if (model->racks[k].pinion == body) see(context, own, model->racks[k].radius, false);
+    for (size_t k = 0; k < model->cam_count; k++) {
+        const YkJoint *pin = &model->joints[model->cams[k].cam_joint];
+        if (model->cams[k].cam != body) continue;
+        YkVec at = frames ? yk_drawing_joint(drawing, frames, pin, pin->body[1] == body) : own;
+        see(context, at, model->cams[k].base, true);
+    }
+}
+
+static void raise_reach(void *context, YkVec center, double radius, bool is_base)
+{
+    double *reach = context;
+    (void)center;
+    (void)is_base;
+    *reach = fmax(*reach, radius);
+}
+
+void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach)
+{
+    each_wheel(drawing, NULL, body, raise_reach, reach);
+}
+
+typedef struct WheelPen {
+    YkDrawing *drawing;
+    size_t body;
+    YkText style;
+} WheelPen;
+
+static void draw_wheel(void *context, YkVec center, double radius, bool is_base)
+{
+    WheelPen *pen = context;
+    add_circle(pen->drawing, center, radius, pen->body, is_base ? " stroke-dasharray=\"4 3\"" : "", &pen->style);
+}
+
+void yk_drawing_body_wheels(YkDrawing *drawing, const YkFrame *frames, int32_t body)
+{
+    WheelPen pen = {.drawing = drawing, .body = (size_t)body};
+    each_wheel(drawing, frames, body, draw_wheel, &pen);
+    drawing->svg.failed |= pen.style.failed;
+    yk_text_free(&pen.style);
 }

@@ -1,5 +1,7 @@
 #include "out/svg.h"
+#include <string.h>
 #include "base/number.h"
+#include "out/table.h"
 
 void yk_svg_number(YkText *svg, double value)
 {
@@ -94,4 +96,37 @@ void yk_svg_word(YkText *svg, YkVec at, const char *string, const char *style)
     yk_text_format(svg, "%s%s>", *style ? " " : "", style);
     yk_svg_escape(svg, string);
     yk_text_puts(svg, "</text>\n");
+}
+
+static void add_span(YkText *svg, const char *string, const char *style)
+{
+    if (!string || !*string) return;
+    yk_text_format(svg, "<tspan %s>", style);
+    yk_svg_escape(svg, string);
+    yk_text_puts(svg, "</tspan>");
+}
+
+void yk_svg_name(YkText *svg, YkVec at, const YkSvgName *name, const char *style)
+{
+    yk_text_puts(svg, "<text");
+    add_attribute(svg, "x", at.x);
+    add_attribute(svg, "y", at.y);
+    yk_text_format(svg, "%s%s>", *style ? " " : "", style);
+    if (name->sign) yk_svg_escape(svg, name->sign);
+    if (name->factor) yk_svg_escape(svg, name->factor);
+    add_span(svg, name->base, "font-style=\"italic\"");
+    add_span(svg, name->super, "dy=\"-5\" font-size=\"10\"");
+    add_span(svg, name->sub, name->super && *name->super ? "dy=\"9\" font-size=\"10\"" : "dy=\"4\" font-size=\"10\"");
+    yk_text_puts(svg, "</text>\n");
+}
+
+static double width_of(const char *string, double of_one)
+{
+    return string ? of_one * (double)yk_text_columns(string, strlen(string)) : 0;
+}
+
+double yk_svg_name_width(const YkSvgName *name)
+{
+    double small = width_of(name->super, 6) + width_of(name->sub, 6);
+    return 4 + width_of(name->sign, 7.6) + width_of(name->factor, 7.6) + width_of(name->base, 9) + small;
 }

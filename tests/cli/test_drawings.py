@@ -1,0 +1,170 @@
+"""yoke derive --svg: free bodies as drawings that say what the equations say."""
+import glob
+import math
+import os
+import re
+import unittest
+import xml.etree.ElementTree as tree
+
+from harness import Case, ROOT, Run
+
+SVG = "{http://www.w3.org/2000/svg}"
+EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
+
+
+def plain(name):
+    """Names of the equations and of the drawings, written alike: -F_12, -m1a^{C1}."""
+    return re.sub(r"[\s()^{}_*]", "", name).replace("\u00b2", "2").replace("\u00b3", "3")
+
+
+def named_in_section(answer):
+    """Per heading: the names on the left of = (of a junction's equation: each term, with the other sign)."""
+    found, heading = {}, None
+    for item in answer["sections"][0]["items"]:
+        if item["kind"] == "heading":
+            heading = found.setdefault(item["text"], [])
+        elif item["kind"] == "formula" and heading is not None:
+            left = item["text"].split(" = ")[0]
+            if item["text"].endswith(" = 0"):
+                heading += ["-" + plain(term) for term in left.split(" + ")]
+            else:
+                heading.append(plain(left))
+    return found
+
+
+class Arrow:
+    """A group of the drawing: its name, and the way it points or turns (y up)."""
+
+    def __init__(self, group):
+        self.name = plain(group.find(SVG + "title").text.split(", ")[0])
+        line, arc = group.find(SVG + "line"), group.find(SVG + "polyline")
+        if line is not None:
+            self.ends = [(float(line.get("x" + k)), float(line.get("y" + k))) for k in "12"]
+            x, y = self.ends[1][0] - self.ends[0][0], self.ends[0][1] - self.ends[1][1]
+            length = math.hypot(x, y)
+            self.way, self.points = (x / length, y / length), self.ends
+        else:
+            self.points = [tuple(map(float, pair.split(","))) for pair in arc.get("points").split()]
+            (ax, ay), (bx, by), (cx, cy) = self.points[0], self.points[9], self.points[18]
+            self.way = (math.copysign(1, -((bx - ax) * (cy - ay) - (by - ay) * (cx - ax))),)
+
+
+def label_box(text):
+    """What a text covers, measured generously for Helvetica and its kin."""
+    width = 0
+    for part in [text.text or ""] + [span.text if span.get("font-size") is None else span.text[:len(span.text) * 3 // 4]
+                                     for span in text.findall(SVG + "tspan")]:
+        width += 6.3 * len(part)
+    x, y = float(text.get("x")), float(text.get("y"))
+    return x, y - 9, x + width, y + 2
+
+
+def meets(box, a, b):
+    """Does the segment pass through the box? Sampled each half pixel."""
+    count = max(2, int(2 * math.hypot(b[0] - a[0], b[1] - a[1])))
+    for i in range(count + 1):
+        x, y = (a[k] + (b[k] - a[k]) * i / count for k in (0, 1))
+        if box[0] < x < box[2] and box[1] < y < box[3]:
+            return True
+    return False
+
+
+class Picture:
+    def __init__(self, path):
+        root = tree.parse(path).getroot()
+        self.size = root.get("width"), root.get("height")
+        self.arrows = [Arrow(group) for group in root.iter(SVG + "g") if group.find(SVG + "title") is not None]
+        texts = [text for text in root.iter(SVG + "text") if text.get("font-size") is None]
+        self.labels = [label_box(text) for text in texts]
+        words = [text.text for text in root.iter(SVG + "text") if text.get("font-weight") == "bold"]
+        self.title = words[0]
+
+
+class Drawings(Case):
+    def draw(self, example):
+        """The section's names and the pictures, both by heading; None where the machine has none yet."""
+        folder = self.path("of-" + os.path.basename(example))
+        run = Run("derive", example, "-q", "--what", "free-bodies", "--format", "json", "--svg", folder)
+        if run.code == 1 and "--svg" in run.err:
+            self.assertFalse(os.path.exists(folder))
+            return None, None
+        self.assertEqual(run.code, 0, example + run.err)
+        pictures = [Picture(path) for path in sorted(glob.glob(folder + "/*"))]
+        self.assertFalse(glob.glob(folder + "/.*"))
+        return named_in_section(run.json()), {picture.title: picture for picture in pictures}
+
+    def test_every_force_of_the_equations_is_drawn_once_on_each_of_its_bodies(self):
+        drawn = 0
+        for example in EXAMPLES:
+            named, pictures = self.draw(example)
+            if named is None:
+                continue
+            self.assertEqual(sorted(named), sorted(pictures), example)
+            ways = {}
+            for title, picture in pictures.items():
+                self.assertEqual(sorted(named[title]), sorted(arrow.name for arrow in picture.arrows), example + title)
+                self.assertEqual(picture.size, ("560", "440"))
+                for arrow in picture.arrows:
+                    ways.setdefault(arrow.name.lstrip("-"), {})[arrow.name[0] == "-"] = arrow.way
+            for name, sides in ways.items():
+                if len(sides) == 2:
+                    drawn += 1
+                    for one, other in zip(sides[False], sides[True]):
+                        self.assertAlmostEqual(one, -other, places=3, msg=example + name)
+        self.assertGreater(drawn, 150)
+
+    def test_names_lie_clear_of_arrows_and_of_each_other(self):
+        labels = touched = 0
+        for example in EXAMPLES:
+            named, pictures = self.draw(example)
+            for picture in (pictures or {}).values():
+                for k, box in enumerate(picture.labels):
+                    labels += 1
+                    touched += any(meets(box, a, b) for arrow in picture.arrows
+                                   for a, b in zip(arrow.points, arrow.points[1:]))
+                    for other in picture.labels[:k]:
+                        apart = (box[2] <= other[0] or other[2] <= box[0] or box[3] <= other[1] or other[3] <= box[1])
+                        touched += not apart
+                    self.assertTrue(0 <= box[0] and box[2] <= 560 and 0 <= box[1] and box[3] <= 440, example)
+        self.assertGreater(labels, 800)
+        self.assertEqual(touched, 0)
+
+    def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):
+        _, pictures = self.draw(os.path.join(ROOT, "examples", "double-pendulum.yaml"))
+        arrows = {arrow.name: arrow for arrow in pictures["link1, body 1"].arrows}
+        self.assertEqual(arrows["Wlink1"].way, (0, -1))
+        self.assertTrue(arrows["F01"].way[0] > 0.2 and arrows["F01"].way[1] > 0.2)
+        self.assertTrue(arrows["-F12"].way[0] < -0.2 and arrows["-F12"].way[1] < -0.2)
+        self.assertEqual((arrows["Mtheta1"].way, arrows["-Mtheta2"].way), ((1,), (-1,)))
+
+    def test_all_files_or_none(self):
+        example = os.path.join(ROOT, "examples", "toggle.yaml")
+        folder = self.path("pictures")
+        os.makedirs(os.path.join(folder, "3-link3.svg"))  # in the way of one of six
+        with open(os.path.join(folder, "mine.txt"), "w", encoding="utf-8") as file:
+            file.write("mine")
+        run = Run("derive", example, "--what", "free-bodies", "--svg", folder)
+        self.assertEqual((run.code, run.out), (2, ""))
+        self.assertEqual(sorted(os.listdir(folder)), ["3-link3.svg", "mine.txt"])
+        os.rmdir(os.path.join(folder, "3-link3.svg"))
+        self.good("derive", example, "--what", "free-bodies", "--svg", folder)
+        self.assertEqual(len(os.listdir(folder)), 7)
+        self.good("derive", example, "--what", "free-bodies", "--svg", folder)  # again, over the old ones
+
+    def test_places_that_cannot_be_written_are_named(self):
+        example = os.path.join(ROOT, "examples", "toggle.yaml")
+        for folder in (self.path("none/such"), self.four_bar):
+            run = Run("derive", example, "--svg", folder)
+            self.assertEqual((run.code, run.out), (2, ""))
+            self.assertIn("[E07", run.err)
+
+    def test_the_same_pose_is_the_same_bytes_and_another_pose_is_not(self):
+        example = os.path.join(ROOT, "examples", "slider-crank.yaml")
+        for name, at in (("a", "60deg"), ("b", "60deg"), ("c", "20deg")):
+            self.good("derive", example, "--svg", self.path(name), "--at", "theta=" + at)
+        self.assertEqual(self.read("a/2-rod.svg"), self.read("b/2-rod.svg"))
+        self.assertNotEqual(self.read("a/2-rod.svg"), self.read("c/2-rod.svg"))
+
+
+if __name__ == "__main__":
+    unittest.main()
