@@ -82,6 +82,21 @@ char *chain_text(size_t n)
     return t.start;
 }
 
+char *arm_text(size_t n)
+{
+    Text t = {malloc(250 * n + 300), 0};
+    if (!t.start) return NULL;
+    add(&t, "parameters: {g: 9.81");
+    for (size_t i = 1; i <= n; i++) add(&t, ", l%zu: 1, lc%zu: 0.5, m%zu: 1, I%zu: 0.1", i, i, i, i);
+    add(&t, "}\ngravity: [0, -g]\nbodies:\n  ground: {points: {J1: [0, 0]}}\n");
+    for (size_t i = 1; i <= n; i++)
+        add(&t, "  b%zu: {points: {J%zu: [0, 0], J%zu: [l%zu, 0]}, mass: m%zu, center: [lc%zu, 0], inertia: I%zu}\n", i,
+            i, i + 1, i, i, i, i);
+    add(&t, "joints:\n  J1: {pin: [ground, b1], angle: q1}\n");
+    for (size_t i = 2; i <= n; i++) add(&t, "  J%zu: {pin: [b%zu, b%zu], angle: q%zu}\n", i, i - 1, i, i);
+    return t.start;
+}
+
 static void add_rods(Text *t, size_t n)
 {
     add(t, "gravity: [0, -9.81]\nbodies:\n  ground: {points: {A0: [0, 0]");

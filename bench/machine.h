@@ -23,7 +23,8 @@ void machine_accelerate(Machine *machine, double *accelerations);
 YkSimulation *machine_simulate(Machine *machine, double tolerance, double horizon);
 
 // Texts of machines of any length; NULL when out of memory.
-char *chain_text(size_t rods);       // hanging, of 1 m and 1 kg, pins J0, J1, ...
+char *chain_text(size_t rods); // hanging, of 1 m and 1 kg, pins J0, J1, ...
+char *arm_text(size_t links);  // a chain whose every link has parameters of its own: length, centre, mass, inertia
 char *n_four_bar_text(size_t loops); // rods of 1 m and 1 kg, upright, turning clockwise at 1 rad/s
 
 // Sorts; the middle one.

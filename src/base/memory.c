@@ -33,6 +33,19 @@ void yk_arena_free(YkArena *arena)
     free(arena);
 }
 
+void yk_arena_clear(YkArena *arena)
+{
+    Chunk *kept = arena->newest; // the largest
+    if (!kept) return;
+    for (Chunk *chunk = kept->older, *older; chunk; chunk = older) {
+        older = chunk->older;
+        free(chunk);
+    }
+    kept->older = NULL;
+    arena->failed = false;
+    arena->next = (unsigned char *)(kept + 1);
+}
+
 static size_t padding(const unsigned char *address, size_t alignment)
 {
     return (size_t)(-(uintptr_t)address & (alignment - 1));

@@ -8,6 +8,7 @@ typedef struct YkArena YkArena;
 
 YkArena *yk_arena_new(void);
 void yk_arena_free(YkArena *arena);
+void yk_arena_clear(YkArena *arena); // all that was given is gone; memory is kept for what comes next
 // Zeroed memory for `count` things of `size` bytes, aligned to 64 bytes from 64 bytes on, to 16 below.
 // NULL on overflow or exhaustion; the arena then remembers: yk_arena_failed() stays true.
 void *yk_arena_alloc(YkArena *arena, size_t count, size_t size);

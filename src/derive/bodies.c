@@ -135,8 +135,9 @@ static bool make_changes(YkDerivation *d)
         changes[count++] = (YkRingChange){body->acceleration, forms[b][2], NULL};
     }
     for (size_t b = 0; b < bodies; b++) d->body_angles[b] = forms[b][0];
-    d->to_joints = changes;
-    return true;
+    d->changes = changes;
+    d->to_joints = yk_ring_changes(d->ring, changes, count);
+    return d->to_joints != NULL;
 }
 
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
@@ -146,7 +147,7 @@ const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
         d->failed = true;
         return NULL;
     }
-    return yk_ring_substitute(d->ring, a, d->to_joints, d->change_count);
+    return yk_ring_change(d->ring, a, d->to_joints);
 }
 
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body)

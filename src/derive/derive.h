@@ -92,8 +92,9 @@ struct YkDerivation {
     size_t coordinate_count, tree_count;   // all; those of the tree come first and agree with the mechanism's indices
     int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE
     YkDeriveBody *bodies;
-    YkRingChange *to_joints; // one for each angle, rate and acceleration that is a body's own; made at first use
+    YkRingChange *changes; // one for each angle, rate and acceleration that is a body's own; made at first use
     size_t change_count;
+    YkRingChanges *to_joints;      // the same, prepared
     const YkPoisson **body_angles; // made with them: of each body's axes, joint form
     YkDeriveLoop *loops;           // in the file's order; yk_derive_loops makes them at first use
     size_t loop_count;

@@ -4,19 +4,15 @@
 // A power of one symbol needs no name of its own.
 static bool is_worth_a_name(const YkDerivation *d, const YkPoisson *lump)
 {
-    size_t mentioned = 0;
-    if (yk_ring_terms(lump) > 1) return true;
-    for (size_t s = 0; s < yk_ring_symbol_count(d->ring) && mentioned < 2; s++)
-        mentioned += yk_ring_mentions(d->ring, lump, (int32_t)s);
-    return mentioned > 1;
+    int32_t first = yk_ring_next_symbol(d->ring, lump, -1);
+    return yk_ring_terms(lump) > 1 || (first >= 0 && yk_ring_next_symbol(d->ring, lump, first) >= 0);
 }
 
 // Weights stay where the reader looks for gravity.
 static YkRingClass class_of(const YkDerivation *d, const YkPoisson *lump)
 {
-    for (size_t s = 0; s < yk_ring_symbol_count(d->ring); s++)
-        if (yk_ring_symbol_class(d->ring, (int32_t)s) == YK_RING_GRAVITY && yk_ring_mentions(d->ring, lump, (int32_t)s))
-            return YK_RING_GRAVITY;
+    for (int32_t s = -1; (s = yk_ring_next_symbol(d->ring, lump, s)) >= 0;)
+        if (yk_ring_symbol_class(d->ring, s) == YK_RING_GRAVITY) return YK_RING_GRAVITY;
     return YK_RING_CONSTANT;
 }
 

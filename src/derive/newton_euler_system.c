@@ -103,17 +103,13 @@ bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
 const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
                                         size_t column)
 {
-    YkRing *ring = f->d->ring;
-    if (!yk_ring_mentions(ring, system->zeros[row], system->unknowns[column])) return yk_ring_rational(ring, 0, 1);
-    return yk_ring_coefficient(ring, system->zeros[row], system->unknowns[column], 1);
+    return yk_ring_coefficient(f->d->ring, system->zeros[row], system->unknowns[column], 1);
 }
 
 const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row)
 {
     YkRing *ring = f->d->ring;
     const YkPoisson *rest = system->zeros[row];
-    for (size_t k = 0; k < system->unknown_count; k++)
-        if (yk_ring_mentions(ring, rest, system->unknowns[k]))
-            rest = yk_ring_coefficient(ring, rest, system->unknowns[k], 0);
+    for (size_t k = 0; k < system->unknown_count; k++) rest = yk_ring_coefficient(ring, rest, system->unknowns[k], 0);
     return yk_ring_negate(ring, rest);
 }

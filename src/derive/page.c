@@ -17,7 +17,7 @@ static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
         page->failed = true;
         return NULL;
     }
-    *line = (YkLine){.kind = kind, .text = copy(page, text), .section = page->section};
+    *line = (YkLine){.kind = kind, .text = copy(page, text), .section = page->section, .solved = -1};
     if (page->last) page->last->next = line;
     if (!page->first) page->first = line;
     page->last = line;
@@ -134,20 +134,12 @@ YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left
     return line;
 }
 
-static bool is_whole_in_print(YkRing *ring, const YkPoisson *a)
-{
-    YkText text = {0};
-    bool whole = yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_EXPANDED, &text) && !strchr(yk_text_get(&text), '/');
-    yk_text_free(&text);
-    return whole;
-}
-
 // The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix): where it finds no common divisor, print may have a 2, no
 // more.
 static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
     const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2), *b = yk_ring_scale(ring, *under, 1, 2);
-    if (!a || !b || !is_whole_in_print(ring, b) || !is_whole_in_print(ring, a)) return;
+    if (!a || !b || !yk_ring_is_whole_in_print(ring, b) || !yk_ring_is_whole_in_print(ring, a)) return;
     *over = a, *under = b;
 }
 
@@ -171,8 +163,8 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
 static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
 {
     const YkPoisson *rate = yk_ring_rational(ring, 1, 1), *content = yk_ring_content(ring, *over);
-    for (size_t s = 0; content && s < yk_ring_symbol_count(ring); s++) {
-        int32_t lowest, highest, symbol = (int32_t)s;
+    for (int32_t symbol = -1; (symbol = yk_ring_next_symbol(ring, content, symbol)) >= 0;) {
+        int32_t lowest, highest;
         YkRingClass kind = yk_ring_symbol_class(ring, symbol);
         if (kind != YK_RING_RATE && kind != YK_RING_ACCELERATION && kind != YK_RING_FUNCTION) continue;
         if (!yk_ring_powers(ring, content, symbol, &lowest, &highest) || lowest < 1) continue;
@@ -221,7 +213,7 @@ YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const
     line->vanishes = yk_ring_subtract(ring, yk_ring_multiply(ring, divisor, left), over);
     line->value = line->over = over;
     line->value_under = line->under = divisor;
-    line->target = yk_ring_name_in(ring, symbol, YK_RING_C);
+    line->solved = symbol;
     if (!line->vanishes) page->failed = true;
     return line;
 }

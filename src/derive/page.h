@@ -54,6 +54,7 @@ struct YkLine {
     bool is_identity; // `vanishes` is 0 by itself, coordinates being free
     // For C: target = over / under; under NULL: 1. NULL: no statement.
     const char *target;
+    int32_t solved; // the symbol that is the target; -1: none
     const YkPoisson *over, *under;
     // For values beside symbols: what a number can be given for; under NULL: 1. NULL: none.
     const YkPoisson *value, *value_under;

@@ -30,11 +30,12 @@ static void put_matrix(YkPrinting *printing, const YkLine *line, const YkShownMa
 static void put_statement(YkPrinting *printing, const YkLine *line, size_t *row)
 {
     YkText *text = printing->text;
-    bool is_row = strcmp(line->target, "Phi") == 0;
+    const char *target = line->solved >= 0 ? yk_ring_name_in(printing->ring, line->solved, YK_RING_C) : line->target;
+    bool is_row = line->solved < 0 && strcmp(target, "Phi") == 0;
     if (is_row)
         yk_text_format(text, "Phi[%z] = ", (*row)++);
     else
-        yk_text_format(text, "const double %s = ", line->target);
+        yk_text_format(text, "const double %s = ", target);
     int64_t over, under;
     bool is_quotient = line->under && !(yk_ring_is_rational(line->under, &over, &under) && over == 1 && under == 1);
     if (is_quotient) yk_text_puts(text, "(");
@@ -63,7 +64,7 @@ void yk_print_c(YkPrinting *printing, const YkPage *page)
             if (line->level == 1) yk_text_puts(printing->text, "\n");
             put_comment(printing->text, line->text);
         }
-        if (line->kind != YK_LINE_FORMULA || !line->target) continue;
+        if (line->kind != YK_LINE_FORMULA || (!line->target && line->solved < 0)) continue;
         const YkShownMatrix *matrix = line->over ? NULL : first_matrix(line);
         if (matrix)
             put_matrix(printing, line, matrix);

@@ -49,6 +49,15 @@ bool yk_print_is_one_factor(const char *text)
     return true;
 }
 
+void yk_print_brackets(YkText *text, size_t start)
+{
+    size_t length = text->length - start;
+    yk_text_puts(text, "()");
+    if (text->failed) return;
+    memmove(text->data + start + 1, text->data + start, length);
+    text->data[start] = '(';
+}
+
 bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a)
 {
     YkText text = {0};

@@ -40,6 +40,7 @@ void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *te
 void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
 bool yk_print_has_sum(const char *text); // + or - outside of brackets
 bool yk_print_is_one_factor(const char *text);
+void yk_print_brackets(YkText *text, size_t start);             // round what was written since `start`
 bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a); // does it need brackets as a factor?
 // The value of a line; false where there is none. 6 significant digits.
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value);

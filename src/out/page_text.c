@@ -1,94 +1,128 @@
-// Pages as plain text: a formula is a row of boxes, each a few lines high.
+// Pages as plain text: a formula is a row of parts - words and elements, or a matrix - each a few lines high.
 #include <stdlib.h>
 #include <string.h>
 #include "out/page_print.h"
 
-// Lines of text, all of one width.
-typedef struct Box {
-    YkText *lines;
-    size_t height, width;
-} Box;
+// A line of a part: a piece of the sheet's text.
+typedef struct Slice {
+    size_t start, length;
+} Slice;
 
-static void free_box(Box *box)
+// Lines of one width, the middle of which stands beside the middles of other parts.
+typedef struct Part {
+    size_t first, height, width; // first of its lines
+} Part;
+
+// One formula before it is put in rows; its memory is used again for the next.
+typedef struct Sheet {
+    YkPrinting *printing;
+    YkText text, cells; // of the lines, and of a matrix's entries
+    Slice *lines, *entries;
+    size_t line_count, line_capacity, entry_count, entry_capacity;
+    Part *parts;
+    size_t part_count, part_capacity;
+} Sheet;
+
+static void clear_sheet(Sheet *sheet)
 {
-    for (size_t i = 0; i < box->height; i++) yk_text_free(&box->lines[i]);
-    free(box->lines);
-    *box = (Box){0};
+    yk_text_clear(&sheet->text);
+    sheet->line_count = sheet->part_count = 0;
 }
 
-static Box new_box(YkPrinting *printing, size_t height)
+static void free_sheet(Sheet *sheet)
 {
-    Box box = {.lines = calloc(height, sizeof *box.lines), .height = height};
-    if (!box.lines) {
-        printing->failed = true;
-        box.height = 0;
+    sheet->printing->failed |= sheet->text.failed || sheet->cells.failed;
+    yk_text_free(&sheet->text);
+    yk_text_free(&sheet->cells);
+    free(sheet->lines);
+    free(sheet->entries);
+    free(sheet->parts);
+}
+
+// Ends a line of the last part; it began at `start`.
+static void end_line(Sheet *sheet, size_t start)
+{
+    if (!YK_ROOM(sheet->lines, sheet->line_count, sheet->line_capacity)) {
+        sheet->printing->failed = true;
+        return;
     }
-    return box;
+    Part *part = &sheet->parts[sheet->part_count - 1];
+    Slice line = {start, sheet->text.length - start};
+    sheet->lines[sheet->line_count++] = line;
+    part->height++;
+    if (line.length > part->width) part->width = line.length;
 }
 
-static void fill_up(Box *box)
+static bool add_part(Sheet *sheet)
 {
-    for (size_t i = 0; i < box->height; i++)
-        if (box->lines[i].length > box->width) box->width = box->lines[i].length;
-    for (size_t i = 0; i < box->height; i++) yk_text_repeat(&box->lines[i], ' ', box->width - box->lines[i].length);
+    if (!YK_ROOM(sheet->parts, sheet->part_count, sheet->part_capacity)) return !(sheet->printing->failed = true);
+    sheet->parts[sheet->part_count++] = (Part){.first = sheet->line_count};
+    return true;
 }
 
-// Puts `part` to the right, middle beside middle.
-static void append_box(YkPrinting *printing, Box *whole, Box *part)
+// What was written since `start` is a part of one line.
+static void add_line(Sheet *sheet, size_t start)
 {
-    if (part->height > whole->height) {
-        Box higher = new_box(printing, part->height);
-        if (higher.height == 0) return;
-        size_t above = (part->height - 1) / 2 - (whole->height - (whole->height > 0)) / 2;
-        for (size_t i = 0; i < whole->height; i++) {
-            higher.lines[above + i] = whole->lines[i];
-            whole->lines[i] = (YkText){0};
+    if (sheet->text.length > start && add_part(sheet)) end_line(sheet, start);
+}
+
+static size_t middle(size_t height)
+{
+    return height > 0 ? (height - 1) / 2 : 0;
+}
+
+// All parts side by side, without blanks at the ends of lines.
+static void put_rows(const Sheet *sheet)
+{
+    YkText *out = sheet->printing->text;
+    size_t height = 1;
+    for (size_t k = 0; k < sheet->part_count; k++)
+        if (sheet->parts[k].height > height) height = sheet->parts[k].height;
+    for (size_t row = 0; row < height && !sheet->printing->failed; row++) {
+        size_t blanks = 0;
+        for (size_t k = 0; k < sheet->part_count; k++) {
+            const Part *part = &sheet->parts[k];
+            size_t above = middle(height) - middle(part->height);
+            const Slice none = {0, 0};
+            Slice line = row < above || row - above >= part->height ? none : sheet->lines[part->first + row - above];
+            const char *data = yk_text_get(&sheet->text) + line.start;
+            size_t length = line.length;
+            while (length > 0 && data[length - 1] == ' ') length--;
+            if (length > 0) {
+                yk_text_repeat(out, ' ', blanks);
+                yk_text_add(out, data, length);
+                blanks = 0;
+            }
+            blanks += part->width - length;
         }
-        free_box(whole);
-        *whole = higher;
+        yk_text_add(out, "\n", 1);
     }
-    fill_up(whole);
-    size_t above = (whole->height - 1) / 2 - (part->height - (part->height > 0)) / 2;
-    for (size_t i = 0; i < part->height; i++) yk_text_puts(&whole->lines[above + i], yk_text_get(&part->lines[i]));
-    whole->width = 0;
-    fill_up(whole);
 }
 
-static void append_text(YkPrinting *printing, Box *whole, const char *text)
-{
-    Box box = new_box(printing, 1);
-    if (box.height == 0) return;
-    yk_text_puts(&box.lines[0], text);
-    append_box(printing, whole, &box);
-    free_box(&box);
-}
+// --- Pieces in one line
 
 static void put_factor(YkPrinting *printing, const YkPoisson *a, YkText *text)
 {
-    bool is_sum = yk_print_is_sum(printing, a);
-    if (is_sum) yk_text_puts(text, "(");
+    size_t start = text->length;
     yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
-    if (is_sum) yk_text_puts(text, ")");
+    if (yk_print_has_sum(yk_text_get(text) + start)) yk_print_brackets(text, start);
 }
 
 // A minus before a single product needs none.
 static void put_dividend(YkPrinting *printing, const YkPoisson *a, YkText *text)
 {
-    YkText inner = {0};
-    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, &inner);
-    bool is_sum = yk_print_has_sum(yk_text_get(&inner) + (*yk_text_get(&inner) == '-'));
-    yk_text_format(text, is_sum ? "(%s)" : "%s", yk_text_get(&inner));
-    yk_text_free(&inner);
+    size_t start = text->length;
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+    const char *written = yk_text_get(text) + start;
+    if (yk_print_has_sum(written + (*written == '-'))) yk_print_brackets(text, start);
 }
 
 // A divisor of more than one symbol needs brackets.
 static void put_divisor(YkPrinting *printing, const YkPoisson *a, YkText *text)
 {
-    YkText inner = {0};
-    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, &inner);
-    bool is_plain = yk_print_is_one_factor(yk_text_get(&inner));
-    yk_text_format(text, is_plain ? "%s" : "(%s)", yk_text_get(&inner));
-    yk_text_free(&inner);
+    size_t start = text->length;
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+    if (!yk_print_is_one_factor(yk_text_get(text) + start)) yk_print_brackets(text, start);
 }
 
 static void put_name(const YkPagePiece *piece, YkText *text)
@@ -130,73 +164,72 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPa
 
 // --- Matrices
 
-static YkText *write_entries(YkPrinting *printing, const YkShownMatrix *matrix, bool numbers)
+static void write_entries(Sheet *sheet, const YkShownMatrix *matrix, bool numbers)
 {
-    YkText *cells = calloc(matrix->rows * matrix->columns + 1, sizeof *cells);
-    if (!cells) {
-        printing->failed = true;
-        return NULL;
-    }
+    YkPrinting *printing = sheet->printing;
+    yk_text_clear(&sheet->cells);
+    sheet->entry_count = 0;
     for (size_t k = 0; k < matrix->rows * matrix->columns; k++) {
+        size_t start = sheet->cells.length;
         if (numbers)
-            yk_print_number(&cells[k], yk_print_entry(printing, matrix->entries[k]));
+            yk_print_number(&sheet->cells, yk_print_entry(printing, matrix->entries[k]));
         else
-            yk_print_element(printing, matrix->entries[k], YK_RING_BOOK, YK_RING_TEXTBOOK, &cells[k]);
+            yk_print_element(printing, matrix->entries[k], YK_RING_BOOK, YK_RING_TEXTBOOK, &sheet->cells);
+        if (!YK_ROOM(sheet->entries, sheet->entry_count, sheet->entry_capacity)) {
+            printing->failed = true;
+            return;
+        }
+        sheet->entries[sheet->entry_count++] = (Slice){start, sheet->cells.length - start};
     }
-    return cells;
 }
 
-static void free_entries(const YkShownMatrix *matrix, YkText *cells)
-{
-    for (size_t k = 0; cells && k < matrix->rows * matrix->columns; k++) yk_text_free(&cells[k]);
-    free(cells);
-}
-
-static size_t column_width(const YkShownMatrix *matrix, const YkText *cells, size_t column)
+static size_t column_width(const Sheet *sheet, const YkShownMatrix *matrix, size_t column)
 {
     size_t width = 1;
-    for (size_t i = 0; i < matrix->rows; i++)
-        if (cells[i * matrix->columns + column].length > width) width = cells[i * matrix->columns + column].length;
+    for (size_t i = column; i < sheet->entry_count; i += matrix->columns)
+        if (sheet->entries[i].length > width) width = sheet->entries[i].length;
     return width;
 }
 
-static void put_cell(YkText *line, const YkText *cell, size_t width)
+static void put_cell(Sheet *sheet, const Slice *cell, size_t width)
 {
     size_t free_space = width - cell->length;
-    yk_text_repeat(line, ' ', free_space / 2);
-    yk_text_puts(line, yk_text_get(cell));
-    yk_text_repeat(line, ' ', free_space - free_space / 2);
+    yk_text_repeat(&sheet->text, ' ', free_space / 2);
+    yk_text_add(&sheet->text, yk_text_get(&sheet->cells) + cell->start, cell->length);
+    yk_text_repeat(&sheet->text, ' ', free_space - free_space / 2);
+}
+
+// A row of entries, or of dashes below it.
+static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, const size_t *widths, bool dashes)
+{
+    YkText *text = &sheet->text;
+    size_t start = text->length;
+    yk_text_puts(text, "[ ");
+    for (size_t k = 0; k < matrix->columns; k++) {
+        bool is_last = k + 1 == matrix->columns, is_cut = matrix->column_cut[k];
+        if (dashes)
+            yk_text_repeat(text, '-', widths[k]);
+        else
+            put_cell(sheet, &sheet->entries[row * matrix->columns + k], widths[k]);
+        yk_text_puts(text, is_last ? " ]" : dashes ? is_cut ? "-+-" : "--" : is_cut ? " | " : "  ");
+    }
+    end_line(sheet, start);
 }
 
 // Rows with cuts between blocks as lines of dashes.
-static Box matrix_box(YkPrinting *printing, const YkShownMatrix *matrix, bool numbers)
+static void add_matrix(Sheet *sheet, const YkShownMatrix *matrix, bool numbers)
 {
-    size_t height = matrix->rows, at = 0;
-    for (size_t i = 0; i + 1 < matrix->rows; i++) height += matrix->row_cut[i];
-    YkText *cells = write_entries(printing, matrix, numbers);
-    Box box = new_box(printing, cells ? height : 0);
-    if (box.height == 0) {
-        free_entries(matrix, cells);
-        return box;
-    }
-    for (size_t i = 0; i < matrix->rows; i++) {
-        bool is_cut = matrix->row_cut[i] && i + 1 < matrix->rows;
-        YkText *line = &box.lines[at++], *dashes = is_cut ? &box.lines[at++] : NULL;
-        yk_text_puts(line, "[ ");
-        if (dashes) yk_text_puts(dashes, "[ ");
-        for (size_t k = 0; k < matrix->columns; k++) {
-            size_t width = column_width(matrix, cells, k);
-            bool is_last = k + 1 == matrix->columns;
-            put_cell(line, &cells[i * matrix->columns + k], width);
-            yk_text_puts(line, is_last ? " ]" : matrix->column_cut[k] ? " | " : "  ");
-            if (!dashes) continue;
-            yk_text_repeat(dashes, '-', width);
-            yk_text_puts(dashes, is_last ? " ]" : matrix->column_cut[k] ? "-+-" : "--");
+    size_t *widths = calloc(matrix->columns + 1, sizeof *widths);
+    if (!widths) sheet->printing->failed = true;
+    if (widths) write_entries(sheet, matrix, numbers);
+    if (!sheet->printing->failed && add_part(sheet)) {
+        for (size_t k = 0; k < matrix->columns; k++) widths[k] = column_width(sheet, matrix, k);
+        for (size_t i = 0; i < matrix->rows; i++) {
+            put_row(sheet, matrix, i, widths, false);
+            if (matrix->row_cut[i] && i + 1 < matrix->rows) put_row(sheet, matrix, i, widths, true);
         }
     }
-    free_entries(matrix, cells);
-    fill_up(&box);
-    return box;
+    free(widths);
 }
 
 static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
@@ -216,61 +249,54 @@ static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
 
 // --- Lines
 
-static void put_value(YkPrinting *printing, const YkLine *line, Box *whole)
+static void add_value(Sheet *sheet, const YkLine *line)
 {
     YkVec value;
-    YkText text = {0};
+    YkText *text = &sheet->text;
+    size_t start = text->length;
     const YkShownMatrix *matrix = yk_print_only_matrix(line);
-    if (printing->values && matrix) {
-        Box box = matrix_box(printing, matrix, true);
-        append_text(printing, whole, " = ");
-        if (box.height > 0) append_box(printing, whole, &box);
-        free_box(&box);
-    } else if (yk_print_value(printing, line, &value)) {
-        yk_text_puts(&text, " = ");
-        if (line->is_vector) yk_text_puts(&text, "[");
-        yk_print_number(&text, value.x);
+    if (sheet->printing->values && matrix) {
+        yk_text_puts(text, " = ");
+        add_line(sheet, start);
+        add_matrix(sheet, matrix, true);
+    } else if (yk_print_value(sheet->printing, line, &value)) {
+        yk_text_puts(text, line->is_vector ? " = [" : " = ");
+        yk_print_number(text, value.x);
         if (line->is_vector) {
-            yk_text_puts(&text, ", ");
-            yk_print_number(&text, value.y);
-            yk_text_puts(&text, "]");
+            yk_text_puts(text, ", ");
+            yk_print_number(text, value.y);
+            yk_text_puts(text, "]");
         }
-        append_text(printing, whole, yk_text_get(&text));
-        yk_text_free(&text);
+        add_line(sheet, start);
     }
 }
 
-static void put_formula(YkPrinting *printing, const YkLine *line)
+static void put_formula(Sheet *sheet, const YkLine *line)
 {
-    Box whole = new_box(printing, 1);
+    YkText *text = &sheet->text;
     const YkPagePiece *before = NULL;
-    if (whole.height == 0) return;
-    yk_text_puts(&whole.lines[0], "  ");
-    if (line->text) yk_text_format(&whole.lines[0], "%s:  ", line->text);
+    clear_sheet(sheet);
+    yk_text_puts(text, "  ");
+    if (line->text) {
+        yk_text_puts(text, line->text);
+        yk_text_puts(text, ":  ");
+    }
+    size_t start = 0;
     for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next) {
-        if (piece->kind == YK_PIECE_MATRIX) {
-            Box box = matrix_box(printing, piece->matrix, false);
-            if (before) append_text(printing, &whole, " ");
-            if (box.height > 0) append_box(printing, &whole, &box);
-            free_box(&box);
-        } else {
-            YkText text = {0};
-            put_piece(printing, piece, before, &text);
-            append_text(printing, &whole, yk_text_get(&text));
-            yk_text_free(&text);
+        if (piece->kind != YK_PIECE_MATRIX) {
+            put_piece(sheet->printing, piece, before, text);
+            continue;
         }
+        if (before) yk_text_puts(text, " ");
+        add_line(sheet, start);
+        add_matrix(sheet, piece->matrix, false);
+        start = text->length;
     }
-    put_value(printing, line, &whole);
-    for (size_t i = 0; i < whole.height; i++) {
-        const char *data = yk_text_get(&whole.lines[i]);
-        size_t length = whole.lines[i].length;
-        while (length > 0 && data[length - 1] == ' ') length--;
-        yk_text_add(printing->text, data, length);
-        yk_text_puts(printing->text, "\n");
-    }
-    free_box(&whole);
+    add_line(sheet, start);
+    add_value(sheet, line);
+    put_rows(sheet);
     const YkShownMatrix *matrix = yk_print_only_matrix(line);
-    if (matrix) put_matrix_names(printing, matrix);
+    if (matrix) put_matrix_names(sheet->printing, matrix);
 }
 
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text)
@@ -299,10 +325,12 @@ static void put_heading(YkPrinting *printing, const YkLine *line, bool first)
 
 void yk_print_text(YkPrinting *printing, const YkPage *page)
 {
+    Sheet sheet = {.printing = printing};
     if (printing->title) yk_text_format(printing->text, "%s\n\n", printing->title);
     for (const YkLine *line = page->first; line && !printing->failed; line = line->next) {
         if (line->kind == YK_LINE_HEADING) put_heading(printing, line, line == page->first);
         if (line->kind == YK_LINE_WORDS) yk_text_format(printing->text, "  %s\n", line->text);
-        if (line->kind == YK_LINE_FORMULA) put_formula(printing, line);
+        if (line->kind == YK_LINE_FORMULA) put_formula(&sheet, line);
     }
+    free_sheet(&sheet);
 }

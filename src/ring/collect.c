@@ -12,6 +12,25 @@ bool yk_ring_powers(const YkRing *ring, const YkPoisson *a, int32_t symbol, int3
     return true;
 }
 
+static int32_t next_power(const YkPowers *table, uint32_t item, int32_t after, int32_t least)
+{
+    uint32_t count;
+    const YkPower *powers = yk_powers_of(table, item, &count);
+    for (uint32_t i = 0; i < count; i++)
+        if (powers[i].symbol > after) return least < 0 || powers[i].symbol < least ? powers[i].symbol : least;
+    return least;
+}
+
+int32_t yk_ring_next_symbol(const YkRing *ring, const YkPoisson *a, int32_t after)
+{
+    int32_t least = -1;
+    for (size_t i = 0; a && i < a->count; i++) {
+        least = next_power(&ring->monomials, yk_key_monomial(a->terms[i].key), after, least);
+        least = next_power(&ring->phases, yk_key_phase(a->terms[i].key), after, least);
+    }
+    return least;
+}
+
 bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol)
 {
     for (size_t i = 0; a && i < a->count; i++)
@@ -21,15 +40,27 @@ bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol)
     return false;
 }
 
+// The exponent of a symbol in a term, outside of phases.
+static int32_t exponent_in(YkRing *ring, YkRingTerm term, int32_t symbol)
+{
+    uint32_t monomial = yk_key_monomial(term.key);
+    if (!(yk_ring_classes(ring, monomial) & 1u << ring->symbols[symbol].kind)) return 0;
+    return yk_powers_exponent(&ring->monomials, monomial, symbol);
+}
+
 const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t power)
 {
+    size_t found = 0;
     if (!a) return NULL;
+    for (size_t i = 0; i < a->count; i++) found += exponent_in(ring, a->terms[i], symbol) == power;
+    if (found == 0) return ring->zero;
+    if (power == 0 && found == a->count) return a;
     uint32_t divisor = yk_ring_monomial_of(ring, symbol, power);
     if (divisor == YK_NO_PRODUCT) return NULL;
     yk_gather_begin(ring, a->denominator);
     for (size_t i = 0; i < a->count; i++) {
         uint64_t key = a->terms[i].key;
-        if (yk_powers_exponent(&ring->monomials, yk_key_monomial(key), symbol) != power) continue;
+        if (exponent_in(ring, a->terms[i], symbol) != power) continue;
         uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(key), divisor, -1);
         if (monomial == YK_NO_PRODUCT) ring->gather.failed = true;
         yk_gather_add(ring, yk_key(yk_key_phase(key), monomial, yk_key_unit(key)), a->terms[i].number);

@@ -13,7 +13,6 @@ uint32_t yk_quotient(YkSheet *sheet, uint32_t monomial, uint32_t divisor)
     return or_fail(sheet, yk_ring_monomial(sheet->ring, monomial, divisor, -1));
 }
 
-// The product of those powers that `keep` leaves, each with the exponent that it says.
 static uint32_t product_of(YkSheet *sheet, uint32_t product, YkPower power)
 {
     uint32_t factor = yk_ring_monomial_of(sheet->ring, power.symbol, power.exponent);
@@ -23,8 +22,10 @@ static uint32_t product_of(YkSheet *sheet, uint32_t product, YkPower power)
 uint32_t yk_part_of_classes(YkSheet *sheet, uint32_t monomial, unsigned classes)
 {
     uint32_t count, part = 0;
-    const YkRing *ring = sheet->ring;
+    YkRing *ring = sheet->ring;
     if (sheet->failed) return YK_NO_PRODUCT;
+    if (!(yk_ring_classes(ring, monomial) & classes)) return 0;
+    if (!(yk_ring_classes(ring, monomial) & ~classes)) return monomial;
     yk_powers_of(&ring->monomials, monomial, &count);
     for (uint32_t i = 0; i < count && part != YK_NO_PRODUCT; i++) {
         const YkPower power = yk_powers_of(&ring->monomials, monomial, &count)[i];

@@ -10,7 +10,7 @@ static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
     for (size_t i = 0; i < a->count; i++) {
         uint64_t key = a->terms[i].key;
         int64_t number = a->terms[i].number;
-        uint32_t phase = yk_ring_phase(ring, 0, yk_key_phase(key), -1);
+        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
         if (phase == YK_NO_PRODUCT) ring->gather.failed = true;
         bool has_i = yk_key_unit(key) & YK_UNIT_I;
         unsigned unit = yk_key_unit(key) ^ (imaginary ? YK_UNIT_I : 0);
@@ -28,7 +28,7 @@ const YkPoisson *yk_ring_conjugate(YkRing *ring, const YkPoisson *a)
     yk_gather_begin(ring, a->denominator);
     for (size_t i = 0; i < a->count; i++) {
         uint64_t key = a->terms[i].key;
-        uint32_t phase = yk_ring_phase(ring, 0, yk_key_phase(key), -1);
+        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
         if (phase == YK_NO_PRODUCT) ring->gather.failed = true;
         bool negative = yk_key_unit(key) & YK_UNIT_I;
         yk_gather_add(ring, yk_key(phase, yk_key_monomial(key), yk_key_unit(key)),
@@ -47,9 +47,33 @@ const YkPoisson *yk_ring_imaginary(YkRing *ring, const YkPoisson *a)
     return a ? half(ring, a, true) : NULL;
 }
 
+// The number that stands at a key; 0 where none does.
+static int64_t number_at(const YkPoisson *a, uint64_t key)
+{
+    size_t low = 0, high = a->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (a->terms[middle].key == key) return a->terms[middle].number;
+        if (a->terms[middle].key < key)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return 0;
+}
+
+// Every term has its conjugate among the terms: nothing is made.
 bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
 {
-    return yk_ring_is_same(a, yk_ring_conjugate(ring, a));
+    for (size_t i = 0; a && i < a->count; i++) {
+        uint64_t key = a->terms[i].key;
+        bool has_i = yk_key_unit(key) & YK_UNIT_I;
+        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
+        if (phase == YK_NO_PRODUCT) return false;
+        int64_t number = number_at(a, yk_key(phase, yk_key_monomial(key), yk_key_unit(key)));
+        if (number != (has_i ? -a->terms[i].number : a->terms[i].number)) return false;
+    }
+    return a != NULL;
 }
 
 const YkPoisson *yk_ring_dot(YkRing *ring, const YkPoisson *u, const YkPoisson *v)

@@ -5,6 +5,8 @@ const YkPoisson *yk_ring_rational(YkRing *ring, int64_t numerator, int64_t denom
 {
     YkRatio ratio;
     if (denominator == 0) return yk_ring_fail(ring, YK_RING_DIVISOR);
+    if (numerator == 0) return ring->zero;
+    if (numerator == 1 && denominator == 1) return ring->one;
     if (!yk_ratio_make(numerator, denominator, &ratio)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
     return yk_poisson_term(ring, 0, ratio.over, ratio.under);
 }
@@ -63,8 +65,10 @@ static bool is_symbol(YkRing *ring, int32_t symbol)
 const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol)
 {
     if (!is_symbol(ring, symbol)) return NULL;
+    if (ring->symbols[symbol].element) return ring->symbols[symbol].element;
     uint32_t monomial = yk_ring_monomial_of(ring, symbol, 1);
-    return monomial == YK_NO_PRODUCT ? NULL : yk_poisson_term(ring, yk_key(0, monomial, 0), 1, 1);
+    if (monomial == YK_NO_PRODUCT) return NULL;
+    return ring->symbols[symbol].element = yk_poisson_term(ring, yk_key(0, monomial, 0), 1, 1);
 }
 
 static const YkPoisson *unit_power(YkRing *ring, int32_t angle, int32_t factor)

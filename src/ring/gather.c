@@ -3,7 +3,7 @@
 #include <string.h>
 #include "ring/inside.h"
 
-enum { INSERTION_MAX = 24 };
+enum { INSERTION_MAX = 24, FEW = 12 }; // of few terms each is found by looking at all
 
 void yk_gather_free(YkGather *gather)
 {
@@ -18,6 +18,15 @@ static size_t slot_start(const YkGather *gather, uint64_t key)
     return (size_t)((key * 0x9e3779b97f4a7c15u) >> 32) & (gather->slot_count - 1);
 }
 
+static void enter_all(YkGather *gather)
+{
+    for (size_t i = 0; i < gather->count; i++) {
+        size_t slot = slot_start(gather, gather->terms[i].key);
+        while (gather->slots[slot] != 0) slot = (slot + 1) & (gather->slot_count - 1);
+        gather->slots[slot] = (uint32_t)i + 1;
+    }
+}
+
 // Makes the slots anew, twice as many, with all terms entered.
 static bool more_slots(YkGather *gather)
 {
@@ -27,11 +36,7 @@ static bool more_slots(YkGather *gather)
     free(gather->slots);
     gather->slots = slots;
     gather->slot_count = slot_count;
-    for (size_t i = 0; i < gather->count; i++) {
-        size_t slot = slot_start(gather, gather->terms[i].key);
-        while (slots[slot] != 0) slot = (slot + 1) & (slot_count - 1);
-        slots[slot] = (uint32_t)i + 1;
-    }
+    if (gather->count > FEW) enter_all(gather);
     return true;
 }
 
@@ -60,21 +65,33 @@ static bool fail(YkRing *ring, YkRingStatus status)
     return false;
 }
 
+// The term of a key, or NULL; *slot is then where it belongs.
+static YkRingTerm *find_term(YkGather *gather, uint64_t key, size_t *slot)
+{
+    if (gather->count <= FEW) {
+        for (size_t i = 0; i < gather->count; i++)
+            if (gather->terms[i].key == key) return &gather->terms[i];
+        return NULL;
+    }
+    for (*slot = slot_start(gather, key); gather->slots[*slot] != 0; *slot = (*slot + 1) & (gather->slot_count - 1))
+        if (gather->terms[gather->slots[*slot] - 1].key == key) return &gather->terms[gather->slots[*slot] - 1];
+    return NULL;
+}
+
 bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number)
 {
     YkGather *gather = &ring->gather;
+    size_t slot = 0;
     if (gather->failed) return false;
-    if (2 * (gather->count + 1) > gather->slot_count && !more_slots(gather)) return fail(ring, YK_RING_MEMORY);
-    size_t slot = slot_start(gather, key);
-    for (; gather->slots[slot] != 0; slot = (slot + 1) & (gather->slot_count - 1)) {
-        YkRingTerm *term = &gather->terms[gather->slots[slot] - 1];
-        if (term->key != key) continue;
-        return yk_exact_add(term->number, number, &term->number) || fail(ring, YK_RING_OVERFLOW);
-    }
+    if (gather->count >= FEW && 2 * (gather->count + 2) > gather->slot_count && !more_slots(gather))
+        return fail(ring, YK_RING_MEMORY);
+    YkRingTerm *term = find_term(gather, key, &slot);
+    if (term) return yk_exact_add(term->number, number, &term->number) || fail(ring, YK_RING_OVERFLOW);
     if (gather->count >= ring->limit) return fail(ring, YK_RING_SIZE);
     if (!YK_ROOM(gather->terms, gather->count, gather->capacity)) return fail(ring, YK_RING_MEMORY);
     gather->terms[gather->count++] = (YkRingTerm){key, number};
-    gather->slots[slot] = (uint32_t)gather->count;
+    if (gather->count == FEW + 1) enter_all(gather);
+    if (gather->count > FEW + 1) gather->slots[slot] = (uint32_t)gather->count;
     return true;
 }
 
@@ -96,6 +113,7 @@ bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *
 
 static void empty_slots(YkGather *gather)
 {
+    if (gather->count <= FEW) return;
     if (gather->count * 8 > gather->slot_count) {
         if (gather->slots) memset(gather->slots, 0, gather->slot_count * sizeof *gather->slots);
         return;

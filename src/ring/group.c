@@ -125,7 +125,7 @@ void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t 
 static bool has_class(YkSheet *sheet, const YkShownTerm *terms, size_t count, YkRingClass kind)
 {
     for (size_t i = 0; i < count && !sheet->failed; i++)
-        if (yk_part_of_classes(sheet, terms[i].monomial, 1u << kind) != 0) return true;
+        if (yk_ring_classes(sheet->ring, terms[i].monomial) & 1u << kind) return true;
     return false;
 }
 

@@ -56,7 +56,8 @@ typedef struct YkRingSymbol {
     const char *name;
     YkRingClass kind;
     bool is_angle;
-    const YkPoisson *rate; // declared total time derivative, or NULL
+    const YkPoisson *element; // the symbol itself; made at first use
+    const YkPoisson *rate;    // declared total time derivative, or NULL
     YkPartial *partials;
     const YkPoisson *square;        // of a root
     int64_t pi_over;                // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
@@ -79,14 +80,17 @@ struct YkRing {
     YkRingStatus status;
     size_t limit;
     YkArena *arena;
+    YkArena *sheet; // memory of one printing
     YkRingSymbol *symbols;
     size_t symbol_count, symbol_capacity;
-    YkNames names; // in text, aliases included
+    size_t typeset_count; // the first so many have names in all formats
+    YkNames names;        // in text, aliases included
     YkNames latex_names, c_names;
     YkPowers monomials, phases;
     YkGather gather;
     const YkPoisson *zero, *one;
-    size_t form_count; // structured forms made so far
+    YkRingChanges *changes; // the newest
+    size_t form_count;      // structured forms made so far
 };
 
 // Records the first failure; returns NULL for the caller to return.
@@ -95,13 +99,18 @@ const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
 // --- symbols.c: the symbol of pi / pi_over, `pi_7`; entered where new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
 
-// --- typeset.c: a name in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in its ring. False: no
-// memory.
-bool yk_ring_typeset(YkRing *ring, YkRingSymbol *symbol);
+// --- typeset.c: names in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in their ring, of all
+// symbols that have none yet. False with the status: no memory.
+bool yk_ring_typeset(YkRing *ring);
+
+// --- substitute.c
+void yk_ring_free_all_changes(YkRing *ring);
 
 // --- keys.c: products of keys. YK_NO_PRODUCT with the status on failure.
 uint32_t yk_ring_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times); // a * b^times
 uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
+uint32_t yk_ring_opposite(YkRing *ring, uint32_t phase);   // -phase
+unsigned yk_ring_classes(YkRing *ring, uint32_t monomial); // of its symbols: a mask of 1 << class
 uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent);
 uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor);
 // key a times key b, units apart: the caller multiplies by yk_unit_factor. False on failure.

@@ -21,6 +21,26 @@ uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
     return outcome(ring, item, fault);
 }
 
+uint32_t yk_ring_opposite(YkRing *ring, uint32_t phase)
+{
+    uint32_t opposite = ring->phases.items[phase].note;
+    if (phase == 0 || opposite != 0) return opposite;
+    opposite = yk_ring_phase(ring, 0, phase, -1);
+    if (opposite == YK_NO_PRODUCT) return opposite;
+    ring->phases.items[phase].note = opposite;
+    ring->phases.items[opposite].note = phase;
+    return opposite;
+}
+
+unsigned yk_ring_classes(YkRing *ring, uint32_t monomial)
+{
+    uint32_t *classes = &ring->monomials.items[monomial].note, count;
+    if (*classes != 0) return *classes;
+    const YkPower *powers = yk_powers_of(&ring->monomials, monomial, &count);
+    for (uint32_t i = 0; i < count; i++) *classes |= 1u << ring->symbols[powers[i].symbol].kind;
+    return *classes;
+}
+
 uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent)
 {
     YkPowersFault fault;

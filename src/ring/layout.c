@@ -7,23 +7,23 @@ typedef struct Section {
 } Section;
 typedef enum SectionKind { ACCELERATIONS, RATES, GRAVITY, REST, SECTIONS } SectionKind;
 
-static SectionKind section_of(YkSheet *sheet, uint32_t monomial)
+static SectionKind section_of(const YkSheet *sheet, uint32_t monomial)
 {
     static const YkRingClass classes[] = {YK_RING_ACCELERATION, YK_RING_RATE, YK_RING_GRAVITY};
     for (int kind = ACCELERATIONS; kind < REST; kind++)
-        if (yk_part_of_classes(sheet, monomial, 1u << classes[kind]) != 0) return (SectionKind)kind;
+        if (yk_ring_classes(sheet->ring, monomial) & 1u << classes[kind]) return (SectionKind)kind;
     return REST;
 }
 
 static void take_sections(YkSheet *sheet, const YkShownTerm *terms, size_t count, Section sections[SECTIONS])
 {
-    for (int kind = 0; kind < SECTIONS; kind++) {
-        sections[kind] = (Section){YK_NEW(sheet->arena, YkShownTerm, count + 1), 0};
-        if (!sections[kind].terms) sheet->failed = true;
-    }
-    for (size_t i = 0; i < count && !sheet->failed; i++) {
-        Section *section = &sections[section_of(sheet, terms[i].monomial)];
-        section->terms[section->count++] = terms[i];
+    YkShownTerm *sorted = YK_NEW(sheet->arena, YkShownTerm, count + 1);
+    if (!sorted) sheet->failed = true;
+    for (int kind = 0; kind < SECTIONS && sorted; kind++) {
+        sections[kind] = (Section){sorted, 0};
+        for (size_t i = 0; i < count; i++)
+            if (section_of(sheet, terms[i].monomial) == (SectionKind)kind) sorted[sections[kind].count++] = terms[i];
+        sorted += sections[kind].count;
     }
 }
 
@@ -83,7 +83,7 @@ static void sort_by_part(YkSheet *sheet, YkShownTerm *terms, size_t count, YkRin
 // One bracket for each different part of the class.
 static void brackets(YkSheet *sheet, YkShow *sum, Section section, YkRingClass kind)
 {
-    sort_by_part(sheet, section.terms, section.count, kind);
+    if (section.count > 1) sort_by_part(sheet, section.terms, section.count, kind);
     for (size_t start = 0, end; start < section.count && !sheet->failed; start = end) {
         uint32_t lead = yk_part_of_classes(sheet, section.terms[start].monomial, 1u << kind);
         for (end = start + 1; end < section.count; end++)
@@ -95,6 +95,7 @@ static void brackets(YkSheet *sheet, YkShow *sum, Section section, YkRingClass k
 // g (...) where gravity stands in several places to the same power; else by atoms.
 static void gravity_section(YkSheet *sheet, YkShow *sum, Section section)
 {
+    if (section.count == 0) return;
     uint32_t lead = 0;
     bool is_common = section.count > 1;
     for (size_t i = 0; i < section.count && !sheet->failed; i++) {
@@ -132,6 +133,10 @@ YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count)
     YkShow *sum = yk_show(sheet, YK_SHOW_SUM);
     if (sheet->style == YK_RING_EXPANDED) {
         expanded(sheet, sum, terms, count);
+        return sheet->failed ? NULL : sum;
+    }
+    if (count == 1) { // nothing to group
+        yk_show_append(sum, yk_show_term(sheet, terms[0].number, terms[0].monomial, &terms[0].atom));
         return sheet->failed ? NULL : sum;
     }
     Section sections[SECTIONS];

@@ -21,8 +21,9 @@ bool yk_powers_start(YkPowers *table)
 {
     table->slot_count = 64;
     table->slots = calloc(table->slot_count, sizeof *table->slots);
+    table->made = calloc(YK_PRODUCTS_MADE, sizeof *table->made);
     YkPowersFault fault;
-    return table->slots && yk_powers_enter(table, NULL, 0, 1, &fault) == 0;
+    return table->slots && table->made && yk_powers_enter(table, NULL, 0, 1, &fault) == 0;
 }
 
 void yk_powers_free(YkPowers *table)
@@ -31,13 +32,8 @@ void yk_powers_free(YkPowers *table)
     free(table->items);
     free(table->slots);
     free(table->scratch);
+    free(table->made);
     *table = (YkPowers){0};
-}
-
-const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, uint32_t *count)
-{
-    *count = table->items[item].count;
-    return *count > 0 ? table->pool + table->items[item].first : NULL;
 }
 
 int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol)
@@ -82,7 +78,7 @@ static uint32_t add_item(YkPowers *table, const YkPower *powers, size_t count, u
         return YK_NO_PRODUCT;
     *fault = YK_POWERS_FINE;
     if (count > 0) memcpy(table->pool + table->pool_count, powers, count * sizeof *powers);
-    table->items[table->count] = (YkProductOfPowers){hash, table->pool_count, (uint32_t)count};
+    table->items[table->count] = (YkProductOfPowers){hash, table->pool_count, (uint32_t)count, 0};
     table->pool_count += count;
     size_t slot = slot_start(table, hash);
     while (table->slots[slot] != 0) slot = (slot + 1) & (table->slot_count - 1);
@@ -135,12 +131,8 @@ static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b
     return count;
 }
 
-uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
-                            YkPowersFault *fault)
+static uint32_t multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit, YkPowersFault *fault)
 {
-    *fault = YK_POWERS_FINE;
-    if (b == 0 || times == 0) return a;
-    if (a == 0 && times == 1) return b;
     const YkProductOfPowers *left = &table->items[a], *right = &table->items[b];
     while (table->scratch_capacity < (size_t)left->count + right->count)
         if (!yk_grow((void **)&table->scratch, table->scratch_capacity, &table->scratch_capacity,
@@ -156,4 +148,18 @@ uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t tim
     }
     uint64_t hash = left->hash + (uint64_t)(int64_t)times * right->hash;
     return find_or_add(table, table->scratch, count, hash, limit, fault);
+}
+
+uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
+                            YkPowersFault *fault)
+{
+    *fault = YK_POWERS_FINE;
+    if (b == 0 || times == 0) return a;
+    if (a == 0 && times == 1) return b;
+    YkProductMade *made =
+        &table->made[(a * 0x9e3779b1u ^ b * 0x85ebca6bu ^ (uint32_t)times) >> 16 & (YK_PRODUCTS_MADE - 1)];
+    if (made->a == a && made->b == b && made->times == times) return made->product;
+    uint32_t product = multiply(table, a, b, times, limit, fault);
+    if (product != YK_NO_PRODUCT) *made = (YkProductMade){a, b, product, times};
+    return product;
 }

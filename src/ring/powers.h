@@ -14,7 +14,16 @@ typedef struct YkProductOfPowers {
     uint64_t hash;
     size_t first; // index of its first power in the pool; powers ascend by symbol
     uint32_t count;
+    uint32_t note; // what the owner of the table has found out about it; 0 at first
 } YkProductOfPowers;
+
+// A product that was made before. Where two would stand at one place the later one stays.
+typedef struct YkProductMade {
+    uint32_t a, b, product;
+    int32_t times; // 0: none
+} YkProductMade;
+
+enum { YK_PRODUCTS_MADE = 1024 };
 
 typedef struct YkPowers {
     YkPower *pool;
@@ -25,6 +34,7 @@ typedef struct YkPowers {
     size_t slot_count;
     YkPower *scratch;
     size_t scratch_capacity;
+    YkProductMade *made; // [YK_PRODUCTS_MADE]
 } YkPowers;
 
 enum { YK_POWER_MAX = 1000000 };
@@ -34,8 +44,13 @@ typedef enum YkPowersFault { YK_POWERS_FINE, YK_POWERS_MEMORY, YK_POWERS_TOO_LAR
 
 bool yk_powers_start(YkPowers *table); // of a zeroed table; false when out of memory
 void yk_powers_free(YkPowers *table);
-const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, uint32_t *count); // until the next new product
-int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol);   // 0 where it does not occur
+// The powers of a product, until the next new one.
+static inline const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, uint32_t *count)
+{
+    *count = table->items[item].count;
+    return *count > 0 ? table->pool + table->items[item].first : NULL;
+}
+int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol); // 0 where it does not occur
 // The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
 uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
 // a * b^times, times = 1 or -1 (or any other small power).

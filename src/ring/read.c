@@ -227,7 +227,8 @@ const YkPoisson *yk_ring_read(YkRing *ring, YkRingFormat format, const char *tex
         .ring = ring, .format = format, .text = text, .length = length, .place = place, .problems = problems};
     ring->status = YK_RING_OK;
     yk_reader_blanks(&reader);
-    const YkPoisson *value = yk_reader_sum(&reader);
+    bool has_names = format == YK_RING_TEXT || format == YK_RING_BOOK || yk_ring_typeset(ring);
+    const YkPoisson *value = has_names ? yk_reader_sum(&reader) : checked(&reader, 0, NULL);
     if (value && reader.at < length) value = yk_reader_expected(&reader, "an operator or the end");
     ring->status = before;
     return value;

@@ -8,7 +8,8 @@ YkRing *yk_ring_new(void)
     if (!ring) return NULL;
     ring->limit = YK_RING_TERMS_MAX;
     ring->arena = yk_arena_new();
-    if (!ring->arena || !yk_powers_start(&ring->monomials) || !yk_powers_start(&ring->phases) ||
+    ring->sheet = yk_arena_new();
+    if (!ring->arena || !ring->sheet || !yk_powers_start(&ring->monomials) || !yk_powers_start(&ring->phases) ||
         !(ring->zero = yk_poisson_make(ring, NULL, 0, 1)) || !(ring->one = yk_poisson_term(ring, 0, 1, 1))) {
         yk_ring_free(ring);
         return NULL;
@@ -19,6 +20,7 @@ YkRing *yk_ring_new(void)
 void yk_ring_free(YkRing *ring)
 {
     if (!ring) return;
+    yk_ring_free_all_changes(ring);
     yk_gather_free(&ring->gather);
     yk_powers_free(&ring->monomials);
     yk_powers_free(&ring->phases);
@@ -26,6 +28,7 @@ void yk_ring_free(YkRing *ring)
     yk_names_free(&ring->latex_names);
     yk_names_free(&ring->c_names);
     free(ring->symbols);
+    yk_arena_free(ring->sheet);
     yk_arena_free(ring->arena);
     free(ring);
 }

@@ -141,10 +141,17 @@ typedef struct YkRingChange {
     const YkPoisson *value, *unit;
 } YkRingChange;
 const YkPoisson *yk_ring_substitute(YkRing *ring, const YkPoisson *a, const YkRingChange *changes, size_t count);
+// The same for many elements: the changes are kept with what is found out about them. They live as long as the ring.
+typedef struct YkRingChanges YkRingChanges;
+YkRingChanges *yk_ring_changes(YkRing *ring, const YkRingChange *changes, size_t count);
+const YkPoisson *yk_ring_change(YkRing *ring, const YkPoisson *a, YkRingChanges *changes);
 
 // a = sum over k of coefficient_k * symbol^k: the range of k, and one coefficient. false for zero and NULL.
 bool yk_ring_powers(const YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t *lowest, int32_t *highest);
 const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t power);
+// The symbols that stand in an element, outside or in a phase, one after the other: the least that is greater than
+// `after` (-1: the first); -1 after the last. Cost O(terms).
+int32_t yk_ring_next_symbol(const YkRing *ring, const YkPoisson *a, int32_t after);
 bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol); // outside or in a phase
 // The greatest rational number times symbols' powers that divides every term: a = content * (a / content), where the
 // quotient has whole coefficients without common divisor and no symbol in all terms. 0 of 0.

@@ -8,6 +8,7 @@
 typedef struct Cluster {
     uint32_t phase, monomial;
     int64_t number[YK_UNITS];
+    unsigned units; // which numbers are not 0: a mask of 1 << unit
 } Cluster;
 
 // 4 e^(i k 15 deg) by units 1, i, sqrt 2, i sqrt 2, sqrt 3, i sqrt 3, sqrt 6, i sqrt 6.
@@ -19,7 +20,9 @@ static const int8_t twelfths[12][YK_UNITS] = {
 // Is the cluster's coefficient a rational multiple of e^(i k 15 deg)? The multiple is over 4 of the denominator: *four.
 static bool is_turned(const Cluster *cluster, int k, int64_t *number, int64_t *divisor)
 {
-    unsigned lead = 0;
+    unsigned lead = 0, units = 0;
+    for (unsigned unit = 0; unit < YK_UNITS; unit++) units |= (unsigned)(twelfths[k][unit] != 0) << unit;
+    if (cluster->units != units) return false;
     while (twelfths[k][lead] == 0) lead++;
     for (unsigned unit = 0; unit < YK_UNITS; unit++) {
         int64_t left, right;
@@ -49,9 +52,10 @@ typedef struct Writer {
 
 static void put(Writer *writer, uint32_t monomial, int64_t number, int64_t divisor, YkAtom atom)
 {
-    YkRatio ratio, two = {writer->is_real && atom.phase != 0 ? 2 : 1, 1};
-    if (!yk_ratio_make(number, writer->denominator, &ratio) || !yk_ratio_divide(ratio, (YkRatio){divisor, 1}, &ratio) ||
-        !yk_ratio_multiply(ratio, two, &ratio)) {
+    YkRatio ratio, factor = {writer->is_real && atom.phase != 0 ? 2 : 1, 1};
+    if (!yk_ratio_divide(factor, (YkRatio){divisor, 1}, &factor) ||
+        !yk_ratio_make(number, writer->denominator, &ratio) ||
+        (!yk_ratio_is(factor, 1) && !yk_ratio_multiply(ratio, factor, &ratio))) {
         yk_ring_fail(writer->sheet->ring, YK_RING_OVERFLOW);
         writer->sheet->failed = true;
         return;
@@ -63,6 +67,7 @@ static void put(Writer *writer, uint32_t monomial, int64_t number, int64_t divis
 static bool put_turned(Writer *writer, const Cluster *cluster)
 {
     if (writer->sheet->format == YK_RING_C || cluster->phase == 0) return false;
+    if ((cluster->units & (cluster->units - 1)) == 0) return false; // a single unit: 1 or i times a number or root
     if (yk_constant_angles(writer->sheet->ring, cluster->phase) > 0)
         return false; // pi/7 + pi/12 would read as one angle
     for (int k = 1; k < 12; k++) {
@@ -95,7 +100,8 @@ static size_t read_cluster(const YkPoisson *a, size_t start, Cluster *cluster)
     uint64_t head = a->terms[start].key >> YK_UNIT_BITS;
     *cluster = (Cluster){.phase = yk_key_phase(a->terms[start].key), .monomial = yk_key_monomial(a->terms[start].key)};
     for (; end < a->count && a->terms[end].key >> YK_UNIT_BITS == head; end++)
-        cluster->number[yk_key_unit(a->terms[end].key)] = a->terms[end].number;
+        cluster->number[yk_key_unit(a->terms[end].key)] = a->terms[end].number,
+        cluster->units |= 1u << yk_key_unit(a->terms[end].key);
     return end;
 }
 

@@ -1,58 +1,50 @@
-// Substitution of many symbols at once. Terms are sorted by what of them is replaced; each such part is computed once.
+// Substitution of many symbols at once. A term is split into what is replaced of it and what stays; the image of each
+// replaced part is computed once for the changes, and all products of images and rests are gathered.
 #include <stdlib.h>
 #include "ring/inside.h"
 
-typedef struct Split {
-    uint64_t replaced; // monomial and phase made of the symbols that change, as a key without unit
-    YkRingTerm kept;
-} Split;
+enum { WORK_PER_TERM = 64 }; // products of terms allowed for each term of the ring's limit
 
-typedef struct Changes {
-    const YkRingChange **of; // [symbol count], NULL where a symbol stays
-    YkPower *powers;         // room for one product
-    size_t capacity;
-} Changes;
+typedef struct Image {
+    uint64_t replaced; // monomial and phase made of the symbols that change, as a key without unit; 0: a free slot
+    const YkPoisson *value;
+} Image;
 
-// The part of a product whose symbols change (in a phase: have a unit; in a monomial: a value).
-static uint32_t replaced_part(YkRing *ring, Changes *changes, YkPowers *table, uint32_t item, bool phase)
+struct YkRingChanges {
+    YkRingChanges *older;    // of the same ring
+    const YkRingChange **of; // [symbol_count], NULL where a symbol stays; newer symbols stay, too
+    size_t symbol_count;
+    Image *images; // open addressing
+    size_t image_count, slot_count;
+    YkPower *powers; // room for one product
+    size_t power_capacity;
+    uint64_t *replaced; // of each term of the element at hand
+    size_t replaced_capacity;
+    YkRingChange changes[]; // a copy
+};
+
+// --- Images
+
+static size_t slot_of(const YkRingChanges *changes, uint64_t replaced)
 {
-    uint32_t count, kept = 0;
-    const YkPower *powers = yk_powers_of(table, item, &count);
-    while (changes->capacity < count)
-        if (!yk_grow((void **)&changes->powers, changes->capacity, &changes->capacity, sizeof *changes->powers)) {
-            yk_ring_fail(ring, YK_RING_MEMORY);
-            return YK_NO_PRODUCT;
-        }
-    for (uint32_t i = 0; i < count; i++) {
-        const YkRingChange *change = changes->of[powers[i].symbol];
-        if (change && (phase ? change->unit : change->value)) changes->powers[kept++] = powers[i];
-    }
-    if (kept == 0) return 0;
-    YkPowersFault fault;
-    uint32_t part = yk_powers_enter(table, changes->powers, kept, (uint32_t)1 << YK_PHASE_BITS, &fault);
-    if (part == YK_NO_PRODUCT) yk_ring_fail(ring, fault == YK_POWERS_MEMORY ? YK_RING_MEMORY : YK_RING_POWER);
-    return part;
+    size_t slot = (size_t)((replaced * 0x9e3779b97f4a7c15u) >> 32) & (changes->slot_count - 1);
+    while (changes->images[slot].replaced != 0 && changes->images[slot].replaced != replaced)
+        slot = (slot + 1) & (changes->slot_count - 1);
+    return slot;
 }
 
-static bool split_term(YkRing *ring, Changes *changes, YkRingTerm term, Split *split)
+static bool more_slots(YkRingChanges *changes)
 {
-    uint32_t monomial = yk_key_monomial(term.key), phase = yk_key_phase(term.key);
-    uint32_t in_monomial = replaced_part(ring, changes, &ring->monomials, monomial, false);
-    uint32_t in_phase = replaced_part(ring, changes, &ring->phases, phase, true);
-    if (in_monomial == YK_NO_PRODUCT || in_phase == YK_NO_PRODUCT) return false;
-    uint32_t kept_monomial = yk_ring_monomial(ring, monomial, in_monomial, -1);
-    uint32_t kept_phase = yk_ring_phase(ring, phase, in_phase, -1);
-    if (kept_monomial == YK_NO_PRODUCT || kept_phase == YK_NO_PRODUCT) return false;
-    *split = (Split){yk_key(in_phase, in_monomial, 0),
-                     {yk_key(kept_phase, kept_monomial, yk_key_unit(term.key)), term.number}};
+    Image *old = changes->images;
+    size_t old_count = changes->slot_count, slot_count = old_count ? 2 * old_count : 32;
+    Image *images = calloc(slot_count, sizeof *images);
+    if (!images) return false;
+    changes->images = images;
+    changes->slot_count = slot_count;
+    for (size_t k = 0; k < old_count; k++)
+        if (old[k].replaced != 0) images[slot_of(changes, old[k].replaced)] = old[k];
+    free(old);
     return true;
-}
-
-static int compare_splits(const void *a, const void *b)
-{
-    const Split *left = a, *right = b;
-    if (left->replaced != right->replaced) return left->replaced < right->replaced ? -1 : 1;
-    return left->kept.key < right->kept.key ? -1 : left->kept.key > right->kept.key;
 }
 
 static const YkPoisson *unit_power(YkRing *ring, const YkPoisson *unit, int32_t exponent)
@@ -61,8 +53,7 @@ static const YkPoisson *unit_power(YkRing *ring, const YkPoisson *unit, int32_t 
                         : yk_ring_power(ring, unit, exponent);
 }
 
-// What the replaced part becomes.
-static const YkPoisson *image_of(YkRing *ring, const Changes *changes, uint64_t replaced)
+static const YkPoisson *make_image(YkRing *ring, const YkRingChanges *changes, uint64_t replaced)
 {
     const YkPoisson *image = ring->one;
     uint32_t count;
@@ -81,49 +72,154 @@ static const YkPoisson *image_of(YkRing *ring, const Changes *changes, uint64_t 
     return image;
 }
 
-// The sum over groups of equal replaced parts: image * the kept terms. parts has room for one pointer a split.
-static const YkPoisson *add_groups(YkRing *ring, const Changes *changes, const Split *splits, size_t count,
-                                   int64_t denominator, const YkPoisson **parts)
+// What a replaced part becomes.
+static const YkPoisson *image_of(YkRing *ring, YkRingChanges *changes, uint64_t replaced)
 {
-    size_t part_count = 0;
-    for (size_t start = 0, end; start < count; start = end) {
-        for (end = start; end < count && splits[end].replaced == splits[start].replaced; end++) {}
-        const YkPoisson *image = image_of(ring, changes, splits[start].replaced);
-        if (!image || !yk_gather_room(ring, end - start)) return NULL;
-        for (size_t i = start; i < end; i++) ring->gather.terms[i - start] = splits[i].kept;
-        const YkPoisson *kept = yk_poisson_make(ring, ring->gather.terms, end - start, denominator);
-        parts[part_count++] = yk_ring_multiply(ring, image, kept);
+    if (replaced == 0) return ring->one;
+    if (2 * (changes->image_count + 1) > changes->slot_count && !more_slots(changes))
+        return yk_ring_fail(ring, YK_RING_MEMORY);
+    Image *image = &changes->images[slot_of(changes, replaced)];
+    if (image->replaced == 0) {
+        const YkPoisson *value = make_image(ring, changes, replaced);
+        if (!value) return NULL;
+        *image = (Image){replaced, value};
+        changes->image_count++;
     }
-    return yk_ring_sum(ring, parts, part_count);
+    return image->value;
 }
 
-static const YkPoisson *substitute(YkRing *ring, Changes *changes, const YkPoisson *a)
+// --- Terms
+
+static const YkRingChange *change_of(const YkRingChanges *changes, int32_t symbol)
 {
-    Split *splits = calloc(a->count + 1, sizeof *splits);
-    const YkPoisson **parts = calloc(a->count + 1, sizeof *parts), *result = NULL;
-    bool well = splits && parts;
-    if (!well) yk_ring_fail(ring, YK_RING_MEMORY);
-    for (size_t i = 0; i < a->count && well; i++) well = split_term(ring, changes, a->terms[i], &splits[i]);
-    if (well) {
-        qsort(splits, a->count, sizeof *splits, compare_splits);
-        result = add_groups(ring, changes, splits, a->count, a->denominator, parts);
-    }
-    free(splits);
-    free(parts);
-    return result;
+    return (size_t)symbol < changes->symbol_count ? changes->of[symbol] : NULL;
 }
 
-const YkPoisson *yk_ring_substitute(YkRing *ring, const YkPoisson *a, const YkRingChange *changes, size_t count)
+// The part of a product whose symbols change (in a phase: have a unit; in a monomial: a value).
+static uint32_t replaced_part(YkRing *ring, YkRingChanges *changes, YkPowers *table, uint32_t item, bool phase)
 {
-    if (!a) return NULL;
+    uint32_t count, changed = 0;
+    const YkPower *powers = yk_powers_of(table, item, &count);
+    while (changes->power_capacity < count)
+        if (!yk_grow((void **)&changes->powers, changes->power_capacity, &changes->power_capacity,
+                     sizeof *changes->powers)) {
+            yk_ring_fail(ring, YK_RING_MEMORY);
+            return YK_NO_PRODUCT;
+        }
+    for (uint32_t i = 0; i < count; i++) {
+        const YkRingChange *change = change_of(changes, powers[i].symbol);
+        if (change && (phase ? change->unit : change->value)) changes->powers[changed++] = powers[i];
+    }
+    if (changed == 0) return 0;
+    if (changed == count) return item;
+    YkPowersFault fault;
+    uint32_t part = yk_powers_enter(table, changes->powers, changed, (uint32_t)1 << YK_PHASE_BITS, &fault);
+    if (part == YK_NO_PRODUCT) yk_ring_fail(ring, fault == YK_POWERS_MEMORY ? YK_RING_MEMORY : YK_RING_POWER);
+    return part;
+}
+
+// What changes of every term, and the common denominator of the images. False on failure.
+static bool find_images(YkRing *ring, YkRingChanges *changes, const YkPoisson *a, int64_t *denominator)
+{
+    size_t work = 0;
+    *denominator = 1;
+    for (size_t i = 0; i < a->count; i++) {
+        if (!YK_ROOM(changes->replaced, i, changes->replaced_capacity))
+            return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
+        uint32_t phase = replaced_part(ring, changes, &ring->phases, yk_key_phase(a->terms[i].key), true);
+        uint32_t monomial = replaced_part(ring, changes, &ring->monomials, yk_key_monomial(a->terms[i].key), false);
+        if (phase == YK_NO_PRODUCT || monomial == YK_NO_PRODUCT) return false;
+        changes->replaced[i] = yk_key(phase, monomial, 0);
+        const YkPoisson *image = image_of(ring, changes, changes->replaced[i]);
+        if (!image) return false;
+        if (!yk_common_denominator(*denominator, image->denominator, denominator))
+            return yk_ring_fail(ring, YK_RING_OVERFLOW) != NULL;
+        work += image->count;
+        if (work / WORK_PER_TERM > ring->limit) return yk_ring_fail(ring, YK_RING_SIZE) != NULL;
+    }
+    return true;
+}
+
+// Gathers a term with its replaced part as its image.
+static bool add_term(YkRing *ring, YkRingChanges *changes, YkRingTerm term, uint64_t replaced, int64_t denominator)
+{
+    const YkPoisson *image = image_of(ring, changes, replaced);
+    uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(term.key), yk_key_monomial(replaced), -1);
+    uint32_t phase = yk_ring_phase(ring, yk_key_phase(term.key), yk_key_phase(replaced), -1);
+    if (!image || monomial == YK_NO_PRODUCT || phase == YK_NO_PRODUCT) return !(ring->gather.failed = true);
+    const YkRingTerm kept = {yk_key(phase, monomial, yk_key_unit(term.key)), term.number};
+    for (size_t i = 0; i < image->count; i++)
+        if (!yk_gather_add_product(ring, &image->terms[i], &kept, denominator / image->denominator)) return false;
+    return true;
+}
+
+const YkPoisson *yk_ring_change(YkRing *ring, const YkPoisson *a, YkRingChanges *changes)
+{
+    int64_t denominator, whole;
+    if (!a || !changes || a->count == 0) return changes ? a : NULL;
+    if (!find_images(ring, changes, a, &denominator)) return NULL;
+    if (!yk_exact_multiply(denominator, a->denominator, &whole)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    yk_gather_begin(ring, whole);
+    for (size_t i = 0; i < a->count; i++)
+        if (!add_term(ring, changes, a->terms[i], changes->replaced[i], denominator)) break;
+    return yk_gather_end(ring);
+}
+
+// --- Sets of changes
+
+static void free_changes(YkRingChanges *changes)
+{
+    if (!changes) return;
+    free((void *)changes->of);
+    free(changes->images);
+    free(changes->powers);
+    free(changes->replaced);
+    free(changes);
+}
+
+static YkRingChanges *new_changes(YkRing *ring, const YkRingChange *list, size_t count)
+{
     for (size_t i = 0; i < count; i++)
-        if (changes[i].symbol < 0 || (size_t)changes[i].symbol >= ring->symbol_count)
-            return yk_ring_fail(ring, YK_RING_NAME);
-    Changes table = {.of = calloc(ring->symbol_count + 1, sizeof *table.of)};
-    if (!table.of) return yk_ring_fail(ring, YK_RING_MEMORY);
-    for (size_t i = 0; i < count; i++) table.of[changes[i].symbol] = &changes[i];
-    const YkPoisson *result = substitute(ring, &table, a);
-    free(table.of);
-    free(table.powers);
-    return result;
+        if (list[i].symbol < 0 || (size_t)list[i].symbol >= ring->symbol_count) {
+            yk_ring_fail(ring, YK_RING_NAME);
+            return NULL;
+        }
+    YkRingChanges *changes = calloc(1, sizeof *changes + count * sizeof *list);
+    if (changes) changes->of = calloc(ring->symbol_count + 1, sizeof *changes->of);
+    if (!changes || !changes->of) {
+        free_changes(changes);
+        yk_ring_fail(ring, YK_RING_MEMORY);
+        return NULL;
+    }
+    changes->symbol_count = ring->symbol_count;
+    for (size_t i = 0; i < count; i++) {
+        changes->changes[i] = list[i];
+        changes->of[list[i].symbol] = &changes->changes[i];
+    }
+    return changes;
+}
+
+YkRingChanges *yk_ring_changes(YkRing *ring, const YkRingChange *list, size_t count)
+{
+    YkRingChanges *changes = new_changes(ring, list, count);
+    if (!changes) return NULL;
+    changes->older = ring->changes;
+    ring->changes = changes;
+    return changes;
+}
+
+void yk_ring_free_all_changes(YkRing *ring)
+{
+    for (YkRingChanges *changes = ring->changes, *older; changes; changes = older) {
+        older = changes->older;
+        free_changes(changes);
+    }
+}
+
+const YkPoisson *yk_ring_substitute(YkRing *ring, const YkPoisson *a, const YkRingChange *list, size_t count)
+{
+    YkRingChanges *changes = a ? new_changes(ring, list, count) : NULL;
+    const YkPoisson *changed = yk_ring_change(ring, a, changes);
+    free_changes(changes);
+    return changed;
 }

@@ -45,10 +45,8 @@ static int32_t add_symbol(YkRing *ring, const char *name, YkRingSymbol symbol)
     }
     int32_t index = (int32_t)ring->symbol_count;
     if (!enter_name(ring, symbol.name, index)) return -1;
-    ring->symbols[ring->symbol_count++] = symbol; // its name is entered: it stays, typeset or not
-    if (yk_ring_typeset(ring, &ring->symbols[index])) return index;
-    yk_ring_fail(ring, YK_RING_MEMORY);
-    return -1;
+    ring->symbols[ring->symbol_count++] = symbol;
+    return index;
 }
 
 int32_t yk_ring_symbol(YkRing *ring, const char *name, YkRingClass kind)

@@ -133,7 +133,7 @@ static void put_c(YkText *text, const YkRingSymbol *symbol, const Parts *parts)
 // do).
 static const char *keep(YkRing *ring, YkNames *names, const YkText *text, bool *taken)
 {
-    int32_t existing = YK_NONE, index = (int32_t)ring->symbol_count - 1;
+    int32_t existing = YK_NONE, index = (int32_t)ring->typeset_count;
     *taken = false;
     const char *copy = text->failed ? NULL : yk_arena_copy(ring->arena, yk_text_get(text), text->length);
     if (copy && names && !yk_names_add(names, copy, index, &existing)) return NULL;
@@ -169,7 +169,7 @@ static const char *c_name(YkRing *ring, const YkRingSymbol *symbol, const Parts 
     return c;
 }
 
-bool yk_ring_typeset(YkRing *ring, YkRingSymbol *symbol)
+static bool typeset(YkRing *ring, YkRingSymbol *symbol)
 {
     YkText text = {0};
     bool any;
@@ -181,4 +181,11 @@ bool yk_ring_typeset(YkRing *ring, YkRingSymbol *symbol)
     symbol->mathml = symbol->pi_over == 1 ? "<mi>π</mi>" : keep(ring, NULL, &text, &any);
     yk_text_free(&text);
     return symbol->latex && symbol->c && symbol->mathml;
+}
+
+bool yk_ring_typeset(YkRing *ring)
+{
+    for (; ring->typeset_count < ring->symbol_count; ring->typeset_count++)
+        if (!typeset(ring, &ring->symbols[ring->typeset_count])) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
+    return true;
 }

@@ -216,20 +216,24 @@ void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
     put_sum(&pen, sum);
 }
 
-const char *yk_ring_name_in(const YkRing *ring, int32_t symbol, YkRingFormat format)
+const char *yk_ring_name_in(YkRing *ring, int32_t symbol, YkRingFormat format)
 {
     const YkRingSymbol *named = &ring->symbols[symbol];
-    const char *set = format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : named->c;
-    bool is_text = format == YK_RING_TEXT || format == YK_RING_BOOK;
-    return is_text || !set ? named->name : set; // not set where memory was short
+    if (format == YK_RING_TEXT || format == YK_RING_BOOK || !yk_ring_typeset(ring)) return named->name;
+    return format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : named->c;
 }
 
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
 {
     if (!a) return false;
-    YkSheet sheet = {ring, yk_arena_new(), format, style, false};
+    if (a->count == 0 && format != YK_RING_MATHML) { // most entries of a matrix
+        yk_text_puts(text, format == YK_RING_C ? "0.0" : "0");
+        return !text->failed;
+    }
+    YkSheet sheet = {ring, ring->sheet, format, style, false};
     size_t count = 0;
-    YkShownTerm *terms = sheet.arena ? yk_shown_terms(&sheet, a, &count) : NULL;
+    yk_arena_clear(ring->sheet);
+    YkShownTerm *terms = yk_shown_terms(&sheet, a, &count);
     const YkShow *sum = terms ? yk_show_element(&sheet, terms, count) : NULL;
     if (sum && !yk_arena_failed(sheet.arena) && format == YK_RING_MATHML)
         yk_write_mathml(&sheet, sum, text);
@@ -237,6 +241,29 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
         yk_write_linear(&sheet, sum, text);
     bool well = sum && !yk_arena_failed(sheet.arena) && !text->failed;
     if (!well) yk_ring_fail(ring, YK_RING_MEMORY); // unless another failure was first
-    yk_arena_free(sheet.arena);
     return well;
+}
+
+static bool is_whole(const YkSheet *sheet, const YkShownTerm *term)
+{
+    uint32_t count;
+    YkAngleShown shown;
+    const YkPower *powers = yk_powers_of(&sheet->ring->monomials, term->monomial, &count);
+    if (term->number.under != 1) return false;
+    for (uint32_t i = 0; i < count; i++)
+        if (powers[i].exponent < 0) return false;
+    for (uint32_t k = 0; yk_angle_shown(sheet, &term->atom, k, &shown); k++)
+        if (shown.symbol < 0 && shown.pi_over != 1) return false;
+    return true;
+}
+
+bool yk_ring_is_whole_in_print(YkRing *ring, const YkPoisson *a)
+{
+    YkSheet sheet = {ring, ring->sheet, YK_RING_TEXT, YK_RING_EXPANDED, false};
+    size_t count = 0;
+    yk_arena_clear(ring->sheet);
+    const YkShownTerm *terms = a ? yk_shown_terms(&sheet, a, &count) : NULL;
+    for (size_t k = 0; k < count && terms; k++)
+        if (!is_whole(&sheet, &terms[k])) return false;
+    return terms != NULL;
 }

@@ -244,7 +244,8 @@ static void visit_printed(Machine *m, const char *name)
     point = yk_derive_loop_point(m->d, 3, &is_possible);
     for (const YkLine *line = m->page.first; line; line = line->next) {
         YkText text = {0};
-        bool is_influence = line->vanishes && line->target && strncmp(line->target, "k_", 2) == 0;
+        bool is_influence =
+            line->vanishes && line->solved >= 0 && strncmp(yk_ring_symbol_name(m->d->ring, line->solved), "k_", 2) == 0;
         if (!line->vanishes || is_influence) continue;
         if (yk_ring_field(m->d->ring, line->vanishes, point, false) != 0) {
             yk_ring_write(m->d->ring, line->vanishes, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
