@@ -40,6 +40,8 @@ _yoke() {
         COMPREPLY=($(compgen -W "$(_yoke_options "$verb")" -- "$word"))
     elif [[ $verb == explain ]]; then
         COMPREPLY=($(compgen -W "$(yoke explain 2>/dev/null | cut -d' ' -f1)" -- "$word"))
+    elif [[ $verb == new ]]; then
+        COMPREPLY=($(compgen -W "$(yoke new 2>/dev/null | sed -n 's/^  \([a-z0-9-]*\) .*/\1/p')" -- "$word"))
     elif [[ $previous != --* || $previous == --all || $previous == --quiet ]]; then
         compopt -o filenames 2>/dev/null
         COMPREPLY=($(compgen -f -X '!*.@(yaml|yml)' -- "$word") $(compgen -d -- "$word"))

@@ -9,3 +9,4 @@ end
 complete -c yoke -n "test (count (commandline -opc)) -eq 1" -f -a "(__yoke_verbs)"
 complete -c yoke -n "test (count (commandline -opc)) -gt 1; and string match -q -- '-*' (commandline -ct)" -a "(__yoke_options)"
 complete -c yoke -n "__fish_seen_subcommand_from explain" -x -a "(yoke explain 2>/dev/null | string split -f1 ' ')"
+complete -c yoke -n "__fish_seen_subcommand_from new" -x -a "(yoke new 2>/dev/null | string match -rg '^  ([a-z0-9-]+) ')"

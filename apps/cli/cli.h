@@ -82,6 +82,7 @@ int yk_run_rest(YkSession *session);
 int yk_run_cam(YkSession *session);
 int yk_run_draw(YkSession *session);
 int yk_run_explain(YkSession *session);
+int yk_run_new(YkSession *session);
 int yk_run_gears(YkSession *session);
 int yk_run_derive(YkSession *session);
 

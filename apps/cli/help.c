@@ -18,31 +18,20 @@ void yk_help_tour(YkText *text)
                    yk_version());
     yk_text_puts(text,
                  "Start here:\n"
+                 "  yoke new four-bar > machine.yaml                  a machine to begin with; `yoke new` lists more\n"
                  "  yoke check machine.yaml                           what machine is it? can it move?\n"
-                 "  yoke solve machine.yaml --at theta1=30deg         where is everything, how fast?\n"
-                 "  yoke sweep machine.yaml --over theta1=0:360deg    how does it move?\n"
-                 "  yoke draw  machine.yaml -o machine.svg            what does it look like?\n"
-                 "  yoke simulate machine.yaml --to 5s                with masses: what happens when I let go?\n\n"
+                 "  yoke solve machine.yaml --at theta2=30deg         where is everything, how fast?\n"
+                 "  yoke sweep machine.yaml --over theta2=0:360deg    how does it move?\n"
+                 "  yoke draw machine.yaml -o machine.svg             what does it look like?\n"
+                 "  yoke derive machine.yaml                          by which equations?\n\n"
                  "Verbs:\n");
     for (const YkVerb *verb = yk_verbs; verb->name; verb++) {
         yk_text_puts(text, "  ");
         add_padded(text, verb->name, strlen(verb->name), VERB_COLUMN);
         yk_text_format(text, "%s%s\n", verb->summary, verb->run ? "" : " (not in this version yet)");
     }
-    yk_text_puts(text, "\n`yoke VERB --help` tells what a verb takes. A machine file of a four-bar, to begin with:\n\n"
-                       "  name: Four-bar\n"
-                       "  bodies:\n"
-                       "    ground:  {points: {O: [0, 0], C: [100 mm, 0]}}\n"
-                       "    crank:   {points: {O: [0, 0], A: [40 mm, 0]}}\n"
-                       "    coupler: {points: {A: [0, 0], B: [120 mm, 0]}}\n"
-                       "    rocker:  {points: {C: [0, 0], B: [80 mm, 0]}}\n"
-                       "  joints:\n"
-                       "    O: {pin: [ground, crank], angle: theta1}\n"
-                       "    A: {pin: [crank, coupler], angle: theta2}\n"
-                       "    C: {pin: [ground, rocker], angle: theta3}\n"
-                       "    B: {pin: [coupler, rocker]}\n"
-                       "  drives: {theta1: 60 rpm * t}\n"
-                       "  start: {theta2: 45 deg, theta3: 90 deg}\n");
+    yk_text_puts(text,
+                 "\n`yoke VERB --help` tells what a verb takes, `man yoke-model` what a machine file may hold.\n");
 }
 
 static void add_option(YkText *text, const YkOption *option)

@@ -2,6 +2,9 @@
 #include "cli.h"
 
 const YkVerb yk_verbs[] = {
+    {"new", "a machine to begin with, from the gallery", "[NAME]",
+     "Prints a model file of the gallery, with a comment that tells what it teaches; without a name, lists them all.",
+     "yoke new four-bar > my.yaml", yk_run_new},
     {"check", "what the machine is: freedom, loops, order of solution", "FILE [options]",
      "Reads a model file and tells what machine it describes: bodies, joints, coordinates; its degrees of\n"
      "freedom, by Gruebler's count and by the rank of the loop equations; its loops; the order in which it is\n"

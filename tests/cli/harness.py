@@ -36,9 +36,9 @@ ROCKER = FOUR_BAR.replace("a: 40", "a: 90").replace("B: [120, 0]", "B: [60, 0]")
 class Run:
     """One call of the command: its exit code and both streams, as text."""
 
-    def __init__(self, *words, stdin=None, env=None):
+    def __init__(self, *words, stdin=None, env=None, cwd=None):
         environment = dict(os.environ, **(env or {}))
-        done = subprocess.run([YOKE, *words], input=stdin, capture_output=True, env=environment, timeout=120,
+        done = subprocess.run([YOKE, *words], input=stdin, capture_output=True, env=environment, timeout=120, cwd=cwd,
                               encoding="utf-8", check=False)
         self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
 

@@ -1,12 +1,13 @@
 """The command's front: verbs, options, help, explanations, where answers go. Run: YOKE=path/of/yoke python3 test_cli.py"""
 import os
+import re
 import stat
 import unittest
 
-from harness import Case, FOUR_BAR, Run
+from harness import Case, FOUR_BAR, ROOT, Run
 
 LATER = ["report", "code"]
-VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "explain"]
+VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "new", "explain"]
 
 
 class Front(Case):
@@ -16,11 +17,15 @@ class Front(Case):
             self.assertIn(word, run.out)
         self.assertEqual(run.err, "")
 
-    def test_the_machine_in_the_tour_works(self):
-        text = self.good().out.split("to begin with:\n")[1]
-        model = "".join(line[2:] + "\n" for line in text.splitlines() if line.startswith("  "))
-        run = self.good("solve", "-", "--format", "json", stdin=model)
-        self.assertEqual(run.json()["status"], "ok")
+    def test_the_tour_can_be_walked(self):
+        steps = re.findall(r"(?m)^  yoke (.*?)(?:  .*)?$", self.good().out.split("Verbs:")[0])
+        self.assertEqual([step.split()[0] for step in steps], ["new", "check", "solve", "sweep", "draw", "derive"])
+        for step in steps:
+            words, _, target = step.partition(" > ")
+            run = self.good(*words.split(), cwd=self.folder)
+            if target:
+                self.write(target, run.out)
+        self.assertTrue(os.path.exists(self.path("machine.svg")))
 
     def test_every_verb_has_help_with_an_example(self):
         for verb in VERBS:
@@ -123,6 +128,20 @@ class Words(Case):
         self.assertIn("[E0801]", Run("--quiet", "sovle").err)
         run = self.good("--quiet", "solve", self.four_bar)
         self.assertEqual(run.err, "")
+
+
+class New(Case):
+    def test_every_machine_of_the_gallery_is_there_byte_for_byte(self):
+        listed = re.findall(r"(?m)^  ([\w-]+)  .*: ", self.good("new").out)
+        folder = os.path.join(ROOT, "examples")
+        files = sorted(name[:-5] for name in os.listdir(folder) if name.endswith(".yaml"))
+        self.assertEqual(sorted(listed), files)
+        for name in files:
+            with open(os.path.join(folder, name + ".yaml"), encoding="utf-8") as file:
+                self.assertEqual(self.good("new", name).out, file.read())
+
+    def test_another_name_is_refused_with_the_nearest(self):
+        self.assertIn("four-bar", self.wrong(823, "new", "fourbar").err)
 
 
 class Explain(Case):
