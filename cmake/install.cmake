@@ -31,6 +31,7 @@ install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pk
 
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
   PATTERN "expected" EXCLUDE)
+install(FILES schema/yoke.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
 install(FILES completions/yoke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME yoke OPTIONAL)
 install(FILES completions/_yoke DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
