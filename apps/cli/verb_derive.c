@@ -111,7 +111,7 @@ static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat for
     if (!read_what(session, wanted)) return YK_EXIT_WRONG;
     int drawn = session->request->svg ? yk_derive_drawings(session, derivation) : YK_EXIT_DONE;
     if (drawn != YK_EXIT_DONE) return drawn;
-    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring};
+    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring, .has_numbers = session->request->numbers};
     int exit_code = page.arena ? write_page(session, derivation, &page, format, wanted) : cannot(session, derivation);
     yk_arena_free(page.arena);
     return exit_code;

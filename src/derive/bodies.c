@@ -1,4 +1,5 @@
 // Bodies: each that turns has an angle of its own; the way from body form to joint form.
+#include <string.h>
 #include "derive/frame.h"
 
 // The joint's coordinate counts from its first body to its second: -1 where the tree walks it backwards.
@@ -120,7 +121,8 @@ static bool make_changes(YkDerivation *d)
 {
     size_t bodies = d->model->body_count, count = 0;
     const YkPoisson *(*forms)[4] = (const YkPoisson *(*)[4])yk_arena_alloc(d->arena, bodies + 1, sizeof *forms);
-    YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->change_count + 1);
+    d->change_capacity = d->change_count + 1;
+    YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->change_capacity);
     d->body_angles = YK_NEW(d->arena, const YkPoisson *, bodies + 1);
     if (!forms || !changes || !d->body_angles) return false;
     for (int k = 0; k < 4; k++) forms[0][k] = yk_ring_rational(d->ring, k == 3, 1);
@@ -136,14 +138,15 @@ static bool make_changes(YkDerivation *d)
     }
     for (size_t b = 0; b < bodies; b++) d->body_angles[b] = forms[b][0];
     d->changes = changes;
-    d->to_joints = yk_ring_changes(d->ring, changes, count);
-    return d->to_joints != NULL;
+    return true;
 }
 
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
 {
     if (!a || d->change_count == 0) return a;
-    if (!d->to_joints && !make_changes(d)) {
+    if (!d->to_joints && (d->changes || make_changes(d)))
+        d->to_joints = yk_ring_changes(d->ring, d->changes, d->change_count);
+    if (!d->to_joints) {
         d->failed = true;
         return NULL;
     }
@@ -152,9 +155,27 @@ const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
 
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body)
 {
-    if (!d->to_joints && !make_changes(d)) {
+    if (!d->changes && !make_changes(d)) {
         d->failed = true;
         return NULL;
     }
     return d->body_angles[body];
+}
+
+bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning)
+{
+    if (symbol < 0 || !meaning || (!d->changes && !make_changes(d))) return false;
+    meaning = yk_derive_in_joints(d, meaning);
+    if (d->change_count == d->change_capacity) {
+        size_t capacity = 2 * d->change_capacity + 8;
+        YkRingChange *more = YK_NEW(d->arena, YkRingChange, capacity);
+        if (!more) return false;
+        memcpy(more, d->changes, d->change_count * sizeof *more);
+        d->changes = more;
+        d->change_capacity = capacity;
+    }
+    d->changes[d->change_count++] = (YkRingChange){symbol, meaning, NULL};
+    d->definition_count++;
+    d->to_joints = NULL; // to be prepared again
+    return meaning != NULL;
 }

@@ -6,6 +6,7 @@
 #include "derive/blocks.h"
 #include "derive/frame.h"
 #include "derive/free_bodies.h"
+#include "derive/gears.h"
 
 enum { FIELD_POINTS = 4, POSES = 24, POSES_MIN = 8, TRIES = 100, STEPS = 96 };
 static const double EQUAL = 1e-9;
@@ -34,6 +35,28 @@ static double uniform(Check *check, double low, double high) // splitmix64 (Stee
 
 typedef enum Proof { PROVED, REFUTED, NO_PROOF } Proof;
 
+// Has it an e^(i angle) in it?
+static bool has_turns(YkRing *ring, const YkForm *form)
+{
+    const YkPoisson *a = yk_form_element(form), *one = yk_ring_rational(ring, 1, 1);
+    for (size_t k = 0; !a && k < yk_form_part_count(form); k++)
+        if (has_turns(ring, yk_form_part(form, k))) return true;
+    for (size_t s = 0; a && s < yk_ring_symbol_count(ring); s++) {
+        if (!yk_ring_is_angle(ring, (int32_t)s) || !yk_ring_mentions(ring, a, (int32_t)s)) continue;
+        const YkRingChange change = {(int32_t)s, NULL, one};
+        if (!yk_ring_is_same(a, yk_ring_substitute(ring, a, &change, 1))) return true;
+    }
+    return false;
+}
+
+// Gears bind angles at the points of the field, but not their unit vectors: what speaks of rates alone is refuted
+// there.
+static bool can_refute(Check *check, const YkForm *form)
+{
+    const YkDerivation *d = check->d;
+    return d->tie_count == 0 || (d->loop_count == 0 && !has_turns(d->ring, form));
+}
+
 static Proof prove(Check *check, const YkForm *form)
 {
     int points = 0;
@@ -47,8 +70,8 @@ static Proof prove(Check *check, const YkForm *form)
         if (!point) continue;
         bool has_value = yk_form_field(check->d->ring, form, point, &value);
         yk_field_point_free(point);
-        if (!has_value) continue;                                            // a division by zero
-        if (value != 0) return check->d->tie_count > 0 ? NO_PROOF : REFUTED; // gears bind no unit vectors there
+        if (!has_value) continue; // a division by zero
+        if (value != 0) return can_refute(check, form) ? REFUTED : NO_PROOF;
         points++;
     }
     return points == FIELD_POINTS ? PROVED : NO_PROOF;
@@ -239,6 +262,7 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
                    yk_ring_status_text(yk_ring_status(d->ring)));
         return verdict;
     }
+    yk_derive_train(d); // omega1, ...: names of speeds
     yk_derive_enter_names(d);
     if (!yk_equation_read(d->ring, text, length, place, problems, &equation)) return verdict;
     Check check = {.d = d, .state = state, .dynamics = dynamics, .equation = &equation, .text = text, .seed = 2024};

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "base/problems.h"
 #include "derive/frame.h"
+#include "derive/gears.h"
 
 static bool enter_all(YkDerivation *d)
 {
@@ -26,6 +27,7 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
 void yk_derivation_free(YkDerivation *d)
 {
     if (!d) return;
+    yk_derive_train_free(d->train);
     free(d->constants);
     free(d->sources);
     free((void *)d->relations);

@@ -92,11 +92,12 @@ struct YkDerivation {
     size_t coordinate_count, tree_count;   // all; those of the tree come first and agree with the mechanism's indices
     int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE
     YkDeriveBody *bodies;
-    YkRingChange *changes; // one for each angle, rate and acceleration that is a body's own; made at first use
-    size_t change_count;
-    YkRingChanges *to_joints;      // the same, prepared
-    const YkPoisson **body_angles; // made with them: of each body's axes, joint form
-    YkDeriveLoop *loops;           // in the file's order; yk_derive_loops makes them at first use
+    // One for each angle, rate and acceleration that is a body's own, made at first use; then one for each definition.
+    YkRingChange *changes;
+    size_t change_count, definition_count, change_capacity; // change_count: all
+    YkRingChanges *to_joints;                               // the same, prepared
+    const YkPoisson **body_angles;                          // made with them: of each body's axes, joint form
+    YkDeriveLoop *loops; // in the file's order; yk_derive_loops makes them at first use
     size_t loop_count;
     struct YkDeriveNames *names; // of points; made at first use
     YkDeriveRelation *ties;      // gears, racks, belts, cams, laws (relations.h); made at first use
@@ -109,7 +110,9 @@ struct YkDerivation {
         void *context;
     } * sources;
     size_t source_count, source_capacity;
-    YkDeriveBlocks *blocks; // made at first use
+    YkDeriveBlocks *blocks;      // made at first use
+    struct YkDeriveTrain *train; // gears, made at first use: gears.h
+    int32_t *speeds;             // per body: the symbol of its angular speed, omega1; made with the train
     int32_t *influence; // per coordinate: the symbol of its influence coefficient; made by the section of velocities
     // What sections add for proofs: elements that are 0 on the machine, linear in accelerations and in these symbols.
     const YkPoisson **relations;
@@ -138,6 +141,9 @@ const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
 // A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on
 // failure.
 int32_t yk_derive_symbol(YkDerivation *d, const char *name, YkRingClass kind);
+// From now on the symbol stands for `meaning`: in joint form it is replaced by it, and numbers follow it. `meaning` may
+// mention symbols that were defined before, no e^(i angle). false on failure.
+bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning);
 // What a parameter stands for in terms of others: NULL where it is a number of its own (or no polynomial).
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 

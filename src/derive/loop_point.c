@@ -208,7 +208,7 @@ static void set_bodies(Making *making)
 {
     YkDerivation *d = making->d;
     yk_derive_body_angle(d, 0); // makes the changes
-    for (size_t k = 0; d->to_joints && k < d->change_count; k++) {
+    for (size_t k = 0; d->changes && k < d->change_count; k++) {
         yk_field_point_set(making->point, d->changes[k].symbol, field(making, d->changes[k].value));
         if (d->changes[k].unit)
             yk_field_point_set_unit(making->point, d->changes[k].symbol, field(making, d->changes[k].unit));

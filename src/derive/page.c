@@ -81,6 +81,23 @@ void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const Y
     if (piece) piece->over = over, piece->under = under;
 }
 
+void yk_line_fraction(YkPage *page, YkLine *line, const YkPoisson *const *over, size_t over_count,
+                      const YkPoisson *const *under, size_t under_count)
+{
+    YkPagePiece *piece = add_piece(page, line, YK_PIECE_QUOTIENT);
+    const YkPoisson *const *lists[] = {over, under};
+    const size_t counts[] = {over_count, under_count};
+    for (int k = 0; piece && k < 2; k++) {
+        piece->factors[k] = YK_NEW(page->arena, const YkPoisson *, counts[k] + 1);
+        piece->factor_count[k] = piece->factors[k] ? counts[k] : 0;
+        for (size_t i = 0; i < piece->factor_count[k]; i++) {
+            piece->factors[k][i] = lists[k][i];
+            page->failed |= !lists[k][i];
+        }
+        page->failed |= !piece->factors[k];
+    }
+}
+
 void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub)
 {
     YkPagePiece *piece = add_piece(page, line, YK_PIECE_VECTOR);

@@ -12,7 +12,7 @@
 
 typedef enum YkPagePieceKind {
     YK_PIECE_ELEMENT,  // an element; in brackets where it is a sum and `is_factor`
-    YK_PIECE_QUOTIENT, // over / under
+    YK_PIECE_QUOTIENT, // over / under, or products of factors over and under the line
     YK_PIECE_VECTOR,   // a vector's or force's name: base, superscript, subscript: p^{A/O1}, F_{01}
     YK_PIECE_SIGN,     // = + - x . ( ) , as they stand; "x" is the cross product, "." the dot product
     YK_PIECE_WORDS,    // plain words inside a formula
@@ -32,6 +32,8 @@ typedef struct YkPagePiece YkPagePiece;
 struct YkPagePiece {
     YkPagePieceKind kind;
     const YkPoisson *over, *under;
+    const YkPoisson **factors[2]; // of a quotient of products: over and under, in place of `over` and `under`
+    size_t factor_count[2];
     YkRingStyle style;
     bool is_factor;
     const char *text, *super, *sub; // sign, words; base of a name
@@ -51,7 +53,8 @@ struct YkLine {
     // What is 0 wherever the formula holds, on the machine's own motion; NULL where it is no equation between scalars
     // or vectors.
     const YkPoisson *vanishes;
-    bool is_identity; // `vanishes` is 0 by itself, coordinates being free
+    bool is_identity;   // `vanishes` is 0 by itself, coordinates being free
+    bool is_in_numbers; // `vanishes` is 0 with the file's numbers only
     // For C: target = over / under; under NULL: 1. NULL: no statement.
     const char *target;
     int32_t solved; // the symbol that is the target; -1: none
@@ -63,7 +66,8 @@ struct YkLine {
 };
 
 typedef struct YkPage {
-    YkArena *arena; // of all that follows
+    bool has_numbers; // is wanted with numbers: sections may add lines that hold for the file's own
+    YkArena *arena;   // of all that follows
     YkRing *ring;
     YkLine *first, *last;
     const char *section; // given to new lines
@@ -79,6 +83,9 @@ YkLine *yk_page_formula(YkPage *page, const char *remark); // an empty formula; 
 void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style);
 void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a); // in brackets where it is a sum
 void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under);
+// Products of factors over each other, each in brackets where it is a sum; copies the lists.
+void yk_line_fraction(YkPage *page, YkLine *line, const YkPoisson *const *over, size_t over_count,
+                      const YkPoisson *const *under, size_t under_count);
 void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub);
 void yk_line_sign(YkPage *page, YkLine *line, const char *sign);
 void yk_line_words(YkPage *page, YkLine *line, const char *words);

@@ -91,16 +91,17 @@ static bool is_point_name(const YkDerivation *d, const char *name)
     return false;
 }
 
+// By the point that the file puts there; else O of the ground, or the name of the first body whose origin it is with 0.
 static void name_origins(YkDerivation *d, struct YkDeriveNames *names)
 {
     bool has_O = is_point_name(d, "O");
+    int32_t points = (int32_t)d->model->point_count;
     for (size_t b = 0; b < d->model->body_count; b++) {
-        int32_t origin = place_index(d, (YkDerivePlace){(int32_t)b, YK_NONE}), root = find_root(names->root, origin);
-        bool is_named = root < (int32_t)d->model->point_count;
-        if (is_named)
+        int32_t root = find_root(names->root, place_index(d, (YkDerivePlace){(int32_t)b, YK_NONE}));
+        if (root < points)
             names->origin[b] = yk_derive_point_name(d, d->model->points[root].body, root);
         else
-            names->origin[b] = b == 0 && !has_O ? "O" : join(d, d->model->bodies[b].name, "", "0");
+            names->origin[b] = root == points && !has_O ? "O" : join(d, d->model->bodies[root - points].name, "", "0");
     }
 }
 

@@ -11,7 +11,7 @@ const YkDeriveSectionEntry yk_derive_sections[] = {
     {"newton-euler", "Newton-Euler equations", yk_derive_section_newton_euler},
     {"energy", "Energies", yk_derive_section_energy},
     {"lagrange", "Lagrange's equations", yk_derive_section_lagrange},
-    {"gears", "Gears", NULL},
+    {"gears", "Gear trains", yk_derive_section_gears},
     {"cam", "Cams", NULL},
     {NULL, NULL, NULL},
 };

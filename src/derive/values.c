@@ -53,6 +53,8 @@ void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamic
     fill_coordinates(d, state, values); // a body's angle may be a coordinate: the same number
     for (size_t k = 0; k < d->source_count; k++) d->sources[k].fill(d->sources[k].context, state, dynamics, values);
     yk_ring_complete(d->ring, values);
+    for (size_t k = d->change_count - d->definition_count; k < d->change_count; k++)
+        set(values, d->changes[k].symbol, yk_ring_value(d->ring, d->changes[k].value, values).x);
 }
 
 bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context)

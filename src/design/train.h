@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/problems.h"
 #include "base/text.h"
-#include "design/train_solve.h"
+#include "num/exact_system.h"
 #include "model/model.h"
 #include "ring/ring.h"
 
@@ -42,6 +42,8 @@ typedef struct YkTrainDrive {
     YkExact exact;      // of the speed
     int32_t coordinate; // or YK_NONE: the unit turn of body
     int32_t body;
+    bool is_joint; // the rate of `joint`, whether the file names it or not, in place of the coordinate's
+    int32_t joint;
 } YkTrainDrive;
 
 // Unknowns are the speeds of the train's bodies, the ground first, then the rates of its racks.
@@ -87,13 +89,38 @@ const char *yk_train_keep(YkArena *arena, YkText *text); // a copy of the text, 
 
 // The share of an input in a column's speed as a formula, or (inverse) its reciprocal; NULL where there is none.
 const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t input, bool is_inverse, YkArena *arena);
-// The quotient of two ring elements in factored form. False where the ring gave up.
-bool yk_train_write_quotient(YkRing *ring, const YkPoisson *over, const YkPoisson *under, YkText *text);
+// The same as elements of a ring that has symbols for the net's (symbols[net->symbol_count]): over / under, over 0
+// where the input has no part in it. False where there is no formula, or the ring gave up (its status may tell).
+bool yk_train_share_in(const YkTrainCase *one, int32_t column, int32_t input, YkRing *ring,
+                       const YkPoisson *const *symbols, const YkPoisson **over, const YkPoisson **under);
+
+// A quotient of polynomials in factored form: content * product of over / product of under.
+enum { YK_TRAIN_FACTORS_MAX = 40 };
+typedef struct YkTrainFactors {
+    const YkPoisson *items[YK_TRAIN_FACTORS_MAX];
+    int32_t count;
+    bool is_negative;
+} YkTrainFactors;
+typedef struct YkTrainQuotient {
+    YkRing *ring;
+    const YkPoisson *content; // a single term
+    YkTrainFactors over, under;
+} YkTrainQuotient;
+bool yk_train_quotient(YkRing *ring, const YkPoisson *over, const YkPoisson *under, YkTrainQuotient *quotient);
+bool yk_train_write_quotient(const YkTrainQuotient *quotient, YkText *text);
+// As one element, `1 + N1 N3/(N2 N4)`, where it is read well so; NULL: better as a fraction of products.
+const YkPoisson *yk_train_quotient_sum(const YkTrainQuotient *quotient);
+// The part of the content above or below the line, without a negative power.
+const YkPoisson *yk_train_quotient_term(const YkTrainQuotient *quotient, bool is_above);
 
 typedef struct YkTrainGroup { // a tabular method
     int32_t carrier, count;
     size_t *body;
     YkFraction *turn;
+    struct YkTrainStep { // how a wheel's turn follows: over the mesh from its side `side`, of an earlier wheel
+        int32_t from, mesh;
+        int side;
+    } * step;
     const char **turns;
     double *turns_value;
     const char *exact_x, *exact_y;
@@ -134,6 +161,8 @@ struct YkTrain {
 };
 
 bool yk_train_drives(YkTrain *train, int32_t in);
+// Does the angle, or the distance, of a joint turn the train?
+bool yk_train_has_joint(const YkTrainNet *net, int32_t joint, bool is_distance);
 // The speed as text, where all inputs that take part are exact and of one kind: "460/29 rpm".
 const char *yk_train_exact_speed(const YkTrain *train, const YkFraction *shares, int32_t count, bool is_distance);
 bool yk_train_tables(YkTrain *train);

@@ -32,24 +32,27 @@ static void add_term(const YkTrainCase *one, YkTrainRow *row, int32_t body, int3
     row->terms[row->count++] = (YkTrainTerm){one->net->column_of[body], sign, -1};
 }
 
-// The rate of a coordinate: between two bodies, or of a rack. False where it has no place in the train.
-static bool add_coordinate(const YkTrainCase *one, YkTrainRow *row, int32_t index)
+// The rate of a joint's angle or distance: between two bodies, or of a rack. Nothing where it has no place in the
+// train.
+static void add_rate(const YkTrainCase *one, YkTrainRow *row, int32_t index, bool is_distance)
 {
     const YkModel *model = one->net->model;
-    const YkCoordinate *coordinate = &model->coordinates[index];
-    const YkJoint *joint = &model->joints[coordinate->joint];
-    if (!coordinate->is_distance) {
-        if (one->net->column_of[joint->body[0]] < 0 || one->net->column_of[joint->body[1]] < 0) return false;
+    const YkJoint *joint = &model->joints[index];
+    if (!yk_train_has_joint(one->net, index, is_distance)) return;
+    if (!is_distance) {
         add_term(one, row, joint->body[1], 1);
         add_term(one, row, joint->body[0], -1);
-        return true;
+        return;
     }
-    for (size_t r = 0; r < model->rack_count; r++) {
-        if (model->racks[r].slide != coordinate->joint) continue;
-        row->terms[row->count++] = (YkTrainTerm){one->net->bodies + (int32_t)r, 1, -1};
-        return true;
-    }
-    return false;
+    for (size_t r = 0; r < model->rack_count && row->count == 0; r++)
+        if (model->racks[r].slide == index)
+            row->terms[row->count++] = (YkTrainTerm){one->net->bodies + (int32_t)r, 1, -1};
+}
+
+static void add_coordinate(const YkTrainCase *one, YkTrainRow *row, int32_t index)
+{
+    const YkCoordinate *coordinate = &one->net->model->coordinates[index];
+    add_rate(one, row, coordinate->joint, coordinate->is_distance);
 }
 
 static void add_lock(YkTrainCase *one)
@@ -75,7 +78,9 @@ static void add_inputs(YkTrainCase *one, const YkTrainDrive *drives, int32_t cou
     for (int32_t i = 0; i < count; i++) {
         YkTrainRow *row = new_row(one, YK_ROW_INPUT, (size_t)i);
         row->input = i;
-        if (drives[i].coordinate != YK_NONE) {
+        if (drives[i].is_joint) {
+            add_rate(one, row, drives[i].joint, drives[i].shown.is_distance);
+        } else if (drives[i].coordinate != YK_NONE) {
             add_coordinate(one, row, drives[i].coordinate);
         } else {
             add_term(one, row, drives[i].body, 1);

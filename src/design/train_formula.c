@@ -258,23 +258,57 @@ static bool choose(Work *work, int32_t target, Square *square)
     return good && square->size == count;
 }
 
-static const char *share(Work *work, int32_t target, int32_t input, bool is_inverse, YkArena *arena)
+// over / under of the share; over 0 where the column stands still or the input has no part in it. False: no formula.
+static bool share(Work *work, int32_t target, int32_t input, const YkPoisson **over, const YkPoisson **under)
 {
     Square square;
     int32_t at = -1;
-    YkText text = {0};
-    if (target < 0) return is_inverse ? NULL : "0"; // it stands still
-    if (!choose(work, target, &square)) return NULL;
+    *over = yk_ring_rational(work->ring, 0, 1);
+    *under = yk_ring_rational(work->ring, 1, 1);
+    if (target < 0) return true; // it stands still
+    if (!choose(work, target, &square)) return false;
     for (int32_t k = 0; k < square.size; k++)
         if (work->one->rows[work->row[square.row[k]]].input == input) at = k;
-    if (at < 0) return is_inverse ? NULL : "0";
-    const YkPoisson *under = determinant(work, &square, -1, -1);
-    const YkPoisson *over =
-        square.size > 1 ? determinant(work, &square, square.row[at], target) : yk_ring_rational(work->ring, 1, 1);
-    if (at % 2 == 1) over = yk_ring_negate(work->ring, over); // the target's column comes first
-    if (!over || !under) return NULL;
-    bool good = yk_train_write_quotient(work->ring, is_inverse ? under : over, is_inverse ? over : under, &text);
-    if (good) return yk_train_keep(arena, &text);
+    if (at < 0) return true;
+    *under = determinant(work, &square, -1, -1);
+    *over = square.size > 1 ? determinant(work, &square, square.row[at], target) : yk_ring_rational(work->ring, 1, 1);
+    if (at % 2 == 1) *over = yk_ring_negate(work->ring, *over); // the target's column comes first
+    return *over && *under;
+}
+
+bool yk_train_share_in(const YkTrainCase *one, int32_t column, int32_t input, YkRing *ring,
+                       const YkPoisson *const *symbols, const YkPoisson **over, const YkPoisson **under)
+{
+    const YkTrainNet *net = one->net;
+    if (net->symbol_count > SYMBOLS_MAX || net->mesh_count > ROWS_MAX) return false;
+    Work *work = calloc(1, sizeof *work);
+    bool good = false;
+    if (!work) return false;
+    work->one = one;
+    work->ring = ring;
+    work->class_of = calloc((size_t)net->columns + 1, sizeof *work->class_of);
+    if (work->class_of && number_classes(work)) {
+        fill(work);
+        yk_ring_set_limit(ring, TERMS_MAX);
+        for (int32_t s = 0; s < net->symbol_count; s++) work->symbol[s] = symbols[s];
+        good = share(work, work->class_of[column] - 1, input, over, under);
+        yk_ring_set_limit(ring, YK_RING_TERMS_MAX);
+    }
+    free(work->class_of);
+    free(work);
+    return good && yk_ring_status(ring) == YK_RING_OK;
+}
+
+static const char *write(YkRing *ring, const YkPoisson *over, const YkPoisson *under, bool is_inverse, YkArena *arena)
+{
+    YkText text = {0};
+    YkTrainQuotient quotient;
+    bool is_zero = yk_ring_is_zero(over);
+    if (is_zero && is_inverse) return NULL;
+    if (is_zero) return "0";
+    if (yk_train_quotient(ring, is_inverse ? under : over, is_inverse ? over : under, &quotient) &&
+        yk_train_write_quotient(&quotient, &text))
+        return yk_train_keep(arena, &text);
     yk_text_free(&text);
     return NULL;
 }
@@ -282,23 +316,14 @@ static const char *share(Work *work, int32_t target, int32_t input, bool is_inve
 const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t input, bool is_inverse, YkArena *arena)
 {
     const YkTrainNet *net = one->net;
-    if (net->symbol_count > SYMBOLS_MAX || net->mesh_count > ROWS_MAX) return NULL;
-    Work *work = calloc(1, sizeof *work);
+    const YkPoisson *symbols[SYMBOLS_MAX], *over, *under;
     const char *text = NULL;
-    if (!work) return NULL;
-    work->one = one;
-    work->ring = yk_ring_new();
-    work->class_of = calloc((size_t)net->columns + 1, sizeof *work->class_of);
-    if (work->ring && work->class_of && number_classes(work)) {
-        fill(work);
-        yk_ring_set_limit(work->ring, TERMS_MAX);
-        for (int32_t s = 0; s < net->symbol_count; s++)
-            work->symbol[s] =
-                yk_ring_of(work->ring, yk_ring_symbol(work->ring, net->symbols[s].name, YK_RING_CONSTANT));
-        text = share(work, work->class_of[column] - 1, input, is_inverse, arena);
-    }
-    free(work->class_of);
-    yk_ring_free(work->ring);
-    free(work);
+    if (net->symbol_count > SYMBOLS_MAX) return NULL;
+    YkRing *ring = yk_ring_new();
+    for (int32_t s = 0; ring && s < net->symbol_count; s++)
+        symbols[s] = yk_ring_of(ring, yk_ring_symbol(ring, net->symbols[s].name, YK_RING_CONSTANT));
+    if (ring && yk_train_share_in(one, column, input, ring, symbols, &over, &under))
+        text = write(ring, over, under, is_inverse, arena);
+    yk_ring_free(ring);
     return text;
 }

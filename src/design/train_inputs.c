@@ -2,16 +2,13 @@
 #include <math.h>
 #include "design/train.h"
 
-static bool is_of_train(const YkTrainNet *net, const YkCoordinate *coordinate)
+bool yk_train_has_joint(const YkTrainNet *net, int32_t index, bool is_distance)
 {
-    const YkJoint *joint = &net->model->joints[coordinate->joint];
-    if (coordinate->is_distance) {
-        for (size_t r = 0; r < net->model->rack_count; r++)
-            if (net->model->racks[r].slide == coordinate->joint) return true;
-        return false;
-    }
+    const YkJoint *joint = &net->model->joints[index];
+    for (size_t r = 0; is_distance && r < net->model->rack_count; r++)
+        if (net->model->racks[r].slide == index) return true;
     bool is_member = net->column_of[joint->body[0]] > 0 || net->column_of[joint->body[1]] > 0;
-    return is_member && net->column_of[joint->body[0]] >= 0 && net->column_of[joint->body[1]] >= 0;
+    return !is_distance && is_member && net->column_of[joint->body[0]] >= 0 && net->column_of[joint->body[1]] >= 0;
 }
 
 // "40 rpm" of 4 pi / 3, "740 rad/s", "1/2 m/s"; NULL where it is not so simple.
@@ -51,7 +48,8 @@ bool yk_train_drives(YkTrain *train, int32_t in)
     if (!train->drives) return false;
     for (size_t i = 0; i < model->drive_count; i++) {
         const YkDrive *drive = &model->drives[i];
-        if (is_of_train(&train->net, &model->coordinates[drive->coordinate])) add_drive(train, drive);
+        const YkCoordinate *coordinate = &model->coordinates[drive->coordinate];
+        if (yk_train_has_joint(&train->net, coordinate->joint, coordinate->is_distance)) add_drive(train, drive);
     }
     if (train->drive_count > 0 || in == YK_NONE) return true;
     train->drives[train->drive_count++] =

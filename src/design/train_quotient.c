@@ -9,19 +9,9 @@
 #include "design/train.h"
 #include "ring/write.h"
 
-enum { FACTORS_MAX = 40, TERMS_SPLIT_MAX = 200 };
-
-typedef struct Factors {
-    const YkPoisson *items[FACTORS_MAX];
-    int32_t count;
-    bool is_negative;
-} Factors;
-
-typedef struct Quotient {
-    YkRing *ring;
-    const YkPoisson *content; // a single term
-    Factors over, under;
-} Quotient;
+enum { FACTORS_MAX = YK_TRAIN_FACTORS_MAX, TERMS_SPLIT_MAX = 200 };
+typedef YkTrainFactors Factors;
+typedef YkTrainQuotient Quotient;
 
 static const YkPoisson *primitive(YkRing *ring, const YkPoisson *a)
 {
@@ -156,7 +146,7 @@ static const YkPoisson *part_of(YkRing *ring, const YkPoisson *term, int32_t sig
 }
 
 // A product in brackets as they are needed. Returns how many things it is made of.
-static int write_product(Quotient *q, const YkPoisson *content, const Factors *factors, YkText *text)
+static int write_product(const Quotient *q, const YkPoisson *content, const Factors *factors, YkText *text)
 {
     int64_t over = 0, under = 1;
     bool is_number = yk_ring_is_rational(content, &over, &under);
@@ -181,10 +171,15 @@ static int write_product(Quotient *q, const YkPoisson *content, const Factors *f
     return count;
 }
 
-static bool write_fraction(Quotient *q, YkText *text)
+const YkPoisson *yk_train_quotient_term(const YkTrainQuotient *q, bool is_above)
+{
+    return part_of(q->ring, q->content, is_above ? 1 : -1);
+}
+
+static bool write_fraction(const Quotient *q, YkText *text)
 {
     YkText over = {0}, under = {0};
-    const YkPoisson *above = part_of(q->ring, q->content, 1), *below = part_of(q->ring, q->content, -1);
+    const YkPoisson *above = yk_train_quotient_term(q, true), *below = yk_train_quotient_term(q, false);
     int above_count = write_product(q, above, &q->over, &over),
         below_count = write_product(q, below, &q->under, &under);
     int64_t top = 0, bottom = 1;
@@ -201,29 +196,31 @@ static bool write_fraction(Quotient *q, YkText *text)
     return good;
 }
 
-static bool write(Quotient *q, YkText *text)
+const YkPoisson *yk_train_quotient_sum(const YkTrainQuotient *q)
 {
-    if (q->under.count == 0) {
-        const YkPoisson *over = yk_ring_product(q->ring, q->over.items, (size_t)q->over.count);
-        if (q->over.count == 0) over = yk_ring_rational(q->ring, 1, 1);
-        if (q->over.count <= 1 || yk_ring_terms(over) <= 4) {
-            over = yk_ring_multiply(q->ring, over, q->content);
-            return over && yk_ring_write(q->ring, over, YK_RING_TEXT, YK_RING_EXPANDED, text) && !text->failed;
-        }
-    }
-    return write_fraction(q, text);
+    if (q->under.count > 0) return NULL;
+    const YkPoisson *over = yk_ring_product(q->ring, q->over.items, (size_t)q->over.count);
+    if (q->over.count == 0) over = yk_ring_rational(q->ring, 1, 1);
+    return q->over.count <= 1 || yk_ring_terms(over) <= 4 ? yk_ring_multiply(q->ring, over, q->content) : NULL;
 }
 
-bool yk_train_write_quotient(YkRing *ring, const YkPoisson *over, const YkPoisson *under, YkText *text)
+bool yk_train_write_quotient(const YkTrainQuotient *q, YkText *text)
 {
-    Quotient q = {.ring = ring};
+    const YkPoisson *sum = yk_train_quotient_sum(q);
+    if (!sum) return write_fraction(q, text);
+    return yk_ring_write(q->ring, sum, YK_RING_TEXT, YK_RING_EXPANDED, text) && !text->failed;
+}
+
+bool yk_train_quotient(YkRing *ring, const YkPoisson *over, const YkPoisson *under, YkTrainQuotient *q)
+{
+    *q = (Quotient){.ring = ring};
     const YkPoisson *content_over = yk_ring_content(ring, over), *content_under = yk_ring_content(ring, under);
-    q.content = yk_ring_divide(ring, content_over, content_under);
-    split(ring, yk_ring_divide(ring, over, content_over), &q.over);
-    split(ring, yk_ring_divide(ring, under, content_under), &q.under);
-    if (q.over.is_negative != q.under.is_negative) q.content = yk_ring_negate(ring, q.content);
-    cancel(&q);
-    smooth(&q, &q.over);
-    smooth(&q, &q.under);
-    return yk_ring_status(ring) == YK_RING_OK && write(&q, text);
+    q->content = yk_ring_divide(ring, content_over, content_under);
+    split(ring, yk_ring_divide(ring, over, content_over), &q->over);
+    split(ring, yk_ring_divide(ring, under, content_under), &q->under);
+    if (q->over.is_negative != q->under.is_negative) q->content = yk_ring_negate(ring, q->content);
+    cancel(q);
+    smooth(q, &q->over);
+    smooth(q, &q->under);
+    return yk_ring_status(ring) == YK_RING_OK;
 }

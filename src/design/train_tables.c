@@ -31,9 +31,10 @@ static YkFraction across(const YkTrain *train, int32_t mesh, int from, const YkF
     return yk_fraction_multiply(turn, &ratio, overflow);
 }
 
-static void add(YkTrainGroup *group, size_t body, YkFraction turn)
+static void add(YkTrainGroup *group, size_t body, YkFraction turn, struct YkTrainStep step)
 {
     group->body[group->count] = body;
+    group->step[group->count] = step;
     group->turn[group->count++] = turn;
 }
 
@@ -48,7 +49,8 @@ static void grow(const YkTrain *train, YkTrainGroup *group, YkOverflow *overflow
             for (int k = 0; k < 2; k++) {
                 int32_t from = find(group, mesh.body[k]);
                 if (from < 0 || find(group, mesh.body[1 - k]) >= 0) continue;
-                add(group, mesh.body[1 - k], across(train, m, k, &group->turn[from], overflow));
+                add(group, mesh.body[1 - k], across(train, m, k, &group->turn[from], overflow),
+                    (struct YkTrainStep){from, m, k});
                 grows = true;
             }
         }
@@ -111,10 +113,11 @@ bool yk_train_tables(YkTrain *train)
         YkTrainGroup *group = &train->groups[train->group_count];
         *group = (YkTrainGroup){.carrier = (int32_t)mesh.carrier,
                                 .body = YK_NEW(train->arena, size_t, 2 * meshes),
-                                .turn = YK_NEW(train->arena, YkFraction, 2 * meshes)};
-        if (!group->body || !group->turn) return false;
+                                .turn = YK_NEW(train->arena, YkFraction, 2 * meshes),
+                                .step = YK_NEW(train->arena, struct YkTrainStep, 2 * meshes)};
+        if (!group->body || !group->turn || !group->step) return false;
         YkOverflow overflow = false;
-        add(group, mesh.body[0], yk_fraction(1, 1));
+        add(group, mesh.body[0], yk_fraction(1, 1), (struct YkTrainStep){-1, -1, 0});
         grow(train, group, &overflow);
         if (overflow || !write(train, group)) return !yk_arena_failed(train->arena);
         solve(train, group);

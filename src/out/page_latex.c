@@ -115,6 +115,29 @@ static void put_element(YkPrinting *printing, const YkPagePiece *piece, YkText *
     if (brackets) yk_text_puts(text, "\\right)");
 }
 
+static void put_factors(YkPrinting *printing, const YkPagePiece *piece, int side, YkText *text)
+{
+    YkPagePiece factor = {.style = YK_RING_TEXTBOOK, .is_factor = piece->factor_count[side] > 1};
+    for (size_t k = 0; k < piece->factor_count[side]; k++) {
+        if (k > 0) yk_text_puts(text, " ");
+        factor.over = piece->factors[side][k];
+        put_element(printing, &factor, text);
+    }
+}
+
+static void put_quotient(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
+{
+    const YkPoisson *const sides[] = {piece->over, piece->under};
+    for (int side = 0; side < 2; side++) {
+        yk_text_puts(text, side == 0 ? "\\frac{" : "}{");
+        if (piece->factors[side])
+            put_factors(printing, piece, side, text);
+        else
+            yk_print_element(printing, sides[side], YK_RING_LATEX, YK_RING_TEXTBOOK, text);
+    }
+    yk_text_puts(text, "}");
+}
+
 static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
 {
     switch (piece->kind) {
@@ -122,11 +145,7 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *te
         put_element(printing, piece, text);
         break;
     case YK_PIECE_QUOTIENT:
-        yk_text_puts(text, "\\frac{");
-        yk_print_element(printing, piece->over, YK_RING_LATEX, YK_RING_TEXTBOOK, text);
-        yk_text_puts(text, "}{");
-        yk_print_element(printing, piece->under, YK_RING_LATEX, YK_RING_TEXTBOOK, text);
-        yk_text_puts(text, "}");
+        put_quotient(printing, piece, text);
         break;
     case YK_PIECE_VECTOR:
         put_name(text, piece);

@@ -107,6 +107,18 @@ static void put_element(YkPrinting *printing, const YkPoisson *a, YkRingStyle st
     yk_text_puts(text, brackets ? "<mo>)</mo></mrow>" : "</mrow>");
 }
 
+static void put_side(YkPrinting *printing, const YkPagePiece *piece, int side, YkText *text)
+{
+    if (!piece->factors[side]) {
+        put_element(printing, side == 0 ? piece->over : piece->under, YK_RING_TEXTBOOK, false, text);
+        return;
+    }
+    yk_text_puts(text, "<mrow>");
+    for (size_t k = 0; k < piece->factor_count[side]; k++)
+        put_element(printing, piece->factors[side][k], YK_RING_TEXTBOOK, piece->factor_count[side] > 1, text);
+    yk_text_puts(text, "</mrow>");
+}
+
 static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
 {
     switch (piece->kind) {
@@ -115,8 +127,8 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *te
         break;
     case YK_PIECE_QUOTIENT:
         yk_text_puts(text, "<mfrac>");
-        put_element(printing, piece->over, YK_RING_TEXTBOOK, false, text);
-        put_element(printing, piece->under, YK_RING_TEXTBOOK, false, text);
+        put_side(printing, piece, 0, text);
+        put_side(printing, piece, 1, text);
         yk_text_puts(text, "</mfrac>");
         break;
     case YK_PIECE_VECTOR:

@@ -125,6 +125,35 @@ static void put_divisor(YkPrinting *printing, const YkPoisson *a, YkText *text)
     if (!yk_print_is_one_factor(yk_text_get(text) + start)) yk_print_brackets(text, start);
 }
 
+// A product of factors; under the line in brackets where there are several.
+static void put_factors(YkPrinting *printing, const YkPagePiece *piece, int side, YkText *text)
+{
+    size_t count = piece->factor_count[side];
+    bool brackets = side == 1 && count > 1;
+    if (brackets) yk_text_puts(text, "(");
+    for (size_t k = 0; k < count; k++) {
+        if (k > 0) yk_text_puts(text, " ");
+        if (side == 1 && count == 1)
+            put_divisor(printing, piece->factors[side][k], text);
+        else
+            put_factor(printing, piece->factors[side][k], text);
+    }
+    if (brackets) yk_text_puts(text, ")");
+}
+
+static void put_quotient(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
+{
+    if (piece->factors[0])
+        put_factors(printing, piece, 0, text);
+    else
+        put_dividend(printing, piece->over, text);
+    yk_text_puts(text, " / ");
+    if (piece->factors[1])
+        put_factors(printing, piece, 1, text);
+    else
+        put_divisor(printing, piece->under, text);
+}
+
 static void put_name(const YkPagePiece *piece, YkText *text)
 {
     yk_text_puts(text, piece->text);
@@ -146,9 +175,7 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPa
             yk_print_element(printing, piece->over, YK_RING_BOOK, piece->style, text);
         break;
     case YK_PIECE_QUOTIENT:
-        put_dividend(printing, piece->over, text);
-        yk_text_puts(text, " / ");
-        put_divisor(printing, piece->under, text);
+        put_quotient(printing, piece, text);
         break;
     case YK_PIECE_VECTOR:
         put_name(piece, text);

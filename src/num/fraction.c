@@ -1,7 +1,7 @@
 // Exact fractions.
 #include <math.h>
 #include <string.h>
-#include "design/train_whole.h"
+#include "num/whole.h"
 
 // A fraction made of its parts; only the limbs that count are copied.
 static void put(YkWhole *to, const YkWhole *from)

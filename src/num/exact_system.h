@@ -1,7 +1,7 @@
 // Linear equations in exact fractions, with several right-hand sides.
-#ifndef DESIGN_TRAIN_SOLVE_H
-#define DESIGN_TRAIN_SOLVE_H
-#include "design/train_whole.h"
+#ifndef NUM_EXACT_SYSTEM_H
+#define NUM_EXACT_SYSTEM_H
+#include "num/whole.h"
 
 // cell[rows][columns + rights]. After reduction each pivot column has a 1 in its pivot row and 0 elsewhere.
 typedef struct YkExactSystem {

@@ -1,5 +1,5 @@
 // Natural numbers of a fixed largest size.
-#include "design/train_whole.h"
+#include "num/whole.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 // Whole numbers of up to 2048 bits, and fractions of them: gear ratios are exact, and a train of forty gears has
 // numerators of hundreds of bits. Values, without allocation; what does not fit is noticed.
-#ifndef DESIGN_TRAIN_WHOLE_H
-#define DESIGN_TRAIN_WHOLE_H
+#ifndef NUM_WHOLE_H
+#define NUM_WHOLE_H
 #include <stdbool.h>
 #include <stdint.h>
 #include "base/text.h"

@@ -1,5 +1,5 @@
 // Gauss-Jordan elimination in exact fractions.
-#include "design/train_solve.h"
+#include "num/exact_system.h"
 #include <stdlib.h>
 
 bool yk_exact_new(YkExactSystem *system, int32_t rows, int32_t columns, int32_t rights)

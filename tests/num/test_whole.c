@@ -1,6 +1,6 @@
 // Whole numbers of many limbs and fractions of them, by identities and against arithmetic modulo a prime.
 #include "check.h"
-#include "design/train_whole.h"
+#include "num/whole.h"
 
 static const uint64_t prime = 2147483647;
 
