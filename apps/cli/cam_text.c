@@ -156,13 +156,14 @@ static void add_strokes(const YkCamAnswer *answer)
     yk_cam_table(out, table);
 }
 
-// A peak at the cam's speed, in m or rad and s: "0.3 m/s^2".
+// A peak at the cam's speed, in the file's unit of the lift, per second: "4860 mm/s^2".
 static void add_in_time(const YkCamAnswer *answer, double peak, int order, YkText *text)
 {
-    double rate = 1;
+    double rate = 1, size = 1;
+    const char *unit = yk_model_unit(answer->session->model, yk_cam_lift_quantity(answer), &size);
     for (int k = 0; k < order; k++) rate *= answer->speed;
-    yk_cam_number(text, peak * rate);
-    yk_text_puts(text, answer->size.oscillates ? " rad" : " m");
+    yk_cam_number(text, peak * rate / size);
+    yk_text_format(text, " %s", unit);
     if (order > 0) yk_text_puts(text, "/s");
     if (order > 1) yk_text_format(text, "^%d", order);
 }
