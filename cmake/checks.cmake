@@ -8,6 +8,12 @@ set_tests_properties(house/codes PROPERTIES ENVIRONMENT "CC=${CMAKE_C_COMPILER}"
 if(NOT YOKE_SANITIZE)
   add_test(NAME house/symbols COMMAND sh ${CMAKE_SOURCE_DIR}/tools/check-symbols $<TARGET_FILE:yoke_shared>)
   add_test(NAME house/install COMMAND sh ${CMAKE_SOURCE_DIR}/tests/install/test-install ${CMAKE_BINARY_DIR})
+  find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
+  if(DPKG_SHLIBDEPS)
+    add_test(NAME house/packages COMMAND sh ${CMAKE_SOURCE_DIR}/tests/install/test-packages ${CMAKE_BINARY_DIR})
+    set_tests_properties(house/packages PROPERTIES TIMEOUT 120 RESOURCE_LOCK install)
+  endif()
+  set_tests_properties(house/install PROPERTIES RESOURCE_LOCK install)
   set_tests_properties(house/install PROPERTIES ENVIRONMENT "CC=${CMAKE_C_COMPILER}" TIMEOUT 120)
 endif()
 # What the documentation shows is what the command prints.

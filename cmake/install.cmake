@@ -2,17 +2,18 @@
 include(CMakePackageConfigHelpers)
 set(YOKE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/yoke)
 
-install(DIRECTORY include/yoke DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
-install(TARGETS yoke_core ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS yoke_shared EXPORT yoke_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS yoke RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY include/yoke DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN "*.h")
+install(TARGETS yoke_core ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+install(TARGETS yoke_shared EXPORT yoke_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime
+  NAMELINK_COMPONENT dev)
+install(TARGETS yoke RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 
 # find_package(yoke) gives yoke::yoke
-install(EXPORT yoke_targets NAMESPACE yoke:: FILE yokeTargets.cmake DESTINATION ${YOKE_PACKAGE_DIR})
+install(EXPORT yoke_targets NAMESPACE yoke:: FILE yokeTargets.cmake DESTINATION ${YOKE_PACKAGE_DIR} COMPONENT dev)
 configure_package_config_file(cmake/yokeConfig.cmake.in ${CMAKE_BINARY_DIR}/yokeConfig.cmake
   INSTALL_DESTINATION ${YOKE_PACKAGE_DIR} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/yokeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/yokeConfig.cmake ${CMAKE_BINARY_DIR}/yokeConfigVersion.cmake DESTINATION ${YOKE_PACKAGE_DIR})
+install(FILES ${CMAKE_BINARY_DIR}/yokeConfig.cmake ${CMAKE_BINARY_DIR}/yokeConfigVersion.cmake DESTINATION ${YOKE_PACKAGE_DIR} COMPONENT dev)
 
 # pkg-config: the prefix is found from the place of the .pc file
 if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
@@ -27,12 +28,12 @@ else()
   set(YOKE_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
 endif()
 configure_file(cmake/yoke.pc.in ${CMAKE_BINARY_DIR}/yoke.pc @ONLY)
-install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
-install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples COMPONENT doc FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
   PATTERN "expected" EXCLUDE)
-install(FILES schema/yoke.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
-install(FILES completions/yoke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME yoke OPTIONAL)
-install(FILES completions/_yoke DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
-install(FILES completions/yoke.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d OPTIONAL)
+install(FILES schema/yoke.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke COMPONENT runtime)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc FILES_MATCHING PATTERN "*.md")
+install(FILES completions/yoke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME yoke COMPONENT runtime OPTIONAL)
+install(FILES completions/_yoke DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT runtime OPTIONAL)
+install(FILES completions/yoke.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT runtime OPTIONAL)

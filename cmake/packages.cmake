@@ -1,0 +1,27 @@
+# Debian packages by component: `cpack` in the build folder gives yoke, libyoke-dev and yoke-doc.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME yoke)
+set(CPACK_PACKAGE_CONTACT "The Yoke developers <yoke@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL runtime dev doc)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
+
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME yoke)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "gnuplot-nox, librsvg2-bin")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Answers what a course in kinematics and machine dynamics asks of linkages, gears and cams.")
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libyoke-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "yoke (= ${PROJECT_VERSION}), libyaml-dev")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "For programs that use libyoke; with pkg-config and CMake files.")
+
+set(CPACK_DEBIAN_DOC_PACKAGE_NAME yoke-doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_COMPONENT_DOC_DESCRIPTION "The guide, the mathematics with its sources, and the gallery of machines.")
+include(CPack)
