@@ -59,7 +59,10 @@ typedef struct YkRingSymbol {
     const YkPoisson *element; // the symbol itself; made at first use
     const YkPoisson *rate;    // declared total time derivative, or NULL
     YkPartial *partials;
-    const YkPoisson *square;        // of a root
+    const YkPoisson *square; // of a root
+    const YkPoisson *known;  // its derivative by known_variable, with known_rules of the ring's rules
+    int32_t known_variable;
+    size_t known_rules;
     int64_t pi_over;                // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
     const char *latex, *c, *mathml; // as it is typeset
 } YkRingSymbol;
@@ -89,8 +92,11 @@ struct YkRing {
     YkPowers monomials, phases;
     YkGather gather;
     const YkPoisson *zero, *one;
-    YkRingChanges *changes; // the newest
-    size_t form_count;      // structured forms made so far
+    YkRingChanges *changes;   // the newest
+    const YkPoisson **images; // a stack, of derivatives that are being made
+    size_t image_count, image_capacity;
+    size_t rule_count; // rates, partial derivatives and roots that were declared
+    size_t form_count; // structured forms made so far
 };
 
 // Records the first failure; returns NULL for the caller to return.

@@ -121,6 +121,7 @@ bool yk_ring_set_rate(YkRing *ring, int32_t symbol, const YkPoisson *rate)
     if (!rate) return false;
     if (symbol < 0 || (size_t)symbol >= ring->symbol_count) return yk_ring_fail(ring, YK_RING_NAME) != NULL;
     ring->symbols[symbol].rate = rate;
+    ring->rule_count++;
     return true;
 }
 
@@ -131,6 +132,7 @@ static bool add_partial(YkRing *ring, int32_t symbol, int32_t variable, const Yk
     if (!partial) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
     *partial = (YkPartial){ring->symbols[symbol].partials, variable, derivative};
     ring->symbols[symbol].partials = partial;
+    ring->rule_count++;
     return true;
 }
 
@@ -163,6 +165,7 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
     if (!yk_ring_is_real(ring, square)) return yk_ring_fail(ring, YK_RING_NOT_REAL) ? 0 : -1;
     int32_t symbol = yk_ring_symbol(ring, name, YK_RING_FUNCTION);
     if (symbol >= 0) ring->symbols[symbol].square = square;
+    ring->rule_count++;
     return symbol;
 }
 
