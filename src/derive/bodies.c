@@ -28,6 +28,8 @@ static bool turn_with(YkDerivation *d, int32_t index)
     const YkDeriveBody *parent = &d->bodies[body->parent];
     const char *name = d->model->bodies[index].name;
     int32_t coordinate = d->joint_angle[body->joint];
+    body->joints_in_angle = parent->joints_in_angle + (coordinate != YK_NONE);
+    if (body->joints_in_angle > d->most_joints) d->most_joints = body->joints_in_angle;
     if (coordinate == YK_NONE) { // a slide or a weld keeps the angle
         const YkPoisson *turned = yk_derive_turn(d, d->model->joints[body->joint].turned_expr);
         if (sense(d, index) < 0) turned = yk_ring_conjugate(d->ring, turned);

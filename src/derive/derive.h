@@ -37,6 +37,7 @@ typedef struct YkDeriveBody {
     // whose angle is a coordinate of the file uses that coordinate, others have NAME.angle, NAME.angle', NAME.angle''.
     // Bodies that never turn against each other share their symbols.
     int32_t angle, rate, acceleration;
+    int32_t joints_in_angle;           // how many joint angles add up to the body's
     const YkPoisson *unit;             // e^(i angle of the body's axes), body form
     const YkPoisson *turn;             // the same by the angle of its orientation: constant
     const YkPoisson *spin, *spin_rate; // angular velocity and acceleration, body form: a symbol, or 0
@@ -92,6 +93,7 @@ struct YkDerivation {
     size_t coordinate_count, tree_count;   // all; those of the tree come first and agree with the mechanism's indices
     int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE
     YkDeriveBody *bodies;
+    int32_t most_joints; // most joints_in_angle
     // One for each angle, rate and acceleration that is a body's own, made at first use; then one for each definition.
     YkRingChange *changes;
     size_t change_count, definition_count, change_capacity; // change_count: all

@@ -138,11 +138,11 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
     yk_page_heading(page, 2, yk_text_get(&title));
     page->failed |= title.failed;
     yk_text_free(&title);
-    for (size_t k = 0; k < f->contact_count; k++)
-        if (f->contacts[k].push.body == body) put_contact_lines(f, page, &f->contacts[k]);
-    for (size_t k = 0; k < f->load_count; k++)
-        for (size_t p = 0; p < f->loads[k].push_count; p++)
-            if (f->loads[k].push[p].body == body) put_load_lines(f, page, &f->loads[k], p);
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) put_contact_lines(f, page, &f->contacts[contacts[k]]);
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) put_load_lines(f, page, &f->loads[pushes[k] / 2], (size_t)pushes[k] % 2);
     put_inertia(f, page, body);
 }
 
@@ -152,8 +152,7 @@ static void put_junction(const YkDeriveForces *f, YkPage *page, int32_t junction
     bool first = true;
     yk_page_heading(page, 2, yk_derive_text(d, "Junction ", f->junctions[junction].name, ", a pin without mass"));
     YkLine *line = yk_page_formula(page, NULL);
-    for (size_t k = 0; k < f->contact_count; k++) {
-        if (f->contacts[k].junction != junction) continue;
+    for (int32_t k = f->junctions[junction].first_contact; k != YK_NONE; k = f->contacts[k].next) {
         if (!first) yk_line_sign(page, line, "+");
         yk_line_vector(page, line, "F", NULL, f->contacts[k].between);
         first = false;

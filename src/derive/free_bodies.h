@@ -40,6 +40,7 @@ typedef struct YkDeriveContact {
     const char *moment;           // "M"; NULL where it exerts none
     bool is_negative;             // this body is the first: its names are those of the second's
     YkDerivePush push;            // with the sign
+    int32_t next;                 // the next contact at the same junction, or YK_NONE
 } YkDeriveContact;
 
 // A pin that joins several bodies: a massless junction, in equilibrium under the forces of all of them.
@@ -47,7 +48,13 @@ typedef struct YkDeriveJunction {
     const char *name;
     YkDerivePlace place;    // the point of a body with which it is counted to move
     const YkPoisson *force; // sum of all contacts on it: 0
+    int32_t first_joint, first_contact, last_contact;
 } YkDeriveJunction;
+
+// Lists of what acts on every body.
+typedef struct YkDeriveActing {
+    int32_t *first, *entry; // body b's entries are those from first[b] to first[b + 1]
+} YkDeriveActing;
 
 typedef struct YkDeriveMass {
     const YkPoisson *mass, *inertia, *center;            // center: in the body's axes
@@ -88,9 +95,11 @@ typedef struct YkDeriveForces {
     size_t load_count;
     YkDeriveContact *contacts; // joint by joint
     size_t contact_count;
+    YkDeriveActing contacts_on, pushes_on;
     YkDeriveJunction *junctions;
     size_t junction_count;
-    int32_t *junction_of;                          // per joint, or YK_NONE
+    int32_t *junction_of, *next_at_junction;       // per joint, or YK_NONE
+    bool *is_double;                               // per joint: another one holds the same two bodies
     const YkPoisson **joint_force, **joint_moment; // per joint: on the second body by the first
     int32_t *reactions;                            // symbols, joint by joint
     size_t reaction_count;
@@ -173,6 +182,10 @@ void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page);
 // Words about what is left out; true where the section ends with that.
 bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page);
 
+// --- free_bodies_acting.c: what acts on a body, in order. Contacts by their index; pushes as 2 * load + push.
+const int32_t *yk_derive_contacts_on(const YkDeriveForces *f, int32_t body, size_t *count);
+const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t *count);
+
 // --- free_bodies.c: pieces of vector equations
 // " + F_{01}", " - F_{12}": what acts on a body; `first`: no plus. A load's name by its kind: W, S, D, R, F, Q.
 void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
@@ -190,6 +203,8 @@ bool yk_derive_enter_loads(YkDeriveForces *f);
 bool yk_derive_enter_contacts(YkDeriveForces *f);
 bool yk_derive_find_junctions(YkDeriveForces *f); // of contacts; false when out of memory
 bool yk_derive_enter_multipliers(YkDeriveForces *f);
+bool yk_derive_sort_contacts(YkDeriveForces *f); // false when out of memory
+bool yk_derive_sort_pushes(YkDeriveForces *f);
 // From a body's reference to a place given in its axes, in world axes.
 const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at);
 // The same to where a joint's force acts: on the first body of a slide this moves along the line.

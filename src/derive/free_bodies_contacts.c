@@ -13,10 +13,34 @@ static const char *number_of(YkDerivation *d, size_t number)
     return name;
 }
 
-static bool have_same_bodies(const YkJoint *a, const YkJoint *b)
+static uint64_t pair_of(const YkJoint *j)
 {
-    return (a->body[0] == b->body[0] && a->body[1] == b->body[1]) ||
-           (a->body[0] == b->body[1] && a->body[1] == b->body[0]);
+    uint64_t a = (uint32_t)j->body[0], b = (uint32_t)j->body[1];
+    return a < b ? a << 32 | b : b << 32 | a;
+}
+
+typedef struct Pair {
+    uint64_t bodies;
+    int32_t joint;
+} Pair;
+
+static int by_bodies(const void *a, const void *b)
+{
+    const Pair *left = a, *right = b;
+    return left->bodies < right->bodies ? -1 : left->bodies > right->bodies;
+}
+
+// Marks joints that hold two bodies which another joint holds, too. False when out of memory.
+static bool find_doubles(const YkModel *model, bool *is_double)
+{
+    Pair *pairs = calloc(model->joint_count + 1, sizeof *pairs);
+    if (!pairs) return false;
+    for (size_t j = 0; j < model->joint_count; j++) pairs[j] = (Pair){pair_of(&model->joints[j]), (int32_t)j};
+    qsort(pairs, model->joint_count, sizeof *pairs, by_bodies);
+    for (size_t k = 1; k < model->joint_count; k++)
+        if (pairs[k].bodies == pairs[k - 1].bodies) is_double[pairs[k].joint] = is_double[pairs[k - 1].joint] = true;
+    free(pairs);
+    return true;
 }
 
 // "01": by the ground on body 1; with the joint's name where another joint holds the same two bodies.
@@ -27,9 +51,7 @@ static const char *between(YkDeriveForces *f, int32_t joint)
     const YkJoint *j = &model->joints[joint];
     const char *mark = model->body_count > 10 ? "_" : "";
     const char *name = yk_derive_text(d, number_of(d, (size_t)j->body[0]), mark, number_of(d, (size_t)j->body[1]));
-    for (size_t k = 0; k < model->joint_count; k++)
-        if ((int32_t)k != joint && have_same_bodies(j, &model->joints[k])) return yk_derive_text(d, name, "_", j->name);
-    return name;
+    return f->is_double[joint] ? yk_derive_text(d, name, "_", j->name) : name;
 }
 
 static const char *symbol_name(YkDeriveForces *f, const char *letter, const char *name, const char *part)
@@ -64,9 +86,21 @@ static const YkPoisson *unknown_vector(YkDeriveForces *f, const char *name, int3
 
 static const YkDeriveContact *contact_on(const YkDeriveForces *f, int32_t junction, int32_t body)
 {
-    for (size_t k = 0; k < f->contact_count; k++)
-        if (f->contacts[k].junction == junction && f->contacts[k].push.body == body) return &f->contacts[k];
+    for (int32_t k = f->junctions[junction].first_contact; k != YK_NONE; k = f->contacts[k].next)
+        if (f->contacts[k].push.body == body) return &f->contacts[k];
     return NULL;
+}
+
+static void add_at_junction(YkDeriveForces *f, YkDeriveJunction *junction, YkDeriveContact contact)
+{
+    int32_t index = (int32_t)f->contact_count;
+    if (junction->last_contact == YK_NONE)
+        junction->first_contact = index;
+    else
+        f->contacts[junction->last_contact].next = index;
+    junction->last_contact = index;
+    contact.next = YK_NONE;
+    f->contacts[f->contact_count++] = contact;
 }
 
 static void add_junction_contact(YkDeriveForces *f, int32_t joint, int side)
@@ -78,12 +112,12 @@ static void add_junction_contact(YkDeriveForces *f, int32_t joint, int side)
     const char *mark = d->model->body_count > 10 ? "_" : "";
     const char *name = yk_derive_text(d, of->name, mark, number_of(d, (size_t)body));
     const YkPoisson *force = unknown_vector(f, name, joint, body), *zero = yk_ring_rational(d->ring, 0, 1);
-    f->contacts[f->contact_count++] =
-        (YkDeriveContact){.joint = joint,
-                          .junction = junction,
-                          .letter = "F",
-                          .between = name,
-                          .push = {body, yk_derive_joint_arm(f, joint, side), force, zero}};
+    add_at_junction(f, of,
+                    (YkDeriveContact){.joint = joint,
+                                      .junction = junction,
+                                      .letter = "F",
+                                      .between = name,
+                                      .push = {body, yk_derive_joint_arm(f, joint, side), force, zero}});
     of->force = yk_ring_subtract(d->ring, of->force, force);
 }
 
@@ -95,8 +129,8 @@ static void mark_side(const YkDeriveForces *f, int32_t joint, int32_t body, bool
     marked[body] = true;
     while (grew) {
         grew = false;
-        for (size_t j = 0; j < model->joint_count; j++) {
-            if ((int32_t)j == joint || f->junction_of[j] != f->junction_of[joint]) continue;
+        for (int32_t j = f->junctions[f->junction_of[joint]].first_joint; j != YK_NONE; j = f->next_at_junction[j]) {
+            if (j == joint) continue;
             const int32_t *b = model->joints[j].body;
             if (marked[b[0]] == marked[b[1]]) continue;
             marked[b[0]] = marked[b[1]] = grew = true;
@@ -106,24 +140,19 @@ static void mark_side(const YkDeriveForces *f, int32_t joint, int32_t body, bool
 
 // What a pin of a junction carries: the forces on all bodies beyond it, seen from the junction's place. Where pins form
 // a ring among themselves this is one possible share.
-static const YkPoisson *share_of_pin(YkDeriveForces *f, int32_t joint)
+// marked: per body, none at the beginning and at the end.
+static const YkPoisson *share_of_pin(YkDeriveForces *f, int32_t joint, bool *marked)
 {
     YkDerivation *d = f->d;
     const YkJoint *j = &d->model->joints[joint];
-    bool *marked = calloc(d->model->body_count, sizeof *marked);
+    const YkDeriveJunction *junction = &f->junctions[f->junction_of[joint]];
     const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
-    if (!marked) {
-        d->failed = true;
-        return NULL;
-    }
     mark_side(f, joint, j->body[1], marked);
-    bool holds_place = marked[f->junctions[f->junction_of[joint]].place.body];
-    for (size_t k = 0; k < f->contact_count; k++) {
-        const YkDeriveContact *c = &f->contacts[k];
-        if (c->junction != f->junction_of[joint] || marked[c->push.body] == holds_place) continue;
-        sum = yk_ring_add(d->ring, sum, c->push.force);
-    }
-    free(marked);
+    bool holds_place = marked[junction->place.body];
+    for (int32_t k = junction->first_contact; k != YK_NONE; k = f->contacts[k].next)
+        if (marked[f->contacts[k].push.body] != holds_place) sum = yk_ring_add(d->ring, sum, f->contacts[k].push.force);
+    for (int32_t k = junction->first_contact; k != YK_NONE; k = f->contacts[k].next)
+        marked[f->contacts[k].push.body] = false;
     return holds_place ? yk_ring_negate(d->ring, sum) : sum;
 }
 
@@ -159,7 +188,8 @@ static void enter_joint(YkDeriveForces *f, int32_t joint)
                                                             .between = name,
                                                             .moment = part->turns ? NULL : "M",
                                                             .is_negative = side == 0,
-                                                            .push = push};
+                                                            .push = push,
+                                                            .next = YK_NONE};
     }
 }
 
@@ -167,12 +197,12 @@ static void enter_joint(YkDeriveForces *f, int32_t joint)
 
 static bool is_turned(const YkDeriveForces *f, int32_t body)
 {
-    for (size_t k = 0; k < f->load_count; k++) {
-        const YkDeriveLoad *load = &f->loads[k];
+    size_t count;
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveLoad *load = &f->loads[pushes[k] / 2];
         bool is_along_guide = load->joint != YK_NONE && yk_ring_is_zero(load->push[0].moment);
-        if (load->kind == YK_DERIVE_GRAVITY || load->kind == YK_DERIVE_DRIVE || is_along_guide) continue;
-        for (size_t p = 0; p < load->push_count; p++)
-            if (load->push[p].body == body) return true;
+        if (load->kind != YK_DERIVE_GRAVITY && load->kind != YK_DERIVE_DRIVE && !is_along_guide) return true;
     }
     return false;
 }
@@ -181,9 +211,10 @@ static void find_trivial(YkDeriveForces *f, int32_t body)
 {
     const YkDerivation *d = f->d;
     int slides = 0;
-    for (size_t k = 0; k < f->contact_count; k++) {
-        const YkDeriveContact *c = &f->contacts[k];
-        if (c->push.body != body) continue;
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveContact *c = &f->contacts[contacts[k]];
         YkPartKind kind = d->model->joints[c->joint].kind;
         slides += kind == YK_SLIDE;
         bool is_bearing = kind == YK_SLIDE && !c->is_negative;
@@ -199,6 +230,8 @@ static bool allocate(YkDeriveForces *f)
     f->contacts = YK_NEW(arena, YkDeriveContact, 2 * joints + 1);
     f->junctions = YK_NEW(arena, YkDeriveJunction, joints + 1);
     f->junction_of = YK_NEW(arena, int32_t, joints + 1);
+    f->next_at_junction = YK_NEW(arena, int32_t, joints + 1);
+    f->is_double = YK_NEW(arena, bool, joints + 1);
     f->joint_force = YK_NEW(arena, const YkPoisson *, joints + 1);
     f->joint_moment = YK_NEW(arena, const YkPoisson *, joints + 1);
     f->reactions = YK_NEW(arena, int32_t, 4 * joints + 1);
@@ -211,7 +244,8 @@ static bool allocate(YkDeriveForces *f)
 bool yk_derive_enter_contacts(YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
-    if (!allocate(f) || !yk_derive_find_junctions(f)) {
+    bool *marked = YK_NEW(d->arena, bool, d->model->body_count + 1);
+    if (!allocate(f) || !find_doubles(d->model, f->is_double) || !yk_derive_find_junctions(f)) {
         d->failed = true;
         return false;
     }
@@ -221,9 +255,10 @@ bool yk_derive_enter_contacts(YkDeriveForces *f)
     }
     for (size_t j = 0; j < d->model->joint_count; j++) {
         if (f->junction_of[j] == YK_NONE) continue;
-        f->joint_force[j] = share_of_pin(f, (int32_t)j);
+        f->joint_force[j] = share_of_pin(f, (int32_t)j, marked);
         f->joint_moment[j] = yk_ring_rational(d->ring, 0, 1);
     }
+    if (!yk_derive_sort_contacts(f)) return false;
     for (size_t b = 1; b < d->model->body_count; b++) find_trivial(f, (int32_t)b);
     return yk_derivation_is_well(d);
 }

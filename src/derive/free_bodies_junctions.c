@@ -38,25 +38,31 @@ static void unite_neighbours(YkDerivation *d, const PinsOf *pins, int32_t *paren
                 if (do_share_a_point(d, e / 2, o / 2)) parent[root_of(parent, e / 2)] = root_of(parent, o / 2);
 }
 
-// Numbers the sets of two pins and more by their first joint.
-static void number_junctions(YkDeriveForces *f, int32_t *parent, int32_t *size)
+// Numbers the sets of two pins and more by their first joint. last: per root, its junction's last joint so far.
+static void number_junctions(YkDeriveForces *f, int32_t *parent, int32_t *size, int32_t *last)
 {
     YkDerivation *d = f->d;
     for (size_t j = 0; j < d->model->joint_count; j++)
         if (d->model->joints[j].kind == YK_PIN) size[root_of(parent, (int32_t)j)]++;
     for (size_t j = 0; j < d->model->joint_count; j++) {
         int32_t root = root_of(parent, (int32_t)j);
-        f->junction_of[j] = YK_NONE;
+        f->junction_of[j] = f->next_at_junction[j] = YK_NONE;
         if (d->model->joints[j].kind != YK_PIN || size[root] < 2) continue;
-        for (size_t i = 0; i < j && f->junction_of[j] == YK_NONE; i++)
-            if (f->junction_of[i] != YK_NONE && root_of(parent, (int32_t)i) == root)
-                f->junction_of[j] = f->junction_of[i];
-        if (f->junction_of[j] != YK_NONE) continue;
+        int32_t before = last[root] - 1; // 0: none
+        last[root] = (int32_t)j + 1;
+        if (before >= 0) {
+            f->junction_of[j] = f->junction_of[before];
+            f->next_at_junction[before] = (int32_t)j;
+            continue;
+        }
         const YkJoint *joint = &d->model->joints[j];
         int side = joint->body[0] == 0;
         f->junctions[f->junction_count] =
             (YkDeriveJunction){.place = yk_derive_place(d, (int32_t)j, side),
                                .force = yk_ring_rational(d->ring, 0, 1),
+                               .first_joint = (int32_t)j,
+                               .first_contact = YK_NONE,
+                               .last_contact = YK_NONE,
                                .name = yk_derive_point_name(d, joint->body[side], joint->point[side])};
         f->junction_of[j] = (int32_t)f->junction_count++;
     }
@@ -66,10 +72,11 @@ bool yk_derive_find_junctions(YkDeriveForces *f)
 {
     const YkModel *model = f->d->model;
     size_t joints = model->joint_count, bodies = model->body_count;
-    int32_t *block = calloc(4 * joints + bodies + 1, sizeof *block);
+    int32_t *block = calloc(5 * joints + bodies + 1, sizeof *block);
     if (!block) return false;
     int32_t *parent = block, *size = block + joints;
     PinsOf pins = {block + 2 * joints, block + 2 * joints + bodies};
+    int32_t *last = block + 4 * joints + bodies;
     for (size_t b = 0; b < bodies; b++) pins.first[b] = YK_NONE;
     for (size_t j = 0; j < joints; j++) {
         parent[j] = (int32_t)j;
@@ -80,7 +87,7 @@ bool yk_derive_find_junctions(YkDeriveForces *f)
         }
     }
     unite_neighbours(f->d, &pins, parent);
-    number_junctions(f, parent, size);
+    number_junctions(f, parent, size, last);
     free(block);
     return true;
 }

@@ -261,5 +261,5 @@ bool yk_derive_enter_loads(YkDeriveForces *f)
     add_forces(f);
     add_efforts(f);
     add_drives(f);
-    return yk_derivation_is_well(d);
+    return yk_derive_sort_pushes(f) && yk_derivation_is_well(d);
 }

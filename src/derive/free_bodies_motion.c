@@ -79,13 +79,7 @@ enum { JOINTS_IN_SUM_MAX = 4 };
 
 bool yk_derive_shows_joints(const YkDerivation *d)
 {
-    for (size_t b = 0; b < d->model->body_count; b++) {
-        int count = 0;
-        for (int32_t at = (int32_t)b; d->bodies[at].parent != YK_NONE; at = d->bodies[at].parent)
-            count += d->joint_angle[d->bodies[at].joint] != YK_NONE;
-        if (count > JOINTS_IN_SUM_MAX) return false;
-    }
-    return true;
+    return d->most_joints <= JOINTS_IN_SUM_MAX;
 }
 
 const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a)

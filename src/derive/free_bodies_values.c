@@ -69,10 +69,11 @@ static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamic
         add_part(f, k, &r, 1, values);
         return;
     }
-    for (size_t j = 0; j < model->joint_count; j++) // all pins of the junction on this body
+    int32_t j = f->junctions[f->junction_of[joint]].first_joint;
+    for (; j != YK_NONE; j = f->next_at_junction[j]) // all pins of the junction on this body
         for (int side = 0; side < 2; side++) {
-            if (f->junction_of[j] != f->junction_of[joint] || model->joints[j].body[side] != body) continue;
-            YkReaction r = yk_dynamics_reaction(dynamics, j);
+            if (model->joints[j].body[side] != body) continue;
+            YkReaction r = yk_dynamics_reaction(dynamics, (size_t)j);
             add_part(f, k, &r, side ? 1 : -1, values);
         }
 }

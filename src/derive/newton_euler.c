@@ -22,17 +22,20 @@ static void put_newton(const YkDeriveForces *f, YkPage *page, int32_t body)
     YkDerivation *d = f->d;
     YkLine *line = yk_page_formula(page, NULL);
     bool first = true;
-    for (size_t k = 0; k < f->contact_count; k++) {
-        if (f->contacts[k].push.body != body || !f->contacts[k].letter) continue;
-        yk_derive_put_contact(page, line, &f->contacts[k], first);
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        if (!f->contacts[contacts[k]].letter) continue;
+        yk_derive_put_contact(page, line, &f->contacts[contacts[k]], first);
         first = false;
     }
-    for (size_t k = 0; k < f->load_count; k++)
-        for (size_t p = 0; p < f->loads[k].push_count; p++) {
-            if (f->loads[k].push[p].body != body || yk_ring_is_zero(f->loads[k].push[p].force)) continue;
-            yk_derive_put_load(page, line, &f->loads[k], p, first);
-            first = false;
-        }
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveLoad *load = &f->loads[pushes[k] / 2];
+        if (yk_ring_is_zero(load->push[pushes[k] % 2].force)) continue;
+        yk_derive_put_load(page, line, load, (size_t)pushes[k] % 2, first);
+        first = false;
+    }
     put_zero_if_empty(page, line, first);
     yk_line_sign(page, line, "=");
     put_zero_if_empty(page, line, yk_ring_is_zero(f->bodies[body].mass));
@@ -59,9 +62,10 @@ static bool has_moment(const YkDerivePush *push)
 static bool put_contact_moments(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body)
 {
     bool first = true;
-    for (size_t k = 0; k < f->contact_count; k++) {
-        const YkDeriveContact *c = &f->contacts[k];
-        if (c->push.body != body) continue;
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveContact *c = &f->contacts[contacts[k]];
         if (has_moment(&c->push)) {
             put_arm(f, page, line, body, yk_derive_contact_point(f->d, c), c->is_negative, first);
             yk_line_vector(page, line, c->letter, NULL, c->between);
@@ -77,20 +81,22 @@ static bool put_contact_moments(const YkDeriveForces *f, YkPage *page, YkLine *l
 
 static bool put_load_moments(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first)
 {
-    for (size_t k = 0; k < f->load_count; k++)
-        for (size_t p = 0; p < f->loads[k].push_count; p++) {
-            const YkDerivePush *push = &f->loads[k].push[p];
-            if (push->body != body) continue;
-            if (has_moment(push)) {
-                put_arm(f, page, line, body, yk_derive_load_point(f, &f->loads[k], p), p == 1, first);
-                yk_derive_put_load(page, line, &f->loads[k], 0, true);
-                first = false;
-            }
-            if (yk_ring_is_zero(push->moment)) continue;
-            if (p == 1 || !first) yk_line_sign(page, line, p == 1 ? "-" : "+");
-            yk_line_vector(page, line, "M", NULL, f->loads[k].name);
+    size_t count;
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveLoad *load = &f->loads[pushes[k] / 2];
+        size_t p = (size_t)pushes[k] % 2;
+        const YkDerivePush *push = &load->push[p];
+        if (has_moment(push)) {
+            put_arm(f, page, line, body, yk_derive_load_point(f, load, p), p == 1, first);
+            yk_derive_put_load(page, line, load, 0, true);
             first = false;
         }
+        if (yk_ring_is_zero(push->moment)) continue;
+        if (p == 1 || !first) yk_line_sign(page, line, p == 1 ? "-" : "+");
+        yk_line_vector(page, line, "M", NULL, load->name);
+        first = false;
+    }
     return first;
 }
 

@@ -13,11 +13,11 @@ static const YkPoisson *newton(const YkDeriveForces *f, int32_t body)
 {
     YkRing *ring = f->d->ring;
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    for (size_t k = 0; k < f->contact_count; k++)
-        if (f->contacts[k].push.body == body) sum = yk_ring_add(ring, sum, f->contacts[k].push.force);
-    for (size_t k = 0; k < f->load_count; k++)
-        for (size_t p = 0; p < f->loads[k].push_count; p++)
-            if (f->loads[k].push[p].body == body) sum = yk_ring_add(ring, sum, f->loads[k].push[p].force);
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) sum = yk_ring_add(ring, sum, f->contacts[contacts[k]].push.force);
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) sum = yk_ring_add(ring, sum, f->loads[pushes[k] / 2].push[pushes[k] % 2].force);
     return yk_ring_subtract(ring, sum, yk_ring_multiply(ring, f->bodies[body].mass, f->bodies[body].acceleration));
 }
 
@@ -32,13 +32,13 @@ static const YkPoisson *euler(const YkDeriveForces *f, int32_t body)
     YkRing *ring = f->d->ring;
     const YkPoisson *sum =
         yk_ring_negate(ring, yk_ring_multiply(ring, f->bodies[body].inertia, f->d->bodies[body].spin_rate));
-    for (size_t k = 0; k < f->contact_count; k++)
-        if (f->contacts[k].push.body == body)
-            sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->contacts[k].push));
-    for (size_t k = 0; k < f->load_count; k++)
-        for (size_t p = 0; p < f->loads[k].push_count; p++)
-            if (f->loads[k].push[p].body == body)
-                sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->loads[k].push[p]));
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++)
+        sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->contacts[contacts[k]].push));
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++)
+        sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, &f->loads[pushes[k] / 2].push[pushes[k] % 2]));
     return sum;
 }
 
