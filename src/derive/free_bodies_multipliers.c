@@ -26,9 +26,13 @@ static void add_row(YkDeriveForces *f, int32_t joint, const YkPoisson *row, cons
 static const YkPoisson *force_across(const YkDeriveForces *f, int32_t joint)
 {
     const YkPoisson *force = f->joint_force[joint];
-    for (size_t k = 0; k < f->load_count; k++)
-        if (f->loads[k].joint == joint && f->loads[k].energy)
-            force = yk_ring_add(f->d->ring, force, f->loads[k].push[0].force);
+    size_t count;
+    const int32_t *pushes = yk_derive_pushes_on(f, f->d->model->joints[joint].body[1], &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveLoad *load = &f->loads[pushes[k] / 2];
+        if (pushes[k] % 2 == 0 && load->joint == joint && load->energy)
+            force = yk_ring_add(f->d->ring, force, load->push[0].force);
+    }
     return force;
 }
 
