@@ -71,6 +71,7 @@ void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page)
     YkRing *ring = d->ring;
     for (size_t k = 0; k < f->length_count; k++) {
         const YkDeriveLength *l = &f->lengths[k];
+        if (l->word) continue;
         const YkPoisson *length = yk_ring_of(ring, l->symbol), *square = yk_derive_shown(d, l->square);
         yk_page_equation(page, "length of the spring", yk_ring_power(ring, length, 2), square, YK_RING_TEXTBOOK);
         if (l->rate_symbol == YK_NONE) continue;

@@ -24,6 +24,7 @@ void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, si
 const char *yk_derive_contact_point(YkDerivation *d, const YkDeriveContact *contact)
 {
     int32_t joint = contact->joint;
+    if (contact->point) return contact->point;
     bool slides = d->joint_distance[joint] != YK_NONE; // acts where the second body's point is
     int side = slides || d->model->joints[joint].body[1] == contact->push.body;
     YkDerivePlace place = yk_derive_place(d, joint, side);
@@ -64,6 +65,7 @@ static void put_couple(YkDerivation *d, YkPage *page, YkLine *line, const YkPois
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact)
 {
     const YkDerivation *d = f->d;
+    if (contact->by) return contact->by;
     if (contact->junction != YK_NONE) return yk_derive_text(f->d, "the pin ", f->junctions[contact->junction].name, "");
     const int32_t *body = d->model->joints[contact->joint].body;
     return d->model->bodies[body[contact->is_negative ? 1 : 0]].name;
@@ -165,11 +167,11 @@ bool yk_derive_section_free_bodies(YkDerivation *d, YkPage *page)
 {
     const YkDeriveForces *f = yk_derive_forces(d);
     if (!f) return false;
-    if (yk_derive_put_limits(f, page)) return true;
     yk_page_words(page,
                   "F_ij is the force by body i on body j, in world axes; N_ij is normal to a guide, M_ij a moment.");
     yk_derive_put_angles(d, page);
     yk_derive_put_lengths(f, page);
+    yk_derive_put_meshes(f, page);
     for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
     for (size_t k = 0; k < f->junction_count; k++) put_junction(f, page, (int32_t)k);
     return true;

@@ -33,9 +33,17 @@ typedef struct YkDeriveLoad {
     const YkPoisson *energy; // potential, of gravity and springs; otherwise NULL
 } YkDeriveLoad;
 
-// What a joint or a junction exerts on one body.
+// A joint, and on which side of it the body is that it holds.
+typedef struct YkDeriveHolder {
+    int32_t joint, side;
+} YkDeriveHolder;
+
+// What a joint, a junction, or a relation - gears, a rack, a belt, a cam, a law - exerts on one body.
 typedef struct YkDeriveContact {
-    int32_t joint, junction;      // junction: YK_NONE where there is none
+    int32_t joint, junction;       // junction: YK_NONE where there is none; joint: YK_NONE of a relation
+    const char *by, *point;        // of a relation: who exerts it, and the name of where it acts
+    const YkDeriveHolder *holders; // of a relation: the joints that keep the body where the relation takes it to be
+    size_t holder_count;
     const char *letter, *between; // "F", "01"; NULL where it exerts no force
     const char *moment;           // "M"; NULL where it exerts none
     bool is_negative;             // this body is the first: its names are those of the second's
@@ -72,8 +80,29 @@ typedef struct YkDeriveOpaque {
     size_t variable_count;
 } YkDeriveOpaque;
 
-// The length of a spring between points, and its rate where a damper needs it: symbols.
+// What a relation transmits: one unknown, of which all its contacts are multiples.
+typedef struct YkDeriveMesh {
+    int32_t symbol;
+    const char *word;        // what it is
+    YkDerivePush push;       // on its second body: what the unknown's value is taken from
+    const YkPoisson *effort; // minus its multiplier
+    // The angle of the line of action: of gears the pressure angle with the sign of the unknown, of cams that of
+    // `direction`, whose length is `length`. YK_NONE: none.
+    int32_t lean;
+    double lean_value;
+    const YkPoisson *direction, *length;
+} YkDeriveMesh;
+
+// A quotient of constants that is no polynomial: a symbol.
+typedef struct YkDeriveRatio {
+    int32_t symbol;
+    const YkPoisson *over, *under;
+    const char *word;
+} YkDeriveRatio;
+
+// The length of a spring between points, and its rate where a damper needs it: symbols. Also other roots.
 typedef struct YkDeriveLength {
+    const char *word;               // what it is; NULL: a spring's length; "": not shown
     int32_t symbol, rate_symbol;    // rate: YK_NONE
     const YkPoisson *square, *rate; // L^2; dL/dt, with L in the denominator
 } YkDeriveLength;
@@ -89,37 +118,40 @@ struct YkDeriveLagrange;
 typedef struct YkDeriveForces {
     YkDerivation *d;
     bool is_related; // relations are entered
-    bool is_partial; // gears, racks, belts or cams are left out: the equations do not hold
     YkDeriveMass *bodies;
     YkDeriveLoad *loads;
     size_t load_count;
-    YkDeriveContact *contacts; // joint by joint
-    size_t contact_count;
+    YkDeriveContact *contacts;                 // joint by joint
+    size_t contact_count, joint_contact_count; // those of relations come last
     YkDeriveActing contacts_on, pushes_on;
     YkDeriveJunction *junctions;
     size_t junction_count;
-    int32_t *junction_of, *next_at_junction;       // per joint, or YK_NONE
-    bool *is_double;                               // per joint: another one holds the same two bodies
+    int32_t *junction_of, *next_at_junction; // per joint, or YK_NONE
+    bool *is_double;                         // per joint, then relation: another one is between the same two bodies
     const YkPoisson **joint_force, **joint_moment; // per joint: on the second body by the first
     int32_t *reactions;                            // symbols, joint by joint
     size_t reaction_count;
     int32_t *reaction_joint, *reaction_body; // per reaction: joint, and of a junction's the body; otherwise YK_NONE
-    char *reaction_part;                     // 'x' 'y' 'n' (normal) 'm' (moment)
+    char *reaction_part;                     // 'x' 'y' 'n' (normal) 'm' (moment) 'r' (of a relation)
+    YkDeriveMesh *meshes;                    // per relation
     int32_t *efforts;                        // symbols of unknown efforts
     int32_t *effort_coordinate;
     size_t effort_count;
     YkDeriveOpaque *opaques;
     size_t opaque_count;
-    YkDeriveLength *lengths; // of springs
+    YkDeriveLength *lengths; // of springs; other roots
     size_t length_count;
-    // Lagrange: a row for each scalar equation of the loops, its multiplier, and what that is as a joint force.
-    const YkPoisson **rows, **identities;
-    int32_t *multipliers, *row_joint;
+    YkDeriveRatio *ratios;
+    size_t ratio_count;
+    // Lagrange: a row for each scalar equation of the loops, then for each relation; its multiplier, and what that is
+    // as a joint force or as what the relation transmits.
+    const YkPoisson **rows, **identities; // row: NULL of a relation
+    int32_t *multipliers, *row_joint;     // row_joint: YK_NONE of a relation
     size_t row_count;
     const YkPoisson **kinetic, **newton, **euler, **potential; // memo: per body, [0]
                                                                // of kinetic: in total; [1]
     const YkPoisson **closing; // memo: second derivatives of what closes loops, as shown
-    int32_t *closing_joint;
+    const char **closing_name;
     int *closing_count;                // [1]; -1: not made yet
     struct YkDeriveLagrange *lagrange; // memo: per coordinate of the body form; the same, in joint form
     struct YkDeriveLagrange *lagrange_in_joints;
@@ -149,8 +181,8 @@ const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush
 const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate);
 // What a load gives to a coordinate of the body form.
 const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate);
-// Second derivatives of what closing joints demand, free of their distances, as shown: f->closing, f->closing_joint.
-// The count, or -1 on failure.
+// Second derivatives of what closing joints and relations demand, free of closing joints' distances, as shown:
+// f->closing, f->closing_name. The count, or -1 on failure.
 int yk_derive_closing_rows(const YkDeriveForces *f);
 
 // --- Energies, body form
@@ -179,8 +211,10 @@ int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate);
 void yk_derive_put_angles(YkDerivation *d, YkPage *page);
 // What the symbols of springs' lengths and rates stand for.
 void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page);
-// Words about what is left out; true where the section ends with that.
-bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page);
+// What relations transmit, and what the symbols of other roots and of quotients stand for.
+void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page);
+// The name of the joint or relation to which a row of Lagrange's multipliers belongs.
+const char *yk_derive_row_name(const YkDeriveForces *f, size_t row);
 
 // --- free_bodies_acting.c: what acts on a body, in order. Contacts by their index; pushes as 2 * load + push.
 const int32_t *yk_derive_contacts_on(const YkDeriveForces *f, int32_t body, size_t *count);
@@ -202,9 +236,22 @@ bool yk_derive_enter_masses(YkDeriveForces *f);
 bool yk_derive_enter_loads(YkDeriveForces *f);
 bool yk_derive_enter_contacts(YkDeriveForces *f);
 bool yk_derive_find_junctions(YkDeriveForces *f); // of contacts; false when out of memory
+bool yk_derive_enter_meshes(YkDeriveForces *f);   // the contacts of relations, after those of joints
 bool yk_derive_enter_multipliers(YkDeriveForces *f);
 bool yk_derive_sort_contacts(YkDeriveForces *f); // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
+// A new symbol of a joint's or relation's force: letter, who on whom ("12"), part.
+const char *yk_derive_force_name(YkDeriveForces *f, const char *letter, const char *name, const char *part);
+// "01": by the ground on body 1; with this name behind where others join the same two bodies. index: of the joint, or
+// joint count + relation.
+const char *yk_derive_between(YkDeriveForces *f, const int32_t body[2], size_t index, const char *name);
+// The positive root of a square as a symbol, exact where it is a number.
+const YkPoisson *yk_derive_root(YkDeriveForces *f, const char *name, const char *word, const YkPoisson *square);
+// over / under of constants, exact where that is a polynomial; otherwise a symbol.
+const YkPoisson *yk_derive_ratio(YkDeriveForces *f, const char *name, const char *word, const YkPoisson *over,
+                                 const YkPoisson *under);
+// Is it 0, roots, ratios and the lines of action of cams being what they are?
+bool yk_derive_is_nothing(const YkDeriveForces *f, const YkPoisson *a);
 // From a body's reference to a place given in its axes, in world axes.
 const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at);
 // The same to where a joint's force acts: on the first body of a slide this moves along the line.

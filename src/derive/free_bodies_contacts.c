@@ -13,15 +13,29 @@ static const char *number_of(YkDerivation *d, size_t number)
     return name;
 }
 
-static uint64_t pair_of(const YkJoint *j)
+static uint64_t pair_of(const int32_t body[2])
 {
-    uint64_t a = (uint32_t)j->body[0], b = (uint32_t)j->body[1];
+    uint64_t a = (uint32_t)body[0], b = (uint32_t)body[1];
     return a < b ? a << 32 | b : b << 32 | a;
+}
+
+// The bodies that a relation ties directly; those of a law are held by the joint along which it acts.
+static bool is_between(const YkModel *model, const YkRelation *r, int32_t body[2])
+{
+    const YkRack *rack = r->kind == YK_RELATION_RACK ? &model->racks[r->index] : NULL;
+    const YkCam *cam = r->kind == YK_RELATION_CAM ? &model->cams[r->index] : NULL;
+    const int32_t *pair = r->kind == YK_RELATION_GEAR   ? model->gears[r->index].body
+                          : r->kind == YK_RELATION_BELT ? model->belts[r->index].body
+                                                        : NULL;
+    for (int k = 0; pair && k < 2; k++) body[k] = pair[k];
+    if (rack) body[0] = rack->pinion, body[1] = rack->rack;
+    if (cam) body[0] = cam->cam, body[1] = cam->follower;
+    return pair || rack || cam;
 }
 
 typedef struct Pair {
     uint64_t bodies;
-    int32_t joint;
+    int32_t index;
 } Pair;
 
 static int by_bodies(const void *a, const void *b)
@@ -30,31 +44,36 @@ static int by_bodies(const void *a, const void *b)
     return left->bodies < right->bodies ? -1 : left->bodies > right->bodies;
 }
 
-// Marks joints that hold two bodies which another joint holds, too. False when out of memory.
-static bool find_doubles(const YkModel *model, bool *is_double)
+// Marks joints and relations (behind them) between two bodies that another joint or relation is between, too. False
+// when out of memory.
+static bool find_doubles(const YkDerivation *d, bool *is_double)
 {
-    Pair *pairs = calloc(model->joint_count + 1, sizeof *pairs);
+    const YkModel *model = d->model;
+    size_t count = model->joint_count;
+    Pair *pairs = calloc(count + d->mech->relation_count + 1, sizeof *pairs);
     if (!pairs) return false;
-    for (size_t j = 0; j < model->joint_count; j++) pairs[j] = (Pair){pair_of(&model->joints[j]), (int32_t)j};
-    qsort(pairs, model->joint_count, sizeof *pairs, by_bodies);
-    for (size_t k = 1; k < model->joint_count; k++)
-        if (pairs[k].bodies == pairs[k - 1].bodies) is_double[pairs[k].joint] = is_double[pairs[k - 1].joint] = true;
+    for (size_t j = 0; j < count; j++) pairs[j] = (Pair){pair_of(model->joints[j].body), (int32_t)j};
+    for (size_t k = 0; k < d->mech->relation_count; k++) {
+        int32_t body[2];
+        if (is_between(model, &d->mech->relations[k], body))
+            pairs[count++] = (Pair){pair_of(body), (int32_t)(model->joint_count + k)};
+    }
+    qsort(pairs, count, sizeof *pairs, by_bodies);
+    for (size_t k = 1; k < count; k++)
+        if (pairs[k].bodies == pairs[k - 1].bodies) is_double[pairs[k].index] = is_double[pairs[k - 1].index] = true;
     free(pairs);
     return true;
 }
 
-// "01": by the ground on body 1; with the joint's name where another joint holds the same two bodies.
-static const char *between(YkDeriveForces *f, int32_t joint)
+const char *yk_derive_between(YkDeriveForces *f, const int32_t body[2], size_t index, const char *name)
 {
     YkDerivation *d = f->d;
-    const YkModel *model = d->model;
-    const YkJoint *j = &model->joints[joint];
-    const char *mark = model->body_count > 10 ? "_" : "";
-    const char *name = yk_derive_text(d, number_of(d, (size_t)j->body[0]), mark, number_of(d, (size_t)j->body[1]));
-    return f->is_double[joint] ? yk_derive_text(d, name, "_", j->name) : name;
+    const char *mark = d->model->body_count > 10 ? "_" : "";
+    const char *pair = yk_derive_text(d, number_of(d, (size_t)body[0]), mark, number_of(d, (size_t)body[1]));
+    return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
 }
 
-static const char *symbol_name(YkDeriveForces *f, const char *letter, const char *name, const char *part)
+const char *yk_derive_force_name(YkDeriveForces *f, const char *letter, const char *name, const char *part)
 {
     const char *mark = f->d->model->body_count > 10 ? "_" : "";
     return yk_derive_text(f->d, letter, mark, yk_derive_text(f->d, name, part, ""));
@@ -66,7 +85,7 @@ static const YkPoisson *unknown(YkDeriveForces *f, const char *letter, const cha
 {
     YkDerivation *d = f->d;
     const char *ending = part == 'x' ? "x" : part == 'y' ? "y" : "";
-    int32_t symbol = yk_derive_symbol(d, symbol_name(f, letter, name, ending), YK_RING_FORCE);
+    int32_t symbol = yk_derive_symbol(d, yk_derive_force_name(f, letter, name, ending), YK_RING_FORCE);
     if (symbol < 0) return NULL;
     f->reaction_joint[f->reaction_count] = joint;
     f->reaction_body[f->reaction_count] = body;
@@ -170,7 +189,7 @@ static void enter_joint(YkDeriveForces *f, int32_t joint)
     YkDerivation *d = f->d;
     const YkJoint *j = &d->model->joints[joint];
     const YkPart *part = yk_part(j->kind);
-    const char *name = between(f, joint), *letter = part->slides ? "N" : "F";
+    const char *name = yk_derive_between(f, j->body, (size_t)joint, j->name), *letter = part->slides ? "N" : "F";
     const YkPoisson *force, *moment = yk_ring_rational(d->ring, 0, 1);
     if (part->slides)
         force = yk_ring_multiply(d->ring, unknown(f, "N", name, 'n', joint, YK_NONE), normal_of(d, joint));
@@ -215,6 +234,8 @@ static void find_trivial(YkDeriveForces *f, int32_t body)
     const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
     for (size_t k = 0; k < count; k++) {
         const YkDeriveContact *c = &f->contacts[contacts[k]];
+        if (c->joint == YK_NONE && c->letter && yk_ring_is_zero(c->push.arm)) continue; // along the guide
+        if (c->joint == YK_NONE) return;
         YkPartKind kind = d->model->joints[c->joint].kind;
         slides += kind == YK_SLIDE;
         bool is_bearing = kind == YK_SLIDE && !c->is_negative;
@@ -226,18 +247,18 @@ static void find_trivial(YkDeriveForces *f, int32_t body)
 static bool allocate(YkDeriveForces *f)
 {
     YkArena *arena = f->d->arena;
-    size_t joints = f->d->model->joint_count;
-    f->contacts = YK_NEW(arena, YkDeriveContact, 2 * joints + 1);
+    size_t joints = f->d->model->joint_count, ties = f->d->mech->relation_count, most = 4 * joints + ties + 1;
+    f->contacts = YK_NEW(arena, YkDeriveContact, 2 * joints + 4 * ties + 1);
     f->junctions = YK_NEW(arena, YkDeriveJunction, joints + 1);
     f->junction_of = YK_NEW(arena, int32_t, joints + 1);
     f->next_at_junction = YK_NEW(arena, int32_t, joints + 1);
-    f->is_double = YK_NEW(arena, bool, joints + 1);
+    f->is_double = YK_NEW(arena, bool, joints + ties + 1);
     f->joint_force = YK_NEW(arena, const YkPoisson *, joints + 1);
     f->joint_moment = YK_NEW(arena, const YkPoisson *, joints + 1);
-    f->reactions = YK_NEW(arena, int32_t, 4 * joints + 1);
-    f->reaction_joint = YK_NEW(arena, int32_t, 4 * joints + 1);
-    f->reaction_body = YK_NEW(arena, int32_t, 4 * joints + 1);
-    f->reaction_part = YK_NEW(arena, char, 4 * joints + 1);
+    f->reactions = YK_NEW(arena, int32_t, most);
+    f->reaction_joint = YK_NEW(arena, int32_t, most);
+    f->reaction_body = YK_NEW(arena, int32_t, most);
+    f->reaction_part = YK_NEW(arena, char, most);
     return !yk_arena_failed(arena);
 }
 
@@ -245,7 +266,7 @@ bool yk_derive_enter_contacts(YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
     bool *marked = YK_NEW(d->arena, bool, d->model->body_count + 1);
-    if (!allocate(f) || !find_doubles(d->model, f->is_double) || !yk_derive_find_junctions(f)) {
+    if (!allocate(f) || !find_doubles(d, f->is_double) || !yk_derive_find_junctions(f)) {
         d->failed = true;
         return false;
     }
@@ -258,7 +279,8 @@ bool yk_derive_enter_contacts(YkDeriveForces *f)
         f->joint_force[j] = share_of_pin(f, (int32_t)j, marked);
         f->joint_moment[j] = yk_ring_rational(d->ring, 0, 1);
     }
-    if (!yk_derive_sort_contacts(f)) return false;
+    f->joint_contact_count = f->contact_count;
+    if (!yk_derive_enter_meshes(f) || !yk_derive_sort_contacts(f)) return false;
     for (size_t b = 1; b < d->model->body_count; b++) find_trivial(f, (int32_t)b);
     return yk_derivation_is_well(d);
 }

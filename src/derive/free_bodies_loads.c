@@ -246,7 +246,8 @@ bool yk_derive_enter_loads(YkDeriveForces *f)
                   2 * model->joint_count + model->stop_count + d->coordinate_count + 1;
     f->loads = YK_NEW(d->arena, YkDeriveLoad, most);
     f->opaques = YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + 1);
-    f->lengths = YK_NEW(d->arena, YkDeriveLength, model->spring_count + 1);
+    f->lengths = YK_NEW(d->arena, YkDeriveLength, model->spring_count + 2 * d->mech->relation_count + 1);
+    f->ratios = YK_NEW(d->arena, YkDeriveRatio, d->mech->relation_count + 1);
     f->efforts = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     f->effort_coordinate = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     if (yk_arena_failed(d->arena)) return false;

@@ -41,13 +41,13 @@ static void enter_mass(YkDeriveForces *f, int32_t b)
 
 bool yk_derive_enter_masses(YkDeriveForces *f)
 {
-    size_t bodies = f->d->model->body_count;
+    size_t bodies = f->d->model->body_count, closing = 3 * f->d->mech->loop_count + f->d->mech->relation_count + 1;
     f->bodies = YK_NEW(f->d->arena, YkDeriveMass, bodies + 1);
     f->kinetic = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
     f->newton = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
     f->euler = YK_NEW(f->d->arena, const YkPoisson *, bodies + 1);
-    f->closing = YK_NEW(f->d->arena, const YkPoisson *, 3 * f->d->mech->loop_count + 1);
-    f->closing_joint = YK_NEW(f->d->arena, int32_t, 3 * f->d->mech->loop_count + 1);
+    f->closing = YK_NEW(f->d->arena, const YkPoisson *, closing);
+    f->closing_name = YK_NEW(f->d->arena, const char *, closing);
     f->closing_count = YK_NEW(f->d->arena, int, 1);
     f->potential = YK_NEW(f->d->arena, const YkPoisson *, 1);
     f->lumps = YK_NEW(f->d->arena, YkDeriveLump *, 1);

@@ -78,22 +78,63 @@ static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamic
         }
 }
 
+// The unknown of which the engine's force (or moment) on the second body is a multiple.
+static void fill_mesh(const YkDeriveForces *f, size_t tie, YkDynamics *dynamics, double *values)
+{
+    YkRing *ring = f->d->ring;
+    const YkDeriveMesh *mesh = &f->meshes[tie];
+    YkMeshForce found = yk_free_bodies_mesh(dynamics->bodies, tie);
+    if (mesh->lean != YK_NONE && !mesh->direction)
+        values[mesh->lean] = found.is_backward ? -mesh->lean_value : mesh->lean_value;
+    bool is_force = !yk_ring_is_zero(mesh->push.force);
+    const YkPoisson *of = is_force ? mesh->push.force : mesh->push.moment;
+    YkVec unit = yk_ring_value(ring, yk_ring_coefficient(ring, of, mesh->symbol, 1), values);
+    YkVec whole = is_force ? found.force : yk_vec(found.moment, 0);
+    values[mesh->symbol] = yk_dot(whole, unit) / yk_dot(unit, unit);
+}
+
+// Quotients.
+static void fill_constants(const YkDeriveForces *f, double *values)
+{
+    for (size_t k = 0; k < f->ratio_count; k++) {
+        const YkDeriveRatio *r = &f->ratios[k];
+        yk_ring_complete(f->d->ring, values);
+        values[r->symbol] =
+            yk_ring_value(f->d->ring, r->over, values).x / yk_ring_value(f->d->ring, r->under, values).x;
+    }
+}
+
+// Lines of action; of gears as if their unknowns were positive, until a pose says otherwise.
+static void fill_leans(const YkDeriveForces *f, double *values)
+{
+    for (size_t k = 0; k < f->d->tie_count; k++) {
+        const YkDeriveMesh *mesh = &f->meshes[k];
+        if (mesh->lean == YK_NONE) continue;
+        YkVec direction = mesh->direction ? yk_ring_value(f->d->ring, mesh->direction, values) : yk_vec(0, 0);
+        values[mesh->lean] = mesh->direction ? atan2(direction.y, direction.x) : mesh->lean_value;
+    }
+}
+
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values)
 {
     const YkDeriveForces *f = context;
     (void)state;
+    fill_constants(f, values);
     for (size_t k = 0; k < f->opaque_count; k++) fill_opaque(&f->opaques[k], values);
     for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next)
         values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
     yk_ring_complete(f->d->ring, values);
+    fill_leans(f, values);
     for (size_t k = 0; k < f->length_count; k++)
         if (f->lengths[k].rate_symbol != YK_NONE)
             values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
-    if (!dynamics || f->is_partial) return;
+    if (!dynamics) return;
     fill_dry(f, dynamics, values);
     for (size_t k = 0; k < f->effort_count; k++)
         values[f->efforts[k]] = yk_dynamics_effort(dynamics, (size_t)f->effort_coordinate[k]);
-    for (size_t k = 0; k < f->reaction_count; k++) fill_reaction(f, k, dynamics, values);
+    for (size_t k = 0; k < f->reaction_count; k++)
+        if (f->reaction_part[k] != 'r') fill_reaction(f, k, dynamics, values);
+    for (size_t k = 0; k < f->d->tie_count; k++) fill_mesh(f, k, dynamics, values);
     for (size_t k = 0; k < f->row_count; k++)
         values[f->multipliers[k]] = yk_ring_value(f->d->ring, f->identities[k], values).x;
 }
@@ -135,7 +176,7 @@ static YkDeriveForces *make(YkDerivation *d)
 {
     YkDeriveForces *f = YK_NEW(d->arena, YkDeriveForces, 1);
     if (!f) return NULL;
-    *f = (YkDeriveForces){.d = d, .is_partial = d->mech->relation_count > 0};
+    *f = (YkDeriveForces){.d = d};
     bool well = yk_derive_enter_masses(f) && yk_derive_enter_loads(f) && yk_derive_enter_contacts(f) &&
                 yk_derive_enter_multipliers(f);
     return well && yk_derive_add_source(d, yk_derive_fill_forces, f) ? f : NULL;
@@ -154,13 +195,5 @@ bool yk_derive_enter_forces(YkDerivation *d)
     YkDeriveForces *f = (YkDeriveForces *)yk_derive_forces(d);
     if (!f || f->is_related) return f != NULL;
     f->is_related = true;
-    return f->is_partial || add_relations(f);
-}
-
-bool yk_derive_put_limits(const YkDeriveForces *f, YkPage *page)
-{
-    if (f->is_partial)
-        yk_page_words(page,
-                      "This machine has gears, racks, belts or cams, whose forces are not written in symbols yet.");
-    return f->is_partial;
+    return add_relations(f);
 }

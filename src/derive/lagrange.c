@@ -3,7 +3,7 @@
 #include "derive/lagrange.h"
 #include "derive/sections.h"
 
-enum { COORDINATES_SHOWN_MAX = 24, LUMPED_MAX = 12, PROJECTED_MAX = 12 };
+enum { COORDINATES_SHOWN_MAX = 24, LUMPED_MAX = 12 };
 
 static void put_multipliers(const YkDeriveForces *f, YkPage *page)
 {
@@ -11,12 +11,15 @@ static void put_multipliers(const YkDeriveForces *f, YkPage *page)
     if (f->row_count == 0) return;
     yk_page_heading(page, 2, "Multipliers");
     yk_page_words(
-        page, "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
-              "the joint's first body acts on its second (of an angle: the second on the first).");
+        page,
+        "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
+        "the joint's first body acts on its second (of an angle: the second on the first).%s",
+        d->tie_count > 0 ? " That of gears, racks, belts, cams and laws is minus what they transmit, by its lever."
+                         : "");
     for (size_t k = 0; k < f->row_count; k++) {
         const YkPoisson *lambda = yk_ring_of(d->ring, f->multipliers[k]);
-        YkLine *line = yk_page_equation(page, d->model->joints[f->row_joint[k]].name, lambda,
-                                        yk_derive_shown(d, f->identities[k]), YK_RING_TEXTBOOK);
+        YkLine *line = yk_page_equation(page, yk_derive_row_name(f, k), lambda, yk_derive_shown(d, f->identities[k]),
+                                        YK_RING_TEXTBOOK);
         if (line) line->value = lambda;
     }
 }
@@ -79,17 +82,17 @@ bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page)
     const YkDeriveForces *f = yk_derive_forces(d);
     YkDeriveLagrange *equations = f ? all_equations(f, page) : NULL;
     if (!equations) return false;
-    if (yk_derive_put_limits(f, page)) return true;
     yk_page_words(page, "d/dt (dL/dq') - dL/dq = Q for every coordinate q, dampers and multipliers beside it.");
     yk_derive_put_angles(d, page);
     for (size_t k = 0; k < d->coordinate_count; k++) {
         yk_page_equation(page, name_of(f, k), equations[k].left, equations[k].right, YK_RING_TEXTBOOK);
     }
     put_multipliers(f, page);
-    if (d->tree_count > COORDINATES_SHOWN_MAX) return true;
-    yk_page_heading(page, 2, "Mass matrix");
-    put_matrices(f, page, equations);
+    if (d->tree_count <= COORDINATES_SHOWN_MAX) {
+        yk_page_heading(page, 2, "Mass matrix");
+        put_matrices(f, page, equations);
+    }
     if (d->tree_count <= LUMPED_MAX) yk_derive_put_lumps(f, page, equations, d->coordinate_count);
-    if (d->tree_count <= PROJECTED_MAX) yk_derive_put_projection(f, page);
+    yk_derive_put_projection(f, page);
     return true;
 }

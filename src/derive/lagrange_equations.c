@@ -1,5 +1,6 @@
 // Lagrange's equations: derived in the coordinates of the body form, summed for the machine's own.
 #include "derive/free_bodies.h"
+#include "derive/relations.h"
 
 // d/dt dT/du - dT/dq of the whole machine.
 static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedom *freedom)
@@ -9,14 +10,23 @@ static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedo
     return yk_ring_subtract(ring, yk_ring_time_derivative(ring, momentum), yk_ring_partial(ring, T, freedom->position));
 }
 
-// What joints that close loops add: lambda dPhi/dq.
+static const YkPoisson *slope_of(const YkDeriveForces *f, size_t row, int32_t position)
+{
+    YkDerivation *d = f->d;
+    if (f->row_joint[row] == YK_NONE)
+        return yk_derive_tie_slope(d, &d->ties[row - (f->row_count - d->tie_count)], position);
+    if (!yk_ring_mentions(d->ring, f->rows[row], position)) return yk_ring_rational(d->ring, 0, 1);
+    return yk_ring_partial(d->ring, f->rows[row], position);
+}
+
+// What joints that close loops and relations add: lambda dPhi/dq.
 static const YkPoisson *multiplied_rows(const YkDeriveForces *f, int32_t position)
 {
     YkRing *ring = f->d->ring;
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
     for (size_t k = 0; k < f->row_count; k++) {
-        if (!yk_ring_mentions(ring, f->rows[k], position)) continue;
-        const YkPoisson *slope = yk_ring_partial(ring, f->rows[k], position);
+        const YkPoisson *slope = slope_of(f, k, position);
+        if (slope && yk_ring_is_zero(slope)) continue;
         sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, slope, yk_ring_of(ring, f->multipliers[k])));
     }
     return sum;

@@ -161,7 +161,7 @@ static void close_loops(Making *making)
     free((void *)zeros);
 }
 
-// Lengths of springs: roots of their squares, where there are any.
+// Lengths of springs and other roots of squares, where there are any; lines of action by them; quotients.
 static void take_roots(Making *making)
 {
     const YkDeriveForces *forces = yk_derive_forces(making->d);
@@ -171,6 +171,21 @@ static void take_roots(Making *making)
             yk_field_point_set(making->point, forces->lengths[k].symbol, root);
         else
             making->is_possible = false;
+    }
+    for (size_t k = 0; forces && k < making->d->tie_count && making->is_possible; k++) {
+        const YkDeriveMesh *mesh = &forces->meshes[k];
+        if (!mesh->direction) continue;
+        const YkPoisson *unit = yk_ring_divide(making->d->ring, mesh->direction, mesh->length);
+        yk_field_point_set_unit(making->point, mesh->lean, field(making, unit));
+    }
+    for (size_t k = 0; forces && k < forces->ratio_count && making->is_possible; k++) {
+        const YkDeriveRatio *ratio = &forces->ratios[k];
+        uint64_t under = field(making, ratio->under);
+        if (under == 0)
+            making->is_possible = false;
+        else
+            yk_field_point_set(making->point, ratio->symbol,
+                               yk_field_multiply(field(making, ratio->over), yk_field_invert(under)));
     }
 }
 

@@ -145,15 +145,13 @@ static void put_ties(YkDerivation *d, YkPage *page)
         const YkDeriveRelation *tie = &d->ties[k];
         YkText remark = {0};
         yk_text_format(&remark, "%s %s", kinds[tie->kind], tie->name);
-        YkLine *line =
-            tie->value ? yk_page_equation(page, yk_text_get(&remark), tie->value, NULL, YK_RING_TEXTBOOK) : NULL;
+        YkLine *line = yk_page_equation(page, yk_text_get(&remark), tie->value, NULL, YK_RING_TEXTBOOK);
         if (line) line->over = tie->value, line->target = "Phi";
-        if (!tie->value) yk_page_words(page, "%s: not written here", yk_text_get(&remark));
         yk_text_free(&remark);
-        if (tie->function >= 0)
-            yk_page_words(page, "%s is a function of %s; _v, _a, _j are its derivatives by %s.",
-                          yk_ring_symbol_name(d->ring, tie->function), d->coordinates[tie->argument].name,
-                          d->coordinates[tie->argument].name);
+        if (tie->function < 0) continue;
+        const char *variable = yk_ring_symbol_name(d->ring, tie->variable);
+        yk_page_words(page, "%s is a function of %s; _v, _a, _j are its derivatives by %s.",
+                      yk_ring_symbol_name(d->ring, tie->function), variable, variable);
     }
 }
 

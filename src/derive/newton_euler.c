@@ -180,9 +180,11 @@ static void put_junctions(const YkDeriveForces *f, YkPage *page)
 static void put_closing(const YkDeriveForces *f, YkPage *page)
 {
     int count = yk_derive_closing_rows(f);
-    if (count > 0) yk_page_heading(page, 2, "Accelerations: the loops stay closed");
-    for (int k = 0; k < count; k++)
-        yk_page_equation(page, f->d->model->joints[f->closing_joint[k]].name, f->closing[k], NULL, YK_RING_TEXTBOOK);
+    if (count > 0)
+        yk_page_heading(page, 2,
+                        f->d->tie_count > 0 ? "Accelerations: loops stay closed, wheels and cams in touch"
+                                            : "Accelerations: the loops stay closed");
+    for (int k = 0; k < count; k++) yk_page_equation(page, f->closing_name[k], f->closing[k], NULL, YK_RING_TEXTBOOK);
     page->failed |= count < 0;
 }
 
@@ -259,7 +261,6 @@ bool yk_derive_section_newton_euler(YkDerivation *d, YkPage *page)
     const YkDeriveForces *f = yk_derive_forces(d);
     YkDeriveSystem system;
     if (!f) return false;
-    if (yk_derive_put_limits(f, page)) return true;
     yk_derive_put_angles(d, page);
     for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
     put_junctions(f, page);

@@ -8,7 +8,7 @@
 
 static size_t count_closing(YkDerivation *d)
 {
-    size_t count = 0;
+    size_t count = d->mech->relation_count;
     const YkDeriveLoop *loops = yk_derive_loops(d);
     for (size_t k = 0; loops && k < d->loop_count; k++)
         count += (d->joint_distance[loops[k].joint] != YK_NONE ? 1u : 2u) + (loops[k].angle != NULL);

@@ -1,5 +1,6 @@
 // Newton's and Euler's equations of one body, and their projection on the motions that the joints leave free.
 #include "derive/free_bodies.h"
+#include "derive/relations.h"
 
 // arm x force + couple
 const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push)
@@ -99,8 +100,8 @@ const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLo
     return sum;
 }
 
-// --- What joints that close loops demand of the accelerations. A guide's distance is left out: only the way across
-// counts.
+// --- What joints that close loops, and relations, demand of the accelerations. A guide's distance is left out: only
+// the way across counts.
 
 static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
 {
@@ -111,11 +112,14 @@ static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
     return yk_ring_cross(d->ring, line, yk_ring_subtract(d->ring, to, from));
 }
 
-static void add_closing_row(const YkDeriveForces *f, int32_t joint, const YkPoisson *zero)
+static const YkPoisson *twice(YkRing *ring, const YkPoisson *zero)
 {
-    YkRing *ring = f->d->ring;
-    const YkPoisson *second = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, zero));
-    f->closing_joint[*f->closing_count] = joint;
+    return yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, zero));
+}
+
+static void add_closing_row(const YkDeriveForces *f, const char *name, const YkPoisson *second)
+{
+    f->closing_name[*f->closing_count] = name;
     f->closing[(*f->closing_count)++] = yk_derive_shown(f->d, second);
 }
 
@@ -128,10 +132,13 @@ int yk_derive_closing_rows(const YkDeriveForces *f)
     for (size_t k = 0; k < d->loop_count; k++) {
         const YkDeriveLoop *loop = &d->loops[k];
         bool slides = d->joint_distance[loop->joint] != YK_NONE;
-        add_closing_row(f, loop->joint, slides ? across(d, loop) : zeros[0]);
-        if (!slides) add_closing_row(f, loop->joint, zeros[1]);
-        if (loop->angle) add_closing_row(f, loop->joint, zeros[2]);
+        const char *name = d->model->joints[loop->joint].name;
+        add_closing_row(f, name, twice(d->ring, slides ? across(d, loop) : zeros[0]));
+        if (!slides) add_closing_row(f, name, twice(d->ring, zeros[1]));
+        if (loop->angle) add_closing_row(f, name, twice(d->ring, zeros[2]));
         zeros += loop->angle ? 3 : 2;
     }
+    for (size_t k = 0; k < d->tie_count; k++)
+        add_closing_row(f, d->ties[k].name, yk_derive_tie_acceleration(d, &d->ties[k]));
     return yk_derivation_is_well(d) ? *f->closing_count : -1;
 }

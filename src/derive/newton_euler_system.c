@@ -65,7 +65,7 @@ static bool add_rows(Rows *rows)
         add_row(rows, yk_derive_shown(d, euler), d->model->bodies[b].name, " M");
     }
     for (size_t k = 0; k < f->junction_count; k++) add_vector_rows(rows, f->junctions[k].force, f->junctions[k].name);
-    for (int k = 0; k < count; k++) add_row(rows, f->closing[k], d->model->joints[f->closing_joint[k]].name, " closes");
+    for (int k = 0; k < count; k++) add_row(rows, f->closing[k], f->closing_name[k], " closes");
     return count >= 0;
 }
 
@@ -88,7 +88,7 @@ static void add_unknowns(Rows *rows)
 bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
 {
     YkDerivation *d = f->d;
-    size_t rows = 3 * d->model->body_count + 2 * f->junction_count + 3 * d->loop_count + 1;
+    size_t rows = 3 * d->model->body_count + 2 * f->junction_count + 3 * d->loop_count + d->tie_count + 1;
     size_t unknowns = f->reaction_count + f->effort_count + d->tree_count + 1;
     YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->model->body_count + 1);
     *system = (YkDeriveSystem){.zeros = YK_NEW(d->arena, const YkPoisson *, rows),

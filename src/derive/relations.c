@@ -2,6 +2,7 @@
 #include "derive/relations.h"
 #include <math.h>
 #include "derive/frame.h"
+#include "derive/free_bodies.h"
 #include "law/law.h"
 
 enum { LAW_ORDERS = 4 };
@@ -29,9 +30,9 @@ static const YkPoisson *wheels(YkDerivation *d, YkDeriveRelation *relation, cons
                                const YkPoisson *a, const YkPoisson *b, const double factor[2], double constant)
 {
     YkRing *ring = d->ring;
-    const YkPoisson *arm = yk_derive_body_angle(d, carrier);
-    const YkPoisson *first = yk_ring_subtract(ring, yk_derive_body_angle(d, body[0]), arm);
-    const YkPoisson *second = yk_ring_subtract(ring, yk_derive_body_angle(d, body[1]), arm);
+    const YkPoisson *arm = yk_derive_axes_angle(d, carrier);
+    const YkPoisson *first = yk_ring_subtract(ring, yk_derive_axes_angle(d, body[0]), arm);
+    const YkPoisson *second = yk_ring_subtract(ring, yk_derive_axes_angle(d, body[1]), arm);
     double phase = constant + factor[0] * (turn(d, body[0]) - turn(d, carrier)) +
                    factor[1] * (turn(d, body[1]) - turn(d, carrier));
     const YkPoisson *sum = yk_ring_add(ring, yk_ring_multiply(ring, a, first), yk_ring_multiply(ring, b, second));
@@ -64,7 +65,7 @@ static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const 
     const YkRack *r = &d->model->racks[of->index];
     YkRing *ring = d->ring;
     const YkPoisson *angle =
-        yk_ring_subtract(ring, yk_derive_body_angle(d, r->pinion), yk_derive_body_angle(d, r->carrier));
+        yk_ring_subtract(ring, yk_derive_axes_angle(d, r->pinion), yk_derive_axes_angle(d, r->carrier));
     const YkPoisson *rolled = yk_ring_multiply(ring, yk_derive_expression(d, r->radius_expr), angle);
     double phase = of->constant - r->sense * r->radius * (turn(d, r->pinion) - turn(d, r->carrier));
     const YkPoisson *moved =
@@ -72,8 +73,42 @@ static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const 
     return yk_ring_subtract(ring, moved, phase_of(d, relation, phase));
 }
 
-// The function s of a coordinate with its derivatives s_v, s_a, s_j.
-static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t argument)
+// --- Laws
+
+// What a pin turns by: its second body against its first.
+static const YkPoisson *pin_angle(YkDerivation *d, int32_t joint)
+{
+    const int32_t *body = d->model->joints[joint].body;
+    return yk_ring_subtract(d->ring, yk_derive_axes_angle(d, body[1]), yk_derive_axes_angle(d, body[0]));
+}
+
+// The angle of a pin that closes a loop is no coordinate: a symbol with the rate and the derivatives that the tree
+// gives it.
+static int32_t variable_of_its_own(YkDerivation *d, YkDeriveRelation *relation, int32_t joint)
+{
+    YkText name = {0};
+    yk_text_format(&name, "%s.angle", d->model->joints[joint].name);
+    int32_t symbol = name.failed ? -1 : yk_derive_angle(d, yk_text_get(&name));
+    yk_text_free(&name);
+    int32_t *both = YK_NEW(d->arena, int32_t, 2 * d->tree_count + 2), *first = both + d->tree_count;
+    relation->is_own_variable = true;
+    relation->B = both;
+    if (symbol < 0 || !both) return -1;
+    yk_derive_combination(d, d->model->joints[joint].body[1], both);
+    yk_derive_combination(d, d->model->joints[joint].body[0], first);
+    const YkPoisson *rate = yk_ring_rational(d->ring, 0, 1);
+    for (size_t k = 0; k < d->tree_count; k++) {
+        both[k] -= first[k];
+        if (both[k] == 0) continue;
+        yk_ring_set_partial(d->ring, symbol, d->coordinates[k].position, yk_ring_rational(d->ring, both[k], 1));
+        rate =
+            yk_ring_add(d->ring, rate, yk_ring_scale(d->ring, yk_ring_of(d->ring, d->coordinates[k].rate), both[k], 1));
+    }
+    return yk_ring_set_rate(d->ring, symbol, rate) ? symbol : -1;
+}
+
+// The function s of a pin's angle with its derivatives s_v, s_a, s_j.
+static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t joint)
 {
     static const char *const endings[LAW_ORDERS] = {"", "_v", "_a", "_j"};
     YkText text[LAW_ORDERS] = {{0}};
@@ -92,42 +127,50 @@ static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation,
             free_name &= yk_ring_find(d->ring, names[k]) < 0;
         }
     }
+    int32_t coordinate = d->joint_angle[joint];
     relation->law = d->model->laws[law].law;
-    relation->argument = argument;
-    relation->function = yk_ring_function(d->ring, names, LAW_ORDERS, d->coordinates[argument].position);
+    relation->argument = pin_angle(d, joint);
+    relation->variable =
+        coordinate != YK_NONE ? d->coordinates[coordinate].position : variable_of_its_own(d, relation, joint);
+    relation->function = relation->variable < 0 ? -1 : yk_ring_function(d->ring, names, LAW_ORDERS, relation->variable);
     for (size_t k = 0; k < LAW_ORDERS; k++) yk_text_free(&text[k]);
     return relation->function < 0 ? NULL : yk_ring_of(d->ring, relation->function);
-}
-
-static const YkPoisson *follows(YkDerivation *d, YkDeriveRelation *relation, const YkPoisson *value, int32_t argument,
-                                int32_t law)
-{
-    if (argument == YK_NONE || !value) return NULL;
-    return yk_ring_subtract(d->ring, value, function_of(d, relation, law, argument));
-}
-
-static const YkPoisson *of_coordinate(YkDerivation *d, int32_t c)
-{
-    return c == YK_NONE ? NULL : yk_ring_of(d->ring, d->coordinates[c].position);
 }
 
 static const YkPoisson *cam(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
 {
     const YkCam *c = &d->model->cams[of->index];
-    int32_t follower = c->oscillates ? d->joint_angle[c->follower_joint] : d->joint_distance[c->follower_joint];
-    return follows(d, relation, of_coordinate(d, follower), d->joint_angle[c->cam_joint], c->law);
-}
-
-static int32_t declared(const YkDerivation *d, int32_t index)
-{
-    const YkCoordinate *c = &d->model->coordinates[index];
-    return c->is_distance ? d->joint_distance[c->joint] : d->joint_angle[c->joint];
+    function_of(d, relation, c->law, c->cam_joint);
+    return c->oscillates ? pin_angle(d, c->follower_joint) : yk_derive_distance(d, c->follower_joint);
 }
 
 static const YkPoisson *law(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
 {
     const YkFollow *f = &d->model->follows[of->index];
-    return follows(d, relation, of_coordinate(d, declared(d, f->coordinate)), declared(d, f->of), f->law);
+    const YkCoordinate *own = &d->model->coordinates[f->coordinate];
+    function_of(d, relation, f->law, d->model->coordinates[f->of].joint);
+    return own->is_distance ? yk_derive_distance(d, own->joint) : pin_angle(d, own->joint);
+}
+
+const YkPoisson *yk_derive_tie_slope(YkDerivation *d, const YkDeriveRelation *tie, int32_t position)
+{
+    YkRing *ring = d->ring;
+    const YkPoisson *slope = yk_ring_partial(ring, tie->linear, position);
+    if (tie->function < 0 || !yk_ring_mentions(ring, tie->argument, position)) return slope;
+    const YkPoisson *turns = yk_ring_partial(ring, tie->argument, position);
+    return yk_ring_subtract(ring, slope, yk_ring_multiply(ring, yk_ring_of(ring, tie->function + 1), turns));
+}
+
+const YkPoisson *yk_derive_tie_acceleration(YkDerivation *d, const YkDeriveRelation *tie)
+{
+    YkRing *ring = d->ring;
+    const YkPoisson *second = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, tie->linear));
+    if (tie->function < 0) return second;
+    const YkPoisson *rate = yk_ring_time_derivative(ring, tie->argument);
+    const YkPoisson *v = yk_ring_of(ring, tie->function + 1), *a = yk_ring_of(ring, tie->function + 2);
+    const YkPoisson *by_rate = yk_ring_product(ring, (const YkPoisson *[]){a, rate, rate}, 3);
+    const YkPoisson *by_acceleration = yk_ring_multiply(ring, v, yk_ring_time_derivative(ring, rate));
+    return yk_ring_subtract(ring, second, yk_ring_add(ring, by_rate, by_acceleration));
 }
 
 static void fill(void *context, const YkState *state, YkDynamics *dynamics, double *values)
@@ -139,7 +182,10 @@ static void fill(void *context, const YkState *state, YkDynamics *dynamics, doub
         if (relation->phase >= 0) values[relation->phase] = relation->phase_value;
         if (relation->function < 0) continue;
         double found[YK_LAW_ORDER + 1];
-        yk_law_eval(relation->law, values[d->coordinates[relation->argument].position], found);
+        if (relation->is_own_variable) values[relation->variable] = 0;
+        for (size_t c = 0; relation->is_own_variable && c < d->tree_count; c++)
+            values[relation->variable] += relation->B[c] * values[d->coordinates[c].position];
+        yk_law_eval(relation->law, values[relation->variable], found);
         for (int32_t order = 0; order < LAW_ORDERS; order++) values[relation->function + order] = found[order];
     }
 }
@@ -154,7 +200,12 @@ const YkDeriveRelation *yk_derive_ties(YkDerivation *d)
     for (size_t k = 0; k < d->mech->relation_count; k++) {
         const YkRelation *of = &d->mech->relations[k];
         ties[k] = (YkDeriveRelation){.name = of->name, .kind = of->kind, .phase = -1, .function = -1};
-        ties[k].value = makers[of->kind](d, &ties[k], of);
+        ties[k].linear = makers[of->kind](d, &ties[k], of);
+        ties[k].value = yk_derive_in_joints(d, ties[k].linear);
+        if (ties[k].argument)
+            ties[k].value = ties[k].function < 0
+                                ? NULL
+                                : yk_ring_subtract(d->ring, ties[k].value, yk_ring_of(d->ring, ties[k].function));
     }
     d->ties = ties;
     d->tie_count = d->mech->relation_count;

@@ -6,16 +6,23 @@
 struct YkDeriveRelation {
     const char *name;
     YkRelationKind kind;
-    const YkPoisson
-        *value;    // joint form, 0 on the machine; NULL where it cannot be written (a cam whose angle is no coordinate)
-    int32_t phase; // symbol of its constant; -1: none
+    const YkPoisson *value;  // joint form, 0 on the machine
+    const YkPoisson *linear; // body form, without the function of a law
+    int32_t phase;           // symbol of its constant; -1: none
     double phase_value;
     int32_t function; // first of the symbols s, s_v, s_a, s_j of a law; -1: none
     const YkLaw *law;
-    int32_t argument; // coordinate
+    const YkPoisson *argument; // body form: the angle of which the law is a function; NULL: none
+    int32_t variable;          // the symbol of that angle: a coordinate's, or one of its own
+    bool is_own_variable;
+    int32_t *B; // of one of its own: its derivatives by the tree's coordinates
 };
 
 // Made at first use; NULL where there are none.
 const YkDeriveRelation *yk_derive_ties(YkDerivation *d);
+// d(relation)/d(position) in body form, for a coordinate of the body form.
+const YkPoisson *yk_derive_tie_slope(YkDerivation *d, const YkDeriveRelation *tie, int32_t position);
+// What the relation demands of accelerations: its second derivative in time, body form.
+const YkPoisson *yk_derive_tie_acceleration(YkDerivation *d, const YkDeriveRelation *tie);
 
 #endif

@@ -39,6 +39,19 @@ static void look_at_joints(const YkDynamics *d, Meeting *meetings)
     }
 }
 
+// What wheels, racks and cams transmit turns the bodies they are on; the drive of a law acts along its guide.
+static void look_at_meshes(const YkModel *model, Meeting *meetings)
+{
+    for (size_t k = 0; k < model->gear_count; k++)
+        for (int i = 0; i < 2; i++) meetings[model->gears[k].body[i]].in_center = false;
+    for (size_t k = 0; k < model->belt_count; k++)
+        for (int i = 0; i < 2; i++) meetings[model->belts[k].body[i]].in_center = false;
+    for (size_t k = 0; k < model->rack_count; k++)
+        meetings[model->racks[k].pinion].in_center = meetings[model->racks[k].rack].in_center = false;
+    for (size_t k = 0; k < model->cam_count; k++)
+        meetings[model->cams[k].cam].in_center = meetings[model->cams[k].follower].in_center = false;
+}
+
 // Does a load turn it?
 static bool is_turned(const YkDynamics *d, size_t body)
 {
@@ -146,6 +159,7 @@ YkEquationCount yk_dynamics_count(const YkDynamics *d)
         return c;
     }
     look_at_joints(d, meetings);
+    look_at_meshes(model, meetings);
     size_t junctions = count_junctions(model);
     c.force = 2 * (model->body_count - 1 + junctions);
     c.unknown_reactions = 2 * junctions;

@@ -39,6 +39,13 @@ double yk_free_bodies_effort(const YkFreeBodies *bodies, size_t input);
 // The forces along the lines of centres that gears' pressure angles bring with the forces found: times sign, added to
 // load[body]. False where there are none. They turn nothing: solved again with them, only reactions change.
 bool yk_free_bodies_radial(const YkFreeBodies *bodies, YkLoad *load, double sign);
+// What a relation of the mechanism - gears, a rack, a belt, a cam, a law - exerts on its second body.
+typedef struct YkMeshForce {
+    YkVec force;      // N, world axes, the push apart of gears' flanks included; 0 where only couples are known
+    double moment;    // about the body's reference point without that push, N m
+    bool is_backward; // gears: the flanks that bear are those that push against the sense of the line across
+} YkMeshForce;
+YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *bodies, size_t relation);
 // Adds what gears, racks, belts and cams exert on every body to load[body] (moments about the reference points, N m).
 void yk_free_bodies_meshes(const YkFreeBodies *bodies, YkLoad *load);
 // Largest residual of any body's equations over the largest force (moments over the machine's size).

@@ -2,8 +2,8 @@
 //   gears    a force at the pitch point across the line of centres, where the centres are apart; otherwise couples
 //   racks    a force along the rack at the pitch line
 //   belts    couples on both pulleys and what carries them
-//   cams     a force along the common normal through the follower's roller (or edge); where its place is not known,
-//   couples
+//   cams     a force along the common normal through the follower's roller (or edge), on a flat face that slides - and
+//            where no base tells more - where the face touches; of followers that turn and name no point, couples
 // Flanks of gears lean by the pressure angle: with the force across comes one along the line of centres, towards the
 // first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
 // applied as a load.
@@ -123,8 +123,16 @@ static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     const YkJoint *slide = &model->joints[rack->slide];
     YkVec u = yk_mul(place_of(f, space, slide->body[0], slide->at[0]).e, slide->along);
     YkVec center = wheel_center(f, space, rack->pinion);
-    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way
-    set_force(f, space, c, yk_add(center, yk_scale(-rack->sense * rack->radius, yk_quarter(u))), yk_scale(sign, u));
+    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way, and so is the sense
+    YkVec pitch = yk_add(center, yk_scale(-sign * rack->sense * rack->radius, yk_quarter(u)));
+    set_force(f, space, c, pitch, yk_scale(sign, u));
+}
+
+// A flat face is pushed along its line of motion, where it touches: off that line by the slope of the lift.
+static void pose_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec u, double way)
+{
+    YkVec touch = yk_add(center, yk_scale(-way, yk_quarter(u)));
+    set_force(f, space, c, touch, u); // how far along u does not matter to a force along u
 }
 
 // Where the follower's roller or edge is; false where it is not known.
@@ -136,7 +144,7 @@ static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *
         return true;
     }
     double reach = cam->base + cam->roller, start = reach * reach - cam->offset * cam->offset;
-    if (cam->oscillates || !(start > 0)) return false;
+    if (cam->oscillates) return false;
     *at = yk_add(center, yk_add(yk_scale(sqrt(start) + lift, u), yk_scale(-cam->offset, yk_quarter(u))));
     return true;
 }
@@ -153,6 +161,11 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
     if (!cam->oscillates) {
         u = yk_mul(carrier.e, cam->along);
         lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
+        double reach = cam->base + cam->roller;
+        if (cam->face == YK_CAM_FLAT || !(reach * reach > cam->offset * cam->offset)) {
+            pose_flat(f, space, c, center, u, slope * turn);
+            return;
+        }
     }
     if (!roller_of(f, space, cam, center, u, lift, &at)) {
         set_couples(c, -slope * turn, way, slope * turn - way);
@@ -244,6 +257,17 @@ bool yk_free_bodies_radial(const YkFreeBodies *f, YkLoad *load, double sign)
     for (size_t k = 0; k < f->column_count; k++)
         if (f->columns[k].kind == YK_WRENCH_MESH) any = add_radial(&f->columns[k], load, sign) || any;
     return any;
+}
+
+YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, size_t relation)
+{
+    for (size_t k = 0; k < f->column_count; k++) {
+        const YkWrenchColumn *c = &f->columns[k];
+        if (c->kind != YK_WRENCH_MESH || c->relation != (int32_t)relation) continue;
+        YkVec force = yk_add(yk_scale(c->share, c->force), yk_scale(fabs(c->share), c->radial));
+        return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0};
+    }
+    return (YkMeshForce){0};
 }
 
 void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)

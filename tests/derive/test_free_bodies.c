@@ -8,7 +8,6 @@ static void compare_balances(Machine *m, const char *name)
 {
     const YkDeriveForces *f = forces_of(m);
     YkRing *ring = m->d->ring;
-    if (f->is_partial) return;
     YkDynamics *dynamics = dynamics_of(m);
     for (int pose = 0; pose < 3; pose++) {
         if (!random_pose(m, pose == 0) || !take_forces(m, dynamics, YK_METHOD_NEWTON_EULER)) continue;

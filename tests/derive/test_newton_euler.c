@@ -6,7 +6,6 @@ static size_t equations_seen, poses_seen, counted;
 static void check_at_poses(Machine *m, const char *name)
 {
     const YkDeriveForces *f = forces_of(m);
-    if (f->is_partial) return;
     write_section(m, "newton-euler");
     YkDynamics *dynamics = dynamics_of(m);
     for (int k = 0; k < 6; k++) {
@@ -52,7 +51,7 @@ static bool is_closed_by_pins(const Machine *m)
 static void check_count(Machine *m, const char *name)
 {
     const YkDeriveForces *f = forces_of(m);
-    if (f->is_partial || !is_closed_by_pins(m)) return;
+    if (!is_closed_by_pins(m)) return;
     YkDynamics *dynamics = dynamics_of(m);
     compare_counts(name, yk_derive_count(f, false), yk_dynamics_count(dynamics));
     for (size_t i = 0; i < yk_input_count(m->mech); i++) yk_dynamics_prescribe(dynamics, i, true);
@@ -235,16 +234,6 @@ static void printed_equations_read_back_identical(void **state)
     assert_true(check_section_reads_back("newton-euler") > 1500);
 }
 
-static void machines_with_gears_are_told_to_be_left_out(void **state)
-{
-    (void)state;
-    Machine m = example("epicyclic");
-    write_section(&m, "newton-euler");
-    check_says(&m, "gears, racks, belts or cams");
-    assert_int_equal(m.d->relation_count, 0);
-    machine_end(&m);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -257,7 +246,6 @@ int main(void)
         cmocka_unit_test(the_double_pendulum_is_a_six_by_six_system_with_the_right_b),
         cmocka_unit_test(a_block_on_a_turning_lever_passes_its_moment_on),
         cmocka_unit_test(printed_equations_read_back_identical),
-        cmocka_unit_test(machines_with_gears_are_told_to_be_left_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

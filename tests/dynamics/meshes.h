@@ -20,6 +20,13 @@
     "joints:\n  A: {pin: [ground, p], angle: q}\n  S: {slide: [ground, bar], along: x, from: R, distance: s}\n"        \
     "racks: {r: {pinion: p, rack: bar, radius: 50 mm}}\nstart: {q: 1, q.rate: 2}\n"
 
+// The same, with the slide written from the rack to the ground: its line is the rack's, its distance runs backwards.
+#define RACK_BACKWARDS                                                                                                 \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {A: [0, 0], R: [0, -0.05]}}\n"                                   \
+    "  p: {points: {A: [0, 0]}, mass: 2, inertia: 0.003, center: [0.01, 0]}\n  bar: {points: {R: [0, 0]}, mass: 1}\n"  \
+    "joints:\n  A: {pin: [ground, p], angle: q}\n  S: {slide: [bar, ground], along: x, to: R, distance: s}\n"        \
+    "racks: {r: {pinion: p, rack: bar, radius: 50 mm}}\nstart: {q: 1, q.rate: 2}\n"
+
 #define CAM_PARTS                                                                                                      \
     "gravity: [0, -9.81]\nbodies:\n  ground: {points: {K: [0, 0], P: [0.1, 0.2]}}\n"                                   \
     "  shaft: {points: {K: [0, 0]}, mass: 1, inertia: 0.002}\n  tappet: {points: {T: [0, 0]}, mass: 0.2}\n"            \
@@ -31,6 +38,12 @@
     "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, "                      \
     "{fall: {to: 240 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}\n" CAM_PARTS                              \
     "cams: {valve: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 30 mm, offset: 5 mm}}\n"             \
+    "start: {th: 40 deg, b: 60 deg, c: 170 deg, th.rate: 20}\n"
+
+#define FLAT                                                                                                           \
+    "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, "                      \
+    "{fall: {to: 240 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}\n" CAM_PARTS                              \
+    "cams: {valve: {cam: shaft, follower: tappet, law: lift, face: flat, base: 30 mm, offset: 5 mm}}\n"                \
     "start: {th: 40 deg, b: 60 deg, c: 170 deg, th.rate: 20}\n"
 
 #define FOLLOW                                                                                                         \

@@ -4,7 +4,8 @@
 #include "meshes.h"
 #include "run.h"
 
-static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, FOLLOW, PLANETARY_SET, PLANETARY_LINKAGE, BELT};
+static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, FOLLOW, PLANETARY_SET, PLANETARY_LINKAGE, BELT,
+                                       RACK_BACKWARDS,  FLAT};
 enum { MACHINES = sizeof machines / sizeof *machines };
 
 static double rate_of(const Rig *rig, const char *name)
@@ -166,6 +167,44 @@ static void torque_is_multiplied_by_the_ratio(void **unused)
     rig_free(&rig);
 }
 
+// A rack pushes its pinion the same whichever way its slide is written.
+static void a_slide_written_backwards_gives_the_same_forces(void **unused)
+{
+    (void)unused;
+    Rig rig[] = {rig_of_text(RACK), rig_of_text(RACK_BACKWARDS)};
+    YkReaction pin[2];
+    for (int k = 0; k < 2; k++) {
+        assert_true(yk_dynamics_solve(rig[k].dynamics, rig[k].state, YK_METHOD_REDUCED) >= 0);
+        pin[k] = yk_dynamics_reaction(rig[k].dynamics, 0);
+    }
+    assert_true(fabs(pin[0].force[0]) > 0.1);
+    for (int k = 0; k < 2; k++) CHECK_NEAR(pin[0].force[k], pin[1].force[k], 1e-10);
+    CHECK_NEAR(rate_of(&rig[0], "q.accel"), rate_of(&rig[1], "q.accel"), 1e-10);
+    for (int k = 0; k < 2; k++) rig_free(&rig[k]);
+}
+
+// A flat face has no side thrust: its force N = m (g + a) lies along the guide, off it by the slope v of the lift.
+static void a_flat_face_pushes_along_its_guide(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text("gravity: [0, -10]\n"
+                          "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 2, by: 0.02, law: cycloidal}}, "
+                          "{fall: {to: 4, by: 0.02, law: cycloidal}}, {dwell: {to: 2*pi}}]}\n"
+                          "bodies: {shaft: {}, tappet: {mass: 0.3}}\n"
+                          "joints:\n  K: {pin: [ground, shaft], angle: th}\n"
+                          "  T: {slide: [ground, tappet], along: y, distance: s}\n"
+                          "cams: {disc: {cam: shaft, follower: tappet, law: lift, face: flat, base: 0.04}}\n"
+                          "drives: {th: 0.6 + 5 rad/s * t}\n");
+    assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+    double v = 0.02 / 2 * (1 - cos(YK_PI * 0.6)), N = 0.3 * (10 + rate_of(&rig, "s.accel"));
+    YkReaction pin = yk_dynamics_reaction(rig.dynamics, 0), guide = yk_dynamics_reaction(rig.dynamics, 1);
+    CHECK_NEAR(guide.force[0], 0, 1e-12);
+    CHECK_NEAR(guide.moment, -v * N, 1e-12); // the face is touched at x = v, where the cam rises as fast as the lift
+    CHECK_NEAR(pin.force[1], N, 1e-12);
+    CHECK_NEAR(yk_dynamics_effort(rig.dynamics, 0), v * N, 1e-12);
+    rig_free(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -177,6 +216,8 @@ int main(void)
         cmocka_unit_test(forces_by_both_formulations),
         cmocka_unit_test(energy_is_kept_through_meshes),
         cmocka_unit_test(a_crossed_belt_turns_backwards),
+        cmocka_unit_test(a_slide_written_backwards_gives_the_same_forces),
+        cmocka_unit_test(a_flat_face_pushes_along_its_guide),
         cmocka_unit_test(torque_is_multiplied_by_the_ratio),
         cmocka_unit_test(meshes_that_need_each_other_are_solved_together),
     };

@@ -1,0 +1,204 @@
+// What gears, racks, belts, cams and laws transmit, in symbols: true with the numeric engine's forces, proved to do the
+// work that the relation asks for, readable.
+#include "forces_check.h"
+#include "../dynamics/meshes.h"
+#include "derive/lagrange.h"
+#include "derive/relations.h"
+
+#define LIFT                                                                                                           \
+    "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, "                      \
+    "{fall: {to: 240 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 2*pi}}]}\n"
+#define SWING                                                                                                          \
+    "laws:\n  swing: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 deg, law: cycloidal}}, "                    \
+    "{fall: {to: 240 deg, by: 20 deg, law: cycloidal}}, {dwell: {to: 2*pi}}]}\n"
+
+// A cam and its follower on an arm that turns.
+#define CAM_ON_ARM                                                                                                     \
+    LIFT "gravity: [0, -9.81]\nparameters: {r: 30 mm, e: 4 mm}\nbodies:\n"                                             \
+         "  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0], K: [0.2, 0.05]}, mass: 1, inertia: 0.01}\n"     \
+         "  shaft: {points: {K: [0, 0]}, mass: 0.5, inertia: 0.001, center: [0.003, 0]}\n"                             \
+         "  tappet: {points: {T: [0, 0]}, mass: 0.2, center: [0.01, 0.02], inertia: 0.0001}\n"                         \
+         "joints:\n  O: {pin: [ground, arm], angle: a}\n  K: {pin: [arm, shaft], angle: th}\n"                         \
+         "  G: {slide: [arm, tappet], along: 70 deg, from: K, distance: s}\n"                                          \
+         "cams: {c: {cam: shaft, follower: tappet, law: lift, roller: 8 mm, base: r, offset: e}}\n"                    \
+         "start: {a: 0.3, th: 40 deg, a.rate: 2, th.rate: 20}\n"
+
+// The same seen from the other bodies: the arm counts back from the shaft, the follower's guide is its own line.
+#define CAM_BACKWARDS                                                                                                  \
+    LIFT "gravity: [0, -9.81]\nbodies:\n"                                                                              \
+         "  ground: {points: {K: [0, 0], T: [0, 0]}}\n  shaft: {points: {K: [0, 0]}, mass: 0.5, inertia: 0.001}\n"     \
+         "  tappet: {points: {T: [0, 0]}, mass: 0.2, center: [0.01, 0.02], inertia: 0.0001}\n"                         \
+         "joints:\n  K: {pin: [shaft, ground], angle: th}\n  G: {slide: [tappet, ground], along: y, distance: s}\n"    \
+         "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 30 mm, offset: 3 mm}}\n"                           \
+         "start: {th: -40 deg, th.rate: 20}\n"
+
+#define ROCKER(PIN, KEYS)                                                                                              \
+    SWING "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], Q: [90 mm, 40 mm]}}\n"                         \
+          "  shaft: {points: {O: [0, 0]}, mass: 1, inertia: 0.001}\n"                                                  \
+          "  rocker: {points: {Q: [0, 0], P: [-80 mm, 5 mm]}, mass: 0.6, center: [-0.03, 0.005], inertia: 0.0007}\n"   \
+          "joints:\n  O: {pin: [ground, shaft], angle: theta}\n  Q: {pin: " PIN ", angle: phi}\n"                      \
+          "cams: {c: {cam: shaft, follower: rocker, law: swing, roller: 10 mm, base: 45 mm, " KEYS "}}\n"              \
+          "start: {theta: 50 deg, theta.rate: 8}\n"
+
+// A pulley's motion follows another's by a law.
+#define FOLLOW_ANGLE                                                                                                   \
+    SWING "bodies:\n  ground: {points: {A: [0, 0], B: [1, 0]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 0.3}\n"   \
+          "  q: {points: {B: [0, 0], C: [0.3, 0]}, mass: 1, inertia: 0.7}\n  r: {points: {C: [0, 0]}, mass: 1, "       \
+          "inertia: 0.2}\n"                                                                                            \
+          "joints:\n  A: {pin: [ground, p], angle: x}\n  B: {pin: [ground, q], angle: y}\n"                            \
+          "  C: {pin: [q, r], angle: z}\ndrives: {z: {law: swing, of: x}}\nefforts: {x: 2, y: 1}\n"                    \
+          "start: {x: 0.5, x.rate: 3, y.rate: 2}\n"
+
+// Gears on one axis, nothing known of where they mesh.
+#define COAXIAL                                                                                                        \
+    "bodies:\n  ground: {points: {O: [0, 0]}}\n  sun: {points: {O: [0, 0]}, mass: 1, inertia: 0.2}\n"                  \
+    "  planet: {points: {O: [0, 0]}, mass: 1, inertia: 0.1}\n  arm: {points: {O: [0, 0]}, mass: 1, inertia: 0.3}\n"    \
+    "joints:\n  S: {pin: [ground, sun], at: O, angle: s}\n  C: {pin: [ground, arm], at: O, angle: c}\n"                \
+    "  P: {pin: [arm, planet], at: O, angle: p}\n"                                                                     \
+    "gears: {g: {mesh: [sun, planet], teeth: [20, 30], carrier: arm}}\nefforts: {s: 2}\n"                              \
+    "start: {s.rate: 1, c.rate: 2}\n"
+
+// Centres on a slanted line, teeth as parameters, a distance that is not the module's: pitch radii are quotients.
+#define SLANTED                                                                                                        \
+    "gravity: [0, -9.81]\nparameters: {Z1: 20, Z2: 30, u: 30 mm, v: 40 mm, alpha: 25 deg}\nbodies:\n"                  \
+    "  ground: {points: {A: [0, 0], B: [u, v]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 0.3}\n"                  \
+    "  q: {points: {B: [0, 0]}, mass: 1, inertia: 0.7, center: [0.02, 0]}\n"                                           \
+    "joints:\n  A: {pin: [ground, p], angle: x}\n  B: {pin: [ground, q], angle: y}\n"                                  \
+    "gears: {g: {mesh: [p, q], teeth: [Z1, Z2], pressure_angle: alpha}}\nefforts: {x: 2}\nstart: {x: 0, x.rate: 3}\n"
+
+// A wheel whose pin closes the loop: the tree comes to it over the bars.
+#define WHEEL_IN_LOOP                                                                                                  \
+    "gravity: [0, -9.81]\nbodies:\n"                                                                                   \
+    "  ground: {points: {A: [0, 0], E: [0.3, 0]}}\n"                                                                   \
+    "  w1: {points: {A: [0, 0], B: [0.1, 0]}, mass: 1, center: [0.02, 0], inertia: 0.01}\n"                            \
+    "  w2: {points: {E: [0, 0], D: [0.12, 0]}, mass: 1.5, center: [0.01, 0], inertia: 0.012}\n"                        \
+    "  b: {points: {B: [0, 0], C: [0.35, 0]}, mass: 0.7, rod: [B, C]}\n"                                               \
+    "  d: {points: {D: [0, 0], C: [0.3, 0]}, mass: 0.6, rod: [D, C]}\n"                                                \
+    "joints:\n  A: {pin: [ground, w1], angle: t1}\n  B: {pin: [w1, b], angle: t3}\n"                                   \
+    "  C: {pin: [b, d], angle: t4}\n  D: {pin: [d, w2], angle: t2}\n  E: {pin: [ground, w2]}\n"                        \
+    "gears: {g: {mesh: [w1, w2], teeth: [20, 40]}}\n"                                                                  \
+    "start: {t1: 60 deg, t1.rate: 3, t3: 0, t4: 0, t2: 0}\n"
+
+// A wheel that turns on another, whose pin closes a loop.
+#define WHEEL_ON_WHEEL                                                                                                 \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {A: [0, 0], B: [0.09, 0]}}\n"                                    \
+    "  p: {points: {A: [0, 0], C: [0.02, 0]}, mass: 1, inertia: 0.001}\n"                                              \
+    "  bar: {points: {C: [0, 0], D: [0.1, 0]}, mass: 0.4, rod: [C, D]}\n"                                              \
+    "  q: {points: {B: [0, 0], D: [0.05, 0]}, mass: 1, inertia: 0.002}\n"                                              \
+    "  r: {points: {B: [0, 0]}, mass: 1, inertia: 0.001}\n"                                                            \
+    "joints:\n  A: {pin: [ground, p], angle: x}\n  C: {pin: [p, bar], angle: y}\n  D: {pin: [bar, q], angle: z}\n"     \
+    "  B: {pin: [ground, q]}\n  R: {pin: [q, r], at: B, angle: w}\n"                                                   \
+    "gears: {g: {mesh: [p, r], teeth: [10, 20]}}\nstart: {x: 0.3, x.rate: 2, y: 1, z: 1}\n"
+
+// A cam on a shaft, and a follower on a guide, that close loops: only the bars between them are in the tree.
+#define CAM_IN_LOOP                                                                                                    \
+    LIFT "gravity: [0, -9.81]\nbodies:\n  ground: {points: {K: [0, 0], P: [0.1, 0.2], O: [-0.1, 0]}}\n"                \
+         "  shaft: {points: {K: [0, 0], L: [0.07, 0]}, mass: 1, inertia: 0.002}\n"                                     \
+         "  crank: {points: {O: [0, 0], M: [0.04, 0]}, mass: 1, inertia: 0.002}\n"                                     \
+         "  link: {points: {M: [0, 0], L: [0.1, 0]}, mass: 1, inertia: 0.002}\n"                                       \
+         "  tappet: {points: {T: [0, 0]}, mass: 0.2, center: [0.01, 0], inertia: 0.001}\n"                             \
+         "  rod: {points: {T: [0, 0], Q: [0.16, 0]}, mass: 0.1, rod: [T, Q]}\n"                                        \
+         "  lever: {points: {P: [0, 0], Q: [0.1, 0]}, mass: 0.1, rod: [P, Q]}\n"                                       \
+         "joints:\n  O: {pin: [ground, crank], angle: o}\n  M: {pin: [crank, link], angle: m}\n"                       \
+         "  L: {pin: [link, shaft], angle: l}\n  K: {pin: [ground, shaft]}\n"                                          \
+         "  P: {pin: [ground, lever], angle: c}\n  Q: {pin: [lever, rod], angle: b}\n  T: {pin: [rod, tappet], "       \
+         "angle: tt}\n"                                                                                                \
+         "  G: {slide: [ground, tappet], along: y}\n"                                                                  \
+         "cams: {valve: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 30 mm, offset: 5 mm}}\n"        \
+         "start: {o: 40 deg, o.rate: 5, m: -40 deg, l: 20 deg, c: 170 deg, b: 80 deg, tt: 120 deg}\n"
+
+static const char *const machines[] = {GEARED_FIVE_BAR,
+                                       RACK,
+                                       RACK_BACKWARDS,
+                                       CAM,
+                                       FLAT,
+                                       FOLLOW,
+                                       PLANETARY_SET,
+                                       PLANETARY_LINKAGE,
+                                       BELT,
+                                       CAM_ON_ARM,
+                                       CAM_BACKWARDS,
+                                       ROCKER("[ground, rocker]", "at: P"),
+                                       ROCKER("[rocker, ground]", "at: P"),
+                                       ROCKER("[ground, rocker]", "arm: 80 mm"),
+                                       FOLLOW_ANGLE,
+                                       COAXIAL,
+                                       SLANTED,
+                                       WHEEL_IN_LOOP,
+                                       WHEEL_ON_WHEEL,
+                                       CAM_IN_LOOP};
+enum { MACHINES = sizeof machines / sizeof *machines };
+
+static void they_do_the_work_that_the_relation_asks_for(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Machine m = machine_of(machines[k]);
+        const YkDeriveForces *f = forces_of(&m);
+        for (size_t c = 0; c < m.d->coordinate_count; c++)
+            if (!yk_derive_do_methods_agree(f, c)) {
+                print_error("%s\n%s\n", machines[k], m.d->coordinates[c].name);
+                fail();
+            }
+        assert_true(yk_derivation_is_well(m.d));
+        machine_end(&m);
+    }
+}
+
+static void every_line_holds_with_the_engines_forces(void **state)
+{
+    (void)state;
+    size_t lines = 0, poses = 0;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Machine m = machine_of(machines[k]);
+        YkDynamics *dynamics = dynamics_of(&m);
+        size_t own = 0;
+        forces_of(&m);
+        write_section(&m, "free-bodies");
+        write_section(&m, "newton-euler");
+        write_section(&m, "lagrange");
+        for (int turn = 0; turn < 8; turn++) {
+            if (!random_pose(&m, turn == 0)) continue;
+            if (!take_forces(&m, dynamics, turn % 2 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED)) continue;
+            lines += check_page(&m, machines[k], 1e-12);
+            own++;
+        }
+        if (own < 2) print_error("%s\n%s", machines[k], yk_state_report(m.state)->message);
+        assert_true(own >= 2);
+        poses += own;
+        yk_dynamics_free(dynamics);
+        machine_end(&m);
+    }
+    assert_true(lines > 1500 && poses > 60);
+}
+
+static void they_print_and_read_back(void **state)
+{
+    (void)state;
+    size_t count = 0;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Machine m = machine_of(machines[k]);
+        write_section(&m, "free-bodies");
+        write_section(&m, "newton-euler");
+        write_section(&m, "lagrange");
+        count += check_page_reads_back(&m);
+        for (int format = 0; format < YK_PAGE_FORMATS; format++) {
+            YkText text = {0};
+            assert_true(yk_page_write(&m.page, (YkPageFormat)format, "Test", NULL, &text));
+            assert_null(strstr(yk_text_get(&text), "(null)"));
+            yk_text_free(&text);
+        }
+        machine_end(&m);
+    }
+    assert_true(count > 2000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(they_do_the_work_that_the_relation_asks_for),
+        cmocka_unit_test(every_line_holds_with_the_engines_forces),
+        cmocka_unit_test(they_print_and_read_back),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
