@@ -40,16 +40,10 @@ static bool write_all(YkSession *session, YkFreeBodyDrawings *pictures)
 
 int yk_derive_drawings(YkSession *session, YkDerivation *derivation)
 {
-    const YkDeriveForces *forces = yk_derive_forces(derivation);
     if (!session->state && !yk_session_inputs(session)) return YK_EXIT_WRONG;
     YkStatus status = yk_state_assemble(session->state);
     yk_tell_status(session, status, yk_state_report(session->state)->message);
     if (status < 0) return YK_EXIT_NO_ANSWER;
-    if (forces && forces->is_partial) {
-        yk_session_refuse(session, YK_CODE_DERIVATION, "--svg: free bodies with gears, racks, belts or cams %s",
-                          "are not drawn in this version");
-        return YK_EXIT_NO_ANSWER;
-    }
     if (derivation->model->body_count > DRAWINGS_MAX) {
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--svg draws machines of at most 2000 bodies%s", "");
         return YK_EXIT_WRONG;

@@ -10,12 +10,16 @@ static void put_multipliers(const YkDeriveForces *f, YkPage *page)
     YkDerivation *d = f->d;
     if (f->row_count == 0) return;
     yk_page_heading(page, 2, "Multipliers");
-    yk_page_words(
-        page,
-        "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
-        "the joint's first body acts on its second (of an angle: the second on the first).%s",
-        d->tie_count > 0 ? " That of gears, racks, belts, cams and laws is minus what they transmit, by its lever."
-                         : "");
+    yk_derive_put_meshes(f, page);
+    if (d->loop_count > 0)
+        yk_page_words(
+            page,
+            "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
+            "the joint's first body acts on its second (of an angle: the second on the first).");
+    if (d->tie_count > 0)
+        yk_page_words(page,
+                      "Every gear, rack, belt, cam and law has a multiplier%s: minus what it transmits, by its lever.",
+                      d->loop_count > 0 ? ", too" : ", M q'' + h + J^T lambda = Q");
     for (size_t k = 0; k < f->row_count; k++) {
         const YkPoisson *lambda = yk_ring_of(d->ring, f->multipliers[k]);
         YkLine *line = yk_page_equation(page, yk_derive_row_name(f, k), lambda, yk_derive_shown(d, f->identities[k]),
