@@ -57,8 +57,8 @@ typedef enum YkHappeningKind {
     YK_HAPPENING_RELEASE,
     YK_HAPPENING_STICK,
     YK_HAPPENING_SLIP,
-    YK_HAPPENING_CHANGE_POINT,
-    YK_HAPPENING_DEAD_POINT,
+    YK_HAPPENING_CHANGE_POINT, // of a block: two branches meet, and momentum goes through
+    YK_HAPPENING_DEAD_POINT,   // of the one coordinate that the machine was started by: it turns, the rest goes on
     YK_HAPPENING_CROSSING
 } YkHappeningKind;
 typedef struct YkHappening {

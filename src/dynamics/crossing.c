@@ -87,31 +87,64 @@ static double predicted(const YkNear *near, double dt)
     return near->angle + dt * (near->rate + 0.5 * dt * near->acceleration);
 }
 
+// A block as it was at the last look, or NULL. Both lists go by ascending blocks: `cursor` follows.
+static const YkNear *last_look(const YkSimulation *sim, size_t block, size_t *cursor)
+{
+    while (*cursor < sim->near_count && sim->near[*cursor].block < block) ++*cursor;
+    return *cursor < sim->near_count && sim->near[*cursor].block == block ? &sim->near[*cursor] : NULL;
+}
+
 // What was predicted stands where the pose itself cannot tell.
-static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block, double t)
+static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block, const YkNear *old, double t)
 {
     Direction d = between_columns(run, &sim->mech->blocks[block]);
     YkNear near = {block, d.angle, d.rate, d.acceleration};
-    for (size_t k = 0; k < sim->near_count; k++) {
-        const YkNear *old = &sim->near[k];
-        double dt = t - sim->near_time;
-        if (old->block != block || fabs(sin(predicted(old, dt))) >= BLIND) continue;
-        near.rate = old->rate + dt * old->acceleration;
-        near.acceleration = old->acceleration;
-        if (fabs(sin(d.angle)) < 0.1 * BLIND) near.angle = predicted(old, dt);
-    }
+    double dt = t - sim->near_time;
+    if (!old || fabs(sin(predicted(old, dt))) >= BLIND) return near;
+    near.rate = old->rate + dt * old->acceleration;
+    near.acceleration = old->acceleration;
+    if (fabs(sin(d.angle)) < 0.1 * BLIND) near.angle = predicted(old, dt);
     return near;
+}
+
+// When the angle passed 0 or half a turn between two looks: on the quintic through angles, rates and accelerations.
+static double time_of_passage(const YkNear *old, const YkNear *now, double from, double to)
+{
+    double h = to - from, a = old->angle, b = yk_nearest_turn(now->angle, predicted(old, h));
+    double level = YK_PI * round(0.5 * (a + b) / YK_PI), low = 0, high = 1;
+    for (int k = 0; k < 60; k++) {
+        double s = 0.5 * (low + high), r = 1 - s;
+        double value = r * r * r *
+                           ((1 + 3 * s + 6 * s * s) * (a - level) +
+                            s * h * ((1 + 3 * s) * old->rate + 0.5 * s * h * old->acceleration)) +
+                       s * s * s *
+                           ((1 + 3 * r + 6 * r * r) * (b - level) -
+                            r * h * ((1 + 3 * r) * now->rate - 0.5 * r * h * now->acceleration));
+        *(value * (a - level) > 0 ? &low : &high) = s;
+    }
+    return from + low * h;
+}
+
+static void note_passage(YkSimulation *sim, const YkNear *old, const YkNear *now, double t)
+{
+    if (!old || !(sin(old->angle) * sin(now->angle) < 0)) return;
+    double at = time_of_passage(old, now, sim->near_time, t);
+    yk_simulation_note(sim, YK_HAPPENING_CHANGE_POINT, at, sim->mech->blocks[now->block].label, 0);
 }
 
 void yk_simulation_look_near(YkSimulation *sim, double t)
 {
     YkState *s = sim->state;
-    size_t count = 0;
+    size_t count = 0, cursor = 0;
     YkRun run = yk_state_run(s, &s->space);
-    if (s->space.margin[0] < NEAR_SINE2)
+    if (s->space.margin[0] < NEAR_SINE2 || sim->near_count > 0)
         for (size_t b = 0; b < sim->mech->block_count; b++) {
-            if (!has_columns(&sim->mech->blocks[b]) || !(s->space.block_margin[b] < NEAR_SINE2)) continue;
-            sim->near_next[count++] = known_near(sim, &run, b, t);
+            const YkNear *old = last_look(sim, b, &cursor);
+            bool is_near = has_columns(&sim->mech->blocks[b]) && s->space.block_margin[b] < NEAR_SINE2;
+            if (!is_near && !old) continue;
+            YkNear now = known_near(sim, &run, b, old, t);
+            note_passage(sim, old, &now, t);
+            if (is_near) sim->near_next[count++] = now;
         }
     YkNear *spare = sim->near;
     sim->near = sim->near_next;

@@ -123,6 +123,26 @@ static void look_at_watch(YkSimulation *sim, YkWatch *watch, double end, bool *o
     if (*ok) yk_simulation_note(sim, YK_HAPPENING_CROSSING, t, watch->name, watch->level);
 }
 
+// A machine with one freedom passes a dead point of the coordinate that it was started by where that one turns round
+// while the rest goes on. The state stands at the end of the last step; true: it was moved.
+bool yk_simulation_look_dead(YkSimulation *sim)
+{
+    YkWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
+    Event e = {sim, NULL, &watch, 1};
+    if (sim->first == YK_NONE) return false;
+    double last = sim->first_rate, now = event_here(&e);
+    sim->first_rate = now;
+    if (!(last * now < 0)) return false;
+    bool ok = true;
+    double end = yk_ode_time(sim->ode);
+    e.way = now > 0 ? 1 : -1;
+    double t = locate(&e, yk_ode_previous(sim->ode), e.way * last, end, e.way * now, &ok);
+    double kinetic = ok && visit(sim, t, false) ? yk_dynamics_energy_at(sim->dynamics, sim->state).kinetic : 0;
+    if (kinetic > 1e-9 * sim->kinetic_high)
+        yk_simulation_note(sim, YK_HAPPENING_DEAD_POINT, t, sim->mech->coordinates[sim->first].name, 0);
+    return true;
+}
+
 void yk_simulation_watch_start(YkSimulation *sim)
 {
     for (size_t k = 0; k < sim->watch_count; k++)

@@ -87,7 +87,7 @@ bool yk_simulation_pose(YkSimulation *sim, double t, const double *y)
     bool ok = yk_simulation_motion(sim, t, y, rate) == 0 && yk_simulation_set(sim, t, y);
     for (size_t k = 0; k < n; k++) s->input[3 * sim->free_input[k] + 2] = rate[n + k];
     YkStatus status = yk_state_solve(s);
-    if (ok && status >= 0) yk_state_refer(s);
+    if (ok && status >= 0 && status != YK_SINGULAR) yk_state_refer(s); // where branches meet, an angle may be any
     if (!ok || status < 0) {
         sim->status = status < 0 ? status : YK_NOT_CONVERGED;
         if (status < 0) sim->report = s->report;

@@ -142,6 +142,8 @@ static bool begin(YkSimulation *sim, YkProblems *problems)
 {
     if (!set_positions(sim, problems)) return false;
     sim->time = sim->target = sim->options.start;
+    bool has_dead_points = sim->free_count == 1 && sim->mech->block_count > 0;
+    sim->first = has_dead_points ? (int32_t)sim->mech->inputs[sim->free_input[0]] : YK_NONE;
     if (!yk_simulation_start_rates(sim, problems))
         return refuse(sim, problems, YK_SINGULAR,
                       "it stands at a dead point, where the rates of `start:` are not determined");
@@ -316,6 +318,7 @@ static bool take_pending(YkSimulation *sim)
     sim->pending = YK_PENDING_NONE;
     if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !yk_simulation_hit(sim, sim->pending_item)) return false;
     sim->near_count = 0; // its rates have changed
+    sim->first_rate = 0;
     return stand(sim, sim->time, sim->y) && restart(sim) && yk_simulation_pose(sim, sim->time, sim->y) &&
            look_round(sim);
 }
@@ -350,6 +353,10 @@ static bool look_ahead(YkSimulation *sim)
     sim->is_new_step = false;
     if (sim->is_lean) return true;
     if (!return_to_end(sim, t)) return false;
+    if (yk_simulation_look_dead(sim)) {
+        sim->is_elsewhere = true;
+        if (!return_to_end(sim, t)) return false;
+    }
     sim->is_elsewhere = false;
     if (before > 0) {
         if (!settle_contacts(sim)) return false;

@@ -59,6 +59,9 @@ struct YkSimulation {
     YkPendingKind pending;
     double pending_time, last_event;
     size_t stalled, events; // events since time last went on; in all
+    // dead points
+    int32_t first; // the coordinate that a machine with one freedom and loops was started by; otherwise YK_NONE
+    double first_rate;
     // findings
     YkWatch *watches;
     size_t watch_count, watch_capacity;
@@ -116,6 +119,7 @@ bool yk_simulation_hit(YkSimulation *sim, size_t item); // an impact on a stop, 
 // happenings.c
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);
 void yk_simulation_look(YkSimulation *sim); // after a step: what happened in it
+bool yk_simulation_look_dead(YkSimulation *sim);
 void yk_simulation_watch_start(YkSimulation *sim);
 
 #endif

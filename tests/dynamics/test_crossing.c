@@ -1,4 +1,5 @@
 // Through positions where two branches meet, on the one that momentum takes; and past dead points of a coordinate.
+#include "base/vec.h"
 #include "run.h"
 
 // N parallelograms move as one angle: I phi'' = W sin(phi). Rows to 18 digits (validation case IFT-A2).
@@ -38,6 +39,17 @@ static void dead_points_of_a_coordinate_are_passed(void **unused)
     assert_true(s.recoordinations >= 1 && s.energy_error < 1e-8 && s.worst_residual < 1e-13);
     double q = run_value(&run, "q"), d = run_value(&run, "d"); // and it is the same assembly
     CHECK_NEAR(d, 0.1 * cos(q) + sqrt(0.09 - 0.01 * sin(q) * sin(q)), 1e-12);
+    size_t count = yk_simulation_happening_count(run.sim); // one for each half turn of the crank
+    assert_int_equal(count, (size_t)(q / YK_PI));
+    Run again = run_of_text(text, run_options(1e-11));
+    for (size_t k = 0; k < count; k++) { // where crank and rod are in line
+        YkHappening happening = yk_simulation_happening(run.sim, k);
+        assert_int_equal(happening.kind, YK_HAPPENING_DEAD_POINT);
+        assert_string_equal(happening.name, "d");
+        assert_int_equal(yk_simulation_advance(again.sim, happening.time), YK_OK);
+        CHECK_NEAR(run_value(&again, "q"), YK_PI * (double)(k + 1), 1e-8);
+    }
+    run_free(&again);
     run_free(&run);
 }
 
@@ -59,11 +71,37 @@ static void the_motion_is_smooth_through_a_change_point(void **unused)
     run_free(&run);
 }
 
+// All flat where the first link lies on the line of the pivots; there each crossing is told, and angles stay continuous
+// though the pose itself does not tell them.
+static void change_points_are_told(void **unused)
+{
+    (void)unused;
+    Run run = run_of_example("n-four-bar", run_options(1e-11));
+    YkChannel angle = {0};
+    const YkMechanism *mech = yk_state_mechanism(yk_simulation_state(run.sim));
+    assert_int_equal(yk_channel_parse(mech, "theta0", &angle, NULL), YK_OK);
+    assert_int_equal(yk_simulation_watch(run.sim, "flat", angle, 0, 0), YK_OK);
+    assert_int_equal(yk_simulation_watch(run.sim, "flat", angle, -YK_PI, 0), YK_OK);
+    assert_int_equal(yk_simulation_advance(run.sim, 2), YK_OK);
+    double flat[2] = {0}, passed[4] = {0};
+    size_t flats = 0, passages = 0;
+    for (size_t k = 0; k < yk_simulation_happening_count(run.sim); k++) {
+        YkHappening happening = yk_simulation_happening(run.sim, k);
+        if (happening.kind == YK_HAPPENING_CROSSING && flats < 2) flat[flats++] = happening.time;
+        if (happening.kind == YK_HAPPENING_CHANGE_POINT && passages < 4) passed[passages++] = happening.time;
+    }
+    assert_true(flats == 2 && passages == 4); // two blocks, twice
+    for (size_t k = 0; k < 4; k++) CHECK_NEAR(passed[k], flat[k / 2], 1e-6);
+    CHECK_NEAR(run_value(&run, "theta2"), run_value(&run, "theta0"), 1e-9);
+    run_free(&run);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parallelograms_stay_parallelograms),
         cmocka_unit_test(dead_points_of_a_coordinate_are_passed),
+        cmocka_unit_test(change_points_are_told),
         cmocka_unit_test(the_motion_is_smooth_through_a_change_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
