@@ -16,6 +16,7 @@ _yoke() {
     --format)
         words="text json csv"
         [[ $verb == derive ]] && words="text latex mathml json c"
+        [[ $verb == report ]] && words="html pdf"
         COMPREPLY=($(compgen -W "$words" -- "$word"))
         return
         ;;
@@ -29,7 +30,7 @@ _yoke() {
         COMPREPLY=($(compgen -W "$words" -- "$word"))
         return
         ;;
-    --plot | --profile | -o | --output)
+    --plot | --profile | --animate | -o | --output)
         COMPREPLY=($(compgen -f -- "$word"))
         return
         ;;

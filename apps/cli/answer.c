@@ -2,9 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/number.h"
-
-static const double noise = 1e-13; // of the machine's size: what rounding leaves of a zero
+#include "out/amount.h"
 
 YkCode yk_status_code(YkStatus status)
 {
@@ -81,55 +79,19 @@ void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char 
     yk_json_string(json, "code", code);
 }
 
-static bool is_length(YkQuantity quantity)
-{
-    return quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
-}
-
-// The unit of a quantity in tables and its size in SI: the file's own. Where it names no unit of force, and its units
-// of length, mass and time would make an unusual one (kg*mm/s^2), forces are told in N, N*m and J; energies always in J
-// rather than in N*m.
-static const char *unit_of(const YkSession *session, YkQuantity quantity, double *size)
-{
-    static const char *const si[] = {
-        [YK_QUANTITY_FORCE] = "N", [YK_QUANTITY_TORQUE] = "N*m", [YK_QUANTITY_ENERGY] = "J"};
-    const char *unit = yk_model_unit(session->model, quantity, size);
-    bool is_of_force = quantity >= YK_QUANTITY_FORCE && quantity <= YK_QUANTITY_ENERGY;
-    bool is_joule = quantity == YK_QUANTITY_ENERGY && *size == 1;
-    if (!is_of_force || (!strchr(unit, '/') && !is_joule)) return unit;
-    *size = 1;
-    return si[quantity];
-}
-
 double yk_shown(const YkSession *session, double value, YkQuantity quantity)
 {
-    double size = 1, scale = is_length(quantity) && session->mech ? yk_mechanism_size(session->mech) : 1;
-    unit_of(session, quantity, &size);
-    if (fabs(value) < noise * scale) return 0;
-    return value / size;
+    return yk_amount_in_unit(session->model, session->mech, value, quantity);
 }
 
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity)
 {
-    double size = 1;
-    return unit_of(session, quantity, &size);
-}
-
-static void add_number(YkText *text, double value, int digits)
-{
-    char number[YK_NUMBER_SIZE];
-    yk_text_add(text, number, yk_number_write_digits(value, digits, number));
+    return yk_amount_unit(session->model, quantity, NULL);
 }
 
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits)
 {
-    const char *unit = yk_unit_of(session, quantity);
-    add_number(text, yk_shown(session, value, quantity), digits);
-    if (*unit) yk_text_format(text, " %s", unit);
-    if (quantity != YK_QUANTITY_ANGLE || strcmp(unit, "rad") != 0) return;
-    yk_text_puts(text, " (");
-    add_number(text, yk_shown(session, value, quantity) * (180 / 3.14159265358979323846), digits);
-    yk_text_puts(text, " deg)");
+    yk_amount_write(text, session->model, session->mech, value, quantity, digits);
 }
 
 YkText yk_label_of(const YkState *state)

@@ -36,15 +36,16 @@ typedef struct YkRequest {
     const char *file;   // the model; for `explain` a code
     YkPairs at, rate, accel, param, effort;
     YkWords trace;
-    YkWords checks;   // derive
+    YkWords checks;         // derive
     const char *what, *svg; // derive
+    const char *animate;    // draw
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
     YkPairs event;
     const char *cam, *profile, *chord, *cutter, *compare, *limits, *speed; // cam
     const char *lock, *in, *out, *efficiency;                              // gears
     YkFormat format;
-    bool all, modes, quiet, help, version, no_labels, numbers;
+    bool all, modes, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
 // One run: the request and what was made of it so far.
@@ -85,6 +86,7 @@ int yk_run_explain(YkSession *session);
 int yk_run_new(YkSession *session);
 int yk_run_gears(YkSession *session);
 int yk_run_derive(YkSession *session);
+int yk_run_report(YkSession *session);
 
 // Prints a list of problems on standard error; with quiet, only where there is an error among them.
 void yk_print_problems(YkProblems *problems, bool quiet);

@@ -1,10 +1,10 @@
 #include <string.h>
 #include "options.h"
 
-#define POSE " solve sweep draw derive "
-#define START " solve sweep draw simulate derive "
+#define POSE " solve sweep draw derive report "
+#define START " solve sweep draw simulate derive report "
 #define FORCES " solve sweep simulate gears derive "
-#define MODEL " check solve sweep draw simulate cam gears rest derive "
+#define MODEL " check solve sweep draw simulate cam gears rest derive report "
 #define FIELD(name) offsetof(YkRequest, name)
 
 const YkOption yk_options[] = {
@@ -20,24 +20,28 @@ const YkOption yk_options[] = {
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
      "every assembly configuration, not only the nearest to start:"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},
-    {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw ",
+    {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report ",
      "the coordinate, or t, that goes through a range"},
-    {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam ",
+    {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report ",
      "so many steps, one more rows (default 36; simulate: 100; cam: 72, in text none)"},
     {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " sweep simulate ",
      "columns: d5,d5.rate,lever.angle,ram.C.x,A.force.x,theta1.effort,energy,..."},
     {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam ",
      "draw the columns: FILE.svg, .pdf or .png (needs gnuplot)"},
     {"poses", 0, YK_OPTION_WORD, FIELD(poses), "N", " draw ", "with --over: N poses, faint, as a stroboscope"},
-    {"trace", 0, YK_OPTION_WORDS, FIELD(trace), "BODY.POINT", " draw ", "draw a point's path; repeatable"},
+    {"trace", 0, YK_OPTION_WORDS, FIELD(trace), "BODY.POINT", " draw report ", "draw a point's path; repeatable"},
+    {"animate", 0, YK_OPTION_WORD, FIELD(animate), "FILE", " draw ",
+     "the motion as FILE.svg, .gif, .mp4 or .webm (the last three need rsvg-convert and ffmpeg)"},
+    {"plain", 0, YK_OPTION_SWITCH, FIELD(plain), NULL, " report ",
+     "a page that stands still: no script, diagrams as pictures (needs gnuplot)"},
     {"no-labels", 0, YK_OPTION_SWITCH, FIELD(no_labels), NULL, " draw ", "without names and scale"},
     {"output", 'o', YK_OPTION_WORD, FIELD(output), "FILE", MODEL "new ",
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
-     " check solve sweep simulate gears rest cam derive ",
-     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c)"},
+     " check solve sweep simulate gears rest cam derive report ",
+     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; report: html, pdf)"},
     {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at its start (default 0)"},
-    {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate ", "the time at its end, as in 10s"},
+    {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at its end, as in 10s"},
     {"every", 0, YK_OPTION_WORD, FIELD(every), "TIME", " simulate ", "a row every so often (default: --steps 100)"},
     {"tol", 0, YK_OPTION_WORD, FIELD(tolerance), "NUMBER", " simulate ", "error allowed per step (default 1e-9)"},
     {"method", 0, YK_OPTION_WORD, FIELD(method), "NAME", " solve sweep simulate ",

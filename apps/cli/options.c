@@ -188,7 +188,8 @@ static void check_format(Reader *reader)
     static const char *const words[] = {"text", "json", "csv"};
     YkRequest *request = reader->request;
     if (!request->format_word) return;
-    if (request->verb && strcmp(request->verb->name, "derive") == 0) return; // it has formats of its own
+    const char *verb = request->verb ? request->verb->name : "";
+    if (strcmp(verb, "derive") == 0 || strcmp(verb, "report") == 0) return; // they have formats of their own
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (strcmp(request->format_word, words[i]) != 0) continue;
         request->format = (YkFormat)i;

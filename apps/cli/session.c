@@ -99,6 +99,18 @@ bool yk_session_load(YkSession *session, const char *swept)
     return load(session, true, swept);
 }
 
+bool yk_session_points(YkSession *session, const YkWords *names, size_t *points)
+{
+    bool good = true;
+    for (size_t i = 0; i < names->count; i++) {
+        points[i] = yk_model_find_point(session->model, names->items[i]);
+        if (points[i] != (size_t)-1) continue;
+        good = yk_session_refuse(session, YK_CODE_NOT_A_POINT, "the machine has no point %q", names->items[i]);
+        yk_problem_hint(session->problems, "a point is written body.point, as in `coupler.P`");
+    }
+    return good;
+}
+
 YkQuantity yk_quantity_of(bool is_distance, int order)
 {
     static const YkQuantity angles[] = {YK_QUANTITY_ANGLE, YK_QUANTITY_ANGLE_RATE, YK_QUANTITY_ANGLE_ACCELERATION};

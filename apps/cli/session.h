@@ -25,6 +25,8 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
 // Reads a count between 1 and `most`; `fallback` where text is NULL.
 bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
                       size_t *count);
+// Finds points by name, BODY.POINT; points[names->count]. False when one is none.
+bool yk_session_points(YkSession *session, const YkWords *names, size_t *points);
 // The quantity of a coordinate's order-th derivative.
 YkQuantity yk_quantity_of(bool is_distance, int order);
 // A refusal that needs no more words than these; returns false.

@@ -3,6 +3,8 @@
 #include <string.h>
 #include "answer.h"
 #include "out/convert.h"
+#include "out/file.h"
+#include "out/movie.h"
 #include "range.h"
 #include "session.h"
 
@@ -23,14 +25,7 @@ static bool find_points(Drawer *drawer)
     const YkWords *trace = &drawer->session->request->trace;
     drawer->points = calloc(trace->count + 1, sizeof *drawer->points);
     if (!drawer->points) return yk_session_refuse(drawer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    bool good = true;
-    for (size_t i = 0; i < trace->count; i++) {
-        drawer->points[i] = yk_model_find_point(drawer->session->model, trace->items[i]);
-        if (drawer->points[i] != (size_t)-1) continue;
-        good = yk_session_refuse(drawer->session, YK_CODE_NOT_A_POINT, "the machine has no point %q", trace->items[i]);
-        yk_problem_hint(drawer->session->problems, "a point is written body.point, as in `coupler.P`");
-    }
-    return good;
+    return yk_session_points(drawer->session, trace, drawer->points);
 }
 
 // Without --over a path is drawn over the range round the present pose in which the machine closes.
@@ -130,9 +125,66 @@ static bool read_kind(YkSession *session, YkFileKind *kind)
 {
     const char *path = session->request->output;
     *kind = path && strcmp(path, "-") != 0 ? yk_file_kind(path) : YK_FILE_SVG;
+    const char *movie = session->request->animate;
+    if (movie && yk_movie_kind(movie) == YK_MOVIE_OTHER)
+        return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--animate writes .svg, .gif, .mp4 or .webm, not %q",
+                                 movie);
+    if (movie && path)
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--animate names its own file: leave out -o %s", path);
     if (*kind != YK_FILE_OTHER) return true;
     yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "-o writes .svg, .pdf or .png, not %q", path);
     return false;
+}
+
+// --- --animate: the motion as a file that moves
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool write_movie(Drawer *drawer, YkReportPage *motion, YkMovieKind kind)
+{
+    YkSession *session = drawer->session;
+    YkText movie = {0};
+    YkDrawing *drawing = yk_report_drawing(motion);
+    bool good = drawing && yk_movie_write(drawing, kind, yk_report_seconds(motion), yk_report_goes_back(motion), &movie,
+                                          session->problems);
+    good = good && yk_file_write(session->request->animate, yk_text_get(&movie), movie.length, session->problems);
+    if (!drawing) yk_session_refuse(session, YK_CODE_OUTPUT_FAILED, "the motion cannot be drawn%s", "");
+    yk_text_free(&movie);
+    return good;
+}
+
+static bool movie_options(Drawer *drawer, YkMovieKind kind, YkReportOptions *options)
+{
+    const YkRequest *request = drawer->session->request;
+    *options = yk_default_report_options();
+    options->pose_rate = yk_movie_rate(kind);
+    options->no_labels = request->no_labels;
+    options->traced_points = drawer->points;
+    options->traced_count = request->trace.count;
+    options->has_range = drawer->has_range;
+    options->coordinate = drawer->has_range ? drawer->over.coordinate : -1;
+    options->from = drawer->over.from;
+    options->to = drawer->over.to;
+    if (!yk_session_count(drawer->session, "--steps", request->steps, POSES_MAX, 0, &options->steps)) return false;
+    if (!request->to) return true;
+    if (!yk_session_value(drawer->session, "--to", "", request->to, YK_QUANTITY_TIME, &options->duration)) return false;
+    return options->duration > 0 || yk_session_refuse(drawer->session, YK_CODE_OPTION_VALUE,
+                                                      "--to %s must be later than the start", request->to);
+}
+
+static int animate(Drawer *drawer)
+{
+    YkSession *session = drawer->session;
+    YkMovieKind kind = yk_movie_kind(session->request->animate);
+    YkReportOptions options;
+    int exit_code = YK_EXIT_WRONG;
+    if (!movie_options(drawer, kind, &options)) return exit_code;
+    YkReportPage *motion = yk_report_new(session->state, &options, session->problems);
+    YkStatus status = motion ? yk_report_status(motion) : YK_NO_MEMORY;
+    if (motion) yk_tell_status(session, status, yk_report_message(motion));
+    if (status >= 0) exit_code = write_movie(drawer, motion, kind) ? YK_EXIT_DONE : YK_EXIT_WRONG;
+    if (status < 0 && motion) exit_code = yk_status_exit(status);
+    yk_report_free(motion);
+    return exit_code;
 }
 
 static bool prepare(Drawer *drawer)
@@ -144,6 +196,10 @@ static bool prepare(Drawer *drawer)
         yk_problem_hint(session->problems, "as in --over theta1=0:360deg --poses 12");
         return false;
     }
+    if (request->to && !request->animate)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--to %s needs --animate FILE", request->to);
+    if (request->steps && !request->animate)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--steps %s needs --animate FILE", request->steps);
     drawer->has_range = request->over != NULL;
     if (request->over && !yk_over_split(session, request->over, &drawer->over)) return false;
     if (!yk_session_count(session, "--poses", request->poses, POSES_MAX, 0, &drawer->poses)) return false;
@@ -157,7 +213,10 @@ int yk_run_draw(YkSession *session)
     Drawer drawer = {.session = session};
     YkFileKind kind = YK_FILE_SVG;
     int exit_code = YK_EXIT_WRONG;
-    if (read_kind(session, &kind) && prepare(&drawer)) {
+    bool good = read_kind(session, &kind) && prepare(&drawer);
+    if (good && session->request->animate) {
+        exit_code = animate(&drawer);
+    } else if (good) {
         YkStatus status = yk_state_assemble(session->state);
         yk_tell_status(session, status, yk_state_report(session->state)->message);
         exit_code = yk_status_exit(status);

@@ -58,7 +58,11 @@ const YkVerb yk_verbs[] = {
      "With locks: in the file a shift table, or with --lock one of them. With efforts: or --effort the torques on\n"
      "all members, and where the power goes; --efficiency counts losses.",
      "yoke gears examples/gearbox-8hp70.yaml --in input --out output", yk_run_gears},
-    {"report", "all of it as one page", "FILE [options]", "", "", NULL},
+    {"report", "all of it as one page", "FILE [options]",
+     "Writes one HTML page that needs nothing else: findings in sentences, the machine drawn and moving, diagrams,\n"
+     "forces, gears, cams, dimensions, structure, the equations with their values, and how well it all closes.\n"
+     "It shows the motion of the drives, or of --over, or under the machine's loads for as long as --to says.",
+     "yoke report examples/quick-return.yaml -o report.html", yk_run_report},
     {"code", "C for this machine", "FILE [options]", "", "", NULL},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };

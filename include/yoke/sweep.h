@@ -14,6 +14,8 @@ typedef struct YkSweepOptions {
     YkDynamics *dynamics; // answers the channels that need forces (inverse and forward dynamics at every row); NULL:
                           // there are none
     YkDynamicsMethod method;
+    void (*visit)(void *context, const YkState *state); // sees the pose of every row, in their order; NULL: nobody does
+    void *context;
 } YkSweepOptions;
 YK_API YkSweepOptions yk_default_sweep_options(void);
 

@@ -22,6 +22,7 @@ extern "C" {
 #include <yoke/train.h>
 #include <yoke/cam.h>
 #include <yoke/draw.h>
+#include <yoke/report.h>
 
 YK_API const char *yk_version(void); // "0.1.0"
 

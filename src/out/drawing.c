@@ -104,14 +104,16 @@ void yk_drawing_open(YkDrawing *drawing, const char *title)
     yk_text_puts(svg, "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fcfcfa\"/>\n");
 }
 
-const char *yk_drawing_svg(YkDrawing *drawing)
+// The whole page; with seconds > 0 it moves.
+static const char *write_document(YkDrawing *drawing, double seconds, bool to_and_fro)
 {
     YkText *svg = &drawing->svg;
     yk_text_clear(svg);
     yk_drawing_fit(drawing);
     yk_drawing_open(drawing, yk_model_name(drawing->model));
+    if (seconds > 0) yk_drawing_keyframes(drawing, seconds, to_and_fro);
     if (drawing->pose_count > 0) yk_drawing_guides(drawing);
-    for (size_t pose = 0; pose + 1 < drawing->pose_count; pose++) {
+    for (size_t pose = 0; pose + 1 < drawing->pose_count && !drawing->options.moving; pose++) {
         yk_text_puts(svg, "<g opacity=\"0.22\">\n");
         yk_drawing_bodies(drawing, pose);
         yk_text_puts(svg, "</g>\n");
@@ -124,4 +126,24 @@ const char *yk_drawing_svg(YkDrawing *drawing)
     yk_drawing_margin(drawing);
     yk_text_puts(svg, "</svg>\n");
     return svg->failed ? NULL : yk_text_get(svg);
+}
+
+const char *yk_drawing_svg(YkDrawing *drawing)
+{
+    drawing->shown = drawing->pose_count > 0 ? yk_drawing_reference(drawing) : 0;
+    return write_document(drawing, 0, false);
+}
+
+const char *yk_drawing_frame(YkDrawing *drawing, size_t pose)
+{
+    if (pose >= drawing->pose_count) return NULL;
+    drawing->shown = pose;
+    return write_document(drawing, 0, false);
+}
+
+const char *yk_drawing_animation(YkDrawing *drawing, double seconds, bool to_and_fro)
+{
+    if (drawing->pose_count == 0) return NULL;
+    drawing->shown = yk_drawing_reference(drawing);
+    return write_document(drawing, seconds, to_and_fro);
 }

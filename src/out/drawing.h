@@ -32,6 +32,7 @@ struct YkDrawing {
     double scale, width, height; // px per metre, px, px
     YkVec low, high;             // what is drawn lies within, m
     double bar;                  // width of a bar, px
+    size_t shown;                // moving: the pose to which the groups are taken
 };
 
 static inline YkVec yk_frame_apply(YkFrame frame, YkVec at)
@@ -48,6 +49,29 @@ static inline YkVec yk_drawing_joint(const YkDrawing *drawing, const YkFrame *fr
     (void)drawing;
     return yk_frame_apply(frames[joint->body[side]], joint->at[side]);
 }
+
+// The pose in which everything is written: the last.
+static inline size_t yk_drawing_reference(const YkDrawing *drawing)
+{
+    return drawing->pose_count - 1;
+}
+
+// Moving drawings: what comes between belongs to the body, or is a name that follows a place (metres, of the pose
+// `reference` and of the pose shown). Otherwise they write nothing. Groups do not nest.
+void yk_drawing_group(YkDrawing *drawing, size_t body);
+void yk_drawing_group_name(YkDrawing *drawing, char kind, size_t index, YkVec from, YkVec to);
+void yk_drawing_ungroup(YkDrawing *drawing);
+// How a body lies to its place in the reference pose, on the page.
+typedef struct YkShift {
+    YkVec by;     // px
+    double turn;  // clockwise as SVG counts, rad, within half a turn
+    YkVec center; // about which it turns: where its origin is in the reference pose, px
+} YkShift;
+YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose);
+// Where a name of a joint or a body is attached, m.
+YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body);
+// Keyframes of all bodies and names over the poses.
+void yk_drawing_keyframes(YkDrawing *drawing, double seconds, bool to_and_fro);
 
 // Builds all outlines; false when out of memory. Cost O(points log points).
 bool yk_drawing_outline(YkDrawing *drawing);

@@ -30,9 +30,11 @@ void yk_drawing_body(YkDrawing *drawing, const YkFrame *frame, size_t body)
         corners[i] = yk_drawing_pixel(drawing, yk_frame_apply(*frame, drawing->corners[corner]));
     }
     YkColour colour = yk_drawing_colour(body);
+    yk_drawing_group(drawing, body);
     double rim = fmin(1.3, 0.2 * drawing->bar);
     add_shape(drawing, corners, count, colour.edge, drawing->bar);
     add_shape(drawing, corners, count, colour.fill, drawing->bar - 2 * rim);
+    yk_drawing_ungroup(drawing);
 }
 
 void yk_drawing_bodies(YkDrawing *drawing, size_t pose)

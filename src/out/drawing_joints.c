@@ -26,6 +26,13 @@ static void add_rod(YkDrawing *drawing, const YkFrame *frames, const YkJoint *jo
     YkVec to = yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 1));
     YkVec along = page_direction(frames, joint);
     double sign = yk_dot(yk_sub(to, from), along) < 0 ? -1 : 1;
+    if (drawing->options.moving) { // long enough for every pose
+        YkStretch stretch = yk_drawing_stretch(drawing, joint);
+        sign = stretch.high > -stretch.low ? 1 : -1;
+        to = yk_add(from, yk_scale(drawing->scale * (sign > 0 ? stretch.high : stretch.low), along));
+        from =
+            yk_add(from, yk_scale(drawing->scale * (sign > 0 ? fmin(stretch.low, 0) : fmax(stretch.high, 0)), along));
+    }
     set_style(style, "none", yk_drawing_colour((size_t)joint->body[0]).edge, fmax(1, 0.35 * drawing->bar));
     yk_svg_line(&drawing->svg, from, yk_add(to, yk_scale(sign * 2.2 * drawing->bar, along)), yk_text_get(style));
 }
@@ -77,12 +84,16 @@ static void add_weld(YkDrawing *drawing, const YkFrame *frames, const YkJoint *j
 
 typedef void AddJoint(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, YkText *style);
 
-static void add_each(YkDrawing *drawing, const YkFrame *frames, YkPartKind kind, bool ground_too, AddJoint *add,
-                     YkText *style)
+// Lines belong to the joint's first body (side 0), what moves along them to its second.
+static void add_each(YkDrawing *drawing, const YkFrame *frames, YkPartKind kind, int side, bool ground_too,
+                     AddJoint *add, YkText *style)
 {
     for (size_t j = 0; j < drawing->model->joint_count; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
-        if (joint->kind == kind && (ground_too || joint->body[0] != 0)) add(drawing, frames, joint, style);
+        if (joint->kind != kind || !(ground_too || joint->body[0] != 0)) continue;
+        yk_drawing_group(drawing, (size_t)joint->body[side]);
+        add(drawing, frames, joint, style);
+        yk_drawing_ungroup(drawing);
     }
 }
 
@@ -95,15 +106,17 @@ static void add_points(YkDrawing *drawing, const YkFrame *frames, YkText *style)
         if (point->body == 0) continue;
         YkVec at = yk_drawing_pixel(drawing, yk_frame_apply(frames[point->body], point->at));
         set_style(style, yk_drawing_colour((size_t)point->body).edge, "none", 0);
+        yk_drawing_group(drawing, (size_t)point->body);
         yk_svg_circle(&drawing->svg, at, fmax(0.5, 0.2 * drawing->bar), yk_text_get(style));
+        yk_drawing_ungroup(drawing);
     }
 }
 
 void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames)
 {
     YkText style = {0};
-    add_each(drawing, frames, YK_SLIDE, false, add_rod, &style);
-    add_each(drawing, frames, YK_PIN_SLOT, false, add_rod, &style);
+    add_each(drawing, frames, YK_SLIDE, 0, false, add_rod, &style);
+    add_each(drawing, frames, YK_PIN_SLOT, 0, false, add_rod, &style);
     drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
@@ -112,11 +125,11 @@ void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames)
 {
     YkText style = {0};
     add_points(drawing, frames, &style);
-    add_each(drawing, frames, YK_PIN_SLOT, false, add_slot, &style);
-    add_each(drawing, frames, YK_SLIDE, true, add_box, &style);
-    add_each(drawing, frames, YK_WELD, true, add_weld, &style);
-    add_each(drawing, frames, YK_PIN, true, add_pin, &style);
-    add_each(drawing, frames, YK_PIN_SLOT, true, add_pin, &style);
+    add_each(drawing, frames, YK_PIN_SLOT, 0, false, add_slot, &style);
+    add_each(drawing, frames, YK_SLIDE, 1, true, add_box, &style);
+    add_each(drawing, frames, YK_WELD, 1, true, add_weld, &style);
+    add_each(drawing, frames, YK_PIN, 1, true, add_pin, &style);
+    add_each(drawing, frames, YK_PIN_SLOT, 1, true, add_pin, &style);
     drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }

@@ -49,31 +49,39 @@ static void take_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *lab
 
 static void name_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *labels)
 {
+    const YkFrame *shown = yk_drawing_frames(drawing, drawing->shown);
     for (size_t j = 0; j < drawing->model->joint_count; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
-        YkVec at = yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 1));
+        YkVec at = yk_drawing_joint(drawing, frames, joint, 1);
         double reach = joint->kind == YK_SLIDE ? 1.3 * drawing->bar : 0.6 * drawing->bar;
-        add_label(drawing, labels, at, reach, joint->name, "fill=\"#1c1e21\" font-weight=\"bold\"");
+        yk_drawing_group_name(drawing, 'j', j, at, yk_drawing_joint(drawing, shown, joint, 1));
+        add_label(drawing, labels, yk_drawing_pixel(drawing, at), reach, joint->name,
+                  "fill=\"#1c1e21\" font-weight=\"bold\"");
+        yk_drawing_ungroup(drawing);
     }
 }
 
-static YkVec middle_of(YkDrawing *drawing, const YkFrame *frames, size_t body)
+YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body)
 {
     YkOutline outline = drawing->outlines[body];
     YkVec sum = {0, 0};
     for (size_t i = 0; i < outline.count; i++) sum = yk_add(sum, drawing->corners[outline.first + i]);
     if (outline.count > 0) sum = yk_scale(1 / (double)outline.count, sum);
-    return yk_drawing_pixel(drawing, yk_frame_apply(frames[body], sum));
+    return yk_frame_apply(frames[body], sum);
 }
 
 static void name_bodies(YkDrawing *drawing, const YkFrame *frames, YkLabels *labels)
 {
+    const YkFrame *shown = yk_drawing_frames(drawing, drawing->shown);
     for (size_t b = 1; b < drawing->model->body_count; b++) {
         YkText style = {0};
         yk_text_format(&style, "fill=\"%s\" font-style=\"italic\"", yk_drawing_colour(b).edge);
         double reach = drawing->outlines[b].count < 2 ? 1.4 * drawing->bar : 0.7 * drawing->bar;
-        add_label(drawing, labels, middle_of(drawing, frames, b), reach, yk_model_body_name(drawing->model, b),
+        YkVec middle = yk_drawing_middle(drawing, frames, b);
+        yk_drawing_group_name(drawing, 'n', b, middle, yk_drawing_middle(drawing, shown, b));
+        add_label(drawing, labels, yk_drawing_pixel(drawing, middle), reach, yk_model_body_name(drawing->model, b),
                   yk_text_get(&style));
+        yk_drawing_ungroup(drawing);
         drawing->svg.failed |= style.failed;
         yk_text_free(&style);
     }

@@ -10,6 +10,8 @@ static void add_path(YkDrawing *drawing, size_t index, YkVec *pixels)
     YkText style = {0};
     for (size_t i = 0; i < drawing->trace_count; i++)
         pixels[i] = yk_drawing_pixel(drawing, drawing->traces[i * width + index]);
+    bool is_hidden = index + drawing->options.traced_hidden >= width;
+    if (drawing->options.moving) yk_text_format(&style, "class=\"trace t%z%s\" ", point, is_hidden ? " off" : "");
     yk_text_format(&style, "fill=\"none\" stroke=\"%s\" stroke-width=\"1.6\" stroke-linejoin=\"round\"", colour);
     yk_svg_polyline(&drawing->svg, pixels, drawing->trace_count, yk_text_get(&style));
     drawing->svg.failed |= style.failed;

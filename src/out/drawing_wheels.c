@@ -28,11 +28,14 @@ static void set_style(YkText *style, size_t body, double width, const char *dash
     yk_text_format(style, "\"%s", dashes);
 }
 
+// A circle with the body's colour, in its group.
 static void add_circle(YkDrawing *drawing, YkVec center, double radius, size_t body, const char *dashes, YkText *style)
 {
     if (!(radius > 0)) return;
     set_style(style, body, fmin(1.3, 0.2 * drawing->bar), dashes);
+    yk_drawing_group(drawing, body);
     yk_svg_circle(&drawing->svg, yk_drawing_pixel(drawing, center), radius * drawing->scale, yk_text_get(style));
+    yk_drawing_ungroup(drawing);
 }
 
 // A mark at every tooth, the first at the angle given (world, rad); inwards, or outwards on a ring.
@@ -42,12 +45,14 @@ static void add_marks(YkDrawing *drawing, YkVec center, double radius, double fi
     double pitch = 2 * YK_PI * radius / (double)teeth, length = 0.35 * pitch;
     if (teeth > MARKS_MAX || pitch * drawing->scale < 2) return; // they would run together
     set_style(style, body, fmin(1, 0.15 * drawing->bar), "");
+    yk_drawing_group(drawing, body);
     for (int64_t k = 0; k < teeth; k++) {
         YkVec e = yk_unit(first + 2 * YK_PI * (double)k / (double)teeth);
         YkVec from = yk_drawing_pixel(drawing, yk_add(center, yk_scale(radius, e)));
         YkVec to = yk_drawing_pixel(drawing, yk_add(center, yk_scale(radius + way * length, e)));
         yk_svg_line(&drawing->svg, from, to, yk_text_get(style));
     }
+    yk_drawing_ungroup(drawing);
 }
 
 // The first wheel's marks go with its own axes; the second's start from where the first's nearest mark is off the pitch
@@ -75,12 +80,14 @@ static void add_belt(YkDrawing *drawing, const YkFrame *frames, const YkBelt *be
     double length = yk_norm(line), turn = (belt->radius[0] + (belt->is_crossed ? 1 : -1) * belt->radius[1]) / length;
     for (int k = 0; k < 2; k++) add_circle(drawing, k ? b : a, belt->radius[k], (size_t)belt->body[k], "", style);
     if (!(length > 0) || !(fabs(turn) <= 1)) return;
+    yk_drawing_group(drawing, (size_t)belt->carrier);
     for (int side = -1; side <= 1; side += 2) {
         YkVec out = yk_mul(yk_scale(1 / length, line), yk_vec(turn, side * sqrt(1 - turn * turn)));
         YkVec from = yk_add(a, yk_scale(belt->radius[0], out));
         YkVec to = yk_add(b, yk_scale(belt->is_crossed ? -belt->radius[1] : belt->radius[1], out));
         yk_svg_line(&drawing->svg, yk_drawing_pixel(drawing, from), yk_drawing_pixel(drawing, to), yk_text_get(style));
     }
+    yk_drawing_ungroup(drawing);
 }
 
 void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames)

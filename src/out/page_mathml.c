@@ -173,21 +173,40 @@ static void put_line(YkPrinting *printing, const YkLine *line)
 {
     YkText *text = printing->text;
     if (line->kind == YK_LINE_FORMULA) {
-        yk_text_puts(text, "<p>");
         if (line->text) {
+            yk_text_puts(text, "<p>");
             put_escaped(text, line->text);
-            yk_text_puts(text, ":");
+            yk_text_puts(text, ":</p>\n");
         }
-        yk_text_puts(text, "</p>\n<math display=\"block\" xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow>");
+        yk_text_puts(text, "<math display=\"block\" xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow>");
         for (const YkPagePiece *piece = line->first; piece; piece = piece->next) put_piece(printing, piece, text);
         put_value(printing, line, text);
         yk_text_puts(text, "</mrow></math>\n");
         return;
     }
-    const char *tag = line->kind == YK_LINE_WORDS ? "p" : line->level == 1 ? "h2" : "h3";
-    yk_text_format(text, "<%s>", tag);
-    put_escaped(text, line->text);
-    yk_text_format(text, "</%s>\n", tag);
+    if (line->kind == YK_LINE_WORDS) {
+        yk_text_puts(text, "<p>");
+        put_escaped(text, line->text);
+        yk_text_puts(text, "</p>\n");
+    } else {
+        int level = printing->heading + line->level - 1;
+        yk_text_format(text, "<h%d>", level);
+        put_escaped(text, line->text);
+        yk_text_format(text, "</h%d>\n", level);
+    }
+}
+
+static void put_lines(YkPrinting *printing, const YkPage *page)
+{
+    for (const YkLine *line = page->first; line && !printing->failed; line = line->next) put_line(printing, line);
+}
+
+bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html)
+{
+    YkPrinting printing = {.ring = page->ring, .text = html, .values = values, .heading = heading};
+    if (page->failed) return false;
+    put_lines(&printing, page);
+    return !printing.failed && !html->failed;
 }
 
 void yk_print_mathml(YkPrinting *printing, const YkPage *page)
@@ -200,6 +219,7 @@ void yk_print_mathml(YkPrinting *printing, const YkPage *page)
                  ".b { border-bottom: 1px solid } mtd { padding: 0.2em 0.6em }</style>\n</head>\n<body>\n<h1>");
     put_escaped(printing->text, title);
     yk_text_puts(printing->text, "</h1>\n");
-    for (const YkLine *line = page->first; line && !printing->failed; line = line->next) put_line(printing, line);
+    printing->heading = 2;
+    put_lines(printing, page);
     yk_text_puts(printing->text, "</body>\n</html>\n");
 }

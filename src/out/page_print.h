@@ -18,6 +18,7 @@ typedef struct YkPrinting {
     YkText *text;
     const double *values; // completed, to be put beside the symbols (SI, radians); NULL: none
     const char *title;    // of the whole: the machine's name
+    int heading;          // HTML: level of a section's heading
     bool failed;
 } YkPrinting;
 
@@ -25,6 +26,8 @@ typedef struct YkPrinting {
 // document (article, amsmath); a whole HTML document with presentation MathML; JSON as documented in docs/json.md; C
 // statements. false when out of memory or where the ring failed.
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
+// The page as a part of an HTML document, headings from the level given on. Values as above. false as above.
+bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html);
 // "text", "latex", ...; YK_PAGE_FORMATS where there is no such format.
 YkPageFormat yk_page_format_find(const char *name);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "base/number.h"
+#include "out/svg.h"
 
 // All cells' texts stand in one buffer, a NUL behind each.
 typedef struct Cell {
@@ -156,4 +157,38 @@ bool yk_table_write(const YkTable *table, size_t indent, YkText *text)
     for (size_t first = 0; first < table->count; first += table->columns) write_row(table, first, widths, indent, text);
     free(widths);
     return !text->failed;
+}
+
+size_t yk_table_rows(const YkTable *table)
+{
+    return table && table->count > table->columns ? table->count / table->columns - 1 : 0;
+}
+
+// A head over nothing and an empty cell are plain cells.
+static void write_cell(const YkTable *table, size_t index, YkText *html)
+{
+    const Cell *cell = &table->cells[index];
+    bool is_head = index < table->columns, is_first = index % table->columns == 0;
+    const char *tag = (is_head || is_first) && *word_of(table, cell) ? "th" : "td";
+    const char *scope = *tag == 't' && tag[1] == 'h' ? is_head ? " scope=\"col\"" : " scope=\"row\"" : "";
+    bool is_number = table->cells[index].is_number;
+    if (is_head && index + table->columns < table->count) is_number = table->cells[index + table->columns].is_number;
+    yk_text_format(html, "<%s%s%s>", tag, scope, is_number ? " class=\"n\"" : "");
+    yk_svg_escape(html, word_of(table, cell));
+    yk_text_format(html, "</%s>", tag);
+}
+
+bool yk_table_write_html(const YkTable *table, const char *caption, YkText *html)
+{
+    if (!table || table->words.failed) return false;
+    yk_text_puts(html, "<table>\n<caption>");
+    yk_svg_escape(html, caption);
+    yk_text_puts(html, "</caption>\n");
+    for (size_t first = 0; first < table->count; first += table->columns) {
+        yk_text_puts(html, first == 0 ? "<thead><tr>" : "<tr>");
+        for (size_t c = 0; c < table->columns && first + c < table->count; c++) write_cell(table, first + c, html);
+        yk_text_puts(html, first == 0 ? "</tr></thead>\n<tbody>\n" : "</tr>\n");
+    }
+    yk_text_puts(html, "</tbody>\n</table>\n");
+    return !html->failed;
 }

@@ -15,6 +15,9 @@ void yk_table_word(YkTable *table, const char *word);           // aligned left
 void yk_table_number(YkTable *table, double value, int digits); // significant digits; "-" unless finite
 // Writes head and rows, `indent` blanks before each line. False when out of memory. Cost linear in the cells.
 bool yk_table_write(const YkTable *table, size_t indent, YkText *text);
+size_t yk_table_rows(const YkTable *table); // complete ones, without the heads
+// The same as an HTML table with a caption: the first column heads the rows. False when out of memory.
+bool yk_table_write_html(const YkTable *table, const char *caption, YkText *html);
 // How many columns of a terminal a text takes: code points, without those that combine.
 size_t yk_text_columns(const char *text, size_t length);
 

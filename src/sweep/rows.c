@@ -36,6 +36,7 @@ bool yk_sweep_record(YkSweep *w, double at)
     w->at[row] = at;
     w->row_status[row] = (signed char)status;
     read_channels(w, w->values + row * w->channel_count);
+    if (w->options.visit) w->options.visit(w->options.context, s);
     w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR)
         yk_sweep_note(w, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});

@@ -8,7 +8,12 @@ enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
 
 YkSweepOptions yk_default_sweep_options(void)
 {
-    return (YkSweepOptions){-1, 0, 1, 36, 2 * YK_PI / 180, NULL, YK_METHOD_REDUCED};
+    return (YkSweepOptions){.coordinate = -1,
+                            .from = 0,
+                            .to = 1,
+                            .steps = 36,
+                            .turn_max = 2 * YK_PI / 180,
+                            .method = YK_METHOD_REDUCED};
 }
 
 void yk_sweep_note(YkSweep *w, YkEvent event)

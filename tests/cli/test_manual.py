@@ -7,7 +7,7 @@ import unittest
 
 from harness import Case, ROOT
 
-VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "new", "explain"]
+VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "report", "new", "explain"]
 
 
 def read(*path):

@@ -98,9 +98,32 @@ static void a_table_without_memory_or_cells_is_harmless(void **state)
     yk_text_free(&text);
 }
 
+static void html_has_heads_and_escapes(void **state)
+{
+    (void)state;
+    YkTable *table = yk_table_new(2);
+    YkText html = {0};
+    assert_int_equal(yk_table_rows(table), 0);
+    yk_table_head(table, "joint", NULL);
+    yk_table_head(table, "size", "N");
+    assert_int_equal(yk_table_rows(table), 0);
+    yk_table_word(table, "A<B");
+    yk_table_number(table, 1.5, 6);
+    assert_int_equal(yk_table_rows(table), 1);
+    assert_true(yk_table_write_html(table, "a & b", &html));
+    assert_string_equal(
+        yk_text_get(&html),
+        "<table>\n<caption>a &amp; b</caption>\n"
+        "<thead><tr><th scope=\"col\">joint</th><th scope=\"col\" class=\"n\">size [N]</th></tr></thead>\n"
+        "<tbody>\n<tr><th scope=\"row\">A&lt;B</th><td class=\"n\">1.5</td></tr>\n</tbody>\n</table>\n");
+    yk_text_free(&html);
+    yk_table_free(table);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(html_has_heads_and_escapes),
         cmocka_unit_test(numbers_stand_by_their_decimal_points),
         cmocka_unit_test(what_is_not_a_number_is_a_dash_and_zero_has_no_sign),
         cmocka_unit_test(names_beyond_ascii_are_measured_in_columns),

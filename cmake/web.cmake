@@ -1,0 +1,30 @@
+# What the report brings along: its style, and its script, which Node bundles. Without Node and npm, or where npm cannot
+# get its packages, the script is empty: reports stand still and say so.
+option(YOKE_WEB "Bundle the report's script where Node is" ON)
+option(YOKE_REQUIRE_WEB "Fail where the report's script cannot be bundled" OFF)
+set(YOKE_WEB_SOURCE ${CMAKE_SOURCE_DIR}/web/report)
+set(YOKE_WEB_DIR ${CMAKE_BINARY_DIR}/web)
+find_program(YOKE_NODE node)
+find_program(YOKE_NPM npm)
+
+function(yoke_embed input name)
+  set(output ${YOKE_WEB_DIR}/${name}.c)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -D INPUT=${input} -D OUTPUT=${output} -D NAME=${name} -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${input} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake COMMENT "Embedding ${name}" VERBATIM)
+  target_sources(yoke_core PRIVATE ${output})
+endfunction()
+
+file(GLOB YOKE_WEB_FILES CONFIGURE_DEPENDS ${YOKE_WEB_SOURCE}/*.json ${YOKE_WEB_SOURCE}/src/*)
+if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)
+  add_custom_command(OUTPUT ${YOKE_WEB_DIR}/report.js
+    COMMAND sh ${CMAKE_SOURCE_DIR}/tools/bundle-web ${YOKE_WEB_DIR} ${YOKE_NPM} $<IF:$<BOOL:${YOKE_REQUIRE_WEB}>,require,try>
+    DEPENDS ${YOKE_WEB_FILES} ${CMAKE_SOURCE_DIR}/tools/bundle-web COMMENT "Bundling the report's script" VERBATIM)
+elseif(YOKE_REQUIRE_WEB)
+  message(FATAL_ERROR "node and npm are needed to bundle the report's script")
+else()
+  message(STATUS "No node and npm: reports will have no script, their diagrams come from gnuplot")
+  file(WRITE ${YOKE_WEB_DIR}/report.js "")
+endif()
+yoke_embed(${CMAKE_SOURCE_DIR}/src/report/style.css yk_report_style)
+yoke_embed(${YOKE_WEB_DIR}/report.js yk_report_script)

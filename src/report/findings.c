@@ -1,0 +1,90 @@
+// Findings: what a reader wants to know first, in sentences. One file for each kind.
+#include <string.h>
+#include "base/number.h"
+#include "base/vec.h"
+#include "out/amount.h"
+#include "report/report.h"
+
+enum { DIGITS = 5 };
+
+void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text)
+{
+    report->failed |= text->failed;
+    if (text->length == 0) return;
+    if (!YK_ROOM(report->findings, report->finding_count, report->finding_capacity)) {
+        report->failed = true;
+        return;
+    }
+    const char *own = yk_arena_copy(report->arena, text->data, text->length);
+    report->failed |= !own;
+    report->findings[report->finding_count++] = (YkFinding){kind, own ? own : ""};
+    yk_text_clear(text);
+}
+
+// Angles in degrees where the file would have radians: so they are read.
+const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, double *size)
+{
+    double own = 1;
+    const char *unit = yk_amount_unit(report->model, quantity, &own);
+    bool is_radian = quantity == YK_QUANTITY_ANGLE && strcmp(unit, "rad") == 0;
+    if (size) *size = is_radian ? YK_PI / 180 : own;
+    return is_radian ? "deg" : unit;
+}
+
+double yk_report_in_unit(const YkReportPage *report, double value, YkQuantity quantity)
+{
+    double own = 1, size = 1;
+    yk_amount_unit(report->model, quantity, &own);
+    yk_report_unit(report, quantity, &size);
+    return yk_amount_in_unit(report->model, report->mech, value, quantity) * (own == size ? 1 : own / size);
+}
+
+void yk_report_error(YkText *text, double value)
+{
+    char number[YK_NUMBER_SIZE];
+    yk_text_add(text, number, yk_number_write_digits(value, 2, number));
+}
+
+void yk_report_amount(const YkReportPage *report, YkText *text, double value, YkQuantity quantity)
+{
+    char number[YK_NUMBER_SIZE];
+    const char *unit = yk_report_unit(report, quantity, NULL);
+    yk_text_add(text, number, yk_number_write_digits(yk_report_in_unit(report, value, quantity), DIGITS, number));
+    if (*unit) yk_text_format(text, " %s", unit);
+}
+
+void yk_report_amount_at(const YkReportPage *report, YkText *text, double at)
+{
+    yk_text_format(text, "%s = ", yk_report_axis(report));
+    yk_report_amount(report, text, at, yk_report_axis_quantity(report));
+}
+
+const char *yk_report_axis(const YkReportPage *report)
+{
+    bool is_sweep = report->motion.kind == YK_REPORT_TURN || report->motion.kind == YK_REPORT_RANGE;
+    return is_sweep ? yk_coordinate_info(report->mech, (size_t)report->motion.coordinate).name : "t";
+}
+
+YkQuantity yk_report_axis_quantity(const YkReportPage *report)
+{
+    bool is_sweep = report->motion.kind == YK_REPORT_TURN || report->motion.kind == YK_REPORT_RANGE;
+    if (!is_sweep) return YK_QUANTITY_TIME;
+    bool is_distance = yk_coordinate_info(report->mech, (size_t)report->motion.coordinate).is_distance;
+    return is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
+}
+
+void yk_report_findings(YkReportPage *report)
+{
+    YkText text = {0};
+    if (report->status < 0) {
+        yk_text_format(&text, "At its start the machine does not go together: %s.", report->message);
+        yk_report_find(report, YK_FINDING_LOOK, &text);
+    }
+    yk_findings_structure(report, &text);
+    yk_findings_motion(report, &text);
+    yk_findings_forces(report, &text);
+    yk_findings_simulation(report, &text);
+    yk_findings_parts(report, &text);
+    report->failed |= text.failed;
+    yk_text_free(&text);
+}

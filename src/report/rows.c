@@ -1,0 +1,210 @@
+// Going through the motion: a row of numbers and a pose of the drawing at each step.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+#include "report/report.h"
+
+enum { PEAK_STEPS = 64, STEPS_MAX = 200000 };
+static const double coarse = 0.35;         // rad from row to row
+static const double duration_least = 1e-3; // s
+
+static void say(YkReportPage *report, const char *message)
+{
+    report->motion_message = yk_arena_copy(report->arena, message, strlen(message));
+    if (!report->motion_message) report->motion_message = "";
+}
+
+static bool make_room(YkReportPage *report)
+{
+    size_t rows = report->motion.steps + 1;
+    report->at = calloc(rows, sizeof *report->at);
+    report->values = calloc(rows * report->column_count + 1, sizeof *report->values);
+    report->row_capacity = rows;
+    return report->at && report->values;
+}
+
+// A pose of the drawing for the row that comes now.
+static void pose(void *context, const YkState *state)
+{
+    YkReportPage *report = context;
+    if (!report->drawing || report->posed >= report->row_capacity) return;
+    if (yk_drawing_pose(report->drawing, state) != YK_OK || yk_drawing_trace(report->drawing, state) != YK_OK) return;
+    report->posed++;
+}
+
+// --- Sweeps
+// ---------------------------------------------------------------------------------------------------------------
+
+// The swept machine's forces are those of an imposed motion.
+static void prescribe_all(const YkReportPage *report)
+{
+    for (size_t i = 0; report->dynamics && i < yk_input_count(report->mech); i++)
+        yk_dynamics_prescribe(report->dynamics, i, true);
+}
+
+static YkSweep *sweep(YkReportPage *report, double from, double to, size_t steps, const YkChannel *channels,
+                      size_t count, bool poses, YkProblems *problems)
+{
+    YkState *state = yk_state_new(report->mech);
+    YkSweep *result = NULL;
+    YkSweepOptions options = yk_default_sweep_options();
+    options.coordinate = report->motion.kind == YK_REPORT_TIME ? -1 : report->motion.coordinate;
+    options.from = from;
+    options.to = to;
+    options.steps = steps;
+    options.dynamics = report->dynamics;
+    if (poses) {
+        options.visit = pose;
+        options.context = report;
+    }
+    if (state && yk_state_copy(state, report->start) >= 0)
+        result = yk_sweep_run(state, &options, channels, count, problems);
+    yk_state_free(state);
+    return result;
+}
+
+static void run_sweep(YkReportPage *report, YkProblems *problems)
+{
+    YkChannel *channels = calloc(report->column_count + 1, sizeof *channels);
+    if (channels) {
+        for (size_t c = 0; c < report->column_count; c++) channels[c] = report->columns[c].channel;
+        prescribe_all(report);
+        report->sweep = sweep(report, report->motion.from, report->motion.to, report->motion.steps, channels,
+                              report->column_count, true, problems);
+    }
+    free(channels);
+    report->failed |= !report->sweep;
+    if (!report->sweep) return;
+    report->motion_status = yk_sweep_status(report->sweep);
+    report->row_count = yk_sweep_row_count(report->sweep);
+    for (size_t row = 0; row < report->row_count; row++) {
+        bool is_singular = yk_sweep_row_status(report->sweep, row) == YK_SINGULAR;
+        report->at[row] = yk_sweep_at(report->sweep, row);
+        for (size_t c = 0; c < report->column_count; c++) {
+            YkChannel channel = report->columns[c].channel;
+            bool is_lost = is_singular && (channel.order > 0 || channel.kind >= YK_CHANNEL_POINT_SPEED) &&
+                           channel.kind != YK_CHANNEL_TRANSMISSION;
+            report->values[row * report->column_count + c] =
+                is_lost ? (double)NAN : yk_sweep_value(report->sweep, row, c);
+        }
+    }
+}
+
+// --- Simulation
+// ---------------------------------------------------------------------------------------------------------------
+
+static void take_row(YkReportPage *report)
+{
+    size_t row = report->row_count++;
+    report->at[row] = yk_simulation_time(report->simulation);
+    for (size_t c = 0; c < report->column_count; c++)
+        report->values[row * report->column_count + c] =
+            yk_simulation_channel(report->simulation, report->columns[c].channel);
+    pose(report, yk_simulation_state(report->simulation));
+}
+
+// From the start to the end of the motion; false with what there is to say where it cannot begin.
+static bool simulate(YkReportPage *report)
+{
+    YkProblems *problems = yk_problems_new();
+    YkSimulationOptions options = yk_default_simulation_options();
+    options.start = report->motion.from;
+    options.horizon = report->motion.to;
+    options.compile = report->options.compile;
+    options.steps_max = STEPS_MAX;
+    report->simulation = problems ? yk_simulation_new(report->model, &options, problems) : NULL;
+    if (!report->simulation) {
+        report->motion_status = YK_NOT_CONVERGED;
+        say(report, problems && yk_problems_count(problems) > 0 ? yk_problems_get(problems, 0)->message : "");
+    }
+    yk_problems_free(problems);
+    for (size_t k = 0; report->simulation && k <= report->motion.steps; k++) {
+        double part = (double)k / (double)report->motion.steps,
+               time = report->motion.from + (report->motion.to - report->motion.from) * part;
+        report->motion_status = yk_simulation_advance(report->simulation, time);
+        if (report->motion_status < 0 || report->motion_status == YK_SINGULAR) {
+            say(report, yk_simulation_report(report->simulation)->message);
+            break;
+        }
+        take_row(report);
+    }
+    return report->simulation != NULL;
+}
+
+// Does an angle turn so far from row to row that neither lines nor eyes can follow?
+static bool is_coarse(const YkReportPage *report)
+{
+    for (size_t c = 0; c < report->column_count; c++) {
+        const YkReportColumn *column = &report->columns[c];
+        if (column->role != YK_ROLE_COORDINATE || column->channel.order > 0 ||
+            column->channel.quantity != YK_QUANTITY_ANGLE)
+            continue;
+        for (size_t row = 1; row < report->row_count; row++)
+            if (fabs(yk_report_value(report, row, c) - yk_report_value(report, row - 1, c)) > coarse) return true;
+    }
+    return false;
+}
+
+static void forget_rows(YkReportPage *report)
+{
+    yk_simulation_free(report->simulation);
+    report->simulation = NULL;
+    report->row_count = report->posed = 0;
+    if (report->drawing) report->drawing->pose_count = report->drawing->trace_count = 0;
+}
+
+// A time that was chosen for it is halved while the machine turns too fast for its rows.
+static void run_simulation(YkReportPage *report)
+{
+    while (simulate(report) && report->options.duration == 0 && is_coarse(report) &&
+           report->motion.duration > duration_least) {
+        forget_rows(report);
+        report->motion.duration *= 0.5;
+        report->motion.to = report->motion.from + report->motion.duration;
+    }
+}
+
+void yk_report_run(YkReportPage *report, YkProblems *problems)
+{
+    if (report->motion.kind == YK_REPORT_STILL) return;
+    if (!make_room(report)) {
+        report->failed = true;
+        return;
+    }
+    if (report->motion.kind == YK_REPORT_SIMULATION)
+        run_simulation(report);
+    else
+        run_sweep(report, problems);
+}
+
+// --- Peaks
+// ---------------------------------------------------------------------------------------------------------------
+
+static YkPeak peak_of_rows(const YkReportPage *report, size_t column, size_t *row)
+{
+    YkPeak peak = {(double)NAN, 0};
+    for (size_t k = 0; k < report->row_count; k++) {
+        double value = yk_report_value(report, k, column);
+        if (!(fabs(value) > fabs(peak.value)) && !(isfinite(value) && isnan(peak.value))) continue;
+        peak = (YkPeak){value, report->at[k]};
+        *row = k;
+    }
+    return peak;
+}
+
+// Between the rows beside the largest one, in finer steps. A simulation is not run again.
+YkPeak yk_report_peak(YkReportPage *report, size_t column)
+{
+    size_t row = 0;
+    YkPeak peak = peak_of_rows(report, column, &row);
+    if (!report->sweep || report->row_count < 2 || isnan(peak.value)) return peak;
+    double from = report->at[row > 0 ? row - 1 : 0],
+           to = report->at[row + 1 < report->row_count ? row + 1 : report->row_count - 1];
+    YkSweep *fine = sweep(report, from, to, PEAK_STEPS, &report->columns[column].channel, 1, false, NULL);
+    for (size_t k = 0; fine && k < yk_sweep_row_count(fine); k++)
+        if (fabs(yk_sweep_value(fine, k, 0)) > fabs(peak.value) && yk_sweep_row_status(fine, k) != YK_SINGULAR)
+            peak = (YkPeak){yk_sweep_value(fine, k, 0), yk_sweep_at(fine, k)};
+    yk_sweep_free(fine);
+    return peak;
+}

@@ -1,0 +1,54 @@
+// The equations in symbols, with the values of the start beside them.
+#include <stdlib.h>
+#include "base/problems.h"
+#include "derive/derive.h"
+#include "out/page_print.h"
+#include "report/html.h"
+#include "report/report.h"
+
+enum { LENGTH_MAX = 400000 }; // of one part: longer ones belong into a file of their own
+
+static void add_part(YkReportPage *report, YkDerivation *derivation, size_t section, YkText *html)
+{
+    const YkDeriveSectionEntry *entry = &yk_derive_sections[section];
+    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring};
+    YkText part = {0};
+    double *values = NULL;
+    bool good = page.arena && yk_derive_write(derivation, section, &page);
+    if (good && report->status >= 0) {
+        values = calloc(yk_ring_symbol_count(derivation->ring) + 1, sizeof *values);
+        if (values) yk_derive_values(derivation, report->start, report->has_forces ? report->dynamics : NULL, values);
+    }
+    good = good && yk_page_write_part(&page, 3, values, &part);
+    yk_text_format(html, "<div class=\"scroll equations\" tabindex=\"0\" role=\"region\" aria-label=\"%s\">\n",
+                   entry->title);
+    if (good && part.length <= LENGTH_MAX) {
+        yk_text_add(html, yk_text_get(&part), part.length);
+    } else {
+        yk_text_format(html, "<h3>%s</h3>\n<p>%s <code>yoke derive --what %s</code> writes them.</p>\n", entry->title,
+                       good ? "They are too long for this page:" : "They could not be written here:", entry->name);
+    }
+    yk_text_puts(html, "</div>\n");
+    free(values);
+    html->failed |= part.failed;
+    yk_text_free(&part);
+    yk_arena_free(page.arena);
+}
+
+void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *problems)
+{
+    (void)problems;
+    YkProblems *own = yk_problems_new();
+    YkDerivation *derivation = own ? yk_derivation_new(report->model, report->mech, own) : NULL;
+    if (derivation) {
+        yk_text_puts(html, "<p>In SI units and radians.");
+        yk_text_puts(html, report->status >= 0 ? " Behind the last sign of equality: the value at the start.</p>\n"
+                                               : "</p>\n");
+    } else if (own && yk_problems_count(own) > 0) {
+        yk_html_element(html, "p", yk_problems_get(own, 0)->message);
+    }
+    for (size_t k = 0; derivation && yk_derive_sections[k].name; k++)
+        if (yk_derive_sections[k].write) add_part(report, derivation, k, html);
+    yk_derivation_free(derivation);
+    yk_problems_free(own);
+}

@@ -1,0 +1,125 @@
+// Parameters with their units; bodies with their points and masses.
+#include <math.h>
+#include "out/amount.h"
+#include "report/html.h"
+#include "report/report.h"
+
+enum { DIGITS = 8, ROWS_MAX = 300 };
+
+// The quantity that tells a dimension in the file's units; NUMBER where there is none of its own.
+static YkQuantity quantity_of(YkDimension dimension)
+{
+    static const struct {
+        YkDimension dimension;
+        YkQuantity quantity;
+    } known[] = {
+        {{0, 0, 0, 1}, YK_QUANTITY_ANGLE},  {{1, 0, 0, 0}, YK_QUANTITY_LENGTH},
+        {{0, 0, 1, 0}, YK_QUANTITY_TIME},   {{0, 0, -1, 1}, YK_QUANTITY_ANGLE_RATE},
+        {{1, 0, -1, 0}, YK_QUANTITY_SPEED}, {{1, 0, -2, 0}, YK_QUANTITY_ACCELERATION},
+        {{1, 1, -2, 0}, YK_QUANTITY_FORCE}, {{2, 1, -2, 0}, YK_QUANTITY_TORQUE},
+    };
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (yk_dimension_equal(known[k].dimension, dimension) &&
+            (known[k].dimension.angle == 0) == (dimension.angle == 0))
+            return known[k].quantity;
+    return YK_QUANTITY_NUMBER;
+}
+
+static void add_power(YkText *unit, const char *name, int power, bool *is_first)
+{
+    if (power <= 0) return;
+    yk_text_format(unit, "%s%s", *is_first ? "" : "*", name);
+    if (power > 1) yk_text_format(unit, "^%d", power);
+    *is_first = false;
+}
+
+// "kg*m^2/s": a dimension in SI.
+static void add_si(YkText *unit, YkDimension d)
+{
+    bool is_first = true;
+    add_power(unit, "kg", d.mass, &is_first);
+    add_power(unit, "m", d.length, &is_first);
+    add_power(unit, "s", d.time, &is_first);
+    if (d.mass >= 0 && d.length >= 0 && d.time >= 0) return;
+    if (is_first) yk_text_puts(unit, "1");
+    const int powers[] = {-d.mass, -d.length, -d.time};
+    static const char *const names[] = {"kg", "m", "s"};
+    for (int i = 0; i < 3; i++) {
+        if (powers[i] <= 0) continue;
+        yk_text_format(unit, "/%s", names[i]);
+        if (powers[i] > 1) yk_text_format(unit, "^%d", powers[i]);
+    }
+}
+
+static void add_parameters(const YkReportPage *report, YkText *html)
+{
+    YkTable *table = yk_table_new(4);
+    YkText unit = {0};
+    static const char *const heads[] = {"parameter", "value", "unit", "is"};
+    for (int i = 0; i < 4; i++) yk_table_head(table, heads[i], NULL);
+    for (size_t k = 0; k < report->model->parameter_count && k < ROWS_MAX; k++) {
+        const YkParameter *parameter = &report->model->parameters[k];
+        YkQuantity quantity = quantity_of(parameter->dimension);
+        yk_text_clear(&unit);
+        if (quantity == YK_QUANTITY_NUMBER)
+            add_si(&unit, parameter->dimension);
+        else
+            yk_text_puts(&unit, yk_amount_unit(report->model, quantity, NULL));
+        yk_table_word(table, parameter->name);
+        yk_table_number(table, yk_amount_in_unit(report->model, NULL, parameter->value, quantity), DIGITS);
+        yk_table_word(table, yk_text_get(&unit));
+        yk_table_word(table, yk_dimension_name(parameter->dimension));
+    }
+    html->failed |= unit.failed;
+    yk_text_free(&unit);
+    yk_html_table(html, table, "Parameters");
+}
+
+static void add_points(const YkReportPage *report, YkText *html)
+{
+    const char *unit = yk_amount_unit(report->model, YK_QUANTITY_LENGTH, NULL);
+    YkTable *table = yk_table_new(4);
+    yk_table_head(table, "point", NULL);
+    yk_table_head(table, "of", NULL);
+    yk_table_head(table, "x", unit);
+    yk_table_head(table, "y", unit);
+    for (size_t i = 0; i < report->model->point_count && i < ROWS_MAX; i++) {
+        const YkPoint *point = &report->model->points[i];
+        yk_table_word(table, point->name);
+        yk_table_word(table, report->model->bodies[point->body].name);
+        yk_table_number(table, yk_amount_in_unit(report->model, report->mech, point->at.x, YK_QUANTITY_LENGTH), DIGITS);
+        yk_table_number(table, yk_amount_in_unit(report->model, report->mech, point->at.y, YK_QUANTITY_LENGTH), DIGITS);
+    }
+    yk_html_table(html, table, "Points, in the axes of their bodies");
+}
+
+static void add_masses(const YkReportPage *report, YkText *html)
+{
+    const char *unit = yk_amount_unit(report->model, YK_QUANTITY_LENGTH, NULL);
+    YkTable *table = yk_table_new(5);
+    yk_table_head(table, "body", NULL);
+    yk_table_head(table, "mass", "kg");
+    yk_table_head(table, "inertia", "kg*m^2");
+    yk_table_head(table, "centre x", unit);
+    yk_table_head(table, "centre y", unit);
+    for (size_t b = 1; b < report->model->body_count && b < ROWS_MAX; b++) {
+        const YkBody *body = &report->model->bodies[b];
+        if (!body->has_mass) continue;
+        yk_table_word(table, body->name);
+        yk_table_number(table, body->mass, DIGITS);
+        yk_table_number(table, body->inertia, DIGITS);
+        yk_table_number(table, yk_amount_in_unit(report->model, report->mech, body->center.x, YK_QUANTITY_LENGTH),
+                        DIGITS);
+        yk_table_number(table, yk_amount_in_unit(report->model, report->mech, body->center.y, YK_QUANTITY_LENGTH),
+                        DIGITS);
+    }
+    yk_html_table(html, table, "Masses; inertias about the centre of mass");
+}
+
+void yk_section_parameters(YkReportPage *report, YkText *html, YkProblems *problems)
+{
+    (void)problems;
+    add_parameters(report, html);
+    add_points(report, html);
+    add_masses(report, html);
+}

@@ -1,0 +1,36 @@
+// What the program wrote into the page (src/report/data.c): numbers of every row of the motion.
+export interface Column { name: string; unit: string; values: (number | null)[] }
+export interface Panel { id: string; unit: string; columns: number[] }
+export interface Body { name: string; center: [number, number]; x: number[]; y: number[]; turn: number[] }
+export interface Place { body: number; at: [number, number] }
+export interface Joint extends Place { name: string; columns: number[] }
+export interface Point extends Place { name: string; point: number; shown: boolean; columns: number[] }
+
+export interface Data {
+  seconds: number; // of one pass
+  goes_back: boolean; // to and fro
+  start: number; // the row that is drawn
+  axis: Column;
+  columns: Column[];
+  panels: Panel[];
+  readout: [number, number, number][];
+  bodies?: Body[];
+  joints?: Joint[];
+  middles?: Place[];
+  points?: Point[];
+}
+
+export function readData(): Data {
+  return JSON.parse(document.getElementById("data")!.textContent!) as Data;
+}
+
+// Between two rows a value lies on a straight line; null where either is not known.
+export function between(values: (number | null)[], at: number): number | null {
+  const row = Math.min(Math.floor(at), values.length - 1), part = at - row;
+  const a = values[row], b = part > 0 ? values[row + 1] : a;
+  return a === null || b === null || b === undefined ? null : a + (b - a) * part;
+}
+
+export function number(value: number | null): string {
+  return value === null ? "–" : String(Number(value.toPrecision(6)));
+}
