@@ -14,7 +14,7 @@ static void put_gamma(YkDerivation *d, YkPage *page)
     if (!column) return;
     for (size_t i = 0; i < blocks->row_count; i++)
         column->entries[i] = yk_derive_gamma(d, &blocks->rows[blocks->row_order[i]]);
-    if (line) line->target = "gamma_";
+    column->target = "gamma_";
 }
 
 // a(A) = a(A1) + Coriolis + relative, a(A1) = a(origin of the guide, where it moves) + tangential + centripetal.

@@ -49,7 +49,7 @@ static void put_matrix(YkDerivation *d, YkPage *page)
     if (!matrix) return;
     for (size_t i = 0; i < blocks->row_count; i++) fill_row(d, page, matrix, i, &blocks->rows[blocks->row_order[i]]);
     cut(blocks, matrix);
-    line->target = "J";
+    matrix->target = "J";
 }
 
 // One row as an equation between rates, for machines whose J does not fit a page.

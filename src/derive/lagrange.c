@@ -1,6 +1,7 @@
 // Section: Lagrange's equations, with multipliers for loops; mass matrix; lumped constants; the tie to Newton and
 // Euler.
 #include "derive/lagrange.h"
+#include "derive/code.h"
 #include "derive/sections.h"
 
 enum { COORDINATES_SHOWN_MAX = 24, LUMPED_MAX = 12 };
@@ -50,8 +51,12 @@ static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLa
     yk_line_sign(page, rest, "=");
     YkShownMatrix *h = yk_line_matrix(page, rest, n, 1);
     if (!M || !h) return;
-    mass->target = "M";
-    rest->target = "h";
+    M->target = "M", M->build = yk_derive_build_mass;
+    h->target = "h", h->build = yk_derive_build_rest;
+    M->build_context = h->build_context = (void *)f;
+    M->code_remark = "M q'' + h, the coordinates q";
+    for (size_t k = 0; k < n; k++)
+        M->code_remark = yk_derive_text(d, M->code_remark, k ? ", " : " = ", d->coordinates[k].name);
     for (size_t i = 0; i < n; i++) {
         const YkPoisson *left = equations[i].left;
         M->row_labels[i] = h->row_labels[i] = name_of(f, i);

@@ -253,7 +253,13 @@ static void put_system(const YkDeriveForces *f, YkPage *page, const YkDeriveSyst
     YkShownMatrix *xi = yk_line_matrix(page, line, system->unknown_count, 1);
     yk_line_sign(page, line, "=");
     YkShownMatrix *b = yk_line_matrix(page, line, system->row_count, 1);
-    if (A && xi && b) fill_matrix(f, system, A, xi, b);
+    if (!A || !xi || !b) return;
+    A->target = "A", b->target = "b";
+    A->code_remark = "A xi = b, the unknowns xi";
+    for (size_t k = 0; k < system->unknown_count; k++)
+        A->code_remark = yk_derive_text(f->d, A->code_remark, k ? ", " : " = ",
+                                        yk_ring_symbol_name(f->d->ring, system->unknowns[k]));
+    fill_matrix(f, system, A, xi, b);
 }
 
 bool yk_derive_section_newton_euler(YkDerivation *d, YkPage *page)

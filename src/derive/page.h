@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/memory.h"
+#include "ring/graph.h"
 #include "ring/ring.h"
 #include "ring/write.h"
 
@@ -19,6 +20,11 @@ typedef enum YkPagePieceKind {
     YK_PIECE_MATRIX    // rows x columns of elements
 } YkPagePieceKind;
 
+// For code: entries by a shorter way than one by one, row by row; false on failure.
+typedef bool (*YkPageBuild)(void *context, YkGraph *graph, YkGraphValue *entries);
+// For code: defines symbols that stand for others.
+typedef bool (*YkPageDefine)(void *context, YkGraph *graph);
+
 // Entries row by row; NULL is 0. A cut after row or column k is a line in print: the blocks. Labels may be NULL.
 typedef struct YkShownMatrix {
     size_t rows, columns;
@@ -26,6 +32,10 @@ typedef struct YkShownMatrix {
     bool *row_cut, *column_cut; // NULL: none
     const char **row_labels;
     int32_t *column_symbols; // NULL: none
+    const char *target;      // in C: the array that it fills; NULL: none
+    const char *code_remark; // in C: what it is, "A xi = b with xi = F01x, F01y"; or NULL
+    YkPageBuild build;       // NULL: entry by entry
+    void *build_context;
 } YkShownMatrix;
 
 typedef struct YkPagePiece YkPagePiece;
@@ -55,7 +65,8 @@ struct YkLine {
     const YkPoisson *vanishes;
     bool is_identity;   // `vanishes` is 0 by itself, coordinates being free
     bool is_in_numbers; // `vanishes` is 0 with the file's numbers only
-    // For C: target = over / under; under NULL: 1. NULL: no statement.
+    // For C: target = over / under; under NULL: 1. "Phi" gathers rows. NULL: no statement, but where the formula is a
+    // name = a value: then the name. Matrices have targets of their own.
     const char *target;
     int32_t solved; // the symbol that is the target; -1: none
     const YkPoisson *over, *under;
@@ -71,7 +82,9 @@ typedef struct YkPage {
     YkRing *ring;
     YkLine *first, *last;
     const char *section; // given to new lines
-    bool failed;         // out of memory
+    YkPageDefine define; // or NULL
+    void *define_context;
+    bool failed; // out of memory
 } YkPage;
 
 // A zeroed page with arena and ring set is an empty one. All of the following take NULL lines (after a failure) and

@@ -1,5 +1,6 @@
 // The sections of a derivation. To add one: write it, declare it in sections.h, name it here.
 #include "derive/sections.h"
+#include "derive/code.h"
 
 const YkDeriveSectionEntry yk_derive_sections[] = {
     {"loops", "Loop equations", yk_derive_section_loops},
@@ -20,6 +21,8 @@ bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
 {
     const YkDeriveSectionEntry *entry = &yk_derive_sections[section];
     page->section = entry->name;
+    page->define = yk_derive_define;
+    page->define_context = d;
     yk_page_heading(page, 1, entry->title);
     if (!entry->write) {
         yk_page_words(page, "This part is not derived in this version yet.");

@@ -1,4 +1,4 @@
-// Pages as JSON: {"model", "sections": [{"name", "title", "items": [...]}]}; docs/json.md has the shape.
+// Pages as JSON: {"model", "sections": [{"name", "title", "items": [...]}]}; man/yoke-derive.1.scd has the shape.
 #include <math.h>
 #include "out/json.h"
 #include "out/page_print.h"

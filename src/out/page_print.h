@@ -23,8 +23,8 @@ typedef struct YkPrinting {
 } YkPrinting;
 
 // Writes a page: text for people (80 columns are not kept: a formula is one line, a matrix a box); a whole LaTeX
-// document (article, amsmath); a whole HTML document with presentation MathML; JSON as documented in docs/json.md; C
-// statements. false when out of memory or where the ring failed.
+// document (article, amsmath); a whole HTML document with presentation MathML; JSON as in man/yoke-derive.1.scd; a
+// C file with a function a section. false when out of memory or where the ring failed.
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
 // The page as a part of an HTML document, headings from the level given on. Values as above. false as above.
 bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html);

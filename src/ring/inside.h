@@ -122,6 +122,11 @@ uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor);
 // key a times key b, units apart: the caller multiplies by yk_unit_factor. False on failure.
 bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product);
 
+// --- lump.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as the product of those
+// and of the rest; false on failure.
+bool yk_ring_is_constant(const YkRing *ring, int32_t symbol);
+bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant, uint32_t *rest);
+
 // --- gather.c: begin, add any terms over one denominator, end. No other operation of the ring in between.
 void yk_gather_begin(YkRing *ring, int64_t denominator);
 bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number);

@@ -9,20 +9,32 @@ typedef struct Piece {
     YkRingTerm constant;
 } Piece;
 
-// Takes a monomial apart: symbols of constant classes, and what is left.
+bool yk_ring_is_constant(const YkRing *ring, int32_t index)
+{
+    const YkRingSymbol *symbol = &ring->symbols[index];
+    return (CONSTANTS & 1 << symbol->kind) && !symbol->rate && !symbol->partials;
+}
+
+bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant, uint32_t *rest)
+{
+    uint32_t count;
+    *constant = 0;
+    yk_powers_of(&ring->monomials, monomial, &count);
+    for (uint32_t i = 0; i < count && *constant != YK_NO_PRODUCT; i++) {
+        const YkPower power = yk_powers_of(&ring->monomials, monomial, &count)[i];
+        if (!yk_ring_is_constant(ring, power.symbol)) continue;
+        uint32_t one = yk_ring_monomial_of(ring, power.symbol, power.exponent);
+        *constant = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, *constant, one, 1);
+    }
+    *rest = *constant == YK_NO_PRODUCT ? YK_NO_PRODUCT : yk_ring_monomial(ring, monomial, *constant, -1);
+    return *rest != YK_NO_PRODUCT;
+}
+
+// Takes a term apart: symbols of constant classes, and what is left.
 static bool take_apart(YkRing *ring, uint64_t key, Piece *piece, int64_t number)
 {
-    uint32_t count, constant = 0, monomial = yk_key_monomial(key);
-    yk_powers_of(&ring->monomials, monomial, &count);
-    for (uint32_t i = 0; i < count && constant != YK_NO_PRODUCT; i++) {
-        const YkPower power = yk_powers_of(&ring->monomials, monomial, &count)[i];
-        const YkRingSymbol *symbol = &ring->symbols[power.symbol];
-        if (!(CONSTANTS & 1 << symbol->kind) || symbol->rate || symbol->partials) continue;
-        uint32_t one = yk_ring_monomial_of(ring, power.symbol, power.exponent);
-        constant = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, constant, one, 1);
-    }
-    uint32_t rest = constant == YK_NO_PRODUCT ? constant : yk_ring_monomial(ring, monomial, constant, -1);
-    if (rest == YK_NO_PRODUCT) return false;
+    uint32_t constant, rest;
+    if (!yk_ring_split_constants(ring, yk_key_monomial(key), &constant, &rest)) return false;
     *piece = (Piece){yk_key(yk_key_phase(key), rest, yk_key_unit(key)), {yk_key(0, constant, 0), number}};
     return true;
 }

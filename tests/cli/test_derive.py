@@ -2,7 +2,6 @@
 import math
 import os
 import re
-import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree
@@ -75,24 +74,6 @@ class Derive(Case):
         self.assertTrue(text.startswith("\\documentclass{article}"))
         self.assertEqual(text.count("\\["), text.count("\\]"))
         self.assertEqual(text.count("\\begin{array}"), text.count("\\end{array}"))
-
-    def test_c_compiles_and_gives_the_same_rates(self):
-        statements = self.good("derive", QUICK, "--what", "velocity", "--format", "c").out
-        solved = self.good("solve", QUICK, "--format", "json").json()["configurations"][0]["coordinates"]
-        known = {"l1": 0.75, "l2": 1.75, "l4": 2 / 3}
-        for name in solved:
-            known[name] = solved[name]["position"]
-        known["theta1_rate"] = solved["theta1"]["velocity"]
-        lines = ["const double %s = %r;" % pair for pair in known.items()]
-        program = "#include <math.h>\n#include <stdio.h>\nint main(void) {\n%s\n%s\nprintf(\"%%.17g %%.17g\\n\", d5_rate, k_d5); }\n" % (
-            "\n".join(lines), statements)
-        source, binary = os.path.join(self.folder, "rates.c"), os.path.join(self.folder, "rates")
-        with open(source, "w", encoding="utf-8") as file:
-            file.write(program)
-        subprocess.run(["cc", "-std=c17", "-o", binary, source, "-lm"], check=True)
-        rate, influence = map(float, subprocess.run([binary], capture_output=True, check=True).stdout.split())
-        self.assertAlmostEqual(rate, solved["d5"]["velocity"], 12)
-        self.assertAlmostEqual(influence, solved["d5"]["velocity"] / solved["theta1"]["velocity"], 12)
 
     def test_an_unknown_format_is_refused(self):
         run = Run("derive", QUICK, "--format", "csv")

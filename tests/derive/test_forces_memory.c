@@ -9,6 +9,9 @@ static bool derive_all(const YkModel *model, const YkMechanism *mech)
     bool well = d && page.arena && yk_derive_enter_forces(d);
     for (size_t k = section_of("free-bodies"); well && k <= section_of("lagrange"); k++)
         well = yk_derive_write(d, k, &page);
+    YkText text = {0};
+    well = well && yk_page_write(&page, YK_PAGE_C, "as C, too", NULL, &text);
+    yk_text_free(&text);
     yk_arena_free(page.arena);
     yk_derivation_free(d);
     return well;
