@@ -45,7 +45,7 @@ static void define_lengths(YkDerivation *d, YkGraph *graph)
             yk_graph_define(graph, f->lengths[k].rate_symbol, yk_graph_of(graph, f->lengths[k].rate));
 }
 
-bool yk_derive_define(void *derivation, YkGraph *graph)
+bool yk_derive_define_bodies(void *derivation, YkGraph *graph)
 {
     YkDerivation *d = derivation;
     size_t bodies = d->model->body_count;

@@ -6,7 +6,7 @@
 
 // Defines the symbols of bodies by the file's coordinates, and rates of springs' lengths. `derivation` is a
 // YkDerivation (a YkPageDefine).
-bool yk_derive_define(void *derivation, YkGraph *graph);
+bool yk_derive_define_bodies(void *derivation, YkGraph *graph);
 // M and h of Lagrange's equations in the coordinates of the file, [tree_count][tree_count] and [tree_count]. `forces`
 // is a const YkDeriveForces (a YkPageBuild).
 bool yk_derive_build_mass(void *forces, YkGraph *graph, YkGraphValue *entries);

@@ -119,14 +119,14 @@ static void put_share(YkDerivation *d, YkPage *page, YkLine *line, const Share *
 }
 
 // The line's truth: under * symbol - over vanishes.
-static void finish(YkDerivation *d, YkLine *line, const YkPoisson *left, const Sum *sum, const char *target)
+static void finish(YkDerivation *d, YkLine *line, const YkPoisson *left, const Sum *sum, int32_t symbol)
 {
     YkRing *ring = d->ring;
     if (!line) return;
     line->vanishes = yk_ring_subtract(ring, yk_ring_multiply(ring, sum->under, left), sum->over);
     line->value = line->over = sum->over;
     line->value_under = line->under = sum->under;
-    line->target = target;
+    line->solved = symbol;
 }
 
 // A formula that grew beyond the ring's limits is left out; the numbers stay. What was begun becomes a sentence.
@@ -192,7 +192,7 @@ static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkP
         }
     }
     if (!sum.any) yk_line_sign(page, line, "0");
-    finish(d, line, left, &sum, NULL);
+    finish(d, line, left, &sum, YK_NONE);
     if (line) line->is_in_numbers = true;
     const YkTrain *whole = train->train;
     if (column >= whole->net.bodies || whole->motion.status == YK_TRAIN_LOCKED) return;
@@ -238,7 +238,7 @@ static bool put_speed(YkDerivation *d, YkPage *page, int32_t column)
         for (int32_t k = 0; k < count; k++)
             if (shares[k].is_negative == (pass == 1)) put_share(d, page, line, &shares[k], &sum);
     if (!sum.any) yk_line_sign(page, line, "0");
-    finish(d, line, left, &sum, yk_ring_name_in(d->ring, yk_derive_column_symbol(d, column), YK_RING_C));
+    finish(d, line, left, &sum, yk_derive_column_symbol(d, column));
     if (yk_ring_status(d->ring) != YK_RING_OK) return give_up(d, page, line, name_of(d, column));
     if (page->has_numbers) put_numbers(d, page, column, left);
     return true;
@@ -253,8 +253,7 @@ static void put_inputs(YkDerivation *d, YkPage *page)
         if (yk_ring_is_same(rate, train->input_rates[k])) continue;
         YkLine *line = yk_page_equation(page, "given", train->input_rates[k], rate, YK_RING_TEXTBOOK);
         for (size_t s = 0; line && s < yk_ring_symbol_count(d->ring); s++)
-            if (yk_ring_is_same(yk_ring_of(d->ring, (int32_t)s), train->input_rates[k]))
-                line->target = yk_ring_name_in(d->ring, (int32_t)s, YK_RING_C);
+            if (yk_ring_is_same(yk_ring_of(d->ring, (int32_t)s), train->input_rates[k])) line->solved = (int32_t)s;
         if (line) line->over = rate;
     }
 }

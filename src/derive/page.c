@@ -120,7 +120,10 @@ YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t co
 {
     YkPagePiece *piece = add_piece(page, line, YK_PIECE_MATRIX);
     YkShownMatrix *matrix = piece ? YK_NEW(page->arena, YkShownMatrix, 1) : NULL;
-    if (!matrix) return NULL;
+    if (!matrix) {
+        page->failed = true;
+        return NULL;
+    }
     matrix->rows = rows, matrix->columns = columns;
     matrix->entries = YK_NEW(page->arena, const YkPoisson *, rows *columns + 1);
     matrix->row_cut = YK_NEW(page->arena, bool, rows + 1);

@@ -21,7 +21,7 @@ bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
 {
     const YkDeriveSectionEntry *entry = &yk_derive_sections[section];
     page->section = entry->name;
-    page->define = yk_derive_define;
+    page->define = yk_derive_define_bodies;
     page->define_context = d;
     yk_page_heading(page, 1, entry->title);
     if (!entry->write) {

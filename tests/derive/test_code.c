@@ -14,7 +14,7 @@ static Built build(Machine *m)
     void *f = (void *)forces_of(m);
     Built built = {yk_graph_new(m->d->ring), calloc(n * n + 1, sizeof *built.M), calloc(n + 1, sizeof *built.h)};
     assert_true(built.graph && built.M && built.h);
-    assert_true(yk_derive_define(m->d, built.graph));
+    assert_true(yk_derive_define_bodies(m->d, built.graph));
     assert_true(yk_derive_build_mass(f, built.graph, built.M));
     assert_true(yk_derive_build_rest(f, built.graph, built.h));
     return built;
