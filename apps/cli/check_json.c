@@ -91,6 +91,9 @@ static void add_block(const YkCheckAnswer *answer, YkJson *json, size_t b)
     for (size_t i = 0; i < block.joint_count; i++)
         yk_json_string(json, NULL, joint(answer, yk_block_joint(mech, b, i)));
     yk_json_end(json);
+    yk_json_list(json, "relations", YK_JSON_INLINE);
+    for (size_t i = 0; i < block.relation_count; i++) yk_json_string(json, NULL, yk_block_relation(mech, b, i));
+    yk_json_end(json);
     yk_json_list(json, "bodies", YK_JSON_INLINE);
     for (size_t i = 0; i < block.body_count; i++) yk_json_string(json, NULL, body(answer, yk_block_body(mech, b, i)));
     yk_json_end(json);

@@ -98,7 +98,9 @@ static void add_freedom(const YkCheckAnswer *answer)
                      "  by the rank of the loop equations: not known, since the machine could not be put together\n");
     }
     int degrees = yk_freedom_of(answer->session->mech), driven = (int)freedom.driven;
-    if (driven == degrees) {
+    if (degrees == 0 && driven == 0) {
+        yk_text_puts(out, "  it cannot move\n");
+    } else if (driven == degrees) {
         yk_text_format(out, "  %d driven: the motion is determined\n", driven);
     } else if (driven < degrees) {
         yk_text_format(out, "  %d driven: %d more can be set with --at, or stay at their start\n", driven,
@@ -133,6 +135,9 @@ static void add_names(const YkCheckAnswer *answer, size_t block, bool of_joints,
         yk_text_format(words, "%s%s", i > 0 ? ", " : "", of_joints ? joint(answer, index) : body(answer, index));
     }
     if (count > shown) yk_text_puts(words, ", ...");
+    size_t relations = of_joints ? yk_block_info(mech, block).relation_count : 0;
+    for (size_t i = 0; i < at_most(relations); i++)
+        yk_text_format(words, "%s%s", i + shown > 0 ? ", " : "", yk_block_relation(mech, block, i));
 }
 
 static void add_block(const YkCheckAnswer *answer, YkTable *table, size_t b, YkText *words)

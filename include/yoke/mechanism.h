@@ -68,13 +68,15 @@ typedef struct YkBlockInfo {
     const char *label; // name of the joint that labels its branch ("A"), unique among blocks
     int assur_class;   // 2 for dyads, 3 and more for groups, 0 for LINK and CHECK
     size_t unknowns, equations;
-    size_t joint_count; // joints of the group, see yk_block_joint
-    size_t body_count;  // bodies that it places
+    size_t joint_count;    // joints of the group, see yk_block_joint
+    size_t body_count;     // bodies that it places
+    size_t relation_count; // gears, racks, belts, cams and laws solved together with its loops, see yk_block_relation
 } YkBlockInfo;
 YK_API size_t yk_block_count(const YkMechanism *mech);
 YK_API YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block);
 YK_API size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index);
 YK_API size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index);
+YK_API const char *yk_block_relation(const YkMechanism *mech, size_t block, size_t index); // its name
 YK_API const char *yk_block_kind_name(YkBlockKind kind);
 // Redundant constraints, by joint: closes loop `joint` but adds `count` constraints that others already imply.
 YK_API size_t yk_redundant_count(const YkMechanism *mech);

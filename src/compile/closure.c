@@ -1,6 +1,7 @@
 #include "compile/closure.h"
 #include <math.h>
 #include <string.h>
+#include "law/law.h"
 
 static void add_entry(double *J, size_t n, size_t column, YkVec entry)
 {
@@ -26,6 +27,34 @@ void yk_closure_loop(const YkMechanism *mech, size_t loop, const double *x, doub
     }
     residual[0] = total.x;
     residual[1] = total.y;
+}
+
+static size_t variable_of(const YkMechanism *mech, YkRelationTerm term)
+{
+    return term.is_distance ? mech->orientation_count - 1 + (size_t)term.index : (size_t)term.index - 1;
+}
+
+void yk_closure_relation(const YkMechanism *mech, size_t relation, const double *x, double *residual, double *J,
+                         const int32_t *column)
+{
+    const YkRelation *r = &mech->relations[relation];
+    const YkRelationTerm *terms = mech->relation_terms + r->first_term,
+                         *arguments = mech->relation_terms + r->first_argument;
+    double weight = yk_relation_weight(mech, r), argument = r->argument_constant, sum = -r->constant,
+           law[YK_LAW_ORDER + 1] = {0};
+    for (uint32_t k = 0; k < r->argument_count; k++)
+        argument += arguments[k].factor * x[variable_of(mech, arguments[k])];
+    if (r->law) yk_law_eval(r->law, argument, law);
+    for (uint32_t k = 0; k < r->term_count; k++) {
+        size_t v = variable_of(mech, terms[k]);
+        sum += terms[k].factor * x[v];
+        if (J) J[column ? (size_t)column[v] : v] += weight * terms[k].factor;
+    }
+    for (uint32_t k = 0; J && k < r->argument_count; k++) {
+        size_t v = variable_of(mech, arguments[k]);
+        J[column ? (size_t)column[v] : v] -= weight * law[1] * arguments[k].factor;
+    }
+    *residual = weight * (sum - law[0]);
 }
 
 void yk_closure(const YkMechanism *mech, const double *x, double *residual, double *jacobian)

@@ -12,16 +12,19 @@ static inline size_t yk_variable_count(const YkMechanism *mech)
 // in column[v] (column NULL: in column v).
 void yk_closure_loop(const YkMechanism *mech, size_t loop, const double *x, double *residual, double *J, size_t n,
                      const int32_t *column);
+// One relation, over its weight: a length. Its row of J[n] likewise.
+void yk_closure_relation(const YkMechanism *mech, size_t relation, const double *x, double *residual, double *J,
+                         const int32_t *column);
 // All loops: residual[2 loops]; jacobian[2 loops][variables] row-major, or NULL.
 void yk_closure(const YkMechanism *mech, const double *x, double *residual, double *jacobian);
 // Guesses from `start:` (unknown ones 0), mapped to variables along the tree. Cost O(bodies log coordinates).
 void yk_closure_guess(const YkMechanism *mech, const double *coordinates, double *x);
 
-// Freedom by rank: closes the loops from the guesses and takes the rank of their Jacobian there; which candidates, in
-// order of preference, are independent inputs. Parts of the machine that share only the ground are measured one by one.
-// In a part that does not close, or has more than YK_CLOSURE_MAX variables (the work is dense), accepted[] keeps what
-// the caller put there. freedom: of the whole machine, or -1 where a part could not be measured. false when out of
-// memory.
+// Freedom by rank: closes the loops, with their relations, from the guesses and takes the rank of their Jacobian there;
+// which candidates, in order of preference, are independent inputs. Parts of the machine that share only the ground are
+// measured one by one. In a part that does not close, or has more than YK_CLOSURE_MAX variables (the work is dense),
+// accepted[] keeps what the caller put there. freedom: of the whole machine, or -1 where a part could not be measured.
+// false when out of memory.
 enum { YK_CLOSURE_MAX = 300 };
 bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const int32_t *candidates, size_t count,
                         bool *accepted, int *freedom);

@@ -19,6 +19,7 @@ void yk_mechanism_free(YkMechanism *mech)
     free(mech->block_members);
     free(mech->group_columns);
     free(mech->group_loops);
+    free(mech->group_relations);
     free(mech->terms);
     free(mech->redundant);
     free(mech->relation_terms);

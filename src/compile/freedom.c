@@ -10,14 +10,14 @@
 typedef struct Parts {
     int32_t *of_variable, *column; // per variable: its part, its place in it
     size_t count;
-    uint32_t *variable_first, *loop_first, *candidate_first; // per part
-    int32_t *variables, *loops, *candidates;
+    uint32_t *variable_first, *loop_first, *relation_first, *candidate_first; // per part
+    int32_t *variables, *loops, *relations, *candidates;
 } Parts;
 
 typedef struct Work { // on one part; x holds all variables of the machine
     const YkMechanism *mech;
-    const int32_t *variables, *loops, *column;
-    size_t m, n;
+    const int32_t *variables, *loops, *relations, *column;
+    size_t loop_count, m, n;
     double *x, *residual, *J, *A, *tau, *step, *old, *guess, *center, *basis;
     size_t *order;
     uint64_t seed;
@@ -44,6 +44,25 @@ static void join_terms(const YkMechanism *mech, const YkSum *sum, int32_t *up)
             last = both[i];
         }
     }
+}
+
+static int32_t term_variable(const YkMechanism *mech, YkRelationTerm term)
+{
+    return (term.is_distance ? (int32_t)mech->orientation_count : 0) + term.index - 1;
+}
+
+static void join_relation(const YkMechanism *mech, const YkRelation *r, int32_t *up)
+{
+    const YkRelationTerm *terms = mech->relation_terms + r->first_term; // its argument's stand behind
+    for (uint32_t k = 1; k < r->term_count + r->argument_count; k++)
+        up[leader(up, term_variable(mech, terms[k]))] = leader(up, term_variable(mech, terms[0]));
+}
+
+// A variable of a relation, or YK_NONE where it ties nothing that moves.
+static int32_t relation_variable(const YkMechanism *mech, const YkRelation *r)
+{
+    bool has_any = r->term_count + r->argument_count > 0;
+    return has_any ? term_variable(mech, mech->relation_terms[r->first_term]) : YK_NONE;
 }
 
 static int32_t loop_variable(const YkMechanism *mech, size_t loop)
@@ -78,12 +97,13 @@ static int32_t part_of(const Parts *p, int32_t variable)
     return variable == YK_NONE ? YK_NONE : p->of_variable[variable];
 }
 
-// Loops tie their variables together, and angles of the tree the two orientations between which they are.
+// Loops and relations tie their variables together, and angles of the tree the two orientations between which they are.
 static void find_parts(Parts *p, const YkMechanism *mech, int32_t *up)
 {
     size_t n = yk_variable_count(mech);
     for (size_t v = 0; v < n; v++) up[v] = (int32_t)v;
     for (size_t l = 0; l < mech->loop_count; l++) join_terms(mech, &mech->loops[l].sum, up);
+    for (size_t r = 0; r < mech->relation_count; r++) join_relation(mech, &mech->relations[r], up);
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         YkJointAngle angle = yk_joint_angle(mech, mech->coordinates[k].joint);
         if (angle.a > 0 && angle.b > 0) up[leader(up, angle.a - 1)] = leader(up, angle.b - 1);
@@ -95,17 +115,19 @@ static void find_parts(Parts *p, const YkMechanism *mech, int32_t *up)
 
 static bool sort_parts(Parts *p, const YkMechanism *mech, const int32_t *candidates, size_t count, YkArena *arena)
 {
-    size_t n = yk_variable_count(mech), most = n + mech->loop_count + count + 1;
+    size_t n = yk_variable_count(mech), most = n + mech->loop_count + mech->relation_count + count + 1;
     int32_t *key = YK_NEW(arena, int32_t, most);
     p->of_variable = YK_NEW(arena, int32_t, n + 1);
     p->column = YK_NEW(arena, int32_t, n + 1);
     p->variables = YK_NEW(arena, int32_t, n + 1);
     p->loops = YK_NEW(arena, int32_t, mech->loop_count + 1);
+    p->relations = YK_NEW(arena, int32_t, mech->relation_count + 1);
     p->candidates = YK_NEW(arena, int32_t, count + 1);
     if (yk_arena_failed(arena)) return false;
     find_parts(p, mech, key);
     p->variable_first = YK_NEW(arena, uint32_t, p->count + 2);
     p->loop_first = YK_NEW(arena, uint32_t, p->count + 2);
+    p->relation_first = YK_NEW(arena, uint32_t, p->count + 2);
     p->candidate_first = YK_NEW(arena, uint32_t, p->count + 2);
     if (yk_arena_failed(arena)) return false;
     sort_by_part(p->of_variable, n, p->count, p->variable_first, p->variables);
@@ -113,6 +135,8 @@ static bool sort_parts(Parts *p, const YkMechanism *mech, const int32_t *candida
         p->column[p->variables[v]] = (int32_t)v - (int32_t)p->variable_first[p->of_variable[p->variables[v]]];
     for (size_t l = 0; l < mech->loop_count; l++) key[l] = part_of(p, loop_variable(mech, l));
     sort_by_part(key, mech->loop_count, p->count, p->loop_first, p->loops);
+    for (size_t r = 0; r < mech->relation_count; r++) key[r] = part_of(p, relation_variable(mech, &mech->relations[r]));
+    sort_by_part(key, mech->relation_count, p->count, p->relation_first, p->relations);
     for (size_t k = 0; k < count; k++) key[k] = part_of(p, coordinate_variable(mech, candidates[k]));
     sort_by_part(key, count, p->count, p->candidate_first, p->candidates);
     return true;
@@ -150,8 +174,11 @@ static double evaluate(Work *w)
 {
     double sum = 0, size = w->mech->size;
     memset(w->J, 0, w->m * w->n * sizeof *w->J);
-    for (size_t l = 0; l < w->m / 2; l++)
+    for (size_t l = 0; l < w->loop_count; l++)
         yk_closure_loop(w->mech, (size_t)w->loops[l], w->x, w->residual + 2 * l, w->J + 2 * l * w->n, w->n, w->column);
+    for (size_t r = 2 * w->loop_count; r < w->m; r++)
+        yk_closure_relation(w->mech, (size_t)w->relations[r - 2 * w->loop_count], w->x, w->residual + r,
+                            w->J + r * w->n, w->column);
     for (size_t i = 0; i < w->m; i++) {
         w->residual[i] /= size;
         sum += w->residual[i] * w->residual[i];
@@ -319,6 +346,14 @@ static int measure(Work *w, const int32_t *candidates, const int32_t *members, s
         if (attempt > 0) disturb(w, attempt < 3 ? 0.1 : 1);
         if (close_loops(w)) freedom = freedom_here(w, candidates, members, count, accepted);
     }
+    bool has_relations = w->m > 2 * w->loop_count;
+    if (freedom < 0 && has_relations) { // phases that do not go together; assembling will say so
+        restore(w, w->guess);
+        evaluate(w);
+        size_t rank = factor(w);
+        accept(w, candidates, members, count, rank, accepted);
+        freedom = (int)(w->n - rank);
+    }
     return freedom;
 }
 
@@ -331,7 +366,9 @@ static int part_freedom(Work *w, const Parts *p, size_t part, const int32_t *can
     w->variables = p->variables + p->variable_first[part];
     w->loops = p->loops + p->loop_first[part];
     w->n = p->variable_first[part + 1] - p->variable_first[part];
-    w->m = 2 * (p->loop_first[part + 1] - p->loop_first[part]);
+    w->relations = p->relations + p->relation_first[part];
+    w->loop_count = p->loop_first[part + 1] - p->loop_first[part];
+    w->m = 2 * w->loop_count + p->relation_first[part + 1] - p->relation_first[part];
     if (w->m == 0) return (int)w->n; // an open chain: the caller's choice is right
     if (w->n > YK_CLOSURE_MAX) return -1;
     if (work_start(w))

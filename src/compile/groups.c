@@ -1,5 +1,6 @@
-// What peeling leaves: larger Assur groups. Their loops are matched with unknowns, and the strong components of the
-// matching are solved one after another. Source: Duff & Reid 1978; Pothen & Fan 1990.
+// What peeling leaves: larger Assur groups. Their loops, and the gears and cams that need them, are matched with
+// unknowns, and the strong components of the matching are solved one after another. Source: Duff & Reid 1978; Pothen &
+// Fan 1990.
 #include <stdlib.h>
 #include "compile/plan.h"
 #include "num/components.h"
@@ -13,7 +14,10 @@ typedef struct Rest {
     size_t tail;
     int32_t *loop_joint; // joints that close loops
     YkSum *loop_sum;
-    uint32_t *column_first; // columns of loop l: columns[column_first[l] ..)
+    int32_t *relation; // relations left: equation loop_count + k is relation[k]
+    size_t relation_count;
+    YkColumn *relation_columns;
+    uint32_t *column_first; // columns of equation l: columns[column_first[l] ..)
     int32_t *columns;
     size_t loop_count, column_total, column_capacity;
     uint32_t *path_first; // joints round loop l, its closing joint last: path[path_first[l] ..)
@@ -24,6 +28,25 @@ typedef struct Rest {
     uint32_t *joint_stamp, *cluster_stamp; // the component that took them last, plus one
     int32_t *joints, *clusters;            // of the component being emitted
 } Rest;
+
+// A loop is an equation of two rows, a relation one of a single row, behind all loops.
+static size_t equation_count(const Rest *r)
+{
+    return r->loop_count + r->relation_count;
+}
+static size_t row_of(const Rest *r, size_t equation)
+{
+    return equation < r->loop_count ? 2 * equation : r->loop_count + equation;
+}
+static size_t rows_of(const Rest *r, size_t equation)
+{
+    return equation < r->loop_count ? 2 : 1;
+}
+static size_t equation_of(const Rest *r, int32_t row)
+{
+    size_t at = (size_t)row;
+    return at < 2 * r->loop_count ? at / 2 : at - r->loop_count;
+}
 
 static size_t column_id(const YkMechanism *mech, YkColumn c)
 {
@@ -157,37 +180,56 @@ static bool make_loops(Rest *r)
     return true;
 }
 
+// Gears, racks, belts, cams and laws that wait for what the loops determine.
+static bool make_relations(Rest *r)
+{
+    YkPlan *plan = r->plan;
+    const YkMechanism *mech = plan->mech;
+    for (size_t k = 0; k < mech->relation_count; k++) {
+        const YkRelation *relation = &mech->relations[k];
+        if (relation->is_solved || relation->is_redundant) continue;
+        size_t from = r->column_total, count = yk_plan_relation_columns(plan, k, r->relation_columns);
+        if (count == 0) continue;
+        for (size_t c = 0; c < count; c++)
+            if (!add_column(r, from, column_id(mech, r->relation_columns[c]))) return false;
+        r->relation[r->relation_count++] = (int32_t)k;
+        r->column_first[equation_count(r)] = (uint32_t)r->column_total;
+    }
+    return true;
+}
+
 static bool match(Rest *r)
 {
     const YkMechanism *mech = r->plan->mech;
-    size_t columns = mech->orientation_count + mech->distance_count;
-    if (!yk_matching_start(&r->matching, r->plan->arena, columns, 2 * r->loop_count, 2 * r->column_total)) return false;
-    for (size_t l = 0; l < r->loop_count; l++)
-        for (int row = 0; row < 2; row++)
+    size_t columns = mech->orientation_count + mech->distance_count, rows = row_of(r, equation_count(r));
+    if (!yk_matching_start(&r->matching, r->plan->arena, columns, rows, 2 * r->column_total)) return false;
+    for (size_t l = 0; l < equation_count(r); l++)
+        for (size_t row = 0; row < rows_of(r, l); row++)
             yk_matching_add(&r->matching, r->columns + r->column_first[l], r->column_first[l + 1] - r->column_first[l],
                             true);
     return true;
 }
 
-// Loop l needs the loops whose rows are matched with its columns.
+// An equation needs those whose rows are matched with its columns.
 static bool order(Rest *r, size_t *count)
 {
     YkArena *arena = r->plan->arena;
-    uint32_t *first = YK_NEW(arena, uint32_t, r->loop_count + 2);
+    size_t equations = equation_count(r);
+    uint32_t *first = YK_NEW(arena, uint32_t, equations + 2);
     int32_t *target = YK_NEW(arena, int32_t, r->column_total + 1);
-    int32_t *work = YK_NEW(arena, int32_t, 5 * r->loop_count + 1);
-    r->component = YK_NEW(arena, int32_t, r->loop_count + 1);
+    int32_t *work = YK_NEW(arena, int32_t, 5 * equations + 1);
+    r->component = YK_NEW(arena, int32_t, equations + 1);
     if (yk_arena_failed(arena)) return false;
     uint32_t edges = 0;
-    for (size_t l = 0; l < r->loop_count; l++) {
+    for (size_t l = 0; l < equations; l++) {
         first[l] = edges;
         for (uint32_t k = r->column_first[l]; k < r->column_first[l + 1]; k++) {
             int32_t row = r->matching.row_of[r->columns[k]];
-            if (row >= 0) target[edges++] = row / 2;
+            if (row >= 0) target[edges++] = (int32_t)equation_of(r, row);
         }
     }
-    first[r->loop_count] = edges;
-    *count = yk_components(r->loop_count, first, target, r->component, work);
+    first[equations] = edges;
+    *count = yk_components(equations, first, target, r->component, work);
     return true;
 }
 
@@ -223,7 +265,7 @@ static size_t gather_joints(Rest *r, const int32_t *members, size_t count, uint3
 {
     size_t joints = 0;
     for (int closing = 0; closing < 2; closing++)
-        for (size_t k = 0; k < count; k++) {
+        for (size_t k = 0; k < count && (size_t)members[k] < r->loop_count; k++) { // relations stand last
             uint32_t last = r->path_first[members[k] + 1] - 1;
             for (uint32_t e = closing ? last : r->path_first[members[k]]; e < last + (uint32_t)closing; e++) {
                 if (r->joint_stamp[r->path[e]] == stamp) continue;
@@ -249,32 +291,53 @@ static size_t gather_clusters(Rest *r, size_t joints, uint32_t stamp)
     return clusters;
 }
 
-// members: the loops of the component, in file order.
+// The loops, then the relations of a component, and the unknowns matched with them.
+static void fill_group(Rest *r, YkBlock *group, const int32_t *members, size_t count)
+{
+    YkPlan *plan = r->plan;
+    YkMechanism *mech = plan->mech;
+    *group = (YkBlock){.first_column = (uint32_t)mech->column_count,
+                       .first_loop = (uint32_t)mech->group_loop_count,
+                       .first_relation = (uint32_t)mech->group_relation_count};
+    for (size_t k = 0; k < count; k++) {
+        size_t l = (size_t)members[k], row = row_of(r, l);
+        if (l < r->loop_count) add_group_loop(plan, r->loop_sum[l]);
+        for (size_t end = row + rows_of(r, l); row < end; row++)
+            if (r->matching.column_of[row] >= 0) add_group_column(plan, r->matching.column_of[row]);
+    }
+    group->column_count = (uint32_t)mech->column_count - group->first_column;
+    group->loop_count = (uint32_t)mech->group_loop_count - group->first_loop;
+    for (size_t k = group->loop_count; k < count && !plan->failed; k++)
+        yk_plan_group_relation(plan, (size_t)r->relation[(size_t)members[k] - r->loop_count],
+                               mech->group_columns + group->first_column, group->column_count);
+    group->relation_count = (uint32_t)mech->group_relation_count - group->first_relation;
+}
+
+// members: the equations of the component, in file order, loops first.
 static void emit_group(Rest *r, const int32_t *members, size_t count, uint32_t stamp)
 {
     YkPlan *plan = r->plan;
     YkMechanism *mech = plan->mech;
-    size_t first_column = mech->column_count, first_loop = mech->group_loop_count;
-    for (size_t k = 0; k < count; k++) {
-        int32_t l = members[k];
-        add_group_loop(plan, r->loop_sum[l]);
-        for (int row = 0; row < 2; row++)
-            if (r->matching.column_of[2 * l + row] >= 0) add_group_column(plan, r->matching.column_of[2 * l + row]);
-    }
-    size_t joints = gather_joints(r, members, count, stamp);
+    YkBlock group;
+    fill_group(r, &group, members, count);
+    if (group.column_count == 0) return; // all that it ties is tied already: left for a check
+    size_t joints = gather_joints(r, members, count, stamp), rows = yk_block_rows(&group);
     YkBlock *block = plan->failed ? NULL : yk_plan_new_block(plan, YK_BLOCK_GROUP, r->joints, joints);
     if (!block) return;
-    block->first_column = (uint32_t)first_column;
-    block->column_count = (uint32_t)(mech->column_count - first_column);
-    block->first_loop = (uint32_t)first_loop;
-    block->loop_count = (uint32_t)count;
+    block->first_column = group.first_column;
+    block->column_count = group.column_count;
+    block->first_loop = group.first_loop;
+    block->loop_count = group.loop_count;
+    block->first_relation = group.first_relation;
+    block->relation_count = group.relation_count;
+    if (group.loop_count == 0) block->label = mech->relations[mech->group_relations[group.first_relation]].name;
     block->assur_class = count == 1 ? 2 : count == 2 ? 3 : 4;
     yk_plan_block_bodies(plan, block, r->clusters, gather_clusters(r, joints, stamp));
     mech->has_groups = true;
     if (block->column_count > mech->largest_group) mech->largest_group = block->column_count;
-    if (2 * count > mech->largest_group) mech->largest_group = 2 * count;
+    if (rows > mech->largest_group) mech->largest_group = rows;
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_BLOCK, .target = (int32_t)mech->block_count - 1});
-    for (size_t k = first_column; k < mech->column_count; k++) yk_plan_learn(plan, mech->group_columns[k]);
+    for (size_t k = block->first_column; k < mech->column_count; k++) yk_plan_learn(plan, mech->group_columns[k]);
 }
 
 // Does the component need nothing of the others, and determine all that is in it?
@@ -283,25 +346,25 @@ static bool stands_alone(const Rest *r, const int32_t *members, size_t count)
     for (size_t k = 0; k < count; k++)
         for (uint32_t e = r->column_first[members[k]]; e < r->column_first[members[k] + 1]; e++) {
             int32_t row = r->matching.row_of[r->columns[e]];
-            if (row < 0 || r->component[row / 2] != r->component[members[k]]) return false;
+            if (row < 0 || r->component[equation_of(r, row)] != r->component[members[k]]) return false;
         }
     return count > 0;
 }
 
-// Emits the components that stand alone, or all; returns how many. Loops sorted by component, file order within.
+// Emits the components that stand alone, or all; returns how many. Equations sorted by component, file order within.
 static size_t emit_groups(Rest *r, size_t count, bool all)
 {
     YkArena *arena = r->plan->arena;
     size_t emitted = 0;
     uint32_t *first = YK_NEW(arena, uint32_t, count + 2);
-    int32_t *members = YK_NEW(arena, int32_t, r->loop_count + 1);
+    int32_t *members = YK_NEW(arena, int32_t, equation_count(r) + 1);
     if (yk_arena_failed(arena)) {
         r->plan->failed = true;
         return 0;
     }
-    for (size_t l = 0; l < r->loop_count; l++) first[r->component[l] + 2]++;
+    for (size_t l = 0; l < equation_count(r); l++) first[r->component[l] + 2]++;
     for (size_t c = 0; c < count; c++) first[c + 2] += first[c + 1];
-    for (size_t l = 0; l < r->loop_count; l++) members[first[r->component[l] + 1]++] = (int32_t)l;
+    for (size_t l = 0; l < equation_count(r); l++) members[first[r->component[l] + 1]++] = (int32_t)l;
     for (size_t c = 0; c < count; c++) {
         if (!all && !stands_alone(r, members + first[c], first[c + 1] - first[c])) continue;
         emit_group(r, members + first[c], first[c + 1] - first[c], (uint32_t)c + 1);
@@ -323,7 +386,8 @@ static void place_rest(Rest *r)
 static bool allocate(Rest *r)
 {
     YkArena *a = r->plan->arena;
-    size_t bodies = r->plan->mech->model->body_count, joints = r->plan->mech->model->joint_count;
+    size_t bodies = r->plan->mech->model->body_count, joints = r->plan->mech->model->joint_count,
+           relations = r->plan->mech->relation_count;
     r->tree.parent = YK_NEW(a, int32_t, bodies);
     r->tree.joint = YK_NEW(a, int32_t, bodies);
     r->tree.depth = YK_NEW(a, int32_t, bodies);
@@ -333,7 +397,9 @@ static bool allocate(Rest *r)
     r->cluster_stamp = YK_NEW(a, uint32_t, bodies + 1);
     r->loop_joint = YK_NEW(a, int32_t, joints + 1);
     r->loop_sum = YK_NEW(a, YkSum, joints + 1);
-    r->column_first = YK_NEW(a, uint32_t, joints + 2);
+    r->relation = YK_NEW(a, int32_t, relations + 1);
+    r->relation_columns = YK_NEW(a, YkColumn, r->plan->mech->relation_term_count + 1);
+    r->column_first = YK_NEW(a, uint32_t, joints + relations + 2);
     r->path_first = YK_NEW(a, uint32_t, joints + 2);
     r->joints = YK_NEW(a, int32_t, joints + 1);
     r->joint_stamp = YK_NEW(a, uint32_t, joints + 1);
@@ -349,7 +415,7 @@ static bool round_of_groups(YkPlan *plan, bool last)
     bool ok = allocate(&r);
     if (ok) {
         grow(&r);
-        ok = make_loops(&r) && !plan->failed && match(&r) && order(&r, &components);
+        ok = make_loops(&r) && make_relations(&r) && !plan->failed && match(&r) && order(&r, &components);
     }
     if (ok) emitted = emit_groups(&r, components, last);
     if (ok && emitted == 0 && !plan->failed) {

@@ -106,13 +106,14 @@ size_t yk_block_count(const YkMechanism *mech)
 YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
 {
     const YkBlock *b = &mech->blocks[block];
-    return (YkBlockInfo){b->kind,
-                         b->label,
-                         b->assur_class,
-                         b->column_count,
-                         b->kind == YK_BLOCK_GROUP ? 2 * b->loop_count : 2,
-                         b->joint_count,
-                         b->body_count};
+    return (YkBlockInfo){.kind = b->kind,
+                         .label = b->label,
+                         .assur_class = b->assur_class,
+                         .unknowns = b->column_count,
+                         .equations = b->kind == YK_BLOCK_GROUP ? yk_block_rows(b) : 2,
+                         .joint_count = b->joint_count,
+                         .body_count = b->body_count,
+                         .relation_count = b->relation_count};
 }
 
 size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
@@ -122,6 +123,11 @@ size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
 size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index)
 {
     return (size_t)mech->block_members[mech->blocks[block].first_body + index];
+}
+
+const char *yk_block_relation(const YkMechanism *mech, size_t block, size_t index)
+{
+    return mech->relations[mech->group_relations[mech->blocks[block].first_relation + index]].name;
 }
 
 const char *yk_block_kind_name(YkBlockKind kind)

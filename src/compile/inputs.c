@@ -170,15 +170,12 @@ static bool report_overdriven(Choice *c)
     return ok;
 }
 
-static bool plan(Choice *c, size_t *missing, const YkRelation **unsolved)
+static bool plan(Choice *c, size_t *missing)
 {
     YkPlan p;
     YkArena *scratch = yk_arena_new();
     bool ok = scratch && yk_plan_make(&p, c->mech, c->incidence, scratch);
-    if (ok) {
-        *missing = p.missing;
-        *unsolved = p.unsolved;
-    }
+    if (ok) *missing = p.missing;
     if (scratch) yk_plan_end(&p);
     yk_arena_free(scratch);
     return ok;
@@ -188,25 +185,15 @@ static bool choose(Choice *c, const YkCompileOptions *options)
 {
     YkMechanism *mech = c->mech;
     size_t missing = 0;
-    const YkRelation *unsolved = NULL;
     if (!propose_all(c, options) || !accept_by_structure(c)) return false;
     take_accepted(c);
-    if (!plan(c, &missing, &unsolved)) return false;
-    if (mech->relation_count == 0 && (mech->has_groups || missing > 0)) { // twice at most: structure, then rank
+    if (!plan(c, &missing)) return false;
+    if (mech->has_groups || missing > 0) { // twice at most: structure, then rank
         if (!accept_by_rank(c)) return false;
         take_accepted(c);
-        if (!plan(c, &missing, &unsolved)) return false;
+        if (!plan(c, &missing)) return false;
     }
     bool ok = report_overdriven(c);
-    if (unsolved && ok) {
-        yk_problem(
-            c->problems, YK_CODE_RELATION_IN_LOOP, (YkPlace){0},
-            "%q ties angles or distances that loops determine together with it; this version solves a gear or cam only "
-            "where one side of it is known before the other",
-            unsolved->name);
-        yk_problem_hint(c->problems, "drive, or list first under `start:`, a coordinate that the gear or cam ties");
-        return false;
-    }
     if (missing > 0)
         yk_problem(c->problems, YK_CODE_UNDETERMINED, (YkPlace){0},
                    "%z unknowns of the machine are determined by no loop and no input", missing);

@@ -76,9 +76,9 @@ typedef enum YkRelationKind {
     YK_RELATION_LAW
 } YkRelationKind;
 
-// Where a solved relation takes a value from: an input, an orientation that loops place (its angle nearest to a
-// reference, kept in the state), or a distance.
-typedef enum YkSourceKind { YK_SOURCE_INPUT, YK_SOURCE_SLOT, YK_SOURCE_DISTANCE } YkSourceKind;
+// Where a relation takes a value from: an input, an orientation that loops place (its angle nearest to a reference,
+// kept in the state), a distance, or an unknown of the group that the relation is solved in (its place there).
+typedef enum YkSourceKind { YK_SOURCE_INPUT, YK_SOURCE_SLOT, YK_SOURCE_DISTANCE, YK_SOURCE_COLUMN } YkSourceKind;
 typedef struct YkSource {
     YkSourceKind kind;
     int32_t index, reference;
@@ -93,7 +93,8 @@ typedef struct YkRelation {
     uint32_t first_argument, argument_count;
     const YkLaw *law; // NULL: none
     double constant, argument_constant;
-    // solved for a target: value = offset + sources (+ law(argument_offset + argument sources))
+    // Solved for a target: value = offset + sources + gain law(argument_offset + argument sources). In a group, or
+    // where it only repeats others: that value, in metres, is what it misses by.
     bool is_solved, is_redundant;
     YkRelationTerm target;
     uint32_t first_source, source_count, first_argument_source, argument_source_count; // in sources
@@ -106,7 +107,8 @@ typedef enum YkStepKind {
     YK_STEP_DISTANCE, // distance = input
     YK_STEP_NODE,     // node = sum
     YK_STEP_BLOCK,    // solve a block
-    YK_STEP_RELATION  // orientation or distance = what a relation says; target: the relation
+    YK_STEP_RELATION, // orientation or distance = what a relation says; target: the relation
+    YK_STEP_CHECK     // a relation that repeats others: only measured; target: the relation
 } YkStepKind;
 
 typedef struct YkStep {
@@ -136,9 +138,16 @@ typedef struct YkBlock {
     YkVec line[2];        // constant unit vectors
     YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
     // groups
-    uint32_t first_column, column_count; // in group_columns
-    uint32_t first_loop, loop_count;     // in group_loops: all terms, known and unknown
+    uint32_t first_column, column_count;     // in group_columns
+    uint32_t first_loop, loop_count;         // in group_loops: all terms, known and unknown
+    uint32_t first_relation, relation_count; // in group_relations: one equation each, behind those of the loops
 } YkBlock;
+
+// Equations of a group.
+static inline size_t yk_block_rows(const YkBlock *block)
+{
+    return 2 * (size_t)block->loop_count + block->relation_count;
+}
 
 struct YkMechanism {
     YkArena *arena;
@@ -172,11 +181,14 @@ struct YkMechanism {
     size_t column_count, column_capacity;
     YkSum *group_loops;
     size_t group_loop_count, group_loop_capacity;
+    int32_t *group_relations;
+    size_t group_relation_count, group_relation_capacity;
     YkTerm *terms;
     size_t term_count, term_capacity;
     int32_t *redundant;
     size_t redundant_count, redundant_capacity; // joints
-    size_t largest_group;                       // columns
+    size_t redundant_relation_count;            // relations that are only checked
+    size_t largest_group;                       // columns or equations
     bool has_groups;
     // relations
     YkRelation *relations; // those of the model, then sums of them that solve several together
@@ -192,6 +204,9 @@ struct YkMechanism {
 YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
 // The tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
+// What makes a relation's value a length: gears and the like are equations of angles, times teeth. Over the machine's
+// size, a relation then weighs as much as a loop.
+double yk_relation_weight(const YkMechanism *mech, const YkRelation *relation);
 // A body's point as a sum, appended to nothing: origin plus one term. The term is returned apart.
 YkTerm yk_body_term(const YkMechanism *mech, int32_t body, YkVec at);
 

@@ -45,7 +45,7 @@ static void reset(YkPlan *plan)
 {
     YkMechanism *mech = plan->mech;
     mech->step_count = mech->block_count = mech->member_count = mech->column_count = mech->group_loop_count = 0;
-    mech->redundant_count = 0;
+    mech->redundant_count = mech->redundant_relation_count = mech->group_relation_count = 0;
     mech->node_count = 0;
     mech->largest_group = 0;
     mech->has_groups = false;
@@ -283,9 +283,6 @@ static void check_leftover_joints(YkPlan *plan)
 static void count_missing(YkPlan *plan)
 {
     const YkMechanism *mech = plan->mech;
-    for (size_t k = 0; k < mech->relation_count; k++) // among unknowns that loops determine together
-        if (!mech->relations[k].is_solved && !mech->relations[k].is_redundant && !plan->unsolved)
-            plan->unsolved = &mech->relations[k];
     for (size_t o = 0; o < mech->orientation_count; o++)
         if (mech->group_root[o] == (int32_t)o && !plan->root_known[o]) plan->missing++;
     for (size_t d = 0; d < mech->distance_count; d++)

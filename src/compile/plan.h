@@ -35,9 +35,8 @@ typedef struct YkPlan {
     size_t head, tail, unknown_clusters;
     struct YkForm *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
     YkTermList list;
-    const YkRelation *unsolved; // one that no single unknown was left for
-    size_t missing;             // unknowns that nothing determines
-    bool failed;                // out of memory
+    size_t missing; // unknowns that nothing determines
+    bool failed;    // out of memory
 } YkPlan;
 
 // Makes steps and blocks for the inputs of mech->inputs. false when out of memory. plan->missing > 0: more inputs
@@ -57,6 +56,10 @@ void yk_plan_peel(YkPlan *plan);
 void yk_plan_groups(YkPlan *plan);
 // Solves every relation with one unknown; true where there was one.
 bool yk_plan_relations(YkPlan *plan);
+// The unknowns of a relation that is left, at most one for each of its terms.
+size_t yk_plan_relation_columns(const YkPlan *plan, size_t relation, YkColumn *columns);
+// Puts a relation into the group of these columns.
+void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *columns, size_t count);
 void yk_plan_note_turn(YkPlan *plan, const YkStep *step); // a TURN or COMPOSE step was made
 static inline bool yk_plan_body_known(const YkPlan *plan, int32_t body)
 {

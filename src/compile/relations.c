@@ -8,6 +8,7 @@ typedef struct Build {
     double *guess;  // per coordinate of the tree
     bool *is_given; // by `start:` or a drive
     double *share;  // per coordinate: its factor in the relation in work
+    size_t first;   // term of the sum in work
     bool failed;
 } Build;
 
@@ -15,6 +16,12 @@ static void add_term(Build *b, YkRelationTerm term)
 {
     YkMechanism *mech = b->mech;
     if (!term.is_distance && term.index == 0) return; // the ground
+    for (size_t k = b->first; k < mech->relation_term_count; k++) {
+        YkRelationTerm *old = &mech->relation_terms[k];
+        if (old->is_distance != term.is_distance || old->index != term.index) continue;
+        old->factor += term.factor;
+        return;
+    }
     if (YK_ROOM(mech->relation_terms, mech->relation_term_count, mech->relation_term_capacity))
         mech->relation_terms[mech->relation_term_count++] = term;
     else
@@ -63,13 +70,29 @@ static YkRelation *begin(Build *b, YkRelationKind kind, size_t index, const char
     YkRelation *r = &mech->relations[mech->relation_count++];
     *r = (YkRelation){
         .kind = kind, .index = (int32_t)index, .name = name, .first_term = (uint32_t)mech->relation_term_count};
+    b->first = mech->relation_term_count;
     return r;
 }
 
-static void end_terms(const Build *b, YkRelation *r)
+// Drops what cancels: a belt round equal pulleys does not feel its carrier. Returns how many terms are left.
+static uint32_t end_sum(Build *b)
 {
-    r->term_count = (uint32_t)b->mech->relation_term_count - r->first_term;
+    YkMechanism *mech = b->mech;
+    size_t kept = b->first;
+    double most = 0;
+    for (size_t k = b->first; k < mech->relation_term_count; k++)
+        most = fmax(most, fabs(mech->relation_terms[k].factor));
+    for (size_t k = b->first; k < mech->relation_term_count; k++)
+        if (fabs(mech->relation_terms[k].factor) > 1e-13 * most) mech->relation_terms[kept++] = mech->relation_terms[k];
+    mech->relation_term_count = kept;
+    return (uint32_t)(kept - b->first);
+}
+
+static void end_terms(Build *b, YkRelation *r)
+{
+    r->term_count = end_sum(b);
     r->first_argument = (uint32_t)b->mech->relation_term_count;
+    b->first = b->mech->relation_term_count;
 }
 
 // factor_a (a - carrier) + factor_b (b - carrier) = phase
@@ -127,7 +150,7 @@ static void add_cams(Build *b)
             add_distance(b, cam->follower_joint, 1);
         end_terms(b, r);
         r->argument_constant = add_pin(b, cam->cam_joint, 1);
-        r->argument_count = (uint32_t)b->mech->relation_term_count - r->first_argument;
+        r->argument_count = end_sum(b);
         r->law = model->laws[cam->law].law;
         phase(b); // clears the shares
     }
@@ -151,7 +174,7 @@ static void add_follows(Build *b)
         r->constant = -add_coordinate(b, follow->coordinate, 1);
         end_terms(b, r);
         r->argument_constant = add_coordinate(b, follow->of, 1);
-        r->argument_count = (uint32_t)b->mech->relation_term_count - r->first_argument;
+        r->argument_count = end_sum(b);
         r->law = model->laws[follow->law].law;
         phase(b); // clears the shares
     }
@@ -168,6 +191,16 @@ static void mark_given(Build *b)
         int32_t q = model->starts[k].is_rate ? YK_NONE : yk_tree_coordinate(mech, c->joint, c->is_distance);
         if (q != YK_NONE) b->is_given[q] = true;
     }
+}
+
+double yk_relation_weight(const YkMechanism *mech, const YkRelation *r)
+{
+    double most = 0;
+    for (uint32_t k = 0; k < r->term_count; k++) {
+        YkRelationTerm term = mech->relation_terms[r->first_term + k];
+        most = fmax(most, fabs(term.factor) * (term.is_distance ? mech->size : 1));
+    }
+    return most > 0 ? mech->size / most : 1;
 }
 
 bool yk_relations_build(YkMechanism *mech)

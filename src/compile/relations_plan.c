@@ -75,27 +75,40 @@ static YkRelationTerm root_of(const YkPlan *plan, YkRelationTerm term)
     return term;
 }
 
+// The factor that a column has in some of a relation's terms.
+static double factor_in(const YkPlan *plan, uint32_t first, uint32_t count, YkRelationTerm root)
+{
+    double sum = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        YkRelationTerm other = root_of(plan, plan->mech->relation_terms[first + k]);
+        if (other.is_distance == root.is_distance && other.index == root.index) sum += other.factor;
+    }
+    return sum;
+}
+
+// What cancels in all of a relation's terms is no unknown of it: a belt round equal pulleys does not feel its carrier.
+static bool counts(const YkPlan *plan, const YkRelation *r, YkRelationTerm root)
+{
+    return fabs(factor_in(plan, r->first_term, r->term_count, root)) > 1e-12 ||
+           fabs(factor_in(plan, r->first_argument, r->argument_count, root)) > 1e-12;
+}
+
 // The one unknown of a relation and its factor; how many unknowns there are (2 for more).
 static size_t find_unknown(const YkPlan *plan, const YkRelation *r, YkRelationTerm *unknown)
 {
     const YkRelationTerm *terms = plan->mech->relation_terms;
     size_t count = 0;
-    for (uint32_t k = 0; k < r->term_count; k++) {
-        YkRelationTerm term = terms[r->first_term + k];
-        if (is_known(plan, term)) continue;
-        YkRelationTerm root = root_of(plan, term);
-        if (count == 0) {
-            *unknown = root;
-            count = 1;
-        } else if (root.is_distance == unknown->is_distance && root.index == unknown->index) {
-            unknown->factor += term.factor;
-        } else {
-            return 2;
-        }
+    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // the argument's stand behind
+        YkRelationTerm root = root_of(plan, terms[r->first_term + k]);
+        if (is_known(plan, terms[r->first_term + k]) || !counts(plan, r, root)) continue;
+        if (count == 1 && root.is_distance == unknown->is_distance && root.index == unknown->index) continue;
+        if (count == 1 || k >= r->term_count) return 2; // a law is not solved for its argument
+        *unknown = root;
+        unknown->factor = factor_in(plan, r->first_term, r->term_count, root);
+        count = 1;
     }
-    for (uint32_t k = 0; k < r->argument_count; k++)
-        if (!is_known(plan, terms[r->first_argument + k])) return 2;
-    return count == 1 && fabs(unknown->factor) < 1e-12 ? 2 : count;
+    bool in_law = count == 1 && fabs(factor_in(plan, r->first_argument, r->argument_count, *unknown)) > 1e-12;
+    return in_law || (count == 1 && fabs(unknown->factor) < 1e-12) ? 2 : count;
 }
 
 static void add_source(YkPlan *plan, YkSource source, uint32_t first)
@@ -149,33 +162,99 @@ static void note_form(YkPlan *plan, const YkRelation *r)
     target->is_known = true;
 }
 
-static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
+typedef struct Columns { // of the group that a relation is solved in
+    const YkColumn *items;
+    size_t count;
+} Columns;
+
+static void add_column(YkPlan *plan, const Columns *columns, YkRelationTerm root, double factor, uint32_t first)
+{
+    for (size_t c = 0; c < columns->count; c++)
+        if (columns->items[c].is_distance == root.is_distance && columns->items[c].index == root.index)
+            add_source(plan, (YkSource){YK_SOURCE_COLUMN, (int32_t)c, YK_NONE, factor}, first);
+}
+
+// Adds a term to the sources since `first`: what is unknown as a column (or not at all: the target), what is known
+// beyond it, or of itself, as it comes. Returns the constant part.
+static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_t first, const Columns *columns)
+{
+    if (is_known(plan, term)) return add_term(plan, term, factor, first, YK_NONE);
+    YkRelationTerm root = root_of(plan, term);
+    add_column(plan, columns, root, factor, first);
+    return term.is_distance ? 0 : add_term(plan, term, factor, first, root.index);
+}
+
+// Sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant).
+static void write_sources(YkPlan *plan, YkRelation *r, double times, const Columns *columns)
 {
     YkMechanism *mech = plan->mech;
-    YkRelation *r = &mech->relations[index];
-    int32_t skip = unknown.is_distance ? YK_NONE : unknown.index;
-    r->is_solved = true;
-    r->target = unknown;
-    r->gain = 1 / unknown.factor;
-    r->offset = r->constant / unknown.factor;
+    r->gain = -times;
+    r->offset = -times * r->constant;
     r->first_source = (uint32_t)mech->source_count;
     for (uint32_t k = 0; k < r->term_count; k++) {
         YkRelationTerm term = mech->relation_terms[r->first_term + k];
-        bool is_target = is_known(plan, term) ? false : term.is_distance || term.index == unknown.index;
-        if (is_target) continue;
-        r->offset += add_term(plan, term, -term.factor / unknown.factor, r->first_source, skip);
+        r->offset += add_any_term(plan, term, times * term.factor, r->first_source, columns);
     }
     r->source_count = (uint32_t)mech->source_count - r->first_source;
     r->first_argument_source = (uint32_t)mech->source_count;
     r->argument_offset = r->argument_constant;
     for (uint32_t k = 0; k < r->argument_count; k++) {
         YkRelationTerm term = mech->relation_terms[r->first_argument + k];
-        r->argument_offset += add_term(plan, term, term.factor, r->first_argument_source, YK_NONE);
+        r->argument_offset += add_any_term(plan, term, term.factor, r->first_argument_source, columns);
     }
     r->argument_source_count = (uint32_t)mech->source_count - r->first_argument_source;
+}
+
+static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
+{
+    YkRelation *r = &plan->mech->relations[index];
+    r->is_solved = true;
+    r->target = unknown;
+    write_sources(plan, r, -1 / unknown.factor, &(Columns){0});
     note_form(plan, r);
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_RELATION, .target = (int32_t)index});
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
+}
+
+// All that it ties is known: it repeats others, and the pose has to fit it.
+static void check(YkPlan *plan, size_t index)
+{
+    YkRelation *r = &plan->mech->relations[index];
+    r->is_redundant = true;
+    write_sources(plan, r, yk_relation_weight(plan->mech, r), &(Columns){0});
+    yk_plan_step(plan, (YkStep){.kind = YK_STEP_CHECK, .target = (int32_t)index});
+    plan->mech->redundant_relation_count++;
+}
+
+// --- in a group
+// ----------------------------------------------------------------------------------------------------------
+
+size_t yk_plan_relation_columns(const YkPlan *plan, size_t relation, YkColumn *columns)
+{
+    const YkRelation *r = &plan->mech->relations[relation];
+    size_t count = 0;
+    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) {
+        YkRelationTerm term = plan->mech->relation_terms[r->first_term + k]; // the argument's stand behind
+        if (is_known(plan, term)) continue;
+        YkRelationTerm root = root_of(plan, term);
+        size_t at = 0;
+        while (at < count && (columns[at].is_distance != root.is_distance || columns[at].index != root.index)) at++;
+        if (at == count && counts(plan, r, root)) columns[count++] = (YkColumn){root.is_distance, root.index};
+    }
+    return count;
+}
+
+void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *columns, size_t count)
+{
+    YkMechanism *mech = plan->mech;
+    YkRelation *r = &mech->relations[relation];
+    if (!YK_ROOM(mech->group_relations, mech->group_relation_count, mech->group_relation_capacity)) {
+        plan->failed = true;
+        return;
+    }
+    mech->group_relations[mech->group_relation_count++] = (int32_t)relation;
+    r->is_solved = true;
+    write_sources(plan, r, yk_relation_weight(mech, r), &(Columns){columns, count});
 }
 
 // --- several at once
@@ -330,6 +409,24 @@ static void drop_rounding(YkPlan *plan, const YkRelation *sum, YkRelationTerm wa
     }
 }
 
+// A row without unknowns: its relations repeat each other. The sum is checked in place of the one that counts most.
+static void check_row(YkPlan *plan, const Rows *rows, size_t row)
+{
+    YkRelation *relations = plan->mech->relations;
+    size_t most = rows->count;
+    for (size_t k = 0; k < rows->count; k++) {
+        double share = fabs(rows->share[row * rows->count + k]);
+        if (share == 0 || relations[rows->relation[k]].is_redundant) continue;
+        if (most == rows->count || share > fabs(rows->share[row * rows->count + most])) most = k;
+    }
+    if (most == rows->count) return;
+    size_t index = derive(plan, rows, row);
+    drop_rounding(plan, &relations[index], (YkRelationTerm){true, YK_NONE, 0});
+    relations[index].name = relations[rows->relation[most]].name;
+    relations[rows->relation[most]].is_redundant = true;
+    check(plan, index);
+}
+
 // Solves what the relations determine together; true where there was anything.
 static bool solve_together(YkPlan *plan)
 {
@@ -338,12 +435,14 @@ static bool solve_together(YkPlan *plan)
     if (!gather(plan, &rows)) return false;
     reduce(&rows);
     for (size_t i = 0; i < rows.count && !plan->failed; i++) {
+        if (plan->mech->derived_count == plan->mech->relation_count) break; // each uses one up
         size_t single = rows.columns, count = 0;
         for (size_t c = 0; c < rows.columns; c++)
             if (rows.factor[i * rows.columns + c] != 0) {
                 single = c;
                 count++;
             }
+        if (count == 0) check_row(plan, &rows, i);
         if (count != 1 || is_known(plan, rows.unknown[single])) continue;
         size_t index = derive(plan, &rows, i);
         YkRelationTerm unknown = rows.unknown[single];
@@ -355,7 +454,7 @@ static bool solve_together(YkPlan *plan)
     for (size_t k = 0; k < rows.count && solved; k++) { // those that are used up
         YkRelation *r = &plan->mech->relations[rows.relation[k]];
         YkRelationTerm unknown;
-        if (find_unknown(plan, r, &unknown) == 0) r->is_solved = true;
+        if (!r->is_redundant && find_unknown(plan, r, &unknown) == 0) r->is_solved = true;
     }
     return solved;
 }
@@ -370,7 +469,7 @@ bool yk_plan_relations(YkPlan *plan)
         YkRelationTerm unknown = {0};
         if (r->is_solved || r->is_redundant) continue;
         size_t count = find_unknown(plan, r, &unknown);
-        r->is_redundant = count == 0;
+        if (count == 0) check(plan, k);
         if (count != 1) continue;
         solve(plan, k, unknown);
         solved = true;

@@ -28,7 +28,6 @@ typedef struct Order {
         int32_t next, unknown, entry;
     } * links;
     size_t link_count, link_capacity;
-    size_t factor_first; // of the relation in work
     bool failed;
 } Order;
 
@@ -160,6 +159,70 @@ static void add_dyad(Order *o, const YkBlock *b)
     add_raw(o, b->column_count == 2 ? YK_OP_PAIR : YK_OP_SINGLE, b->column_count, gradient);
 }
 
+// --- relations
+// -------------------------------------------------------------------------------------------------------------
+
+// What a term of a relation depends on, in unknown[]; returns how many. Where its orientation turns with a root that
+// the operation solves for, these are the root and the relative angle; where that root is not known yet, it cancels,
+// and the relative angle is left.
+static size_t unknowns_of_term(const Order *o, YkRelationTerm term, size_t own, int32_t unknown[2])
+{
+    const YkMechanism *mech = o->mech;
+    if (term.is_distance) {
+        unknown[0] = yk_unknown_of_distance(mech, term.index);
+        return 1;
+    }
+    int32_t root = yk_unknown_of_slot(mech->group_root[term.index]);
+    unknown[0] = yk_unknown_of_slot(term.index);
+    unknown[1] = yk_unknown_of_slot(mech->relative_slot[term.index]);
+    if (o->defined_by[unknown[0]] != YK_NONE) return 1;
+    for (size_t k = 0; k < own; k++)
+        if (o->columns.unknown[k] == root) {
+            unknown[0] = root;
+            return unknown[1] == 0 ? 1 : 2;
+        }
+    unknown[0] = unknown[1];
+    return 1;
+}
+
+// Adds the columns of a relation.
+static void add_relation_columns(Order *o, const YkRelation *r, size_t own)
+{
+    int32_t unknown[2];
+    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // the argument's terms stand behind
+        size_t count = unknowns_of_term(o, o->mech->relation_terms[r->first_term + k], own, unknown);
+        for (size_t i = 0; i < count; i++) yk_column(&o->columns, unknown[i]);
+    }
+}
+
+// A row of factors, two for every column: constant, and times the law's slope.
+static void add_relation_factors(Order *o, const YkRelation *r, size_t own, double times)
+{
+    YkElimination *e = o->e;
+    size_t first = e->factor_count, width = 2 * o->columns.count;
+    int32_t unknown[2];
+    while (e->factor_count < first + width) {
+        if (!YK_ROOM(e->factors, e->factor_count, e->factor_capacity)) {
+            o->failed = true;
+            return;
+        }
+        e->factors[e->factor_count++] = 0;
+    }
+    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) {
+        YkRelationTerm term = o->mech->relation_terms[r->first_term + k];
+        bool in_law = k >= r->term_count;
+        size_t count = unknowns_of_term(o, term, own, unknown);
+        for (size_t i = 0; i < count; i++) {
+            int32_t column = yk_column(&o->columns, unknown[i]);
+            if (column >= 0)
+                e->factors[first + 2 * (size_t)column + in_law] += in_law ? term.factor : times * term.factor;
+        }
+    }
+}
+
+// --- groups
+// ------------------------------------------------------------------------------------------------------------
+
 // A term of a group's loop: its orientation is known, or turns with an unknown root.
 static bool add_group_term(Order *o, YkTerm term, int32_t row, size_t own)
 {
@@ -188,9 +251,17 @@ static void add_group(Order *o, const YkBlock *b)
         for (uint32_t k = 0; k < count; k++)
             if (!add_group_term(o, o->mech->terms[first + k], (int32_t)l, b->column_count)) o->failed = true;
     }
+    const int32_t *relation = o->mech->group_relations + b->first_relation;
+    for (uint32_t k = 0; k < b->relation_count; k++)
+        add_relation_columns(o, &o->mech->relations[relation[k]], b->column_count);
     yk_gradient_end(e, &o->columns, &gradient);
-    add_raw(o, YK_OP_GROUP, b->column_count, gradient);
-    size_t most = b->column_count > 2 * b->loop_count ? b->column_count : 2 * b->loop_count;
+    YkOperation *op = add_raw(o, YK_OP_GROUP, b->column_count, gradient);
+    op->first_factor = (uint32_t)e->factor_count;
+    for (uint32_t k = 0; k < b->relation_count; k++) {
+        const YkRelation *r = &o->mech->relations[relation[k]];
+        add_relation_factors(o, r, b->column_count, -r->gain);
+    }
+    size_t most = b->column_count > yk_block_rows(b) ? b->column_count : yk_block_rows(b);
     if (most > e->largest_group) e->largest_group = most;
 }
 
@@ -205,49 +276,19 @@ static void add_block(Order *o, int32_t index)
     o->raw[o->raw_count - 1].block = (uint32_t)index;
 }
 
-// Adds what a term of a relation depends on, with its factor. Beyond the target's own orientation only the relative
-// angle counts.
-static void add_relation_term(Order *o, const YkRelation *r, YkRelationTerm term, double factor, bool in_law)
-{
-    const YkMechanism *mech = o->mech;
-    YkElimination *e = o->e;
-    int32_t unknown = term.is_distance ? yk_unknown_of_distance(mech, term.index) : yk_unknown_of_slot(term.index);
-    bool beyond = !term.is_distance && !r->target.is_distance && mech->group_root[term.index] == r->target.index;
-    if (beyond) unknown = yk_unknown_of_slot(mech->relative_slot[term.index]);
-    if (term.is_distance && r->target.is_distance && term.index == r->target.index) return;
-    int32_t column = yk_column(&o->columns, unknown);
-    if (column <= 0) return; // the ground, or the target itself
-    size_t at = o->factor_first + 2 * (size_t)(column - 1);
-    while (e->factor_count < at + 2) {
-        if (!YK_ROOM(e->factors, e->factor_count, e->factor_capacity)) {
-            o->failed = true;
-            return;
-        }
-        e->factors[e->factor_count++] = 0;
-    }
-    e->factors[at + in_law] += factor;
-}
-
 static void add_relation(Order *o, int32_t index)
 {
     const YkMechanism *mech = o->mech;
     const YkRelation *r = &mech->relations[index];
-    o->factor_first = o->e->factor_count;
     start_columns(o);
     yk_column(&o->columns, r->target.is_distance ? yk_unknown_of_distance(mech, r->target.index)
                                                  : yk_unknown_of_slot(r->target.index));
-    for (uint32_t k = 0; k < r->term_count; k++) {
-        YkRelationTerm term = mech->relation_terms[r->first_term + k];
-        add_relation_term(o, r, term, -term.factor * r->gain, false);
-    }
-    for (uint32_t k = 0; k < r->argument_count; k++) {
-        YkRelationTerm term = mech->relation_terms[r->first_argument + k];
-        add_relation_term(o, r, term, term.factor, true); // the slope has the gain in it
-    }
+    add_relation_columns(o, r, 1);
     YkGradient none = {.columns = (uint32_t)o->columns.count};
     YkOperation *op = add_raw(o, o->columns.count > 1 ? YK_OP_RELATION : YK_OP_KNOWN, 1, none);
     op->block = (uint32_t)index;
-    op->first_factor = (uint32_t)o->factor_first;
+    op->first_factor = (uint32_t)o->e->factor_count;
+    add_relation_factors(o, r, 1, -r->gain); // the slope has the gain in it
 }
 
 static void add_steps(Order *o)
@@ -272,6 +313,8 @@ static void add_steps(Order *o)
             break;
         case YK_STEP_RELATION:
             add_relation(o, step->target);
+            break;
+        case YK_STEP_CHECK:
             break;
         }
     }

@@ -42,7 +42,7 @@ typedef enum YkOperationKind {
     YK_OP_NODE,     // two unknowns: a sum
     YK_OP_PAIR,     // two unknowns of a dyad, from its loop
     YK_OP_SINGLE,   // one unknown of a loop that repeats constraints
-    YK_OP_GROUP     // the unknowns of a group, from its loops
+    YK_OP_GROUP     // the unknowns of a group, from its loops and relations
 } YkOperationKind;
 
 // Unknowns U (own) are defined as C W of others; Z are further neighbours. Entry: an address in the form's storage.
@@ -55,8 +55,8 @@ typedef struct YkOperation {
     uint32_t first_coefficient; // C[own][given]; FREE: none
     uint32_t first_element, element_count; // bodies whose latest unknown this operation defines
     uint32_t block;                        // or relation
-    uint32_t
-        first_factor; // RELATION: of the given unknowns, two each in `factors`: constant, and times the law's slope
+    uint32_t first_factor; // RELATION, GROUP: rows in `factors`, two for each column (U, then W): constant, and times
+                           // the law's slope; a row for each relation of a group
 } YkOperation;
 
 typedef struct YkElement { // a body with mass or load

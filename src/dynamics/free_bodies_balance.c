@@ -49,7 +49,7 @@ static bool make_system(const YkFreeBodies *f, YkBodyPart *part)
     size_t n = part->column_count, m = 3 * part->body_count;
     YkBodySystem *s = &part->balance;
     if (s->sparse) return true;
-    if (!yk_body_system_start(s, part->is_redundant ? n + m : m, 17 * n + m)) return false;
+    if (!yk_body_system_start(s, part->is_redundant ? n + m : m, (2 * YK_WRENCH_ENTRIES + 1) * n + m)) return false;
     emit_balance(f, part, s, NULL);
     return yk_body_system_finish(s);
 }

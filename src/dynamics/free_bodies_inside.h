@@ -24,11 +24,12 @@ typedef struct YkWrenchColumn {
     int32_t joint, input; // input: YK_NONE for a reaction; joint: YK_NONE of a mesh
     int32_t relation;     // MESH: which
     int32_t body[2];
-    int32_t third, fourth; // MESH: bodies that carry couples besides; 0 where there are none (or the ground does)
+    int32_t third, fourth; // MESH: bodies that bear a share besides; 0 where there are none (or the ground does)
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
+    YkVec other;      // MESH: on the third, its opposite on the fourth
     double third_moment, fourth_moment;
     YkVec radial;            // MESH of gears: on the second body for each newton of the force's size; turns nothing
     double radial_moment[2]; // ... about the reference points, m
@@ -37,6 +38,8 @@ typedef struct YkWrenchColumn {
     double share;    // its part of the whole, N
     double freeness; // redundant parts: how far it could be otherwise; 0 when it is determined
 } YkWrenchColumn;
+
+enum { YK_WRENCH_ENTRIES = 12 }; // of a column, at most: three for each of four bodies
 
 // A sparse system that is put together by emitting its entries in always the same order.
 typedef struct YkBodySystem {

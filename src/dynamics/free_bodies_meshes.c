@@ -185,24 +185,40 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
     set_force(f, space, c, at, yk_scale(1 / speed, yk_quarter(against)));
 }
 
+// A unit effort along a coordinate: on its joint's second body, and back on the first; about their reference points.
+typedef struct Effort {
+    YkVec force;      // N, 0 along an angle
+    double moment[2]; // N m
+} Effort;
+
+static Effort effort_along(const YkFreeBodies *f, const YkSpace *space, const YkCoordinate *coordinate)
+{
+    const YkJoint *joint = &f->mech->model->joints[coordinate->joint];
+    Effort effort = {{0, 0}, {-1, 1}};
+    if (!coordinate->is_distance) return effort;
+    YkVec at = place_of(f, space, joint->body[1], joint->at[1]).at;
+    effort.force = yk_mul(place_of(f, space, joint->body[0], joint->at[0]).e, joint->along);
+    for (int k = 0; k < 2; k++) {
+        YkVec arm = yk_sub(at, place_of(f, space, joint->body[k], f->reference[joint->body[k]]).at);
+        effort.moment[k] = (k ? 1 : -1) * yk_cross(arm, effort.force);
+    }
+    return effort;
+}
+
 // What follows a coordinate by a law pushes along its own, and the other's two bodies feel the law's slope of it.
 static void pose_follow(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r)
 {
     const YkModel *model = f->mech->model;
     const YkCoordinate *own = &model->coordinates[model->follows[r->index].coordinate];
-    const YkJoint *joint = &model->joints[own->joint];
+    const YkCoordinate *of = &model->coordinates[model->follows[r->index].of];
     double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain;
-    if (own->is_distance) {
-        Place a = place_of(f, space, joint->body[0], joint->at[0]);
-        set_force(f, space, c, place_of(f, space, joint->body[1], joint->at[1]).at, yk_mul(a.e, joint->along));
-        slope /= f->size; // couples are over the size
-    } else {
-        c->force = yk_vec(0, 0);
-        c->moment[0] = -1;
-        c->moment[1] = 1;
-    }
-    c->third_moment = -slope;
-    c->fourth_moment = slope;
+    Effort on = effort_along(f, space, own), back = effort_along(f, space, of);
+    double unit = own->is_distance ? 1 : f->size; // N or N m: a couple is measured over the size
+    c->force = yk_scale(unit, on.force);
+    c->other = yk_scale(-slope * unit, back.force);
+    for (int k = 0; k < 2; k++) c->moment[k] = unit * on.moment[k] / f->size;
+    c->third_moment = -slope * unit * back.moment[1] / f->size;
+    c->fourth_moment = -slope * unit * back.moment[0] / f->size;
 }
 
 // All accelerations that the relation allows give the same product with its forces: those of the pose do.
@@ -214,7 +230,8 @@ static double bias_of(const YkFreeBodies *f, const YkSpace *space, const YkWrenc
         if (bodies[k] == 0) continue;
         YkBodyMotion m = yk_body_motion(f->mech, space, (size_t)bodies[k]);
         double moment = k < 2 ? c->moment[k] : k == 2 ? c->third_moment : c->fourth_moment;
-        sum += (k == 1 ? 1 : k == 0 ? -1 : 0) * yk_dot(c->force, m.acceleration) + moment * m.a * f->size;
+        YkVec force = k < 2 ? c->force : c->other;
+        sum += (k == 1 || k == 2 ? 1 : -1) * yk_dot(force, m.acceleration) + moment * m.a * f->size;
     }
     return sum / f->size;
 }
@@ -281,7 +298,10 @@ void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
             l->moment += c->share * c->moment[i] * f->size;
         }
         add_radial(c, load, 1);
-        load[c->third].moment += c->share * c->third_moment * f->size;
-        load[c->fourth].moment += c->share * c->fourth_moment * f->size;
+        YkLoad *third = &load[c->third], *fourth = &load[c->fourth];
+        third->force = yk_add(third->force, yk_scale(c->share, c->other));
+        third->moment += c->share * c->third_moment * f->size;
+        fourth->force = yk_sub(fourth->force, yk_scale(c->share, c->other));
+        fourth->moment += c->share * c->fourth_moment * f->size;
     }
 }

@@ -57,7 +57,7 @@ static bool make_system(const YkFreeBodies *f, const YkBodyPart *part, YkBodySys
 {
     size_t n = constraint_count(f, part, is_prescribed), m = 3 * part->body_count;
     if (s->sparse) return true;
-    if (!yk_body_system_start(s, m + n, m + 17 * n)) return false;
+    if (!yk_body_system_start(s, m + n, m + (2 * YK_WRENCH_ENTRIES + 1) * n)) return false;
     emit_motion(f, part, s, is_prescribed, e, 0);
     return yk_body_system_finish(s);
 }

@@ -66,9 +66,52 @@ static void emit(YkBodySystem *s, size_t row, size_t column, double value, bool 
     yk_body_system_emit(s, transposed ? column : row, transposed ? row : column, value);
 }
 
+// What a mesh does to its bodies: a force and a moment over the size. A body that has two parts in it, as where a slide
+// follows its neighbour, stands once.
+typedef struct Share {
+    int32_t body;
+    YkVec force;
+    double moment;
+} Share;
+
+static size_t shares_of(const YkWrenchColumn *c, Share shares[4])
+{
+    const Share all[] = {{c->body[0], yk_scale(-1, c->force), c->moment[0]},
+                         {c->body[1], c->force, c->moment[1]},
+                         {c->third, c->other, c->third_moment},
+                         {c->fourth, yk_scale(-1, c->other), c->fourth_moment}};
+    size_t count = 0;
+    for (size_t k = 0; k < 4; k++) {
+        size_t at = 0;
+        if (all[k].body == 0) continue;
+        while (at < count && shares[at].body != all[k].body) at++;
+        if (at == count) shares[count++] = (Share){.body = all[k].body};
+        shares[at].force = yk_add(shares[at].force, all[k].force);
+        shares[at].moment += all[k].moment;
+    }
+    return count;
+}
+
+static void emit_mesh(const YkFreeBodies *f, YkBodySystem *s, const YkWrenchColumn *c, size_t column, double sign,
+                      bool transposed)
+{
+    Share shares[4];
+    size_t count = shares_of(c, shares);
+    for (size_t k = 0; k < count; k++) {
+        size_t row = (size_t)f->body_row[shares[k].body];
+        emit(s, row, column, sign * shares[k].force.x, transposed);
+        emit(s, row + 1, column, sign * shares[k].force.y, transposed);
+        emit(s, row + 2, column, sign * shares[k].moment, transposed);
+    }
+}
+
 void yk_body_system_wrench(const YkFreeBodies *f, YkBodySystem *s, const YkWrenchColumn *c, size_t column, double sign,
                            bool transposed)
 {
+    if (c->kind == YK_WRENCH_MESH) {
+        emit_mesh(f, s, c, column, sign, transposed);
+        return;
+    }
     for (int k = 0; k < 2; k++) {
         if (c->body[k] == 0) continue;
         size_t row = (size_t)f->body_row[c->body[k]];
@@ -78,6 +121,4 @@ void yk_body_system_wrench(const YkFreeBodies *f, YkBodySystem *s, const YkWrenc
         if (!is_couple && c->kind != YK_WRENCH_X) emit(s, row + 1, column, along * c->force.y, transposed);
         emit(s, row + 2, column, sign * c->moment[k], transposed);
     }
-    if (c->fourth != 0) emit(s, (size_t)f->body_row[c->fourth] + 2, column, sign * c->fourth_moment, transposed);
-    if (c->third != 0) emit(s, (size_t)f->body_row[c->third] + 2, column, sign * c->third_moment, transposed);
 }

@@ -132,8 +132,14 @@ void yk_wrench_add(const YkFreeBodies *f, const YkWrenchColumn *c, double factor
         row[1] += sign * c->force.y;
         row[2] += factor * c->moment[k];
     }
-    if (c->third != 0) y[f->body_row[c->third] + 2] += factor * c->third_moment;
-    if (c->fourth != 0) y[f->body_row[c->fourth] + 2] += factor * c->fourth_moment;
+    const int32_t others[] = {c->third, c->fourth};
+    for (int k = 0; k < 2; k++) {
+        if (others[k] == 0) continue;
+        double *row = y + f->body_row[others[k]], sign = k ? -factor : factor;
+        row[0] += sign * c->other.x;
+        row[1] += sign * c->other.y;
+        row[2] += factor * (k ? c->fourth_moment : c->third_moment);
+    }
 }
 
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const double *x)
@@ -144,7 +150,12 @@ double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const doubl
         const double *row = x + f->body_row[c->body[k]];
         sum += (k ? 1 : -1) * (c->force.x * row[0] + c->force.y * row[1]) + c->moment[k] * row[2];
     }
-    if (c->third != 0) sum += c->third_moment * x[f->body_row[c->third] + 2];
-    if (c->fourth != 0) sum += c->fourth_moment * x[f->body_row[c->fourth] + 2];
+    const int32_t others[] = {c->third, c->fourth};
+    for (int k = 0; k < 2; k++) {
+        if (others[k] == 0) continue;
+        const double *row = x + f->body_row[others[k]];
+        sum += (k ? -1 : 1) * (c->other.x * row[0] + c->other.y * row[1]) +
+               (k ? c->fourth_moment : c->third_moment) * row[2];
+    }
     return sum;
 }

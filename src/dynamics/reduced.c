@@ -181,14 +181,30 @@ static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads,
 // --- operations
 // ---------------------------------------------------------------------------------------------------------
 
+// The rows of a group's relations, behind those of its loops.
+static void add_relation_rows(YkReduced *r, const YkSpace *space, const YkOperation *op, size_t m)
+{
+    const YkElimination *e = r->e;
+    const YkBlock *block = &e->mech->blocks[op->block];
+    const double *factor = e->factors + op->first_factor;
+    size_t n = op->own, q = op->given;
+    for (size_t k = 0; k < block->relation_count; k++, factor += 2 * (n + q)) {
+        size_t row = 2 * block->loop_count + k;
+        double slope = space->gain[(size_t)e->mech->group_relations[block->first_relation + k] * space->stride];
+        for (size_t u = 0; u < n; u++) r->D[row * n + u] = factor[2 * u] + slope * factor[2 * u + 1];
+        for (size_t w = 0; w < q; w++) r->K[w * m + row] = -(factor[2 * (n + w)] + slope * factor[2 * (n + w) + 1]);
+    }
+}
+
 // D x = -K for the unknowns of a group; more equations than unknowns: least squares.
 static bool solve_group(YkReduced *r, const YkSpace *space, const YkOperation *op, double *C)
 {
     const YkElimination *e = r->e;
-    size_t n = op->own, q = op->given, m = 2 * e->mech->blocks[op->block].loop_count;
+    const YkBlock *block = &e->mech->blocks[op->block];
+    size_t n = op->own, q = op->given, m = yk_block_rows(block);
     memset(r->D, 0, m * n * sizeof *r->D);
     memset(r->K, 0, m * q * sizeof *r->K);
-    for (size_t row = 0; row < m / 2; row++) {
+    for (size_t row = 0; row < block->loop_count; row++) {
         for (uint32_t k = 0; k < op->gradient.columns; k++) r->column[k] = yk_vec(0, 0);
         for (uint32_t k = 0; k < op->gradient.node_count; k++) {
             const YkNodePart *part = &e->nodes[op->gradient.first_node + k];
@@ -209,6 +225,7 @@ static bool solve_group(YkReduced *r, const YkSpace *space, const YkOperation *o
             r->K[k * m + 2 * row + 1] = -r->column[n + k].y;
         }
     }
+    add_relation_rows(r, space, op, m);
     if (m == n) {
         if (yk_lu_factor(n, r->D, r->pivot, r->tau) == 0) return false;
         for (size_t k = 0; k < q; k++) {
@@ -238,7 +255,7 @@ static bool find_coefficients(YkReduced *r, const YkSpace *space, const YkOperat
     case YK_OP_RELATION: {
         const double *factor = r->e->factors + op->first_factor;
         double slope = space->gain[op->block * space->stride];
-        for (uint32_t k = 0; k < q; k++) C[k] = factor[2 * k] + slope * factor[2 * k + 1];
+        for (uint32_t k = 0; k < q; k++) C[k] = factor[2 + 2 * k] + slope * factor[3 + 2 * k];
         return true;
     }
     case YK_OP_NODE:

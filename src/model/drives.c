@@ -33,12 +33,11 @@ static void read_law(YkLoader *loader, int32_t coordinate, const YkPair *pair)
                    yk_dimension_name(dimension_of(model, coordinate)));
     bool is_rate = false;
     int32_t followed = of->kind == YK_NODE_SCALAR ? yk_load_coordinate(loader, of->text, of->place, &is_rate) : YK_NONE;
-    if (followed >= 0 && model->coordinates[followed].is_distance) {
-        yk_problem(loader->problems, YK_CODE_NOT_SUPPORTED, of->place,
-                   "%q is a distance; a coordinate can follow an angle only", of->text);
-        return;
-    }
     if (followed >= 0 && !is_rate && followed != coordinate) {
+        if (!yk_dimension_equal(model->laws[law].of, dimension_of(model, followed)))
+            yk_problem(loader->problems, YK_CODE_WRONG_DIMENSION, of->place, "law %q is over %s; %q is %s",
+                       model->laws[law].name, yk_dimension_name(model->laws[law].of), of->text,
+                       yk_dimension_name(dimension_of(model, followed)));
         model->follows[model->follow_count++] = (YkFollow){coordinate, followed, pair->key->place, law};
         return;
     }

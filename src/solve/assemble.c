@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
+#include "solve/relations.h"
 
 // Where the search ends: configurations seen; blocks opened before the first configuration was found, and after it
 // (besides one a block).
@@ -115,10 +116,11 @@ YkSearch *yk_search_new(const YkMechanism *mech)
     search->best_branch = calloc(mech->block_count + 1, sizeof *search->best_branch);
     search->best_x = calloc(mech->column_count + 1, sizeof(double));
     search->kept_x = calloc(mech->column_count + 1, sizeof(double));
+    search->kept_reference = calloc(mech->reference_count + 1, sizeof(double));
     search->path = calloc(2 * mech->input_count + 1, sizeof(double));
     search->wanted = calloc(3 * mech->input_count + 1, sizeof(double));
     bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch &&
-              search->best_x && search->kept_x && search->path && search->wanted &&
+              search->best_x && search->kept_x && search->kept_reference && search->path && search->wanted &&
               yk_space_start(&search->kept, mech, 1, true);
     if (ok) {
         cut_levels(search, mech, &known);
@@ -140,6 +142,7 @@ void yk_search_free(YkSearch *search)
     free(search->best_branch);
     free(search->best_x);
     free(search->kept_x);
+    free(search->kept_reference);
     free(search->path);
     free(search->wanted);
     free(search->solutions);
@@ -182,7 +185,7 @@ static double run_option(YkState *s, YkLevel *level, size_t option)
     yk_run_steps(&run, level->from, level->to);
     if (yk_state_judge(s, &s->spare) < 0) return INFINITY;
     if (s->mech->blocks[level->block].kind == YK_BLOCK_GROUP)
-        s->branch[level->block] = (signed char)yk_group_sign(&s->groups, s->mech, &s->spare, (size_t)level->block);
+        s->branch[level->block] = (signed char)yk_group_sign(&run, (size_t)level->block);
     double cost = 0;
     for (uint32_t k = 0; k < level->coordinate_count; k++)
         cost += coordinate_cost(s, (size_t)s->search->coordinates[level->first_coordinate + k]);
@@ -194,7 +197,8 @@ static void count_options(YkState *s, YkLevel *level)
     const YkBlock *b = &s->mech->blocks[level->block];
     level->options = 2;
     if (b->kind != YK_BLOCK_GROUP) return;
-    level->options = (uint32_t)yk_group_search(&s->groups, s->mech, &s->spare, (size_t)level->block);
+    YkRun run = yk_state_run(s, &s->spare);
+    level->options = (uint32_t)yk_group_search(&run, (size_t)level->block);
     memcpy(level->solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
@@ -312,6 +316,7 @@ static YkStatus take(YkState *s, const signed char *branch, const double *x)
 YkStatus yk_state_assemble(YkState *s)
 {
     Best best = {INFINITY, false};
+    yk_relations_guess(s);
     if (s->mech->has_groups) {
         double *variables = calloc(yk_variable_count(s->mech) + 1, sizeof *variables);
         guess_groups(s, variables);

@@ -20,7 +20,7 @@ typedef struct YkSearch {
     size_t first_step;    // of level 0: steps before it have no choice
     int32_t *coordinates; // by the level after which they are known
     signed char *best_branch;
-    double *best_x, *kept_x, *path, *wanted;
+    double *best_x, *kept_x, *kept_reference, *path, *wanted;
     double *solutions, *costs; // the levels' own, in one piece each
     unsigned char *orders;
     YkSpace kept;

@@ -281,7 +281,8 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
     return worst;
 }
 
-// Machines with groups, or a channel that only a state knows: pose by pose, each tracked from the batch's own state.
+// Machines with groups, angles that are followed turn by turn, or a channel that only a state knows: pose by pose, each
+// tracked from the batch's own state.
 static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *outputs, size_t pose)
 {
     yk_state_copy(b->state, b->home);
@@ -297,7 +298,7 @@ static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *
 
 static bool needs_state(const YkBatch *b)
 {
-    if (b->mech->has_groups) return true;
+    if (b->mech->has_groups || b->mech->reference_count > 0) return true;
     for (size_t k = 0; k < b->channel_count; k++)
         if (b->channels[k].kind == YK_CHANNEL_TRANSMISSION) return true;
     return false;

@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "num/dense.h"
+#include "solve/relations.h"
+#include "solve/run.h"
 
 bool yk_group_start(YkGroupWork *w, const YkMechanism *mech)
 {
@@ -39,18 +41,25 @@ typedef struct Group {
     const YkColumn *columns;
     size_t m, n;
     double *x;
+    const YkRun *run;
 } Group;
 
-static Group group_of(YkGroupWork *w, const YkMechanism *mech, const YkSpace *space, size_t index)
+static Group group_of(const YkRun *run, size_t index)
 {
-    const YkBlock *b = &mech->blocks[index];
-    return (Group){mech,
-                   space,
-                   b,
-                   mech->group_columns + b->first_column,
-                   2 * b->loop_count,
-                   b->column_count,
-                   w->x + b->first_column};
+    const YkBlock *b = &run->mech->blocks[index];
+    return (Group){.mech = run->mech,
+                   .space = run->space,
+                   .block = b,
+                   .columns = run->mech->group_columns + b->first_column,
+                   .m = yk_block_rows(b),
+                   .n = b->column_count,
+                   .x = run->groups->x + b->first_column,
+                   .run = run};
+}
+
+static int32_t relation_of(const Group *g, size_t k)
+{
+    return g->mech->group_relations[g->block->first_relation + k];
 }
 
 static int find_column(const Group *g, bool is_distance, int32_t index)
@@ -98,11 +107,23 @@ static void add_to_column(double *J, size_t n, size_t row, int column, YkVec v)
     J[(row + 1) * n + (size_t)column] += v.y;
 }
 
+// What the relations miss by, m; the same weight as a loop's.
+static void evaluate_relations(const Group *g, const double *x, double *residual, double *J)
+{
+    for (size_t k = 0; k < g->block->relation_count; k++) {
+        size_t row = 2 * g->block->loop_count + k;
+        YkRelationPose pose = yk_relation_pose(g->run, (size_t)relation_of(g, k), x, NULL);
+        residual[row] = pose.value.position;
+        if (J) yk_relation_gradient(g->mech, (size_t)relation_of(g, k), pose.slope, J + row * g->n);
+    }
+}
+
 // residual[m]; J[m][n] or NULL.
 static void evaluate(const Group *g, const double *x, double *residual, double *J)
 {
     if (J) memset(J, 0, g->m * g->n * sizeof *J);
-    for (size_t l = 0; 2 * l < g->m; l++) {
+    evaluate_relations(g, x, residual, J);
+    for (size_t l = 0; l < g->block->loop_count; l++) {
         const YkSum *sum = &g->mech->group_loops[g->block->first_loop + l];
         YkVec total[3] = {sum->constant, {0, 0}, {0, 0}};
         add_node(g, sum->plus, 1, total);
@@ -162,6 +183,15 @@ static double step_length(const YkGroupWork *w, const Group *g)
     return largest > 0.7 ? 0.7 / largest : 1;
 }
 
+// Angles of many turns are known to fewer digits: what a relation misses by rounding, m.
+static double rounding_of(const Group *g)
+{
+    double most = 0;
+    for (size_t k = 0; k < g->block->relation_count; k++)
+        most = fmax(most, yk_relation_pose(g->run, (size_t)relation_of(g, k), g->x, NULL).scale);
+    return 1e-15 * most;
+}
+
 static bool iterate(YkGroupWork *w, const Group *g)
 {
     double size = g->mech->size, tolerance = 1e-14 * size, now;
@@ -182,14 +212,18 @@ static bool iterate(YkGroupWork *w, const Group *g)
         now = then;
     }
     evaluate(g, g->x, w->residual, w->J);
-    return now <= 1e-12 * size;
+    return now <= 1e-12 * size + rounding_of(g);
 }
 
 // Known parts of velocity (order 1) or acceleration (order 2) of all loops, with the unknowns' own rates as given in
 // `rate`.
 static void known_rates(const Group *g, int order, const double *rate, double *out)
 {
-    for (size_t l = 0; 2 * l < g->m; l++) {
+    for (size_t k = 0; k < g->block->relation_count; k++) {
+        YkMotion value = yk_relation_pose(g->run, (size_t)relation_of(g, k), g->x, rate).value;
+        out[2 * g->block->loop_count + k] = order == 1 ? value.velocity : value.acceleration;
+    }
+    for (size_t l = 0; l < g->block->loop_count; l++) {
         const YkSum *sum = &g->mech->group_loops[g->block->first_loop + l];
         YkVec total[3] = {{0, 0}, {0, 0}, {0, 0}};
         add_node(g, sum->plus, 1, total);
@@ -217,6 +251,10 @@ static void known_rates(const Group *g, int order, const double *rate, double *o
 
 static void write_solution(const Group *g, const double *rate, const double *accel)
 {
+    for (size_t k = 0; k < g->block->relation_count; k++) {
+        size_t relation = (size_t)relation_of(g, k);
+        g->space->gain[relation * g->space->stride] = yk_relation_pose(g->run, relation, g->x, NULL).slope;
+    }
     for (size_t k = 0; k < g->n; k++) {
         if (g->columns[k].is_distance) {
             YkSlide d = yk_space_slide(g->space, g->columns[k].index);
@@ -248,9 +286,11 @@ static double solve_rates(YkGroupWork *w, const Group *g)
     return det;
 }
 
-void yk_group_solve(YkGroupWork *w, const YkMechanism *mech, YkSpace *space, size_t index, int branch)
+void yk_group_solve(const YkRun *run, size_t index, int branch)
 {
-    Group g = group_of(w, mech, space, index);
+    YkGroupWork *w = run->groups;
+    YkSpace *space = run->space;
+    Group g = group_of(run, index);
     double *guess = w->tau + g.n; // tau has twice the length
     memcpy(guess, g.x, g.n * sizeof *guess);
     bool ok = iterate(w, &g);
@@ -261,9 +301,10 @@ void yk_group_solve(YkGroupWork *w, const YkMechanism *mech, YkSpace *space, siz
     if (!(space->margin[0] <= m)) space->margin[0] = m;
 }
 
-int yk_group_sign(YkGroupWork *w, const YkMechanism *mech, YkSpace *space, size_t index)
+int yk_group_sign(const YkRun *run, size_t index)
 {
-    Group g = group_of(w, mech, space, index);
+    YkGroupWork *w = run->groups;
+    Group g = group_of(run, index);
     evaluate(&g, g.x, w->residual, w->J);
     double det = newton_step(w, &g);
     return det > 0 ? 1 : det < 0 ? -1 : 0;
@@ -287,13 +328,15 @@ static void random_start(const Group *g, const double *guess, uint64_t *seed)
     for (size_t k = 0; k < g->n; k++) {
         *seed = *seed * 6364136223846793005u + 1442695040888963407u;
         double r = (double)(int64_t)*seed * 0x1p-63;
-        g->x[k] = g->columns[k].is_distance ? guess[k] + 2 * g->mech->size * r : YK_PI * r;
+        double middle = g->columns[k].is_distance || g->block->relation_count > 0 ? guess[k] : 0;
+        g->x[k] = middle + r * (g->columns[k].is_distance ? 2 * g->mech->size : YK_PI);
     }
 }
 
-size_t yk_group_search(YkGroupWork *w, const YkMechanism *mech, YkSpace *space, size_t index)
+size_t yk_group_search(const YkRun *run, size_t index)
 {
-    Group g = group_of(w, mech, space, index);
+    YkGroupWork *w = run->groups;
+    Group g = group_of(run, index);
     size_t count = 0, tries = 40 * g.n;
     uint64_t seed = 1;
     double *guess = w->tau + g.n; // room of its own: tau has twice the length
@@ -303,7 +346,7 @@ size_t yk_group_search(YkGroupWork *w, const YkMechanism *mech, YkSpace *space, 
     for (size_t t = 0; t <= tries && count < YK_GROUP_SOLUTIONS_MAX; t++) {
         if (t > 0) random_start(&g, guess, &seed);
         if (!iterate(w, &g)) continue;
-        for (size_t k = 0; k < g.n; k++)
+        for (size_t k = 0; k < g.n && g.block->relation_count == 0; k++) // where gears count turns they stay
             if (!g.columns[k].is_distance) g.x[k] = yk_nearest_turn(g.x[k], guess[k]);
         if (!is_new(w, &g, count)) continue;
         memcpy(w->solutions + count++ * g.n, g.x, g.n * sizeof *g.x);

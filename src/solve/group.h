@@ -1,4 +1,5 @@
-// Larger Assur groups: Newton's method on all loops of the group at once, one pose at a time.
+// Larger Assur groups: Newton's method on all loops of the group, and on the gears and cams that need them, at once;
+// one pose at a time.
 #ifndef SOLVE_GROUP_H
 #define SOLVE_GROUP_H
 #include "solve/space.h"
@@ -18,12 +19,13 @@ typedef struct YkGroupWork {
 
 bool yk_group_start(YkGroupWork *work, const YkMechanism *mech);
 void yk_group_end(YkGroupWork *work);
-// Solves block `index` in lane 0 from work->x: positions, and rates from the same factors. Sets the margin negative
-// when it fails or, with branch != 0, when the determinant's sign is another.
-void yk_group_solve(YkGroupWork *work, const YkMechanism *mech, YkSpace *space, size_t index, int branch);
+// Solves block `index` in lane 0 from run->groups->x: positions, and rates from the same factors. Sets the margin
+// negative when it fails or, with branch != 0, when the determinant's sign is another.
+struct YkRun;
+void yk_group_solve(const struct YkRun *run, size_t index, int branch);
 // The sign of the block's determinant at its present pose (+1, -1; 0 when singular).
-int yk_group_sign(YkGroupWork *work, const YkMechanism *mech, YkSpace *space, size_t index);
-// Searches solutions from many starts (seeded); writes them to work->solutions in a fixed order, returns how many.
-size_t yk_group_search(YkGroupWork *work, const YkMechanism *mech, YkSpace *space, size_t index);
+int yk_group_sign(const struct YkRun *run, size_t index);
+// Searches solutions from many starts (seeded); writes them to groups->solutions in a fixed order, returns how many.
+size_t yk_group_search(const struct YkRun *run, size_t index);
 
 #endif

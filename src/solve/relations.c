@@ -69,14 +69,93 @@ void yk_run_relation(const YkRun *run, size_t index)
     memcpy(target.a, out.ax, n * sizeof(double));
 }
 
-void yk_relations_refer(YkState *s)
+void yk_run_relation_check(const YkRun *run, size_t index)
+{
+    const YkRelation *r = &run->mech->relations[index];
+    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN),
+            argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
+    double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x, *gap = run->space->gap;
+    add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
+    if (r->law) {
+        add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, argument, angle);
+        add_law(run, r, argument, out, run->space->gain + index * run->space->stride);
+    }
+    for (size_t k = 0; k < run->lanes; k++) gap[k] = fmax(gap[k], fabs(out.x[k]));
+}
+
+// --- in a group
+// ---------------------------------------------------------------------------------------------------------
+
+// A sum of sources in lane 0; adds the sizes of its parts to *scale.
+static YkMotion sum_of(const YkRun *run, uint32_t first, uint32_t count, double offset, const double *x,
+                       const double *rate, double *scale)
+{
+    YkMotion sum = {offset, 0, 0};
+    for (uint32_t k = first; k < first + count; k++) {
+        const YkSource *s = &run->mech->sources[k];
+        YkMotion m = {0, 0, 0};
+        if (s->kind == YK_SOURCE_INPUT) {
+            const double *const *in = run->inputs + 3 * s->index;
+            m = (YkMotion){in[0][0], in[1][0], in[2][0]};
+        } else if (s->kind == YK_SOURCE_DISTANCE) {
+            YkSlide d = yk_space_slide(run->space, s->index);
+            m = (YkMotion){d.d[0], d.v[0], d.a[0]};
+        } else if (s->kind == YK_SOURCE_COLUMN) {
+            m = (YkMotion){x[s->index], rate ? rate[s->index] : 0, 0};
+        } else {
+            YkTurn t = yk_space_turn(run->space, s->index);
+            m = (YkMotion){0, t.w[0], t.a[0]};
+            yk_lanes_angle(&m.position, yk_space_turn(run->space, 0), t, 0, run->references[s->reference], 1);
+        }
+        sum.position += s->factor * m.position;
+        sum.velocity += s->factor * m.velocity;
+        sum.acceleration += s->factor * m.acceleration;
+        *scale += fabs(s->factor * m.position);
+    }
+    return sum;
+}
+
+YkRelationPose yk_relation_pose(const YkRun *run, size_t index, const double *x, const double *rate)
+{
+    const YkRelation *r = &run->mech->relations[index];
+    YkRelationPose pose = {.scale = fabs(r->offset)};
+    pose.value = sum_of(run, r->first_source, r->source_count, r->offset, x, rate, &pose.scale);
+    if (!r->law) return pose;
+    double d[YK_LAW_ORDER + 1], turned = 0;
+    YkMotion a = sum_of(run, r->first_argument_source, r->argument_source_count, r->argument_offset, x, rate, &turned);
+    yk_law_eval(r->law, a.position, d);
+    pose.slope = r->gain * d[1];
+    pose.scale += fabs(r->gain * d[0]) + fabs(pose.slope) * turned;
+    pose.value.position += r->gain * d[0];
+    pose.value.velocity += pose.slope * a.velocity;
+    pose.value.acceleration += pose.slope * a.acceleration + r->gain * d[2] * a.velocity * a.velocity;
+    return pose;
+}
+
+static void add_gradient(const YkMechanism *mech, uint32_t first, uint32_t count, double times, double *row)
+{
+    for (uint32_t k = first; k < first + count; k++)
+        if (mech->sources[k].kind == YK_SOURCE_COLUMN) row[mech->sources[k].index] += times * mech->sources[k].factor;
+}
+
+void yk_relation_gradient(const YkMechanism *mech, size_t index, double slope, double *row)
+{
+    const YkRelation *r = &mech->relations[index];
+    add_gradient(mech, r->first_source, r->source_count, 1, row);
+    add_gradient(mech, r->first_argument_source, r->argument_source_count, slope, row);
+}
+
+// --- references
+// ---------------------------------------------------------------------------------------------------------
+
+void yk_relations_refer(YkState *s, const YkSpace *space)
 {
     for (size_t k = 0; k < s->mech->source_count; k++) {
         const YkSource *source = &s->mech->sources[k];
         if (source->kind != YK_SOURCE_SLOT) continue;
-        YkTurn t = yk_space_turn(&s->space, source->index);
+        YkTurn t = yk_space_turn(space, source->index);
         double *reference = &s->slot_reference[source->reference];
-        yk_lanes_angle(reference, yk_space_turn(&s->space, 0), t, 0, *reference, 1);
+        yk_lanes_angle(reference, yk_space_turn(space, 0), t, 0, *reference, 1);
     }
 }
 

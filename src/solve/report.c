@@ -1,6 +1,7 @@
 // What went wrong: which block, which joint, by how much.
 #include <string.h>
 #include "base/number.h"
+#include "solve/relations.h"
 #include "solve/state.h"
 
 // The first block in the order of solution that does not close, or the one nearest to a dead point.
@@ -26,6 +27,27 @@ static int redundant_block(const YkState *s)
     for (size_t b = 0; b < s->mech->block_count; b++)
         if (s->mech->blocks[b].kind == YK_BLOCK_LINK || s->mech->blocks[b].kind == YK_BLOCK_CHECK) return (int)b;
     return -1;
+}
+
+// The relation that repeats others and fits worst, and by how much; NULL where there is none.
+static const char *redundant_relation(YkState *s, const YkSpace *space, double *worst)
+{
+    const char *name = NULL;
+    YkSpace view = *space;
+    double miss;
+    view.gap = &miss;
+    YkRun run = yk_state_run(s, &view);
+    *worst = 0;
+    for (size_t k = 0; k < s->mech->step_count; k++) {
+        const YkStep *step = &s->mech->steps[k];
+        if (step->kind != YK_STEP_CHECK) continue;
+        miss = 0;
+        yk_run_relation_check(&run, (size_t)step->target);
+        if (!(miss > *worst)) continue;
+        *worst = miss;
+        name = s->mech->relations[step->target].name;
+    }
+    return name;
 }
 
 static double length_at(const YkRun *run, const YkSum *sum, YkPlane scratch)
@@ -68,6 +90,11 @@ static const Sentence past_group = {"past a limit position: the group that joint
                                     "` labels does not close near its last pose", NULL}; // no number
 static const Sentence unfit = {"the constraint that joint `", "` repeats does not fit: its loop misses by ", " m"};
 
+static const Sentence unmatched = {"`",
+                                   "` repeats other gears, belts, racks, cams or laws and does not fit them: it "
+                                   "misses by ",
+                                   " m; mind the phases that `start:` gives"};
+
 static void append(char *message, size_t capacity, const char *part, size_t most)
 {
     size_t at = strlen(message);
@@ -100,6 +127,13 @@ void yk_state_tell(YkState *s, const YkSpace *space, YkStatus status)
         b = redundant_block(s);
         sentence = &unfit;
     }
+    double miss = 0;
+    const char *relation = b < 0 && status == YK_NO_ASSEMBLY ? redundant_relation(s, space, &miss) : NULL;
+    if (relation) {
+        r->gap = miss;
+        write_sentence(r, &unmatched, relation, miss);
+        return;
+    }
     if (b < 0) {
         append(r->message, sizeof r->message, "the machine cannot be assembled with these inputs", sizeof r->message);
         return;
@@ -107,7 +141,7 @@ void yk_state_tell(YkState *s, const YkSpace *space, YkStatus status)
     const YkBlock *block = &s->mech->blocks[b];
     if (block->kind == YK_BLOCK_GROUP && status == YK_LIMIT) sentence = &past_group;
     r->block = b;
-    r->joint = s->mech->block_members[block->first_joint + block->joint_count / 2];
+    if (block->joint_count > 0) r->joint = s->mech->block_members[block->first_joint + block->joint_count / 2];
     r->determinant = sqrt(fmax(0, space->block_margin[b]));
     r->gap = status == YK_SINGULAR ? 0 : gap_of(s, &view, b);
     write_sentence(r, sentence, block->label, status == YK_SINGULAR ? r->determinant : r->gap);

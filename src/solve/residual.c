@@ -1,5 +1,6 @@
-// How well a pose closes, measured in the loops of the tree from the answers themselves: independent of the steps that
-// solved it.
+// How well a pose closes, measured in the loops of the tree and in the relations from the answers themselves:
+// independent of the steps that solved it.
+#include "law/law.h"
 #include "solve/state.h"
 
 typedef struct Angle {
@@ -40,6 +41,74 @@ static void loop_sums(const YkState *s, const YkSum *sum, YkVec total[3], double
     }
 }
 
+// --- relations
+// -------------------------------------------------------------------------------------------------------------
+
+// What a relation's term stands at: a distance, or an angle that adds up along the tree from the coordinates told.
+static YkMotion motion_of(const YkState *s, YkRelationTerm term)
+{
+    if (term.is_distance) {
+        YkSlide d = yk_space_slide(&s->space, term.index);
+        return (YkMotion){d.d[0], d.v[0], d.a[0]};
+    }
+    int32_t body = s->mech->orientation_body[term.index];
+    YkMotion m = yk_state_body(s, (size_t)body);
+    m.position -= s->mech->bodies[body].turn;
+    return m;
+}
+
+static YkMotion sum_of(const YkState *s, uint32_t first, uint32_t count, double scale[3])
+{
+    YkMotion sum = {0, 0, 0};
+    for (uint32_t k = first; k < first + count; k++) {
+        YkRelationTerm term = s->mech->relation_terms[k];
+        YkMotion m = motion_of(s, term);
+        sum.position += term.factor * m.position;
+        sum.velocity += term.factor * m.velocity;
+        sum.acceleration += term.factor * m.acceleration;
+        scale[0] += fabs(term.factor * m.position);
+        scale[1] += fabs(term.factor * m.velocity);
+        scale[2] += fabs(term.factor * m.acceleration);
+    }
+    return sum;
+}
+
+// Angles are told nearest to a reference: whole turns of any one of them close as well.
+static double without_turns(const YkState *s, const YkRelation *r, double miss)
+{
+    double least = fabs(miss);
+    for (uint32_t k = 0; k < r->term_count; k++) {
+        YkRelationTerm term = s->mech->relation_terms[r->first_term + k];
+        double turn = 2 * YK_PI * fabs(term.factor);
+        if (!term.is_distance && turn > 0) least = fmin(least, fabs(miss - turn * rint(miss / turn)));
+    }
+    return least;
+}
+
+// Raises worst[] to what the relation misses by, a length; scale[] to the size of its parts.
+static void relation_miss(const YkState *s, const YkRelation *r, double worst[3], double scale[3])
+{
+    double weight = yk_relation_weight(s->mech, r), own[3] = {fabs(r->constant), 0, 0}, turned[3] = {0, 0, 0},
+           law[YK_LAW_ORDER + 1] = {0};
+    YkMotion x = sum_of(s, r->first_term, r->term_count, own);
+    if (r->law) {
+        YkMotion a = sum_of(s, r->first_argument, r->argument_count, turned);
+        yk_law_eval(r->law, r->argument_constant + a.position, law);
+        x.position -= law[0];
+        x.velocity -= law[1] * a.velocity;
+        x.acceleration -= law[1] * a.acceleration + law[2] * a.velocity * a.velocity;
+        own[1] += fabs(law[1] * a.velocity);
+        own[2] += fabs(law[1]) * turned[2] + fabs(law[2] * a.velocity * a.velocity);
+    }
+    // the digits of angles that have made many turns are beyond the relation
+    double miss = fmax(0, without_turns(s, r, x.position - r->constant) - 1e-15 * (own[0] + fabs(law[1]) * turned[0]));
+    const double misses[3] = {miss, fabs(x.velocity), fabs(x.acceleration)};
+    for (int k = 0; k < 3; k++) {
+        worst[k] = fmax(worst[k], weight * misses[k]);
+        if (k > 0) scale[k] = fmax(scale[k], weight * own[k]);
+    }
+}
+
 YkResiduals yk_state_residuals(const YkState *s)
 {
     double worst[3] = {0, 0, 0}, scale[3] = {s->mech->size, 0, 0};
@@ -48,6 +117,7 @@ YkResiduals yk_state_residuals(const YkState *s)
         loop_sums(s, &s->mech->loops[l].sum, total, scale);
         for (int k = 0; k < 3; k++) worst[k] = fmax(worst[k], yk_norm(total[k]));
     }
+    for (size_t r = 0; r < s->mech->relation_count; r++) relation_miss(s, &s->mech->relations[r], worst, scale);
     for (int k = 0; k < 3; k++) worst[k] = scale[k] > 0 ? worst[k] / scale[k] : 0;
     if (!s->has_rates) worst[1] = worst[2] = 0;
     return (YkResiduals){worst[0], worst[1], worst[2]};

@@ -120,7 +120,7 @@ static void run_block(const YkRun *run, size_t index)
 {
     const YkBlock *b = &run->mech->blocks[index];
     if (b->kind == YK_BLOCK_GROUP)
-        yk_group_solve(run->groups, run->mech, run->space, index, run->branch[index]);
+        yk_group_solve(run, index, run->branch[index]);
     else if (b->kind == YK_BLOCK_LINK || b->kind == YK_BLOCK_CHECK)
         run_redundant(run, b);
     else
@@ -165,6 +165,9 @@ void yk_run_steps(const YkRun *run, size_t from, size_t to)
             break;
         case YK_STEP_RELATION:
             yk_run_relation(run, (size_t)step->target);
+            break;
+        case YK_STEP_CHECK:
+            yk_run_relation_check(run, (size_t)step->target);
             break;
         }
     }

@@ -145,7 +145,7 @@ YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
     if (!(space->margin[0] >= YK_LIMIT_MARGIN)) return YK_LIMIT;
     if (!(space->gap[0] <= yk_gap_tolerance(s->mech, space->margin[0]))) return YK_NO_ASSEMBLY;
     if (space->margin[0] <= YK_SINGULAR_MARGIN) return YK_SINGULAR;
-    return s->mech->redundant_count > 0 ? YK_REDUNDANT : YK_OK;
+    return s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
 }
 
 void yk_state_accept(YkState *s)
@@ -161,7 +161,7 @@ void yk_state_accept(YkState *s)
 
 void yk_state_refer(YkState *s)
 {
-    yk_relations_refer(s);
+    yk_relations_refer(s, &s->space);
     for (size_t k = 0; k < s->mech->coordinate_count; k++)
         if (!s->mech->coordinates[k].is_distance) s->reference[k] = yk_coordinate_in(s, &s->space, k).position;
 }
@@ -169,12 +169,14 @@ void yk_state_refer(YkState *s)
 YkStatus yk_state_solve(YkState *s)
 {
     if (s->mech->has_groups) return yk_state_track(s);
+    yk_state_walk(s);
     YkRun run = yk_state_run(s, &s->spare);
     yk_run_begin(&run);
     yk_run_steps(&run, 0, s->mech->step_count);
     YkStatus status = yk_state_judge(s, &s->spare);
     yk_state_tell(s, &s->spare, status);
     if (status >= 0) yk_state_accept(s);
+    if (status < 0 && s->mech->reference_count > 0) yk_state_walk_back(s);
     return status;
 }
 

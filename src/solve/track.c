@@ -1,5 +1,6 @@
 #include "solve/track.h"
 #include <string.h>
+#include "solve/relations.h"
 
 #define DEPARTURE 1e-8     // rad, or lengths over the size: the first step from a dead point
 #define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: where not even such a step succeeds, there is a limit
@@ -107,6 +108,7 @@ static void accept_along(YkState *s)
     s->space = s->spare;
     s->spare = space;
     memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
+    yk_relations_refer(s, &s->space);
 }
 
 // What Newton's method may correct of a prediction. From a dead point, which predicts nothing, the unknowns move as the
@@ -151,17 +153,33 @@ static void depart(YkState *s, Tracker *t, const double *ends)
     }
 }
 
+static void find_ends(const YkState *s, double *ends)
+{
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        Path p = path_of(s, i);
+        ends[2 * i] = p.from;
+        ends[2 * i + 1] = p.way;
+    }
+}
+
+static void keep_references(YkState *s)
+{
+    memcpy(s->search->kept_reference, s->slot_reference, s->mech->reference_count * sizeof *s->slot_reference);
+}
+
+void yk_state_walk_back(YkState *s)
+{
+    memcpy(s->slot_reference, s->search->kept_reference, s->mech->reference_count * sizeof *s->slot_reference);
+}
+
 YkStatus yk_state_track(YkState *s)
 {
     size_t n = s->mech->input_count;
     double *ends = s->search->path, *wanted = s->search->wanted;
     if (!s->has_pose) return YK_BAD_ARGUMENT;
     memcpy(wanted, s->input, 3 * n * sizeof *wanted);
-    for (size_t i = 0; i < n; i++) {
-        Path p = path_of(s, i);
-        ends[2 * i] = p.from;
-        ends[2 * i + 1] = p.way;
-    }
+    find_ends(s, ends);
+    keep_references(s);
     Tracker t = {0, 1, path_length(s)};
     t.h = t.longest > 0.05 ? 0.05 / t.longest : 1;
     memcpy(s->groups.x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
@@ -186,6 +204,25 @@ YkStatus yk_state_track(YkState *s)
         yk_state_tell(s, &s->spare, status);
         yk_space_copy(&s->space, &s->search->kept);
         memcpy(s->valid_x, s->search->kept_x, s->mech->column_count * sizeof *s->valid_x);
+        yk_state_walk_back(s);
     }
     return status;
+}
+
+void yk_state_walk(YkState *s)
+{
+    enum { STEPS_MAX = 100000 };
+    if (s->mech->reference_count == 0) return;
+    const double stride = 0.1; // rad, or of the size: no angle makes half a turn in it
+    double *ends = s->search->path, *wanted = s->search->wanted, length = path_length(s);
+    keep_references(s);
+    if (!s->has_pose || !(length > stride) || !(length < stride * STEPS_MAX)) return;
+    memcpy(wanted, s->input, 3 * s->mech->input_count * sizeof *wanted);
+    find_ends(s, ends);
+    int steps = (int)ceil(length / stride);
+    for (int k = 1; k < steps; k++) {
+        set_path(s, ends, (double)k / steps);
+        if (run_here(s) >= 0) yk_relations_refer(s, &s->spare);
+    }
+    memcpy(s->input, wanted, 3 * s->mech->input_count * sizeof *wanted);
 }

@@ -7,5 +7,10 @@
 // Newton's method, each step checked: the same sign of every determinant, a correction small against the step. YK_LIMIT
 // where no step, however small, succeeds.
 YkStatus yk_state_track(YkState *state);
+// The same way for machines of closed forms whose gears or cams start from angles that loops place: only those angles
+// are followed, turn by turn. Leaves state->input; does nothing where the way is short.
+void yk_state_walk(YkState *state);
+// Takes the angles back to where they were before, as after a way to a pose that does not close.
+void yk_state_walk_back(YkState *state);
 
 #endif

@@ -1,7 +1,7 @@
 // Gears, racks, belts, cams and laws as relations: when they are solved, from what, and what is refused.
 #include "../check.h"
 #include <yoke/yoke.h>
-#include "compile/mechanism.h"
+#include "solve/state.h"
 
 typedef struct Made {
     YkProblems *problems;
@@ -159,6 +159,103 @@ static void a_wheel_may_hang_on_what_loops_place(void **unused)
     drop(&m);
 }
 
+// Wheels on the second and the fourth link of a five-bar, their centres on the third: loop and mesh need each other.
+static void a_loop_and_a_mesh_are_one_group(void **unused)
+{
+    (void)unused;
+    Made m = make("bodies:\n  ground: {points: {A: [0, 0], E: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}}\n"
+                  "  b: {points: {B: [-2.5, 0], C: [0, 0]}}\n  c: {points: {C: [0, 0], D: [2, 0]}}\n"
+                  "  d: {points: {D: [0, 0], E: [2.2, 0]}}\njoints:\n  A: {pin: [ground, a], angle: w}\n"
+                  "  B: {pin: [a, b], angle: x}\n  C: {pin: [b, c], angle: y}\n  D: {pin: [c, d], angle: z}\n"
+                  "  E: {pin: [ground, d]}\ngears: {g: {mesh: [b, d], teeth: [20, 30], carrier: c}}\n"
+                  "drives: {w: 60 deg + 1 rad/s * t}\nstart: {x: -30 deg, y: -60 deg, z: -60 deg}\n");
+    assert_non_null(m.mech);
+    assert_int_equal(m.mech->block_count, 1);
+    assert_int_equal(m.mech->blocks[0].relation_count, 1);
+    YkBlockInfo group = yk_block_info(m.mech, 0);
+    assert_int_equal(group.unknowns, 3);
+    assert_int_equal(group.equations, 3);
+    YkState *state = yk_state_new(m.mech);
+    assert_true(yk_state_assemble(state) >= 0);
+    double phase = -20 * -60 + 30 * -60;        // of `start:`, in degrees
+    for (int turn = 0; turn < 2 * 36; turn++) { // twice round: no tooth slips
+        yk_state_set_input(state, 0, (YkMotion){YK_PI / 3 + turn * YK_PI / 18, 1, 0});
+        assert_int_equal(yk_state_solve(state), YK_OK);
+        yk_state_refer(state);
+        double y = value(&m, state, "y"), z = value(&m, state, "z");
+        CHECK_NEAR(30 * z - 20 * y, phase * YK_PI / 180, 1e-12);
+        CHECK_NEAR(30 * value(&m, state, "z.rate") - 20 * value(&m, state, "y.rate"), 0, 1e-12);
+        assert_true(yk_state_residuals(state).position < 1e-13);
+    }
+    yk_state_free(state);
+    drop(&m);
+}
+
+// A third wheel between two in mesh repeats their ratio: fine where it is the same, no motion where it is not.
+static void meshes_that_repeat_each_other_are_checked(void **unused)
+{
+    (void)unused;
+    const char *const last[] = {"{mesh: [a, c], teeth: [10, 30], internal: true}", "{mesh: [a, c], teeth: [10, 31]}"};
+    for (int k = 0; k < 2; k++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "%sgears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [20, 30]}, r: %s}\n", TRAIN,
+                 last[k]);
+        Made m = make(text);
+        assert_non_null(m.mech);
+        assert_int_equal(yk_mechanism_freedom(m.mech).by_rank, k == 0);
+        assert_int_equal(yk_mechanism_freedom(m.mech).gruebler, 0);
+        assert_int_equal(m.mech->redundant_relation_count, k == 0);
+        YkState *state = yk_state_new(m.mech);
+        assert_int_equal(yk_state_assemble(state), k == 0 ? YK_REDUNDANT : YK_OK);
+        yk_state_free(state);
+        drop(&m);
+    }
+}
+
+// The phases of `start:` need not go together.
+static void a_mesh_that_does_not_fit_is_told(void **unused)
+{
+    (void)unused;
+    Made m = make(TRAIN "gears: {p: {mesh: [a, b], teeth: [10, 20]}, q: {mesh: [b, c], teeth: [20, 30]}, "
+                        "r: {mesh: [a, c], teeth: [10, 30], internal: true}}\nstart: {x: 0.1, y: 0.3}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_NO_ASSEMBLY);
+    yk_state_free(state);
+    drop(&m);
+}
+
+// The cam's follower is known: where on the cam that is, Newton's method finds.
+static void a_law_is_solved_for_its_argument(void **unused)
+{
+    (void)unused;
+    Made m =
+        make("laws: {l: {period: 2*pi, segments: [{rise: {to: pi, by: 2 rad, law: harmonic}}, {fall: {to: 2*pi, by: 2 "
+             "rad, law: harmonic}}]}}\n" TRAIN "drives: {y: {law: l, of: x}, z: 1 rad/s * t}\nstart: {y: 0.7, x: 1}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "x"), acos(1 - 0.7), 1e-14);
+    yk_state_free(state);
+    drop(&m);
+}
+
+static void a_law_follows_a_distance(void **unused)
+{
+    (void)unused;
+    Made m = make("laws: {l: {table: [[0 m, 0 m], [2 m, 1 m], [4 m, 5 m]], between: linear}}\n"
+                  "bodies: {a: {}, b: {}}\njoints: {S: {slide: [ground, a], along: x, distance: d}, "
+                  "T: {slide: [a, b], along: y, distance: e}}\ndrives: {d: 1 m + 3 m/s * t, e: {law: l, of: d}}\n");
+    assert_non_null(m.mech);
+    YkState *state = yk_state_new(m.mech);
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    CHECK_NEAR(value(&m, state, "e"), 0.5, 1e-15);
+    CHECK_NEAR(value(&m, state, "e.rate"), 1.5, 1e-15);
+    yk_state_free(state);
+    drop(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -169,6 +266,11 @@ int main(void)
         cmocka_unit_test(a_law_drives_over_time),
         cmocka_unit_test(a_law_follows_a_coordinate),
         cmocka_unit_test(a_wheel_may_hang_on_what_loops_place),
+        cmocka_unit_test(a_loop_and_a_mesh_are_one_group),
+        cmocka_unit_test(meshes_that_repeat_each_other_are_checked),
+        cmocka_unit_test(a_mesh_that_does_not_fit_is_told),
+        cmocka_unit_test(a_law_is_solved_for_its_argument),
+        cmocka_unit_test(a_law_follows_a_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
