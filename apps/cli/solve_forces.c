@@ -31,19 +31,29 @@ static void add_wrench(YkJson *json, const char *key, YkWrench wrench)
     yk_json_end(json);
 }
 
+static void add_reaction(YkSession *session, YkJson *json, const char *name, YkReaction r)
+{
+    yk_json_object(json, name, YK_JSON_INLINE);
+    yk_json_string(json, "by", yk_model_body_name(session->model, r.by));
+    yk_json_string(json, "on", yk_model_body_name(session->model, r.on));
+    add_pair(json, "force", r.force);
+    yk_json_number(json, "moment", r.moment);
+    if (!r.is_determinate) yk_json_bool(json, "determinate", false);
+    yk_json_end(json);
+}
+
 static void add_reactions(YkSession *session, YkJson *json)
 {
+    size_t contacts = yk_dynamics_contact_count(session->dynamics);
     yk_json_object(json, "reactions", YK_JSON_LINES);
-    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
-        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
-        yk_json_object(json, yk_model_joint_name(session->model, j), YK_JSON_INLINE);
-        yk_json_string(json, "by", yk_model_body_name(session->model, r.by));
-        yk_json_string(json, "on", yk_model_body_name(session->model, r.on));
-        add_pair(json, "force", r.force);
-        yk_json_number(json, "moment", r.moment);
-        if (!r.is_determinate) yk_json_bool(json, "determinate", false);
-        yk_json_end(json);
-    }
+    for (size_t j = 0; j < yk_model_joint_count(session->model); j++)
+        add_reaction(session, json, yk_model_joint_name(session->model, j), yk_dynamics_reaction(session->dynamics, j));
+    yk_json_end(json);
+    if (contacts == 0) return;
+    yk_json_object(json, "contacts", YK_JSON_LINES);
+    for (size_t k = 0; k < contacts; k++)
+        add_reaction(session, json, yk_dynamics_contact_name(session->dynamics, k),
+                     yk_dynamics_contact(session->dynamics, k));
     yk_json_end(json);
 }
 
@@ -134,6 +144,7 @@ static void write_table(YkSession *session, YkTable *table, bool has_rows)
 
 static void add_reaction_table(YkSession *session, double largest)
 {
+    size_t joints = yk_model_joint_count(session->model), contacts = yk_dynamics_contact_count(session->dynamics);
     YkTable *table = yk_table_new(6);
     YkText words = {0};
     const char *force = yk_unit_of(session, YK_QUANTITY_FORCE), *moment = yk_unit_of(session, YK_QUANTITY_TORQUE);
@@ -143,9 +154,12 @@ static void add_reaction_table(YkSession *session, double largest)
     yk_table_head(table, "force y", force);
     yk_table_head(table, "size", force);
     yk_table_head(table, "moment", moment);
-    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
-        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
-        yk_table_word(table, yk_model_joint_name(session->model, j));
+    for (size_t j = 0; j < joints + contacts; j++) {
+        bool is_joint = j < joints;
+        YkReaction r =
+            is_joint ? yk_dynamics_reaction(session->dynamics, j) : yk_dynamics_contact(session->dynamics, j - joints);
+        yk_table_word(table, is_joint ? yk_model_joint_name(session->model, j)
+                                      : yk_dynamics_contact_name(session->dynamics, j - joints));
         yk_words_renew(&words);
         yk_text_format(&words, "%s, %s%s", yk_model_body_name(session->model, r.by),
                        yk_model_body_name(session->model, r.on), r.is_determinate ? "" : " (one of many, least)");
@@ -157,7 +171,7 @@ static void add_reaction_table(YkSession *session, double largest)
     }
     session->out.failed |= words.failed;
     yk_text_free(&words);
-    write_table(session, table, yk_model_joint_count(session->model) > 0);
+    write_table(session, table, joints > 0);
 }
 
 static void add_effort_table(YkSession *session, bool is_distance, double largest)
@@ -217,6 +231,11 @@ void yk_forces_csv(YkSession *session, const char *label)
     for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
         YkReaction r = yk_dynamics_reaction(session->dynamics, j);
         add_csv(session, label, "reaction", yk_model_joint_name(session->model, j), r.force[0], r.force[1], r.moment);
+    }
+    for (size_t k = 0; k < yk_dynamics_contact_count(session->dynamics); k++) {
+        YkReaction r = yk_dynamics_contact(session->dynamics, k);
+        add_csv(session, label, "contact", yk_dynamics_contact_name(session->dynamics, k), r.force[0], r.force[1],
+                r.moment);
     }
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++)
         if (yk_dynamics_has_effort(session->dynamics, c))

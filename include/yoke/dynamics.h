@@ -45,6 +45,12 @@ typedef struct YkReaction {
     bool is_determinate; // false: one of many, the least in norm
 } YkReaction;
 YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint);
+// What gears, racks, belts and cams transmit: on their second body (wheel, rack, pulley, follower) by their first, at
+// the pitch point or where the cam touches. Where a force is not known - centres without points, belts - it is a couple
+// about the body's centre of mass. Names live as long as the mechanism.
+YK_API size_t yk_dynamics_contact_count(const YkDynamics *dynamics);
+YK_API const char *yk_dynamics_contact_name(const YkDynamics *dynamics, size_t contact);
+YK_API YkReaction yk_dynamics_contact(const YkDynamics *dynamics, size_t contact);
 // Along a tree coordinate, on the joint's second body (its reaction on the first): of the drive where the coordinate is
 // a prescribed input, otherwise what `efforts:` gives. N m or N.
 YK_API double yk_dynamics_effort(const YkDynamics *dynamics, size_t coordinate);

@@ -91,6 +91,7 @@ YK_API double yk_mechanism_size(const YkMechanism *mech);
 //   ram.C.x, ram.C.y, ram.C.x.rate, .accel a point; also ram.C.speed
 //   C.transmission                         the transmission angle of the block labelled C, rad in [0, pi/2]
 //   A.force.x, A.force.y, A.force, A.moment  a joint's reaction: on its second body by its first (A.force: its size)
+//   G.force.x, ...                         of gears, racks, belts and cams likewise, by their names
 //   theta1.effort                          effort along a coordinate: of its drive, or what the file says
 //   energy, kinetic, potential             J
 //   shaking.x, shaking.y, shaking.moment   what the machine exerts on its frame, about the world's origin
@@ -119,7 +120,7 @@ typedef enum YkChannelKind {
 } YkChannelKind;
 typedef struct YkChannel {
     YkChannelKind kind;
-    int index;           // of the coordinate, joint, body, point or block
+    int index;           // of the coordinate, joint, body, point or block; of contacts after all joints
     int order;           // 0 value, 1 rate, 2 acceleration
     YkQuantity quantity; // for its unit
 } YkChannel;

@@ -18,6 +18,14 @@ static int find_joint(const YkMechanism *mech, const char *name)
 {
     return yk_names_find(&mech->model->joint_names, name);
 }
+// A joint, or what follows them: gears, racks, belts and cams by name.
+static int find_contact(const YkMechanism *mech, const char *name)
+{
+    int joint = find_joint(mech, name);
+    for (size_t k = 0; joint < 0 && k < yk_contact_count(mech); k++)
+        if (strcmp(mech->relations[k].name, name) == 0) return (int)(mech->model->joint_count + k);
+    return joint;
+}
 static int find_body(const YkMechanism *mech, const char *name)
 {
     return yk_names_find(&mech->model->body_names, name);
@@ -97,9 +105,9 @@ static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *c
     } forces[] = {{".force.x", YK_CHANNEL_FORCE_X}, {".force.y", YK_CHANNEL_FORCE_Y}, {".force", YK_CHANNEL_FORCE}};
     for (size_t k = 0; k < sizeof forces / sizeof *forces; k++)
         if (cut_suffix(name, forces[k].suffix))
-            return set_force(channel, forces[k].kind, find_joint(mech, name), YK_QUANTITY_FORCE);
+            return set_force(channel, forces[k].kind, find_contact(mech, name), YK_QUANTITY_FORCE);
     if (cut_suffix(name, ".moment"))
-        return set_force(channel, YK_CHANNEL_MOMENT, find_joint(mech, name), YK_QUANTITY_TORQUE);
+        return set_force(channel, YK_CHANNEL_MOMENT, find_contact(mech, name), YK_QUANTITY_TORQUE);
     if (!cut_suffix(name, ".effort")) return false;
     int found = yk_coordinate_find(mech, name);
     bool is_distance = found >= 0 && mech->coordinates[found].is_distance;
@@ -201,6 +209,8 @@ static void force_name(const YkMechanism *mech, YkChannel channel, YkText *name)
                                            "kinetic",  "potential", "shaking.x", "shaking.y", "shaking.moment"};
     if (channel.kind == YK_CHANNEL_EFFORT)
         yk_text_puts(name, mech->coordinates[channel.index].name);
+    else if (channel.kind < YK_CHANNEL_EFFORT && (size_t)channel.index >= mech->model->joint_count)
+        yk_text_puts(name, mech->relations[(size_t)channel.index - mech->model->joint_count].name);
     else if (channel.kind < YK_CHANNEL_EFFORT)
         yk_text_puts(name, mech->model->joints[channel.index].name);
     yk_text_puts(name, suffixes[channel.kind - YK_CHANNEL_FORCE_X]);

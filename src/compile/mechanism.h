@@ -202,6 +202,13 @@ struct YkMechanism {
 
 // The angle of any joint.
 YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
+// Gears, racks, belts and cams, which bodies feel: the first of the relations; laws come after them.
+static inline size_t yk_contact_count(const YkMechanism *mech)
+{
+    size_t count = mech->relation_count;
+    while (count > 0 && mech->relations[count - 1].kind == YK_RELATION_LAW) count--;
+    return count;
+}
 // The tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
 // What makes a relation's value a length: gears and the like are equations of angles, times teeth. Over the machine's

@@ -79,11 +79,11 @@ static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamic
 }
 
 // The unknown of which the engine's force (or moment) on the second body is a multiple.
-static void fill_mesh(const YkDeriveForces *f, size_t tie, YkDynamics *dynamics, double *values)
+static void fill_mesh(const YkDeriveForces *f, size_t tie, const YkState *state, YkDynamics *dynamics, double *values)
 {
     YkRing *ring = f->d->ring;
     const YkDeriveMesh *mesh = &f->meshes[tie];
-    YkMeshForce found = yk_free_bodies_mesh(dynamics->bodies, tie);
+    YkMeshForce found = yk_free_bodies_mesh(dynamics->bodies, &state->space, tie);
     if (mesh->lean != YK_NONE && !mesh->direction)
         values[mesh->lean] = found.is_backward ? -mesh->lean_value : mesh->lean_value;
     bool is_force = !yk_ring_is_zero(mesh->push.force);
@@ -134,7 +134,7 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
         values[f->efforts[k]] = yk_dynamics_effort(dynamics, (size_t)f->effort_coordinate[k]);
     for (size_t k = 0; k < f->reaction_count; k++)
         if (f->reaction_part[k] != 'r') fill_reaction(f, k, dynamics, values);
-    for (size_t k = 0; k < f->d->tie_count; k++) fill_mesh(f, k, dynamics, values);
+    for (size_t k = 0; k < f->d->tie_count; k++) fill_mesh(f, k, state, dynamics, values);
     for (size_t k = 0; k < f->row_count; k++)
         values[f->multipliers[k]] = yk_ring_value(f->d->ring, f->identities[k], values).x;
 }

@@ -21,6 +21,7 @@ struct YkDynamics {
     YkLoad *reaction;                      // per body: sum over its joints
     YkBodyMotion *motion;                  // per body
     YkReaction *joint;                     // per joint
+    YkReaction *contact;                   // per relation
     double *drive;                         // per input: what its drive exerts
     double stored;                         // in springs, J
     double largest_force;

@@ -44,6 +44,15 @@ static void take_joint(YkDynamics *d, size_t joint)
     d->largest_force = fmax(d->largest_force, fmax(yk_norm(f.force), fabs(f.moment) / d->mech->size));
 }
 
+static void take_contact(YkDynamics *d, const YkState *state, size_t relation)
+{
+    YkMeshForce f = yk_free_bodies_mesh(d->bodies, &state->space, relation);
+    double moment = f.is_couple ? f.moment : 0;
+    d->contact[relation] =
+        (YkReaction){(size_t)f.body[0], (size_t)f.body[1], {f.force.x, f.force.y}, moment, {f.at.x, f.at.y}, true};
+    d->largest_force = fmax(d->largest_force, yk_norm(f.force));
+}
+
 // Reactions, drives and sums from what the free bodies found.
 static void take_results(YkDynamics *d, const YkState *state)
 {
@@ -58,6 +67,7 @@ static void take_results(YkDynamics *d, const YkState *state)
     }
     memset(d->reaction, 0, model->body_count * sizeof *d->reaction);
     for (size_t j = 0; j < model->joint_count; j++) take_joint(d, j);
+    for (size_t k = 0; k < d->mech->relation_count; k++) take_contact(d, state, k);
     yk_free_bodies_meshes(d->bodies, d->reaction);
 }
 
@@ -178,6 +188,21 @@ YkReaction yk_dynamics_reaction(const YkDynamics *d, size_t joint)
     return d->joint[joint];
 }
 
+size_t yk_dynamics_contact_count(const YkDynamics *d)
+{
+    return yk_contact_count(d->mech);
+}
+
+const char *yk_dynamics_contact_name(const YkDynamics *d, size_t contact)
+{
+    return d->mech->relations[contact].name;
+}
+
+YkReaction yk_dynamics_contact(const YkDynamics *d, size_t contact)
+{
+    return d->contact[contact];
+}
+
 double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
 {
     int32_t input = d->mech->coordinates[coordinate].input;
@@ -245,7 +270,10 @@ YkBalance yk_dynamics_balance(const YkDynamics *d, size_t b)
 double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel c)
 {
     size_t index = (size_t)c.index;
-    const YkReaction *r = &d->joint[c.kind <= YK_CHANNEL_MOMENT && yk_channel_needs_forces(c) ? index : 0];
+    size_t joints = d->mech->model->joint_count;
+    const YkReaction *r = c.kind > YK_CHANNEL_MOMENT || !yk_channel_needs_forces(c) ? NULL
+                          : index < joints                                          ? &d->joint[index]
+                                                                                    : &d->contact[index - joints];
     YkEnergy energy;
     YkWrench shaking;
     switch (c.kind) {

@@ -44,8 +44,11 @@ typedef struct YkMeshForce {
     YkVec force;      // N, world axes, the push apart of gears' flanks included; 0 where only couples are known
     double moment;    // about the body's reference point without that push, N m
     bool is_backward; // gears: the flanks that bear are those that push against the sense of the line across
+    bool is_couple;   // only couples are known
+    YkVec at;         // where the force acts; of a couple the body's reference point
+    int32_t body[2];
 } YkMeshForce;
-YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *bodies, size_t relation);
+YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *bodies, const YkSpace *space, size_t relation);
 // Adds what gears, racks, belts and cams exert on every body to load[body] (moments about the reference points, N m).
 void yk_free_bodies_meshes(const YkFreeBodies *bodies, YkLoad *load);
 // Largest residual of any body's equations over the largest force (moments over the machine's size).

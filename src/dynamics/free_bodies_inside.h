@@ -28,6 +28,7 @@ typedef struct YkWrenchColumn {
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
+    YkVec at;         // MESH with a force: where it acts, world axes
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
     YkVec other;      // MESH: on the third, its opposite on the fourth
     double third_moment, fourth_moment;
@@ -66,9 +67,9 @@ struct YkFreeBodies {
     double size;
     YkVec *reference; // per body
     YkWrenchColumn *columns;
-    size_t column_count;
-    uint32_t *joint_first; // [joints + 1]: its reactions among the columns
-    int32_t *input_column; // per input
+    size_t column_count, first_mesh; // meshes in the order of the relations
+    uint32_t *joint_first;           // [joints + 1]: its reactions among the columns
+    int32_t *input_column;           // per input
     YkBodyPart *parts;
     size_t part_count;
     int32_t *body_row; // per body: three times its place in its part

@@ -43,6 +43,7 @@ static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn 
 
 void yk_meshes_build(YkFreeBodies *f)
 {
+    f->first_mesh = f->column_count;
     for (size_t k = 0; k < f->mech->relation_count; k++) {
         YkWrenchColumn c = {.joint = YK_NONE, .input = YK_NONE, .relation = (int32_t)k, .kind = YK_WRENCH_MESH};
         bodies_of(f->mech->model, &f->mech->relations[k], &c);
@@ -77,6 +78,7 @@ static YkVec wheel_center(const YkFreeBodies *f, const YkSpace *space, int32_t b
 static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec at, YkVec force)
 {
     c->force = force;
+    c->at = at;
     c->third_moment = 0;
     for (int k = 0; k < 2; k++) {
         YkVec arm = yk_sub(at, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
@@ -276,15 +278,14 @@ bool yk_free_bodies_radial(const YkFreeBodies *f, YkLoad *load, double sign)
     return any;
 }
 
-YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, size_t relation)
+YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, const YkSpace *space, size_t relation)
 {
-    for (size_t k = 0; k < f->column_count; k++) {
-        const YkWrenchColumn *c = &f->columns[k];
-        if (c->kind != YK_WRENCH_MESH || c->relation != (int32_t)relation) continue;
-        YkVec force = yk_add(yk_scale(c->share, c->force), yk_scale(fabs(c->share), c->radial));
-        return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0};
-    }
-    return (YkMeshForce){0};
+    const YkWrenchColumn *c = &f->columns[f->first_mesh + relation];
+    YkVec force = yk_add(yk_scale(c->share, c->force), yk_scale(fabs(c->share), c->radial));
+    bool is_couple = c->force.x == 0 && c->force.y == 0;
+    YkVec at = is_couple ? yk_body_motion(f->mech, space, (size_t)c->body[1]).at : c->at;
+    return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0, is_couple,
+                         at,    {c->body[0], c->body[1]}};
 }
 
 void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)

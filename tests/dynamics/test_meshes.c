@@ -114,6 +114,52 @@ static void forces_by_both_formulations(void **unused)
     }
 }
 
+static void add_wrench(YkWrench *sum, YkReaction r, double sign, YkVec about)
+{
+    YkVec force = {sign * r.force[0], sign * r.force[1]};
+    sum->force[0] += force.x;
+    sum->force[1] += force.y;
+    sum->moment += sign * r.moment + yk_cross(yk_sub(yk_vec(r.at[0], r.at[1]), about), force);
+}
+
+// Joints and contacts as they are told, with the places where they act, are all that holds a body; of contacts that are
+// couples the bodies that bear them besides are not
+// told.
+static void told_contacts_are_what_holds_a_body(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 21;
+    size_t seen = 0;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Rig rig = rig_of_text(machines[k]);
+        const YkDynamics *d = rig.dynamics;
+        bool has_law = rig.mech->relation_count > yk_dynamics_contact_count(d); // its push is told by no contact
+        bool solved =
+            !has_law && rig_shake(&rig, &seed) && yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0;
+        for (size_t b = 1; solved && b < rig.model->body_count; b++) {
+            YkVec center = yk_body_motion(rig.mech, &rig.state->space, b).at;
+            YkWrench sum = {{0, 0}, 0}, asked = yk_dynamics_balance(d, b).reactions;
+            bool is_whole = true;
+            for (size_t i = 0; i < rig.model->joint_count + yk_dynamics_contact_count(d); i++) {
+                bool is_joint = i < rig.model->joint_count;
+                YkReaction r =
+                    is_joint ? yk_dynamics_reaction(d, i) : yk_dynamics_contact(d, i - rig.model->joint_count);
+                is_whole = is_whole && (is_joint || r.force[0] != 0 || r.force[1] != 0);
+                if (r.on == b) add_wrench(&sum, r, 1, center);
+                if (r.by == b) add_wrench(&sum, r, -1, center);
+            }
+            if (!is_whole) continue;
+            seen += yk_dynamics_contact_count(d) > 0;
+            double largest = fmax(1, d->largest_force);
+            CHECK_NEAR(sum.force[0], asked.force[0], 1e-11 * largest);
+            CHECK_NEAR(sum.force[1], asked.force[1], 1e-11 * largest);
+            CHECK_NEAR(sum.moment, asked.moment, 1e-11 * largest);
+        }
+        rig_free(&rig);
+    }
+    assert_true(seen > 10);
+}
+
 static void energy_is_kept_through_meshes(void **unused)
 {
     (void)unused;
@@ -164,6 +210,11 @@ static void torque_is_multiplied_by_the_ratio(void **unused)
     YkReaction a = yk_dynamics_reaction(rig.dynamics, 0);
     CHECK_NEAR(fabs(a.force[1]), 3 / 0.03, 1e-10);              // pitch radius 30 mm
     CHECK_NEAR(a.force[0], 100 * tan(20 * YK_PI / 180), 1e-10); // the pin holds it against the flanks' push apart
+    YkChannel channel = rig_channel(rig.mech, "g.force");
+    CHECK_NEAR(yk_dynamics_channel(rig.dynamics, rig.state, channel), 100 / cos(20 * YK_PI / 180), 1e-10);
+    YkReaction g = yk_dynamics_contact(rig.dynamics, 0);
+    CHECK_NEAR(g.at[0], 0.03, 1e-13); // the pitch point
+    CHECK_NEAR(g.force[0], a.force[0], 1e-10);
     rig_free(&rig);
 }
 
@@ -214,6 +265,7 @@ int main(void)
         cmocka_unit_test(a_pinion_moves_its_rack),
         cmocka_unit_test(a_cam_is_its_law),
         cmocka_unit_test(forces_by_both_formulations),
+        cmocka_unit_test(told_contacts_are_what_holds_a_body),
         cmocka_unit_test(energy_is_kept_through_meshes),
         cmocka_unit_test(a_crossed_belt_turns_backwards),
         cmocka_unit_test(a_slide_written_backwards_gives_the_same_forces),
