@@ -12,6 +12,7 @@ extern "C" {
 #include <yoke/problem.h>
 #include <yoke/model.h>
 #include <yoke/mechanism.h>
+#include <yoke/variant.h>
 #include <yoke/state.h>
 #include <yoke/sweep.h>
 #include <yoke/batch.h>

@@ -6,6 +6,7 @@ typedef struct Parts { // of a loop
     int32_t root[2];
     size_t angles;
     YkTerm line[2];     // unknown distances, with their lines
+    int32_t line_node[2];
     bool line_turns[2]; // the line belongs to an unknown orientation
     size_t lines;
     bool too_many;
@@ -23,19 +24,21 @@ static size_t angle_column(Parts *p, int32_t root)
     return p->angles++;
 }
 
-static void sort_term(const YkPlan *plan, Parts *p, YkTerm term)
+static void sort_term(const YkPlan *plan, Parts *p, size_t k)
 {
+    YkTerm term = plan->list.items[k];
+    int32_t node = yk_terms_node(&plan->list, k);
     const YkMechanism *mech = plan->mech;
     int32_t root = mech->group_root[term.slot];
     bool open_distance = term.distance != YK_NONE && !plan->distance_known[term.distance];
     if (!open_distance && plan->root_known[root]) {
-        yk_terms_add(&p->known, term, 1);
+        yk_terms_add_node(&p->known, term, node, 1);
         return;
     }
     if (!plan->root_known[root]) {
-        size_t k = angle_column(p, root);
+        size_t column = angle_column(p, root);
         term.slot = mech->relative_slot[term.slot];
-        if (!open_distance) yk_terms_add(&p->arm[k], term, 1);
+        if (!open_distance) yk_terms_add_node(&p->arm[column], term, node, 1);
     }
     if (!open_distance) return;
     if (p->lines == 2) {
@@ -43,19 +46,22 @@ static void sort_term(const YkPlan *plan, Parts *p, YkTerm term)
         return;
     }
     p->line_turns[p->lines] = !plan->root_known[root];
+    p->line_node[p->lines] = node;
     p->line[p->lines++] = term;
 }
 
 static void sort_terms(const YkPlan *plan, Parts *p)
 {
     const YkTermList *list = &plan->list;
+    p->known.recipe = p->arm[0].recipe = p->arm[1].recipe = list->recipe;
     yk_terms_clear(&p->known);
     yk_terms_clear(&p->arm[0]);
     yk_terms_clear(&p->arm[1]);
     p->known.constant = list->constant;
+    p->known.constant_node = list->constant_node;
     p->known.plus = list->plus;
     p->known.minus = list->minus;
-    for (size_t k = 0; k < list->count; k++) sort_term(plan, p, list->items[k]);
+    for (size_t k = 0; k < list->count; k++) sort_term(plan, p, k);
 }
 
 static bool is_zero_arm(const YkTermList *arm)
@@ -104,8 +110,11 @@ static void order_lines(Parts *p)
 {
     if (p->lines < 2 || p->line[0].distance < p->line[1].distance) return;
     YkTerm line = p->line[0];
+    int32_t node = p->line_node[0];
     p->line[0] = p->line[1];
     p->line[1] = line;
+    p->line_node[0] = p->line_node[1];
+    p->line_node[1] = node;
 }
 
 YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints, size_t count)
@@ -163,6 +172,7 @@ static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
     for (size_t k = 0; k < p->lines; k++) {
         block->line_slot[k] = p->line[k].slot;
         block->line[k] = p->line[k].v;
+        yk_recipe_note_line(mech->recipe, (int32_t)(block - mech->blocks), (int32_t)k, p->line_node[k]);
         block->column[columns++] = (YkColumn){true, p->line[k].distance};
     }
     block->column_count = (uint32_t)columns;

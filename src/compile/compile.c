@@ -5,6 +5,7 @@
 #include "compile/inputs.h"
 #include "compile/plan.h"
 #include "compile/relations.h"
+#include "compile/variant.h"
 
 YkCompileOptions yk_default_compile_options(void)
 {
@@ -45,12 +46,19 @@ static bool build(YkMechanism *mech, const YkCompileOptions *options, YkProblems
 
 YkMechanism *yk_mechanism_compile(const YkModel *model, const YkCompileOptions *options, YkProblems *problems)
 {
+    return yk_compile_with(model, options, NULL, problems);
+}
+
+YkMechanism *yk_compile_with(const YkModel *model, const YkCompileOptions *options, YkRecipe *recipe,
+                             YkProblems *problems)
+{
     YkCompileOptions defaults = yk_default_compile_options();
     YkMechanism *mech = calloc(1, sizeof *mech);
     size_t errors = yk_problems_error_count(problems);
     if (mech) {
         mech->model = model;
         mech->size = model->size;
+        mech->recipe = recipe;
         if (build(mech, options ? options : &defaults, problems)) return mech;
     }
     if (problems && yk_problems_error_count(problems) == errors)

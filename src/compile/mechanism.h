@@ -198,6 +198,7 @@ struct YkMechanism {
     YkSource *sources;
     size_t source_count, source_capacity, reference_count;
     int gruebler;
+    struct YkRecipe *recipe; // while compiling for a variant; otherwise NULL
 };
 
 // The angle of any joint.

@@ -46,6 +46,7 @@ static void reset(YkPlan *plan)
     YkMechanism *mech = plan->mech;
     mech->step_count = mech->block_count = mech->member_count = mech->column_count = mech->group_loop_count = 0;
     mech->redundant_count = mech->redundant_relation_count = mech->group_relation_count = 0;
+    if (mech->recipe) mech->recipe->line_count = 0;
     mech->node_count = 0;
     mech->largest_group = 0;
     mech->has_groups = false;
@@ -291,10 +292,11 @@ static void count_missing(YkPlan *plan)
 
 bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, YkArena *scratch)
 {
-    *plan = (YkPlan){.mech = mech, .incidence = incidence, .arena = scratch};
+    *plan = (YkPlan){.mech = mech, .incidence = incidence, .arena = scratch, .list = {.recipe = mech->recipe}};
     mech->term_count = 0;
     for (size_t l = 0; l < mech->loop_count; l++) { // the tree's loops keep their terms, at the front
         size_t end = mech->loops[l].sum.first + mech->loops[l].sum.count;
+        if (mech->recipe && mech->loops[l].sum.count == 0) end++; // see yk_terms_store
         if (end > mech->term_count) mech->term_count = end;
     }
     if (!allocate(plan)) return false;

@@ -2,6 +2,7 @@
 #ifndef COMPILE_TERMS_H
 #define COMPILE_TERMS_H
 #include "compile/mechanism.h"
+#include "compile/recipe.h"
 
 // A sum under construction: like terms merge, what cancels exactly vanishes.
 typedef struct YkTermList {
@@ -9,14 +10,22 @@ typedef struct YkTermList {
     int32_t plus, minus;
     YkTerm *items;
     size_t count, capacity;
-    bool failed; // out of memory
+    bool failed;      // out of memory
+    YkRecipe *recipe; // of the mechanism, or NULL; then, where constant and items come from:
+    int32_t constant_node;
+    int32_t *nodes; // [items]
+    size_t node_capacity;
 } YkTermList;
 
 void yk_terms_free(YkTermList *list);
 void yk_terms_clear(YkTermList *list);
 void yk_terms_add(YkTermList *list, YkTerm term, double sign);
-// The point `at` of a body, from the body's origin.
-void yk_terms_add_point(YkTermList *list, const YkMechanism *mech, int32_t body, YkVec at, double sign);
+// The same for a vector that the recipe knows as `node`.
+void yk_terms_add_node(YkTermList *list, YkTerm term, int32_t node, double sign);
+static inline int32_t yk_terms_node(const YkTermList *list, size_t k)
+{
+    return list->recipe ? list->nodes[k] : 0;
+}
 // A body's origin in the world (a body already placed).
 void yk_terms_add_origin(YkTermList *list, const YkMechanism *mech, int32_t body, double sign);
 // From the origin of body `from` over `joint` to the origin of its other body.

@@ -197,7 +197,7 @@ static bool build_tables(YkMechanism *mech, YkProblems *problems)
 {
     const YkModel *model = mech->model;
     size_t n = model->joint_count;
-    YkTermList list = {0};
+    YkTermList list = {.recipe = mech->recipe};
     bool ok = true;
     mech->coordinates = YK_NEW(mech->arena, YkTreeCoordinate, 2 * n + 1);
     mech->loops = YK_NEW(mech->arena, YkLoop, n + 1);

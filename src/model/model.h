@@ -240,6 +240,12 @@ typedef struct YkCam {
 
 enum { YK_QUANTITY_COUNT = YK_QUANTITY_ENERGY + 1 };
 
+// An expression of the file, and the value of the model that it gives.
+typedef struct YkModelUse {
+    const YkExpr *expr;
+    double *target;
+} YkModelUse;
+
 struct YkModel {
     YkArena *arena;
     const char *name;        // `name:`, or the file's name without folder and ending
@@ -282,6 +288,8 @@ struct YkModel {
     size_t belt_count;
     YkLock *locks;
     size_t lock_count;
+    YkModelUse *uses; // where expressions, not plain numbers, give a value: model/redesign.h evaluates them again
+    size_t use_count;
     bool has_gravity;
     YkVec gravity; // m/s^2
     YkExpr *gravity_x, *gravity_y;

@@ -115,3 +115,13 @@ void yk_load_eval_uses(YkLoader *loader)
         if (yk_load_in_range(loader, use->expr->place, jet.d[0])) *use->target = jet.d[0];
     }
 }
+
+void yk_load_keep_uses(YkLoader *loader)
+{
+    YkModel *model = loader->model;
+    model->uses = YK_NEW(loader->arena, YkModelUse, loader->use_count + 1);
+    for (size_t i = 0; model->uses && i < loader->use_count; i++) {
+        const YkUse *use = &loader->uses[i];
+        if (use->target) model->uses[model->use_count++] = (YkModelUse){use->expr, use->target};
+    }
+}

@@ -1,0 +1,184 @@
+// Variants: a second mechanism, compiled from a copy of the model at values a little beside the file's - so that what
+// is 0 or cancels there by chance is kept - with the recipe of all its vectors.
+#include "compile/variant.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+
+double yk_model_parameter(const YkModel *model, const char *name)
+{
+    int32_t index = yk_names_find(&model->parameter_names, name);
+    return index == YK_NONE ? NAN : model->parameters[index].value;
+}
+
+// Values beside the file's: 0.1 % off, by parts that no sum or difference of a few makes 0 again.
+static void choose_probe(const YkVariant *v, const YkModel *model, size_t count, double *values)
+{
+    for (size_t k = 0; k < count; k++) {
+        double own = model->parameters[yk_redesign_parameter(v->redesign, k)].value;
+        double part = 1e-3 * (0.5 + fmod((double)(k + 1) * 0.6180339887498949, 1));
+        values[k] = own != 0 ? own * (1 + part) : part;
+    }
+}
+
+static bool same_plan(const YkMechanism *a, const YkMechanism *b)
+{
+    bool same = a->slot_count == b->slot_count && a->distance_count == b->distance_count &&
+                a->block_count == b->block_count && a->input_count == b->input_count;
+    for (size_t k = 0; same && k < a->block_count; k++) same = a->blocks[k].kind == b->blocks[k].kind;
+    for (size_t k = 0; same && k < a->input_count; k++) same = a->inputs[k] == b->inputs[k];
+    return same;
+}
+
+static YkMechanism *compile(YkVariant *v, const YkMechanism *mech, YkProblems *problems)
+{
+    const char **inputs = calloc(mech->input_count + 1, sizeof *inputs);
+    YkMechanism *made = NULL;
+    yk_recipe_end(&v->recipe);
+    if (inputs && yk_recipe_start(&v->recipe, v->redesign)) {
+        for (size_t i = 0; i < mech->input_count; i++) inputs[i] = mech->coordinates[mech->inputs[i]].name;
+        YkCompileOptions options = {inputs, mech->input_count};
+        made = yk_compile_with(yk_redesign_model(v->redesign), &options, &v->recipe, problems);
+    }
+    free((void *)inputs);
+    if (!made || same_plan(mech, made)) return made;
+    yk_mechanism_free(made);
+    return NULL;
+}
+
+// --- what is to be set
+// --------------------------------------------------------------------------------------------------
+
+static void add_patch(YkVariant *v, YkVec *at, int32_t node)
+{
+    if (!v->recipe.nodes[node].varies) return;
+    if (!YK_ROOM(v->patches, v->patch_count, v->patch_capacity)) {
+        v->failed = true;
+        return;
+    }
+    v->patches[v->patch_count++] = (YkPatch){at, node};
+}
+
+static void add_sum(YkVariant *v, YkSum *sum)
+{
+    if (sum->first < v->recipe.constant_count)
+        add_patch(v, &sum->constant, yk_recipe_constant(&v->recipe, sum->first, sum->plus != YK_NONE));
+}
+
+static void list_patches(YkVariant *v)
+{
+    YkMechanism *mech = v->mech;
+    for (size_t k = 0; k < mech->term_count && k < v->recipe.term_count; k++)
+        add_patch(v, &mech->terms[k].v, v->recipe.of_term[k]);
+    for (size_t k = 0; k < mech->loop_count; k++) add_sum(v, &mech->loops[k].sum);
+    for (size_t k = 0; k < mech->model->body_count; k++) add_sum(v, &mech->bodies[k].origin);
+    for (size_t k = 0; k < mech->step_count; k++)
+        if (mech->steps[k].kind == YK_STEP_NODE) add_sum(v, &mech->steps[k].sum);
+    for (size_t k = 0; k < mech->block_count; k++) {
+        YkBlock *block = &mech->blocks[k];
+        if (block->kind == YK_BLOCK_GROUP) continue;
+        add_sum(v, &block->known);
+        for (size_t c = 0; c < 2 && c < block->column_count; c++)
+            if (!block->column[c].is_distance) add_sum(v, &block->arm[c]);
+    }
+    for (size_t k = 0; k < mech->group_loop_count; k++) add_sum(v, &mech->group_loops[k]);
+    for (size_t k = 0; k < v->recipe.line_count; k++) {
+        const YkRecipeLine *line = &v->recipe.lines[k];
+        add_patch(v, &mech->blocks[line->block].line[line->line], line->node);
+    }
+}
+
+static void list_active(YkVariant *v)
+{
+    v->active = calloc(v->recipe.node_count + 1, sizeof *v->active);
+    for (size_t k = 0; v->active && k < v->recipe.node_count; k++)
+        if (v->recipe.nodes[k].varies) v->active[v->active_count++] = (int32_t)k;
+    v->failed |= !v->active;
+}
+
+// --- making
+// -------------------------------------------------------------------------------------------------------------
+
+static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names, size_t count, YkProblems *problems)
+{
+    v->redesign = yk_redesign_new(mech->model, names, count, problems);
+    double *values = v->redesign ? calloc(2 * count + 2, sizeof *values) : NULL;
+    if (!values) return false;
+    double *own = values + count;
+    for (size_t k = 0; k < count; k++) own[k] = mech->model->parameters[yk_redesign_parameter(v->redesign, k)].value;
+    choose_probe(v, mech->model, count, values);
+    if (yk_redesign_set(v->redesign, values) == YK_OK) v->mech = compile(v, mech, NULL);
+    if (!v->mech && yk_redesign_set(v->redesign, own) == YK_OK) v->mech = compile(v, mech, problems);
+    if (v->mech) {
+        v->mech->recipe = NULL;
+        list_patches(v);
+        list_active(v);
+        if (!v->failed) yk_variant_set(v, own);
+    }
+    free(values);
+    return v->mech && !v->failed;
+}
+
+YkVariant *yk_variant_new(const YkMechanism *mech, const char *const *names, size_t count, YkProblems *problems)
+{
+    YkVariant *v = calloc(1, sizeof *v);
+    size_t errors = yk_problems_error_count(problems);
+    if (v && make(v, mech, names, count, problems)) return v;
+    yk_variant_free(v);
+    if (problems && yk_problems_error_count(problems) == errors)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing what varies");
+    return NULL;
+}
+
+void yk_variant_free(YkVariant *v)
+{
+    if (!v) return;
+    yk_mechanism_free(v->mech);
+    yk_recipe_end(&v->recipe);
+    yk_redesign_free(v->redesign);
+    free(v->active);
+    free(v->patches);
+    free(v);
+}
+
+const YkMechanism *yk_variant_mechanism(const YkVariant *v)
+{
+    return v->mech;
+}
+
+// --- a design
+// -----------------------------------------------------------------------------------------------------------
+
+static YkVec value_of(const YkVariant *v, const YkRecipeNode *node)
+{
+    const YkRecipeNode *nodes = v->recipe.nodes;
+    const YkJoint *joints = v->mech->model->joints;
+    switch (node->kind) {
+    case YK_RECIPE_POINT: {
+        const YkJoint *j = &joints[node->a];
+        return yk_body_term(v->mech, j->body[node->b], j->at[node->b]).v;
+    }
+    case YK_RECIPE_ALONG:
+        return yk_body_term(v->mech, joints[node->a].body[0], joints[node->a].along).v;
+    case YK_RECIPE_NEGATE:
+        return yk_scale(-1, nodes[node->a].value);
+    case YK_RECIPE_ADD:
+        return yk_add(nodes[node->a].value, nodes[node->b].value);
+    case YK_RECIPE_FIXED:
+        break;
+    }
+    return node->value;
+}
+
+YkStatus yk_variant_set(YkVariant *v, const double *values)
+{
+    YkStatus status = yk_redesign_set(v->redesign, values);
+    if (status < 0) return status;
+    for (size_t k = 0; k < v->active_count; k++) {
+        YkRecipeNode *node = &v->recipe.nodes[v->active[k]];
+        node->value = value_of(v, node);
+    }
+    for (size_t k = 0; k < v->patch_count; k++) *v->patches[k].at = v->recipe.nodes[v->patches[k].node].value;
+    return status;
+}
