@@ -22,6 +22,7 @@ extern "C" {
 #include <yoke/design.h>
 #include <yoke/train.h>
 #include <yoke/cam.h>
+#include <yoke/study.h>
 #include <yoke/draw.h>
 #include <yoke/report.h>
 

@@ -25,7 +25,8 @@ static void choose_probe(const YkVariant *v, const YkModel *model, size_t count,
 static bool same_plan(const YkMechanism *a, const YkMechanism *b)
 {
     bool same = a->slot_count == b->slot_count && a->distance_count == b->distance_count &&
-                a->block_count == b->block_count && a->input_count == b->input_count;
+                a->block_count == b->block_count && a->input_count == b->input_count &&
+                a->column_count == b->column_count && a->reference_count == b->reference_count;
     for (size_t k = 0; same && k < a->block_count; k++) same = a->blocks[k].kind == b->blocks[k].kind;
     for (size_t k = 0; same && k < a->input_count; k++) same = a->inputs[k] == b->inputs[k];
     return same;

@@ -303,6 +303,10 @@ struct YkModel {
 YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet, YkProblems *problems); // of a drive
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
 
+// A value as yk_model_value reads it, of any dimension; problems get this place.
+YkStatus yk_model_value_of(const YkModel *model, const char *text, YkDimension dimension, YkPlace place, double *value,
+                           YkProblems *problems);
+
 // The exact SI value of an expression of numbers, pi and parameters, where + - * / and whole powers lead to one;
 // is_exact is false otherwise. The second: of its derivative in t, for an expression that is linear in t.
 YkExact yk_model_exact(const YkModel *model, const YkExpr *expr);

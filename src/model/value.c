@@ -75,21 +75,43 @@ static bool read_value(Reading *reading, const char *text, YkDimension dimension
     return true;
 }
 
+// A value of this dimension; its problems stand nowhere, or at `place`.
+static bool read_apart(const YkModel *model, const char *text, YkDimension dimension, double *value, YkProblems *found)
+{
+    YkArena *arena = yk_arena_new();
+    Reading reading = {.model = model, .found = found};
+    bool done = arena && read_value(&reading, text, dimension, arena, value);
+    if (!arena || yk_arena_failed(arena))
+        yk_problem(found, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while reading it");
+    yk_arena_free(arena);
+    return done;
+}
+
+YkStatus yk_model_value_of(const YkModel *model, const char *text, YkDimension dimension, YkPlace place, double *value,
+                           YkProblems *problems)
+{
+    YkProblems *found = yk_problems_new();
+    bool done = found && read_apart(model, text, dimension, value, found);
+    for (size_t i = 0; found && i < yk_problems_count(found); i++) {
+        const YkProblem *problem = yk_problems_get(found, i);
+        yk_problem(problems, (YkCode)problem->code, place, "%s", problem->message);
+        if (problem->hint) yk_problem_hint(problems, "%s", problem->hint);
+    }
+    yk_problems_free(found);
+    return done ? YK_OK : YK_BAD_ARGUMENT;
+}
+
 YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quantity, double *value,
                         YkProblems *problems)
 {
-    YkArena *arena = yk_arena_new();
-    Reading reading = {.model = model, .found = yk_problems_new()};
-    bool done = false;
-    if (arena && reading.found) {
-        done = read_value(&reading, text, quantity_dimension(quantity), arena, value);
-        yk_load_pass_on(problems, reading.found, text, NULL);
-    }
-    if (!arena || !reading.found || yk_arena_failed(arena)) {
+    YkProblems *found = yk_problems_new();
+    bool done = found && read_apart(model, text, quantity_dimension(quantity), value, found);
+    if (found) {
+        yk_load_pass_on(problems, found, text, NULL);
+    } else {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while reading %q", text);
     }
-    yk_problems_free(reading.found);
-    yk_arena_free(arena);
+    yk_problems_free(found);
     return done ? YK_OK : YK_BAD_ARGUMENT;
 }
 

@@ -1,5 +1,5 @@
 // Many poses at once: blocks of lanes through the same steps, then the asked channels.
-#include <yoke/batch.h>
+#include "solve/batch.h"
 #include <stdlib.h>
 #include <string.h>
 #include "solve/state.h"
@@ -103,8 +103,6 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
         yk_batch_free(b);
         return NULL;
     }
-    yk_state_copy(b->state, state);
-    yk_state_copy(b->home, state);
     double *p = b->point_lanes;
     size_t n = b->lanes;
     b->point = (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
@@ -113,8 +111,15 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
         prepare_angle(b, k);
         b->row[k] = free_row_of(b, k);
     }
-    fill_constants(b);
+    yk_batch_restart(b, state);
     return b;
+}
+
+void yk_batch_restart(YkBatch *b, const YkState *state)
+{
+    yk_state_copy(b->state, state);
+    yk_state_copy(b->home, state);
+    fill_constants(b);
 }
 
 void yk_batch_free(YkBatch *b)

@@ -73,11 +73,12 @@ void yk_state_free(YkState *s)
     free(s);
 }
 
-YkStatus yk_state_copy(YkState *to, const YkState *from)
+void yk_state_take(YkState *to, const YkState *from)
 {
     const YkMechanism *mech = to->mech;
-    if (mech != from->mech) return YK_BAD_ARGUMENT;
-    yk_space_copy(&to->space, &from->space);
+    memcpy(to->guess, from->guess, mech->coordinate_count * sizeof *to->guess);
+    bool same = mech == from->mech; // a variant may keep nodes that cancel in the file's own mechanism
+    if (same) yk_space_copy(&to->space, &from->space);
     memcpy(to->input, from->input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->valid_input, from->valid_input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);
@@ -86,9 +87,15 @@ YkStatus yk_state_copy(YkState *to, const YkState *from)
     memcpy(to->valid_x, from->valid_x, mech->column_count * sizeof *to->valid_x);
     if (mech->column_count > 0) memcpy(to->groups.x, from->groups.x, mech->column_count * sizeof *to->groups.x);
     to->time = from->time;
-    to->has_pose = from->has_pose;
-    to->has_rates = from->has_rates;
+    to->has_pose = same && from->has_pose;
+    to->has_rates = same && from->has_rates;
     to->report = from->report;
+}
+
+YkStatus yk_state_copy(YkState *to, const YkState *from)
+{
+    if (to->mech != from->mech) return YK_BAD_ARGUMENT;
+    yk_state_take(to, from);
     return YK_OK;
 }
 

@@ -1,0 +1,88 @@
+// Studies: one machine over many designs - each with parameters of its own - and many poses, on several threads.
+//
+// A design is a set of values of some parameters. All arrays are structures of arrays; results do not depend on the
+// number of threads, to the last bit.
+#ifndef YOKE_STUDY_H
+#define YOKE_STUDY_H
+
+#include <yoke/batch.h>
+#include <yoke/variant.h>
+
+typedef struct YkStudyOptions {
+    const char *const *parameters; // names of those that vary; see yk_variant_new for what can
+    size_t parameter_count;
+    const YkChannel *channels; // what is computed; forces too (slower: the equations of motion are made anew a design)
+    size_t channel_count;
+    size_t threads; // 0: one
+} YkStudyOptions;
+
+typedef struct YkStudy YkStudy;
+// With the branches, reference angles and inputs of an assembled state, whose model and mechanism must outlive it.
+// NULL with problems added. All memory is taken here.
+YK_API YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkProblems *problems);
+YK_API void yk_study_free(YkStudy *study);
+
+// What is asked: designs times poses.
+typedef struct YkStudyCase {
+    const double *const *parameters; // [parameter][design], SI; a NULL array: the file's value
+    size_t design_count;
+    const double *const *inputs; // [3 * input + k][pose]: position, velocity, acceleration; a NULL array: the state's
+    size_t pose_count;
+    bool inputs_per_design; // inputs[...][design * pose_count + pose]: every design at inputs of its own
+} YkStudyCase;
+
+// Every pose: outputs[channel][design * pose_count + pose], and status[...] (may be NULL): as of yk_batch_run, and
+// YK_BAD_MODEL where the values make no machine, YK_NO_ASSEMBLY where none closes; outputs are 0 there, never NaN.
+// Returns the worst status. A machine with groups is assembled anew for every design, nearest to `start:`; all others
+// keep the state's branches. Cost a design: the expressions that vary, then as yk_batch_run. Allocates nothing but the
+// threads' stacks.
+YK_API YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status);
+
+// Over the poses of one design that stand: least, largest and mean value of a channel.
+typedef struct YkExtent {
+    double least, largest, mean;
+} YkExtent;
+// The same without keeping the poses: extents[channel * design_count + design], the worst status of each design, and
+// how many of its poses stand (may be NULL). Where none stands the extent is 0 and the status tells why.
+YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExtent *extents, signed char *status,
+                                size_t *standing);
+
+// Derivatives at the state's pose and the file's values. by_derivative[channel * parameters + parameter]: by the
+// implicit function theorem on the loops of the tree (positions only, machines of at most 300 unknowns without gears,
+// belts and cams; otherwise as by_difference); by_difference: of the solved pose, extrapolated from central differences
+// (Richardson 1911). The two share only the pose. YK_OK, or the status of a neighbouring pose that does not stand.
+YK_API YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *by_difference);
+
+// A distribution of a parameter, SI.
+typedef enum YkDistributionKind { YK_UNIFORM, YK_NORMAL, YK_TRIANGULAR } YkDistributionKind;
+typedef struct YkDistribution {
+    YkDistributionKind kind;
+    double low, high;       // ends; of a normal one where it is cut off: -INFINITY, INFINITY where it is not
+    double center, spread;  // normal: mean and standard deviation before it is cut; triangular: center is the mode
+} YkDistribution;
+// False where it is none: ends in the wrong order, a spread that is not positive, no part of it between the ends.
+YK_API bool yk_distribution_is_valid(const YkDistribution *distribution);
+// The value of a design: the same for the same seed, design and parameter number, whatever else is drawn. The quantile
+// of a uniform number from a counter-based generator, so that cutting off is exact.
+YK_API double yk_distribution_draw(const YkDistribution *distribution, uint64_t seed, uint64_t design,
+                                   uint64_t parameter);
+// How far from the nominal value it may lie, for the worst case: its ends; of a normal one that is not cut off, three
+// standard deviations.
+YK_API double yk_distribution_tolerance(const YkDistribution *distribution, double nominal);
+YK_API double yk_distribution_deviation(const YkDistribution *distribution); // standard deviation
+YK_API double yk_distribution_mean(const YkDistribution *distribution);
+
+// A file of distributions: `seed:`, `designs:` (both optional) and `parameters:` with one of
+//   NAME: {uniform: [low, high]}       NAME: {normal: [mean, deviation], within: [low, high]}
+//   NAME: {triangular: [low, mode, high]}    NAME: {tolerance: t}: uniform within t of the file's value
+// Values take units and the model's parameters. NULL with problems added.
+typedef struct YkTolerances YkTolerances;
+YK_API YkTolerances *yk_tolerances_load(const char *path, const YkModel *model, YkProblems *problems);
+YK_API void yk_tolerances_free(YkTolerances *tolerances);
+YK_API size_t yk_tolerances_count(const YkTolerances *tolerances);
+YK_API const char *yk_tolerances_name(const YkTolerances *tolerances, size_t index);
+YK_API YkDistribution yk_tolerances_at(const YkTolerances *tolerances, size_t index);
+YK_API uint64_t yk_tolerances_seed(const YkTolerances *tolerances);    // 1 where the file gives none
+YK_API uint64_t yk_tolerances_designs(const YkTolerances *tolerances); // 0 where the file gives none
+
+#endif

@@ -1,0 +1,277 @@
+// Derivatives of channels with respect to parameters, in two ways that share only the pose.
+//
+// By derivative: the loops Phi(x, p) = 0 give J dx = -dPhi/dp, where the inputs keep their values; then an answer y(x, p)
+// has dy = dy/dx dx + dy/dp. Only explicit functions - Phi and y at given x - are differenced, along one direction.
+// By difference: the whole machine is solved at neighbouring values.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "compile/closure.h"
+#include "num/dense.h"
+#include "study/study.h"
+
+enum { STAGES = 5 };
+
+// A small step for a parameter: of its size, or of the machine's where it is 0.
+static double step_of(const YkStudy *study, size_t parameter)
+{
+    double own = fabs(study->own[parameter]);
+    return 1e-2 * (own > 0 ? own : 0.1 * study->worker[0].mech->size);
+}
+
+// From differences D(h), D(h/2), ..., errors in h^2: Neville's table; keeps the entry with the least change. Richardson
+// 1911; Ridders 1982.
+static double extrapolate(const double *difference, size_t count)
+{
+    double table[STAGES], last = difference[0], best = INFINITY, value = difference[0];
+    for (size_t k = 0; k < count; k++) {
+        double above = difference[k], factor = 1;
+        for (size_t j = 0; j < k; j++) {
+            factor *= 4;
+            double next = above + (above - table[j]) / (factor - 1);
+            table[j] = above;
+            above = next;
+        }
+        table[k] = above;
+        if (k > 0 && fabs(above - last) < best) best = fabs(above - last), value = above;
+        last = above;
+    }
+    return value;
+}
+
+// --- by difference
+// ------------------------------------------------------------------------------------------------------
+
+static YkStatus channels_at(YkWorker *w, const double *values, double *out)
+{
+    YkStatus status = yk_worker_set(w, values);
+    signed char one = YK_OK;
+    for (size_t i = 0; i < 3 * w->mech->input_count; i++) w->inputs[i] = NULL;
+    for (size_t c = 0; c < w->study->channel_count; c++) w->outputs[c] = out + c;
+    if (status >= 0) status = yk_worker_poses(w, w->outputs, &one, 1);
+    return status;
+}
+
+static YkStatus by_difference(YkStudy *study, size_t parameter, double *derivative, double *scratch)
+{
+    YkWorker *w = &study->worker[0];
+    size_t channels = study->channel_count;
+    double h = step_of(study, parameter), *low = scratch, *high = scratch + channels, *stages = scratch + 2 * channels;
+    for (int stage = 0; stage < STAGES; stage++, h /= 2) {
+        memcpy(w->value, study->own, study->parameter_count * sizeof *w->value);
+        w->value[parameter] = study->own[parameter] - h;
+        double from = w->value[parameter];
+        YkStatus status = channels_at(w, w->value, low);
+        if (status < 0) return status;
+        w->value[parameter] = study->own[parameter] + h;
+        double to = w->value[parameter];
+        status = channels_at(w, w->value, high);
+        if (status < 0) return status;
+        for (size_t c = 0; c < channels; c++) stages[c * STAGES + (size_t)stage] = (high[c] - low[c]) / (to - from);
+    }
+    for (size_t c = 0; c < channels; c++) derivative[c] = extrapolate(stages + c * STAGES, STAGES);
+    return YK_OK;
+}
+
+// --- by derivative
+// ------------------------------------------------------------------------------------------------------
+
+typedef struct Linear { // the loops and inputs at the pose, as equations of dx
+    const YkMechanism *mech;
+    size_t variables, rows;
+    double *x, *J, *b, *dx, *tau, *work; // work: of the explicit functions
+    size_t *order;
+    YkVec *origin; // [body]
+    double *angle; // [body] of its orientation
+    size_t rank;
+} Linear;
+
+static bool can_linearise(const YkStudy *study, const YkMechanism *mech)
+{
+    if (mech->relation_count > 0 || yk_variable_count(mech) > YK_CLOSURE_MAX) return false;
+    for (size_t c = 0; c < study->channel_count; c++) {
+        YkChannelKind kind = study->channels[c].kind;
+        if (study->channels[c].order > 0 || kind > YK_CHANNEL_POINT_Y) return false;
+    }
+    return true;
+}
+
+static size_t variable_of(const YkMechanism *mech, bool is_distance, int32_t index)
+{
+    return is_distance ? mech->orientation_count - 1 + (size_t)index : (size_t)index - 1;
+}
+
+static void end_linear(Linear *l)
+{
+    free(l->x);
+    free(l->order);
+    free(l->origin);
+}
+
+static bool start_linear(Linear *l, const YkMechanism *mech)
+{
+    size_t n = yk_variable_count(mech), loops = 2 * mech->loop_count, m = loops + mech->input_count;
+    size_t bodies = mech->model->body_count;
+    *l = (Linear){.mech = mech, .variables = n, .rows = m};
+    l->x = calloc(5 * n + m * n + 2 * m + 2 * loops + bodies + 8, sizeof *l->x);
+    l->order = calloc(n + 1, sizeof *l->order);
+    l->origin = calloc(bodies, sizeof *l->origin);
+    if (!l->x || !l->order || !l->origin) return false;
+    l->dx = l->x + n, l->tau = l->dx + n, l->J = l->tau + n, l->b = l->J + m * n, l->work = l->b + m;
+    l->angle = l->work + 2 * loops + n;
+    return true;
+}
+
+// x from the pose; J from the loops, and a row an input: its coordinate does not change.
+static void linearise(Linear *l, const YkState *state)
+{
+    const YkMechanism *mech = l->mech;
+    for (size_t o = 1; o < mech->orientation_count; o++) {
+        YkTurn t = yk_space_turn(&state->space, (int32_t)o);
+        l->x[o - 1] = atan2(t.s[0], t.c[0]);
+    }
+    for (size_t d = 0; d < mech->distance_count; d++)
+        l->x[mech->orientation_count - 1 + d] = yk_space_slide(&state->space, (int32_t)d).d[0];
+    memset(l->J, 0, l->rows * l->variables * sizeof *l->J);
+    yk_closure(mech, l->x, l->work, l->J);
+    for (size_t i = 0; i < mech->input_count; i++) {
+        const YkTreeCoordinate *q = &mech->coordinates[mech->inputs[i]];
+        double *row = l->J + (2 * mech->loop_count + i) * l->variables;
+        if (q->is_distance) {
+            row[variable_of(mech, true, q->distance)] = 1;
+        } else {
+            if (q->angle.b > 0) row[variable_of(mech, false, q->angle.b)] += 1;
+            if (q->angle.a > 0) row[variable_of(mech, false, q->angle.a)] -= 1;
+        }
+    }
+    l->rank = yk_qr_factor(l->rows, l->variables, l->J, l->order, l->tau, 1e-10);
+}
+
+// Where all bodies are at given x: outwards along the tree.
+static void place(Linear *l, const double *x)
+{
+    const YkMechanism *mech = l->mech;
+    const YkModel *model = mech->model;
+    for (size_t k = 0; k < model->body_count; k++) {
+        int32_t b = mech->tree_order[k], p = mech->tree.parent[b], o = mech->bodies[b].orientation;
+        l->angle[b] = o > 0 ? x[variable_of(mech, false, o)] : 0;
+        if (p == YK_NONE) {
+            l->origin[b] = yk_vec(0, 0);
+            continue;
+        }
+        const YkJoint *j = &model->joints[mech->tree.joint[b]];
+        int32_t d = mech->joint_distance[mech->tree.joint[b]];
+        int own = j->body[1] == b;
+        YkVec turn[2];
+        for (int e = 0; e < 2; e++)
+            turn[e] = yk_mul(yk_unit(l->angle[j->body[e]]), mech->bodies[j->body[e]].turn_unit);
+        YkVec across = yk_sub(yk_mul(turn[0], j->at[0]), yk_mul(turn[1], j->at[1]));
+        if (d != YK_NONE) across = yk_add(across, yk_scale(x[variable_of(mech, true, d)], yk_mul(turn[0], j->along)));
+        l->origin[b] = yk_add(l->origin[p], yk_scale(own ? 1 : -1, across));
+    }
+}
+
+// An answer at given x, after `place`. Angles up to a constant.
+static double answer(const Linear *l, const double *x, YkChannel c)
+{
+    const YkMechanism *mech = l->mech;
+    const YkModel *model = mech->model;
+    if (c.kind == YK_CHANNEL_COORDINATE) {
+        const YkTreeCoordinate *q = &mech->coordinates[c.index];
+        if (q->is_distance) return x[variable_of(mech, true, q->distance)];
+        return (q->angle.b > 0 ? x[variable_of(mech, false, q->angle.b)] : 0) -
+               (q->angle.a > 0 ? x[variable_of(mech, false, q->angle.a)] : 0);
+    }
+    if (c.kind == YK_CHANNEL_BODY) return l->angle[c.index];
+    if (c.kind == YK_CHANNEL_JOINT_ANGLE)
+        return l->angle[model->joints[c.index].body[1]] - l->angle[model->joints[c.index].body[0]];
+    if (c.kind == YK_CHANNEL_JOINT_DISTANCE) return x[variable_of(mech, true, mech->joint_distance[c.index])];
+    if (c.kind == YK_CHANNEL_TIME) return 0;
+    const YkPoint *p = &model->points[c.index];
+    YkVec at = yk_mul(yk_mul(yk_unit(l->angle[p->body]), mech->bodies[p->body].turn_unit), p->at);
+    at = yk_add(at, l->origin[p->body]);
+    return c.kind == YK_CHANNEL_POINT_X ? at.x : at.y;
+}
+
+// Phi at the pose for parameters p +- h: residual[2 loops].
+static bool residual_at(YkStudy *study, Linear *l, size_t parameter, double value, double *residual)
+{
+    YkWorker *w = &study->worker[0];
+    memcpy(w->value, study->own, study->parameter_count * sizeof *w->value);
+    w->value[parameter] = value;
+    if (yk_variant_set(w->variant, w->value) < 0) return false;
+    yk_closure(w->mech, l->x, residual, NULL);
+    return true;
+}
+
+static bool directions(YkStudy *study, Linear *l, size_t parameter)
+{
+    size_t n = 2 * l->mech->loop_count;
+    double own = study->own[parameter], h = step_of(study, parameter), *stages = calloc(n * STAGES + 1, sizeof *stages);
+    bool good = stages != NULL;
+    for (size_t stage = 0; good && stage < STAGES; stage++, h /= 2) {
+        good = residual_at(study, l, parameter, own + h, l->b);
+        for (size_t k = 0; good && k < n; k++) l->work[k] = l->b[k];
+        good = good && residual_at(study, l, parameter, own - h, l->b);
+        for (size_t k = 0; good && k < n; k++) stages[k * STAGES + stage] = (l->work[k] - l->b[k]) / ((own + h) - (own - h));
+    }
+    for (size_t k = 0; good && k < l->rows; k++) l->b[k] = k < n ? -extrapolate(stages + k * STAGES, STAGES) : 0;
+    free(stages);
+    if (good) yk_qr_solve(l->rows, l->variables, l->J, l->order, l->tau, l->rank, l->b, l->dx);
+    return good;
+}
+
+// d/dh of y(x + h dx, p + h).
+static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *derivative, double *stages)
+{
+    YkWorker *w = &study->worker[0];
+    double own = study->own[parameter], h = step_of(study, parameter), *x = l->work;
+    for (size_t stage = 0; stage < STAGES; stage++, h /= 2) {
+        for (int side = 0; side < 2; side++) {
+            double at = own + (side ? -h : h);
+            memcpy(w->value, study->own, study->parameter_count * sizeof *w->value);
+            w->value[parameter] = at;
+            if (yk_variant_set(w->variant, w->value) < 0) return false;
+            for (size_t k = 0; k < l->variables; k++) x[k] = l->x[k] + (at - own) * l->dx[k];
+            place(l, x);
+            for (size_t c = 0; c < study->channel_count; c++) {
+                double *slot = &stages[c * STAGES + stage], y = answer(l, x, study->channels[c]);
+                *slot = side ? (*slot - y) / ((own + h) - (own - h)) : y;
+            }
+        }
+    }
+    for (size_t c = 0; c < study->channel_count; c++) derivative[c] = extrapolate(stages + c * STAGES, STAGES);
+    return true;
+}
+
+// --- the door
+// -----------------------------------------------------------------------------------------------------------
+
+YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *by_difference_out)
+{
+    YkWorker *w = &study->worker[0];
+    size_t channels = study->channel_count, parameters = study->parameter_count;
+    double *scratch = calloc((3 + STAGES) * (channels + 1), sizeof *scratch), *column = scratch;
+    YkStatus status = scratch ? YK_OK : YK_NO_MEMORY;
+    Linear l = {0};
+    bool is_linear = can_linearise(study, w->mech);
+    if (status == YK_OK && is_linear && !start_linear(&l, w->mech)) status = YK_NO_MEMORY;
+    if (status == YK_OK) status = yk_worker_set(w, study->own);
+    if (status >= 0 && is_linear) {
+        yk_state_copy(w->state, w->home);
+        status = w->mech->has_groups ? yk_state_assemble(w->state) : yk_state_solve(w->state);
+        if (status >= 0) linearise(&l, w->state);
+    }
+    for (size_t p = 0; status >= 0 && p < parameters; p++) {
+        status = by_difference(study, p, column, scratch + channels);
+        for (size_t c = 0; c < channels; c++)
+            by_difference_out[c * parameters + p] = by_derivative[c * parameters + p] = column[c];
+        if (status < 0 || !is_linear) continue;
+        if (!directions(study, &l, p) || !answers_along(study, &l, p, column, scratch + channels)) status = YK_BAD_MODEL;
+        for (size_t c = 0; c < channels; c++) by_derivative[c * parameters + p] = column[c];
+    }
+    yk_worker_set(w, study->own);
+    end_linear(&l);
+    free(scratch);
+    return status > 0 ? YK_OK : status;
+}

@@ -1,0 +1,289 @@
+// Designs over threads. A worker has all it needs to solve a design by itself: a variant, a state, a batch. Designs are
+// handed out in chunks; where a design is computed changes nothing in it.
+#include "study/study.h"
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+
+// --- workers
+// ------------------------------------------------------------------------------------------------------------
+
+static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options,
+                         YkProblems *problems)
+{
+    size_t channels = options->channel_count, parameters = options->parameter_count;
+    w->study = study;
+    w->variant = yk_variant_new(state->mech, options->parameters, parameters, problems);
+    if (!w->variant) return false;
+    w->mech = yk_variant_mechanism(w->variant);
+    w->state = yk_state_new(w->mech);
+    w->home = yk_state_new(w->mech);
+    w->value = calloc(parameters + 1, sizeof *w->value);
+    w->inputs = calloc(3 * w->mech->input_count + 1, sizeof *w->inputs);
+    w->outputs = calloc(channels + 1, sizeof *w->outputs);
+    w->extent = calloc(channels + 1, sizeof *w->extent);
+    w->count = calloc(channels + 1, sizeof *w->count);
+    w->block = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->block);
+    w->block_status = calloc(YK_STUDY_BLOCK, 1);
+    if (!w->state || !w->home || !w->value || !w->inputs || !w->outputs || !w->extent || !w->count || !w->block || !w->block_status)
+        return false;
+    yk_state_take(w->home, state);
+    yk_state_copy(w->state, w->home);
+    if (!study->needs_forces) w->batch = yk_batch_new(w->home, options->channels, channels);
+    return study->needs_forces || w->batch;
+}
+
+static void end_worker(YkWorker *w)
+{
+    yk_batch_free(w->batch);
+    yk_dynamics_free(w->dynamics);
+    yk_state_free(w->state);
+    yk_state_free(w->home);
+    yk_variant_free(w->variant);
+    free(w->value);
+    free((void *)w->inputs);
+    free((void *)w->outputs);
+    free(w->extent);
+    free(w->count);
+    free(w->block);
+    free(w->block_status);
+}
+
+YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkProblems *problems)
+{
+    size_t errors = yk_problems_error_count(problems), threads = options->threads ? options->threads : 1;
+    YkStudy *study = calloc(1, sizeof *study);
+    bool good = study != NULL;
+    if (good) {
+        study->channel_count = options->channel_count;
+        study->parameter_count = options->parameter_count;
+        study->worker = calloc(threads, sizeof *study->worker);
+        study->thread = calloc(threads, sizeof *study->thread);
+        study->channels = calloc(options->channel_count + 1, sizeof *study->channels);
+        study->own = calloc(options->parameter_count + 1, sizeof *study->own);
+        good = study->worker && study->thread && study->channels && study->own;
+    }
+    for (size_t c = 0; good && c < options->channel_count; c++) {
+        study->channels[c] = options->channels[c];
+        study->needs_forces |= yk_channel_needs_forces(options->channels[c]);
+    }
+    for (size_t p = 0; good && p < options->parameter_count; p++)
+        study->own[p] = yk_model_parameter(state->mech->model, options->parameters[p]);
+    for (size_t t = 0; good && t < threads; t++) {
+        study->thread_count++;
+        good = start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
+    }
+    if (good) return study;
+    yk_study_free(study);
+    if (problems && yk_problems_error_count(problems) == errors)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the study");
+    return NULL;
+}
+
+void yk_study_free(YkStudy *study)
+{
+    if (!study) return;
+    for (size_t t = 0; t < study->thread_count; t++) end_worker(&study->worker[t]);
+    free(study->worker);
+    free(study->thread);
+    free(study->channels);
+    free(study->own);
+    free(study);
+}
+
+// --- a design
+// -----------------------------------------------------------------------------------------------------------
+
+static YkStatus worse(YkStatus a, YkStatus b)
+{
+    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
+}
+
+// Groups have no branch that carries over: the nearest configuration to `start:`, as for the file itself.
+static YkStatus assemble(YkWorker *w)
+{
+    yk_state_copy(w->state, w->home);
+    memcpy(w->state->input, w->home->input, 3 * w->mech->input_count * sizeof *w->state->input);
+    YkStatus status = yk_state_assemble(w->state);
+    if (status < 0) return status;
+    if (w->batch) yk_batch_restart(w->batch, w->state);
+    return YK_OK;
+}
+
+// Forces: the machine's equations hold its masses, so they are made anew.
+static YkStatus prepare_forces(YkWorker *w)
+{
+    yk_dynamics_free(w->dynamics);
+    w->dynamics = yk_dynamics_new(w->mech, NULL);
+    if (!w->dynamics) return YK_NO_MEMORY;
+    for (size_t i = 0; i < w->mech->input_count; i++) yk_dynamics_prescribe(w->dynamics, i, true);
+    return YK_OK;
+}
+
+YkStatus yk_worker_set(YkWorker *w, const double *values)
+{
+    YkStatus status = yk_variant_set(w->variant, values);
+    if (status >= 0 && w->mech->has_groups) status = assemble(w);
+    if (status >= 0 && w->study->needs_forces) status = prepare_forces(w);
+    return status;
+}
+
+// A pose with forces, from the inputs w->inputs at `pose`.
+static YkStatus solve_forces(YkWorker *w, size_t pose, double *const *outputs)
+{
+    if (!w->mech->has_groups) yk_state_copy(w->state, w->home);
+    for (size_t i = 0; i < 3 * w->mech->input_count; i++)
+        w->state->input[i] = w->inputs[i] ? w->inputs[i][pose] : w->home->input[i];
+    YkStatus status = yk_state_solve(w->state);
+    if (status >= 0) status = yk_dynamics_solve(w->dynamics, w->state, YK_METHOD_REDUCED);
+    if (status == YK_REDUNDANT) status = YK_OK;
+    for (size_t c = 0; c < w->study->channel_count; c++) {
+        double value = status < 0 ? 0 : yk_dynamics_channel(w->dynamics, w->state, w->study->channels[c]);
+        bool is_number = value - value == 0;
+        outputs[c][pose] = is_number ? value : 0;
+        if (!is_number) status = YK_SINGULAR;
+    }
+    return status;
+}
+
+YkStatus yk_worker_poses(YkWorker *w, double *const *outputs, signed char *status, size_t count)
+{
+    if (w->batch) return yk_batch_run(w->batch, w->inputs, outputs, status, count);
+    YkStatus worst = YK_OK;
+    for (size_t k = 0; k < count; k++) {
+        YkStatus one = solve_forces(w, k, outputs);
+        if (status) status[k] = (signed char)one;
+        worst = worse(worst, one);
+    }
+    return worst;
+}
+
+static void point_inputs(YkWorker *w, const YkStudyCase *asked, size_t design, size_t from)
+{
+    size_t at = from + (asked->inputs_per_design ? design * asked->pose_count : 0);
+    for (size_t i = 0; i < 3 * w->mech->input_count; i++)
+        w->inputs[i] = asked->inputs && asked->inputs[i] ? asked->inputs[i] + at : NULL;
+}
+
+static YkStatus set_design(YkWorker *w, const YkStudyCase *asked, size_t design)
+{
+    for (size_t p = 0; p < w->study->parameter_count; p++)
+        w->value[p] = asked->parameters && asked->parameters[p] ? asked->parameters[p][design] : w->study->own[p];
+    return yk_worker_set(w, w->value);
+}
+
+static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
+{
+    const YkStudyCase *asked = job->asked;
+    size_t n = asked->pose_count, at = design * n;
+    YkStatus status = set_design(w, asked, design);
+    if (status < 0) {
+        for (size_t c = 0; c < w->study->channel_count; c++) memset(job->outputs[c] + at, 0, n * sizeof(double));
+        if (job->status) memset(job->status + at, status, n);
+        return status;
+    }
+    point_inputs(w, asked, design, 0);
+    for (size_t c = 0; c < w->study->channel_count; c++) w->outputs[c] = job->outputs[c] + at;
+    return yk_worker_poses(w, w->outputs, job->status ? job->status + at : NULL, n);
+}
+
+// --- reducing
+// -----------------------------------------------------------------------------------------------------------
+
+// Does a pose count for this channel: rates have no value at a dead point.
+static bool counts(YkChannel channel, signed char status)
+{
+    bool is_rate = channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED;
+    return status >= 0 && !(status == YK_SINGULAR && is_rate);
+}
+
+static void add_row(YkWorker *w, size_t c, size_t n, bool all_count)
+{
+    YkExtent *e = &w->extent[c];
+    for (size_t k = 0; k < n; k++) {
+        double x = w->outputs[c][k];
+        if (!all_count && !counts(w->study->channels[c], w->block_status[k])) continue;
+        e->least = w->count[c] > 0 && e->least <= x ? e->least : x;
+        e->largest = w->count[c] > 0 && e->largest >= x ? e->largest : x;
+        e->mean += x;
+        w->count[c]++;
+    }
+}
+
+static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
+{
+    const YkStudyCase *asked = job->asked;
+    size_t channels = w->study->channel_count, standing = 0;
+    YkStatus worst = set_design(w, asked, design);
+    memset(w->extent, 0, channels * sizeof *w->extent);
+    memset(w->count, 0, channels * sizeof *w->count);
+    for (size_t c = 0; c < channels; c++) w->outputs[c] = w->block + c * YK_STUDY_BLOCK;
+    for (size_t from = 0; worst != YK_BAD_MODEL && worst != YK_NO_ASSEMBLY && from < asked->pose_count;
+         from += YK_STUDY_BLOCK) {
+        size_t n = asked->pose_count - from < YK_STUDY_BLOCK ? asked->pose_count - from : YK_STUDY_BLOCK, stand = n;
+        point_inputs(w, asked, design, from);
+        YkStatus here = yk_worker_poses(w, w->outputs, w->block_status, n);
+        worst = worse(worst, here);
+        for (size_t k = 0; here < 0 && k < n; k++) stand -= w->block_status[k] < 0;
+        for (size_t c = 0; c < channels; c++) add_row(w, c, n, here == YK_OK);
+        standing += stand;
+    }
+    for (size_t c = 0; c < channels; c++) {
+        if (w->count[c] > 0) w->extent[c].mean /= (double)w->count[c];
+        job->extents[c * asked->design_count + design] = w->extent[c];
+    }
+    if (job->status) job->status[design] = (signed char)worst;
+    if (job->standing) job->standing[design] = standing;
+    return worst;
+}
+
+// --- threads
+// ------------------------------------------------------------------------------------------------------------
+
+static void *work(void *context)
+{
+    YkWorker *w = context;
+    YkJob *job = w->job;
+    size_t designs = job->asked->design_count;
+    w->worst = YK_OK;
+    for (;;) {
+        size_t from = atomic_fetch_add(&job->next, job->chunk), to = from + job->chunk;
+        if (from >= designs) return NULL;
+        for (size_t d = from; d < to && d < designs; d++)
+            w->worst = worse(w->worst, job->extents ? reduce_design(w, job, d) : run_design(w, job, d));
+    }
+}
+
+// The first worker is the calling thread; where no thread can be had, those that are do all.
+static YkStatus run(YkStudy *study, YkJob *job)
+{
+    size_t started = 0, designs = job->asked->design_count;
+    job->chunk = designs / (study->thread_count * 16) + 1;
+    if (job->chunk > 256) job->chunk = 256;
+    atomic_init(&job->next, 0);
+    for (size_t t = 0; t < study->thread_count; t++) study->worker[t].job = job, study->worker[t].worst = YK_OK;
+    while (started + 1 < study->thread_count && started + 1 < designs &&
+           pthread_create(&study->thread[started], NULL, work, &study->worker[started + 1]) == 0)
+        started++;
+    work(&study->worker[0]);
+    YkStatus worst = study->worker[0].worst;
+    for (size_t t = 0; t < started; t++) {
+        pthread_join(study->thread[t], NULL);
+        worst = worse(worst, study->worker[t + 1].worst);
+    }
+    return worst;
+}
+
+YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status)
+{
+    YkJob job = {.asked = asked, .outputs = outputs, .status = status};
+    return run(study, &job);
+}
+
+YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExtent *extents, signed char *status,
+                         size_t *standing)
+{
+    YkJob job = {.asked = asked, .extents = extents, .status = status, .standing = standing};
+    return run(study, &job);
+}

@@ -1,0 +1,90 @@
+// Derivatives with respect to parameters: two ways that agree, and closed forms.
+#include "study_check.h"
+#include "compile/mechanism.h"
+
+enum { MOST = 400 };
+static double derivative[MOST], difference[MOST];
+
+static void test_derivatives_of_a_slider_crank_are_the_closed_form(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("parameters: {r: 0.05 m, l: 0.18 m, e: 0 m}\n"
+                      "bodies:\n"
+                      "  ground: {points: {O: [0, 0], F: [0, e]}}\n"
+                      "  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+                      "  rod: {points: {A: [0, 0], B: [l, 0]}}\n"
+                      "  piston: {points: {B: [0, 0]}}\n"
+                      "joints:\n"
+                      "  O: {pin: [ground, crank], angle: theta}\n"
+                      "  A: {pin: [crank, rod], angle: phi}\n"
+                      "  B: {pin: [rod, piston]}\n"
+                      "  S: {slide: [ground, piston], from: F, to: B, along: x, distance: s}\n"
+                      "drives: {theta: 60 deg + 1 rad/s * t}\n"
+                      "start: {phi: -75 deg, s: 200 mm}\n",
+                      true);
+    const char *names[] = {"r", "l", "e"}, *of[] = {"s", "piston.B.x", "piston.B.y", "s.rate"};
+    YkStudy *study = study_of(&m, names, 3, of, 4, 1);
+    assert_int_equal(yk_study_sensitivities(study, derivative, difference), YK_OK);
+    yk_study_free(study);
+    study = study_of(&m, names, 3, of, 3, 1); // positions alone: by the implicit function theorem
+    assert_int_equal(yk_study_sensitivities(study, derivative, difference), YK_OK);
+    double r = 0.05, l = 0.18, sine = sin(YK_PI / 3), cosine = cos(YK_PI / 3), h = r * sine, root = sqrt(l * l - h * h);
+    double exact[] = {cosine - h * sine / root, l / root, h / root};
+    for (int p = 0; p < 3; p++) {
+        CHECK_NEAR(derivative[p], exact[p], 1e-9);
+        CHECK_NEAR(difference[p], exact[p], 1e-9);
+        CHECK_NEAR(derivative[3 + p], exact[p], 1e-9);
+        CHECK_NEAR(derivative[6 + p], p == 2 ? 1 : 0, 1e-10);
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+static void check_machine(const char *file, Machine m, size_t *checked)
+{
+    const char *names[NAMES_MAX], *of[NAMES_MAX];
+    size_t parameters = 0, channels = 0;
+    for (size_t p = 0; p < m.model->parameter_count && parameters < NAMES_MAX; p++) {
+        YkVariant *v = yk_variant_new(m.mech, &m.model->parameters[p].name, 1, NULL);
+        if (v) names[parameters++] = m.model->parameters[p].name;
+        yk_variant_free(v);
+    }
+    for (size_t c = 0; c < yk_coordinate_count(m.mech) && channels < 4; c++) of[channels++] = yk_coordinate_info(m.mech, c).name;
+    if (parameters == 0 || m.mech->relation_count > 0) {
+        machine_free(&m);
+        return;
+    }
+    YkStudy *study = study_of(&m, names, parameters, of, channels, 1);
+    YkStatus status = yk_study_sensitivities(study, derivative, difference);
+    for (size_t k = 0; status >= 0 && k < parameters * channels; k++) {
+        double size = 1e-7 * (1 + fabs(difference[k]));
+        if (!(fabs(derivative[k] - difference[k]) <= size))
+            print_error("%s: %s by %s: %.12g, by difference %.12g\n", file, of[k / parameters], names[k % parameters],
+                        derivative[k], difference[k]);
+        CHECK_NEAR(derivative[k], difference[k], size);
+        ++*checked;
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+static void test_both_ways_agree_on_the_examples(void **unused)
+{
+    (void)unused;
+    static const char *const files[] = {"four-bar",    "quick-return", "drag-link", "stephenson-six-bar", "watt-six-bar",
+                                        "five-bar",    "hoeken",       "chebyshev", "inverted-slider-crank",
+                                        "scotch-yoke", "jansen",       "klann",     "offset-slider-crank"};
+    size_t checked = 0;
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) check_machine(files[k], machine_load(files[k]), &checked);
+    check_machine("triad", machine_parse(TRIAD, true), &checked);
+    assert_true(checked > 60);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_derivatives_of_a_slider_crank_are_the_closed_form),
+        cmocka_unit_test(test_both_ways_agree_on_the_examples),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
