@@ -44,7 +44,10 @@ typedef struct YkRequest {
     YkPairs event;
     const char *cam, *profile, *chord, *cutter, *compare, *limits, *speed; // cam
     const char *lock, *in, *out, *efficiency;                              // gears
+    YkWords vary;                                                          // study
+    const char *sample, *designs, *seed, *threads;                         // study
     YkFormat format;
+    bool sensitivities, fresh; // study
     bool all, modes, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
@@ -87,6 +90,7 @@ int yk_run_new(YkSession *session);
 int yk_run_gears(YkSession *session);
 int yk_run_derive(YkSession *session);
 int yk_run_report(YkSession *session);
+int yk_run_study(YkSession *session);
 
 // Prints a list of problems on standard error; with quiet, only where there is an error among them.
 void yk_print_problems(YkProblems *problems, bool quiet);

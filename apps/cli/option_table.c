@@ -1,10 +1,10 @@
 #include <string.h>
 #include "options.h"
 
-#define POSE " solve sweep draw derive report "
-#define START " solve sweep draw simulate derive report "
+#define POSE " solve sweep draw derive report study "
+#define START " solve sweep draw simulate derive report study "
 #define FORCES " solve sweep simulate gears derive "
-#define MODEL " check solve sweep draw simulate cam gears rest derive report "
+#define MODEL " check solve sweep draw simulate cam gears rest derive report study "
 #define FIELD(name) offsetof(YkRequest, name)
 
 const YkOption yk_options[] = {
@@ -20,11 +20,11 @@ const YkOption yk_options[] = {
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
      "every assembly configuration, not only the nearest to start:"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},
-    {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report ",
+    {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report study ",
      "the coordinate, or t, that goes through a range"},
-    {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report ",
+    {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report study ",
      "so many steps, one more rows (default 36; simulate: 100; cam: 72, in text none)"},
-    {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " sweep simulate ",
+    {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " sweep simulate study ",
      "columns: d5,d5.rate,lever.angle,ram.C.x,A.force.x,theta1.effort,energy,..."},
     {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam ",
      "draw the columns: FILE.svg, .pdf or .png (needs gnuplot)"},
@@ -38,8 +38,8 @@ const YkOption yk_options[] = {
     {"output", 'o', YK_OPTION_WORD, FIELD(output), "FILE", MODEL "new ",
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
-     " check solve sweep simulate gears rest cam derive report ",
-     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; report: html, pdf)"},
+     " check solve sweep simulate gears rest cam derive report study ",
+     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; report: html, pdf; study: npy too)"},
     {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at its start (default 0)"},
     {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at its end, as in 10s"},
     {"every", 0, YK_OPTION_WORD, FIELD(every), "TIME", " simulate ", "a row every so often (default: --steps 100)"},
@@ -75,6 +75,19 @@ const YkOption yk_options[] = {
     {"numbers", 0, YK_OPTION_SWITCH, FIELD(numbers), NULL, " derive ", "put the values of a pose beside the symbols"},
     {"check", 0, YK_OPTION_WORDS, FIELD(checks), "EQUATION", " derive ",
      "is it true for this machine? - reads equations from standard input, one a line; repeatable"},
+    {"vary", 0, YK_OPTION_WORDS, FIELD(vary), "NAME=FROM:TO:N", " study ",
+     "N values of a parameter, ends included; several span a grid; repeatable"},
+    {"sample", 0, YK_OPTION_WORD, FIELD(sample), "FILE", " study ",
+     "draw the parameters from the distributions of a file"},
+    {"designs", 0, YK_OPTION_WORD, FIELD(designs), "N", " study ",
+     "--sample: how many (default: the file's designs:, or 1000)"},
+    {"seed", 0, YK_OPTION_WORD, FIELD(seed), "N", " study ",
+     "--sample: of the random numbers (default: the file's, or 1)"},
+    {"sensitivities", 0, YK_OPTION_SWITCH, FIELD(sensitivities), NULL, " study ",
+     "derivatives by each parameter, by two ways, and the worst case"},
+    {"threads", 0, YK_OPTION_WORD, FIELD(threads), "N", " study ",
+     "how many at once (default: as many as there are processors); the results are the same"},
+    {"fresh", 0, YK_OPTION_SWITCH, FIELD(fresh), NULL, " study ", "do not go on with an interrupted study"},
     {"quiet", 'q', YK_OPTION_SWITCH, FIELD(quiet), NULL, "*", "no notes and warnings"},
     {"help", 'h', YK_OPTION_SWITCH, FIELD(help), NULL, "*", "this help"},
     {"version", 0, YK_OPTION_SWITCH, FIELD(version), NULL, "*", "the version"},

@@ -189,7 +189,8 @@ static void check_format(Reader *reader)
     YkRequest *request = reader->request;
     if (!request->format_word) return;
     const char *verb = request->verb ? request->verb->name : "";
-    if (strcmp(verb, "derive") == 0 || strcmp(verb, "report") == 0) return; // they have formats of their own
+    bool has_own = strcmp(verb, "derive") == 0 || strcmp(verb, "report") == 0 || strcmp(verb, "study") == 0;
+    if (has_own) return;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (strcmp(request->format_word, words[i]) != 0) continue;
         request->format = (YkFormat)i;
@@ -231,6 +232,7 @@ void yk_request_free(YkRequest *request)
 {
     free(request->at.items);
     free((void *)request->checks.items);
+    free((void *)request->vary.items);
     free(request->rate.items);
     free(request->accel.items);
     free(request->param.items);

@@ -31,6 +31,14 @@ const YkVerb yk_verbs[] = {
      "small motions there; with --modes also the matrices M, C, K. Drives are held; stops and dry friction are left\n"
      "out of account.",
      "yoke rest examples/rocking-four-bar.yaml --modes", yk_run_rest},
+    {"study", "many designs: grids, tolerances, sensitivities", "FILE --vary NAME=FROM:TO:N | --sample FILE [options]",
+     "Computes what --of names for many values of the file's parameters: a grid (--vary) or random designs\n"
+     "(--sample, with uniform, normal and triangular distributions), at one pose or, with --over, through a whole\n"
+     "cycle, of which each design tells the least, largest and mean value and the range. --sensitivities adds the\n"
+     "derivatives by every parameter and the worst case. A design that does not close is a row with its status.\n"
+     "With -o an interrupted study goes on when the same command is given again.",
+     "yoke study examples/four-bar.yaml --vary b=110mm:130mm:5 --over theta2=0:360deg --of theta4,coupler.P.y",
+     yk_run_study},
     {"draw", "the machine as a picture: SVG, PDF, PNG", "FILE [options]",
      "Draws the machine at one pose, as SVG on standard output or as a file of the kind its ending says.\n"
      "With --over and --poses a stroboscope; with --trace the paths of points.",

@@ -57,8 +57,8 @@ YK_API YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, do
 typedef enum YkDistributionKind { YK_UNIFORM, YK_NORMAL, YK_TRIANGULAR } YkDistributionKind;
 typedef struct YkDistribution {
     YkDistributionKind kind;
-    double low, high;       // ends; of a normal one where it is cut off: -INFINITY, INFINITY where it is not
-    double center, spread;  // normal: mean and standard deviation before it is cut; triangular: center is the mode
+    double low, high;      // ends; of a normal one where it is cut off: -INFINITY, INFINITY where it is not
+    double center, spread; // normal: mean and standard deviation before it is cut; triangular: center is the mode
 } YkDistribution;
 // False where it is none: ends in the wrong order, a spread that is not positive, no part of it between the ends.
 YK_API bool yk_distribution_is_valid(const YkDistribution *distribution);

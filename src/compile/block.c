@@ -5,7 +5,7 @@ typedef struct Parts { // of a loop
     YkTermList known, arm[2];
     int32_t root[2];
     size_t angles;
-    YkTerm line[2];     // unknown distances, with their lines
+    YkTerm line[2]; // unknown distances, with their lines
     int32_t line_node[2];
     bool line_turns[2]; // the line belongs to an unknown orientation
     size_t lines;

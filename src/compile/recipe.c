@@ -32,8 +32,9 @@ int32_t yk_recipe_leaf(YkRecipe *recipe, YkRecipeKind kind, int32_t joint, int s
 {
     if (!recipe) return 0;
     const YkModel *model = yk_redesign_model((YkRedesign *)(uintptr_t)recipe->redesign);
-    bool varies = kind == YK_RECIPE_ALONG ? yk_redesign_along_varies(recipe->redesign, joint)
-                                          : yk_redesign_point_varies(recipe->redesign, model->joints[joint].point[side]);
+    bool varies = kind == YK_RECIPE_ALONG
+                      ? yk_redesign_along_varies(recipe->redesign, joint)
+                      : yk_redesign_point_varies(recipe->redesign, model->joints[joint].point[side]);
     return append(recipe, (YkRecipeNode){varies ? kind : YK_RECIPE_FIXED, joint, side, varies, value});
 }
 

@@ -9,7 +9,13 @@
 #include "base/vec.h"
 #include "model/redesign.h"
 
-typedef enum YkRecipeKind { YK_RECIPE_FIXED, YK_RECIPE_POINT, YK_RECIPE_ALONG, YK_RECIPE_NEGATE, YK_RECIPE_ADD } YkRecipeKind;
+typedef enum YkRecipeKind {
+    YK_RECIPE_FIXED,
+    YK_RECIPE_POINT,
+    YK_RECIPE_ALONG,
+    YK_RECIPE_NEGATE,
+    YK_RECIPE_ADD
+} YkRecipeKind;
 
 typedef struct YkRecipeNode {
     YkRecipeKind kind;

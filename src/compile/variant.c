@@ -6,12 +6,6 @@
 #include <string.h>
 #include "base/problems.h"
 
-double yk_model_parameter(const YkModel *model, const char *name)
-{
-    int32_t index = yk_names_find(&model->parameter_names, name);
-    return index == YK_NONE ? NAN : model->parameters[index].value;
-}
-
 // Values beside the file's: 0.1 % off, by parts that no sum or difference of a few makes 0 again.
 static void choose_probe(const YkVariant *v, const YkModel *model, size_t count, double *values)
 {

@@ -97,7 +97,7 @@ static void look(void *context, const YkExpr *name)
     if (index != YK_NONE && l->r->varies[index]) l->varies = true;
 }
 
-static bool expression_varies(const YkRedesign *r, const YkExpr *expr)
+bool yk_redesign_expression_varies(const YkRedesign *r, const YkExpr *expr)
 {
     Look l = {.r = r};
     yk_expr_names(expr, look, &l);
@@ -152,7 +152,7 @@ static void order_derived(YkRedesign *r)
     for (bool more = true; more;) {
         more = false;
         for (size_t i = 0; i < n; i++) {
-            if (r->varies[i] || !expression_varies(r, model->parameters[i].expr)) continue;
+            if (r->varies[i] || !yk_redesign_expression_varies(r, model->parameters[i].expr)) continue;
             r->varies[i] = more = true;
         }
     }
@@ -202,7 +202,7 @@ static bool list_followers(YkRedesign *r, YkProblems *problems)
     if (!r->follower) return false;
     for (size_t k = 0; k < model->use_count; k++) {
         const YkModelUse *use = &model->uses[k];
-        if (!expression_varies(r, use->expr)) continue;
+        if (!yk_redesign_expression_varies(r, use->expr)) continue;
         double *target = moved(r, use->target);
         if (!target || is_turned(model, use->target)) {
             refuse(r, use->expr, target ? "the constant angle of a joint" : "a wheel, a cam or a law", problems);

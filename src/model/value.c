@@ -1,6 +1,7 @@
 // Values from outside the file - the command line - in the model's own terms: its units, its parameters.
 #include <math.h>
 #include <string.h>
+#include <yoke/variant.h>
 #include "model/load.h"
 
 static YkDimension quantity_dimension(YkQuantity quantity)
@@ -113,6 +114,29 @@ YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quant
     }
     yk_problems_free(found);
     return done ? YK_OK : YK_BAD_ARGUMENT;
+}
+
+double yk_model_parameter(const YkModel *model, const char *name)
+{
+    int32_t index = yk_names_find(&model->parameter_names, name);
+    return index == YK_NONE ? NAN : model->parameters[index].value;
+}
+
+YkStatus yk_model_parameter_read(const YkModel *model, const char *name, const char *text, double *value,
+                                 YkProblems *problems)
+{
+    int32_t index = yk_names_find(&model->parameter_names, name);
+    if (index != YK_NONE)
+        return yk_model_value_of(model, text, model->parameters[index].dimension, (YkPlace){0}, value, problems);
+    yk_problem(problems, YK_CODE_UNKNOWN_OVERRIDE, (YkPlace){0}, "the file has no parameter %q", name);
+    yk_load_hint_nearest(problems, name, model->parameters, model->parameter_count, sizeof *model->parameters);
+    return YK_BAD_ARGUMENT;
+}
+
+double yk_model_parameter_unit(const YkModel *model, const char *name)
+{
+    int32_t index = yk_names_find(&model->parameter_names, name);
+    return index == YK_NONE ? 1 : yk_units_size(&model->units, model->parameters[index].dimension);
 }
 
 const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size)

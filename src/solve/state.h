@@ -46,8 +46,8 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);
 // Fills the report for a status.
 void yk_state_tell(YkState *state, const YkSpace *space, YkStatus status);
-// The inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a variant); the
-// pose too where it is the same mechanism.
+// The inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a variant);
+// the pose too where it is the same mechanism.
 void yk_state_take(YkState *to, const YkState *from);
 // Makes the spare space the pose.
 void yk_state_accept(YkState *state);

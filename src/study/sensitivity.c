@@ -1,7 +1,7 @@
 // Derivatives of channels with respect to parameters, in two ways that share only the pose.
 //
-// By derivative: the loops Phi(x, p) = 0 give J dx = -dPhi/dp, where the inputs keep their values; then an answer y(x, p)
-// has dy = dy/dx dx + dy/dp. Only explicit functions - Phi and y at given x - are differenced, along one direction.
+// By derivative: the loops Phi(x, p) = 0 give J dx = -dPhi/dp, where the inputs keep their values; then an answer y(x,
+// p) has dy = dy/dx dx + dy/dp. Only explicit functions - Phi and y at given x - are differenced, along one direction.
 // By difference: the whole machine is solved at neighbouring values.
 #include <math.h>
 #include <stdlib.h>
@@ -163,8 +163,7 @@ static void place(Linear *l, const double *x)
         int32_t d = mech->joint_distance[mech->tree.joint[b]];
         int own = j->body[1] == b;
         YkVec turn[2];
-        for (int e = 0; e < 2; e++)
-            turn[e] = yk_mul(yk_unit(l->angle[j->body[e]]), mech->bodies[j->body[e]].turn_unit);
+        for (int e = 0; e < 2; e++) turn[e] = yk_mul(yk_unit(l->angle[j->body[e]]), mech->bodies[j->body[e]].turn_unit);
         YkVec across = yk_sub(yk_mul(turn[0], j->at[0]), yk_mul(turn[1], j->at[1]));
         if (d != YK_NONE) across = yk_add(across, yk_scale(x[variable_of(mech, true, d)], yk_mul(turn[0], j->along)));
         l->origin[b] = yk_add(l->origin[p], yk_scale(own ? 1 : -1, across));
@@ -213,7 +212,8 @@ static bool directions(YkStudy *study, Linear *l, size_t parameter)
         good = residual_at(study, l, parameter, own + h, l->b);
         for (size_t k = 0; good && k < n; k++) l->work[k] = l->b[k];
         good = good && residual_at(study, l, parameter, own - h, l->b);
-        for (size_t k = 0; good && k < n; k++) stages[k * STAGES + stage] = (l->work[k] - l->b[k]) / ((own + h) - (own - h));
+        for (size_t k = 0; good && k < n; k++)
+            stages[k * STAGES + stage] = (l->work[k] - l->b[k]) / ((own + h) - (own - h));
     }
     for (size_t k = 0; good && k < l->rows; k++) l->b[k] = k < n ? -extrapolate(stages + k * STAGES, STAGES) : 0;
     free(stages);
@@ -267,7 +267,8 @@ YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *b
         for (size_t c = 0; c < channels; c++)
             by_difference_out[c * parameters + p] = by_derivative[c * parameters + p] = column[c];
         if (status < 0 || !is_linear) continue;
-        if (!directions(study, &l, p) || !answers_along(study, &l, p, column, scratch + channels)) status = YK_BAD_MODEL;
+        if (!directions(study, &l, p) || !answers_along(study, &l, p, column, scratch + channels))
+            status = YK_BAD_MODEL;
         for (size_t c = 0; c < channels; c++) by_derivative[c * parameters + p] = column[c];
     }
     yk_worker_set(w, study->own);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
+#include "compile/variant.h"
 
 // --- workers
 // ------------------------------------------------------------------------------------------------------------
@@ -26,7 +27,8 @@ static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, cons
     w->count = calloc(channels + 1, sizeof *w->count);
     w->block = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->block);
     w->block_status = calloc(YK_STUDY_BLOCK, 1);
-    if (!w->state || !w->home || !w->value || !w->inputs || !w->outputs || !w->extent || !w->count || !w->block || !w->block_status)
+    if (!w->state || !w->home || !w->value || !w->inputs || !w->outputs || !w->extent || !w->count || !w->block ||
+        !w->block_status)
         return false;
     yk_state_take(w->home, state);
     yk_state_copy(w->state, w->home);
@@ -48,6 +50,29 @@ static void end_worker(YkWorker *w)
     free(w->count);
     free(w->block);
     free(w->block_status);
+}
+
+// A drive, or the start value of a held input, that varies: the state's inputs would not follow.
+static bool inputs_follow(const YkStudy *study, const YkState *state, YkProblems *problems)
+{
+    const YkModel *model = state->mech->model;
+    const YkRedesign *redesign = study->worker[0].variant->redesign;
+    bool good = true;
+    for (size_t i = 0; i < state->mech->input_count; i++) {
+        const YkTreeCoordinate *q = &state->mech->coordinates[state->mech->inputs[i]];
+        const YkExpr *expr = q->drive != YK_NONE ? model->drives[q->drive].expr : NULL;
+        for (size_t k = 0; q->drive == YK_NONE && k < model->start_count; k++) {
+            const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
+            bool is_own = c->joint == q->joint && c->is_distance == q->is_distance;
+            if (is_own && yk_redesign_expression_varies(redesign, model->starts[k].expr)) expr = model->starts[k].expr;
+        }
+        if (!yk_redesign_expression_varies(redesign, expr)) continue;
+        yk_problem(problems, YK_CODE_CANNOT_VARY, expr->place,
+                   "a parameter that varies enters the drive or start of %q here", q->name);
+        yk_problem_hint(problems, "sweep the coordinate itself, with --over");
+        good = false;
+    }
+    return good;
 }
 
 YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkProblems *problems)
@@ -73,6 +98,7 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
     for (size_t t = 0; good && t < threads; t++) {
         study->thread_count++;
         good = start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
+        good = good && (t > 0 || inputs_follow(study, state, problems));
     }
     if (good) return study;
     yk_study_free(study);

@@ -28,12 +28,12 @@ typedef struct YkWorker {
     YkState *home, *state; // the file's pose; the one in work
     YkBatch *batch;        // NULL: forces are asked for
     YkDynamics *dynamics;
-    double *value;          // [parameter]
-    const double **inputs;  // [3 * input + k]
-    double **outputs;       // [channel]
-    YkExtent *extent;       // [channel]
-    size_t *count;          // [channel] poses in it
-    double *block;          // [channel][YK_STUDY_BLOCK]
+    double *value;         // [parameter]
+    const double **inputs; // [3 * input + k]
+    double **outputs;      // [channel]
+    YkExtent *extent;      // [channel]
+    size_t *count;         // [channel] poses in it
+    double *block;         // [channel][YK_STUDY_BLOCK]
     signed char *block_status;
     YkJob *job;
     YkStatus worst;

@@ -107,7 +107,8 @@ static const char *const OFFSET = "parameters: {r: 1, l: 3, e: 0, slope: 0}\n"
                                   "drives: {theta: 1 rad + 1 rad/s * t}\n"
                                   "start: {phi: -1.3, s: 3.5}\n";
 
-// The offset is 0 in the file, so its terms cancel there; s = r cos + sqrt(l^2 - (r sin - e)^2), and turned by the slope.
+// The offset is 0 in the file, so its terms cancel there; s = r cos + sqrt(l^2 - (r sin - e)^2), and turned by the
+// slope.
 static void test_what_is_zero_in_the_file_can_vary(void **unused)
 {
     (void)unused;

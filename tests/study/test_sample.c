@@ -1,4 +1,5 @@
-// Distributions: moments, ends, the normal quantile against its distribution function; the same value for the same seed.
+// Distributions: moments, ends, the normal quantile against its distribution function; the same value for the same
+// seed.
 #include "check.h"
 #include "study/sample.h"
 
@@ -68,9 +69,9 @@ static void test_draws_are_a_function_of_seed_design_and_parameter(void **unused
 static void test_what_is_no_distribution_is_refused(void **unused)
 {
     (void)unused;
-    const YkDistribution bad[] = {{YK_UNIFORM, 2, 1, 0, 0},       {YK_UNIFORM, 1, INFINITY, 0, 0},
-                                  {YK_TRIANGULAR, 1, 2, 3, 0},    {YK_NORMAL, -INFINITY, INFINITY, 1, 0},
-                                  {YK_NORMAL, 100, 101, 0, 1},    {YK_NORMAL, 1, 0, 0, 1},
+    const YkDistribution bad[] = {{YK_UNIFORM, 2, 1, 0, 0},         {YK_UNIFORM, 1, INFINITY, 0, 0},
+                                  {YK_TRIANGULAR, 1, 2, 3, 0},      {YK_NORMAL, -INFINITY, INFINITY, 1, 0},
+                                  {YK_NORMAL, 100, 101, 0, 1},      {YK_NORMAL, 1, 0, 0, 1},
                                   {YK_NORMAL, NAN, INFINITY, 0, 1}, {YK_UNIFORM, 1, NAN, 0, 0}};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) assert_false(yk_distribution_is_valid(&bad[k]));
     YkDistribution cut = {YK_NORMAL, 2.9, 10, 3, 0.5};

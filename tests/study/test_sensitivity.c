@@ -9,19 +9,19 @@ static void test_derivatives_of_a_slider_crank_are_the_closed_form(void **unused
 {
     (void)unused;
     Machine m = machine_parse("parameters: {r: 0.05 m, l: 0.18 m, e: 0 m}\n"
-                      "bodies:\n"
-                      "  ground: {points: {O: [0, 0], F: [0, e]}}\n"
-                      "  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
-                      "  rod: {points: {A: [0, 0], B: [l, 0]}}\n"
-                      "  piston: {points: {B: [0, 0]}}\n"
-                      "joints:\n"
-                      "  O: {pin: [ground, crank], angle: theta}\n"
-                      "  A: {pin: [crank, rod], angle: phi}\n"
-                      "  B: {pin: [rod, piston]}\n"
-                      "  S: {slide: [ground, piston], from: F, to: B, along: x, distance: s}\n"
-                      "drives: {theta: 60 deg + 1 rad/s * t}\n"
-                      "start: {phi: -75 deg, s: 200 mm}\n",
-                      true);
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0], F: [0, e]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+                              "  rod: {points: {A: [0, 0], B: [l, 0]}}\n"
+                              "  piston: {points: {B: [0, 0]}}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, crank], angle: theta}\n"
+                              "  A: {pin: [crank, rod], angle: phi}\n"
+                              "  B: {pin: [rod, piston]}\n"
+                              "  S: {slide: [ground, piston], from: F, to: B, along: x, distance: s}\n"
+                              "drives: {theta: 60 deg + 1 rad/s * t}\n"
+                              "start: {phi: -75 deg, s: 200 mm}\n",
+                              true);
     const char *names[] = {"r", "l", "e"}, *of[] = {"s", "piston.B.x", "piston.B.y", "s.rate"};
     YkStudy *study = study_of(&m, names, 3, of, 4, 1);
     assert_int_equal(yk_study_sensitivities(study, derivative, difference), YK_OK);
@@ -49,7 +49,8 @@ static void check_machine(const char *file, Machine m, size_t *checked)
         if (v) names[parameters++] = m.model->parameters[p].name;
         yk_variant_free(v);
     }
-    for (size_t c = 0; c < yk_coordinate_count(m.mech) && channels < 4; c++) of[channels++] = yk_coordinate_info(m.mech, c).name;
+    for (size_t c = 0; c < yk_coordinate_count(m.mech) && channels < 4; c++)
+        of[channels++] = yk_coordinate_info(m.mech, c).name;
     if (parameters == 0 || m.mech->relation_count > 0) {
         machine_free(&m);
         return;
@@ -71,9 +72,10 @@ static void check_machine(const char *file, Machine m, size_t *checked)
 static void test_both_ways_agree_on_the_examples(void **unused)
 {
     (void)unused;
-    static const char *const files[] = {"four-bar",    "quick-return", "drag-link", "stephenson-six-bar", "watt-six-bar",
-                                        "five-bar",    "hoeken",       "chebyshev", "inverted-slider-crank",
-                                        "scotch-yoke", "jansen",       "klann",     "offset-slider-crank"};
+    static const char *const files[] = {
+        "four-bar", "quick-return", "drag-link",          "stephenson-six-bar",    "watt-six-bar",
+        "five-bar", "hoeken",       "chebyshev",          "inverted-slider-crank", "scotch-yoke",
+        "jansen",   "klann",        "offset-slider-crank"};
     size_t checked = 0;
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) check_machine(files[k], machine_load(files[k]), &checked);
     check_machine("triad", machine_parse(TRIAD, true), &checked);

@@ -174,8 +174,7 @@ static void test_forces_follow_masses_and_lengths(void **unused)
     draw(0.5, 5);
     YkStudyCase asked = ask(parameters, inputs, 3, true);
     assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_OK);
-    for (size_t k = 0; k < 3 * DESIGNS; k++)
-        CHECK_NEAR(out[0][k], b[k / 3] * 9.81 * a[k / 3] * cos(theta[k]), 1e-14);
+    for (size_t k = 0; k < 3 * DESIGNS; k++) CHECK_NEAR(out[0][k], b[k / 3] * 9.81 * a[k / 3] * cos(theta[k]), 1e-14);
     yk_study_free(study);
     machine_free(&m);
 }

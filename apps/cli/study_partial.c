@@ -1,0 +1,145 @@
+// What an interrupted study leaves: OUTPUT.partial, a line that tells which study, then rows of doubles as they were
+// computed. The same study goes on behind its last whole row.
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+#include "session.h"
+#include "study.h"
+
+enum { HEAD = 64 };
+static struct {
+    char path[4096];
+    FILE *file;
+} partial;
+
+const char *yk_partial_path(void)
+{
+    return partial.path[0] ? partial.path : NULL;
+}
+
+// --- which study it is: FNV-1a over all that decides its rows
+// -----------------------------------------------------------
+
+static uint64_t add_bytes(uint64_t hash, const void *bytes, size_t length)
+{
+    const unsigned char *at = bytes;
+    for (size_t k = 0; k < length; k++) hash = (hash ^ at[k]) * 0x100000001b3u;
+    return (hash ^ 0xff) * 0x100000001b3u;
+}
+
+static uint64_t add_word(uint64_t hash, const char *word)
+{
+    return add_bytes(hash, word ? word : "\001", word ? strlen(word) : 1);
+}
+
+static uint64_t add_pairs(uint64_t hash, const YkPairs *pairs)
+{
+    hash = add_bytes(hash, &pairs->count, sizeof pairs->count);
+    for (size_t k = 0; k < pairs->count; k++)
+        hash = add_word(add_word(hash, pairs->items[k].name), pairs->items[k].value);
+    return hash;
+}
+
+static uint64_t add_file(uint64_t hash, const char *path)
+{
+    FILE *file = path ? fopen(path, "rb") : NULL;
+    char block[8192];
+    size_t length;
+    while (file && (length = fread(block, 1, sizeof block, file)) > 0)
+        for (size_t k = 0; k < length; k++) hash = (hash ^ (unsigned char)block[k]) * 0x100000001b3u;
+    if (file) fclose(file);
+    return add_word(hash, "|");
+}
+
+static uint64_t signature(const YkStudyAnswer *answer)
+{
+    const YkRequest *r = answer->session->request;
+    uint64_t hash = add_word(0xcbf29ce484222325u, yk_version());
+    const char *const words[] = {r->over, r->steps, r->of, r->time};
+    const YkPairs *const pairs[] = {&r->at, &r->rate, &r->accel, &r->param};
+    hash = add_file(add_file(hash, r->file), r->sample);
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) hash = add_word(hash, words[k]);
+    for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) hash = add_pairs(hash, pairs[k]);
+    for (size_t k = 0; k < r->vary.count; k++) hash = add_word(hash, r->vary.items[k]);
+    hash = add_bytes(hash, &answer->seed, sizeof answer->seed);
+    hash = add_bytes(hash, &answer->design_count, sizeof answer->design_count);
+    return add_bytes(hash, &answer->width, sizeof answer->width);
+}
+
+static void write_head(const YkStudyAnswer *answer, char *head)
+{
+    memset(head, ' ', HEAD);
+    int length = snprintf(head, HEAD, "yoke study, partial: %016llx", (unsigned long long)signature(answer));
+    head[length] = ' ';
+    head[HEAD - 1] = '\n';
+}
+
+// --- the file
+// -----------------------------------------------------------------------------------------------------------
+
+static bool fail(const YkStudyAnswer *answer)
+{
+    if (partial.file) fclose(partial.file);
+    partial.file = NULL;
+    return yk_session_refuse(answer->session, YK_CODE_OUTPUT_FAILED, "%q cannot be written", partial.path);
+}
+
+// A name of its own for what is no regular place: then nothing is kept.
+static bool is_kept(const char *output, const char *model)
+{
+    return output && strcmp(output, "-") != 0 && strncmp(output, "/dev/", 5) != 0 && strcmp(model, "-") != 0 &&
+           strlen(output) + 9 < sizeof partial.path;
+}
+
+static bool start(const YkStudyAnswer *answer, const char *head)
+{
+    partial.file = fopen(partial.path, "wb");
+    if (!partial.file || fwrite(head, 1, HEAD, partial.file) != HEAD || fflush(partial.file) != 0) return fail(answer);
+    return true;
+}
+
+bool yk_partial_open(YkStudyAnswer *answer)
+{
+    const YkRequest *request = answer->session->request;
+    char head[HEAD], found[HEAD];
+    if (!is_kept(request->output, request->file)) return true;
+    snprintf(partial.path, sizeof partial.path, "%s.partial", request->output);
+    write_head(answer, head);
+    partial.file = request->fresh ? NULL : fopen(partial.path, "r+b");
+    if (!partial.file) return start(answer, head);
+    size_t got = fread(found, 1, HEAD, partial.file);
+    if (got < HEAD && (got == 0 || memcmp(found, head, got < 20 ? got : 20) == 0)) {
+        fclose(partial.file);
+        return start(answer, head); // killed before its first line was whole
+    }
+    if (memcmp(found, head, HEAD) != 0) {
+        fclose(partial.file);
+        partial.file = NULL;
+        yk_session_refuse(answer->session, YK_CODE_STUDY_CHANGED, "%q holds a part of another study", partial.path);
+        yk_problem_hint(answer->session->problems, "--fresh begins anew");
+        return false;
+    }
+    size_t row = answer->width * sizeof(double);
+    while (answer->done < answer->design_count &&
+           fread(yk_study_row(answer, answer->done), 1, row, partial.file) == row)
+        answer->done++;
+    long end = (long)(HEAD + answer->done * row); // behind the last whole row
+    if (fseek(partial.file, end, SEEK_SET) != 0 || ftruncate(fileno(partial.file), end) != 0) return fail(answer);
+    return true;
+}
+
+bool yk_partial_add(YkStudyAnswer *answer, size_t from, size_t to)
+{
+    if (!partial.file) return true;
+    size_t count = (to - from) * answer->width;
+    if (fwrite(yk_study_row(answer, from), sizeof(double), count, partial.file) == count && fflush(partial.file) == 0)
+        return true;
+    return fail(answer);
+}
+
+void yk_partial_close(bool is_finished)
+{
+    if (partial.file) fclose(partial.file);
+    partial.file = NULL;
+    if (is_finished && partial.path[0]) remove(partial.path);
+}
