@@ -53,6 +53,27 @@ YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExte
 // (Richardson 1911). The two share only the pose. YK_OK, or the status of a neighbouring pose that does not stand.
 YK_API YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *by_difference);
 
+// Forward dynamics of many states, each with parameters of its own: the accelerations of all inputs. Open trees of pins
+// under gravity and efforts run over lanes; other machines state by state, their equations made anew for each.
+typedef struct YkMotionBatch YkMotionBatch;
+// Free and driven inputs are those of yk_dynamics_new; branches those of the state. NULL with problems added.
+YK_API YkMotionBatch *yk_motion_batch_new(const YkState *state, const char *const *parameters, size_t parameter_count,
+                                          size_t threads, YkProblems *problems);
+YK_API void yk_motion_batch_free(YkMotionBatch *batch);
+typedef struct YkMotionCase {
+    const double *const *parameters; // [parameter][state], SI; a NULL array: the file's value
+    const double *const *positions;  // [input][state], m or rad; a NULL array: the state's own
+    const double *const *rates;      // [input][state]
+    const double *const *efforts;    // [input][state]; NULL: what the file says. Only for open trees of pins
+    size_t count;
+} YkMotionCase;
+// accelerations[input][state]; status[state] (may be NULL): YK_OK; YK_BAD_MODEL where the values make no machine;
+// YK_SINGULAR where a freedom has no inertia; what yk_dynamics_accelerate says. Accelerations are 0 where the status is
+// not YK_OK. Returns the worst; YK_BAD_ARGUMENT for efforts where they cannot be given. The same bits for any number of
+// threads.
+YK_API YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *asked, double *const *accelerations,
+                                    signed char *status);
+
 // A distribution of a parameter, SI.
 typedef enum YkDistributionKind { YK_UNIFORM, YK_NORMAL, YK_TRIANGULAR } YkDistributionKind;
 typedef struct YkDistribution {

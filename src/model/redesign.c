@@ -114,9 +114,14 @@ static int resolve(void *context, const YkExpr *name, double *value)
     return -1;
 }
 
+const YkFormula *yk_redesign_compile(YkRedesign *r, const YkExpr *expr)
+{
+    return yk_formula_compile(expr, resolve, r, r->arena);
+}
+
 static const YkFormula *formula_of(YkRedesign *r, const YkExpr *expr)
 {
-    const YkFormula *formula = yk_formula_compile(expr, resolve, r, r->arena);
+    const YkFormula *formula = yk_redesign_compile(r, expr);
     if (!formula) r->failed = true;
     return formula;
 }

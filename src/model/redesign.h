@@ -30,7 +30,9 @@ const YkFormula *yk_redesign_formula(const YkRedesign *redesign, const double *v
 // The same of a parameter that depends on those that vary; in the order in which they must be evaluated. Returns its
 // index; YK_NONE past the last.
 int32_t yk_redesign_derived(const YkRedesign *redesign, size_t k, const YkFormula **formula);
+// An expression of parameters alone as such a formula; NULL where it needs more, or when out of memory.
+const YkFormula *yk_redesign_compile(YkRedesign *redesign, const YkExpr *expr);
 bool yk_redesign_expression_varies(const YkRedesign *redesign, const YkExpr *expr); // NULL: no
-int32_t yk_redesign_parameter(const YkRedesign *redesign, size_t k); // index in the model of names[k]
+int32_t yk_redesign_parameter(const YkRedesign *redesign, size_t k);                // index in the model of names[k]
 
 #endif

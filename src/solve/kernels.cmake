@@ -1,5 +1,6 @@
 # The kernels are loops over lanes: they want the vectoriser even where the rest of the library is built with less, and only
 # that one (packing neighbouring statements of one lane costs more than it gains). Instruction sets are chosen at run time, see
 # src/solve/lanes.h; the numbers do not depend on any of this.
-file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/kernels_*.c ${CMAKE_CURRENT_LIST_DIR}/elementary.c)
+file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/kernels_*.c ${CMAKE_CURRENT_LIST_DIR}/elementary.c
+  ${CMAKE_CURRENT_LIST_DIR}/../dynamics/kernels_*.c)
 set_source_files_properties(${YOKE_KERNELS} PROPERTIES COMPILE_OPTIONS "$<$<NOT:$<CONFIG:Debug>>:-O3;-fno-tree-slp-vectorize>")

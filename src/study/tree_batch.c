@@ -1,0 +1,355 @@
+#include "study/tree_batch.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "expr/formula.h"
+#include "solve/state.h"
+
+enum { LANES = YK_FORMULA_LANES };
+
+// A row that follows the parameters: lanes = sum of sign * value over up to two values of the model.
+typedef struct Part {
+    const YkFormula *formula; // NULL: constant
+    double constant, sign;
+} Part;
+typedef struct Given {
+    int32_t link, row;
+    Part part[2];
+    size_t parts;
+} Given;
+
+typedef struct Link {
+    double *row[YK_ROW_COUNT];
+    int32_t parent; // link, or YK_NONE: the ground
+    int32_t input;
+    double sense;
+    bool has_children, is_first; // is_first: of its parent's children, the one that is looked at first
+    bool has_mass;
+    int32_t rod[2]; // points of a rod, or YK_NONE
+} Link;
+
+struct YkTreeBatch {
+    YkArena *arena;
+    YkVariant *variant;
+    size_t parameter_count, link_count, input_count;
+    Link *link; // parents before children
+    Given *given;
+    size_t given_count;
+    const YkFormula **effort; // [input], NULL: none
+    const double **variable;  // [parameter of the model]
+    double *gravity[2];
+    Part gravity_part[2];
+    double *scratch, *ok, *own; // own: [3 * input][LANES] constants for NULL arrays
+    const double **q, **v, **torque;
+    double **derived; // rows of derived parameters
+    double **chosen;  // rows of parameters that a case leaves out
+};
+
+// --- does it fit?
+// -------------------------------------------------------------------------------------------------------
+
+static bool is_pinned_tree(const YkMechanism *mech)
+{
+    const YkModel *model = mech->model;
+    bool fits = mech->loop_count == 0 && mech->input_count == mech->coordinate_count && model->drive_count == 0 &&
+                model->force_count == 0 && model->spring_count == 0 && model->stop_count == 0 &&
+                mech->relation_count == 0;
+    for (size_t j = 0; fits && j < model->joint_count; j++)
+        fits = model->joints[j].kind == YK_PIN && !model->joints[j].has_friction;
+    bool has_mass = false;
+    for (size_t b = 1; b < model->body_count; b++) has_mass = has_mass || model->bodies[b].has_mass;
+    return fits && has_mass;
+}
+
+// --- what follows what
+// --------------------------------------------------------------------------------------------------
+
+static Part part_of(const YkTreeBatch *b, const double *value, double sign)
+{
+    return (Part){yk_redesign_formula(b->variant->redesign, value), *value, sign};
+}
+
+static void give(YkTreeBatch *b, int32_t link, int32_t row, const double *first, const double *second)
+{
+    Given *g = &b->given[b->given_count++];
+    *g = (Given){.link = link, .row = row};
+    if (first) g->part[g->parts++] = part_of(b, first, 1);
+    if (second) g->part[g->parts++] = part_of(b, second, -1);
+}
+
+// The coordinates of a joint's point on one of its sides; NULL: an origin.
+static const YkVec *point_of(const YkModel *model, const YkJoint *joint, int side)
+{
+    return joint->point[side] == YK_NONE ? NULL : &model->points[joint->point[side]].at;
+}
+
+// The rows of a link: its pin on the parent, less where the parent's own pin is; its centre, less its own pin.
+static void give_link(YkTreeBatch *b, int32_t k, int32_t body, const int32_t *link_of_body)
+{
+    const YkMechanism *mech = b->variant->mech;
+    const YkModel *model = mech->model;
+    const YkBody *own = &model->bodies[body];
+    int32_t j = mech->tree.joint[body], parent = mech->tree.parent[body];
+    const YkJoint *joint = &model->joints[j];
+    int side = joint->body[0] == body ? 0 : 1;
+    const YkVec *here = point_of(model, joint, side), *there = point_of(model, joint, 1 - side), *before = NULL;
+    if (parent != 0) {
+        const YkJoint *up = &model->joints[mech->tree.joint[parent]];
+        before = point_of(model, up, up->body[0] == parent ? 0 : 1);
+    }
+    Link *link = &b->link[k];
+    link->parent = parent == 0 ? YK_NONE : link_of_body[parent];
+    link->input = mech->coordinates[yk_tree_coordinate(mech, j, false)].input;
+    link->sense = side == 0 ? -1 : 1;
+    link->has_mass = own->mass_expr != NULL;
+    bool is_rod = own->rod[0] != YK_NONE && own->rod[1] != YK_NONE;
+    link->rod[0] = is_rod ? own->rod[0] : YK_NONE;
+    link->rod[1] = is_rod ? own->rod[1] : YK_NONE;
+    give(b, k, YK_ROW_AT_X, there ? &there->x : NULL, before ? &before->x : NULL);
+    give(b, k, YK_ROW_AT_Y, there ? &there->y : NULL, before ? &before->y : NULL);
+    give(b, k, YK_ROW_MASS, &own->mass, NULL);
+    if (is_rod) { // see finish_rod
+        const YkVec *p = &model->points[own->rod[0]].at, *q = &model->points[own->rod[1]].at;
+        give(b, k, YK_ROW_J, &q->x, &p->x);
+        give(b, k, YK_ROW_H_X, &q->y, &p->y);
+        give(b, k, YK_ROW_CENTER_X, &p->x, here ? &here->x : NULL);
+        give(b, k, YK_ROW_CENTER_Y, &p->y, here ? &here->y : NULL);
+    } else {
+        give(b, k, YK_ROW_CENTER_X, &own->center.x, here ? &here->x : NULL);
+        give(b, k, YK_ROW_CENTER_Y, &own->center.y, here ? &here->y : NULL);
+        give(b, k, YK_ROW_INERTIA, &own->inertia, NULL);
+    }
+}
+
+static bool give_all(YkTreeBatch *b)
+{
+    const YkMechanism *mech = b->variant->mech;
+    size_t bodies = mech->model->body_count;
+    int32_t *link_of_body = YK_NEW(b->arena, int32_t, bodies);
+    if (!link_of_body) return false;
+    for (size_t k = 0; k < bodies; k++) {
+        int32_t body = mech->tree_order[k];
+        if (body == 0) continue;
+        link_of_body[body] = (int32_t)b->link_count;
+        give_link(b, (int32_t)b->link_count++, body, link_of_body);
+    }
+    for (size_t k = b->link_count; k-- > 0;) { // looked at from the last to the first
+        Link *link = &b->link[k];
+        if (link->parent == YK_NONE) continue;
+        link->is_first = !b->link[link->parent].has_children;
+        b->link[link->parent].has_children = true;
+    }
+    b->gravity_part[0] = part_of(b, &mech->model->gravity.x, 1);
+    b->gravity_part[1] = part_of(b, &mech->model->gravity.y, 1);
+    return true;
+}
+
+// Efforts of parameters alone; false where one needs more than that.
+static bool give_efforts(YkTreeBatch *b)
+{
+    const YkMechanism *mech = b->variant->mech;
+    const YkModel *model = mech->model;
+    for (size_t k = 0; k < model->effort_count; k++) {
+        const YkEffort *effort = &model->efforts[k];
+        const YkCoordinate *c = &model->coordinates[effort->coordinate];
+        int32_t q = yk_tree_coordinate(mech, c->joint, false);
+        if (effort->law.law != YK_NONE || !effort->expr || q == YK_NONE) return false;
+        const YkFormula *formula = yk_redesign_compile(b->variant->redesign, effort->expr);
+        if (!formula) return false;
+        b->effort[mech->coordinates[q].input] = formula;
+    }
+    return true;
+}
+
+// --- making
+// -------------------------------------------------------------------------------------------------------------
+
+static double *row_of(YkTreeBatch *b)
+{
+    return yk_arena_alloc(b->arena, LANES, sizeof(double));
+}
+
+static bool allocate(YkTreeBatch *b, const YkState *state)
+{
+    const YkModel *model = b->variant->mech->model;
+    size_t bodies = model->body_count, inputs = b->input_count, parameters = model->parameter_count;
+    b->link = YK_NEW(b->arena, Link, bodies);
+    b->given = YK_NEW(b->arena, Given, 8 * bodies);
+    b->effort = YK_NEW(b->arena, const YkFormula *, inputs + 1);
+    b->variable = YK_NEW(b->arena, const double *, parameters + 1);
+    b->derived = YK_NEW(b->arena, double *, parameters + 1);
+    b->chosen = YK_NEW(b->arena, double *, parameters + 1);
+    b->q = YK_NEW(b->arena, const double *, 3 * inputs + 3);
+    b->scratch = YK_NEW(b->arena, double, YK_FORMULA_SCRATCH);
+    b->ok = row_of(b);
+    b->gravity[0] = row_of(b);
+    b->gravity[1] = row_of(b);
+    b->own = YK_NEW(b->arena, double, 3 * (inputs + 1) * LANES);
+    for (size_t k = 0; b->derived && b->chosen && k <= parameters; k++)
+        b->derived[k] = row_of(b), b->chosen[k] = row_of(b);
+    for (size_t k = 0; b->link && k < bodies; k++)
+        for (int r = 0; r < YK_ROW_COUNT; r++) b->link[k].row[r] = row_of(b);
+    if (yk_arena_failed(b->arena)) return false;
+    b->v = b->q + inputs + 1;
+    b->torque = b->v + inputs + 1;
+    for (size_t i = 0; i < inputs; i++)
+        for (size_t k = 0; k < LANES; k++) {
+            b->own[(3 * i) * LANES + k] = state->input[3 * i];
+            b->own[(3 * i + 1) * LANES + k] = state->input[3 * i + 1];
+        }
+    return true;
+}
+
+YkTreeBatch *yk_tree_batch_new(YkVariant *variant, const YkState *state, size_t parameter_count, bool *fits)
+{
+    *fits = is_pinned_tree(variant->mech);
+    YkTreeBatch *b = *fits ? calloc(1, sizeof *b) : NULL;
+    if (!b) return NULL;
+    b->arena = yk_arena_new();
+    b->variant = variant;
+    b->parameter_count = parameter_count;
+    b->input_count = variant->mech->input_count;
+    bool good = b->arena && allocate(b, state) && give_all(b);
+    if (good && !give_efforts(b)) good = *fits = false;
+    if (good && !yk_arena_failed(b->arena)) return b;
+    yk_tree_batch_free(b);
+    return NULL;
+}
+
+void yk_tree_batch_free(YkTreeBatch *b)
+{
+    if (!b) return;
+    yk_arena_free(b->arena);
+    free(b);
+}
+
+// --- a block of lanes
+// ---------------------------------------------------------------------------------------------------
+
+static void find_part(YkTreeBatch *b, const Part *part, bool adds, double *row, size_t n)
+{
+    if (!part->formula) {
+        for (size_t i = 0; i < n; i++) row[i] = (adds ? row[i] : 0) + part->sign * part->constant;
+        return;
+    }
+    const double *value = yk_formula_lanes(part->formula, b->variable, b->scratch, n);
+    for (size_t i = 0; i < n; i++) row[i] = (adds ? row[i] : 0) + part->sign * value[i];
+}
+
+// Values beyond all measure, or none at all, make no machine.
+static void check_values(const double *value, double *ok, size_t n)
+{
+    for (size_t i = 0; i < n; i++) ok[i] = fabs(value[i]) <= 1e100 ? ok[i] : -1;
+}
+
+static void find_parameters(YkTreeBatch *b, const YkMotionCase *asked, size_t parameters, size_t from, size_t n)
+{
+    const YkRedesign *redesign = b->variant->redesign;
+    const YkFormula *formula = NULL;
+    for (size_t p = 0; p < parameters; p++) {
+        int32_t index = yk_redesign_parameter(redesign, p);
+        b->variable[index] = b->chosen[p];
+        if (asked->parameters && asked->parameters[p])
+            b->variable[index] = asked->parameters[p] + from;
+        else
+            for (size_t i = 0; i < n; i++) b->chosen[p][i] = yk_redesign_value(redesign, p);
+        check_values(b->variable[index], b->ok, n);
+    }
+    for (size_t k = 0;; k++) {
+        int32_t index = yk_redesign_derived(redesign, k, &formula);
+        if (index == YK_NONE) return;
+        const double *value = yk_formula_lanes(formula, b->variable, b->scratch, n);
+        memcpy(b->derived[k], value, n * sizeof *value);
+        check_values(b->derived[k], b->ok, n);
+        b->variable[index] = b->derived[k];
+    }
+}
+
+// A uniform rod: its centre lies half way, its inertia is m L^2 / 12. J and H_X hold its vector for now.
+static void finish_rod(const Link *link, double *ok, size_t n)
+{
+    const double *x = link->row[YK_ROW_J], *y = link->row[YK_ROW_H_X], *mass = link->row[YK_ROW_MASS];
+    for (size_t i = 0; i < n; i++) {
+        double square = x[i] * x[i] + y[i] * y[i];
+        link->row[YK_ROW_CENTER_X][i] += 0.5 * x[i];
+        link->row[YK_ROW_CENTER_Y][i] += 0.5 * y[i];
+        link->row[YK_ROW_INERTIA][i] = mass[i] * square / 12;
+        ok[i] = square > 0 ? ok[i] : -1;
+    }
+}
+
+static void find_links(YkTreeBatch *b, size_t n)
+{
+    for (size_t k = 0; k < b->given_count; k++) {
+        const Given *g = &b->given[k];
+        double *row = b->link[g->link].row[g->row];
+        if (g->parts == 0) memset(row, 0, n * sizeof *row);
+        for (size_t p = 0; p < g->parts; p++) find_part(b, &g->part[p], p > 0, row, n);
+    }
+    for (size_t k = 0; k < b->link_count; k++) {
+        if (b->link[k].rod[0] != YK_NONE) finish_rod(&b->link[k], b->ok, n);
+        yk_lanes_tree_check(b->link[k].row, b->link[k].has_mass, b->ok, n);
+    }
+    for (int c = 0; c < 2; c++) find_part(b, &b->gravity_part[c], false, b->gravity[c], n);
+}
+
+static void point_inputs(YkTreeBatch *b, const YkMotionCase *asked, size_t from, size_t n)
+{
+    for (size_t i = 0; i < b->input_count; i++) {
+        double *own = b->own + 3 * i * LANES;
+        b->q[i] = asked->positions && asked->positions[i] ? asked->positions[i] + from : own;
+        b->v[i] = asked->rates && asked->rates[i] ? asked->rates[i] + from : own + LANES;
+        b->torque[i] = asked->efforts && asked->efforts[i] ? asked->efforts[i] + from : NULL;
+        if (asked->efforts || !b->effort[i]) continue;
+        memcpy(own + 2 * LANES, yk_formula_lanes(b->effort[i], b->variable, b->scratch, n), n * sizeof(double));
+        b->torque[i] = own + 2 * LANES;
+    }
+}
+
+static double *const *parent_rows(const YkTreeBatch *b, const Link *link)
+{
+    return link->parent == YK_NONE ? NULL : b->link[link->parent].row;
+}
+
+static YkStatus run_block(YkTreeBatch *b, double *const *accelerations, size_t from, size_t n, signed char *status)
+{
+    for (size_t k = 0; k < b->link_count; k++) {
+        const Link *link = &b->link[k];
+        yk_lanes_tree_angle(link->row, parent_rows(b, link), b->q[link->input], b->v[link->input], link->sense, n);
+    }
+    for (size_t k = b->link_count; k-- > 0;) {
+        const Link *link = &b->link[k];
+        yk_lanes_tree_inward(link->row, parent_rows(b, link), link->has_children, link->is_first,
+                             b->torque[link->input], link->sense, b->ok, n);
+    }
+    for (size_t k = 0; k < b->link_count; k++) {
+        const Link *link = &b->link[k];
+        yk_lanes_tree_outward(link->row, parent_rows(b, link), b->gravity[0], b->gravity[1], link->sense,
+                              accelerations[link->input] + from, n);
+    }
+    for (int pass = 0; pass < 2; pass++) // a state fails as a whole
+        for (size_t i = 0; i < b->input_count; i++) yk_lanes_tree_mask(accelerations[i] + from, b->ok, n);
+    YkStatus worst = YK_OK;
+    for (size_t k = 0; k < n; k++) {
+        YkStatus one = b->ok[k] > 0 ? YK_OK : b->ok[k] < 0 ? YK_BAD_MODEL : YK_SINGULAR;
+        if (status) status[from + k] = (signed char)one;
+        if (one < 0 || (worst == YK_OK && one > 0)) worst = one;
+    }
+    return worst;
+}
+
+YkStatus yk_tree_batch_run(YkTreeBatch *b, const YkMotionCase *asked, size_t from, size_t to,
+                           double *const *accelerations, signed char *status)
+{
+    YkStatus worst = YK_OK;
+    for (size_t at = from; at < to; at += LANES) {
+        size_t n = to - at < LANES ? to - at : LANES;
+        for (size_t k = 0; k < n; k++) b->ok[k] = 1;
+        find_parameters(b, asked, b->parameter_count, at, n);
+        find_links(b, n);
+        point_inputs(b, asked, at, n);
+        YkStatus here = run_block(b, accelerations, at, n, status);
+        if (here < 0 || (worst == YK_OK && here > 0)) worst = here;
+    }
+    return worst;
+}

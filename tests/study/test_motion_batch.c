@@ -1,0 +1,190 @@
+// Forward dynamics in batches: the double pendulum's textbook equations with its own parameters in every state; trees
+// and loops against the file with these values; the same bits on any threads; a status where there is no answer.
+#include "study_check.h"
+
+enum { STATES = 3000, ROWS = 8 };
+static double value[ROWS][STATES], q[3][STATES], v[3][STATES], a[3][STATES], again[3][STATES];
+static signed char status[STATES];
+static double *const out[] = {a[0], a[1], a[2]};
+static const double *const positions[] = {q[0], q[1], q[2]}, *const rates[] = {v[0], v[1], v[2]};
+
+static void draw(const Machine *m, const char *const *names, size_t count, double spread, uint64_t seed)
+{
+    for (size_t k = 0; k < STATES; k++) {
+        for (size_t p = 0; p < count; p++)
+            value[p][k] = yk_model_parameter(m->model, names[p]) * (1 + check_uniform(&seed, -spread, spread));
+        for (int i = 0; i < 3; i++) q[i][k] = check_uniform(&seed, -20, 20), v[i][k] = check_uniform(&seed, -3, 3);
+    }
+}
+
+static YkMotionCase ask(const double *const *values)
+{
+    return (YkMotionCase){values, positions, rates, NULL, STATES};
+}
+
+static const char *const PENDULUM[] = {"l1", "lc1", "lc2", "m1", "m2", "I1", "I2", "tau1"};
+static const double *const VALUES[] = {value[0], value[1], value[2], value[3], value[4], value[5], value[6], value[7]};
+
+static void test_the_double_pendulum_is_its_textbook_equation(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("double-pendulum");
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, PENDULUM, 8, 2, m.problems);
+    assert_non_null(batch);
+    draw(&m, PENDULUM, 8, 0.4, 1);
+    YkMotionCase asked = ask(VALUES);
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_OK);
+    for (size_t k = 0; k < STATES; k++) {
+        double l1 = value[0][k], c1 = value[1][k], c2 = value[2][k], m1 = value[3][k], m2 = value[4][k], g = 9.81;
+        double I1 = value[5][k], I2 = value[6][k], w1 = v[0][k], w2 = v[1][k], t1 = q[0][k], t2 = q[1][k];
+        double A = I1 + I2 + m1 * c1 * c1 + m2 * (l1 * l1 + c2 * c2), B = m2 * l1 * c2, D = I2 + m2 * c2 * c2;
+        double m11 = A + 2 * B * cos(t2), m12 = D + B * cos(t2), h = B * sin(t2);
+        double r1 =
+            value[7][k] + h * w2 * (2 * w1 + w2) - g * (m1 * c1 + m2 * l1) * sin(t1) - g * m2 * c2 * sin(t1 + t2);
+        double r2 = -0.2 - h * w1 * w1 - g * m2 * c2 * sin(t1 + t2), over = 1 / (m11 * D - m12 * m12);
+        double scale = 1e-12 * (1 + fabs(a[0][k]) + fabs(a[1][k]));
+        CHECK_NEAR(a[0][k], (D * r1 - m12 * r2) * over, scale);
+        CHECK_NEAR(a[1][k], (m11 * r2 - m12 * r1) * over, scale);
+        assert_int_equal(status[k], YK_OK);
+    }
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
+// The file itself with the values of state k.
+static void check_state(const char *text, const char *const *names, size_t count, size_t k)
+{
+    char word[ROWS][40];
+    YkOverride overrides[ROWS];
+    double fresh[3];
+    for (size_t p = 0; p < count; p++) {
+        snprintf(word[p], sizeof word[p], "%.17g", value[p][k]);
+        overrides[p] = (YkOverride){names[p], word[p]};
+    }
+    Machine m = machine_parse_with(text, overrides, count);
+    assert_true(yk_state_assemble(m.state) >= 0);
+    size_t inputs = yk_input_count(m.mech);
+    for (size_t i = 0; i < inputs; i++) yk_state_set_input(m.state, i, (YkMotion){q[i][k], v[i][k], 0});
+    YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
+    YkStatus alone = yk_dynamics_accelerate(d, m.state, fresh);
+    assert_int_equal(status[k], alone == YK_REDUNDANT ? YK_OK : alone);
+    double scale = 1;
+    for (size_t i = 0; i < inputs && alone >= 0; i++) scale = fmax(scale, fabs(fresh[i]));
+    for (size_t i = 0; i < inputs && alone >= 0; i++) CHECK_NEAR(a[i][k], fresh[i], 1e-11 * scale);
+    yk_dynamics_free(d);
+    machine_free(&m);
+}
+
+static void check_text(const char *text, const char *const *names, size_t count, double reach)
+{
+    Machine m = machine_parse(text, true);
+    draw(&m, names, count, 0.1, 2);
+    for (size_t k = 0; k < STATES; k++)
+        for (int i = 0; i < 3; i++) q[i][k] *= reach;
+    for (size_t threads = 1; threads <= 3; threads++) {
+        YkMotionBatch *batch = yk_motion_batch_new(m.state, names, count, threads, m.problems);
+        if (!batch) print_error("%s", yk_problems_text(m.problems, 0));
+        assert_non_null(batch);
+        YkMotionCase asked = ask(VALUES);
+        yk_motion_batch_run(batch, &asked, out, status);
+        if (threads == 1) memcpy(again, a, sizeof a);
+        for (size_t i = 0; i < yk_input_count(m.mech); i++) assert_memory_equal(a[i], again[i], sizeof a[i]);
+        yk_motion_batch_free(batch);
+    }
+    machine_free(&m);
+    for (size_t k = 0; k < STATES; k += 97) check_state(text, names, count, k);
+}
+
+// A fork with a rod, a reversed pin, points that are nobody's origin, a body without mass.
+static const char *const FORK =
+    "parameters: {l: 1, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
+    "gravity: [1, -g]\n"
+    "bodies:\n"
+    "  ground: {points: {O: [e, 0.2]}}\n"
+    "  trunk: {points: {O: [c, e], A: [l, 0], B: [l - e, c]}, mass: m, center: [l/2, e], inertia: 0.1}\n"
+    "  left: {points: {A: [0.1, 0], P: [l, c]}, mass: m/2, rod: [A, P]}\n"
+    "  right: {points: {B: [e, 0], T: [0.2, 0.3]}, mass: 3, center: [c, -l], inertia: 0.5}\n"
+    "joints:\n"
+    "  O: {pin: [ground, trunk], angle: q1}\n"
+    "  A: {pin: [left, trunk], angle: q2}\n"
+    "  B: {pin: [trunk, right], angle: q3}\n"
+    "efforts: {q2: 0.3 N*m}\n";
+
+static const char *const FOUR_BAR = "parameters: {r: 0.2, l: 0.6, m: 2, k: 5 N*m}\n"
+                                    "gravity: [0, -9.81]\n"
+                                    "bodies:\n"
+                                    "  ground: {points: {O: [0, 0], C: [0.7, 0]}}\n"
+                                    "  crank: {points: {O: [0, 0], A: [r, 0]}, mass: 1, rod: [O, A]}\n"
+                                    "  coupler: {points: {A: [0, 0], B: [l, 0]}, mass: m, rod: [A, B]}\n"
+                                    "  rocker: {points: {C: [0, 0], B: [0.5, 0]}, mass: 2, rod: [C, B]}\n"
+                                    "joints:\n"
+                                    "  O: {pin: [ground, crank], angle: theta}\n"
+                                    "  A: {pin: [crank, coupler], angle: phi}\n"
+                                    "  C: {pin: [ground, rocker], angle: psi}\n"
+                                    "  B: {pin: [coupler, rocker]}\n"
+                                    "efforts: {theta: k}\n"
+                                    "start: {theta: 60 deg, phi: -20 deg, psi: 100 deg}\n";
+
+static void test_trees_and_loops_are_the_file_with_these_values(void **unused)
+{
+    (void)unused;
+    const char *const fork[] = {"l", "m", "c", "e", "g"}, *const bar[] = {"r", "l", "m", "k"};
+    check_text(FORK, fork, 5, 1);
+    check_text(FOUR_BAR, bar, 4, 0.1);
+}
+
+static void test_what_has_no_answer_has_a_status_and_zeros(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("double-pendulum");
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, PENDULUM, 7, 1, m.problems);
+    draw(&m, PENDULUM, 7, 0.1, 3);
+    value[3][5] = -1, value[5][6] = -0.1, value[0][7] = NAN, q[0][8] = INFINITY;
+    value[6][9] = value[2][9] = 0; // a point mass at its pin: nothing resists theta2
+    YkMotionCase asked = ask(VALUES);
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_BAD_MODEL);
+    for (size_t k = 0; k < STATES; k++) {
+        bool bad = k >= 5 && k <= 9;
+        assert_int_equal(status[k] == YK_OK, !bad);
+        assert_true(isfinite(a[0][k]) && isfinite(a[1][k]));
+        if (bad) assert_true(a[0][k] == 0 && a[1][k] == 0);
+    }
+    assert_int_equal(status[5], YK_BAD_MODEL);
+    assert_int_equal(status[6], YK_BAD_MODEL);
+    assert_int_equal(status[7], YK_BAD_MODEL);
+    assert_int_equal(status[9], YK_SINGULAR);
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
+static void test_what_is_left_out_is_the_files_own(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("double-pendulum");
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, PENDULUM, 1, 1, m.problems);
+    YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
+    double alone[2];
+    assert_int_equal(yk_dynamics_accelerate(d, m.state, alone), YK_OK);
+    YkMotionCase asked = {.count = 3};
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_OK);
+    for (int i = 0; i < 2; i++) CHECK_NEAR(a[i][2], alone[i], 1e-13 * fabs(alone[i]));
+    const double none[STATES] = {0}, *const efforts[] = {none, none};
+    asked.efforts = efforts;
+    double before = a[0][2];
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_OK);
+    assert_true(fabs(a[0][2] - before) > 0.1);
+    yk_dynamics_free(d);
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_double_pendulum_is_its_textbook_equation),
+        cmocka_unit_test(test_trees_and_loops_are_the_file_with_these_values),
+        cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
+        cmocka_unit_test(test_what_is_left_out_is_the_files_own),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
