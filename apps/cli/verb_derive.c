@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/names.h"
 #include "derive.h"
+#include "out/stream.h"
 
 enum { SECTIONS_MAX = 32 };
 
@@ -83,10 +84,69 @@ static int cannot(YkSession *session, const YkDerivation *derivation)
     return YK_EXIT_NO_ANSWER;
 }
 
+// A page as text, part by part: what a large machine needs is neither memory for the whole nor patience for its first
+// lines.
+typedef struct Parts {
+    YkSession *session;
+    YkPrinting printing;
+    YkStream stream;
+    bool good;
+} Parts;
+
+enum { BYTES_AT_ONCE = 1 << 22 }; // a page up to here is written as a whole or not at all
+
+static bool flush(Parts *parts)
+{
+    YkText *out = &parts->session->out;
+    bool good = !out->failed;
+    if (!good) yk_session_refuse(parts->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (good && !parts->stream.is_open)
+        good = yk_stream_open(&parts->stream, parts->session->request->output, parts->session->problems);
+    good = good && yk_stream_write(&parts->stream, yk_text_get(out), out->length, parts->session->problems);
+    yk_text_clear(out);
+    return good;
+}
+
+static void put_part(void *context, YkPage *page)
+{
+    Parts *parts = context;
+    if (!yk_page_add_part(&parts->printing, page)) page->failed = true;
+    yk_page_forget(page);
+    if (parts->session->out.length >= BYTES_AT_ONCE && parts->good) parts->good = flush(parts);
+    page->failed |= !parts->good;
+}
+
+static int write_parts(YkSession *session, YkDerivation *derivation, YkPage *page, const bool *wanted)
+{
+    Parts parts = {.session = session, .good = true};
+    parts.printing =
+        (YkPrinting){.ring = derivation->ring, .text = &session->out, .title = yk_model_name(session->model)};
+    page->passing = yk_arena_new();
+    page->part_ends = put_part, page->context = &parts;
+    bool derived = page->passing != NULL;
+    for (size_t k = 0; yk_derive_sections[k].name && derived; k++)
+        derived = !wanted[k] || yk_derive_write(derivation, k, page);
+    if (derived) put_part(&parts, page);
+    yk_page_end_parts(&parts.printing);
+    yk_arena_free(page->passing);
+    if (!parts.good) { // has been said
+        yk_stream_close(&parts.stream, session->problems);
+        return YK_EXIT_WRONG;
+    }
+    if (!derived || page->failed) {
+        if (parts.stream.is_open) yk_stream_close(&parts.stream, session->problems);
+        return cannot(session, derivation);
+    }
+    if (!parts.stream.is_open) return yk_session_finish(session, YK_EXIT_DONE);
+    bool good = flush(&parts);
+    return yk_stream_close(&parts.stream, session->problems) && good ? YK_EXIT_DONE : YK_EXIT_WRONG;
+}
+
 static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
                       const bool *wanted)
 {
     double *values = NULL;
+    if (format == YK_PAGE_TEXT && !session->request->numbers) return write_parts(session, derivation, page, wanted);
     for (size_t k = 0; yk_derive_sections[k].name; k++)
         if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation);
     if (session->request->numbers) {

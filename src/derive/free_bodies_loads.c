@@ -1,14 +1,18 @@
 // Loads: gravity, springs and dampers, friction, forces, efforts, and what drives must exert.
+#include <string.h>
 #include "derive/free_bodies.h"
 
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third)
 {
-    YkText text = {0};
-    yk_text_format(&text, "%s%s%s", first, second, third);
-    const char *copy = text.failed ? NULL : yk_arena_copy(d->arena, yk_text_get(&text), text.length);
-    yk_text_free(&text);
-    if (!copy) d->failed = true;
-    return copy ? copy : "";
+    const char *const parts[] = {first, second, third};
+    const size_t lengths[] = {strlen(first), strlen(second), strlen(third)};
+    char *text = yk_arena_alloc(d->arena, lengths[0] + lengths[1] + lengths[2] + 1, 1), *end = text;
+    if (!text) {
+        d->failed = true;
+        return "";
+    }
+    for (size_t k = 0; k < 3; end += lengths[k++]) memcpy(end, parts[k], lengths[k]);
+    return text;
 }
 
 // --- Building

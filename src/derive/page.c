@@ -2,17 +2,22 @@
 #include "derive/page.h"
 #include <string.h>
 
+static YkArena *memory_of(const YkPage *page)
+{
+    return page->passing ? page->passing : page->arena;
+}
+
 static const char *copy(YkPage *page, const char *text)
 {
     if (!text) return NULL;
-    const char *made = yk_arena_copy(page->arena, text, strlen(text));
+    const char *made = yk_arena_copy(memory_of(page), text, strlen(text));
     if (!made) page->failed = true;
     return made;
 }
 
 static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
 {
-    YkLine *line = YK_NEW(page->arena, YkLine, 1);
+    YkLine *line = YK_NEW(memory_of(page), YkLine, 1);
     if (!line) {
         page->failed = true;
         return NULL;
@@ -24,8 +29,15 @@ static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
     return line;
 }
 
+void yk_page_forget(YkPage *page)
+{
+    yk_arena_clear(page->passing);
+    page->first = page->last = NULL;
+}
+
 void yk_page_heading(YkPage *page, int level, const char *text)
 {
+    if (page->part_ends && page->first) page->part_ends(page->context, page);
     YkLine *line = add_line(page, YK_LINE_HEADING, text);
     if (line) line->level = level;
 }
@@ -49,7 +61,7 @@ YkLine *yk_page_formula(YkPage *page, const char *remark)
 
 static YkPagePiece *add_piece(YkPage *page, YkLine *line, YkPagePieceKind kind)
 {
-    YkPagePiece *piece = line ? YK_NEW(page->arena, YkPagePiece, 1) : NULL;
+    YkPagePiece *piece = line ? YK_NEW(memory_of(page), YkPagePiece, 1) : NULL;
     if (!piece) {
         page->failed = true;
         return NULL;
@@ -88,7 +100,7 @@ void yk_line_fraction(YkPage *page, YkLine *line, const YkPoisson *const *over, 
     const YkPoisson *const *lists[] = {over, under};
     const size_t counts[] = {over_count, under_count};
     for (int k = 0; piece && k < 2; k++) {
-        piece->factors[k] = YK_NEW(page->arena, const YkPoisson *, counts[k] + 1);
+        piece->factors[k] = YK_NEW(memory_of(page), const YkPoisson *, counts[k] + 1);
         piece->factor_count[k] = piece->factors[k] ? counts[k] : 0;
         for (size_t i = 0; i < piece->factor_count[k]; i++) {
             piece->factors[k][i] = lists[k][i];
@@ -119,17 +131,17 @@ void yk_line_words(YkPage *page, YkLine *line, const char *words)
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns)
 {
     YkPagePiece *piece = add_piece(page, line, YK_PIECE_MATRIX);
-    YkShownMatrix *matrix = piece ? YK_NEW(page->arena, YkShownMatrix, 1) : NULL;
+    YkShownMatrix *matrix = piece ? YK_NEW(memory_of(page), YkShownMatrix, 1) : NULL;
     if (!matrix) {
         page->failed = true;
         return NULL;
     }
     matrix->rows = rows, matrix->columns = columns;
-    matrix->entries = YK_NEW(page->arena, const YkPoisson *, rows *columns + 1);
-    matrix->row_cut = YK_NEW(page->arena, bool, rows + 1);
-    matrix->column_cut = YK_NEW(page->arena, bool, columns + 1);
-    matrix->row_labels = YK_NEW(page->arena, const char *, rows + 1);
-    matrix->column_symbols = YK_NEW(page->arena, int32_t, columns + 1);
+    matrix->entries = YK_NEW(memory_of(page), const YkPoisson *, rows *columns + 1);
+    matrix->row_cut = YK_NEW(memory_of(page), bool, rows + 1);
+    matrix->column_cut = YK_NEW(memory_of(page), bool, columns + 1);
+    matrix->row_labels = YK_NEW(memory_of(page), const char *, rows + 1);
+    matrix->column_symbols = YK_NEW(memory_of(page), int32_t, columns + 1);
     if (!matrix->entries || !matrix->row_cut || !matrix->column_cut || !matrix->row_labels || !matrix->column_symbols) {
         page->failed = true;
         return NULL;

@@ -85,8 +85,14 @@ typedef struct YkPage {
     YkPageDefine define; // or NULL
     void *define_context;
     bool failed; // out of memory
+    // A page that comes in parts: called where one ends, to print its lines and forget them. NULL: it is kept whole.
+    void (*part_ends)(void *context, struct YkPage *page);
+    void *context;
+    YkArena *passing; // then: memory of lines, pieces and their texts
 } YkPage;
 
+// Takes all lines off a page that comes in parts, and their memory.
+void yk_page_forget(YkPage *page);
 // A zeroed page with arena and ring set is an empty one. All of the following take NULL lines (after a failure) and
 // copy texts.
 void yk_page_heading(YkPage *page, int level, const char *text);

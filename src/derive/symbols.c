@@ -6,9 +6,10 @@
 static void fit_name(YkText *text, const char *name, size_t taken)
 {
     yk_text_clear(text);
-    for (const char *c = name; *c; c++) {
+    yk_text_puts(text, name);
+    for (char *c = text->data; c && *c; c++) {
         bool fits = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') || *c == '.';
-        yk_text_format(text, "%c", fits ? *c : '_');
+        if (!fits) *c = '_';
     }
     yk_text_repeat(text, '_', taken);
 }

@@ -23,6 +23,13 @@ bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, c
     return !printing.failed && !text->failed;
 }
 
+bool yk_page_add_part(YkPrinting *printing, const YkPage *part)
+{
+    if (part->failed) return false;
+    yk_print_text_part(printing, part);
+    return !printing->failed && !printing->text->failed;
+}
+
 void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
 {
     if (!a) a = yk_ring_rational(printing->ring, 0, 1);

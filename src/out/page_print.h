@@ -19,6 +19,7 @@ typedef struct YkPrinting {
     const double *values; // completed, to be put beside the symbols (SI, radians); NULL: none
     const char *title;    // of the whole: the machine's name
     int heading;          // HTML: level of a section's heading
+    struct YkTextSheet *sheet; // of text, while it comes in parts
     bool failed;
 } YkPrinting;
 
@@ -28,11 +29,16 @@ typedef struct YkPrinting {
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
 // The page as a part of an HTML document, headings from the level given on. Values as above. false as above.
 bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html);
+// A page of text that comes in parts: each is added to printing->text, the first below the title. At the end
+// yk_page_end_parts gives the memory back. false when out of memory or where the ring failed.
+bool yk_page_add_part(YkPrinting *printing, const YkPage *part);
+void yk_page_end_parts(YkPrinting *printing);
 // "text", "latex", ...; YK_PAGE_FORMATS where there is no such format.
 YkPageFormat yk_page_format_find(const char *name);
 
 // --- Inside: one file a format.
 void yk_print_text(YkPrinting *printing, const YkPage *page);
+void yk_print_text_part(YkPrinting *printing, const YkPage *part);
 void yk_print_latex(YkPrinting *printing, const YkPage *page);
 void yk_print_mathml(YkPrinting *printing, const YkPage *page);
 void yk_print_json(YkPrinting *printing, const YkPage *page);

@@ -14,14 +14,16 @@ typedef struct Part {
 } Part;
 
 // One formula before it is put in rows; its memory is used again for the next.
-typedef struct Sheet {
+typedef struct YkTextSheet {
     YkPrinting *printing;
     YkText text, cells; // of the lines, and of a matrix's entries
     Slice *lines, *entries;
     size_t line_count, line_capacity, entry_count, entry_capacity;
     Part *parts;
     size_t part_count, part_capacity;
-} Sheet;
+    bool has_lines; // something was printed
+} YkTextSheet;
+typedef YkTextSheet Sheet;
 
 static void clear_sheet(Sheet *sheet)
 {
@@ -29,14 +31,18 @@ static void clear_sheet(Sheet *sheet)
     sheet->line_count = sheet->part_count = 0;
 }
 
-static void free_sheet(Sheet *sheet)
+void yk_page_end_parts(YkPrinting *printing)
 {
-    sheet->printing->failed |= sheet->text.failed || sheet->cells.failed;
+    Sheet *sheet = printing->sheet;
+    printing->sheet = NULL;
+    if (!sheet) return;
+    printing->failed |= sheet->text.failed || sheet->cells.failed;
     yk_text_free(&sheet->text);
     yk_text_free(&sheet->cells);
     free(sheet->lines);
     free(sheet->entries);
     free(sheet->parts);
+    free(sheet);
 }
 
 // Ends a line of the last part; it began at `start`.
@@ -350,14 +356,30 @@ static void put_heading(YkPrinting *printing, const YkLine *line, bool first)
     yk_text_puts(printing->text, "\n");
 }
 
+static bool start(YkPrinting *printing)
+{
+    printing->sheet = calloc(1, sizeof *printing->sheet);
+    if (!printing->sheet) return !(printing->failed = true);
+    printing->sheet->printing = printing;
+    if (printing->title) yk_text_format(printing->text, "%s\n\n", printing->title);
+    return true;
+}
+
+void yk_print_text_part(YkPrinting *printing, const YkPage *part)
+{
+    if (!printing->sheet && !start(printing)) return;
+    Sheet *sheet = printing->sheet;
+    for (const YkLine *line = part->first; line && !printing->failed; line = line->next) {
+        if (line->kind == YK_LINE_HEADING) put_heading(printing, line, !sheet->has_lines);
+        if (line->kind == YK_LINE_WORDS) yk_text_format(printing->text, "  %s\n", line->text);
+        if (line->kind == YK_LINE_FORMULA) put_formula(sheet, line);
+        sheet->has_lines = true;
+    }
+    printing->failed |= sheet->text.failed || sheet->cells.failed;
+}
+
 void yk_print_text(YkPrinting *printing, const YkPage *page)
 {
-    Sheet sheet = {.printing = printing};
-    if (printing->title) yk_text_format(printing->text, "%s\n\n", printing->title);
-    for (const YkLine *line = page->first; line && !printing->failed; line = line->next) {
-        if (line->kind == YK_LINE_HEADING) put_heading(printing, line, line == page->first);
-        if (line->kind == YK_LINE_WORDS) yk_text_format(printing->text, "  %s\n", line->text);
-        if (line->kind == YK_LINE_FORMULA) put_formula(&sheet, line);
-    }
-    free_sheet(&sheet);
+    yk_print_text_part(printing, page);
+    yk_page_end_parts(printing);
 }
