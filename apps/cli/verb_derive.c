@@ -80,7 +80,9 @@ bool yk_derive_pose(YkSession *session)
 
 static int cannot(YkSession *session, const YkDerivation *derivation)
 {
-    yk_session_refuse(session, YK_CODE_DERIVATION, "%s", yk_ring_status_text(yk_ring_status(derivation->ring)));
+    YkRingStatus why = yk_ring_status(derivation->ring);
+    if (why == YK_RING_OK) why = YK_RING_MEMORY; // of the page
+    yk_session_refuse(session, YK_CODE_DERIVATION, "%s", yk_ring_status_text(why));
     return YK_EXIT_NO_ANSWER;
 }
 

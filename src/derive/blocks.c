@@ -158,25 +158,57 @@ static void find_components(const YkDerivation *d, const struct YkDeriveBlocks *
     order->components = yk_components(order->nodes, order->first, order->targets, order->component, order->work);
 }
 
-static void gather_block(YkDerivation *d, struct YkDeriveBlocks *blocks, const Order *order, size_t component)
+// Rows and columns of all blocks, block by block, each in their own order: counting sorts by component.
+static bool gather_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks, const Order *order)
 {
-    YkDeriveBlock *block = &blocks->blocks[blocks->block_count];
-    *block = (YkDeriveBlock){.first_row = blocks->solved_row_count, .first_column = blocks->column_count};
+    size_t *row_at = YK_NEW(d->arena, size_t, order->components + 1);
+    size_t *column_at = YK_NEW(d->arena, size_t, order->components + 1);
+    if (!row_at || !column_at) return false;
     for (size_t v = 0; v < order->nodes; v++) {
-        if ((size_t)order->component[v] != component) continue;
-        size_t r = (size_t)order->row[v];
-        blocks->rows[r].block = (int32_t)blocks->block_count;
-        blocks->row_order[blocks->solved_row_count++] = r;
+        row_at[order->component[v] + 1]++;
+        blocks->rows[order->row[v]].block = order->component[v];
     }
     for (size_t k = 0; k < d->coordinate_count; k++) {
         int32_t row = d->coordinates[k].is_input ? -1 : order->matching.row_of[k];
-        if (row >= 0 && blocks->rows[row].block == (int32_t)blocks->block_count)
-            blocks->column_order[blocks->column_count++] = (int32_t)k,
-            blocks->block_of[k] = (int32_t)blocks->block_count;
+        blocks->block_of[k] = row >= 0 ? blocks->rows[row].block : YK_NONE;
+        if (blocks->block_of[k] != YK_NONE) column_at[blocks->block_of[k] + 1]++;
     }
-    block->row_count = blocks->solved_row_count - block->first_row;
-    block->column_count = blocks->column_count - block->first_column;
-    blocks->block_count++;
+    column_at[0] = blocks->column_count;
+    for (size_t c = 0; c < order->components; c++) {
+        blocks->blocks[c] = (YkDeriveBlock){row_at[c], row_at[c + 1], column_at[c], column_at[c + 1], NULL};
+        row_at[c + 1] += row_at[c], column_at[c + 1] += column_at[c];
+    }
+    for (size_t v = 0; v < order->nodes; v++) blocks->row_order[row_at[order->component[v]]++] = (size_t)order->row[v];
+    for (size_t k = 0; k < d->coordinate_count; k++)
+        if (blocks->block_of[k] != YK_NONE) blocks->column_order[column_at[blocks->block_of[k]]++] = (int32_t)k;
+    blocks->block_count = order->components;
+    blocks->solved_row_count = order->nodes;
+    for (size_t c = 0; c < order->components; c++) blocks->column_count += blocks->blocks[c].column_count;
+    return true;
+}
+
+// For each body the last block that its angle needs.
+static bool find_last_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
+{
+    size_t bodies = d->model->body_count;
+    blocks->last_of = YK_NEW(d->arena, int32_t, bodies + 1);
+    blocks->next_body = YK_NEW(d->arena, int32_t, bodies + 1);
+    blocks->first_body = YK_NEW(d->arena, int32_t, blocks->block_count + 1);
+    if (!blocks->last_of || !blocks->next_body || !blocks->first_body) return false;
+    for (size_t k = 0; k < bodies; k++) {
+        int32_t b = d->mech->tree_order[k], parent = d->bodies[b].parent;
+        int32_t c = parent == YK_NONE ? YK_NONE : d->joint_angle[d->bodies[b].joint];
+        int32_t before = parent == YK_NONE ? YK_NONE : blocks->last_of[parent];
+        int32_t own = c == YK_NONE ? YK_NONE : blocks->block_of[c];
+        blocks->last_of[b] = own > before ? own : before;
+    }
+    for (size_t k = 0; k < blocks->block_count; k++) blocks->first_body[k] = YK_NONE;
+    for (size_t b = bodies; b-- > 0;) {
+        if (blocks->last_of[b] == YK_NONE) continue;
+        blocks->next_body[b] = blocks->first_body[blocks->last_of[b]];
+        blocks->first_body[blocks->last_of[b]] = (int32_t)b;
+    }
+    return true;
 }
 
 static bool take_determinant(YkDerivation *d, struct YkDeriveBlocks *blocks, YkDeriveBlock *block)
@@ -206,9 +238,8 @@ static bool make_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
         if (d->coordinates[k].is_input || order.matching.row_of[k] < 0)
             blocks->column_order[blocks->column_count++] = (int32_t)k;
     blocks->input_count = blocks->column_count;
-    for (size_t k = 0; k < d->coordinate_count; k++) blocks->block_of[k] = YK_NONE;
     find_components(d, blocks, &order);
-    for (size_t c = 0; c < order.components; c++) gather_block(d, blocks, &order, c);
+    if (!gather_blocks(d, blocks, &order) || !find_last_blocks(d, blocks)) return false;
     size_t last = blocks->solved_row_count;
     for (size_t r = 0; r < blocks->row_count; r++)
         if (blocks->rows[r].block == YK_NONE) blocks->row_order[last++] = r;

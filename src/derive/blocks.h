@@ -27,7 +27,9 @@ struct YkDeriveBlocks {
     size_t *row_order;
     int32_t *column_order; // coordinates: inputs first, then block by block
     size_t column_count, input_count;
-    int32_t *block_of; // per coordinate; YK_NONE: given
+    int32_t *block_of;               // per coordinate; YK_NONE: given
+    int32_t *last_of;                // per body: the last block that its angle needs; YK_NONE: none
+    int32_t *first_body, *next_body; // of a block: the bodies whose last it is, ascending
     YkDeriveBlock *blocks;
     size_t block_count;
 };

@@ -2,6 +2,8 @@
 #include <string.h>
 #include "derive/frame.h"
 
+enum { ANGLE_TERMS_MAX = 3000000 };
+
 // The joint's coordinate counts from its first body to its second: -1 where the tree walks it backwards.
 static int sense(const YkDerivation *d, int32_t body)
 {
@@ -68,6 +70,7 @@ bool yk_derive_enter_bodies(YkDerivation *d)
                                .angle = YK_NONE,
                                .rate = YK_NONE,
                                .acceleration = YK_NONE};
+        if (mech->tree.depth[b] > d->most_depth) d->most_depth = mech->tree.depth[b];
         if (body->parent == YK_NONE) {
             body->unit = body->turn = yk_ring_rational(d->ring, 1, 1);
             body->spin = body->spin_rate = yk_ring_rational(d->ring, 0, 1);
@@ -119,9 +122,18 @@ static bool in_joint_form(YkDerivation *d, int32_t body, const YkPoisson *(*form
     return here[0] && here[1] && here[2] && here[3];
 }
 
+// In a chain of n bodies the joint form of all angles has n^2 / 2 terms: there is a limit.
+static bool is_long(const YkDerivation *d)
+{
+    size_t terms = 0;
+    for (size_t b = 0; b < d->model->body_count; b++) terms += (size_t)d->bodies[b].joints_in_angle;
+    return terms > ANGLE_TERMS_MAX;
+}
+
 static bool make_changes(YkDerivation *d)
 {
     size_t bodies = d->model->body_count, count = 0;
+    if (is_long(d)) return yk_ring_fail(d->ring, YK_RING_SIZE) != NULL;
     const YkPoisson *(*forms)[4] = (const YkPoisson *(*)[4])yk_arena_alloc(d->arena, bodies + 1, sizeof *forms);
     d->change_capacity = d->change_count + 1;
     YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->change_capacity);

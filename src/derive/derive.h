@@ -94,6 +94,7 @@ struct YkDerivation {
     int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE
     YkDeriveBody *bodies;
     int32_t most_joints; // most joints_in_angle
+    int32_t most_depth;  // of a body: joints between it and the ground
     // One for each angle, rate and acceleration that is a body's own, made at first use; then one for each definition.
     YkRingChange *changes;
     size_t change_count, definition_count, change_capacity; // change_count: all

@@ -25,12 +25,14 @@ const YkPoisson *yk_derive_kinetic_total(const YkDeriveForces *f)
 
 const YkPoisson *yk_derive_potential(const YkDeriveForces *f)
 {
-    const YkPoisson *sum = yk_ring_rational(f->d->ring, 0, 1);
+    size_t count = 0;
     if (f->potential[0]) return f->potential[0];
+    const YkPoisson **parts = YK_NEW(f->d->arena, const YkPoisson *, f->load_count + 1);
+    if (!parts) return NULL;
     for (size_t k = 0; k < f->load_count; k++)
-        if (f->loads[k].energy) sum = yk_ring_add(f->d->ring, sum, f->loads[k].energy);
-    f->potential[0] = sum;
-    return sum;
+        if (f->loads[k].energy) parts[count++] = f->loads[k].energy;
+    f->potential[0] = yk_ring_sum(f->d->ring, parts, count);
+    return f->potential[0];
 }
 
 static void put_energy(YkPage *page, const char *remark, const char *letter, const char *sub, const YkPoisson *energy,
@@ -50,6 +52,12 @@ static void put_total(YkPage *page, const char *letter, const YkPoisson *energy)
     if (page->last && page->last->kind == YK_LINE_FORMULA) page->last->target = letter;
 }
 
+// Are there few enough bodies for totals?
+static bool is_together(const YkDerivation *d)
+{
+    return d->model->body_count <= YK_DERIVE_TOGETHER_MAX;
+}
+
 static void put_kinetic(const YkDeriveForces *f, YkPage *page, const YkPoisson **total)
 {
     YkDerivation *d = f->d;
@@ -61,6 +69,7 @@ static void put_kinetic(const YkDeriveForces *f, YkPage *page, const YkPoisson *
         put_energy(page, d->model->bodies[b].name, "T", d->bodies[b].name, yk_derive_shown(d, energy),
                    YK_RING_TEXTBOOK);
     }
+    if (!is_together(d)) return;
     *total = yk_derive_shown(d, yk_derive_kinetic_total(f));
     put_total(page, "T", *total);
 }
@@ -92,6 +101,7 @@ static void put_potential(const YkDeriveForces *f, YkPage *page, const YkPoisson
         put_energy(page, load->kind == YK_DERIVE_SPRING ? "spring" : "weight", "V", load->name,
                    yk_derive_shown(d, load->energy), YK_RING_TEXTBOOK);
     }
+    if (!is_together(d)) return;
     *total = yk_derive_shown(d, yk_derive_potential(f));
     put_total(page, "V", *total);
 }
@@ -99,11 +109,18 @@ static void put_potential(const YkDeriveForces *f, YkPage *page, const YkPoisson
 bool yk_derive_section_energy(YkDerivation *d, YkPage *page)
 {
     const YkDeriveForces *f = yk_derive_forces(d);
-    const YkPoisson *T, *V;
+    const YkPoisson *T = NULL, *V = NULL;
     if (!f) return false;
+    if (yk_derive_put_depth(d, page)) return true;
     yk_derive_put_angles(d, page);
     put_kinetic(f, page, &T);
     put_potential(f, page, &V);
+    if (!is_together(d)) {
+        yk_page_words(page,
+                      "T and V are the sums of these; of more than %z bodies they are not written as one formula.",
+                      (size_t)YK_DERIVE_TOGETHER_MAX);
+        return true;
+    }
     yk_page_heading(page, 2, "Lagrangian");
     YkLine *line = yk_page_formula(page, NULL);
     yk_line_vector(page, line, "L", NULL, NULL);

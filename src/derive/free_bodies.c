@@ -124,6 +124,7 @@ static void put_inertia(const YkDeriveForces *f, YkPage *page, int32_t body)
         yk_line_vector(page, line, "a", yk_derive_center_name(d, body), NULL);
         put_column(d, page, line, yk_ring_negate(d->ring, yk_ring_multiply(d->ring, m->mass, m->acceleration)));
     }
+    yk_derive_put_step(f, page, body);
     const YkPoisson *couple = yk_ring_multiply(d->ring, m->inertia, d->bodies[body].spin_rate);
     if (!couple || yk_ring_is_zero(couple)) return;
     YkLine *line = yk_page_formula(page, "inertia");

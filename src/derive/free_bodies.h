@@ -65,9 +65,12 @@ typedef struct YkDeriveActing {
 } YkDeriveActing;
 
 typedef struct YkDeriveMass {
-    const YkPoisson *mass, *inertia, *center;            // center: in the body's axes
-    const YkPoisson *position, *velocity, *acceleration; // of the reference
-    bool is_trivial; // its moment balance says no more than that its guide exerts no moment
+    const YkPoisson *mass, *inertia, *center; // center: in the body's axes
+    const YkPoisson *position, *velocity,
+        *acceleration;     // of the reference; position and velocity NULL: not written out
+    int32_t symbols[2];    // then: of the acceleration's x and y
+    const YkPoisson *step; // and what it is beyond that of the parent's reference
+    bool is_trivial;       // its moment balance says no more than that its guide exerts no moment
 } YkDeriveMass;
 
 // A symbol that stands for a load's value where that is no polynomial.
@@ -215,6 +218,15 @@ void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page);
 void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page);
 // The name of the joint or relation to which a row of Lagrange's multipliers belongs.
 const char *yk_derive_row_name(const YkDeriveForces *f, size_t row);
+// Positions of bodies with more joints than this between them and the ground are not written out: in a chain of n links
+// they would fill n^2 terms. Their accelerations are symbols, each by those of the body before (yk_derive_put_step).
+enum { YK_DERIVE_DEPTH_MAX = 100 };
+// Says so in sections that need positions; true where the section ends with that.
+bool yk_derive_put_depth(const YkDerivation *d, YkPage *page);
+// Formulas of all bodies together have an end, too.
+enum { YK_DERIVE_TOGETHER_MAX = 1000 };
+// What the acceleration symbols of such a body stand for; nothing for others.
+void yk_derive_put_step(const YkDeriveForces *f, YkPage *page, int32_t body);
 
 // --- free_bodies_acting.c: what acts on a body, in order. Contacts by their index; pushes as 2 * load + push.
 const int32_t *yk_derive_contacts_on(const YkDeriveForces *f, int32_t body, size_t *count);

@@ -41,7 +41,8 @@ static void add_gravity(YkDeriveForces *f)
         YkDeriveLoad *load = add_load(f, YK_DERIVE_GRAVITY, d->model->bodies[b].name);
         const YkPoisson *weight = yk_ring_multiply(d->ring, f->bodies[b].mass, g);
         push(f, load, (int32_t)b, NULL, weight, NULL);
-        load->energy = yk_ring_negate(d->ring, yk_ring_dot(d->ring, weight, f->bodies[b].position));
+        if (f->bodies[b].position)
+            load->energy = yk_ring_negate(d->ring, yk_ring_dot(d->ring, weight, f->bodies[b].position));
     }
 }
 

@@ -36,6 +36,20 @@ static void fill_dry(const YkDeriveForces *f, YkDynamics *dynamics, double *valu
     }
 }
 
+// Accelerations that are symbols, each from that of the body before.
+static void fill_steps(const YkDeriveForces *f, double *values)
+{
+    const YkDerivation *d = f->d;
+    for (size_t k = 0; k < d->model->body_count; k++) {
+        int32_t b = d->mech->tree_order[k];
+        const YkDeriveMass *m = &f->bodies[b];
+        if (m->position) continue;
+        YkVec before = yk_ring_value(d->ring, f->bodies[d->bodies[b].parent].acceleration, values);
+        YkVec own = yk_add(before, yk_ring_value(d->ring, m->step, values));
+        values[m->symbols[0]] = own.x, values[m->symbols[1]] = own.y;
+    }
+}
+
 static void add_part(const YkDeriveForces *f, size_t k, const YkReaction *r, double sign, double *values)
 {
     const YkDerivation *d = f->d;
@@ -125,6 +139,7 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
         values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
     yk_ring_complete(f->d->ring, values);
     fill_leans(f, values);
+    fill_steps(f, values);
     for (size_t k = 0; k < f->length_count; k++)
         if (f->lengths[k].rate_symbol != YK_NONE)
             values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
@@ -155,6 +170,16 @@ static void relate_length(YkDerivation *d, const YkDeriveLength *length)
     yk_derive_add_unknown(d, length->rate_symbol);
 }
 
+static void relate_step(const YkDeriveForces *f, int32_t body)
+{
+    YkDerivation *d = f->d;
+    const YkDeriveMass *m = &f->bodies[body];
+    if (m->position) return;
+    const YkPoisson *is = yk_ring_add(d->ring, f->bodies[d->bodies[body].parent].acceleration, m->step);
+    relate(d, yk_ring_subtract(d->ring, m->acceleration, is));
+    for (int k = 0; k < 2; k++) yk_derive_add_unknown(d, m->symbols[k]);
+}
+
 static bool add_relations(const YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
@@ -162,6 +187,7 @@ static bool add_relations(const YkDeriveForces *f)
     for (size_t b = 1; b < d->model->body_count; b++) {
         relate(d, yk_derive_newton(f, (int32_t)b));
         relate(d, yk_derive_euler(f, (int32_t)b));
+        relate_step(f, (int32_t)b);
     }
     for (size_t k = 0; k < f->junction_count; k++) relate(d, f->junctions[k].force);
     for (size_t k = 0; k < f->row_count; k++)

@@ -88,6 +88,15 @@ static YkDeriveLagrange *all_equations(const YkDeriveForces *f, YkPage *page)
 
 bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page)
 {
+    if (yk_derive_put_depth(d, page)) return true;
+    if (d->coordinate_count > YK_DERIVE_TOGETHER_MAX) {
+        yk_page_words(
+            page,
+            "Lagrange's equations of %z coordinates are not written: each speaks of the energy of all. Ask for "
+            "free-bodies and newton-euler, which go from body to body.",
+            d->coordinate_count);
+        return true;
+    }
     const YkDeriveForces *f = yk_derive_forces(d);
     YkDeriveLagrange *equations = f ? all_equations(f, page) : NULL;
     if (!equations) return false;

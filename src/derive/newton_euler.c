@@ -152,6 +152,7 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
     yk_page_heading(page, 2, d->model->bodies[body].name);
     put_newton(f, page, body);
     put_euler(f, page, body);
+    yk_derive_put_step(f, page, body);
     put_scalar(page, "x", yk_ring_real(ring, forces), yk_ring_real(ring, inertia));
     put_scalar(page, "y", yk_ring_imaginary(ring, forces), yk_ring_imaginary(ring, inertia));
     const YkPoisson *turning = yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate);

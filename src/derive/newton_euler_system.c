@@ -1,28 +1,25 @@
 // Newton-Euler as a linear system A xi = b.
 #include "derive/newton_euler.h"
 
+// Is it the moment of a guide whose body - its second - has no moment balance that counts?
+static bool is_trivial_moment(const YkDeriveForces *f, size_t reaction)
+{
+    const YkJoint *j = &f->d->model->joints[f->reaction_joint[reaction]];
+    return f->reaction_part[reaction] == 'm' && f->bodies[j->body[1]].is_trivial;
+}
+
 // The guide's moment of a trivial pair, and what it is.
 static size_t trivial_moments(const YkDeriveForces *f, YkRingChange *changes)
 {
     YkDerivation *d = f->d;
     size_t count = 0;
-    for (size_t k = 0; k < f->contact_count; k++) {
-        const YkDeriveContact *c = &f->contacts[k];
-        if (!f->bodies[c->push.body].is_trivial || !c->moment || c->is_negative) continue;
-        for (size_t r = 0; r < f->reaction_count; r++) {
-            if (f->reaction_joint[r] != c->joint || f->reaction_part[r] != 'm') continue;
-            const YkPoisson *M = yk_ring_of(d->ring, f->reactions[r]), *rest = yk_derive_euler(f, c->push.body);
-            changes[count++] = (YkRingChange){f->reactions[r], yk_ring_subtract(d->ring, M, rest), NULL};
-        }
+    for (size_t r = 0; r < f->reaction_count; r++) {
+        if (!is_trivial_moment(f, r)) continue;
+        const YkPoisson *M = yk_ring_of(d->ring, f->reactions[r]);
+        const YkPoisson *rest = yk_derive_euler(f, d->model->joints[f->reaction_joint[r]].body[1]);
+        changes[count++] = (YkRingChange){f->reactions[r], yk_ring_subtract(d->ring, M, rest), NULL};
     }
     return count;
-}
-
-static bool is_changed(const YkRingChange *changes, size_t count, int32_t symbol)
-{
-    for (size_t k = 0; k < count; k++)
-        if (changes[k].symbol == symbol) return true;
-    return false;
 }
 
 typedef struct Rows {
@@ -75,12 +72,12 @@ static void add_unknowns(Rows *rows)
     YkDerivation *d = f->d;
     YkDeriveSystem *system = rows->system;
     for (size_t k = 0; k < f->reaction_count; k++)
-        if (!is_changed(rows->changes, rows->change_count, f->reactions[k]))
-            system->unknowns[system->unknown_count++] = f->reactions[k];
+        if (!is_trivial_moment(f, k)) system->unknowns[system->unknown_count++] = f->reactions[k];
     for (size_t k = 0; k < f->effort_count; k++) system->unknowns[system->unknown_count++] = f->efforts[k];
+    size_t e = 0;
     for (size_t k = 0; k < d->tree_count; k++) {
-        bool is_given = false;
-        for (size_t e = 0; e < f->effort_count; e++) is_given = is_given || f->effort_coordinate[e] == (int32_t)k;
+        while (e < f->effort_count && f->effort_coordinate[e] < (int32_t)k) e++; // ascending, both
+        bool is_given = e < f->effort_count && f->effort_coordinate[e] == (int32_t)k;
         if (!is_given) system->unknowns[system->unknown_count++] = yk_derive_shown_acceleration(d, k);
     }
 }

@@ -3,15 +3,19 @@
 #include "derive/motion.h"
 #include "derive/sections.h"
 
+enum { BLOCK_SHOWN_MAX = 40 };
+
 // Row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
 static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row,
                                    bool accelerations)
 {
     const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
-    for (size_t k = 0; k < block->first_column; k++) {
-        const YkDeriveCoordinate *c = &d->coordinates[d->blocks->column_order[k]];
-        const YkPoisson *entry = yk_derive_entry(d, row, d->blocks->column_order[k]);
-        if (yk_ring_is_zero(entry)) continue;
+    for (size_t k = 0; k < row->count; k++) {
+        const YkDeriveCoordinate *c = &d->coordinates[row->columns[k]];
+        const YkPoisson *entry = row->entries[k];
+        int32_t of = d->blocks->block_of[row->columns[k]];
+        bool is_known = of == YK_NONE || d->blocks->blocks[of].first_column < block->first_column;
+        if (!is_known || yk_ring_is_zero(entry)) continue;
         sum = yk_ring_subtract(
             d->ring, sum,
             yk_ring_multiply(d->ring, entry, yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate)));
@@ -47,6 +51,10 @@ bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool acc
 void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, bool accelerations)
 {
     size_t n = block->row_count, m = block->column_count;
+    if (n > BLOCK_SHOWN_MAX) {
+        yk_page_words(page, "A group of %z equations that are solved together: too many to be written as a matrix.", n);
+        return;
+    }
     YkLine *line = yk_page_formula(page, yk_derive_block_name(d, block));
     YkShownMatrix *A = yk_line_matrix(page, line, n, m), *x = yk_line_matrix(page, line, m, 1);
     yk_line_sign(page, line, "=");
@@ -67,17 +75,6 @@ void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *bl
 
 // --- Rates of bodies: sum of B[k] rate_k, over the determinant of the last block among them.
 
-// The last block that a body's angle needs; YK_NONE: none.
-static int32_t last_block(const YkDerivation *d, int32_t body)
-{
-    int32_t last = YK_NONE;
-    for (; d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
-        int32_t c = d->joint_angle[d->bodies[body].joint];
-        if (c != YK_NONE && d->blocks->block_of[c] > last) last = d->blocks->block_of[c];
-    }
-    return last;
-}
-
 static bool has_own_angle(const YkDerivation *d, int32_t body)
 {
     const YkDeriveBody *b = &d->bodies[body];
@@ -91,7 +88,7 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
     YkRing *ring = d->ring;
     const YkDeriveBlock *last = &d->blocks->blocks[block];
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    if (last_block(d, body) != (int32_t)block) return NULL;
+    if (d->blocks->last_of[body] != (int32_t)block) return NULL;
     for (; d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
         int32_t joint = d->bodies[body].joint, c = d->joint_angle[joint];
         if (c == YK_NONE) continue;
@@ -108,9 +105,9 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
 
 void yk_derive_put_bodies(YkDerivation *d, YkPage *page, size_t block, const YkPoisson *const *over, bool accelerations)
 {
-    for (size_t b = 1; b < d->model->body_count; b++) {
-        if (!has_own_angle(d, (int32_t)b)) continue;
-        const YkPoisson *sum = yk_derive_body_over(d, (int32_t)b, block, over, accelerations);
+    for (int32_t b = d->blocks->first_body[block]; b != YK_NONE; b = d->blocks->next_body[b]) {
+        if (!has_own_angle(d, b)) continue;
+        const YkPoisson *sum = yk_derive_body_over(d, b, block, over, accelerations);
         if (!sum) continue;
         int32_t symbol = accelerations ? d->bodies[b].acceleration : d->bodies[b].rate;
         yk_page_solution(page, d->model->bodies[b].name, symbol, sum, d->blocks->blocks[block].determinant);
@@ -182,12 +179,13 @@ static void put_influence(YkDerivation *d, YkPage *page)
         const YkPoisson *value = k == 0 ? yk_ring_rational(d->ring, 1, 1) : yk_ring_of(d->ring, d->influence[c]);
         changes[k] = (YkRingChange){d->coordinates[c].rate, value, NULL};
     }
+    YkRingChanges *to_influence = yk_ring_changes(d->ring, changes, blocks->column_count);
     for (size_t b = 0; b < blocks->block_count; b++) {
         const YkDeriveBlock *block = &blocks->blocks[b];
         const YkPoisson *over[YK_CRAMER_MAX];
         if (!yk_derive_solve_block(d, block, false, over)) continue;
         for (size_t k = 0; k < block->column_count; k++) {
-            const YkPoisson *sum = yk_ring_substitute(d->ring, over[k], changes, blocks->column_count);
+            const YkPoisson *sum = yk_ring_change(d->ring, over[k], to_influence);
             yk_page_solution(page, NULL, d->influence[blocks->column_order[block->first_column + k]], sum,
                              block->determinant);
         }

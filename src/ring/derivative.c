@@ -37,8 +37,8 @@ static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t v
     if (symbol->known && symbol->known_variable == variable && symbol->known_rules == ring->rule_count)
         return symbol->known;
     if (depth > DEPTH_MAX) return yk_ring_fail(ring, YK_RING_DERIVATIVE);
-    const YkPoisson *known = symbol->square ? root_derivative(ring, index, variable, depth)
-                                            : chain(ring, symbol->partials, variable, depth);
+    const YkPoisson *known =
+        symbol->square ? root_derivative(ring, index, variable, depth) : chain(ring, symbol->partials, variable, depth);
     YkRingSymbol *kept = &ring->symbols[index]; // symbols may have moved
     kept->known = known, kept->known_variable = variable, kept->known_rules = ring->rule_count;
     return known;

@@ -99,9 +99,6 @@ struct YkRing {
     size_t form_count; // structured forms made so far
 };
 
-// Records the first failure; returns NULL for the caller to return.
-const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
-
 // --- symbols.c: the symbol of pi / pi_over, `pi_7`; entered where new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
 

@@ -39,6 +39,8 @@ void yk_ring_free(YkRing *ring);
 YkRingStatus yk_ring_status(const YkRing *ring);
 const char *yk_ring_status_text(YkRingStatus status); // a phrase: "a coefficient is too large for exact arithmetic"
 void yk_ring_clear(YkRing *ring);
+// Records a failure, unless another was first; returns NULL for the caller to return.
+const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
 void yk_ring_set_limit(YkRing *ring, size_t terms); // most terms an element may have; at least 1
 
 // --- Symbols
