@@ -28,6 +28,12 @@ const YkPoisson *yk_derive_axes_angle(YkDerivation *d, int32_t body)
     return turned;
 }
 
+// Where gears, racks, belts or cams touch is a matter of positions: with them these are written out at any depth.
+static bool is_far(const YkDerivation *d, int32_t depth)
+{
+    return depth > YK_DERIVE_DEPTH_MAX && d->mech->relation_count == 0;
+}
+
 // From the parent's reference over the joint to the body's.
 static void enter_step(YkDeriveForces *f, int32_t b)
 {
@@ -60,7 +66,7 @@ void yk_derive_put_step(const YkDeriveForces *f, YkPage *page, int32_t body)
 
 bool yk_derive_put_depth(const YkDerivation *d, YkPage *page)
 {
-    if (d->most_depth <= YK_DERIVE_DEPTH_MAX) return false;
+    if (!is_far(d, d->most_depth)) return false;
     yk_page_words(
         page,
         "Up to %z joints stand between a body and the ground: positions, and what is made of them, are written "
@@ -75,7 +81,7 @@ static void enter_mass(YkDeriveForces *f, int32_t b)
     YkDeriveMass *m = &f->bodies[b];
     *m = (YkDeriveMass){.mass = yk_derive_mass(d, b), .inertia = yk_derive_inertia(d, b)};
     m->center = d->model->bodies[b].has_mass ? yk_derive_center(d, b) : yk_ring_rational(d->ring, 0, 1);
-    if (d->mech->tree.depth[b] > YK_DERIVE_DEPTH_MAX) {
+    if (is_far(d, d->mech->tree.depth[b])) {
         enter_step(f, b);
         return;
     }
