@@ -33,4 +33,6 @@ if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM AND CHROMIUM AND CMAKE_C_COMPILER_ID STRE
   set_tests_properties(web/page PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77 ENVIRONMENT "CHROMIUM=${CHROMIUM}")
   add_test(NAME web/types COMMAND ${YOKE_NODE} node_modules/typescript/bin/tsc --noEmit WORKING_DIRECTORY ${YOKE_WEB_DIR})
   set_tests_properties(web/types PROPERTIES SKIP_REGULAR_EXPRESSION "Cannot find module.*typescript")
+  add_test(NAME web/mathematics COMMAND ${YOKE_NODE} ${CMAKE_SOURCE_DIR}/tests/web/test_mathematics.mjs $<TARGET_FILE:yoke> ${YOKE_WEB_DIR})
+  set_tests_properties(web/mathematics PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77 ENVIRONMENT "CHROMIUM=${CHROMIUM}")
 endif()

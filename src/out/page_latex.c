@@ -1,18 +1,51 @@
 // Pages as a LaTeX document: article and amsmath.
 #include <string.h>
+#include "base/utf8.h"
+#include "out/latex_display.h"
 #include "out/page_print.h"
 
+static void put_character(YkText *text, char c)
+{
+    switch (c) {
+    case '\\':
+        yk_text_puts(text, "\\textbackslash{}");
+        break;
+    case '<':
+        yk_text_puts(text, "\\textless{}");
+        break;
+    case '>':
+        yk_text_puts(text, "\\textgreater{}");
+        break;
+    case '|':
+        yk_text_puts(text, "\\textbar{}");
+        break;
+    case '"':
+        yk_text_puts(text, "''");
+        break;
+    default:
+        if (strchr("_%&#${}", c))
+            yk_text_format(text, "\\%c", c);
+        else if (c == '^' || c == '~')
+            yk_text_format(text, "\\%c{}", c);
+        else
+            yk_text_format(text, "%c", c);
+    }
+}
+
+// Latin letters as they are; beyond them article knows none, and a ? is better than a page that does not compile.
 static void put_words(YkText *text, const char *words)
 {
-    for (const char *c = words; *c; c++) {
-        if (strchr("_%&#${}", *c))
-            yk_text_format(text, "\\%c", *c);
-        else if (*c == '\\')
-            yk_text_puts(text, "\\textbackslash{}");
-        else if (*c == '^' || *c == '~')
-            yk_text_format(text, "\\%c{}", *c);
+    size_t length = strlen(words), bytes;
+    for (size_t i = 0; i < length; i += bytes) {
+        uint32_t code = 0;
+        bytes = yk_utf8_decode(words + i, length - i, &code);
+        if (bytes == 0) bytes = 1, code = UINT32_MAX;
+        if (code < 0x80)
+            put_character(text, words[i]);
+        else if (code >= 0xc0 && code < 0x180)
+            yk_text_add(text, words + i, bytes);
         else
-            yk_text_format(text, "%c", *c);
+            yk_text_puts(text, "?");
     }
 }
 
@@ -75,6 +108,21 @@ static void put_name(YkText *text, const YkPagePiece *piece)
     }
 }
 
+// 1.5e-7 as 1.5 \cdot 10^{-7}
+static void put_number(YkText *text, double value)
+{
+    YkText digits = {0};
+    yk_print_number(&digits, value);
+    const char *e = strchr(yk_text_get(&digits), 'e');
+    if (e) {
+        yk_text_add(text, yk_text_get(&digits), (size_t)(e - yk_text_get(&digits)));
+        yk_text_format(text, "\\cdot 10^{%s}", e + 1);
+    } else {
+        yk_text_puts(text, yk_text_get(&digits));
+    }
+    yk_text_free(&digits);
+}
+
 static void put_matrix(YkPrinting *printing, const YkShownMatrix *matrix, bool numbers, YkText *text)
 {
     yk_text_puts(text, "\\left[\\begin{array}{");
@@ -86,7 +134,7 @@ static void put_matrix(YkPrinting *printing, const YkShownMatrix *matrix, bool n
             const YkPoisson *entry = matrix->entries[i * matrix->columns + k];
             yk_text_puts(text, k ? " & " : " ");
             if (numbers)
-                yk_print_number(text, yk_print_entry(printing, entry));
+                put_number(text, yk_print_entry(printing, entry));
             else
                 yk_print_element(printing, entry, YK_RING_LATEX, YK_RING_TEXTBOOK, text);
         }
@@ -172,21 +220,6 @@ void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *te
     }
 }
 
-// 1.5e-7 as 1.5 \cdot 10^{-7}
-static void put_number(YkText *text, double value)
-{
-    YkText digits = {0};
-    yk_print_number(&digits, value);
-    const char *e = strchr(yk_text_get(&digits), 'e');
-    if (e) {
-        yk_text_add(text, yk_text_get(&digits), (size_t)(e - yk_text_get(&digits)));
-        yk_text_format(text, "\\cdot 10^{%s}", e + 1);
-    } else {
-        yk_text_puts(text, yk_text_get(&digits));
-    }
-    yk_text_free(&digits);
-}
-
 static void put_value(YkPrinting *printing, const YkLine *line, YkText *text)
 {
     YkVec value;
@@ -220,17 +253,24 @@ static void put_line(YkPrinting *printing, const YkLine *line)
             put_words(text, line->text);
             yk_text_puts(text, ":\n");
         }
-        yk_text_puts(text, "\\[\n");
-        yk_print_formula_latex(printing, line, text);
-        put_value(printing, line, text);
-        yk_text_puts(text, "\n\\]\n");
+        YkText formula = {0};
+        yk_print_formula_latex(printing, line, &formula);
+        put_value(printing, line, &formula);
+        yk_latex_display(text, yk_text_get(&formula));
+        printing->failed |= formula.failed;
+        yk_text_free(&formula);
     }
 }
 
 void yk_print_latex(YkPrinting *printing, const YkPage *page)
 {
-    yk_text_puts(printing->text, "\\documentclass{article}\n\\textwidth 250mm \\hoffset -40mm\n"
-                                 "\\usepackage{amsmath}\n\\setcounter{MaxMatrixCols}{30}\n\\begin{document}\n");
+    yk_text_puts(printing->text,
+                 "\\documentclass{article}\n\\usepackage{amsmath}\n"
+                 "\\paperwidth 297mm \\paperheight 210mm \\textwidth 267mm \\textheight 170mm\n"
+                 "\\oddsidemargin -10.4mm \\topmargin -15.4mm \\headheight 0pt \\headsep 0pt\n"
+                 "\\ifdefined\\pdfpagewidth \\pdfpagewidth\\paperwidth \\pdfpageheight\\paperheight \\fi\n"
+                 "\\ifdefined\\pagewidth \\pagewidth\\paperwidth \\pageheight\\paperheight \\fi\n"
+                 "\\begin{document}\n");
     if (printing->title) {
         yk_text_puts(printing->text, "\\begin{center}\\Large ");
         put_words(printing->text, printing->title);

@@ -1,7 +1,8 @@
 // The tree as presentation MathML (W3C, MathML Core).
 #include "ring/shown.h"
 
-static const char *const TIMES = "<mo>&#x2062;</mo>"; // invisible times
+static const char *const TIMES = "<mo>&#x2062;</mo>";                            // invisible times
+static const char *const SPACED_TIMES = "<mo rspace=\"0.1667em\">&#x2062;</mo>"; // before cos and sin
 
 static void put_sum(const YkSheet *sheet, const YkShow *sum, YkText *text);
 
@@ -120,7 +121,7 @@ static void put_factors(const YkSheet *sheet, const YkShow *product, int32_t sig
     yk_text_puts(text, "<mrow>");
     for (const YkShow *factor = product->first; factor; factor = factor->next) {
         if ((factor->exponent > 0) != (sign > 0)) continue;
-        if (count++ > 0) yk_text_puts(text, TIMES);
+        if (count++ > 0) yk_text_puts(text, factor->kind == YK_SHOW_FUNCTION ? SPACED_TIMES : TIMES);
         put_power(sheet, factor, sign * factor->exponent, text);
     }
     if (count == 0) put_whole(text, 1);

@@ -1,0 +1,70 @@
+"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all."""
+import glob
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+from harness import Case, ROOT, Run
+
+EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
+LATEX = shutil.which("pdflatex")
+
+
+class Latex(Case):
+    def document(self, name, *words):
+        run = Run("derive", name, "-q", "--format", "latex", *words)
+        self.assertIn(run.code, (0, 1), run.err)
+        return run.out
+
+    def compile(self, text):
+        """The log of a run that must end well."""
+        self.write("page.tex", text)
+        done = subprocess.run([LATEX, "-interaction=nonstopmode", "-halt-on-error", "-draftmode", "page.tex"], cwd=self.folder,
+                              capture_output=True, check=False, encoding="utf-8", errors="replace", timeout=300)
+        log = self.read("page.log").decode("latin-1").replace("\n", "")
+        self.assertEqual(done.returncode, 0, re.findall(r"! .{300}", log))
+        return log
+
+    @unittest.skipUnless(LATEX, "no pdflatex")
+    def test_all_examples_compile_as_one_document(self):
+        documents = [self.document(example, "--numbers") for example in EXAMPLES]
+        documents = [text for text in documents if text]
+        head = documents[0].split("\\begin{document}")[0]
+        self.assertEqual(re.findall(r"\\usepackage\{(.*?)\}", head), ["amsmath"])
+        bodies = []
+        for text in documents:
+            own, rest = text.split("\\begin{document}")
+            self.assertEqual(own, head)
+            body, after = rest.split("\\end{document}")
+            self.assertEqual(after, "\n")
+            bodies.append(body)
+        self.assertGreater(len(bodies), 50)
+        log = self.compile(head + "\\begin{document}\n" + "\\clearpage\n".join(bodies) + "\\end{document}\n")
+        self.assertNotIn("undefined", log)
+        self.assertNotIn("Missing character", log)
+        wide = [float(width) for width in re.findall(r"Overfull \\hbox \(([0-9.]+)pt too wide\)", log)]
+        formulas = sum(text.count("\\[\n") + text.count("\\begin{multline*}") for text in bodies)
+        self.assertGreater(formulas, 3000)
+        self.assertLess(sum(width > 28 for width in wide), 0.02 * formulas)  # 10 mm into the margin at most, but for few
+
+    @unittest.skipUnless(LATEX, "no pdflatex")
+    def test_names_with_signs_of_latex_and_other_letters(self):
+        name = self.write("odd.yaml", self.read("four-bar.yaml").decode("utf-8").replace(
+            "Test four-bar", "'100% _#$&{}~^\\\\ <Krümmer> \"θ日\" |'"))
+        self.compile(self.document(name))
+
+    def test_long_sums_break_before_their_signs(self):
+        text = self.document(os.path.join(ROOT, "examples", "toggle.yaml"), "--what", "lagrange")
+        blocks = re.findall(r"\\begin\{multline\*\}\n(.*?)\n\\end\{multline\*\}", text, re.S)
+        self.assertGreater(len(blocks), 2)
+        for block in blocks:
+            lines = block.split(" \\\\\n")
+            self.assertGreater(len(lines), 1)
+            for line in lines[1:]:
+                self.assertIn(line[:2], ("+ ", "- ", "= "))
+
+
+if __name__ == "__main__":
+    unittest.main()
