@@ -113,6 +113,11 @@ void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames);
 double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 where neither centres nor module are given
 // Raises `reach` to the largest radius of the body's wheels about its origin, m.
 void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach);
+// All wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle. frames may
+// be NULL where centres do not matter.
+typedef void YkSeeWheel(void *context, YkVec center, double radius, bool is_base);
+void yk_drawing_each_wheel(const YkDrawing *drawing, const YkFrame *frames, int32_t body, YkSeeWheel *see,
+                           void *context);
 // Pins, boxes and slots of one pose.
 void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
 

@@ -109,10 +109,8 @@ void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames)
     yk_text_free(&style);
 }
 
-// All wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle.
-typedef void SeeWheel(void *context, YkVec center, double radius, bool is_base);
-
-static void each_wheel(const YkDrawing *drawing, const YkFrame *frames, int32_t body, SeeWheel *see, void *context)
+void yk_drawing_each_wheel(const YkDrawing *drawing, const YkFrame *frames, int32_t body, YkSeeWheel *see,
+                           void *context)
 {
     const YkModel *model = drawing->model;
     YkVec own = frames ? center_of(frames, body) : yk_vec(0, 0);
@@ -143,7 +141,7 @@ static void raise_reach(void *context, YkVec center, double radius, bool is_base
 
 void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach)
 {
-    each_wheel(drawing, NULL, body, raise_reach, reach);
+    yk_drawing_each_wheel(drawing, NULL, body, raise_reach, reach);
 }
 
 typedef struct WheelPen {
@@ -161,7 +159,7 @@ static void draw_wheel(void *context, YkVec center, double radius, bool is_base)
 void yk_drawing_body_wheels(YkDrawing *drawing, const YkFrame *frames, int32_t body)
 {
     WheelPen pen = {.drawing = drawing, .body = (size_t)body};
-    each_wheel(drawing, frames, body, draw_wheel, &pen);
+    yk_drawing_each_wheel(drawing, frames, body, draw_wheel, &pen);
     drawing->svg.failed |= pen.style.failed;
     yk_text_free(&pen.style);
 }

@@ -7,12 +7,6 @@ static const double clear = 13; // px between an arrow and anything else, where 
 
 // --- What is there
 
-size_t yk_free_body_line_count(const YkFreeBodyDrawings *p, const YkFreeBodyDrawing *picture)
-{
-    if (picture->body == YK_NONE) return picture->count;
-    return picture->count + p->drawing->outlines[picture->body].count + p->d->model->joint_count;
-}
-
 // Rods of the body, along which others slide.
 static size_t add_rods(const YkFreeBodyDrawings *p, int32_t body, YkVec (*lines)[2])
 {
@@ -41,6 +35,41 @@ static size_t add_edges(const YkFreeBodyDrawings *p, int32_t body, YkVec (*lines
     return count;
 }
 
+// Rims of wheels as polygons.
+enum { RIM = 24 };
+
+typedef struct Rims {
+    const YkFreeBodyDrawings *p;
+    YkVec (*lines)[2]; // NULL: only counted
+    size_t count;
+} Rims;
+
+static void add_rim(void *context, YkVec center, double radius, bool is_base)
+{
+    Rims *rims = context;
+    (void)is_base;
+    for (int i = 0; i < RIM && rims->lines; i++)
+        for (int end = 0; end < 2; end++) {
+            YkVec at = yk_add(center, yk_scale(radius, yk_unit(2 * YK_PI * (i + end) / RIM)));
+            rims->lines[rims->count + (size_t)i][end] = yk_drawing_pixel(rims->p->drawing, at);
+        }
+    rims->count += RIM;
+}
+
+static size_t add_rims(const YkFreeBodyDrawings *p, int32_t body, YkVec (*lines)[2])
+{
+    Rims rims = {p, lines, 0};
+    yk_drawing_each_wheel(p->drawing, yk_drawing_frames(p->drawing, 0), body, add_rim, &rims);
+    return rims.count;
+}
+
+size_t yk_free_body_line_count(const YkFreeBodyDrawings *p, const YkFreeBodyDrawing *picture)
+{
+    if (picture->body == YK_NONE) return picture->count;
+    return picture->count + p->drawing->outlines[picture->body].count + p->d->model->joint_count +
+           add_rims(p, picture->body, NULL);
+}
+
 size_t yk_free_body_lines(const YkFreeBodyDrawings *p, const YkFreeBodyDrawing *picture, YkVec (*lines)[2])
 {
     size_t count = 0;
@@ -52,7 +81,8 @@ size_t yk_free_body_lines(const YkFreeBodyDrawings *p, const YkFreeBodyDrawing *
     }
     if (picture->body == YK_NONE) return count;
     count += add_edges(p, picture->body, lines + count);
-    return count + add_rods(p, picture->body, lines + count);
+    count += add_rods(p, picture->body, lines + count);
+    return count + add_rims(p, picture->body, lines + count);
 }
 
 static double distance_to(YkVec at, const YkVec line[2])

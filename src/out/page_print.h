@@ -16,9 +16,9 @@ typedef enum YkPageFormat {
 typedef struct YkPrinting {
     YkRing *ring;
     YkText *text;
-    const double *values; // completed, to be put beside the symbols (SI, radians); NULL: none
-    const char *title;    // of the whole: the machine's name
-    int heading;          // HTML: level of a section's heading
+    const double *values;      // completed, to be put beside the symbols (SI, radians); NULL: none
+    const char *title;         // of the whole: the machine's name
+    int heading;               // HTML: level of a section's heading
     struct YkTextSheet *sheet; // of text, while it comes in parts
     bool failed;
 } YkPrinting;
