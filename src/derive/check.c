@@ -6,6 +6,7 @@
 #include "derive/blocks.h"
 #include "derive/frame.h"
 #include "derive/free_bodies.h"
+#include "derive/relations.h"
 #include "derive/gears.h"
 
 enum { FIELD_POINTS = 4, POSES = 24, POSES_MIN = 8, TRIES = 100, STEPS = 96 };
@@ -157,6 +158,9 @@ static double distance_at_random(Check *check)
         check->values[c->rate] += size * uniform(check, 0.2, 1);
         check->values[c->acceleration] += size * uniform(check, 0.2, 1);
     }
+    for (size_t k = 0; k < d->tie_count; k++) // laws: in a dwell their slopes are no more than rounding
+        for (int32_t order = 0; d->ties[k].function >= 0 && order < YK_TIE_ORDERS; order++)
+            check->values[d->ties[k].function + order] += d->mech->size * uniform(check, 0.2, 1);
     for (size_t b = 0; b < d->model->body_count; b++)
         if (d->bodies[b].angle >= 0) check->values[d->bodies[b].angle] += uniform(check, 0.2, 1);
     yk_ring_complete(d->ring, check->values);

@@ -142,4 +142,5 @@ void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page)
         const YkDeriveRatio *r = &f->ratios[k];
         yk_page_solution(page, r->word, r->symbol, r->over, r->under);
     }
+    yk_derive_put_loads(f, page);
 }

@@ -43,3 +43,39 @@ const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, con
     yk_ring_clear(ring); // no polynomial
     return opaque(f, expr, law, yk_derive_text(f->d, name, ending, ""));
 }
+
+// --- What the symbols stand for
+
+static const char *law_name(const YkDerivation *d, const YkLaw *law)
+{
+    for (size_t k = 0; k < d->model->law_count; k++)
+        if (d->model->laws[k].law == law) return d->model->laws[k].name;
+    return "";
+}
+
+// "t", "theta1, theta1'": what the value depends on.
+static const char *variables_of(YkDerivation *d, const YkDeriveOpaque *o)
+{
+    const char *list = "";
+    for (size_t k = 1; k < o->variable_count; k++)
+        list = yk_derive_text(d, list, *list ? ", " : "", yk_ring_symbol_name(d->ring, o->variables[k]));
+    return *list ? list : "t";
+}
+
+void yk_derive_put_loads(const YkDeriveForces *f, YkPage *page)
+{
+    YkDerivation *d = f->d;
+    for (size_t k = 0; k < f->opaque_count; k++) {
+        const YkDeriveOpaque *o = &f->opaques[k];
+        const char *name = yk_ring_symbol_name(d->ring, o->symbol), *of = variables_of(d, o);
+        if (o->law)
+            yk_page_words(page, "%s is what the law %s gives, a function of %s.", name, law_name(d, o->law), of);
+        else
+            yk_page_words(page, "%s stands for the file's expression, a function of %s.", name, of);
+    }
+    for (size_t k = 0; k < f->load_count; k++)
+        if (f->loads[k].kind == YK_DERIVE_DRY)
+            yk_page_words(
+                page, "%s is what dry friction or a stop at %s exerts: it holds, or has its limit, as the motion asks.",
+                yk_ring_symbol_name(d->ring, f->loads[k].symbol), f->loads[k].name);
+}

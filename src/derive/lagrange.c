@@ -11,7 +11,6 @@ static void put_multipliers(const YkDeriveForces *f, YkPage *page)
     YkDerivation *d = f->d;
     if (f->row_count == 0) return;
     yk_page_heading(page, 2, "Multipliers");
-    yk_derive_put_meshes(f, page);
     if (d->loop_count > 0)
         yk_page_words(
             page,
@@ -102,6 +101,7 @@ bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page)
     if (!equations) return false;
     yk_page_words(page, "d/dt (dL/dq') - dL/dq = Q for every coordinate q, dampers and multipliers beside it.");
     yk_derive_put_angles(d, page);
+    yk_derive_put_meshes(f, page);
     for (size_t k = 0; k < d->coordinate_count; k++) {
         yk_page_equation(page, name_of(f, k), equations[k].left, equations[k].right, YK_RING_TEXTBOOK);
     }

@@ -111,6 +111,14 @@ static bool solve(Making *making, const YkPoisson *const *zeros, size_t rows, co
     return *rank >= 0;
 }
 
+// Does the symbol stand in it outside of cos and sin? The unit of an angle is a value of its own.
+static bool stands_outside(YkRing *ring, const YkPoisson *a, int32_t symbol)
+{
+    int32_t lowest, highest;
+    if (!yk_ring_mentions(ring, a, symbol)) return false;
+    return !yk_ring_powers(ring, a, symbol, &lowest, &highest) || lowest != 0 || highest != 0;
+}
+
 // Is every row affine in the symbol, with a slope free of the symbols taken so far?
 static bool is_linear(YkRing *ring, const YkDeriveBlocks *blocks, int32_t symbol, const int32_t *taken, size_t count)
 {
@@ -123,7 +131,7 @@ static bool is_linear(YkRing *ring, const YkDeriveBlocks *blocks, int32_t symbol
         if (highest == 0) continue;
         const YkPoisson *slope = yk_ring_coefficient(ring, row, symbol, 1);
         for (size_t k = 0; k < count; k++)
-            if (yk_ring_mentions(ring, slope, taken[k])) return false;
+            if (stands_outside(ring, slope, taken[k])) return false;
         is_there = true;
     }
     return is_there;

@@ -5,8 +5,6 @@
 #include "derive/free_bodies.h"
 #include "law/law.h"
 
-enum { LAW_ORDERS = 4 };
-
 // A relation's constant: where the teeth met first. 0 where that is no more than rounding.
 static const YkPoisson *phase_of(YkDerivation *d, YkDeriveRelation *relation, double value)
 {
@@ -110,14 +108,14 @@ static int32_t variable_of_its_own(YkDerivation *d, YkDeriveRelation *relation, 
 // The function s of a pin's angle with its derivatives s_v, s_a, s_j.
 static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t joint)
 {
-    static const char *const endings[LAW_ORDERS] = {"", "_v", "_a", "_j"};
-    YkText text[LAW_ORDERS] = {{0}};
-    const char *names[LAW_ORDERS];
+    static const char *const endings[YK_TIE_ORDERS] = {"", "_v", "_a", "_j"};
+    YkText text[YK_TIE_ORDERS] = {{0}};
+    const char *names[YK_TIE_ORDERS];
     size_t taken = 0;
     bool free_name = false;
     for (; taken < 20 && !free_name; taken++) {
         free_name = true;
-        for (size_t k = 0; k < LAW_ORDERS; k++) {
+        for (size_t k = 0; k < YK_TIE_ORDERS; k++) {
             yk_text_clear(&text[k]);
             for (const char *c = d->model->laws[law].name; *c; c++)
                 yk_text_format(&text[k], "%c", *c == '-' ? '_' : *c);
@@ -132,8 +130,9 @@ static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation,
     relation->argument = pin_angle(d, joint);
     relation->variable =
         coordinate != YK_NONE ? d->coordinates[coordinate].position : variable_of_its_own(d, relation, joint);
-    relation->function = relation->variable < 0 ? -1 : yk_ring_function(d->ring, names, LAW_ORDERS, relation->variable);
-    for (size_t k = 0; k < LAW_ORDERS; k++) yk_text_free(&text[k]);
+    relation->function =
+        relation->variable < 0 ? -1 : yk_ring_function(d->ring, names, YK_TIE_ORDERS, relation->variable);
+    for (size_t k = 0; k < YK_TIE_ORDERS; k++) yk_text_free(&text[k]);
     return relation->function < 0 ? NULL : yk_ring_of(d->ring, relation->function);
 }
 
@@ -186,7 +185,7 @@ static void fill(void *context, const YkState *state, YkDynamics *dynamics, doub
         for (size_t c = 0; relation->is_own_variable && c < d->tree_count; c++)
             values[relation->variable] += relation->B[c] * values[d->coordinates[c].position];
         yk_law_eval(relation->law, values[relation->variable], found);
-        for (int32_t order = 0; order < LAW_ORDERS; order++) values[relation->function + order] = found[order];
+        for (int32_t order = 0; order < YK_TIE_ORDERS; order++) values[relation->function + order] = found[order];
     }
 }
 

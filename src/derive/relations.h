@@ -3,6 +3,8 @@
 #define DERIVE_RELATIONS_H
 #include "derive/derive.h"
 
+enum { YK_TIE_ORDERS = 4 }; // a law and its derivatives by its angle
+
 struct YkDeriveRelation {
     const char *name;
     YkRelationKind kind;

@@ -233,15 +233,14 @@ static void random_points_lie_on_the_machines_motion(void **state)
     machine_end(&m);
 }
 
-// Whatever a section prints as a solution must be found true, and false with one sign turned.
-static void visit_printed(Machine *m, const char *name)
+static size_t lines_proved;
+
+// Every line of the page that states an equation is true at a random point.
+static void check_lines(Machine *m, const char *name)
 {
     bool is_possible;
     YkFieldPoint *point = yk_derive_loop_point(m->d, 3, &is_possible);
-    if (!point) return;
-    yk_field_point_free(point);
-    for (size_t k = 0; k <= section_of("velocity"); k++) assert_true(yk_derive_write(m->d, k, &m->page));
-    point = yk_derive_loop_point(m->d, 3, &is_possible);
+    assert_non_null(point);
     for (const YkLine *line = m->page.first; line; line = line->next) {
         YkText text = {0};
         bool is_influence =
@@ -253,8 +252,39 @@ static void visit_printed(Machine *m, const char *name)
             fail();
         }
         yk_text_free(&text);
+        lines_proved++;
     }
     yk_field_point_free(point);
+}
+
+// Whatever a section prints as a solution must be found true, and false with one sign turned.
+static void visit_printed(Machine *m, const char *name)
+{
+    bool is_possible;
+    YkFieldPoint *point = yk_derive_loop_point(m->d, 3, &is_possible);
+    if (!point) return;
+    yk_field_point_free(point);
+    for (size_t k = 0; k <= section_of("velocity"); k++) assert_true(yk_derive_write(m->d, k, &m->page));
+    check_lines(m, name);
+}
+
+// The forces with their equations, all of them.
+static void visit_dynamics(Machine *m, const char *name)
+{
+    bool is_possible;
+    YkFieldPoint *point = yk_derive_loop_point(m->d, 3, &is_possible);
+    if (!point) return;
+    yk_field_point_free(point);
+    for (size_t k = section_of("free-bodies"); k <= section_of("lagrange"); k++)
+        assert_true(yk_derive_write(m->d, k, &m->page));
+    check_lines(m, name);
+}
+
+static void equations_of_forces_are_proved_on_the_loops(void **state)
+{
+    (void)state;
+    assert_true(each_example(visit_dynamics) > 30);
+    assert_true(lines_proved > 600);
 }
 
 static void what_sections_print_is_proved_on_the_loops(void **state)
@@ -278,6 +308,7 @@ int main(void)
         cmocka_unit_test(equations_of_motion_are_proved_too),
         cmocka_unit_test(random_points_lie_on_the_machines_motion),
         cmocka_unit_test(what_sections_print_is_proved_on_the_loops),
+        cmocka_unit_test(equations_of_forces_are_proved_on_the_loops),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,6 +46,8 @@ static void any_one_failure_is_survived(void **state)
     check_example("spring-slider-crank");
     check_example("rough-block");
     check_example("toggle");
+    check_example("simple-planetary");
+    check_example("swing-cam");
 }
 
 int main(void)

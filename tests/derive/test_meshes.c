@@ -14,13 +14,14 @@
 
 // A cam and its follower on an arm that turns.
 #define CAM_ON_ARM                                                                                                     \
-    LIFT "gravity: [0, -9.81]\nparameters: {r: 30 mm, e: 4 mm}\nbodies:\n"                                             \
-         "  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0], K: [0.2, 0.05]}, mass: 1, inertia: 0.01}\n"     \
+    LIFT "gravity: [0, -9.81]\nparameters: {r: 30 mm}\nbodies:\n"                                                      \
+         "  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0], K: [0.2, 0.05], E: [0.21, 0.045]}, mass: 1, "   \
+         "inertia: 0.01}\n"                                                                                            \
          "  shaft: {points: {K: [0, 0]}, mass: 0.5, inertia: 0.001, center: [0.003, 0]}\n"                             \
          "  tappet: {points: {T: [0, 0]}, mass: 0.2, center: [0.01, 0.02], inertia: 0.0001}\n"                         \
          "joints:\n  O: {pin: [ground, arm], angle: a}\n  K: {pin: [arm, shaft], angle: th}\n"                         \
-         "  G: {slide: [arm, tappet], along: 70 deg, from: K, distance: s}\n"                                          \
-         "cams: {c: {cam: shaft, follower: tappet, law: lift, roller: 8 mm, base: r, offset: e}}\n"                    \
+         "  G: {slide: [arm, tappet], along: 70 deg, from: E, distance: s}\n"                                          \
+         "cams: {c: {cam: shaft, follower: tappet, law: lift, roller: 8 mm, base: r}}\n"                               \
          "start: {a: 0.3, th: 40 deg, a.rate: 2, th.rate: 20}\n"
 
 // The same seen from the other bodies: the arm counts back from the shaft, the follower's guide is its own line.
@@ -41,13 +42,13 @@
           "start: {theta: 50 deg, theta.rate: 8}\n"
 
 // A pulley's motion follows another's by a law.
-#define FOLLOW_ANGLE                                                                                                   \
+#define FOLLOW_ANGLE(OWN, OF)                                                                                          \
     SWING "bodies:\n  ground: {points: {A: [0, 0], B: [1, 0]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 0.3}\n"   \
           "  q: {points: {B: [0, 0], C: [0.3, 0]}, mass: 1, inertia: 0.7}\n  r: {points: {C: [0, 0]}, mass: 1, "       \
           "inertia: 0.2}\n"                                                                                            \
           "joints:\n  A: {pin: [ground, p], angle: x}\n  B: {pin: [ground, q], angle: y}\n"                            \
-          "  C: {pin: [q, r], angle: z}\ndrives: {z: {law: swing, of: x}}\nefforts: {x: 2, y: 1}\n"                    \
-          "start: {x: 0.5, x.rate: 3, y.rate: 2}\n"
+          "  C: {pin: [q, r], angle: z}\ndrives: {" OWN ": {law: swing, of: " OF "}}\nefforts: {y: 1}\n"               \
+          "start: {" OF ": 0.5, " OF ".rate: 3, y.rate: 2}\n"
 
 // Gears on one axis, nothing known of where they mesh.
 #define COAXIAL                                                                                                        \
@@ -121,7 +122,8 @@ static const char *const machines[] = {GEARED_FIVE_BAR,
                                        ROCKER("[ground, rocker]", "at: P"),
                                        ROCKER("[rocker, ground]", "at: P"),
                                        ROCKER("[ground, rocker]", "arm: 80 mm"),
-                                       FOLLOW_ANGLE,
+                                       FOLLOW_ANGLE("z", "x"),
+                                       FOLLOW_ANGLE("x", "z"),
                                        COAXIAL,
                                        SLANTED,
                                        WHEEL_IN_LOOP,
@@ -193,12 +195,124 @@ static void they_print_and_read_back(void **state)
     assert_true(count > 2000);
 }
 
+// What a student derives by hand: with names for the forces, multipliers and angles that the pages use.
+static void equations_by_hand_are_decided(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *machine, *equation;
+        YkCheckKind kind;
+    } cases[] = {
+        {SLANTED, "0.3 x'' = 2 - Z1 r_g N12 cos(alpha12)", YK_CHECK_TRUE},
+        {SLANTED, "0.3 x'' = 2 + Z1 r_g N12 cos(alpha12)", YK_CHECK_FALSE},
+        {SLANTED, "r_g^2 (Z1 + Z2)^2 = u^2 + v^2", YK_CHECK_TRUE},
+        {SLANTED, "Z1 x'' = -Z2 y''", YK_CHECK_TRUE},
+        {SLANTED, "Z2 x'' = -Z1 y''", YK_CHECK_FALSE},
+        {SLANTED, "lambda1 = r_g N12 cos(alpha12)", YK_CHECK_TRUE},
+        {SLANTED, "lambda1 = r_g N12 sin(alpha12)", YK_CHECK_FALSE},
+        {BELT, "0.3 x'' = 2 + 0.1 T12", YK_CHECK_TRUE},
+        {BELT, "0.7 y'' = -0.25 T12", YK_CHECK_FALSE},
+        {RACK, "s'' = F12", YK_CHECK_TRUE},
+        {RACK, "s'' = -F12", YK_CHECK_FALSE},
+        {CAM_ON_ARM, "tan(phi23)*(h_c + s) = lift_v + 0.045 + 0.02", YK_CHECK_FALSE},
+        {CAM_ON_ARM, "lambda1 = -N23 cos(phi23)", YK_CHECK_TRUE},
+        {COAXIAL, "0.2 s'' = 2 + 20 T12", YK_CHECK_TRUE},
+        {COAXIAL, "0.3 c'' + 0.1 (c'' + p'') = -50 T12 + 30 T12", YK_CHECK_TRUE},
+        {FOLLOW_ANGLE("z", "x"), "0.3 x'' = -swing_v T23", YK_CHECK_TRUE},
+        {FOLLOW_ANGLE("z", "x"), "0.3 x'' = swing_v T23", YK_CHECK_FALSE},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        Machine m = machine_of(cases[k].machine);
+        YkDynamics *dynamics = dynamics_of(&m);
+        assert_true(yk_state_assemble(m.state) >= 0);
+        YkCheckVerdict verdict = yk_derive_check(m.d, m.state, dynamics, cases[k].equation, strlen(cases[k].equation),
+                                                 (YkPlace){1, 1, 0}, m.problems);
+        if (verdict.kind != cases[k].kind) print_error("%s: %d\n", cases[k].equation, (int)verdict.kind);
+        assert_int_equal(verdict.kind, cases[k].kind);
+        yk_dynamics_free(dynamics);
+        machine_end(&m);
+    }
+}
+
+// With links as parameters, an equation of motion of a geared linkage is proved for all dimensions.
+static void an_equation_of_a_geared_five_bar_is_proved(void **state)
+{
+    (void)state;
+    Machine m = machine_of("parameters: {a: 0.1, b: 0.35, c: 0.3, d: 0.12, e: 0.3, m: 0.7, J: 0.01, z1: 20, z2: 40}\n"
+                           "bodies:\n  ground: {points: {A: [0, 0], E: [e, 0]}}\n"
+                           "  w1: {points: {A: [0, 0], B: [a, 0]}, mass: 1, inertia: J}\n"
+                           "  w2: {points: {E: [0, 0], D: [d, 0]}, mass: 1, inertia: J}\n"
+                           "  b: {points: {B: [0, 0], C: [b, 0]}, mass: m, rod: [B, C]}\n"
+                           "  d: {points: {D: [0, 0], C: [c, 0]}, mass: m, rod: [D, C]}\n"
+                           "joints:\n  A: {pin: [ground, w1], angle: t1}\n  E: {pin: [ground, w2], angle: t2}\n"
+                           "  B: {pin: [w1, b], angle: t3}\n  D: {pin: [w2, d], angle: t4}\n  C: {pin: [b, d]}\n"
+                           "gears: {g: {mesh: [w1, w2], teeth: [z1, z2]}}\n"
+                           "start: {t1: 60 deg, t2: 100 deg, t3: 0, t4: 0, t1.rate: 3}\n");
+    YkDynamics *dynamics = dynamics_of(&m);
+    const YkDeriveForces *f = forces_of(&m);
+    for (size_t k = 0; k < m.d->coordinate_count; k++) {
+        YkText text = {0};
+        YkDeriveLagrange sides = yk_derive_lagrange_of(f, k);
+        yk_ring_write(m.d->ring, sides.left, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
+        yk_text_puts(&text, " = 0");
+        assert_true(yk_state_assemble(m.state) >= 0);
+        YkCheckVerdict verdict =
+            yk_derive_check(m.d, m.state, dynamics, yk_text_get(&text), text.length, (YkPlace){1, 1, 0}, m.problems);
+        assert_int_equal(verdict.kind, YK_CHECK_TRUE);
+        assert_false(verdict.is_identity);
+        yk_text_free(&text);
+    }
+    yk_dynamics_free(dynamics);
+    machine_end(&m);
+}
+
+// The proof is no formality: another lever, and it fails.
+static void a_wrong_push_is_no_longer_proved(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Machine m = machine_of(machines[k]);
+        YkDeriveForces *f = (YkDeriveForces *)forces_of(&m);
+        size_t bad = 0, last = f->row_count - 1;
+        f->identities[last] = yk_ring_scale(m.d->ring, f->identities[last], 2, 1);
+        for (size_t c = 0; c < m.d->coordinate_count; c++) bad += !yk_derive_do_methods_agree(f, c);
+        assert_true(bad > 0);
+        machine_end(&m);
+    }
+}
+
+static void a_pair_of_gears_prints_as_in_the_books(void **state)
+{
+    (void)state;
+    Machine m = example("epicyclic");
+    write_section(&m, "free-bodies");
+    write_section(&m, "newton-euler");
+    write_section(&m, "lagrange");
+    check_says(&m, "N12 is the force between these gears, along their line of action.");
+    check_says(&m, "alpha12 is the pressure angle of 20 deg with the sign of N12");
+    check_says(&m, "F_42 + N_12 - N_23 = 0\n");
+    check_says(&m, "p^{sun-planet/P} x N_12 - p^{planet-ring/P} x N_23 = 0\n");
+    check_says(&m, "moments about O:  tau_theta1 - 1/2 N1 mod N12 cos(alpha12) = 0\n");
+    check_says(&m, "theta1:  N1 lambda1 = tau_theta1\n");
+    check_says(&m, "sun-planet:  lambda1 = 1/2 mod N12 cos(alpha12)\n");
+    machine_end(&m);
+    m = example("valve-cam");
+    write_section(&m, "newton-euler");
+    check_says(&m, "angle of the normal:  1/40 (1 + 40 s) sin(phi12) = lift_v cos(phi12)\n");
+    check_says(&m, "4 force + 2 moment + 1 acceleration = 7 equations; 5 reactions + 1 accelerations + 1 efforts = 7");
+    machine_end(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(they_do_the_work_that_the_relation_asks_for),
         cmocka_unit_test(every_line_holds_with_the_engines_forces),
         cmocka_unit_test(they_print_and_read_back),
+        cmocka_unit_test(equations_by_hand_are_decided),
+        cmocka_unit_test(an_equation_of_a_geared_five_bar_is_proved),
+        cmocka_unit_test(a_wrong_push_is_no_longer_proved),
+        cmocka_unit_test(a_pair_of_gears_prints_as_in_the_books),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,86 @@
+// Every load of the model file in the equations: as a polynomial, or as a symbol whose meaning is told.
+#include "forces_check.h"
+#include "derive/lagrange.h"
+
+// Efforts by a law of a rate, by an expression that is no polynomial; forces in the body's own axes, with a moment;
+// springs with dampers between points and along an angle; viscous friction.
+#define LEVER                                                                                                          \
+    "parameters: {l: 0.4, k: 30, c: 2}\ngravity: [0, -9.81]\n"                                                         \
+    "laws:\n  motor: {table: [[-100 rad/s, 5 N*m], [0 rad/s, 3 N*m], [100 rad/s, -5 N*m]]}\nbodies:\n"                 \
+    "  ground: {points: {P: [0, 1], O: [0, 0]}}\n"                                                                     \
+    "  crank: {points: {P: [0, 0], A: [l, 0]}, mass: 1, inertia: 0.1, center: [l/2, 0]}\n"                             \
+    "  block: {points: {A: [0, 0]}, mass: 0.5, inertia: 0.03}\n"                                                       \
+    "  lever: {points: {O: [0, 0], T: [0.7, 0.1]}, mass: 1, inertia: 0.2, center: [0.3, 0]}\n"                         \
+    "joints:\n  P: {pin: [ground, crank], angle: theta1, friction: {viscous: 0.3}}\n"                                  \
+    "  A: {pin: [crank, block]}\n  O: {pin: [ground, lever], angle: theta2}\n"                                         \
+    "  S: {slide: [lever, block], along: x, distance: d, friction: {viscous: 2}}\n"                                    \
+    "efforts:\n  theta1: {law: motor, of: theta1.rate}\n  d: -5 kg/m * d.rate*abs(d.rate)\n"                           \
+    "forces:\n  F1: {on: lever, at: T, value: [-10 N * cos(theta2), 4 N * sin(3 rad/s * t)], axes: body}\n"            \
+    "  F2: {on: block, value: [1 N, 2 N], moment: 3 N*m}\n"                                                            \
+    "springs:\n  s1: {between: [ground.O, crank.A], stiffness: k, length: 0.3, damping: c}\n"                          \
+    "  s2: {along: theta2, stiffness: 2, angle: 0.2, damping: 0.1}\n"                                                  \
+    "  s3: {between: [lever.T, crank.A], stiffness: 5}\n"                                                              \
+    "start: {theta1: 0.5, theta1.rate: 1, theta2: 1.3}\n"
+
+// A pin in a slot that rubs, a weld, a stop.
+#define SLOT                                                                                                           \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], Q: [0, 0.1]}}\n"                                     \
+    "  arm: {points: {O: [0, 0], P: [0.3, 0]}, mass: 1, rod: [O, P]}\n"                                                \
+    "  tip: {points: {P: [0, 0], E: [0.1, 0.05]}, mass: 0.4, inertia: 0.002, center: [0.05, 0]}\n"                     \
+    "  bar: {points: {Q: [0, 0], R: [0, 0]}, mass: 0.7, inertia: 0.01, center: [0.1, 0]}\n"                            \
+    "joints:\n  O: {pin: [ground, arm], angle: a}\n  P: {weld: [arm, tip], turned: 25 deg}\n"                          \
+    "  Q: {pin: [ground, bar], angle: b}\n"                                                                            \
+    "  R: {pin-slot: [bar, tip], at: E, from: R, along: x, friction: {coulomb: 0.2, viscous: 1}}\n"                    \
+    "stops: {a: [-60 deg, 100 deg]}\nefforts: {a: 2 N*m/s * t}\nstart: {a: 40 deg, a.rate: 1, b: 20 deg}\n"
+
+static const char *const machines[] = {LEVER, SLOT};
+
+static void every_line_holds_and_reads_back(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof machines / sizeof *machines; k++) {
+        Machine m = machine_of(machines[k]);
+        const YkDeriveForces *f = forces_of(&m);
+        YkDynamics *dynamics = dynamics_of(&m);
+        size_t poses = 0;
+        write_section(&m, "free-bodies");
+        write_section(&m, "newton-euler");
+        write_section(&m, "energy");
+        write_section(&m, "lagrange");
+        for (int turn = 0; turn < 8; turn++) {
+            if (!random_pose(&m, turn == 0)) continue;
+            if (!take_forces(&m, dynamics, turn % 2 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED)) continue;
+            assert_true(check_page(&m, machines[k], 1e-12) > 20);
+            poses++;
+        }
+        assert_true(poses > 3);
+        for (size_t c = 0; c < m.d->coordinate_count; c++) assert_true(yk_derive_do_methods_agree(f, c));
+        assert_true(check_page_reads_back(&m) > 50);
+        yk_dynamics_free(dynamics);
+        machine_end(&m);
+    }
+}
+
+static void loads_that_are_no_polynomials_tell_what_they_are(void **state)
+{
+    (void)state;
+    Machine m = machine_of(LEVER);
+    write_section(&m, "lagrange");
+    check_says(&m, "tau_theta1 is what the law motor gives, a function of theta1'.");
+    check_says(&m, "F_d stands for the file's expression, a function of d'.");
+    machine_end(&m);
+    m = machine_of(SLOT);
+    write_section(&m, "newton-euler");
+    check_says(&m, "R_R is what dry friction or a stop at R exerts");
+    check_says(&m, "S_O is what dry friction or a stop at O exerts");
+    machine_end(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_line_holds_and_reads_back),
+        cmocka_unit_test(loads_that_are_no_polynomials_tell_what_they_are),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
