@@ -154,28 +154,44 @@ static void make_belt(YkMeshMaking *m, const YkRelation *of)
 
 // --- Laws
 
+// Along a coordinate, a multiple of the unknown: on its joint's second body, back on the first.
+static void push_along(YkMeshMaking *m, const YkCoordinate *coordinate, const YkPoisson *multiple)
+{
+    YkRing *ring = m->ring;
+    int32_t joint = coordinate->joint;
+    const int32_t *body = m->d->model->joints[joint].body;
+    if (coordinate->is_distance) {
+        const YkPoisson *arm[] = {yk_derive_joint_arm(m->f, joint, 0), yk_derive_joint_arm(m->f, joint, 1)};
+        const YkPoisson *factors[] = {m->unknown, multiple, yk_mesh_line(m, joint)};
+        yk_mesh_force(m, "Q", body, (YkMeshHeld[]){{NULL, 0}, yk_mesh_held_by(m, joint, 1)}, arm,
+                      yk_ring_product(ring, factors, 3));
+        return;
+    }
+    const YkPoisson *zero = yk_ring_rational(ring, 0, 1), *moment = yk_ring_multiply(ring, multiple, m->unknown);
+    for (int k = 0; k < 2; k++) {
+        YkDerivePush push = {body[k], zero, zero, k ? moment : yk_ring_negate(ring, moment)};
+        add_contact(m, (YkDeriveContact){.by = body_name(m, body[!k]),
+                                         .between = m->between,
+                                         .moment = "M",
+                                         .is_negative = k == 0,
+                                         .push = push});
+        m->mesh->push = push;
+    }
+}
+
 static void make_follow(YkMeshMaking *m, const YkRelation *of)
 {
-    const YkFollow *follow = &m->d->model->follows[of->index];
     const YkModel *model = m->d->model;
-    const YkCoordinate *own = &model->coordinates[follow->coordinate];
-    const int32_t joint = own->joint, *body = model->joints[joint].body,
-                  *other = model->joints[model->coordinates[follow->of].joint].body;
+    const YkFollow *follow = &model->follows[of->index];
+    const YkCoordinate *own = &model->coordinates[follow->coordinate], *other = &model->coordinates[follow->of];
     YkRing *ring = m->ring;
-    const YkPoisson *back = yk_ring_negate(ring, yk_ring_of(ring, m->tie->function + 1));
-    yk_mesh_unknown(m, own->is_distance ? "F" : "T", body,
+    yk_mesh_unknown(m, own->is_distance ? "F" : "T", model->joints[own->joint].body,
                     "what the law's drive exerts along the coordinate that follows");
     m->mesh->effort = m->unknown;
-    if (own->is_distance) {
-        const YkPoisson *arm[] = {yk_derive_joint_arm(m->f, joint, 0), yk_derive_joint_arm(m->f, joint, 1)};
-        yk_mesh_force(m, "F", body, (YkMeshHeld[]){{NULL, 0}, yk_mesh_held_by(m, joint, 1)}, arm,
-                      yk_ring_multiply(ring, m->unknown, yk_mesh_line(m, joint)));
-    } else {
-        const YkPoisson *one = yk_ring_rational(ring, 1, 1);
-        yk_mesh_couples(m, body, 0, yk_ring_negate(ring, one), one);
-    }
-    yk_mesh_couple(m, other[0], yk_ring_negate(ring, back));
-    yk_mesh_couple(m, other[1], back);
+    m->between = other->name;
+    push_along(m, other, yk_ring_negate(ring, yk_ring_of(ring, m->tie->function + 1)));
+    m->between = own->name;
+    push_along(m, own, yk_ring_rational(ring, 1, 1)); // last: the unknown's value is taken from it
 }
 
 bool yk_derive_enter_meshes(YkDeriveForces *f)

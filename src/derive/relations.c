@@ -105,8 +105,9 @@ static int32_t variable_of_its_own(YkDerivation *d, YkDeriveRelation *relation, 
     return yk_ring_set_rate(d->ring, symbol, rate) ? symbol : -1;
 }
 
-// The function s of a pin's angle with its derivatives s_v, s_a, s_j.
-static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t joint)
+// The function s of a pin's angle, or of a slide's distance, with its derivatives s_v, s_a, s_j.
+static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t joint,
+                                    bool is_distance)
 {
     static const char *const endings[YK_TIE_ORDERS] = {"", "_v", "_a", "_j"};
     YkText text[YK_TIE_ORDERS] = {{0}};
@@ -125,9 +126,9 @@ static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation,
             free_name &= yk_ring_find(d->ring, names[k]) < 0;
         }
     }
-    int32_t coordinate = d->joint_angle[joint];
+    int32_t coordinate = is_distance ? d->joint_distance[joint] : d->joint_angle[joint];
     relation->law = d->model->laws[law].law;
-    relation->argument = pin_angle(d, joint);
+    relation->argument = is_distance ? yk_derive_distance(d, joint) : pin_angle(d, joint);
     relation->variable =
         coordinate != YK_NONE ? d->coordinates[coordinate].position : variable_of_its_own(d, relation, joint);
     relation->function =
@@ -139,7 +140,7 @@ static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation,
 static const YkPoisson *cam(YkDerivation *d, YkDeriveRelation *relation, const YkRelation *of)
 {
     const YkCam *c = &d->model->cams[of->index];
-    function_of(d, relation, c->law, c->cam_joint);
+    function_of(d, relation, c->law, c->cam_joint, false);
     return c->oscillates ? pin_angle(d, c->follower_joint) : yk_derive_distance(d, c->follower_joint);
 }
 
@@ -147,7 +148,8 @@ static const YkPoisson *law(YkDerivation *d, YkDeriveRelation *relation, const Y
 {
     const YkFollow *f = &d->model->follows[of->index];
     const YkCoordinate *own = &d->model->coordinates[f->coordinate];
-    function_of(d, relation, f->law, d->model->coordinates[f->of].joint);
+    const YkCoordinate *of_which = &d->model->coordinates[f->of];
+    function_of(d, relation, f->law, of_which->joint, of_which->is_distance);
     return own->is_distance ? yk_derive_distance(d, own->joint) : pin_angle(d, own->joint);
 }
 

@@ -14,8 +14,8 @@ struct YkDeriveRelation {
     double phase_value;
     int32_t function; // first of the symbols s, s_v, s_a, s_j of a law; -1: none
     const YkLaw *law;
-    const YkPoisson *argument; // body form: the angle of which the law is a function; NULL: none
-    int32_t variable;          // the symbol of that angle: a coordinate's, or one of its own
+    const YkPoisson *argument; // body form: the angle or distance of which the law is a function; NULL: none
+    int32_t variable;          // its symbol: a coordinate's, or one of its own
     bool is_own_variable;
     int32_t *B; // of one of its own: its derivatives by the tree's coordinates
 };

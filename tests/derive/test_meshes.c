@@ -50,6 +50,17 @@
           "  C: {pin: [q, r], angle: z}\ndrives: {" OWN ": {law: swing, of: " OF "}}\nefforts: {y: 1}\n"               \
           "start: {" OF ": 0.5, " OF ".rate: 3, y.rate: 2}\n"
 
+// A slide that follows another's distance by a law, and one that follows an angle; on bodies that move.
+#define FOLLOW_DISTANCE                                                                                                \
+    "laws:\n  ramp: {table: [[-2 m, -1 m], [0 m, 0.1 m], [1 m, 0.5 m], [2 m, 0.7 m]]}\n"                               \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                                                  \
+    "  arm: {points: {O: [0, 0], P: [0.3, 0.1]}, mass: 1, inertia: 0.3, center: [0.2, 0]}\n"                           \
+    "  p: {points: {T: [0, 0]}, mass: 0.5, inertia: 0.01, center: [0.02, 0.01]}\n"                                     \
+    "  q: {points: {T: [0, 0]}, mass: 0.7, inertia: 0.02, center: [0.03, 0]}\n"                                        \
+    "joints:\n  O: {pin: [ground, arm], angle: a}\n  S: {slide: [arm, p], along: 20 deg, from: P, distance: u}\n"      \
+    "  R: {slide: [p, q], along: 70 deg, distance: w}\ndrives: {w: {law: ramp, of: u}}\nefforts: {a: 2 N*m}\n"         \
+    "start: {a: 0.4, a.rate: 1, u: 0.3, u.rate: 0.5}\n"
+
 // Gears on one axis, nothing known of where they mesh.
 #define COAXIAL                                                                                                        \
     "bodies:\n  ground: {points: {O: [0, 0]}}\n  sun: {points: {O: [0, 0]}, mass: 1, inertia: 0.2}\n"                  \
@@ -127,6 +138,7 @@ static const char *const machines[] = {GEARED_FIVE_BAR,
                                        COAXIAL,
                                        SLANTED,
                                        WHEEL_IN_LOOP,
+                                       FOLLOW_DISTANCE,
                                        WHEEL_ON_WHEEL,
                                        CAM_IN_LOOP};
 enum { MACHINES = sizeof machines / sizeof *machines };
