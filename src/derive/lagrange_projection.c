@@ -87,6 +87,14 @@ static void put_sum(const YkDeriveForces *f, YkPage *page, size_t coordinate, in
     yk_line_words(page, line, "work of the loads and of the loops' joints");
 }
 
+// Does a loop have its rows in the axes of a body that turns?
+static bool has_turning_axes(const YkDerivation *d)
+{
+    for (size_t k = 0; k < d->loop_count; k++)
+        if (d->bodies[d->loops[k].axes].angle != YK_NONE) return true;
+    return false;
+}
+
 void yk_derive_put_projection(const YkDeriveForces *f, YkPage *page)
 {
     YkDerivation *d = f->d;
@@ -105,8 +113,9 @@ void yk_derive_put_projection(const YkDeriveForces *f, YkPage *page)
     for (size_t k = 0; k < d->tree_count && d->tree_count <= SUMS_SHOWN_MAX; k++) put_sum(f, page, k, B);
     for (size_t k = 0; k < d->coordinate_count; k++) proved += yk_derive_do_methods_agree(f, k);
     if (proved == d->coordinate_count)
-        yk_page_words(page, "Proved: both are the same, term by term, so both give the same accelerations.");
+        yk_page_words(page, "Proved: %sboth are the same, term by term, so both give the same accelerations.",
+                      has_turning_axes(d) ? "with the loops closed " : "");
     else
-        yk_page_words(page, "Proved for %z of %z coordinates; the others agree only where the loops are closed.",
-                      proved, d->coordinate_count);
+        yk_page_words(page, "Proved for %z of %z coordinates; for the others it could not be proved here.", proved,
+                      d->coordinate_count);
 }

@@ -5,7 +5,7 @@ static size_t equations_seen, poses_seen, counted;
 
 static void check_at_poses(Machine *m, const char *name)
 {
-    const YkDeriveForces *f = forces_of(m);
+    forces_of(m);
     write_section(m, "newton-euler");
     YkDynamics *dynamics = dynamics_of(m);
     for (int k = 0; k < 6; k++) {
