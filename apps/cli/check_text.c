@@ -62,7 +62,8 @@ static void add_joints(const YkCheckAnswer *answer)
 
 static const char *role(YkCoordinateInfo info)
 {
-    if (info.input >= 0) return info.has_drive ? "driven" : "held: an input without a drive";
+    if (info.input >= 0)
+        return info.is_held ? "held by the lock" : info.has_drive ? "driven" : "held: an input without a drive";
     return info.is_declared ? "follows" : "follows (named by yoke)";
 }
 

@@ -5,6 +5,7 @@
 #define START " solve sweep draw simulate derive report study "
 #define FORCES " solve sweep simulate gears derive "
 #define MODEL " check solve sweep draw simulate cam gears rest derive report study "
+#define LOCKS " check solve sweep draw simulate gears rest derive report study "
 #define FIELD(name) offsetof(YkRequest, name)
 
 const YkOption yk_options[] = {
@@ -51,7 +52,8 @@ const YkOption yk_options[] = {
      "how many random poses the search begins from (default 100)"},
     {"event", 0, YK_OPTION_PAIRS, FIELD(event), "CHANNEL=VALUE", " simulate ",
      "report when a column passes a value; repeatable"},
-    {"lock", 0, YK_OPTION_WORD, FIELD(lock), "NAME", " gears ", "engage one of locks: (default: a table of all)"},
+    {"lock", 0, YK_OPTION_WORD, FIELD(lock), "NAME", LOCKS,
+     "engage one of locks: (default: none; gears: a table of all)"},
     {"in", 0, YK_OPTION_WORD, FIELD(in), "BODY", " gears ", "input of the ratio (default: the driven body)"},
     {"out", 0, YK_OPTION_WORD, FIELD(out), "BODY", " gears ", "output of the ratio; it takes the load"},
     {"efficiency", 0, YK_OPTION_WORD, FIELD(efficiency), "NUMBER", " gears ",

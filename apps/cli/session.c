@@ -28,6 +28,7 @@ static YkModel *load_model(YkSession *session, YkProblems *problems)
     YkLoadOptions options = yk_default_load_options();
     options.parameters = overrides;
     options.parameter_count = param->count;
+    options.lock = session->request->lock;
     YkModel *model = yk_model_load(session->request->file, &options, problems);
     free(overrides);
     return model;

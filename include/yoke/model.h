@@ -16,6 +16,7 @@ typedef struct YkOverride {
 typedef struct YkLoadOptions {
     const YkOverride *parameters;
     size_t parameter_count;
+    const char *lock; // of `locks:`, engaged: its bodies and coordinates are held from the start on; NULL: none
 } YkLoadOptions;
 
 YK_API YkLoadOptions yk_default_load_options(void);

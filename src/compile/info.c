@@ -19,7 +19,9 @@ size_t yk_coordinate_count(const YkMechanism *mech)
 YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
 {
     const YkTreeCoordinate *c = &mech->coordinates[coordinate];
-    return (YkCoordinateInfo){c->name, (size_t)c->joint, c->is_distance, c->is_declared, c->drive != YK_NONE, c->input};
+    bool is_held = c->drive != YK_NONE && mech->model->drives[c->drive].is_hold;
+    return (YkCoordinateInfo){c->name, (size_t)c->joint, c->is_distance, c->is_declared, c->drive != YK_NONE,
+                              is_held, c->input};
 }
 
 int yk_coordinate_find(const YkMechanism *mech, const char *name)

@@ -143,6 +143,24 @@ void yk_inputs_guess(const YkMechanism *mech, double *guess)
     }
 }
 
+// A gearbox in neutral: more freedoms than drives, and locks that nobody chose from.
+static void report_open_lock(Choice *c)
+{
+    const YkModel *model = c->mech->model;
+    size_t given = c->wanted;
+    for (size_t k = 0; k < c->mech->input_count; k++) {
+        const YkTreeCoordinate *q = &c->mech->coordinates[c->mech->inputs[k]];
+        bool is_wanted = false;
+        for (size_t w = 0; w < c->wanted; w++) is_wanted |= c->candidates[w] == c->mech->inputs[k];
+        given += q->drive != YK_NONE && !is_wanted;
+    }
+    if (model->lock_count == 0 || model->engaged || c->mech->input_count <= given) return;
+    yk_problem(c->problems, YK_CODE_LOCK_OPEN, model->locks[0].place,
+               "none of the locks is engaged, and %z of %z freedoms %s neither driven nor set",
+               c->mech->input_count - given, c->mech->input_count, c->mech->input_count - given == 1 ? "is" : "are");
+    yk_problem_hint(c->problems, "--lock %s", model->locks[0].name);
+}
+
 // What was asked for must have been accepted; false where it was not.
 static bool report_overdriven(Choice *c)
 {
@@ -194,6 +212,7 @@ static bool choose(Choice *c, const YkCompileOptions *options)
         if (!plan(c, &missing)) return false;
     }
     bool ok = report_overdriven(c);
+    if (ok) report_open_lock(c);
     if (missing > 0)
         yk_problem(c->problems, YK_CODE_UNDETERMINED, (YkPlace){0},
                    "%z unknowns of the machine are determined by no loop and no input", missing);

@@ -53,6 +53,10 @@ typedef struct YkTreeCoordinate {
     int32_t input;      // or YK_NONE
     int32_t distance;   // its distance variable, or YK_NONE
     YkJointAngle angle; // of its joint
+    // Where gears and the like make the angle a sum of inputs: that sum, exact over any number of turns.
+    bool is_sum;
+    double sum_offset;
+    uint32_t first_source, source_count; // in sources
 } YkTreeCoordinate;
 
 typedef struct YkLoop { // of the spanning tree: first body's point minus the second's

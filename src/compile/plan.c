@@ -317,6 +317,7 @@ bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence,
     yk_plan_peel(plan);
     if (plan->unknown_clusters > 0) yk_plan_groups(plan);
     yk_plan_relations(plan); // what is left only repeats others
+    yk_plan_coordinate_sums(plan);
     check_leftover_joints(plan);
     count_missing(plan);
     return !plan->failed && !plan->list.failed;

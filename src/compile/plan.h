@@ -56,6 +56,8 @@ void yk_plan_peel(YkPlan *plan);
 void yk_plan_groups(YkPlan *plan);
 // Solves every relation with one unknown; true where there was one.
 bool yk_plan_relations(YkPlan *plan);
+// Notes the coordinates that are sums of inputs, at the end.
+void yk_plan_coordinate_sums(YkPlan *plan);
 // The unknowns of a relation that is left, at most one for each of its terms.
 size_t yk_plan_relation_columns(const YkPlan *plan, size_t relation, YkColumn *columns);
 // Puts a relation into the group of these columns.

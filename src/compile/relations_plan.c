@@ -476,3 +476,19 @@ bool yk_plan_relations(YkPlan *plan)
     }
     return solved || solve_together(plan);
 }
+
+void yk_plan_coordinate_sums(YkPlan *plan)
+{
+    YkMechanism *mech = plan->mech;
+    for (size_t k = 0; k < mech->coordinate_count; k++) {
+        YkTreeCoordinate *c = &mech->coordinates[k];
+        c->is_sum = mech->relation_count > 0 && plan->forms && !c->is_distance && plan->forms[c->angle.a].is_known &&
+                    plan->forms[c->angle.b].is_known;
+        if (!c->is_sum) continue;
+        c->first_source = (uint32_t)mech->source_count;
+        c->sum_offset = c->angle.offset;
+        c->sum_offset += add_term(plan, (YkRelationTerm){false, c->angle.b, 1}, 1, c->first_source, YK_NONE);
+        c->sum_offset += add_term(plan, (YkRelationTerm){false, c->angle.a, -1}, -1, c->first_source, YK_NONE);
+        c->source_count = (uint32_t)mech->source_count - c->first_source;
+    }
+}

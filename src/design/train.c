@@ -21,19 +21,8 @@ const char *yk_train_status_name(YkTrainStatus status)
 
 static bool find_lock(const YkTrain *train, const YkLock **lock, YkProblems *problems)
 {
-    const YkModel *model = train->model;
     *lock = NULL;
-    if (!train->options.lock) return true;
-    for (size_t i = 0; i < model->lock_count; i++)
-        if (strcmp(model->locks[i].name, train->options.lock) == 0) *lock = &model->locks[i];
-    if (*lock) return true;
-    yk_problem(problems, YK_CODE_UNKNOWN_LOCK, nowhere, "the model has no lock %q", train->options.lock);
-    YkText text = {0};
-    for (size_t i = 0; i < model->lock_count && i < 20; i++)
-        yk_text_format(&text, "%s`%s`", i ? ", " : "", model->locks[i].name);
-    if (text.length) yk_problem_hint(problems, "it has %s", yk_text_get(&text));
-    yk_text_free(&text);
-    return false;
+    return !train->options.lock || yk_model_find_lock(train->model, train->options.lock, lock, problems);
 }
 
 // A body of the train by name; YK_NONE where it is not asked. False (reported) where it is wrong.

@@ -80,6 +80,7 @@ static void resolve(YkLoader *loader)
     yk_load_finish_gears(loader);
     yk_load_finish_racks(loader);
     yk_load_finish_belts(loader);
+    yk_load_engage(loader);
     yk_load_check_connected(loader);
     yk_load_check_links(loader);
 }

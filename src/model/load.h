@@ -156,6 +156,7 @@ void yk_load_gears(YkLoader *loader);
 void yk_load_racks(YkLoader *loader);
 void yk_load_belts(YkLoader *loader);
 void yk_load_locks(YkLoader *loader);
+void yk_load_engage(YkLoader *loader); // options->lock, after all else
 
 // The second pass.
 void yk_load_check_uses(YkLoader *loader);      // uses.c: the names in every expression

@@ -83,6 +83,7 @@ typedef struct YkDrive {
     YkPlace place;
     YkExpr *expr; // of t and parameters; with a law: the law's argument
     int32_t law;  // of model->laws, or YK_NONE
+    bool is_hold; // stands: by a lock
 } YkDrive;
 
 // `drives: {d: {law: lift, of: theta}}`: a coordinate that follows another by a law, as by a cam.
@@ -196,6 +197,7 @@ typedef struct YkBelt {
     double radius[2]; // m
     YkExact exact_radius[2];
     bool is_crossed;
+    bool is_lock; // no belt: bodies that a lock makes turn as one
     YkExpr *radius_expr[2];
 } YkBelt;
 
@@ -288,6 +290,7 @@ struct YkModel {
     size_t belt_count;
     YkLock *locks;
     size_t lock_count;
+    const char *engaged; // the name of the lock that acts, or NULL
     YkModelUse *uses; // where expressions, not plain numbers, give a value: model/redesign.h evaluates them again
     size_t use_count;
     bool has_gravity;
@@ -297,6 +300,9 @@ struct YkModel {
                  // the largest start distance if that is more; 1 where all is zero. Lengths are measured by it.
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
+
+// A lock by its name; false (reported, with the names that there are) where there is none.
+bool yk_model_find_lock(const YkModel *model, const char *name, const YkLock **lock, YkProblems *problems);
 
 // Evaluates an expression of parameters and t (coordinates have no value here), with its derivatives in time.
 // Returns YK_OK; YK_BAD_MODEL with a problem added (code 3xx) for a division by zero and the like.

@@ -95,7 +95,8 @@ void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames)
     const YkModel *model = drawing->model;
     YkText style = {0};
     for (size_t k = 0; k < model->gear_count; k++) add_pair(drawing, frames, &model->gears[k], &style);
-    for (size_t k = 0; k < model->belt_count; k++) add_belt(drawing, frames, &model->belts[k], &style);
+    for (size_t k = 0; k < model->belt_count; k++)
+        if (!model->belts[k].is_lock) add_belt(drawing, frames, &model->belts[k], &style);
     for (size_t k = 0; k < model->rack_count; k++)
         add_circle(drawing, center_of(frames, model->racks[k].pinion), model->racks[k].radius,
                    (size_t)model->racks[k].pinion, "", &style);
@@ -120,7 +121,8 @@ void yk_drawing_each_wheel(const YkDrawing *drawing, const YkFrame *frames, int3
                 see(context, own, yk_drawing_pitch_radius(&model->gears[k], side), false);
     for (size_t k = 0; k < model->belt_count; k++)
         for (int side = 0; side < 2; side++)
-            if (model->belts[k].body[side] == body) see(context, own, model->belts[k].radius[side], false);
+            if (model->belts[k].body[side] == body && !model->belts[k].is_lock)
+                see(context, own, model->belts[k].radius[side], false);
     for (size_t k = 0; k < model->rack_count; k++)
         if (model->racks[k].pinion == body) see(context, own, model->racks[k].radius, false);
     for (size_t k = 0; k < model->cam_count; k++) {

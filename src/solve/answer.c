@@ -25,13 +25,26 @@ static YkMotion distance_in(const YkSpace *space, int32_t distance)
     return (YkMotion){d.d[0], d.v[0], d.a[0]};
 }
 
+// What an angle comes out nearest to: where it last was, or the sum of inputs that it is.
+static double reference_of(const YkState *s, const YkSpace *space, size_t coordinate)
+{
+    const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
+    const double *inputs = space == &s->space ? s->valid_input : s->input;
+    double sum = c->sum_offset;
+    if (!c->is_sum) return s->reference[coordinate];
+    for (uint32_t k = c->first_source; k < c->first_source + c->source_count; k++)
+        sum += s->mech->sources[k].factor * inputs[3 * s->mech->sources[k].index];
+    return sum;
+}
+
 YkMotion yk_coordinate_in(const YkState *s, const YkSpace *space, size_t coordinate)
 {
     const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
     if (c->is_distance) return distance_in(space, c->distance);
     YkTurn a = yk_space_turn(space, c->angle.a), b = yk_space_turn(space, c->angle.b);
     YkMotion m = {0, (b.c ? b.w[0] : 0) - (a.c ? a.w[0] : 0), (b.c ? b.a[0] : 0) - (a.c ? a.a[0] : 0)};
-    yk_lanes_angle(&m.position, a, b, c->angle.offset, s->reference[coordinate], 1); // as the batch does: the same bits
+    yk_lanes_angle(&m.position, a, b, c->angle.offset, reference_of(s, space, coordinate),
+                   1); // as the batch does: the same bits
     return m;
 }
 

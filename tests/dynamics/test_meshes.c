@@ -85,7 +85,7 @@ static void a_cam_is_its_law(void **unused)
         assert_int_equal(yk_state_set_time(driven.state, t, NULL), YK_OK);
         assert_true(yk_state_solve(driven.state) >= 0);
         static const char *const asked[] = {"s", "s.rate", "s.accel", "c", "c.rate", "c.accel"};
-        for (size_t a = 0; a < 6; a++) CHECK_NEAR(rate_of(&cam, asked[a]), rate_of(&driven, asked[a]), 2e-12);
+        for (size_t a = 0; a < 6; a++) CHECK_NEAR(rate_of(&cam, asked[a]), rate_of(&driven, asked[a]), 1e-14);
     }
     rig_free(&cam);
     rig_free(&driven);
