@@ -3,7 +3,7 @@
 #include "out/latex_display.h"
 #include <string.h>
 
-enum { LINE = 118, DEPTH_MAX = 64 }; // a line holds about so many letters
+enum { LINE = 118, DEPTH_MAX = 64, COLUMNS_MAX = 64 }; // a line holds about so many letters
 
 // --- How wide a formula is, about: in letters
 
@@ -107,37 +107,71 @@ static void put_lines(const char *formula, YkText *text)
 
 // --- Matrices
 
-// The widest row of an array, and what stands around the arrays.
-static double width_with_arrays(const char *formula)
+// An array from behind its head to its end: as wide as its columns.
+static double width_of_array(const char *from, const char *end)
 {
-    double sum = 0;
-    const char *from = formula, *array;
-    while ((array = strstr(from, "\\begin{array}")) != NULL) {
-        const char *end = strstr(array, "\\end{array}"), *row = strchr(array + 13, '}');
-        double widest = 0;
-        if (!end || !row) break;
-        sum += width_of(from, (size_t)(array - from)) + 2;
-        while (row < end) {
-            const char *next = strstr(row, "\\\\"), *stop = next && next < end ? next : end;
-            double columns = 0;
-            for (const char *c = row; c < stop; c++) columns += *c == '&';
-            double width = width_of(row, (size_t)(stop - row)) + 2 * columns;
-            if (width > widest) widest = width;
-            row = stop + 2;
-        }
-        sum += widest;
-        from = end + 11;
+    double widest[COLUMNS_MAX] = {0}, sum = 0;
+    size_t column = 0;
+    for (const char *c = from;; c++) {
+        bool is_row = c[0] == '\\' && c[1] == '\\', is_end = c >= end;
+        if (!is_end && !is_row && *c != '&') continue;
+        double width = width_of(from, (size_t)(c - from)) + 2;
+        if (width > widest[column]) widest[column] = width;
+        column = is_row || column + 1 == COLUMNS_MAX ? 0 : column + 1;
+        if (is_end) break;
+        if (is_row) c++;
+        from = c + 1;
     }
-    return sum + width_of(from, strlen(from));
+    for (size_t k = 0; k < COLUMNS_MAX; k++) sum += widest[k];
+    return sum;
 }
 
+static double width_with_arrays(const char *formula, size_t length)
+{
+    double sum = 0;
+    const char *from = formula, *stop = formula + length, *array;
+    while ((array = strstr(from, "\\begin{array}")) != NULL && array < stop) {
+        const char *end = strstr(array, "\\end{array}"), *head = strchr(array + 13, '}');
+        if (!end || !head) break;
+        sum += width_of(from, (size_t)(array - from)) + 2 + width_of_array(head + 1, end);
+        from = end + 11;
+    }
+    return sum + width_of(from, (size_t)(stop - from));
+}
+
+// Behind a matrix a formula may break: the length of what comes before, or of all.
+static size_t through_matrix(const char *formula)
+{
+    static const char end[] = "\\end{array}\\right]";
+    const char *found = strstr(formula, end);
+    return found ? (size_t)(found - formula) + sizeof end - 1 : strlen(formula);
+}
+
+static const char *size_for(double times)
+{
+    return times > 1.4 ? "\\tiny" : times > 1.2 ? "\\scriptsize" : times > 1 ? "\\footnotesize" : NULL;
+}
+
+// A x = b on two lines where one is too narrow: the first matrix, then the rest.
 static void put_matrices(const char *formula, YkText *text)
 {
-    double times = width_with_arrays(formula) / LINE;
-    const char *size = times > 1.4 ? "\\tiny" : times > 1.2 ? "\\scriptsize" : times > 1 ? "\\footnotesize" : NULL;
+    size_t length = strlen(formula), first = through_matrix(formula);
+    double times = width_with_arrays(formula, length) / LINE;
+    bool breaks = times > 1.2 && first < length;
+    if (breaks) {
+        double above = width_with_arrays(formula, first) / LINE;
+        double below = width_with_arrays(formula + first, length - first) / LINE;
+        times = above > below ? above : below;
+    }
+    const char *size = size_for(times);
     if (size) yk_text_format(text, "{%s\n", size);
     if (times > 1.2) yk_text_puts(text, "\\setlength{\\arraycolsep}{2pt}\n");
-    yk_text_format(text, "\\[\n%s\n\\]\n%s", formula, size ? "}\n" : "");
+    yk_text_puts(text, breaks ? "\\begin{multline*}\n" : "\\[\n");
+    yk_text_add(text, formula, first);
+    if (breaks) yk_text_puts(text, " \\\\\n");
+    yk_text_puts(text, formula + first);
+    yk_text_puts(text, breaks ? "\n\\end{multline*}\n" : "\n\\]\n");
+    if (size) yk_text_puts(text, "}\n");
 }
 
 void yk_latex_display(YkText *text, const char *formula)

@@ -47,7 +47,7 @@ class Latex(Case):
         wide = [float(width) for width in re.findall(r"Overfull \\hbox \(([0-9.]+)pt too wide\)", log)]
         formulas = sum(text.count("\\[\n") + text.count("\\begin{multline*}") for text in bodies)
         self.assertGreater(formulas, 3000)
-        self.assertLess(sum(width > 28 for width in wide), 0.02 * formulas)  # 10 mm into the margin at most, but for few
+        self.assertLess(sum(width > 28 for width in wide), 0.015 * formulas)  # 10 mm into the margin at most, but for few
 
     @unittest.skipUnless(LATEX, "no pdflatex")
     def test_names_with_signs_of_latex_and_other_letters(self):
