@@ -30,7 +30,7 @@ YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *options)
         free(drawing);
         return NULL;
     }
-    if (!yk_drawing_outline(drawing)) {
+    if (!yk_drawing_outline(drawing) || !yk_drawing_take_cams(drawing)) {
         yk_drawing_free(drawing);
         return NULL;
     }
@@ -41,6 +41,7 @@ void yk_drawing_free(YkDrawing *drawing)
 {
     if (!drawing) return;
     free((void *)drawing->options.traced_points);
+    yk_drawing_free_cams(drawing);
     free(drawing->outlines);
     free(drawing->corners);
     free(drawing->frames);

@@ -17,6 +17,8 @@ typedef struct YkOutline {
     size_t first, count;
 } YkOutline;
 
+typedef struct YkDrawnCam YkDrawnCam; // drawing_cams.c
+
 struct YkDrawing {
     const YkMechanism *mech;
     const YkModel *model;
@@ -24,7 +26,9 @@ struct YkDrawing {
     YkOutline *outlines;   // [body]
     YkVec *corners;
     size_t corner_count;
-    YkFrame *frames; // [pose][body]
+    YkDrawnCam *cams;     // [cam]
+    bool keeps_followers; // bodies are drawn where the equations have them: no follower is moved to where it rides
+    YkFrame *frames;      // [pose][body]
     size_t pose_count, pose_capacity;
     YkVec *traces; // [position][traced point]
     size_t trace_count, trace_capacity;
@@ -118,6 +122,16 @@ void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reac
 typedef void YkSeeWheel(void *context, YkVec center, double radius, bool is_base);
 void yk_drawing_each_wheel(const YkDrawing *drawing, const YkFrame *frames, int32_t body, YkSeeWheel *see,
                            void *context);
+// Outlines of cams, and rollers, faces and edges of their followers. Taken once; false when out of memory.
+bool yk_drawing_take_cams(YkDrawing *drawing);
+// Followers that are drawn away from where the model has them: called once, when all bodies are placed.
+void yk_drawing_move_followers(const YkDrawing *drawing, YkFrame *frames);
+void yk_drawing_free_cams(YkDrawing *drawing);
+void yk_drawing_cams(YkDrawing *drawing, const YkFrame *frames);
+YkVec yk_drawing_cam_center(const YkDrawing *drawing, const YkFrame *frames, size_t cam); // m
+double yk_drawing_cam_reach(const YkDrawing *drawing, size_t cam); // the farthest of its outline from its centre, m
+YkVec yk_drawing_rider(const YkDrawing *drawing, const YkFrame *frames,
+                       size_t cam); // centre of the roller, the edge, a point of the face, m
 // Pins, boxes and slots of one pose.
 void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
 

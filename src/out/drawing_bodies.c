@@ -41,6 +41,7 @@ void yk_drawing_bodies(YkDrawing *drawing, size_t pose)
 {
     const YkFrame *frames = yk_drawing_frames(drawing, pose);
     yk_drawing_rods(drawing, frames);
+    yk_drawing_cams(drawing, frames);
     yk_drawing_wheels(drawing, frames);
     for (size_t b = 1; b < drawing->model->body_count; b++) yk_drawing_body(drawing, &frames[b], b);
     yk_drawing_joints(drawing, frames);

@@ -10,6 +10,12 @@ static void include(YkDrawing *drawing, YkVec at)
     drawing->high = yk_vec(fmax(drawing->high.x, at.x), fmax(drawing->high.y, at.y));
 }
 
+static void include_circle(YkDrawing *drawing, YkVec center, double radius)
+{
+    include(drawing, yk_add(center, yk_vec(radius, radius)));
+    include(drawing, yk_sub(center, yk_vec(radius, radius)));
+}
+
 static void include_pose(YkDrawing *drawing, const YkFrame *frames)
 {
     const YkModel *model = drawing->model;
@@ -19,12 +25,15 @@ static void include_pose(YkDrawing *drawing, const YkFrame *frames)
     for (size_t j = 0; j < model->joint_count; j++)
         for (int side = 0; side < 2; side++)
             include(drawing, yk_drawing_joint(drawing, frames, &model->joints[j], side));
+    for (size_t k = 0; k < model->cam_count; k++) {
+        YkVec center = yk_drawing_cam_center(drawing, frames, k), rider = yk_drawing_rider(drawing, frames, k);
+        include_circle(drawing, center, yk_drawing_cam_reach(drawing, k));
+        include_circle(drawing, rider, model->cams[k].roller);
+    }
     for (size_t b = 0; b < model->body_count; b++) {
         double reach = 0;
         yk_drawing_wheel_reach(drawing, (int32_t)b, &reach);
-        for (int corner = 0; corner < 4 && reach > 0; corner++)
-            include(drawing,
-                    yk_add(frames[b].origin, yk_vec(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach)));
+        if (reach > 0) include_circle(drawing, frames[b].origin, reach);
     }
 }
 

@@ -54,5 +54,6 @@ bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *f
     while (pass(model, state, frames)) {}
     for (size_t b = 0; b < model->body_count; b++)
         if (!is_placed(frames[b]) || !isfinite(frames[b].axis.x)) return false;
+    yk_drawing_move_followers(drawing, frames);
     return true;
 }

@@ -30,7 +30,9 @@ static bool make(YkFreeBodyDrawings *p, const YkState *state)
     p->arena = yk_arena_new();
     p->forces = yk_derive_forces(p->d);
     p->drawing = yk_drawing_new(p->d->mech, &options);
-    if (!p->arena || !p->forces || !p->drawing || yk_drawing_pose(p->drawing, state) < 0) return false;
+    if (!p->arena || !p->forces || !p->drawing) return false;
+    p->drawing->keeps_followers = true;
+    if (yk_drawing_pose(p->drawing, state) < 0) return false;
     size_t bodies = p->d->model->body_count - 1;
     p->count = bodies + p->forces->junction_count;
     p->pictures = YK_NEW(p->arena, YkFreeBodyDrawing, p->count + 1);

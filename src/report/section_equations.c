@@ -1,12 +1,14 @@
 // The equations in symbols, with the values of the start beside them.
 #include <stdlib.h>
+#include <string.h>
 #include "base/problems.h"
 #include "derive/derive.h"
+#include "out/free_body.h"
 #include "out/page_print.h"
 #include "report/html.h"
 #include "report/report.h"
 
-enum { LENGTH_MAX = 400000 }; // of one part: longer ones belong into a file of their own
+enum { PICTURES_MAX = 30, LENGTH_MAX = 400000 }; // of one part: longer ones belong into a file of their own
 
 static void add_part(YkReportPage *report, YkDerivation *derivation, size_t section, YkText *html)
 {
@@ -35,6 +37,25 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
     yk_arena_free(page.arena);
 }
 
+// Every body by itself with what acts on it, under the names of the equations.
+static void add_pictures(YkReportPage *report, YkDerivation *derivation, YkText *html)
+{
+    YkFreeBodyDrawings *pictures = report->status >= 0 ? yk_free_body_drawings_new(derivation, report->start) : NULL;
+    size_t all = pictures ? yk_free_body_drawings_count(pictures) : 0, count = all < PICTURES_MAX ? all : PICTURES_MAX;
+    YkText told = {0};
+    if (count > 0) yk_text_puts(html, "<div class=\"charts\">\n");
+    for (size_t k = 0; k < count; k++) {
+        const char *svg = yk_free_body_drawings_svg(pictures, k), *title = yk_free_body_drawings_title(pictures, k);
+        yk_text_clear(&told);
+        yk_text_format(&told, "Free body: %s with the forces that act on it, named as in the equations", title);
+        if (svg) yk_html_picture(html, svg, yk_text_get(&told), "");
+    }
+    if (count > 0) yk_text_puts(html, "</div>\n");
+    html->failed |= told.failed;
+    yk_text_free(&told);
+    yk_free_body_drawings_free(pictures);
+}
+
 void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *problems)
 {
     (void)problems;
@@ -47,8 +68,11 @@ void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *proble
     } else if (own && yk_problems_count(own) > 0) {
         yk_html_element(html, "p", yk_problems_get(own, 0)->message);
     }
-    for (size_t k = 0; derivation && yk_derive_sections[k].name; k++)
-        if (yk_derive_sections[k].write) add_part(report, derivation, k, html);
+    for (size_t k = 0; derivation && yk_derive_sections[k].name; k++) {
+        if (!yk_derive_sections[k].write) continue;
+        add_part(report, derivation, k, html);
+        if (strcmp(yk_derive_sections[k].name, "free-bodies") == 0) add_pictures(report, derivation, html);
+    }
     yk_derivation_free(derivation);
     yk_problems_free(own);
 }

@@ -37,7 +37,7 @@ export class Charts {
     theme.addEventListener("change", () => this.draw());
     addEventListener("beforeprint", () => this.draw(true));
     addEventListener("afterprint", () => this.draw());
-    new ResizeObserver(() => this.fit()).observe(document.querySelector(".charts")!);
+    new ResizeObserver(() => this.fit()).observe(document.querySelector("#diagrams .charts")!);
   }
 
   private draw(forPaper = false): void {
