@@ -26,7 +26,9 @@ YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *options)
     drawing->mech = mech;
     drawing->model = yk_mechanism_model(mech);
     drawing->options = options ? *options : yk_default_draw_options();
-    if (!copy_traced(drawing)) {
+    drawing->placed = calloc(drawing->model->body_count, sizeof *drawing->placed);
+    if (!drawing->placed || !copy_traced(drawing)) {
+        free(drawing->placed);
         free(drawing);
         return NULL;
     }
@@ -45,6 +47,7 @@ void yk_drawing_free(YkDrawing *drawing)
     free(drawing->outlines);
     free(drawing->corners);
     free(drawing->frames);
+    free(drawing->placed);
     free(drawing->traces);
     yk_text_free(&drawing->svg);
     free(drawing);
@@ -80,10 +83,10 @@ YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state)
     void *rows = drawing->traces;
     if (!make_room(&rows, drawing->trace_count, &drawing->trace_capacity, points * sizeof(YkVec))) return YK_NO_MEMORY;
     drawing->traces = rows;
+    if (!yk_drawing_place(drawing, state, drawing->placed)) return YK_BAD_ARGUMENT;
     for (size_t i = 0; i < points; i++) {
-        YkPointMotion motion = yk_state_point(state, drawing->options.traced_points[i]);
-        if (!isfinite(motion.position[0]) || !isfinite(motion.position[1])) return YK_BAD_ARGUMENT;
-        drawing->traces[drawing->trace_count * points + i] = yk_vec(motion.position[0], motion.position[1]);
+        const YkPoint *point = &drawing->model->points[drawing->options.traced_points[i]];
+        drawing->traces[drawing->trace_count * points + i] = yk_frame_apply(drawing->placed[point->body], point->at);
     }
     drawing->trace_count++;
     return YK_OK;

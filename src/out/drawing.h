@@ -29,6 +29,7 @@ struct YkDrawing {
     YkDrawnCam *cams;     // [cam]
     bool keeps_followers; // bodies are drawn where the equations have them: no follower is moved to where it rides
     YkFrame *frames;      // [pose][body]
+    YkFrame *placed;      // [body]: scratch
     size_t pose_count, pose_capacity;
     YkVec *traces; // [position][traced point]
     size_t trace_count, trace_capacity;
@@ -126,6 +127,7 @@ void yk_drawing_each_wheel(const YkDrawing *drawing, const YkFrame *frames, int3
 bool yk_drawing_take_cams(YkDrawing *drawing);
 // Followers that are drawn away from where the model has them: called once, when all bodies are placed.
 void yk_drawing_move_followers(const YkDrawing *drawing, YkFrame *frames);
+double yk_drawing_follower_turn(const YkDrawing *drawing, size_t body); // how far it is turned by that, rad
 void yk_drawing_free_cams(YkDrawing *drawing);
 void yk_drawing_cams(YkDrawing *drawing, const YkFrame *frames);
 YkVec yk_drawing_cam_center(const YkDrawing *drawing, const YkFrame *frames, size_t cam); // m

@@ -129,6 +129,13 @@ static double lift_of(const YkDrawing *drawing, const YkFrame *frames, size_t k)
     return yk_dot(apart, yk_mul(first, guide->along)) - yk_dot(drawing->cams[k].shift, cam->along);
 }
 
+double yk_drawing_follower_turn(const YkDrawing *drawing, size_t body)
+{
+    for (size_t k = 0; k < drawing->model->cam_count; k++)
+        if ((size_t)drawing->model->cams[k].follower == body) return drawing->cams[k].turn;
+    return 0;
+}
+
 void yk_drawing_move_followers(const YkDrawing *drawing, YkFrame *frames)
 {
     for (size_t k = 0; k < drawing->model->cam_count && !drawing->keeps_followers; k++) {

@@ -193,6 +193,7 @@ static void add_points(const YkReportPage *report, YkJson *json)
         yk_json_integer(json, "point", (long long)report->traced[i]);
         yk_json_bool(json, "shown", i < report->traced_shown);
         add_place(report, json, (size_t)point->body, yk_frame_apply(frames[point->body], point->at));
+        yk_json_number(json, "turned", -yk_drawing_follower_turn(report->drawing, (size_t)point->body));
         add_columns_of(report, json, YK_ROLE_VELOCITY, report->traced[i]);
         yk_json_end(json);
         json->text->failed |= name.failed;

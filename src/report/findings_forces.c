@@ -2,6 +2,8 @@
 #include <math.h>
 #include "report/report.h"
 
+static const double noise = 1e-6; // of a sum over rows: a cam's laws are not smooth enough for more
+
 // A dead point or change point on the way: forces have no bound near it, so there is no largest one to tell.
 static bool passes_singular(const YkReportPage *report)
 {
@@ -43,7 +45,7 @@ static void find_effort(YkReportPage *report, size_t column, YkText *text)
     yk_text_puts(text, ")");
     if (isfinite(middle)) {
         yk_text_puts(text, ", on average ");
-        yk_report_amount(report, text, fabs(middle) < 1e-9 * fabs(peak.value) ? 0 : middle, quantity);
+        yk_report_amount(report, text, fabs(middle) < noise * fabs(peak.value) ? 0 : middle, quantity);
     }
     yk_text_puts(text, ".");
     yk_report_find(report, YK_FINDING_FACT, text);
@@ -110,22 +112,23 @@ static void find_work(YkReportPage *report, YkText *text)
     double change =
         yk_report_value(report, report->row_count - 1, (size_t)energy) - yk_report_value(report, 0, (size_t)energy);
     double scale = fmax(fabs(high), fmax(high - low, fabs(work)));
+    if (fabs(work) < noise * scale) work = 0;
     yk_text_puts(text, work < 0 ? "Over one turn the drive takes up " : "Over one turn the drive does ");
-    yk_report_amount(report, text, fabs(work) < 1e-9 * scale ? 0 : fabs(work), YK_QUANTITY_ENERGY);
+    yk_report_amount(report, text, fabs(work), YK_QUANTITY_ENERGY);
     yk_text_puts(text, " of work; the machine's own energy lies between ");
     yk_report_amount(report, text, low, YK_QUANTITY_ENERGY);
     yk_text_puts(text, " and ");
     yk_report_amount(report, text, high, YK_QUANTITY_ENERGY);
-    if (fabs(change) < 1e-9 * scale) {
+    if (fabs(change) < noise * scale) {
         yk_text_puts(text, " and comes back to where it was");
     } else {
         yk_text_puts(text, " and ends ");
         yk_report_amount(report, text, fabs(change), YK_QUANTITY_ENERGY);
         yk_text_puts(text, change > 0 ? " higher than it began" : " lower than it began");
     }
-    yk_text_puts(text, fabs(work - change) < 1e-8 * scale ? "; no load takes or gives any."
-                       : work < change                    ? "; loads give the difference."
-                                                          : "; loads, dampers and friction take the difference.");
+    yk_text_puts(text, fabs(work - change) < noise * scale ? "; no load takes or gives any."
+                       : work < change                     ? "; loads give the difference."
+                                                           : "; loads, dampers and friction take the difference.");
     yk_report_find(report, YK_FINDING_FACT, text);
 }
 

@@ -150,29 +150,15 @@ static void find_transmission(YkReportPage *report, YkText *text)
     if (!report->sweep || report->motion.is_cut) return;
     for (size_t c = 0; c < report->column_count; c++) {
         if (report->columns[c].role != YK_ROLE_TRANSMISSION || is_singular(report, report->columns[c].of)) continue;
-        double least = INFINITY, at = 0;
-        for (size_t row = 0; row < report->row_count; row++) {
-            double value = yk_report_value(report, row, c);
-            if (value < least) {
-                least = value;
-                at = report->at[row];
-            }
-        }
-        for (size_t i = 0; i < yk_sweep_event_count(report->sweep); i++) { // between the rows
-            YkEvent event = yk_sweep_event(report->sweep, i);
-            if (event.kind != YK_EVENT_EXTREME || event.channel != c || event.is_maximum || event.value > least)
-                continue;
-            least = event.value;
-            at = event.at;
-        }
-        if (!isfinite(least)) continue;
+        YkPeak least = yk_report_least(report, c);
+        if (!isfinite(least.value)) continue;
         const char *label = yk_block_info(report->mech, report->columns[c].of).label;
         yk_text_format(text, "The transmission angle at joint %s falls to ", label);
-        yk_report_amount(report, text, least, YK_QUANTITY_ANGLE);
+        yk_report_amount(report, text, least.value, YK_QUANTITY_ANGLE);
         yk_text_puts(text, " (at ");
-        yk_report_amount_at(report, text, at);
-        yk_text_puts(text, least < low_transmission ? "); under 40 deg, forces grow and play shows." : ").");
-        yk_report_find(report, least < low_transmission ? YK_FINDING_LOOK : YK_FINDING_FACT, text);
+        yk_report_amount_at(report, text, least.at);
+        yk_text_puts(text, least.value < low_transmission ? "); under 40 deg, forces grow and play shows." : ").");
+        yk_report_find(report, least.value < low_transmission ? YK_FINDING_LOOK : YK_FINDING_FACT, text);
     }
 }
 

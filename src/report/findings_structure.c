@@ -71,7 +71,7 @@ static void find_four_bars(YkReportPage *report, YkText *text)
         for (int k = 0; k < 4; k++) {
             sorted[k] = bar->length[k];
             yk_text_format(text, "%s%s",
-                           k == 0  ? ""
+                           k == 0  ? "The bodies "
                            : k < 3 ? ", "
                                    : " and ",
                            yk_model_body_name(report->model, bar->body[k]));
@@ -112,8 +112,9 @@ static void find_configurations(YkReportPage *report, YkText *text)
         count.count > 1) {
         char label[128];
         yk_state_label(report->start, label, sizeof label);
-        yk_text_format(text, "At its start it goes together in %s%z ways; this page shows the one that `start:` means",
-                       complete ? "" : "at least ", count.count);
+        yk_text_format(
+            text, "At its start it goes together in %s%z ways; this page shows the one nearest to its start values",
+            complete ? "" : "at least ", count.count);
         if (*label) yk_text_format(text, " (%s)", label);
         yk_text_puts(text, ".");
         yk_report_find(report, YK_FINDING_FACT, text);

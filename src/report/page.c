@@ -45,12 +45,12 @@ static void open_page(YkReportPage *report, YkText *html)
     yk_html_element(html, "h1", report->model->name);
 }
 
-// "5 bodies that move, 7 joints, 2 loops".
+// "5 moving bodies, 7 joints, 2 loops".
 static void add_subtitle(YkReportPage *report, YkText *html)
 {
     size_t moving = report->model->body_count - 1, joints = report->model->joint_count,
            loops = yk_loop_count(report->mech);
-    yk_text_format(html, "<p>%z bod%s on the ground, %z joint%s, %z loop%s</p>\n</header>\n", moving,
+    yk_text_format(html, "<p>%z moving bod%s, %z joint%s, %z loop%s</p>\n</header>\n", moving,
                    moving == 1 ? "y" : "ies", joints, joints == 1 ? "" : "s", loops, loops == 1 ? "" : "s");
 }
 

@@ -115,6 +115,7 @@ typedef struct YkPeak {
     double value, at;
 } YkPeak;
 YkPeak yk_report_peak(YkReportPage *report, size_t column);
+YkPeak yk_report_least(YkReportPage *report, size_t column); // the same for the least value
 
 // findings.c: sentences. `text` is emptied.
 void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text);

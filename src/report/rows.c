@@ -181,30 +181,52 @@ void yk_report_run(YkReportPage *report, YkProblems *problems)
 // --- Peaks
 // ---------------------------------------------------------------------------------------------------------------
 
-static YkPeak peak_of_rows(const YkReportPage *report, size_t column, size_t *row)
+// Is a value better than the best so far: larger in magnitude, or less?
+static bool beats(double value, double best, bool least)
 {
-    YkPeak peak = {(double)NAN, 0};
-    for (size_t k = 0; k < report->row_count; k++) {
-        double value = yk_report_value(report, k, column);
-        if (!(fabs(value) > fabs(peak.value)) && !(isfinite(value) && isnan(peak.value))) continue;
-        peak = (YkPeak){value, report->at[k]};
-        *row = k;
-    }
-    return peak;
+    if (!isfinite(value)) return false;
+    return isnan(best) || (least ? value < best : fabs(value) > fabs(best));
 }
 
-// Between the rows beside the largest one, in finer steps. A simulation is not run again.
-YkPeak yk_report_peak(YkReportPage *report, size_t column)
+static YkPeak best_of_rows(const YkReportPage *report, size_t column, bool least, size_t *row)
+{
+    YkPeak best = {(double)NAN, 0};
+    for (size_t k = 0; k < report->row_count; k++) {
+        double value = yk_report_value(report, k, column);
+        if (!beats(value, best.value, least)) continue;
+        best = (YkPeak){value, report->at[k]};
+        *row = k;
+    }
+    return best;
+}
+
+// Between the rows beside the best one, in finer steps, twice. A simulation is not run again.
+static YkPeak best_of(YkReportPage *report, size_t column, bool least)
 {
     size_t row = 0;
-    YkPeak peak = peak_of_rows(report, column, &row);
-    if (!report->sweep || report->row_count < 2 || isnan(peak.value)) return peak;
+    YkPeak best = best_of_rows(report, column, least, &row);
+    if (!report->sweep || report->row_count < 2 || isnan(best.value)) return best;
     double from = report->at[row > 0 ? row - 1 : 0],
            to = report->at[row + 1 < report->row_count ? row + 1 : report->row_count - 1];
-    YkSweep *fine = sweep(report, from, to, PEAK_STEPS, &report->columns[column].channel, 1, false, NULL);
-    for (size_t k = 0; fine && k < yk_sweep_row_count(fine); k++)
-        if (fabs(yk_sweep_value(fine, k, 0)) > fabs(peak.value) && yk_sweep_row_status(fine, k) != YK_SINGULAR)
-            peak = (YkPeak){yk_sweep_value(fine, k, 0), yk_sweep_at(fine, k)};
-    yk_sweep_free(fine);
-    return peak;
+    for (int round = 0; round < 2; round++) {
+        YkSweep *fine = sweep(report, from, to, PEAK_STEPS, &report->columns[column].channel, 1, false, NULL);
+        double step = (to - from) / PEAK_STEPS;
+        for (size_t k = 0; fine && k < yk_sweep_row_count(fine); k++)
+            if (beats(yk_sweep_value(fine, k, 0), best.value, least) && yk_sweep_row_status(fine, k) != YK_SINGULAR)
+                best = (YkPeak){yk_sweep_value(fine, k, 0), yk_sweep_at(fine, k)};
+        yk_sweep_free(fine);
+        from = from < to ? fmax(from, best.at - step) : fmin(from, best.at - step);
+        to = from < to ? fmin(to, best.at + step) : fmax(to, best.at + step);
+    }
+    return best;
+}
+
+YkPeak yk_report_peak(YkReportPage *report, size_t column)
+{
+    return best_of(report, column, false);
+}
+
+YkPeak yk_report_least(YkReportPage *report, size_t column)
+{
+    return best_of(report, column, true);
 }

@@ -8,7 +8,11 @@
 #include "report/html.h"
 #include "report/report.h"
 
-enum { PICTURES_MAX = 30, LENGTH_MAX = 400000 }; // of one part: longer ones belong into a file of their own
+enum {
+    BODIES_MAX = 32,
+    PICTURES_MAX = 32,
+    LENGTH_MAX = 400000
+}; // of one part: longer ones belong into a file of their own
 
 static void add_part(YkReportPage *report, YkDerivation *derivation, size_t section, YkText *html)
 {
@@ -59,6 +63,12 @@ static void add_pictures(YkReportPage *report, YkDerivation *derivation, YkText 
 void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *problems)
 {
     (void)problems;
+    if (report->model->body_count > BODIES_MAX) {
+        yk_text_puts(html,
+                     "<p>The machine is too large for its equations to be read on a page: <code>yoke derive</code> "
+                     "writes them, part by part.</p>\n");
+        return;
+    }
     YkProblems *own = yk_problems_new();
     YkDerivation *derivation = own ? yk_derivation_new(report->model, report->mech, own) : NULL;
     if (derivation) {

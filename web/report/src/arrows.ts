@@ -2,7 +2,8 @@
 import { between, Data, Place } from "./data";
 import { placeAt } from "./pose";
 
-interface Arrow { place: Place; columns: number[]; path: SVGPathElement }
+type From = Place & { columns: number[]; turned?: number };
+interface Arrow { place: From; columns: number[]; path: SVGPathElement }
 
 // A length that all but a few of the largest fall below: near a limit velocities have no bound.
 function usual(data: Data, places: { columns: number[] }[]): number {
@@ -22,7 +23,7 @@ export class Arrows {
   private most: number;
   shown = false;
 
-  constructor(private data: Data, svg: SVGSVGElement, kind: string, places: (Place & { columns: number[] })[]) {
+  constructor(private data: Data, svg: SVGSVGElement, kind: string, places: From[]) {
     const known = places.filter((place) => place.columns.length === 2), size = usual(data, known);
     const width = svg.viewBox.baseVal.width;
     this.scale = size > 0 ? (0.14 * width) / size : 0;
@@ -47,7 +48,9 @@ export class Arrows {
     if (!this.shown) return;
     for (const { place, columns: [cx, cy], path } of this.arrows) {
       const vx = between(this.data.columns[cx].values, at), vy = between(this.data.columns[cy].values, at);
-      path.setAttribute("d", vx === null || vy === null ? "" : this.draw(placeAt(this.data, place, at), vx, -vy));
+      const c = Math.cos(place.turned ?? 0), s = Math.sin(place.turned ?? 0); // on the page y is down
+      path.setAttribute("d", vx === null || vy === null ? "" :
+        this.draw(placeAt(this.data, place, at), c * vx + s * vy, s * vx - c * vy));
     }
   }
 

@@ -4,7 +4,8 @@ export interface Panel { id: string; unit: string; columns: number[] }
 export interface Body { name: string; center: [number, number]; x: number[]; y: number[]; turn: number[] }
 export interface Place { body: number; at: [number, number] }
 export interface Joint extends Place { name: string; columns: number[] }
-export interface Point extends Place { name: string; point: number; shown: boolean; columns: number[] }
+// turned: how far the drawing turns a follower from where the velocities are computed, clockwise, rad
+export interface Point extends Place { name: string; point: number; shown: boolean; turned: number; columns: number[] }
 
 export interface Data {
   seconds: number; // of one pass
