@@ -55,6 +55,9 @@ void yk_section_method(YkReportPage *report, YkText *html, YkProblems *problems)
 {
     (void)problems;
     yk_text_puts(html, "<ul>\n");
+    if (!yk_report_has_script())
+        yk_text_puts(html, "<li>This page stands still: Yoke was built without Node, which bundles the script that "
+                           "moves it.</li>\n");
     if (report->status >= 0) add_start(report, html);
     if (report->sweep) add_sweep(report, html);
     if (report->simulation) add_simulation(report, html);

@@ -166,6 +166,8 @@ class Report(Case):
     @unittest.skipUnless(shutil.which("gnuplot"), "needs gnuplot")
     def test_a_plain_page_has_pictures_and_no_script(self):
         page = self.good("report", self.four_bar, "--plain").out
+        built_without = data_of(self.good("report", self.four_bar).out) is None
+        self.assertEqual("built without Node" in page, built_without)
         self.assertEqual(faults(page), [])
         self.assertNotIn("<script", page)
         self.assertGreaterEqual(page.count("data:image/svg+xml;base64,"), 3)
