@@ -123,7 +123,10 @@ static bool compare_runs(Machine *m)
     double ms = cheapest(own), least = cheapest(hand);
     printf("error <= %g: ours %.4f ms, by hand %.4f ms, ratio %.2f   %s <= %g ms\n", ERROR, ms, least, ms / least,
            ms <= MOST ? "keeps" : "MISSES", MOST);
-    return ms <= MOST;
+    double error = INFINITY;
+    for (size_t k = 0; k < TOLERANCES; k++)
+        if (own[k].error <= ERROR) error = fmin(error, own[k].error);
+    return row("Andrews' mechanism to 0.03 s at an error of at most 1e-8", least, ms, "ms", 2, error) && ms <= MOST;
 }
 
 int main(int argc, char **argv)

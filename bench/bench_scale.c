@@ -1,74 +1,85 @@
-// Scale: a ladder of N four-bars, its text made in memory: load, compile, assemble, solve, in time per link.
-#include <stdio.h>
+// Scale: ladders of four-bars and hanging chains of up to 1e6 links, their texts made in memory: load, compile,
+// assemble, solve, one right-hand side of the dynamics - time a link - and the memory that all of it takes.
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <yoke/yoke.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "machine.h"
+#include "reference/common/bench.h"
 
-static double now(void)
+enum { PARTS = 5 };
+
+typedef struct Scale {
+    const char *name;
+    char *(*text)(size_t n);
+    size_t links_each; // of a loop or rod
+} Scale;
+
+static const Scale scales[] = {{"ladder of four-bars", n_four_bar_text, 2}, {"chain", chain_text, 1}};
+
+static void die(Machine *m)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    fprintf(stderr, "%s", yk_problems_text(m->problems, 0));
+    exit(1);
 }
 
-// Windows of ground, two cranks and a bar; 2 n + 1 moving links.
-static char *ladder(size_t n)
+// ns a link of each part, and bytes a link at the end.
+static void measure(const Scale *scale, size_t n, double *ns, double *bytes)
 {
-    size_t capacity = 400 * n + 1000, at = 0;
-    char *text = malloc(capacity);
-    if (!text) exit(1);
-    at += (size_t)sprintf(text + at, "name: ladder\nbodies:\n  ground: {points: {");
-    for (size_t i = 0; i <= n; i++) at += (size_t)sprintf(text + at, "%sO%zu: [%zu, 0]", i ? ", " : "", i, i);
-    at += (size_t)sprintf(text + at, "}}\n");
-    for (size_t i = 0; i <= n; i++)
-        at += (size_t)sprintf(text + at, "  c%zu: {points: {O%zu: [0, 0], A%zu: [0, 1]}}\n", i, i, i);
-    for (size_t i = 0; i < n; i++)
-        at += (size_t)sprintf(text + at, "  b%zu: {points: {A%zu: [0, 0], A%zu: [1, 0]}}\n", i, i, i + 1);
-    at += (size_t)sprintf(text + at, "joints:\n");
-    for (size_t i = 0; i <= n; i++) at += (size_t)sprintf(text + at, "  O%zu: {pin: [ground, c%zu]}\n", i, i);
-    for (size_t i = 0; i < n; i++)
-        at += (size_t)sprintf(text + at, "  A%zu: {pin: [c%zu, b%zu]}\n  B%zu: {pin: [b%zu, c%zu], at: A%zu}\n", i, i,
-                              i, i, i, i + 1, i + 1);
-    sprintf(text + at, "drives: {O0.angle: 0.3 rad/s * t}\n");
-    return text;
-}
-
-static void measure(size_t n)
-{
-    char *text = ladder(n);
-    size_t length = strlen(text);
-    double links = (double)(2 * n + 1), t0 = now();
-    YkProblems *problems = yk_problems_new();
-    YkModel *model = yk_model_parse(text, length, "ladder.yaml", NULL, problems);
-    double t1 = now();
-    YkMechanism *mech = model ? yk_mechanism_compile(model, NULL, problems) : NULL;
-    double t2 = now();
-    YkState *state = mech ? yk_state_new(mech) : NULL;
-    double t3 = now();
-    YkStatus status = state ? yk_state_assemble(state) : YK_BAD_MODEL;
-    double t4 = now();
-    yk_state_set_input(state, 0, (YkMotion){0.5, 0.3, 0});
-    if (status >= 0) status = yk_state_solve(state);
-    double t5 = now();
-    YkMotion last = yk_state_body(state, n + 1);
-    printf("%8zu links %6.1f MB: load %7.1f, compile %7.1f, state %6.1f, assemble %7.1f, solve %6.1f ns a link; status "
-           "%s, last crank %.15g\n",
-           2 * n + 1, (double)length * 1e-6, (t1 - t0) / links * 1e9, (t2 - t1) / links * 1e9, (t3 - t2) / links * 1e9,
-           (t4 - t3) / links * 1e9, (t5 - t4) / links * 1e9, yk_status_name(status), last.position);
-    yk_state_free(state);
-    yk_mechanism_free(mech);
-    yk_model_free(model);
-    yk_problems_free(problems);
+    double links = (double)(scale->links_each * n), before = bench_rss_mb(), t[PARTS + 1];
+    char *text = scale->text(n);
+    Machine m = {.problems = yk_problems_new()};
+    double *a = calloc(n + 2, sizeof *a);
+    if (!text || !a) exit(1);
+    t[0] = bench_now();
+    m.model = yk_model_parse(text, strlen(text), "scale.yaml", NULL, m.problems);
+    t[1] = bench_now();
+    m.mech = m.model ? yk_mechanism_compile(m.model, NULL, m.problems) : NULL;
+    t[2] = bench_now();
+    m.state = m.mech ? yk_state_new(m.mech) : NULL;
+    if (!m.state || yk_state_assemble(m.state) < 0) die(&m);
+    t[3] = bench_now();
+    if (yk_state_solve(m.state) < 0) die(&m);
+    t[4] = bench_now();
+    m.dynamics = yk_dynamics_new(m.mech, m.problems);
+    if (!m.dynamics) die(&m);
+    machine_accelerate(&m, a); // prepares
+    double start = bench_now();
+    machine_accelerate(&m, a);
+    ns[4] = (bench_now() - start) / links * 1e9;
+    for (int k = 0; k < 4; k++) ns[k] = (t[k + 1] - t[k]) / links * 1e9;
+    *bytes = (bench_rss_mb() - before) * 1048576 / links;
+    machine_end(&m);
+    free(a);
     free(text);
+}
+
+// In a process of its own, so that the memory is its own.
+static void measure_apart(const Scale *scale, size_t links)
+{
+    double ns[PARTS], bytes;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child != 0) {
+        waitpid(child, NULL, 0);
+        return;
+    }
+    measure(scale, links / scale->links_each, ns, &bytes);
+    printf("%-22s %9zu %9.0f %9.0f %9.0f %9.0f %9.1f %9.0f\n", "", links, ns[0], ns[1], ns[2], ns[3], ns[4], bytes);
+    printf("scale\t%s\t%zu\t%.0f ns\t%.0f ns\t%.0f ns\t%.0f ns\t%.1f ns\t%.1f kB\n", scale->name, links, ns[0], ns[1],
+           ns[2], ns[3], ns[4], bytes / 1000);
+    fflush(stdout);
+    _exit(0);
 }
 
 int main(int argc, char **argv)
 {
-    if (argc > 1) {
-        measure((size_t)strtoull(argv[1], NULL, 10));
-        return 0;
+    size_t most = argc > 1 ? (size_t)strtoull(argv[1], NULL, 10) : 1000000;
+    for (size_t s = 0; s < sizeof scales / sizeof *scales; s++) {
+        const Scale *scale = &scales[s];
+        printf("%-22s %9s %9s %9s %9s %9s %9s %9s\n", scale->name, "links", "load", "compile", "assemble", "solve",
+               "dynamics", "bytes");
+        for (size_t links = 100; links <= most; links *= 10) measure_apart(scale, links);
     }
-    for (size_t n = 50; n <= 500000; n *= 10) measure(n);
     return 0;
 }

@@ -2,17 +2,23 @@
 #include "dynamics/tree_articulated.h"
 #include "solve/lanes.h"
 
-void yk_lanes_tree_angle(double *const *link, double *const *parent, const double *q, const double *v, double sense,
-                         size_t n)
+YK_INLINE void yk_lanes_tree_angle_body(double *const *link, double *const *parent, const double *q, const double *v,
+                                        double sense, size_t n)
 {
     double *angle = link[YK_ROW_ANGLE], *w = link[YK_ROW_W];
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
-        angle[i] = (parent ? parent[YK_ROW_ANGLE][i] : 0) + sense * q[i];
-        w[i] = (parent ? parent[YK_ROW_W][i] : 0) + sense * v[i];
+    const double *before = parent ? parent[YK_ROW_ANGLE] : NULL, *rate = parent ? parent[YK_ROW_W] : NULL;
+    if (!parent) {
+        YK_EACH_LANE
+        for (size_t i = 0; i < n; i++) angle[i] = sense * q[i], w[i] = sense * v[i];
+    } else {
+        YK_EACH_LANE
+        for (size_t i = 0; i < n; i++) angle[i] = before[i] + sense * q[i], w[i] = rate[i] + sense * v[i];
     }
     yk_sincos_lanes(angle, link[YK_ROW_S], link[YK_ROW_C], n);
 }
+YK_KERNEL(yk_lanes_tree_angle,
+          (double *const *link, double *const *parent, const double *q, const double *v, double sense, size_t n),
+          (link, parent, q, v, sense))
 
 // What the children showed, and the link itself: all about its pin.
 YK_INLINE YkArticulated whole_link(double *const *r, bool has_children, YkVec e, double w, size_t i)
@@ -143,6 +149,13 @@ YK_INLINE void yk_lanes_tree_check_body(double *const *link, bool has_mass, doub
     }
 }
 YK_KERNEL(yk_lanes_tree_check, (double *const *link, bool has_mass, double *ok, size_t n), (link, has_mass, ok))
+
+YK_INLINE void yk_lanes_tree_fits_body(const double *value, double *ok, size_t n)
+{
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) ok[i] = fabs(value[i]) <= 1e100 ? ok[i] : -1;
+}
+YK_KERNEL(yk_lanes_tree_fits, (const double *value, double *ok, size_t n), (value, ok))
 
 YK_INLINE void yk_lanes_tree_mask_body(double *a, double *ok, size_t n)
 {

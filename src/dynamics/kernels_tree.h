@@ -53,7 +53,9 @@ void yk_lanes_tree_inward(double *const *link, double *const *parent, bool has_c
 // link's own goes into YK_ROW_F_X, F_Y and N.
 void yk_lanes_tree_outward(double *const *link, double *const *parent, const double *gx, const double *gy, double sense,
                            double *a, size_t n);
-// ok[lane] = 0 where a mass is not positive or an inertia negative; has_mass: the file gives one.
+// ok[lane] = -1 where a value is beyond all measure, or none.
+void yk_lanes_tree_fits(const double *value, double *ok, size_t n);
+// ok[lane] = -1 where a mass is not positive or an inertia negative; has_mass: the file gives one.
 void yk_lanes_tree_check(double *const *link, bool has_mass, double *ok, size_t n);
 // a = 0 where not ok or not finite; the latter makes ok 0.
 void yk_lanes_tree_mask(double *a, double *ok, size_t n);

@@ -24,8 +24,19 @@ static void operate(int operation, const double *a, const double *b, double *out
     default:
         for (size_t i = 0; i < n; i++) out[i] = yk_formula_operate(operation, a[i], b[i]);
     }
-    for (size_t i = 0; i < n; i++)
-        out[i] = out[i] - out[i] == 0 ? out[i] : NAN; // no value of a part, none of the whole
+}
+
+// Where a part has no value, the whole has none: only quotients, powers and functions could hide that.
+static bool may_hide(const YkFormula *formula)
+{
+    for (size_t k = 0; k < formula->instruction_count; k++)
+        if (formula->instructions[k].operation > YK_EXPR_MULTIPLY) return true;
+    return false;
+}
+
+static void spread_lack(double *out, size_t n)
+{
+    for (size_t i = 0; i < n; i++) out[i] = out[i] - out[i] == 0 ? out[i] : NAN;
 }
 
 const double *yk_formula_lanes(const YkFormula *formula, const double *const *variables, double *scratch, size_t n)
@@ -33,6 +44,7 @@ const double *yk_formula_lanes(const YkFormula *formula, const double *const *va
     double *registers = scratch, *constant[2] = {scratch + YK_FORMULA_REGISTERS * YK_FORMULA_LANES,
                                                  scratch + (YK_FORMULA_REGISTERS + 1) * YK_FORMULA_LANES};
     const double *value = NULL;
+    bool hides = may_hide(formula);
     for (size_t k = 0; k <= formula->instruction_count; k++) {
         bool is_last = k == formula->instruction_count;
         YkInstruction end = {.from = {(uint8_t)formula->from}, .index = {formula->index}};
@@ -48,7 +60,9 @@ const double *yk_formula_lanes(const YkFormula *formula, const double *const *va
             }
         }
         value = operand[0];
-        if (!is_last) operate(at->operation, operand[0], operand[1], registers + at->result * YK_FORMULA_LANES, n);
+        if (is_last) break;
+        operate(at->operation, operand[0], operand[1], registers + at->result * YK_FORMULA_LANES, n);
+        if (hides) spread_lack(registers + at->result * YK_FORMULA_LANES, n);
     }
     return value;
 }

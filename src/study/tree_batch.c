@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "expr/formula.h"
+#include "solve/kernels.h"
 #include "solve/state.h"
 
 enum { LANES = YK_FORMULA_LANES };
@@ -16,6 +17,7 @@ typedef struct Given {
     int32_t link, row;
     Part part[2];
     size_t parts;
+    bool is_constant; // filled once
 } Given;
 
 typedef struct Link {
@@ -43,6 +45,7 @@ struct YkTreeBatch {
     const double **q, **v, **torque;
     double **derived; // rows of derived parameters
     double **chosen;  // rows of parameters that a case leaves out
+    double **own_row; // [given] where it is made, unless it is a variable itself
 };
 
 // --- does it fit?
@@ -72,9 +75,17 @@ static Part part_of(const YkTreeBatch *b, const double *value, double sign)
 static void give(YkTreeBatch *b, int32_t link, int32_t row, const double *first, const double *second)
 {
     Given *g = &b->given[b->given_count++];
-    *g = (Given){.link = link, .row = row};
-    if (first) g->part[g->parts++] = part_of(b, first, 1);
-    if (second) g->part[g->parts++] = part_of(b, second, -1);
+    const double *value[] = {first, second};
+    *g = (Given){.link = link, .row = row, .is_constant = true};
+    for (int k = 0; k < 2; k++) {
+        if (!value[k]) continue;
+        Part part = part_of(b, value[k], k ? -1 : 1);
+        if (!part.formula && part.constant == 0) continue;
+        g->part[g->parts++] = part;
+        g->is_constant &= !part.formula;
+    }
+    for (size_t k = 0, p; g->is_constant && k < LANES; k++)
+        for (p = 0; p < g->parts; p++) b->link[link].row[row][k] += g->part[p].sign * g->part[p].constant;
 }
 
 // The coordinates of a joint's point on one of its sides; NULL: an origin.
@@ -121,6 +132,11 @@ static void give_link(YkTreeBatch *b, int32_t k, int32_t body, const int32_t *li
     }
 }
 
+static void find_constant(const Part *part, double *row)
+{
+    for (size_t k = 0; k < LANES; k++) row[k] = part->sign * part->constant;
+}
+
 static bool give_all(YkTreeBatch *b)
 {
     const YkMechanism *mech = b->variant->mech;
@@ -141,6 +157,8 @@ static bool give_all(YkTreeBatch *b)
     }
     b->gravity_part[0] = part_of(b, &mech->model->gravity.x, 1);
     b->gravity_part[1] = part_of(b, &mech->model->gravity.y, 1);
+    for (int c = 0; c < 2; c++) find_constant(&b->gravity_part[c], b->gravity[c]);
+    for (size_t k = 0; k < b->given_count; k++) b->own_row[k] = b->link[b->given[k].link].row[b->given[k].row];
     return true;
 }
 
@@ -175,6 +193,7 @@ static bool allocate(YkTreeBatch *b, const YkState *state)
     size_t bodies = model->body_count, inputs = b->input_count, parameters = model->parameter_count;
     b->link = YK_NEW(b->arena, Link, bodies);
     b->given = YK_NEW(b->arena, Given, 8 * bodies);
+    b->own_row = YK_NEW(b->arena, double *, 8 * bodies);
     b->effort = YK_NEW(b->arena, const YkFormula *, inputs + 1);
     b->variable = YK_NEW(b->arena, const double *, parameters + 1);
     b->derived = YK_NEW(b->arena, double *, parameters + 1);
@@ -236,12 +255,6 @@ static void find_part(YkTreeBatch *b, const Part *part, bool adds, double *row, 
     for (size_t i = 0; i < n; i++) row[i] = (adds ? row[i] : 0) + part->sign * value[i];
 }
 
-// Values beyond all measure, or none at all, make no machine.
-static void check_values(const double *value, double *ok, size_t n)
-{
-    for (size_t i = 0; i < n; i++) ok[i] = fabs(value[i]) <= 1e100 ? ok[i] : -1;
-}
-
 static void find_parameters(YkTreeBatch *b, const YkMotionCase *asked, size_t parameters, size_t from, size_t n)
 {
     const YkRedesign *redesign = b->variant->redesign;
@@ -253,14 +266,14 @@ static void find_parameters(YkTreeBatch *b, const YkMotionCase *asked, size_t pa
             b->variable[index] = asked->parameters[p] + from;
         else
             for (size_t i = 0; i < n; i++) b->chosen[p][i] = yk_redesign_value(redesign, p);
-        check_values(b->variable[index], b->ok, n);
+        yk_lanes_tree_fits(b->variable[index], b->ok, n);
     }
     for (size_t k = 0;; k++) {
         int32_t index = yk_redesign_derived(redesign, k, &formula);
         if (index == YK_NONE) return;
         const double *value = yk_formula_lanes(formula, b->variable, b->scratch, n);
         memcpy(b->derived[k], value, n * sizeof *value);
-        check_values(b->derived[k], b->ok, n);
+        yk_lanes_tree_fits(b->derived[k], b->ok, n);
         b->variable[index] = b->derived[k];
     }
 }
@@ -278,19 +291,33 @@ static void finish_rod(const Link *link, double *ok, size_t n)
     }
 }
 
+// A row that is a variable as it stands is read where it is.
+static void find_row(YkTreeBatch *b, const Given *g, size_t n)
+{
+    double **row = &b->link[g->link].row[g->row];
+    const double *value = NULL;
+    bool is_made = b->link[g->link].rod[0] != YK_NONE; // finish_rod adds to it
+    if (!is_made && g->parts == 1 && g->part[0].formula && g->part[0].sign > 0)
+        value = yk_formula_lanes(g->part[0].formula, b->variable, b->scratch, n);
+    bool is_variable = value && !(value >= b->scratch && value < b->scratch + YK_FORMULA_SCRATCH);
+    *row = is_variable ? (double *)(uintptr_t)value : b->own_row[g - b->given]; // only read
+    if (is_variable) return;
+    if (value) memcpy(*row, value, n * sizeof *value);
+    if (value) return;
+    if (g->parts == 0) memset(*row, 0, n * sizeof **row);
+    for (size_t p = 0; p < g->parts; p++) find_part(b, &g->part[p], p > 0, *row, n);
+}
+
 static void find_links(YkTreeBatch *b, size_t n)
 {
-    for (size_t k = 0; k < b->given_count; k++) {
-        const Given *g = &b->given[k];
-        double *row = b->link[g->link].row[g->row];
-        if (g->parts == 0) memset(row, 0, n * sizeof *row);
-        for (size_t p = 0; p < g->parts; p++) find_part(b, &g->part[p], p > 0, row, n);
-    }
+    for (size_t k = 0; k < b->given_count; k++)
+        if (!b->given[k].is_constant || b->link[b->given[k].link].rod[0] != YK_NONE) find_row(b, &b->given[k], n);
     for (size_t k = 0; k < b->link_count; k++) {
         if (b->link[k].rod[0] != YK_NONE) finish_rod(&b->link[k], b->ok, n);
         yk_lanes_tree_check(b->link[k].row, b->link[k].has_mass, b->ok, n);
     }
-    for (int c = 0; c < 2; c++) find_part(b, &b->gravity_part[c], false, b->gravity[c], n);
+    for (int c = 0; c < 2; c++)
+        if (b->gravity_part[c].formula) find_part(b, &b->gravity_part[c], false, b->gravity[c], n);
 }
 
 static void point_inputs(YkTreeBatch *b, const YkMotionCase *asked, size_t from, size_t n)
@@ -327,8 +354,15 @@ static YkStatus run_block(YkTreeBatch *b, double *const *accelerations, size_t f
         yk_lanes_tree_outward(link->row, parent_rows(b, link), b->gravity[0], b->gravity[1], link->sense,
                               accelerations[link->input] + from, n);
     }
-    for (int pass = 0; pass < 2; pass++) // a state fails as a whole
-        for (size_t i = 0; i < b->input_count; i++) yk_lanes_tree_mask(accelerations[i] + from, b->ok, n);
+    bool well;
+    for (size_t i = 0; i < b->input_count; i++) yk_lanes_tree_mask(accelerations[i] + from, b->ok, n);
+    yk_lanes_well(&well, b->ok, b->ok, 0, 1, n);
+    if (well) {
+        if (status) memset(status + from, YK_OK, n);
+        return YK_OK;
+    }
+    for (size_t i = 0; i < b->input_count; i++)
+        yk_lanes_tree_mask(accelerations[i] + from, b->ok, n); // fails as a whole
     YkStatus worst = YK_OK;
     for (size_t k = 0; k < n; k++) {
         YkStatus one = b->ok[k] > 0 ? YK_OK : b->ok[k] < 0 ? YK_BAD_MODEL : YK_SINGULAR;

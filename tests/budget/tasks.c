@@ -1,0 +1,124 @@
+// One task by name, for tools/check-budgets: it is set up, run once to warm up, then `counted` - the function whose
+// instructions are counted - runs it. Usage: tasks NAME
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yoke/yoke.h>
+#include "../../bench/machine.h"
+#include "base/text.h"
+#include "derive/derive.h"
+#include "out/page_print.h"
+
+enum { POSES = 1024, LOOPS = 200, LINKS = 500, DESIGNS = 50 };
+
+typedef struct Task {
+    const char *name, *example; // example NULL: a text of its own
+    char *(*text)(size_t n);
+    size_t n;
+    void (*run)(Machine *m);
+} Task;
+
+static void die(const char *what)
+{
+    fprintf(stderr, "tasks: %s\n", what);
+    exit(1);
+}
+
+static void run_batch(Machine *m)
+{
+    static const char *const names[] = {"theta2", "d3", "theta4", "d5", "d5.rate", "d5.accel"};
+    static double angle[POSES], out[6][POSES];
+    double *outputs[6];
+    YkChannel channels[6];
+    const double *inputs[] = {angle, NULL, NULL};
+    for (size_t c = 0; c < 6; c++) {
+        outputs[c] = out[c];
+        if (yk_channel_parse(m->mech, names[c], &channels[c], m->problems) != YK_OK) die("no channel");
+    }
+    for (size_t k = 0; k < POSES; k++) angle[k] = 3 * (double)k / POSES;
+    YkBatch *batch = yk_batch_new(m->state, channels, 6);
+    if (!batch || yk_batch_run(batch, inputs, outputs, NULL, POSES) != YK_OK) die("no batch");
+    yk_batch_free(batch);
+}
+
+static void run_pose(Machine *m)
+{
+    for (int k = 0; k < 100; k++) {
+        yk_state_set_input(m->state, 0, (YkMotion){0.01 * k, -0.5, 0});
+        if (yk_state_solve(m->state) != YK_OK) die("no pose");
+    }
+}
+
+static void run_accelerate(Machine *m)
+{
+    static double a[LINKS + 1];
+    for (int k = 0; k < 20; k++) machine_accelerate(m, a);
+}
+
+static void run_study(Machine *m)
+{
+    static const char *const names[] = {"a", "b"};
+    static double angle[360], a[DESIGNS], b[DESIGNS];
+    static YkExtent extents[DESIGNS];
+    YkChannel channel;
+    if (yk_channel_parse(m->mech, "coupler.P.x", &channel, m->problems) != YK_OK) die("no channel");
+    YkStudyOptions options = {names, 2, &channel, 1, 1};
+    YkStudy *study = yk_study_new(m->state, &options, m->problems);
+    const double *parameters[] = {a, b}, *inputs[] = {angle, NULL, NULL};
+    for (size_t k = 0; k < 360; k++) angle[k] = 0.0174532925 * (double)k;
+    for (size_t k = 0; k < DESIGNS; k++) a[k] = 0.04 + 1e-5 * (double)k, b[k] = 0.12 - 1e-5 * (double)k;
+    YkStudyCase asked = {parameters, DESIGNS, inputs, 360, false};
+    if (!study || yk_study_reduce(study, &asked, extents, NULL, NULL) != YK_OK) die("no study");
+    yk_study_free(study);
+}
+
+static void run_derive(Machine *m)
+{
+    YkText text = {0};
+    YkDerivation *d = yk_derivation_new(m->model, m->mech, m->problems);
+    YkPage page = {.arena = yk_arena_new(), .ring = d ? d->ring : NULL};
+    if (!d || !page.arena) die("no derivation");
+    for (size_t k = 0; yk_derive_sections[k].name; k++)
+        if (yk_derive_sections[k].write && !yk_derive_write(d, k, &page)) die("no section");
+    if (!yk_page_write(&page, YK_PAGE_TEXT, "budget", NULL, &text)) die("not printed");
+    yk_arena_free(page.arena);
+    yk_derivation_free(d);
+    yk_text_free(&text);
+}
+
+static const Task tasks[] = {
+    {"quick-return-batch", "quick-return", NULL, 0, run_batch},
+    {"quick-return-pose", "quick-return", NULL, 0, run_pose},
+    {"double-pendulum-rhs", "double-pendulum", NULL, 0, run_accelerate},
+    {"n-four-bar-rhs", NULL, n_four_bar_text, LOOPS, run_accelerate},
+    {"chain-rhs", NULL, chain_text, LINKS, run_accelerate},
+    {"four-bar-study", "four-bar", NULL, 0, run_study},
+    {"derive-double-pendulum", "double-pendulum", NULL, 0, run_derive},
+};
+
+// Its name is what callgrind looks for.
+__attribute__((noinline)) void counted(const Task *task, Machine *m);
+void counted(const Task *task, Machine *m)
+{
+    task->run(m);
+    __asm__ volatile("" ::: "memory");
+}
+
+int main(int argc, char **argv)
+{
+    for (size_t k = 0; argc == 2 && k < sizeof tasks / sizeof *tasks; k++) {
+        const Task *task = &tasks[k];
+        Machine m;
+        char path[512], *text = task->text ? task->text(task->n) : NULL;
+        if (strcmp(task->name, argv[1]) != 0) continue;
+        snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, task->example ? task->example : "");
+        if (text ? !machine_parse(&m, text) : !machine_load(&m, path)) die("no machine");
+        task->run(&m);
+        counted(task, &m);
+        machine_end(&m);
+        free(text);
+        return 0;
+    }
+    for (size_t k = 0; argc == 1 && k < sizeof tasks / sizeof *tasks; k++) printf("%s\n", tasks[k].name);
+    return argc == 1 ? 0 : 2;
+}
