@@ -1,5 +1,6 @@
 // Amounts in messages: in the file's own units.
 #include "base/number.h"
+#include "base/vec.h"
 #include "model/laws_read.h"
 
 // The unit of a dimension, "" where the file has no word for it; *size gets its size in SI.
@@ -40,6 +41,7 @@ YkAmount yk_load_law_amount(const YkModel *model, const YkModelLaw *law, double 
     return amount;
 }
 
+// An angle in radians is told in degrees too: that is how cams are drawn up.
 YkAmount yk_load_law_place(const YkModel *model, const YkModelLaw *law, double x)
 {
     double size;
@@ -50,5 +52,10 @@ YkAmount yk_load_law_place(const YkModel *model, const YkModelLaw *law, double x
     append(&amount, number);
     append(&amount, unit[0] ? " " : "");
     append(&amount, unit);
+    if (size != 1 || x == 0 || !yk_dimension_equal(law->of, YK_DIM_ANGLE)) return amount;
+    yk_number_write_digits(x * 180 / YK_PI, 6, number);
+    append(&amount, " (");
+    append(&amount, number);
+    append(&amount, " deg)");
     return amount;
 }

@@ -223,7 +223,7 @@ static void mistakes_of_value_are_told_with_their_place(void **state)
             "later");
     refused("{from: 1, segments: [{polynomial: [{at: 2, s: 0}, {at: 3, s: 0}]}]}", YK_CODE_LAW_ORDER, 33, "earlier");
     refused("{from: 1, table: [[0, 1], [1, 2]]}", YK_CODE_LAW_ORDER, 18, "begins");
-    refused("{table: [[0, 1], [1, 2], [1, 3]]}", YK_CODE_LAW_ORDER, 37, "1 rad follows 1 rad");
+    refused("{table: [[0, 1], [1, 2], [1, 3]]}", YK_CODE_LAW_ORDER, 37, "1 rad (57.2958 deg) follows 1 rad (57.2958 deg)");
     refused("{table: [[0, 1]]}", YK_CODE_LAW_CONDITIONS, 8, "two points");
     refused("{table: []}", YK_CODE_LAW_CONDITIONS, 8, "two points");
     refused("{period: 2, table: [[0, 1], [3, 1]]}", YK_CODE_LAW_PERIOD, 20, "one period");
@@ -236,12 +236,12 @@ static void mistakes_of_value_are_told_with_their_place(void **state)
     refused("{segments: [{polynomial: [{at: 0, s: 0}, {at: 1, s: 1}, {at: 0, s: 0}]}]}", YK_CODE_LAW_CONDITIONS, 78,
             "second time");
     refused("{segments: [{polynomial: [{at: 0, s: 0}, {at: 2, s: 1}, {at: 1, v: 3}]}]}", YK_CODE_LAW_CONTRADICTION, 78,
-            "v at 1 rad contradicts");
+            "v at 1 rad (57.2958 deg) contradicts");
     refused("{segments: [{polynomial: [{at: 0, s: 0}, {at: 2, s: 4}, {at: 1, v: 2}]}]}", YK_CODE_LAW_UNDETERMINED, 78,
             "follows from the other");
     refused("{period: 2, segments: [{rise: {to: 2, by: 1, law: 3-4-5}}]}", YK_CODE_LAW_JUMP, 8, "does not return");
     refused("{segments: [{dwell: {to: 1}}, {polynomial: [{at: 1, s: 0.2}, {at: 3, s: 0}]}]}", YK_CODE_LAW_JUMP, 42,
-            "jumps by 0.2 m at 1 rad");
+            "jumps by 0.2 m at 1 rad (57.2958 deg)");
 }
 
 static void find_notes(const char *law, int code, size_t count, const char *part)
