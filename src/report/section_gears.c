@@ -1,5 +1,6 @@
 // A gear train: its meshes, how fast everything turns, the shift table.
 #include <math.h>
+#include <string.h>
 #include <yoke/train.h>
 #include "base/problems.h"
 #include "out/amount.h"
@@ -8,6 +9,21 @@
 
 enum { DIGITS = 6 };
 static const double rpm = 30 / YK_PI;
+
+// Ties of an engaged lock stand among the belts.
+static bool is_lock(const YkModel *model, const char *name)
+{
+    for (size_t k = 0; k < model->belt_count; k++)
+        if (model->belts[k].is_lock && strcmp(model->belts[k].name, name) == 0) return true;
+    return false;
+}
+
+static bool has_lock(const YkModel *model)
+{
+    bool has = false;
+    for (size_t k = 0; k < model->belt_count; k++) has |= model->belts[k].is_lock;
+    return has;
+}
 
 static void add_meshes(const YkReportPage *report, const YkTrain *train, YkText *html)
 {
@@ -19,6 +35,7 @@ static void add_meshes(const YkReportPage *report, const YkTrain *train, YkText 
     yk_table_head(table, "second radius", unit);
     for (size_t m = 0; m < yk_train_mesh_count(train); m++) {
         YkTrainMesh mesh = yk_train_mesh(train, m);
+        if (is_lock(report->model, mesh.name)) continue;
         yk_table_word(table, mesh.name);
         yk_table_word(table, mesh.kind == YK_TRAIN_RACK   ? "rack"
                              : mesh.kind == YK_TRAIN_BELT ? (mesh.is_internal ? "open belt" : "crossed belt")
@@ -90,7 +107,7 @@ void yk_section_gears(YkReportPage *report, YkText *html, YkProblems *problems)
             yk_html_element(html, "p", yk_train_message(train));
         add_meshes(report, train, html);
         add_speeds(report, train, html);
-        add_gears(train, html);
+        if (!has_lock(model)) add_gears(train, html); // with one engaged, the others cannot be
         for (size_t i = 0; i < yk_train_remark_count(train); i++) {
             YkTrainRemark remark = yk_train_remark(train, i);
             yk_text_format(html, "<p>%s: ", remark.mesh);

@@ -190,6 +190,15 @@ class Report(Case):
         data = data_of(self.good("report", pendulum, "--to", "0.5s").out)
         self.assertAlmostEqual(data["axis"]["values"][-1], 0.5, 9)
 
+    def test_an_engaged_lock_is_no_mesh(self):
+        gearbox = os.path.join(EXAMPLES, "gearbox-8hp70.yaml")
+        page = self.good("report", gearbox, "--lock", "first", "-q").out
+        self.assertEqual(faults(page), [])
+        self.assertIn("is 108/23 = 4.69565", page)
+        gears = page[page.index('<section id="gears"'):]
+        self.assertNotIn("open belt", gears[:gears.index("</section>")])
+        self.assertIn("Ratios, one for each set of locks", self.good("report", gearbox, "-q").out)
+
     def test_wrong_requests_are_refused(self):
         self.wrong(806, "report", self.four_bar, "--format", "docx")
         self.wrong(806, "report", self.four_bar, "--to", "-1s")
