@@ -1,7 +1,9 @@
 // What gears, racks, belts, cams and laws transmit, in symbols: true with the numeric engine's forces, proved to do the
 // work that the relation asks for, readable.
 #include "forces_check.h"
+#include "solve/state.h"
 #include "../dynamics/meshes.h"
+#include "../dynamics/random_geared.h"
 #include "derive/lagrange.h"
 #include "derive/relations.h"
 
@@ -207,6 +209,67 @@ static void they_print_and_read_back(void **state)
     assert_true(count > 2000);
 }
 
+// The text with its lengths of many digits as parameters: as decimals their products are too long to be exact.
+static void name_lengths(const char *text, YkText *named)
+{
+    YkText body = {0};
+    size_t count = 0;
+    yk_text_puts(named, "parameters: {one: 1");
+    for (const char *c = text; *c;) {
+        size_t length = strspn(c, "0123456789.");
+        if (length > 0 && c[length] == 'e' && c[length + 1] == '-') length += 2 + strspn(c + length + 2, "0123456789");
+        bool is_name = c > text && (c[-1] == '_' || (c[-1] >= 'a' && c[-1] <= 'z') || (c[-1] >= 'A' && c[-1] <= 'Z'));
+        if (length < 8 || is_name || c[length] == ' ') {
+            length = length ? length : 1;
+            yk_text_add(&body, c, length);
+        } else {
+            yk_text_format(named, ", len%z: ", ++count);
+            yk_text_add(named, c, length);
+            yk_text_format(&body, "len%z", count);
+        }
+        c += length;
+    }
+    yk_text_format(named, "}\n%s", yk_text_get(&body));
+    assert_false(named->failed || body.failed);
+    yk_text_free(&body);
+}
+
+// Random linkages with all of these between links that loops place, joints of which close loops anywhere.
+static void random_linkages_are_proved_and_hold(void **state)
+{
+    (void)state;
+    static Geared linkage;
+    size_t lines = 0, proved = 0;
+    for (uint64_t number = 0; number < 60; number++) {
+        geared_machine(&linkage, number);
+        YkText named = {0};
+        name_lengths(linkage.text, &named);
+        Machine m = machine_of(yk_text_get(&named));
+        yk_text_free(&named);
+        const YkDeriveForces *f = yk_derive_forces(m.d);
+        if (!f && yk_ring_status(m.d->ring) == YK_RING_OVERFLOW) { // an angle or a law of too many digits
+            machine_end(&m);
+            continue;
+        }
+        assert_non_null(f);
+        for (size_t c = 0; c < m.d->coordinate_count; c++, proved++)
+            if (!yk_derive_do_methods_agree(f, c)) {
+                print_error("%s\n%s\n", linkage.text, m.d->coordinates[c].name);
+                fail();
+            }
+        YkDynamics *dynamics = dynamics_of(&m);
+        write_section(&m, "newton-euler");
+        write_section(&m, "lagrange");
+        for (int turn = 0; turn < 3; turn++)
+            if (random_pose(&m, turn == 0) && m.state->space.margin[0] > 0.02 && // not where forces grow beyond all
+                take_forces(&m, dynamics, (YkDynamicsMethod)(turn % 2)))
+                lines += check_page(&m, linkage.text, 1e-10);
+        yk_dynamics_free(dynamics);
+        machine_end(&m);
+    }
+    assert_true(proved > 200 && lines > 1000);
+}
+
 // What a student derives by hand: with names for the forces, multipliers and angles that the pages use.
 static void equations_by_hand_are_decided(void **state)
 {
@@ -321,6 +384,7 @@ int main(void)
         cmocka_unit_test(they_do_the_work_that_the_relation_asks_for),
         cmocka_unit_test(every_line_holds_with_the_engines_forces),
         cmocka_unit_test(they_print_and_read_back),
+        cmocka_unit_test(random_linkages_are_proved_and_hold),
         cmocka_unit_test(equations_by_hand_are_decided),
         cmocka_unit_test(an_equation_of_a_geared_five_bar_is_proved),
         cmocka_unit_test(a_wrong_push_is_no_longer_proved),
