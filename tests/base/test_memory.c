@@ -133,6 +133,30 @@ static void an_array_that_cannot_grow_keeps_what_it_has(void **state)
     free(items);
 }
 
+static void a_cleared_arena_gives_zeroed_memory_again(void **state)
+{
+    (void)state;
+    YkArena *arena = yk_arena_new();
+    for (int round = 0; round < 5; round++) {
+        for (int i = 0; i < 300; i++) {
+            unsigned char *memory = yk_arena_alloc(arena, 100, 1);
+            assert_non_null(memory);
+            for (int k = 0; k < 100; k++) assert_int_equal(memory[k], 0);
+            memset(memory, 0xa5, 100);
+        }
+        yk_arena_clear(arena);
+    }
+    assert_null(yk_arena_alloc(arena, SIZE_MAX / 2, 1));
+    assert_true(yk_arena_failed(arena));
+    yk_arena_clear(arena); // what failed is gone, too
+    assert_false(yk_arena_failed(arena));
+    yk_arena_free(arena);
+    arena = yk_arena_new();
+    yk_arena_clear(arena); // before anything was asked for
+    assert_non_null(yk_arena_alloc(arena, 8, 1));
+    yk_arena_free(arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -145,6 +169,7 @@ int main(void)
         cmocka_unit_test(a_copy_ends_in_nul_and_keeps_inner_ones),
         cmocka_unit_test(a_growing_array_keeps_its_items_and_doubles),
         cmocka_unit_test(an_array_that_cannot_grow_keeps_what_it_has),
+        cmocka_unit_test(a_cleared_arena_gives_zeroed_memory_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

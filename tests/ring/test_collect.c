@@ -78,6 +78,25 @@ static void coefficients_put_together_are_the_element(void **state)
     yk_ring_free(r);
 }
 
+static void symbols_of_an_element_come_in_order(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(8);
+    YkRing *r = f.ring;
+    for (int i = 0; i < 500; i++) {
+        Element a = random_element(&f, below(&f, 6));
+        int32_t found = yk_ring_next_symbol(r, a, -1);
+        for (int32_t s = 0; s < (int32_t)yk_ring_symbol_count(r); s++) {
+            if (!yk_ring_mentions(r, a, s)) continue;
+            assert_int_equal(found, s);
+            found = yk_ring_next_symbol(r, a, found);
+        }
+        assert_int_equal(found, -1);
+    }
+    assert_int_equal(yk_ring_next_symbol(r, NULL, -1), -1);
+    yk_ring_free(r);
+}
+
 static void content_divides_and_leaves_nothing_common(void **state)
 {
     (void)state;
@@ -165,6 +184,7 @@ int main(void)
         cmocka_unit_test(symbols_are_replaced_all_at_once),
         cmocka_unit_test(body_angles_become_sums_of_joint_angles),
         cmocka_unit_test(coefficients_put_together_are_the_element),
+        cmocka_unit_test(symbols_of_an_element_come_in_order),
         cmocka_unit_test(content_divides_and_leaves_nothing_common),
         cmocka_unit_test(a_coefficient_too_large_is_noticed),
         cmocka_unit_test(a_sum_too_long_is_noticed),

@@ -156,6 +156,27 @@ static void declared_partial_derivatives_chain(void **state)
     yk_ring_free(r);
 }
 
+static void a_rule_that_is_added_later_counts(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(9);
+    YkRing *r = f.ring;
+    int32_t made = yk_ring_symbol(r, "made", YK_RING_FUNCTION), x = f.parameter[3], y = f.parameter[4];
+    Element square = yk_ring_power(r, yk_ring_of(r, made), 2), twice = yk_ring_scale(r, yk_ring_of(r, made), 2, 1);
+    assert_true(yk_ring_set_partial(r, made, x, number(&f, 3, 1)));
+    check_same(r, yk_ring_partial(r, square, x), yk_ring_scale(r, twice, 3, 1));
+    assert_true(yk_ring_is_zero(yk_ring_partial(r, square, y)));
+    check_same(r, yk_ring_partial(r, square, x), yk_ring_scale(r, twice, 3, 1)); // from memory
+    assert_true(yk_ring_set_partial(r, made, y, symbol(&f, "m1")));
+    check_same(r, yk_ring_partial(r, square, y), yk_ring_multiply(r, twice, symbol(&f, "m1")));
+    assert_true(yk_ring_set_rate(r, x, symbol(&f, "m2")));
+    check_same(r, yk_ring_time_derivative(r, square),
+               yk_ring_multiply(r, twice, yk_ring_scale(r, symbol(&f, "m2"), 3, 1)));
+    assert_true(yk_ring_set_rate(r, x, number(&f, 1, 1)));
+    check_same(r, yk_ring_time_derivative(r, square), yk_ring_scale(r, twice, 3, 1));
+    yk_ring_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -166,6 +187,7 @@ int main(void)
         cmocka_unit_test(a_root_keeps_its_square_through_derivatives),
         cmocka_unit_test(roots_may_be_nested),
         cmocka_unit_test(declared_partial_derivatives_chain),
+        cmocka_unit_test(a_rule_that_is_added_later_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
