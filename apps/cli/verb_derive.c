@@ -42,12 +42,13 @@ static bool refuse_section(YkSession *session, const char *word, size_t length)
     return false;
 }
 
-// "loops,jacobian" or "all"; wanted[section]. Without the option: all that this version derives.
+// "loops,jacobian" or "all"; wanted[section]. Without the option: all that the machine has.
 static bool read_what(YkSession *session, bool *wanted)
 {
     const char *word = session->request->what;
     if (!word || strcmp(word, "all") == 0) {
-        for (size_t k = 0; k < section_count(); k++) wanted[k] = yk_derive_sections[k].write != NULL;
+        for (size_t k = 0; k < section_count(); k++)
+            wanted[k] = !yk_derive_sections[k].is_of || yk_derive_sections[k].is_of(session->model);
         return true;
     }
     while (*word) {

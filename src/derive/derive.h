@@ -15,6 +15,7 @@
 #include <yoke/dynamics.h>
 #include "compile/mechanism.h"
 #include "model/model.h"
+#include "num/whole.h"
 #include "ring/ring.h"
 #include "derive/page.h"
 
@@ -116,6 +117,7 @@ struct YkDerivation {
     YkDeriveBlocks *blocks;      // made at first use
     struct YkDeriveTrain *train; // gears, made at first use: gears.h
     int32_t *speeds;             // per body: the symbol of its angular speed, omega1; made with the train
+    struct YkDeriveOwn *own;     // symbols of the section of cams: cam.c
     int32_t *influence; // per coordinate: the symbol of its influence coefficient; made by the section of velocities
     // What sections add for proofs: elements that are 0 on the machine, linear in accelerations and in these symbols.
     const YkPoisson **relations;
@@ -144,6 +146,8 @@ const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
 // A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on
 // failure.
 int32_t yk_derive_symbol(YkDerivation *d, const char *name, YkRingClass kind);
+// A fraction as an element; NULL where it does not fit the ring's numbers.
+const YkPoisson *yk_derive_fraction(YkDerivation *d, const YkFraction *a);
 // From now on the symbol stands for `meaning`: in joint form it is replaced by it, and numbers follow it. `meaning` may
 // mention symbols that were defined before, no e^(i angle). false on failure.
 bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning);
@@ -204,7 +208,8 @@ typedef bool (*YkDeriveSection)(YkDerivation *d, YkPage *page);
 typedef struct YkDeriveSectionEntry {
     const char *name;      // as --what takes it
     const char *title;     // heading
-    YkDeriveSection write; // NULL: not part of this version
+    YkDeriveSection write;
+    bool (*is_of)(const YkModel *model); // has the model what it is about? NULL: always; `all` leaves out the others
 } YkDeriveSectionEntry;
 extern const YkDeriveSectionEntry yk_derive_sections[]; // in the order of `all`; ends at name NULL
 // Writes a section by its index, heading included.

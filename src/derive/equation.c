@@ -114,13 +114,14 @@ static const YkForm *read_atom(Reader *reader)
 {
     char c = peek(reader);
     size_t start = reader->at;
-    if (c == '(') {
+    if (c == '(' || c == '[') { // books write s = h [64 u^3 - ...]
         if (++reader->depth > DEPTH_MAX) return refuse(reader, start, "brackets are nested too deeply", NULL);
         reader->at++;
         const YkForm *inner = read_sum(reader, false);
         reader->depth--;
         if (!inner) return NULL;
-        if (peek(reader) != ')') return refuse(reader, reader->at, "`)` is wanted here", NULL);
+        if (peek(reader) != (c == '(' ? ')' : ']'))
+            return refuse(reader, reader->at, c == '(' ? "`)` is wanted here" : "`]` is wanted here", NULL);
         reader->at++;
         return inner;
     }
@@ -170,7 +171,7 @@ static const YkForm *read_power(Reader *reader)
 
 static bool begins_atom(char c)
 {
-    return is_letter(c) || is_digit(c) || c == '(' || c == '.';
+    return is_letter(c) || is_digit(c) || c == '(' || c == '[' || c == '.';
 }
 
 static const YkForm *read_product(Reader *reader)

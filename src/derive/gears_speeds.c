@@ -27,15 +27,6 @@ static void put_sign(YkPage *page, YkLine *line, Sum *sum, bool is_negative)
     sum->any = true;
 }
 
-static bool is_negative_term(YkRing *ring, const YkPoisson *a)
-{
-    YkText text = {0};
-    bool negative = yk_ring_terms(a) == 1 && yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_TEXTBOOK, &text) &&
-                    yk_text_get(&text)[0] == '-';
-    yk_text_free(&text);
-    return negative;
-}
-
 static bool is_one(const YkPoisson *a)
 {
     int64_t over, under;
@@ -74,7 +65,7 @@ static bool make_share(YkRing *ring, const YkPoisson *rate, const YkPoisson *ove
     *share = (Share){.rate = rate, .over = over, .under = under};
     if (!yk_train_quotient(ring, over, under, &share->quotient)) return false;
     const YkPoisson *whole = yk_train_quotient_sum(&share->quotient);
-    share->is_negative = is_negative_term(ring, whole ? whole : yk_train_quotient_term(&share->quotient, true));
+    share->is_negative = yk_page_is_negative(ring, whole ? whole : yk_train_quotient_term(&share->quotient, true));
     return yk_ring_status(ring) == YK_RING_OK;
 }
 
@@ -155,27 +146,13 @@ static bool is_input(const YkDeriveTrain *train, const YkPoisson *speed)
     return false;
 }
 
-// A fraction as an element; NULL where it does not fit the ring's numbers.
-static const YkPoisson *fraction(YkRing *ring, const YkFraction *a)
-{
-    const YkWhole *parts[] = {&a->over, &a->under};
-    int64_t whole[] = {0, 1};
-    for (int k = 0; k < 2; k++) {
-        const YkWhole *part = parts[k];
-        if (part->count > 2 || (part->count == 2 && part->limb[1] >= 0x80000000u)) return NULL;
-        if (part->count > 0) whole[k] = (int64_t)part->limb[0];
-        if (part->count > 1) whole[k] |= (int64_t)part->limb[1] << 32;
-    }
-    return yk_ring_rational(ring, a->is_negative ? -whole[0] : whole[0], whole[1]);
-}
-
 // The same with the file's numbers of teeth, exactly, `omega4 = 35/29 omegaC - 6/29 omega1`; and at its drives' speeds.
 static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkPoisson *left)
 {
     const YkDeriveTrain *train = d->train;
     Sum sum = {.over = yk_ring_rational(d->ring, 0, 1), .under = yk_ring_rational(d->ring, 1, 1)};
     for (int32_t k = 0; k < train->input_count; k++)
-        if (!fraction(d->ring, yk_train_case_share(&train->motion, column, k))) return;
+        if (!yk_derive_fraction(d, yk_train_case_share(&train->motion, column, k))) return;
     YkLine *line = yk_page_formula(page, NULL);
     yk_line_element(page, line, left, YK_RING_TEXTBOOK);
     yk_line_sign(page, line, "=");
@@ -184,7 +161,7 @@ static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkP
             YkFraction share = *yk_train_case_share(&train->motion, column, k);
             if (yk_fraction_is_zero(&share) || share.is_negative != (pass == 1)) continue;
             put_sign(page, line, &sum, share.is_negative);
-            const YkPoisson *by = fraction(d->ring, &share), *rate = train->input_rates[k];
+            const YkPoisson *by = yk_derive_fraction(d, &share), *rate = train->input_rates[k];
             add_to(d->ring, &sum, yk_ring_multiply(d->ring, by, rate), sum.under);
             if (share.is_negative) by = yk_ring_negate(d->ring, by);
             if (!is_one(by)) yk_line_element(page, line, by, YK_RING_TEXTBOOK);
@@ -295,7 +272,7 @@ static bool put_ratio(YkDerivation *d, YkPage *page, const YkTrainCase *one, int
     put_share(d, page, line, share, &sum);
     if (!page->has_numbers) return true;
     YkFraction ratio = yk_fraction_inverse(yk_train_case_share(one, out, 0));
-    const YkPoisson *number = fraction(d->ring, &ratio);
+    const YkPoisson *number = yk_derive_fraction(d, &ratio);
     if (!number) return true;
     yk_line_sign(page, line, "=");
     yk_line_element(page, line, number, YK_RING_TEXTBOOK);

@@ -219,7 +219,19 @@ static void put_fraction(YkPage *page, YkLine *line, const YkPoisson *over, cons
     if (rate && !yk_ring_is_same(rate, one)) yk_line_factor(page, line, rate);
 }
 
-// A fraction's sign stands above; a whole denominator of -1 goes.
+bool yk_page_is_negative(YkRing *ring, const YkPoisson *a)
+{
+    YkText text = {0};
+    bool negative = yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_TEXTBOOK, &text) && yk_text_get(&text)[0] == '-';
+    int depth = 0;
+    for (const char *c = yk_text_get(&text) + negative; *c && negative; c++) {
+        depth += (*c == '(') - (*c == ')');
+        negative = depth > 0 || (*c != '+' && *c != '-');
+    }
+    yk_text_free(&text);
+    return negative;
+}
+
 static bool has_leading_minus(YkRing *ring, const YkPoisson *a)
 {
     YkText text = {0};

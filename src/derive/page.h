@@ -72,7 +72,8 @@ struct YkLine {
     const YkPoisson *over, *under;
     // For values beside symbols: what a number can be given for; under NULL: 1. NULL: none.
     const YkPoisson *value, *value_under;
-    bool is_vector; // the value has x and y
+    bool is_vector;          // the value has x and y
+    const YkPoisson *within; // holds, and has its value, only where this lies in 0 to 1: a segment; NULL: everywhere
     YkLine *next;
 };
 
@@ -117,6 +118,8 @@ YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left
 // symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
 YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over,
                          const YkPoisson *under);
+// Is it in print a product with a minus before it?
+bool yk_page_is_negative(YkRing *ring, const YkPoisson *a);
 // Divides both by what all their terms have in common. false where the ring failed.
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under);
 

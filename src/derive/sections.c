@@ -2,19 +2,29 @@
 #include "derive/sections.h"
 #include "derive/code.h"
 
+static bool has_train(const YkModel *model)
+{
+    return model->gear_count + model->belt_count + model->rack_count > 0;
+}
+
+static bool has_laws(const YkModel *model)
+{
+    return model->law_count > 0;
+}
+
 const YkDeriveSectionEntry yk_derive_sections[] = {
-    {"loops", "Loop equations", yk_derive_section_loops},
-    {"jacobian", "Jacobian", yk_derive_section_jacobian},
-    {"velocity", "Velocities", yk_derive_section_velocity},
-    {"acceleration", "Accelerations", yk_derive_section_acceleration},
-    {"points", "Points and centres of mass", yk_derive_section_points},
-    {"free-bodies", "Free bodies", yk_derive_section_free_bodies},
-    {"newton-euler", "Newton-Euler equations", yk_derive_section_newton_euler},
-    {"energy", "Energies", yk_derive_section_energy},
-    {"lagrange", "Lagrange's equations", yk_derive_section_lagrange},
-    {"gears", "Gear trains", yk_derive_section_gears},
-    {"cam", "Cams", NULL},
-    {NULL, NULL, NULL},
+    {"loops", "Loop equations", yk_derive_section_loops, NULL},
+    {"jacobian", "Jacobian", yk_derive_section_jacobian, NULL},
+    {"velocity", "Velocities", yk_derive_section_velocity, NULL},
+    {"acceleration", "Accelerations", yk_derive_section_acceleration, NULL},
+    {"points", "Points and centres of mass", yk_derive_section_points, NULL},
+    {"free-bodies", "Free bodies", yk_derive_section_free_bodies, NULL},
+    {"newton-euler", "Newton-Euler equations", yk_derive_section_newton_euler, NULL},
+    {"energy", "Energies", yk_derive_section_energy, NULL},
+    {"lagrange", "Lagrange's equations", yk_derive_section_lagrange, NULL},
+    {"gears", "Gear trains", yk_derive_section_gears, has_train},
+    {"cam", "Cams", yk_derive_section_cam, has_laws},
+    {NULL, NULL, NULL, NULL},
 };
 
 bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
@@ -24,9 +34,5 @@ bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
     page->define = yk_derive_define_bodies;
     page->define_context = d;
     yk_page_heading(page, 1, entry->title);
-    if (!entry->write) {
-        yk_page_words(page, "This part is not derived in this version yet.");
-        return !page->failed;
-    }
     return entry->write(d, page) && !page->failed && yk_derivation_is_well(d);
 }

@@ -13,6 +13,7 @@ bool yk_derive_section_newton_euler(YkDerivation *d, YkPage *page);
 bool yk_derive_section_energy(YkDerivation *d, YkPage *page);
 bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page);
 bool yk_derive_section_gears(YkDerivation *d, YkPage *page);
+bool yk_derive_section_cam(YkDerivation *d, YkPage *page);
 
 // Shared by sections.
 // p^{A/O1} + ... - p^{...}: what is added first.

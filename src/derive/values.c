@@ -55,6 +55,20 @@ void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamic
     yk_ring_complete(d->ring, values);
     for (size_t k = d->change_count - d->definition_count; k < d->change_count; k++)
         set(values, d->changes[k].symbol, yk_ring_value(d->ring, d->changes[k].value, values).x);
+    if (d->definition_count > 0) yk_ring_complete(d->ring, values); // roots of what was defined
+}
+
+const YkPoisson *yk_derive_fraction(YkDerivation *d, const YkFraction *a)
+{
+    const YkWhole *parts[] = {&a->over, &a->under};
+    int64_t whole[] = {0, 1};
+    for (int k = 0; k < 2; k++) {
+        const YkWhole *part = parts[k];
+        if (part->count > 2 || (part->count == 2 && part->limb[1] >= 0x80000000u)) return NULL;
+        if (part->count > 0) whole[k] = (int64_t)part->limb[0];
+        if (part->count > 1) whole[k] |= (int64_t)part->limb[1] << 32;
+    }
+    return yk_ring_rational(d->ring, a->is_negative ? -whole[0] : whole[0], whole[1]);
 }
 
 bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context)

@@ -154,12 +154,7 @@ static YkFraction fraction_of(YkTrainNet *net, YkExact exact, double value)
 {
     if (exact.is_exact && exact.pi == 0) return yk_fraction(exact.numerator, exact.denominator);
     net->is_exact = false;
-    int twos = 0;
-    YkOverflow overflow = false;
-    YkFraction mantissa = yk_fraction((int64_t)ldexp(frexp(value, &twos), 53), INT64_C(1) << 53);
-    YkFraction two = yk_fraction(twos < 0 ? 1 : 2, twos < 0 ? 2 : 1);
-    for (int k = abs(twos); k > 0; k--) mantissa = yk_fraction_multiply(&mantissa, &two, &overflow);
-    return mantissa;
+    return yk_fraction_of(value);
 }
 
 static bool name_symbols(YkTrainNet *net)

@@ -19,4 +19,9 @@ size_t yk_qr_factor(size_t m, size_t n, double *A, size_t *order, double *tau, d
 void yk_qr_solve(size_t m, size_t n, const double *A, const size_t *order, const double *tau, size_t rank, double *b,
                  double *x);
 
+// Singular values of A[m][n], m >= n, in no order; A is overwritten. Rotates pairs of columns until all are orthogonal:
+// small values keep their digits however columns are scaled. Cost O(m n^2) a round, some ten rounds. Source: Hestenes
+// 1958; Demmel & Veselic 1992.
+void yk_singular_values(size_t m, size_t n, double *A, double *values);
+
 #endif

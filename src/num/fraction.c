@@ -1,5 +1,6 @@
 // Exact fractions.
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include "num/whole.h"
 
@@ -190,4 +191,14 @@ void yk_fraction_write(const YkFraction *a, YkText *text)
     if (is_one(below)) return;
     yk_text_puts(text, "/");
     yk_whole_write(below, text);
+}
+
+YkFraction yk_fraction_of(double value)
+{
+    int twos = 0;
+    YkOverflow overflow = false;
+    YkFraction fraction = yk_fraction((int64_t)ldexp(frexp(value, &twos), 53), INT64_C(1) << 53);
+    YkFraction two = yk_fraction(twos < 0 ? 1 : 2, twos < 0 ? 2 : 1);
+    for (int k = abs(twos); k > 0; k--) fraction = yk_fraction_multiply(&fraction, &two, &overflow);
+    return fraction;
 }

@@ -36,6 +36,7 @@ typedef struct YkFraction {
 } YkFraction;
 
 YkFraction yk_fraction(int64_t numerator, int64_t denominator); // denominator != 0
+YkFraction yk_fraction_of(double value); // the double itself: finite, between 1e-290 and 1e290 in size, or 0
 bool yk_fraction_is_zero(const YkFraction *a);
 bool yk_fraction_is_one(const YkFraction *a);
 YkFraction yk_fraction_negative(const YkFraction *a);

@@ -151,6 +151,10 @@ static void put_sign(YkText *text, const char *sign)
         yk_text_puts(text, "\\cdot");
     else if (strcmp(sign, ",") == 0)
         yk_text_puts(text, ",\\quad");
+    else if (strcmp(sign, "[") == 0)
+        yk_text_puts(text, "\\left[");
+    else if (strcmp(sign, "]") == 0)
+        yk_text_puts(text, "\\right]");
     else
         yk_text_puts(text, sign);
 }

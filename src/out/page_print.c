@@ -82,6 +82,8 @@ double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry)
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value)
 {
     if (!printing->values || !line->value) return false;
+    double within = line->within ? yk_ring_value(printing->ring, line->within, printing->values).x : 0;
+    if (!(within >= 0 && within <= 1)) return false;
     *value = yk_ring_value(printing->ring, line->value, printing->values);
     if (line->value_under) {
         double under = yk_ring_value(printing->ring, line->value_under, printing->values).x;

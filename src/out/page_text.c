@@ -169,8 +169,8 @@ static void put_name(const YkPagePiece *piece, YkText *text)
 
 static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPagePiece *before, YkText *text)
 {
-    bool is_spaced = before && !(piece->kind == YK_PIECE_SIGN && (*piece->text == ',' || *piece->text == ')')) &&
-                     !(before->kind == YK_PIECE_SIGN && *before->text == '(');
+    bool closes = piece->kind == YK_PIECE_SIGN && strchr(",)]", *piece->text);
+    bool is_spaced = before && !closes && !(before->kind == YK_PIECE_SIGN && strchr("([", *before->text));
     if (before && before->kind == YK_PIECE_QUOTIENT && piece->kind == YK_PIECE_ELEMENT) yk_text_puts(text, " *");
     if (is_spaced) yk_text_puts(text, " ");
     switch (piece->kind) {

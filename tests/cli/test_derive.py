@@ -5,9 +5,11 @@ import re
 import sys
 import unittest
 import xml.etree.ElementTree
+from fractions import Fraction
 
 from harness import Case, ROOT, Run
 
+EXAMPLES = os.path.join(ROOT, "examples")
 QUICK = os.path.join(ROOT, "examples", "quick-return.yaml")
 TOGGLE = os.path.join(ROOT, "examples", "toggle.yaml")
 RIGHT = "l1*cos(theta1) - d3*cos(theta2) = 0"
@@ -79,6 +81,87 @@ class Derive(Case):
         run = Run("derive", QUICK, "--format", "csv")
         self.assertEqual(run.code, 2)
         self.assertIn("latex", run.err)
+
+
+# Conditions of a polynomial of degree 20: places in degrees, values in mm and mm/rad.
+DEGREE_20 = [(0, "svajp", (0,) * 5), (30, "s", (3,)), (60, "sv", (11, 2)), (75, "s", (17,)), (100, "sv", (20, 0)), (120, "s", (19,)),
+             (140, "sv", (18, 1)), (160, "s", (12,)), (200, "s", (10,)), (240, "svajp", (0,) * 5)]
+CAM = """laws:
+  lift:
+    period: 2*pi
+    segments:
+      - polynomial: [%s]
+      - {dwell: {to: 2*pi}}
+cams: {c: {cam: shaft, follower: tappet, law: lift, face: flat, base: 900 mm}}
+bodies: {shaft: {}, tappet: {}}
+joints: {K: {pin: [ground, shaft], angle: theta}, T: {slide: [ground, tappet], along: y, distance: s}}
+"""
+
+
+def exact_coefficients(conditions):
+    """Of s/h in powers of u, by Gauss and Jordan in exact fractions; h = 20 mm, u = theta / (4 pi/3)."""
+    beta = Fraction(math.pi) * 4 / 3
+    rows, n = [], sum(len(kinds) for _, kinds, _ in conditions)
+    for at, kinds, values in conditions:
+        for kind, value in zip(kinds, values):
+            order, u = "svajp".index(kind), Fraction(at, 240)
+            row = [math.perm(k, order) * u ** (k - order) if k >= order else Fraction(0) for k in range(n)]
+            rows.append(row + [Fraction(value, 20) * beta ** order])
+    for column in range(n):
+        pivot = next(r for r in range(column, n) if rows[r][column] != 0)
+        rows[column], rows[pivot] = rows[pivot], rows[column]
+        rows[column] = [x / rows[column][column] for x in rows[column]]
+        for r in range(n):
+            if r != column and rows[r][column] != 0:
+                rows[r] = [x - rows[r][column] * y for x, y in zip(rows[r], rows[column])]
+    return [row[-1] for row in rows]
+
+
+class Cam(Case):
+    def coefficients(self, file):
+        answer = self.good("derive", file, "--what", "cam", "--numbers", "--format", "json").json()
+        return {f["text"].split(" = ")[0]: f for f in formulas(answer) if re.match(r"[Cc]\d+ = ", f["text"])}
+
+    def test_degree_20_keeps_its_digits(self):
+        conditions = ", ".join("{at: %d deg, %s}" % (at, ", ".join("%s: %d mm%s" % (k, v, "/rad" * (k == "v")) if v else k + ": 0"
+                                                                  for k, v in zip(kinds, values))) for at, kinds, values in DEGREE_20)
+        found = self.coefficients(self.write("degree-20.yaml", CAM % conditions))
+        expected = exact_coefficients(DEGREE_20)
+        self.assertEqual(len(expected), 21)
+        for k, value in enumerate(expected):
+            if value == 0:
+                self.assertEqual(found["C%d" % k]["text"], "C%d = 0" % k)
+                continue
+            digits = float(found["c%d" % k]["text"].split(" = ")[1])
+            self.assertAlmostEqual(digits / float(value), 1, delta=1e-12)
+            power = float(value) * 0.02 / (4 * math.pi / 3) ** k
+            self.assertAlmostEqual(found["C%d" % k]["value"] / power, 1, delta=1e-12)
+
+    def test_the_cep_cam_to_the_last_digit(self):
+        found = self.coefficients(os.path.join(EXAMPLES, "cep-cam.yaml"))
+        for k, text, factor in ((3, "27 h/pi^3", 64), (4, "-243/4 h/pi^4", -192), (5, "729/16 h/pi^5", 192), (6, "-729/64 h/pi^6", -64)):
+            self.assertEqual(found["C%d" % k]["text"], "C%d = %s" % (k, text))
+            expected = factor * 0.2 / (4 * math.pi / 3) ** k
+            self.assertAlmostEqual(found["C%d" % k]["value"] / expected, 1, delta=1e-13)
+
+    def test_c_compiles_and_gives_the_same_lift(self):
+        statements = self.good("derive", os.path.join(EXAMPLES, "swing-cam.yaml"), "--what", "cam", "--format", "c").out
+        program = """#include <math.h>
+#include <stdio.h>
+int main(void) {
+    const double theta = 0.8, pi = 3.14159265358979323846;
+%s
+    printf("%%.17g %%.17g\\n", swing_1b, swing_v_1b); }
+""" % statements
+        source, binary = os.path.join(self.folder, "cam.c"), os.path.join(self.folder, "cam")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(program)
+        subprocess.run(["cc", "-std=c17", "-o", binary, source, "-lm"], check=True)
+        lift, slope = map(float, subprocess.run([binary], capture_output=True, check=True).stdout.split())
+        solved = self.good("solve", os.path.join(EXAMPLES, "swing-cam.yaml"), "--at", "theta=0.8rad", "--rate", "theta=1rad/s", "--format", "json").json()
+        coordinates = solved["configurations"][0]["coordinates"]
+        self.assertAlmostEqual(lift, coordinates["phi"]["position"], 14)
+        self.assertAlmostEqual(slope, coordinates["phi"]["velocity"], 14)
 
 
 class Check(Case):

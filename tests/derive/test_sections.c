@@ -134,21 +134,19 @@ static void every_format_prints_every_example(void **state)
     assert_true(each_example(visit_formats) > 30);
 }
 
-static void sections_are_found_by_name_and_later_ones_say_so(void **state)
+static void sections_know_whose_they_are(void **state)
 {
     (void)state;
-    Machine m = example("four-bar");
-    for (size_t k = 0; yk_derive_sections[k].name; k++) {
-        YkText text = {0};
-        m.page.first = m.page.last = NULL;
-        if (!yk_derive_sections[k].write) {
-            assert_true(yk_derive_write(m.d, k, &m.page));
-            assert_true(yk_page_write(&m.page, YK_PAGE_TEXT, NULL, NULL, &text));
-            assert_non_null(strstr(yk_text_get(&text), "not derived in this version"));
-        }
-        yk_text_free(&text);
-    }
-    machine_end(&m);
+    Machine plain = example("four-bar"), geared = example("epicyclic"), cam = example("cep-cam");
+    const YkDeriveSectionEntry *gears = &yk_derive_sections[section_of("gears")];
+    const YkDeriveSectionEntry *cams = &yk_derive_sections[section_of("cam")];
+    assert_null(yk_derive_sections[section_of("loops")].is_of);
+    assert_false(gears->is_of(plain.model) || cams->is_of(plain.model));
+    assert_true(gears->is_of(geared.model) && !cams->is_of(geared.model));
+    assert_true(!gears->is_of(cam.model) && cams->is_of(cam.model));
+    machine_end(&plain);
+    machine_end(&geared);
+    machine_end(&cam);
 }
 
 int main(void)
@@ -157,7 +155,7 @@ int main(void)
         cmocka_unit_test(every_formula_holds_at_random_poses_of_the_engine),
         cmocka_unit_test(what_is_printed_reads_back_as_the_same),
         cmocka_unit_test(every_format_prints_every_example),
-        cmocka_unit_test(sections_are_found_by_name_and_later_ones_say_so),
+        cmocka_unit_test(sections_know_whose_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

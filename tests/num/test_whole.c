@@ -140,6 +140,16 @@ static void fractions_obey_the_laws_of_a_field(void **state)
     }
 }
 
+static void a_fraction_of_a_double_is_the_double(void **state)
+{
+    (void)state;
+    const double values[] = {0, 1, -0.1, 1e-40, 3.5e60, 0x1.fffffffffffffp-3};
+    for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
+        YkFraction a = yk_fraction_of(values[k]);
+        assert_true(yk_fraction_value(&a) == values[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -148,6 +158,7 @@ int main(void)
         cmocka_unit_test(what_does_not_fit_is_noticed),
         cmocka_unit_test(digits_are_decimal),
         cmocka_unit_test(fractions_obey_the_laws_of_a_field),
+        cmocka_unit_test(a_fraction_of_a_double_is_the_double),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
