@@ -69,6 +69,26 @@ const YkPoisson *yk_derive_call(YkDeriveLaw *law, const char *stem, const YkPois
     return called;
 }
 
+typedef struct Fixed {
+    int32_t symbol;
+    double value;
+} Fixed;
+
+static void fill_fixed(void *context, const YkState *state, YkDynamics *dynamics, double *values)
+{
+    const Fixed *fixed = context;
+    (void)state, (void)dynamics;
+    values[fixed->symbol] = fixed->value;
+}
+
+bool yk_derive_fix(YkDerivation *d, int32_t symbol, double value)
+{
+    Fixed *fixed = YK_NEW(d->arena, Fixed, 1);
+    if (!fixed || symbol < 0) return false;
+    *fixed = (Fixed){symbol, value};
+    return yk_derive_add_source(d, fill_fixed, fixed);
+}
+
 double yk_derive_fixed(YkDerivation *d, const YkPoisson *a)
 {
     double *values = calloc(yk_ring_symbol_count(d->ring) + 1, sizeof *values);

@@ -36,6 +36,8 @@ const YkPoisson *yk_derive_root(YkDerivation *d, const char *key, const char *na
 const YkPoisson *yk_derive_call(YkDeriveLaw *law, const char *stem, const YkPoisson *meaning);
 bool yk_derive_span(YkDeriveLaw *law, const YkPoisson *from, const YkPoisson *to, bool is_backwards,
                     YkDeriveSpan *span);
+// A symbol that is a constant with this value.
+bool yk_derive_fix(YkDerivation *d, int32_t symbol, double value);
 // The value of an element of parameters and constants alone.
 double yk_derive_fixed(YkDerivation *d, const YkPoisson *a);
 // An expression of the file, or NULL where the ring cannot hold it.

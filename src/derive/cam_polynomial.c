@@ -256,13 +256,6 @@ static YkFraction in_units(const Polynomial *p, size_t condition)
     return yk_fraction_of(yk_derive_fixed(d, p->shares[condition]) / yk_derive_fixed(d, p->h));
 }
 
-static void fill_coefficient(void *context, const YkState *state, YkDynamics *dynamics, double *values)
-{
-    const double *pair = context;
-    (void)state, (void)dynamics;
-    values[(size_t)pair[0]] = pair[1];
-}
-
 // A coefficient whose fraction is too long for a formula: a symbol c5.
 static int32_t enter_digits(const Polynomial *p, size_t k, double value)
 {
@@ -272,11 +265,7 @@ static int32_t enter_digits(const Polynomial *p, size_t k, double value)
     yk_text_format(&key, "%s %z c%z", law->law->name, law->index, k);
     yk_text_format(&name, law->ending[0] ? "c%s_%z" : "c%s%z", law->ending, k);
     int32_t symbol = yk_derive_once(law->d, yk_text_get(&key), yk_text_get(&name), YK_RING_CONSTANT, false, &is_new);
-    double *pair = is_new ? YK_NEW(law->d->arena, double, 2) : NULL;
-    if (pair) {
-        pair[0] = symbol, pair[1] = value;
-        yk_derive_add_source(law->d, fill_coefficient, pair);
-    }
+    if (is_new) yk_derive_fix(law->d, symbol, value);
     yk_text_free(&key);
     yk_text_free(&name);
     return symbol;

@@ -289,13 +289,6 @@ static void scale(Rise *rise, const YkPoisson *start, const YkPoisson *by, const
 // --- Print -----------------------------------------------------------------------------------------------------------
 
 // Ca = 4 pi^2 / (pi + 4), the peak of the acceleration in units of h / beta^2.
-static void fill_factor(void *context, const YkState *state, YkDynamics *dynamics, double *values)
-{
-    const double *pair = context;
-    (void)state, (void)dynamics;
-    values[(size_t)pair[0]] = pair[1];
-}
-
 static bool put_factor(Rise *rise)
 {
     YkDerivation *d = rise->law->d;
@@ -311,13 +304,8 @@ static bool put_factor(Rise *rise)
     int32_t symbol = yk_derive_once(d, yk_text_get(&key), yk_text_get(&name), YK_RING_CONSTANT, false, &is_new);
     yk_text_free(&key);
     yk_text_free(&name);
-    double *pair = is_new ? YK_NEW(d->arena, double, 2) : NULL;
-    if (symbol < 0 || (is_new && !pair)) return false;
-    if (is_new) {
-        pair[0] = symbol;
-        pair[1] = yk_derive_fixed(d, over) / yk_derive_fixed(d, under);
-        yk_derive_add_source(d, fill_factor, pair);
-    }
+    if (symbol < 0 || (is_new && !yk_derive_fix(d, symbol, yk_derive_fixed(d, over) / yk_derive_fixed(d, under))))
+        return false;
     yk_page_solution(rise->law->page, NULL, symbol, over, under);
     rise->factor = yk_ring_of(ring, symbol);
     return true;

@@ -234,8 +234,7 @@ static void put_names(const YkDeriveLaw *law)
                   yk_text_get(&names[1]), yk_text_get(&names[2]), yk_text_get(&names[3]), law->theta_name);
     for (int k = 0; k < YK_DERIVE_ORDERS; k++) yk_text_free(&names[k]);
     if (yk_ring_is_same(law->position, law->shown[0])) return;
-    YkLine *line = yk_page_equation(law->page, NULL, law->position, law->shown[0], YK_RING_TEXTBOOK);
-    (void)line;
+    yk_page_equation(law->page, NULL, law->position, law->shown[0], YK_RING_TEXTBOOK);
 }
 
 static void put_law(YkDerivation *d, YkPage *page, size_t index, size_t *number, size_t formulas)

@@ -37,7 +37,7 @@ static const YkPoisson *times(const Shape *shape, const YkPoisson *a, const YkPo
     return yk_ring_multiply(shape->ring, a, b);
 }
 
-static const YkPoisson *signed_(const Shape *shape, int sign, const YkPoisson *a)
+static const YkPoisson *with_sign(const Shape *shape, int sign, const YkPoisson *a)
 {
     return yk_ring_scale(shape->ring, a, sign, 1);
 }
@@ -64,23 +64,12 @@ static int32_t enter(const Shape *shape, const char *stem, bool is_angle, bool *
     return symbol;
 }
 
-static void fill_number(void *context, const YkState *state, YkDynamics *dynamics, double *values)
-{
-    const double *pair = context;
-    (void)state, (void)dynamics;
-    values[(size_t)pair[0]] = pair[1];
-}
-
 // A constant that the file does not give as such.
 static const YkPoisson *constant(const Shape *shape, const char *stem, bool is_angle, double value)
 {
     bool is_new;
     int32_t symbol = enter(shape, stem, is_angle, &is_new);
-    double *pair = is_new ? YK_NEW(shape->d->arena, double, 2) : NULL;
-    if (pair) {
-        pair[0] = symbol, pair[1] = value;
-        yk_derive_add_source(shape->d, fill_number, pair);
-    }
+    if (is_new) yk_derive_fix(shape->d, symbol, value);
     const YkPoisson *a = yk_ring_of(shape->ring, symbol);
     YkLine *line = yk_page_formula(shape->page, NULL);
     yk_line_element(shape->page, line, a, YK_RING_TEXTBOOK);
@@ -159,9 +148,9 @@ static void put_roller(const Shape *shape, const YkPoisson *C, const YkPoisson *
                        const YkPoisson *lifts)
 {
     YkRing *ring = shape->ring;
-    const YkPoisson *C1 = minus(shape, d1, signed_(shape, shape->sigma, quarter(shape, C)));
-    const YkPoisson *C2 = minus(shape, minus(shape, d2, signed_(shape, 2 * shape->sigma, quarter(shape, d1))), C);
-    const YkPoisson *normal = signed_(shape, shape->sigma, quarter(shape, C1));
+    const YkPoisson *C1 = minus(shape, d1, with_sign(shape, shape->sigma, quarter(shape, C)));
+    const YkPoisson *C2 = minus(shape, minus(shape, d2, with_sign(shape, 2 * shape->sigma, quarter(shape, d1))), C);
+    const YkPoisson *normal = with_sign(shape, shape->sigma, quarter(shape, C1));
     bool is_edge = yk_ring_is_zero(shape->roller);
     put_vector(shape, is_edge ? "cam surface, in the cam's axes" : "pitch curve, in the cam's axes",
                times(shape, shape->back, C));
@@ -173,7 +162,7 @@ static void put_roller(const Shape *shape, const YkPoisson *C, const YkPoisson *
             shape, "cam surface",
             times(shape, shape->back, minus(shape, C, yk_ring_divide(ring, times(shape, shape->roller, normal), n))));
     put_quotient(shape, is_edge ? "radius of curvature" : "radius of curvature of the pitch curve", "rho",
-                 yk_ring_power(ring, n, 3), signed_(shape, -shape->sigma, yk_ring_cross(ring, C1, C2)));
+                 yk_ring_power(ring, n, 3), with_sign(shape, -shape->sigma, yk_ring_cross(ring, C1, C2)));
     if (!is_edge) yk_page_words(shape->page, "The surface's radius of curvature is rho less the roller's radius.");
 }
 
@@ -194,7 +183,7 @@ static const YkPoisson *enter_psi(const Shape *shape)
     bool is_new;
     const YkPoisson *psi0 = constant(shape, "psi0", true, shape->numbers.start);
     int32_t psi = enter(shape, "psi", true, &is_new);
-    const YkPoisson *meaning = plus(shape, psi0, signed_(shape, shape->swing, shape->s));
+    const YkPoisson *meaning = plus(shape, psi0, with_sign(shape, shape->swing, shape->s));
     if (is_new) yk_derive_define(d, psi, meaning);
     yk_page_equation(shape->page, NULL, yk_ring_of(shape->ring, psi), meaning, YK_RING_TEXTBOOK);
     return yk_ring_unit(shape->ring, psi);
@@ -203,14 +192,12 @@ static const YkPoisson *enter_psi(const Shape *shape)
 // The centre runs on a circle about the pivot.
 static void put_oscillating(const Shape *shape)
 {
-    YkRing *ring = shape->ring;
     const YkPoisson *unit = enter_psi(shape), *arm = times(shape, shape->arm, unit), *across = quarter(shape, arm);
-    const YkPoisson *C = plus(shape, shape->pivot, arm), *v = signed_(shape, shape->swing, shape->v);
-    const YkPoisson *d2 = minus(shape, times(shape, signed_(shape, shape->swing, shape->a), across),
+    const YkPoisson *C = plus(shape, shape->pivot, arm), *v = with_sign(shape, shape->swing, shape->v);
+    const YkPoisson *d2 = minus(shape, times(shape, with_sign(shape, shape->swing, shape->a), across),
                                 times(shape, times(shape, v, v), arm));
     yk_page_words(shape->page, "psi0 is such that the triangle of arm, centres and R_b + R_r closes.");
-    (void)ring;
-    put_roller(shape, C, times(shape, v, across), d2, signed_(shape, shape->swing, quarter(shape, unit)));
+    put_roller(shape, C, times(shape, v, across), d2, with_sign(shape, shape->swing, quarter(shape, unit)));
 }
 
 // --- Flat faces ------------------------------------------------------------------------------------------------------
@@ -219,14 +206,14 @@ static void put_oscillating(const Shape *shape)
 static void put_flat(const Shape *shape)
 {
     const YkPoisson *h = plus(shape, shape->base, shape->s), *u = shape->along;
-    const YkPoisson *aside = quarter(shape, times(shape, signed_(shape, shape->sigma, shape->v), u));
+    const YkPoisson *aside = quarter(shape, times(shape, with_sign(shape, shape->sigma, shape->v), u));
     put_vector(shape, "cam surface, in the cam's axes",
                times(shape, shape->back, minus(shape, times(shape, h, u), aside)));
     put_quotient(shape, "pressure angle", "tan(alpha)", yk_ring_rational(shape->ring, 0, 1),
                  yk_ring_rational(shape->ring, 1, 1));
     put_quotient(shape, "radius of curvature", "rho", plus(shape, h, shape->a), yk_ring_rational(shape->ring, 1, 1));
     put_quotient(shape, "contact on the face, from the line of motion", "x",
-                 minus(shape, signed_(shape, shape->sigma, shape->v), shape->offset),
+                 minus(shape, with_sign(shape, shape->sigma, shape->v), shape->offset),
                  yk_ring_rational(shape->ring, 1, 1));
 }
 
@@ -235,8 +222,8 @@ static void put_flat_oscillating(const Shape *shape)
 {
     YkRing *ring = shape->ring;
     bool is_new;
-    const YkPoisson *n = enter_psi(shape), *nu1 = signed_(shape, shape->swing, shape->v);
-    const YkPoisson *nu2 = signed_(shape, shape->swing, shape->a);
+    const YkPoisson *n = enter_psi(shape), *nu1 = with_sign(shape, shape->swing, shape->v);
+    const YkPoisson *nu2 = with_sign(shape, shape->swing, shape->a);
     int32_t symbol = enter(shape, "q", false, &is_new);
     const YkPoisson *turns = minus(shape, nu1, yk_ring_rational(ring, shape->sigma, 1));
     if (is_new) yk_derive_define(shape->d, symbol, turns);
@@ -247,7 +234,7 @@ static void put_flat_oscillating(const Shape *shape)
     const YkPoisson *h2 = minus(shape, times(shape, across, nu2), times(shape, along, times(shape, nu1, nu1)));
     const YkPoisson *slope = yk_ring_divide(ring, h1, q);
     const YkPoisson *contact = times(shape, n, plus(shape, h, quarter(shape, slope)));
-    const YkPoisson *moves = signed_(shape, shape->swing, quarter(shape, minus(shape, contact, shape->pivot)));
+    const YkPoisson *moves = with_sign(shape, shape->swing, quarter(shape, minus(shape, contact, shape->pivot)));
     put_vector(shape, "cam surface, in the cam's axes", times(shape, shape->back, contact));
     put_quotient(shape, "pressure angle", "tan(alpha)", yk_ring_cross(ring, moves, n), yk_ring_dot(ring, moves, n));
     const YkPoisson *rho = plus(shape, h, yk_ring_divide(ring, h2, times(shape, q, q)));

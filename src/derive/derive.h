@@ -206,8 +206,8 @@ bool yk_derive_add_unknown(YkDerivation *d, int32_t symbol);
 // headings and formulas to a page. false when something failed (the ring's status tells).
 typedef bool (*YkDeriveSection)(YkDerivation *d, YkPage *page);
 typedef struct YkDeriveSectionEntry {
-    const char *name;      // as --what takes it
-    const char *title;     // heading
+    const char *name;  // as --what takes it
+    const char *title; // heading
     YkDeriveSection write;
     bool (*is_of)(const YkModel *model); // has the model what it is about? NULL: always; `all` leaves out the others
 } YkDeriveSectionEntry;

@@ -168,3 +168,20 @@ const YkPoisson *yk_derive_coefficient(YkDerivation *d, const YkTrainTerm *term)
     const YkPoisson *teeth = term->symbol < 0 ? yk_ring_rational(d->ring, 1, 1) : d->train->symbols[term->symbol];
     return yk_ring_scale(d->ring, teeth, term->sign, 1);
 }
+
+bool yk_derive_is_input(YkDerivation *d, int32_t column)
+{
+    for (int32_t k = 0; k < d->train->input_count; k++)
+        if (yk_ring_is_same(d->train->input_rates[k], yk_derive_column(d, column))) return true;
+    return false;
+}
+
+const YkPoisson *yk_derive_row_zero(YkDerivation *d, const YkTrainRow *row)
+{
+    const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
+    for (int32_t t = 0; t < row->count; t++)
+        sum = yk_ring_add(d->ring, sum,
+                          yk_ring_multiply(d->ring, yk_derive_coefficient(d, &row->terms[t]),
+                                           yk_derive_column(d, row->terms[t].column)));
+    return sum;
+}

@@ -24,6 +24,9 @@ const YkPoisson *yk_derive_speed(YkDerivation *d, size_t body);
 // Of a column of the net: a body's speed, or the rate of a rack's slide.
 const YkPoisson *yk_derive_column(YkDerivation *d, int32_t column);
 int32_t yk_derive_column_symbol(const YkDerivation *d, int32_t column); // -1: it stands
+bool yk_derive_is_input(YkDerivation *d, int32_t column);
+// Sum of factor * speed of a row of the case, which is 0 (or an input).
+const YkPoisson *yk_derive_row_zero(YkDerivation *d, const YkTrainRow *row);
 // A term's factor: sign * teeth.
 const YkPoisson *yk_derive_coefficient(YkDerivation *d, const YkTrainTerm *term);
 

@@ -31,19 +31,6 @@ static const YkPoisson *teeth(const Mesh *mesh, int side)
     return mesh->d->train->symbols[mesh->row->terms[side].symbol];
 }
 
-static const YkPoisson *zero_of(const Mesh *mesh)
-{
-    YkRing *ring = mesh->d->ring;
-    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    for (int32_t t = 0; t < mesh->row->count; t++) {
-        const YkTrainTerm *term = &mesh->row->terms[t];
-        sum = yk_ring_add(
-            ring, sum,
-            yk_ring_multiply(ring, yk_derive_coefficient(mesh->d, term), yk_derive_column(mesh->d, term->column)));
-    }
-    return sum;
-}
-
 static YkLine *new_line(const Mesh *mesh, const char *remark)
 {
     YkLine *line = yk_page_formula(mesh->page, remark);
@@ -275,7 +262,7 @@ void yk_derive_put_mesh(YkDerivation *d, YkPage *page, size_t index)
                  .row = yk_train_mesh_row(&train->net, (int32_t)index),
                  .of = yk_train_mesh(train, index),
                  .index = index};
-    mesh.zero = zero_of(&mesh);
+    mesh.zero = yk_derive_row_zero(d, mesh.row);
     mesh.point = name_point(&mesh);
     put_heading(&mesh);
     if (mesh.of.kind == YK_TRAIN_RACK) {

@@ -4,13 +4,6 @@
 
 enum { SYSTEM_SHOWN_MAX = 12 };
 
-static bool is_input(const YkDeriveTrain *train, const YkPoisson *speed)
-{
-    for (int32_t k = 0; k < train->input_count; k++)
-        if (yk_ring_is_same(train->input_rates[k], speed)) return true;
-    return false;
-}
-
 // What teeth and radii are called that are no parameters of the file.
 static void put_names(YkDerivation *d, YkPage *page)
 {
@@ -38,22 +31,11 @@ static size_t unknown_symbols(YkDerivation *d, int32_t *unknowns)
     size_t count = 0;
     for (int32_t c = 1; c < net->columns; c++) {
         int32_t symbol = yk_derive_column_symbol(d, c);
-        bool is_known = symbol < 0 || is_input(d->train, yk_derive_column(d, c));
+        bool is_known = symbol < 0 || yk_derive_is_input(d, c);
         for (size_t k = 0; k < count && !is_known; k++) is_known = unknowns[k] == symbol;
         if (!is_known) unknowns[count++] = symbol;
     }
     return count;
-}
-
-// Sum of factor * speed of a row, which is 0.
-static const YkPoisson *zero_of(YkDerivation *d, const YkTrainRow *row)
-{
-    const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
-    for (int32_t t = 0; t < row->count; t++)
-        sum = yk_ring_add(d->ring, sum,
-                          yk_ring_multiply(d->ring, yk_derive_coefficient(d, &row->terms[t]),
-                                           yk_derive_column(d, row->terms[t].column)));
-    return sum;
 }
 
 // All that the rows say beyond names: those of meshes, of slides that close loops, of inputs between two bodies.
@@ -63,7 +45,7 @@ static size_t collect_rows(YkDerivation *d, const YkPoisson **zeros)
     size_t count = 0;
     for (int32_t r = 0; r < motion->row_count; r++) {
         const YkTrainRow *row = &motion->rows[r];
-        const YkPoisson *zero = zero_of(d, row);
+        const YkPoisson *zero = yk_derive_row_zero(d, row);
         if (row->input >= 0) zero = yk_ring_subtract(d->ring, zero, d->train->input_rates[row->input]);
         if (!yk_ring_is_zero(zero)) zeros[count++] = zero;
     }

@@ -139,13 +139,6 @@ static bool give_up(YkDerivation *d, YkPage *page, YkLine *line, const char *nam
     return !page->failed;
 }
 
-static bool is_input(const YkDeriveTrain *train, const YkPoisson *speed)
-{
-    for (int32_t k = 0; k < train->input_count; k++)
-        if (yk_ring_is_same(train->input_rates[k], speed)) return true;
-    return false;
-}
-
 // The same with the file's numbers of teeth, exactly, `omega4 = 35/29 omegaC - 6/29 omega1`; and at its drives' speeds.
 static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkPoisson *left)
 {
@@ -243,7 +236,7 @@ void yk_derive_put_speeds(YkDerivation *d, YkPage *page)
     put_inputs(d, page);
     for (int32_t c = 1; c < net->columns; c++) {
         int32_t symbol = yk_derive_column_symbol(d, c);
-        bool is_known = symbol < 0 || is_input(train, yk_derive_column(d, c));
+        bool is_known = symbol < 0 || yk_derive_is_input(d, c);
         for (int32_t k = 1; k < c && !is_known; k++) is_known = yk_derive_column_symbol(d, k) == symbol;
         if (is_known) continue;
         if (!yk_exact_is_determined(&train->motion.system, c)) {

@@ -151,5 +151,75 @@ class Gears(Case):
             self.assertFalse(math.isnan(len(json.loads(text))))
 
 
+CASES = {c["id"]: c for c in json.load(open(os.path.join(ROOT, "tests", "validation", "cases.json"), encoding="utf-8"))["cases"]}
+# Wheels on the ground's axis and arms; "wheel@arm" is pinned to the arm. Meshes: (wheel, teeth, wheel, teeth), the second a ring with "i".
+KHURMI_GUPTA = {
+    "KG13.1": ("A B C D", [("A", 20, "B", 50), ("B", 25, "C", 75), ("C", 26, "D", 65)], {"A": 975}, ["D"]),
+    "KG13.4": ("A arm B@arm", [("A", 36, "B", 45)], [{"A": 0, "arm": 150}, {"A": -300, "arm": 150}], ["B"]),
+    "KG13.6": ("A C arm B@arm", [("C", 32, "B", 20), ("B", 20, "A", 72, "i")], {"A": 0, "arm": 18}, ["C", "B"]),
+    "KG13.7a": ("A D arm B@arm", [("A", 40, "B", 25), ("B", 25, "D", 90, "i")], {"A": -1, "D": "1/2"}, ["arm"]),
+    "KG13.7b": ("A D arm B@arm", [("A", 40, "B", 25), ("B", 25, "D", 90, "i")], {"A": -1, "D": 0}, ["arm"]),
+    "KG13.10": ("C G arm DE@arm", [("C", 50, "DE", 20), ("DE", 35, "G", 105, "i")], {"C": 110, "G": 0}, ["arm"]),
+    "KG13.14": ("H C G arm KL@arm", [("H", 40, "KL", 20), ("KL", 30, "C", 90, "i"), ("arm", 50, "G", 80)], {"H": -400, "C": 0}, ["G"]),
+    "KG13.16": ("A arm B@arm", [("A", 40, "B", 30)], {"A": -100, "arm": 100}, ["B"]),
+}
+
+
+def train(wheels, meshes, speeds, unit="rpm"):
+    bodies = [word.split("@") for word in wheels.split()]
+    lines = ["bodies: {%s}" % ", ".join("%s: {}" % body[0] for body in bodies), "joints:"]
+    on = {body[0]: body[1] if len(body) > 1 else "ground" for body in bodies}
+    lines += ["  J%s: {pin: [%s, %s], angle: theta_%s}" % (name, carrier, name, name) for name, carrier in on.items()]
+    lines.append("gears:")
+    for k, mesh in enumerate(meshes):
+        carrier = next((on[w] for w in (mesh[0], mesh[2]) if on[w] != "ground"), "ground")
+        lines.append("  m%d: {mesh: [%s, %s], teeth: [%d, %d], carrier: %s, internal: %s}" %
+                     (k, mesh[0], mesh[2], mesh[1], mesh[3], carrier, "true" if len(mesh) > 4 else "false"))
+    lines.append("drives: {%s}" % ", ".join("theta_%s: %s %s * t" % (name, speed, unit) for name, speed in speeds.items()))
+    return "\n".join(lines) + "\n"
+
+
+class KhurmiGupta(Case):
+    """Trains of Khurmi and Gupta, ch. 13, whose layout the text gives, by `gears` and as formulas by `derive`."""
+
+    def speeds(self, wheels, meshes, speeds, unit="rpm"):
+        file = self.write("train.yaml", train(wheels, meshes, speeds, unit))
+        answer = Run("gears", file, "--format", "json").json()["bodies"]
+        derived = Run("derive", file, "--what", "gears", "--numbers", "--format", "json").json()["sections"][0]["items"]
+        for name, body in answer.items():  # the formula's value is the speed
+            values = [item["value"] for item in derived if item.get("remark") == name and "value" in item]
+            self.assertTrue(values)
+            for value in values:
+                self.assertAlmostEqual(value, body["speed"], delta=1e-12 * (1 + abs(body["speed"])))
+        return answer
+
+    def test_the_published_speeds(self):
+        rows = {row[0]: row[1] for row in CASES["GT-KG"]["check"]["rows"]["rows"]}
+        for name, (wheels, meshes, runs, outputs) in KHURMI_GUPTA.items():
+            found = []
+            for speeds in runs if isinstance(runs, list) else [runs]:
+                answer = self.speeds(wheels, meshes, speeds)
+                found += [Fraction(answer[out]["exact"].split()[0]) for out in outputs]
+            expected = [Fraction(text) for text in rows[name].split(" , ")]
+            if name == "KG13.1":  # told without its sense; three meshes turn it round
+                expected = [-x for x in expected]
+            self.assertEqual(found, expected, name)
+
+    def test_two_rings_at_speeds_in_turns(self):
+        meshes = [("A", 12, "BC", 30), ("BC", 30, "E", 72, "i"), ("BC", 14, "D", 56, "i")]
+        answer = self.speeds("A E D arm BC@arm", meshes, {"A": -60, "D": 300})
+        row = next(row for row in CASES["GT-KG"]["check"]["rows"]["rows"] if row[0] == "KG13.11")
+        for body, text in zip(("arm", "E"), row[2].split(" , ")):
+            self.assertAlmostEqual(answer[body]["speed"], float(text), delta=1e-8)
+
+    def test_torques_of_a_planetary_set(self):
+        text = train("S E arm P@arm", [("S", 16, "P", 24), ("P", 24, "E", 64, "i")], {"S": 5, "E": 0})
+        file = self.write("13-20.yaml", text + "efforts: {theta_S: 100 N*m}\n")
+        answer = Run("gears", file, "--in", "S", "--out", "arm", "--format", "json").json()
+        torques = {t["name"]: t["torque"] for t in answer["torques"]}
+        self.assertEqual(answer["bodies"]["arm"]["exact"], "1 rpm")  # 5 turns of S for one of the arm
+        self.assertAlmostEqual(abs(torques["theta_E"]), 400, delta=1e-9)
+
+
 if __name__ == "__main__":
     unittest.main()
