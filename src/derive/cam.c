@@ -26,7 +26,7 @@ int32_t yk_derive_once(YkDerivation *d, const char *key, const char *name, YkRin
     return own->symbol;
 }
 
-const YkPoisson *yk_derive_root(YkDerivation *d, const char *key, const char *name, const YkPoisson *square)
+const YkPoisson *yk_derive_once_root(YkDerivation *d, const char *key, const char *name, const YkPoisson *square)
 {
     for (const YkDeriveOwn *own = d->own; own; own = own->next)
         if (strcmp(own->key, key) == 0) return yk_ring_of(d->ring, own->symbol);

@@ -31,7 +31,7 @@ typedef struct YkDeriveSpan {
 int32_t yk_derive_once(YkDerivation *d, const char *key, const char *name, YkRingClass kind, bool is_angle,
                        bool *is_new);
 // The same for a positive root: its square is `square`.
-const YkPoisson *yk_derive_root(YkDerivation *d, const char *key, const char *name, const YkPoisson *square);
+const YkPoisson *yk_derive_once_root(YkDerivation *d, const char *key, const char *name, const YkPoisson *square);
 // stem + the segment's ending, standing for `meaning`: `meaning` itself where it is a symbol already. With its line.
 const YkPoisson *yk_derive_call(YkDeriveLaw *law, const char *stem, const YkPoisson *meaning);
 bool yk_derive_span(YkDeriveLaw *law, const YkPoisson *from, const YkPoisson *to, bool is_backwards,

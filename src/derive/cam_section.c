@@ -93,7 +93,7 @@ static void name_law(YkDeriveLaw *law, size_t index)
         name_alone(law, index);
         return;
     }
-    law->theta = yk_ring_of(d->ring, d->coordinates[first->argument].position);
+    law->theta = yk_ring_of(d->ring, first->variable);
     for (int k = 0; k < YK_DERIVE_ORDERS; k++) law->shown[k] = yk_ring_of(d->ring, first->function + k);
     if (followers > 1 || !law->position) law->position = law->shown[0];
 }

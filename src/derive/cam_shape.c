@@ -132,7 +132,7 @@ static const YkPoisson *root(const Shape *shape, const char *stem, const YkPoiss
     YkText key = {0}, name = {0};
     yk_text_format(&key, "cam %s %s", shape->cam->name, stem);
     yk_text_format(&name, shape->d->model->cam_count > 1 ? "%s_%s" : "%s", stem, shape->cam->name);
-    const YkPoisson *made = yk_derive_root(shape->d, yk_text_get(&key), yk_text_get(&name), square);
+    const YkPoisson *made = yk_derive_once_root(shape->d, yk_text_get(&key), yk_text_get(&name), square);
     yk_text_free(&key);
     yk_text_free(&name);
     YkLine *line = yk_page_equation(shape->page, NULL, yk_ring_power(shape->ring, made, 2), square, YK_RING_TEXTBOOK);
@@ -294,7 +294,7 @@ void yk_derive_put_cam(YkDerivation *d, YkPage *page, size_t index)
     shape.s = yk_ring_of(d->ring, tie->function);
     shape.v = yk_ring_of(d->ring, tie->function + 1);
     shape.a = yk_ring_of(d->ring, tie->function + 2);
-    const YkAngleTerm turned = {d->coordinates[tie->argument].position, -shape.sigma};
+    const YkAngleTerm turned = {tie->variable, -shape.sigma};
     shape.back = yk_ring_exp(d->ring, &turned, 1);
     put_dimensions(&shape);
     if (cam->face == YK_CAM_FLAT)

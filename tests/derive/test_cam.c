@@ -353,7 +353,7 @@ static void check_shape(Machine *m, bool has_roller)
     write_cam(m);
     for (int k = 0; k < 40; k++) {
         if (!turn_to(m, 0.03 + k * 0.157)) continue;
-        YkCamPoint point = yk_cam_at(design, m->values[m->d->coordinates[m->d->ties[0].argument].position]);
+        YkCamPoint point = yk_cam_at(design, m->values[m->d->ties[0].variable]);
         check_vector(m, line_of(m, "cam surface"), point.surface);
         if (has_roller) check_vector(m, line_of(m, "pitch curve"), point.pitch);
         CHECK_NEAR(quotient(m, line_of(m, "pressure angle")), tan(point.pressure_angle), 1e-12);
