@@ -64,8 +64,7 @@ const YkPoisson *yk_derive_call(YkDeriveLaw *law, const char *stem, const YkPois
     yk_text_free(&name);
     if (symbol < 0 || (is_new && !yk_derive_define(d, symbol, meaning))) return NULL;
     const YkPoisson *called = yk_ring_of(d->ring, symbol);
-    YkLine *line = yk_page_equation(law->page, NULL, called, meaning, YK_RING_TEXTBOOK);
-    if (line) line->target = yk_ring_name_in(d->ring, symbol, YK_RING_C), line->over = meaning;
+    yk_page_equation(law->page, NULL, called, meaning, YK_RING_TEXTBOOK);
     return called;
 }
 
@@ -198,8 +197,8 @@ bool yk_derive_span(YkDeriveLaw *law, const YkPoisson *from, const YkPoisson *to
     if (!yk_ring_is_same(span->beta, span->length)) put_part(law, line, high, low, span->length);
     if (!line) return false;
     line->value = line->within = span->u;
-    line->over = part, line->under = span->beta;
-    line->target = yk_ring_name_in(d->ring, yk_ring_next_symbol(d->ring, span->u, -1), YK_RING_C);
+    line->over = part, line->under = span->length;
+    line->solved = yk_ring_next_symbol(d->ring, span->u, -1);
     return true;
 }
 
@@ -260,7 +259,7 @@ void yk_derive_end_line(YkDeriveLaw *law, YkLine *line, int order, const YkPoiss
     int32_t symbol = yk_ring_next_symbol(ring, law->shown[order], -1);
     yk_text_format(&target, "%s_%z%s", yk_ring_name_in(ring, symbol, YK_RING_C), law->index + 1, zone);
     line->vanishes = yk_ring_subtract(ring, law->shown[order], value);
-    line->value = line->over = value;
+    line->value = yk_derive_in_joints(law->d, value);
     line->within = within;
     line->target = yk_arena_copy(law->page->arena, yk_text_get(&target), target.length);
     law->page->failed |= target.failed || !line->target;

@@ -301,7 +301,7 @@ static bool put_factor(Rise *rise)
     YkText key = {0}, name = {0};
     yk_text_format(&key, "%s %z Ca", rise->law->law->name, rise->law->index);
     yk_text_format(&name, "Ca%s", rise->law->ending);
-    int32_t symbol = yk_derive_once(d, yk_text_get(&key), yk_text_get(&name), YK_RING_CONSTANT, false, &is_new);
+    int32_t symbol = yk_derive_once(d, yk_text_get(&key), yk_text_get(&name), YK_RING_FUNCTION, false, &is_new);
     yk_text_free(&key);
     yk_text_free(&name);
     if (symbol < 0 || (is_new && !yk_derive_fix(d, symbol, yk_derive_fixed(d, over) / yk_derive_fixed(d, under))))
@@ -390,7 +390,7 @@ static void put_zone(Rise *rise, size_t index)
         const YkPoisson *meaning = yk_derive_in_joints(law->d, zone->phi);
         YkLine *line = yk_page_equation(law->page, NULL, zone->phi, meaning, YK_RING_TEXTBOOK);
         int32_t symbol = yk_ring_next_symbol(ring, zone->phi, -1);
-        if (line) line->target = yk_ring_name_in(ring, symbol, YK_RING_C), line->over = meaning, line->within = within;
+        if (line) line->solved = symbol, line->over = meaning, line->within = within;
     }
     for (int order = 0; order < YK_DERIVE_ORDERS; order++) {
         put_order(rise, order, f, within, rise->count > 1 ? letter : "");

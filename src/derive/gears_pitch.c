@@ -269,10 +269,13 @@ void yk_derive_put_mesh(YkDerivation *d, YkPage *page, size_t index)
         put_rack(&mesh);
         return;
     }
-    if (mesh.of.kind == YK_TRAIN_GEARS) {
+    if (mesh.of.kind == YK_TRAIN_GEARS && d->model->gears[mesh.row->index].center_distance > 0) {
         put_radii(&mesh);
         put_pitch_velocities(&mesh);
-        put_along_tangent(&mesh);
+    } else if (mesh.of.kind == YK_TRAIN_GEARS) {
+        yk_page_words(page,
+                      "The file puts both centres on one point, so its geometry has no pitch point; the teeth say:");
     }
+    if (mesh.of.kind == YK_TRAIN_GEARS) put_along_tangent(&mesh);
     put_willis(&mesh);
 }

@@ -193,10 +193,10 @@ static bool find_shares(YkDerivation *d, int32_t column, Share *shares, int32_t 
     return true;
 }
 
-static bool put_speed(YkDerivation *d, YkPage *page, int32_t column)
+// omega4 = ..., or that there is no such formula.
+static bool put_in_teeth(YkDerivation *d, YkPage *page, int32_t column, const YkPoisson *left)
 {
     Sum sum = {.over = yk_ring_rational(d->ring, 0, 1), .under = yk_ring_rational(d->ring, 1, 1)};
-    const YkPoisson *left = yk_derive_column(d, column);
     Share *shares = YK_NEW(page->arena, Share, (size_t)d->train->input_count + 1);
     int32_t count;
     YkLine *line = yk_page_formula(page, name_of(d, column));
@@ -209,7 +209,13 @@ static bool put_speed(YkDerivation *d, YkPage *page, int32_t column)
             if (shares[k].is_negative == (pass == 1)) put_share(d, page, line, &shares[k], &sum);
     if (!sum.any) yk_line_sign(page, line, "0");
     finish(d, line, left, &sum, yk_derive_column_symbol(d, column));
-    if (yk_ring_status(d->ring) != YK_RING_OK) return give_up(d, page, line, name_of(d, column));
+    return yk_ring_status(d->ring) == YK_RING_OK || give_up(d, page, line, name_of(d, column));
+}
+
+static bool put_speed(YkDerivation *d, YkPage *page, int32_t column)
+{
+    const YkPoisson *left = yk_derive_column(d, column);
+    if (!put_in_teeth(d, page, column, left)) return false;
     if (page->has_numbers) put_numbers(d, page, column, left);
     return true;
 }

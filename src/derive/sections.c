@@ -23,7 +23,7 @@ const YkDeriveSectionEntry yk_derive_sections[] = {
     {"energy", "Energies", yk_derive_section_energy, NULL},
     {"lagrange", "Lagrange's equations", yk_derive_section_lagrange, NULL},
     {"gears", "Gear trains", yk_derive_section_gears, has_train},
-    {"cam", "Cams", yk_derive_section_cam, has_laws},
+    {"cam", "Motion programs and cams", yk_derive_section_cam, has_laws},
     {NULL, NULL, NULL, NULL},
 };
 

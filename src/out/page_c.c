@@ -139,6 +139,7 @@ static const char *name_of(Code *code, const YkPagePiece *piece)
 static bool is_named_value(const YkLine *line)
 {
     const YkPagePiece *first = line->first, *second = first ? first->next : NULL;
+    if (line->value && line->target) return true;
     return line->value && first->kind == YK_PIECE_VECTOR && second && second->kind == YK_PIECE_SIGN &&
            strcmp(second->text, "=") == 0;
 }

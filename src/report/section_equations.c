@@ -17,7 +17,7 @@ enum {
 static void add_part(YkReportPage *report, YkDerivation *derivation, size_t section, YkText *html)
 {
     const YkDeriveSectionEntry *entry = &yk_derive_sections[section];
-    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring};
+    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring, .has_numbers = report->status >= 0};
     YkText part = {0};
     double *values = NULL;
     bool good = page.arena && yk_derive_write(derivation, section, &page);
@@ -79,7 +79,7 @@ void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *proble
         yk_html_element(html, "p", yk_problems_get(own, 0)->message);
     }
     for (size_t k = 0; derivation && yk_derive_sections[k].name; k++) {
-        if (!yk_derive_sections[k].write) continue;
+        if (yk_derive_sections[k].is_of && !yk_derive_sections[k].is_of(report->model)) continue;
         add_part(report, derivation, k, html);
         if (strcmp(yk_derive_sections[k].name, "free-bodies") == 0) add_pictures(report, derivation, html);
     }

@@ -241,6 +241,45 @@ static void a_geared_linkage_has_its_meshes_and_leaves_the_loops(void **state)
     machine_end(&m);
 }
 
+// Wheels that the file puts onto one point have teeth, but no pitch point.
+static void a_train_without_geometry_has_no_pitch_points(void **state)
+{
+    (void)state;
+    Machine m = machine_of(
+        "bodies: {sun: {}, planet: {}, arm: {}}\n"
+        "joints: {S: {pin: [ground, sun], angle: theta1}, A: {pin: [ground, arm]}, P: {pin: [arm, planet]}}\n"
+        "gears:\n"
+        "  a: {mesh: [sun, planet], teeth: [20, 30], carrier: arm}\n"
+        "  b: {mesh: [planet, ground], teeth: [30, 80], carrier: arm, internal: true}\n"
+        "drives: {theta1: 100 rpm * t}\n");
+    const char *text = text_of(&m, false);
+    assert_null(strstr(text, "v_P1"));
+    expect(text, "no pitch point");
+    expect(text, "omega_arm = omega1 z_sun / (z_sun + z_ground)\n");
+    visit(&m, "on one point");
+    machine_end(&m);
+}
+
+// Of forty wheels there is no readable formula, but a number.
+static void a_long_train_keeps_its_numbers(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    yk_text_puts(&text, "bodies: {");
+    for (int k = 0; k < 40; k++) yk_text_format(&text, "g%d: {}%s", k, k < 39 ? ", " : "}\njoints:\n");
+    for (int k = 0; k < 40; k++) yk_text_format(&text, "  J%d: {pin: [ground, g%d], angle: theta%d}\n", k, k, k);
+    yk_text_puts(&text, "gears:\n");
+    for (int k = 1; k < 40; k++)
+        yk_text_format(&text, "  m%d: {mesh: [g%d, g%d], teeth: [20, 30], carrier: ground}\n", k, k - 1, k);
+    Machine m = machine_of(yk_text_get(&text));
+    yk_text_free(&text);
+    assert_true(random_pose(&m, true));
+    const char *page = text_of(&m, true);
+    expect(page, "g39: no formula of a readable size");
+    expect(page, "omega39 = - 549755813888/4052555153018976267 omega0"); // (2/3)^39
+    machine_end(&m);
+}
+
 static void a_parameter_keeps_its_name_before_a_speed(void **state)
 {
     (void)state;
@@ -339,6 +378,8 @@ int main(void)
         cmocka_unit_test(every_line_of_every_example_is_true_and_reads_back),
         cmocka_unit_test(racks_belts_and_rolling_wheels_are_told_too),
         cmocka_unit_test(a_geared_linkage_has_its_meshes_and_leaves_the_loops),
+        cmocka_unit_test(a_train_without_geometry_has_no_pitch_points),
+        cmocka_unit_test(a_long_train_keeps_its_numbers),
         cmocka_unit_test(a_parameter_keeps_its_name_before_a_speed),
         cmocka_unit_test(a_machine_without_gears_says_so),
         cmocka_unit_test(speeds_are_checked_by_name),
