@@ -185,7 +185,8 @@ static const YkPoisson *enter_psi(const Shape *shape)
     int32_t psi = enter(shape, "psi", true, &is_new);
     const YkPoisson *meaning = plus(shape, psi0, with_sign(shape, shape->swing, shape->s));
     if (is_new) yk_derive_define(d, psi, meaning);
-    yk_page_equation(shape->page, NULL, yk_ring_of(shape->ring, psi), meaning, YK_RING_TEXTBOOK);
+    YkLine *line = yk_page_equation(shape->page, NULL, yk_ring_of(shape->ring, psi), meaning, YK_RING_TEXTBOOK);
+    if (line) line->solved = psi, line->over = meaning;
     return yk_ring_unit(shape->ring, psi);
 }
 

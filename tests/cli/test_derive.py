@@ -144,25 +144,6 @@ class Cam(Case):
             expected = factor * 0.2 / (4 * math.pi / 3) ** k
             self.assertAlmostEqual(found["C%d" % k]["value"] / expected, 1, delta=1e-13)
 
-    def test_c_compiles_and_gives_the_same_lift(self):
-        statements = self.good("derive", os.path.join(EXAMPLES, "swing-cam.yaml"), "--what", "cam", "--format", "c").out
-        program = """#include <math.h>
-#include <stdio.h>
-int main(void) {
-    const double theta = 0.8, pi = 3.14159265358979323846;
-%s
-    printf("%%.17g %%.17g\\n", swing_1b, swing_v_1b); }
-""" % statements
-        source, binary = os.path.join(self.folder, "cam.c"), os.path.join(self.folder, "cam")
-        with open(source, "w", encoding="utf-8") as file:
-            file.write(program)
-        subprocess.run(["cc", "-std=c17", "-o", binary, source, "-lm"], check=True)
-        lift, slope = map(float, subprocess.run([binary], capture_output=True, check=True).stdout.split())
-        solved = self.good("solve", os.path.join(EXAMPLES, "swing-cam.yaml"), "--at", "theta=0.8rad", "--rate", "theta=1rad/s", "--format", "json").json()
-        coordinates = solved["configurations"][0]["coordinates"]
-        self.assertAlmostEqual(lift, coordinates["phi"]["position"], 14)
-        self.assertAlmostEqual(slope, coordinates["phi"]["velocity"], 14)
-
 
 class Check(Case):
     def verdict(self, *equations, code=0, file=QUICK, stdin=None):

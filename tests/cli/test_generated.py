@@ -148,6 +148,22 @@ class Generated(Case):
         self.assertAlmostEqual(rate, solved["d5"]["velocity"], 12)
         self.assertAlmostEqual(influence, solved["d5"]["velocity"] / solved["theta1"]["velocity"], 12)
 
+    def test_a_segment_of_a_cam_is_the_engines_lift(self):
+        example = os.path.join(ROOT, "examples", "swing-cam.yaml")
+        code = self.good("derive", example, "--what", "cam", "--format", "c").out
+        solved = self.good("solve", example, "--at", "theta=0.8rad", "--rate", "theta=1rad/s", "--format", "json").json()
+        arrays, _ = results(code)["cam"]
+        lines = ["#include <stdio.h>", "int main(void)", "{", "    Machine m = {.theta = 0.8};", "    machine_constants(&m);"]
+        lines += ["    double %s%s;" % (name, "".join("[%d]" % size for size in sizes)) for name, sizes in arrays]
+        lines.append("    machine_cam(&m, %s);" % ", ".join(name if sizes else "&" + name for name, sizes in arrays))
+        lines += ["    printf(\"%.17g %.17g\", swing_1b, swing_v_1b);", "}", ""]
+        binary = self.path("lift")
+        self.compile(code + "\n".join(lines), "lift", COMPILERS[0], "-o", binary, "-lm")
+        lift, slope = map(float, subprocess.run([binary], capture_output=True, check=True).stdout.split())
+        follower = solved["configurations"][0]["coordinates"]["phi"]
+        self.assertAlmostEqual(lift, follower["position"], 14)
+        self.assertAlmostEqual(slope, follower["velocity"], 14)
+
     def test_all_of_a_machine_is_there(self):
         code = self.good("derive", os.path.join(ROOT, "examples", "slider-crank.yaml"), "--format", "c").out
         for section in ("loops", "jacobian", "velocity", "acceleration", "free_bodies", "newton_euler", "energy", "lagrange"):
