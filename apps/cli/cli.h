@@ -48,6 +48,8 @@ typedef struct YkRequest {
     const char *sample, *designs, *seed, *threads;                         // study
     YkFormat format;
     bool sensitivities, fresh; // study
+    const char *prefix;                                                    // code
+    bool single, kinematics;                                               // code
     bool all, modes, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
@@ -91,6 +93,7 @@ int yk_run_gears(YkSession *session);
 int yk_run_derive(YkSession *session);
 int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
+int yk_run_code(YkSession *session);
 
 // Prints a list of problems on standard error; with quiet, only where there is an error among them.
 void yk_print_problems(YkProblems *problems, bool quiet);

@@ -4,7 +4,7 @@
 #define POSE " solve sweep draw derive report study "
 #define START " solve sweep draw simulate derive report study "
 #define FORCES " solve sweep simulate gears derive "
-#define MODEL " check solve sweep draw simulate cam gears rest derive report study "
+#define MODEL " check solve sweep draw simulate cam gears rest derive code report study "
 #define LOCKS " check solve sweep draw simulate gears rest derive report study "
 #define FIELD(name) offsetof(YkRequest, name)
 
@@ -39,8 +39,8 @@ const YkOption yk_options[] = {
     {"output", 'o', YK_OPTION_WORD, FIELD(output), "FILE", MODEL "new ",
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
-     " check solve sweep simulate gears rest cam derive report study ",
-     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; report: html, pdf; study: npy too)"},
+     " check solve sweep simulate gears rest cam derive code report study ",
+     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; code: text, json; report: html, pdf; study: npy too)"},
     {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at its start (default 0)"},
     {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at its end, as in 10s"},
     {"every", 0, YK_OPTION_WORD, FIELD(every), "TIME", " simulate ", "a row every so often (default: --steps 100)"},
@@ -90,6 +90,10 @@ const YkOption yk_options[] = {
     {"threads", 0, YK_OPTION_WORD, FIELD(threads), "N", " study ",
      "how many at once (default: as many as there are processors); the results are the same"},
     {"fresh", 0, YK_OPTION_SWITCH, FIELD(fresh), NULL, " study ", "do not go on with an interrupted study"},
+    {"prefix", 0, YK_OPTION_WORD, FIELD(prefix), "NAME", " code ",
+     "what all names in the file begin with (default: made of the machine's name)"},
+    {"kinematics", 0, YK_OPTION_SWITCH, FIELD(kinematics), NULL, " code ", "the motion alone, no forces"},
+    {"single", 0, YK_OPTION_SWITCH, FIELD(single), NULL, " code ", "float in place of double"},
     {"quiet", 'q', YK_OPTION_SWITCH, FIELD(quiet), NULL, "*", "no notes and warnings"},
     {"help", 'h', YK_OPTION_SWITCH, FIELD(help), NULL, "*", "this help"},
     {"version", 0, YK_OPTION_SWITCH, FIELD(version), NULL, "*", "the version"},

@@ -71,7 +71,12 @@ const YkVerb yk_verbs[] = {
      "forces, gears, cams, dimensions, structure, the equations with their values, and how well it all closes.\n"
      "It shows the motion of the drives, or of --over, or under the machine's loads for as long as --to says.",
      "yoke report examples/quick-return.yaml -o report.html", yk_run_report},
-    {"code", "C for this machine", "FILE [options]", "", "", NULL},
+    {"code", "C for this machine", "FILE [options]",
+     "Prints C11 for this one machine, from the steps that yoke solves it by: positions, velocities, accelerations of\n"
+     "coordinates and points, efforts, accelerations of free coordinates, reactions, energies; parameters as a struct;\n"
+     "for one pose or arrays of them. The file needs the C library alone, allocates nothing, and tests itself when it is\n"
+     "compiled with -DPREFIX_TEST.",
+     "yoke code examples/quick-return.yaml -o quick_return.c", yk_run_code},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };
 

@@ -24,6 +24,7 @@ extern "C" {
 #include <yoke/cam.h>
 #include <yoke/study.h>
 #include <yoke/draw.h>
+#include <yoke/code.h>
 #include <yoke/report.h>
 
 YK_API const char *yk_version(void); // "0.1.0"

@@ -52,7 +52,8 @@ void yk_recipe_note_constant(YkRecipe *recipe, size_t first, int32_t node);
 // The node of the constant of a stored sum. A sum that is nothing but a node (first 0, has_plus) has constant 0.
 static inline int32_t yk_recipe_constant(const YkRecipe *recipe, uint32_t first, bool has_plus)
 {
-    return recipe && !(first == 0 && has_plus) ? recipe->of_constant[first] : 0;
+    if (!recipe || (first == 0 && has_plus) || first >= recipe->constant_count) return 0; // not there: out of memory
+    return recipe->of_constant[first];
 }
 void yk_recipe_note_line(YkRecipe *recipe, int32_t block, int32_t line, int32_t node);
 

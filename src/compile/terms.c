@@ -89,7 +89,7 @@ void yk_terms_add_origin(YkTermList *list, const YkMechanism *mech, int32_t body
     add_constant(list, constant, sign < 0 ? yk_recipe_negate(recipe, node, constant) : node);
     add_node(list, origin->plus, sign);
     for (uint32_t k = origin->first; k < origin->first + origin->count; k++)
-        yk_terms_add_node(list, mech->terms[k], recipe ? recipe->of_term[k] : 0, sign);
+        yk_terms_add_node(list, mech->terms[k], recipe && k < recipe->term_count ? recipe->of_term[k] : 0, sign);
 }
 
 // A joint's point on one of its sides, from that body's origin.

@@ -1,0 +1,56 @@
+// yoke code: C for this machine.
+#include <string.h>
+#include "answer.h"
+#include "out/json.h"
+#include "session.h"
+
+// A prefix begins a C name and is none of C's own.
+static bool is_prefix(const char *text)
+{
+    size_t length = strlen(text);
+    if (length == 0 || length > 60) return false;
+    for (const char *c = text; *c; c++) {
+        bool is_letter = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || *c == '_';
+        if (!is_letter && (c == text || *c < '0' || *c > '9')) return false;
+    }
+    return text[0] != '_';
+}
+
+static void write_json(YkSession *session, const YkCSource *code)
+{
+    YkJson json = {.text = &session->out};
+    yk_json_object(&json, NULL, YK_JSON_LINES);
+    yk_json_string(&json, "model", yk_model_name(session->model));
+    yk_json_string(&json, "status", "ok");
+    yk_json_string(&json, "language", "C11");
+    yk_json_string(&json, "prefix", yk_c_source_prefix(code));
+    yk_json_string(&json, "code", yk_c_source_text(code));
+    yk_json_end(&json);
+}
+
+int yk_run_code(YkSession *session)
+{
+    const YkRequest *request = session->request;
+    YkCSourceOptions options = yk_default_c_source_options();
+    options.prefix = request->prefix;
+    options.single = request->single;
+    options.kinematics = request->kinematics;
+    if (request->prefix && !is_prefix(request->prefix)) {
+        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--prefix takes a C name that begins with a letter, not %q",
+                          request->prefix);
+        return YK_EXIT_WRONG;
+    }
+    if (request->format == YK_FORMAT_CSV) {
+        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+        return YK_EXIT_WRONG;
+    }
+    if (!yk_session_load(session, NULL)) return YK_EXIT_WRONG; // what is wrong with the machine is told as ever
+    YkCSource *code = yk_c_source_new(session->model, &options, session->problems);
+    if (!code) return YK_EXIT_NO_ANSWER;
+    if (request->format == YK_FORMAT_JSON)
+        write_json(session, code);
+    else
+        yk_text_puts(&session->out, yk_c_source_text(code));
+    yk_c_source_free(code);
+    return yk_session_finish(session, YK_EXIT_DONE);
+}

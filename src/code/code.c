@@ -1,0 +1,224 @@
+// The door: a model becomes the text of a C file.
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+#include "code/file.h"
+#include "compile/variant.h"
+
+struct YkCSource {
+    YkText text;
+    char *prefix;
+};
+
+YkCSourceOptions yk_default_c_source_options(void)
+{
+    return (YkCSourceOptions){0};
+}
+
+// A C name of the model's file: lower case, words joined by underscores.
+static const char *prefix_of(YkProgram *p, const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    char *copy = yk_program_text(p, "%s", slash ? slash + 1 : name), *to = copy, *dot = strrchr(copy, '.');
+    if (dot && dot > copy) *dot = 0;
+    for (const char *c = copy; *c && to - copy < 40; c++) {
+        bool is_upper = *c >= 'A' && *c <= 'Z',
+             is_letter = is_upper || (*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9');
+        if (is_letter)
+            *to++ = is_upper ? (char)(*c - 'A' + 'a') : *c;
+        else if (*c != '\'' && to > copy && to[-1] != '_')
+            *to++ = '_';
+    }
+    while (to > copy && to[-1] == '_') to--;
+    *to = 0;
+    if (to == copy) return "machine";
+    return copy[0] >= '0' && copy[0] <= '9' ? yk_program_text(p, "machine_%s", copy) : copy;
+}
+
+static bool assemble(YkFile *file, YkProblems *problems)
+{
+    YkStatus status = yk_state_assemble(file->state);
+    if (status >= 0) return true;
+    yk_problem(problems, YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0}, "%s: %s", yk_status_name(status),
+               yk_state_report(file->state)->message);
+    return false;
+}
+
+// What of the parameters' values the poses need, under names of their own.
+static void name_fields(YkFile *file)
+{
+    YkPrinter *pr = &file->printer;
+    YkProgram *p = &file->program;
+    YkNames taken = {0};
+    int32_t existing;
+    yk_names_add(&taken, "p", 0, &existing);
+    for (size_t k = 0; k < pr->field_count; k++) {
+        YkRef field = pr->fields[k];
+        const char *wish = p->graph.values[field].name, *name = wish ? wish : yk_program_text(p, "k%d", (int)k + 1);
+        for (int i = 2; yk_names_find(&taken, name) != YK_NONE; i++)
+            name = yk_program_text(p, "%s_%d", wish ? wish : "k", i);
+        if (!yk_names_add(&taken, name, 0, &existing)) p->failed = true;
+        pr->field[field] = name;
+    }
+    yk_names_free(&taken);
+}
+
+static bool need_fields(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    for (size_t k = 0; k < file->routine_count; k++) {
+        YkRef *roots = YK_NEW(p->arena, YkRef, file->routines[k].count + 8);
+        if (!roots) return false;
+        yk_printer_need(&file->printer, roots, yk_file_roots(file, &file->routines[k], roots));
+    }
+    for (size_t k = 0; k < file->drive_count; k++) yk_printer_need(&file->printer, &file->drives[k].value, 1);
+    yk_printer_need(&file->printer, file->residuals, file->residual_count);
+    for (size_t b = 0; b < p->mech->block_count; b++) {
+        size_t n = p->mech->blocks[b].column_count;
+        if (p->mech->blocks[b].kind != YK_BLOCK_GROUP) continue;
+        yk_printer_need(&file->printer, p->placed[b].residual, n);
+        yk_printer_need(&file->printer, p->placed[b].jacobian, n * n);
+    }
+    name_fields(file);
+    return !p->failed;
+}
+
+// Helpers are printed before what uses them, so that is printed first, aside.
+static bool write_body(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    YkText head = file->text, body;
+    file->text = (YkText){0};
+    yk_file_write_machine(file);
+    for (size_t b = 0; b < p->mech->block_count; b++)
+        if (p->mech->blocks[b].kind == YK_BLOCK_GROUP) yk_printer_group(&file->printer, b);
+    yk_file_write_drives(file);
+    yk_file_write_residuals(file);
+    for (size_t k = 0; k < file->routine_count; k++) yk_file_write_routine(file, &file->routines[k]);
+    body = file->text;
+    file->text = head;
+    yk_file_template(file,
+                     "#ifndef @_DECLARATIONS_ONLY\n#include <math.h>\n#include <stdint.h>\n#include <string.h>\n\n"
+                     "/* Functions that must vanish into loops, and loops in which no pose hangs on another. */\n"
+                     "#if defined(__GNUC__)\n#define @_INLINE static inline __attribute__((always_inline))\n#else\n"
+                     "#define @_INLINE static inline\n#endif\n"
+                     "#if defined(__clang__)\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that stays "
+                     "scalar is slower, not wrong */\n"
+                     "#define @_EACH _Pragma(\"clang loop vectorize(assume_safety)\")\n#elif defined(__GNUC__)\n"
+                     "#define @_EACH _Pragma(\"GCC ivdep\")\n#else\n#define @_EACH\n#endif\n\n");
+    yk_file_write_helpers(file, yk_text_get(&body));
+    yk_text_puts(&file->text, yk_text_get(&body));
+    bool failed = body.failed;
+    yk_text_free(&body);
+    yk_file_write_test(file);
+    yk_file_template(file, "#endif\n");
+    return !failed;
+}
+
+static bool write_all(YkFile *file)
+{
+    if (!yk_file_members(file) || !yk_file_routines(file)) return false;
+    if (file->program.graph.failed) return false;
+    if (!yk_printer_start(&file->printer, &file->program, file->prefix, file->single, &file->text)) return false;
+    if (!need_fields(file)) return false;
+    yk_file_write_head(file);
+    yk_file_write_types(file);
+    return write_body(file) && !file->text.failed && !file->printer.failed && !file->program.failed;
+}
+
+// Parameters of which the printed program may have others: given by the file alone, and nothing that is fixed.
+static size_t own_parameters(YkProgram *p, const char **names)
+{
+    const YkModel *m = p->model;
+    size_t count = 0;
+    for (size_t k = 0; k < m->parameter_count; k++) {
+        bool follows = false;
+        for (size_t i = 0; i < m->parameter_count && m->parameters[k].expr; i++)
+            follows = follows || yk_expr_mentions(m->parameters[k].expr, m->parameters[i].name);
+        if (!follows && !p->is_fixed[k]) names[count++] = m->parameters[k].name;
+    }
+    return count;
+}
+
+// The mechanism with the recipe of its vectors, compiled so that no accident of the file's numbers shapes it.
+static YkVariant *vary(const YkMechanism *mech, YkArena *arena, YkProblems *problems)
+{
+    const YkModel *m = mech->model;
+    YkProgram fixing = {.model = m, .is_fixed = YK_NEW(arena, bool, m->parameter_count + 1)};
+    const char **names = YK_NEW(arena, const char *, m->parameter_count + 1);
+    if (yk_arena_failed(arena)) return NULL;
+    yk_program_fix(&fixing);
+    size_t count = own_parameters(&fixing, names);
+    return yk_variant_new(mech, names, count, problems);
+}
+
+static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptions *options, YkArena *arena,
+                          YkProblems *problems)
+{
+    const YkMechanism *mech = variant->mech;
+    if (!yk_program_start(&file->program, mech, &variant->recipe, arena, problems)) return false;
+    file->prefix = options->prefix ? options->prefix : prefix_of(&file->program, mech->model->source_name);
+    file->single = options->single;
+    file->has_forces = !options->kinematics && yk_model_has_forces(mech->model);
+    yk_program_fix(&file->program);
+    yk_program_constants(&file->program);
+    file->state = yk_state_new(mech);
+    return file->state && assemble(file, problems) && write_all(file);
+}
+
+static bool print(YkFile *file, const YkModel *model, const YkCSourceOptions *options, YkArena *arena,
+                  YkProblems *problems)
+{
+    YkCompileOptions compile = {options->inputs, options->input_count};
+    YkMechanism *mech = yk_mechanism_compile(model, &compile, problems);
+    YkVariant *variant = mech ? vary(mech, arena, problems) : NULL;
+    bool ok = variant && print_varying(file, variant, options, arena, problems);
+    yk_printer_end(&file->printer);
+    if (variant) yk_program_end(&file->program);
+    yk_state_free(file->state);
+    yk_variant_free(variant);
+    yk_mechanism_free(mech);
+    return ok;
+}
+
+YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *options, YkProblems *problems)
+{
+    YkCSourceOptions defaults = yk_default_c_source_options();
+    YkFile file = {0};
+    YkArena *arena = yk_arena_new();
+    YkCSource *code = calloc(1, sizeof *code);
+    size_t errors = yk_problems_error_count(problems);
+    bool ok = arena && code && print(&file, model, options ? options : &defaults, arena, problems);
+    if (ok) {
+        code->text = file.text;
+        code->prefix = malloc(strlen(file.prefix) + 1);
+        if (code->prefix) memcpy(code->prefix, file.prefix, strlen(file.prefix) + 1);
+        ok = code->prefix != NULL;
+    } else {
+        yk_text_free(&file.text);
+    }
+    yk_arena_free(arena);
+    if (ok) return code;
+    if (problems && yk_problems_error_count(problems) == errors)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while printing the code");
+    yk_c_source_free(code);
+    return NULL;
+}
+
+const char *yk_c_source_text(const YkCSource *code)
+{
+    return yk_text_get(&code->text);
+}
+
+const char *yk_c_source_prefix(const YkCSource *code)
+{
+    return code->prefix;
+}
+
+void yk_c_source_free(YkCSource *code)
+{
+    if (!code) return;
+    yk_text_free(&code->text);
+    free(code->prefix);
+    free(code);
+}

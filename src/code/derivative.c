@@ -1,0 +1,134 @@
+// Exact derivatives of values by a leaf.
+#include "code/dag.h"
+#include <stdlib.h>
+
+enum { NOTHING = -1 };
+
+typedef struct Work {
+    YkDag *g;
+    YkRef leaf;
+    YkRef *memo;
+} Work;
+
+static YkRef derive(Work *w, YkRef value);
+
+static YkRef of_function(Work *w, YkValue v)
+{
+    YkDag *g = w->g;
+    YkRef a = v.a, da = derive(w, a), one = yk_dag_number(g, 1), self = yk_dag_function(g, v.function, v.a, v.b);
+    YkRef square = yk_dag_multiply(g, a, a);
+    switch (v.function) {
+    case YK_SIN:
+        return yk_dag_multiply(g, da, yk_dag_function(g, YK_COS, a, NOTHING));
+    case YK_COS:
+        return yk_dag_minus(g, yk_dag_multiply(g, da, yk_dag_function(g, YK_SIN, a, NOTHING)));
+    case YK_TAN:
+        return yk_dag_multiply(g, da, yk_dag_add(g, one, yk_dag_multiply(g, self, self)));
+    case YK_ASIN:
+        return yk_dag_divide(g, da, yk_dag_function(g, YK_SQRT, yk_dag_subtract(g, one, square), NOTHING));
+    case YK_ACOS:
+        return yk_dag_minus(
+            g, yk_dag_divide(g, da, yk_dag_function(g, YK_SQRT, yk_dag_subtract(g, one, square), NOTHING)));
+    case YK_ATAN:
+        return yk_dag_divide(g, da, yk_dag_add(g, one, square));
+    case YK_ATAN2: { // of y = a, x = b
+        YkRef db = derive(w, v.b), length = yk_dag_add(g, square, yk_dag_multiply(g, v.b, v.b));
+        YkRef top = yk_dag_subtract(g, yk_dag_multiply(g, v.b, da), yk_dag_multiply(g, a, db));
+        return yk_dag_divide(g, top, length);
+    }
+    case YK_SINH:
+        return yk_dag_multiply(g, da, yk_dag_function(g, YK_COSH, a, NOTHING));
+    case YK_COSH:
+        return yk_dag_multiply(g, da, yk_dag_function(g, YK_SINH, a, NOTHING));
+    case YK_TANH:
+        return yk_dag_multiply(g, da, yk_dag_subtract(g, one, yk_dag_multiply(g, self, self)));
+    case YK_SQRT:
+        return yk_dag_divide(g, da, yk_dag_multiply(g, yk_dag_number(g, 2), self));
+    case YK_EXP:
+        return yk_dag_multiply(g, da, self);
+    case YK_LOG:
+        return yk_dag_divide(g, da, a);
+    case YK_ABS:
+        return yk_dag_choose(g, a, yk_dag_minus(g, da), da);
+    case YK_MIN:
+        return yk_dag_choose(g, yk_dag_subtract(g, a, v.b), da, derive(w, v.b));
+    case YK_MAX:
+        return yk_dag_choose(g, yk_dag_subtract(g, a, v.b), derive(w, v.b), da);
+    default: // sign
+        return yk_dag_number(g, 0);
+    }
+}
+
+// a^b = exp(b log a)
+static YkRef of_power(Work *w, YkValue v)
+{
+    YkDag *g = w->g;
+    YkRef da = derive(w, v.a), db = derive(w, v.b), less = yk_dag_subtract(g, v.b, yk_dag_number(g, 1));
+    YkRef by_base = yk_dag_multiply(g, yk_dag_multiply(g, v.b, yk_dag_power(g, v.a, less)), da);
+    if (yk_dag_is_number(g, db, 0)) return by_base;
+    YkRef log = yk_dag_function(g, YK_LOG, v.a, NOTHING), self = yk_dag_power(g, v.a, v.b);
+    return yk_dag_add(g, by_base, yk_dag_multiply(g, self, yk_dag_multiply(g, log, db)));
+}
+
+static YkRef find(Work *w, YkRef value)
+{
+    YkDag *g = w->g;
+    YkValue v = g->values[value];
+    switch (v.op) {
+    case YK_VALUE_LEAF:
+        return yk_dag_number(g, value == w->leaf ? 1 : 0);
+    case YK_VALUE_ADD:
+        return yk_dag_add(g, derive(w, v.a), derive(w, v.b));
+    case YK_VALUE_SUBTRACT:
+        return yk_dag_subtract(g, derive(w, v.a), derive(w, v.b));
+    case YK_VALUE_MULTIPLY:
+        return yk_dag_add(g, yk_dag_multiply(g, derive(w, v.a), v.b), yk_dag_multiply(g, v.a, derive(w, v.b)));
+    case YK_VALUE_DIVIDE: {
+        YkRef slope = yk_dag_multiply(g, value, derive(w, v.b));
+        return yk_dag_divide(g, yk_dag_subtract(g, derive(w, v.a), slope), v.b);
+    }
+    case YK_VALUE_MINUS:
+        return yk_dag_minus(g, derive(w, v.a));
+    case YK_VALUE_FUNCTION:
+        return of_function(w, v);
+    case YK_VALUE_POWER:
+        return of_power(w, v);
+    case YK_VALUE_SINE:
+        return yk_dag_multiply(g, derive(w, v.a), yk_dag_unit(g, v.a).x);
+    case YK_VALUE_COSINE:
+        return yk_dag_minus(g, yk_dag_multiply(g, derive(w, v.a), yk_dag_unit(g, v.a).y));
+    case YK_VALUE_CHOOSE:
+        return yk_dag_choose(g, v.a, derive(w, v.b), derive(w, v.c));
+    case YK_VALUE_SIZE:
+        return yk_dag_choose(g, v.a, yk_dag_minus(g, derive(w, v.a)), derive(w, v.a));
+    case YK_VALUE_RESULT: { // of a law: the next derivative
+        const YkCall *call = &g->calls[v.a];
+        if (call->kind != YK_CALL_LAW || v.b > 1) return yk_dag_number(g, 0);
+        return yk_dag_multiply(g, yk_dag_result(g, v.a, (size_t)v.b + 1), derive(w, call->arguments[0]));
+    }
+    default: // numbers; what no derivative is asked of
+        return yk_dag_number(g, 0);
+    }
+}
+
+static YkRef derive(Work *w, YkRef value)
+{
+    if (value > w->leaf && w->memo[value] != NOTHING) return w->memo[value];
+    YkRef found = value < w->leaf ? yk_dag_number(w->g, 0) : find(w, value); // what is older cannot hang on it
+    w->memo[value] = found;
+    return found;
+}
+
+YkRef yk_dag_derivative(YkDag *g, YkRef value, YkRef leaf)
+{
+    size_t count = g->count;
+    Work w = {g, leaf, malloc((count + 1) * sizeof(YkRef))};
+    if (!w.memo) {
+        g->failed = true;
+        return value;
+    }
+    for (size_t k = 0; k < count; k++) w.memo[k] = NOTHING;
+    YkRef found = derive(&w, value);
+    free(w.memo);
+    return found;
+}

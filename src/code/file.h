@@ -1,0 +1,79 @@
+// The printed file: its types, its functions, its self-test.
+#ifndef CODE_FILE_H
+#define CODE_FILE_H
+#include "code/forces.h"
+#include "code/print.h"
+#include "solve/state.h"
+
+// A result of a function, as a member of its struct.
+typedef struct YkResult {
+    const char *name, *comment; // comment: unit and meaning
+    YkRef value;
+    YkChannel channel; // what the engine calls it
+} YkResult;
+
+typedef enum YkRoutineKind { YK_ROUTINE_MOTION, YK_ROUTINE_INVERSE, YK_ROUTINE_FORWARD } YkRoutineKind;
+
+// A function of a pose: `PREFIX_find_NAME` fills a struct `PREFIX_NAME`.
+typedef struct YkRoutine {
+    const char *name, *about;
+    YkResult *results;
+    size_t count;
+    YkRef witness;       // 0 where its own inputs are finite
+    YkRef regular;       // above 0 where its equations have a solution, or -1: they always have
+    bool checks_results; // they may be infinite at a regular pose
+    bool has_designs;    // a batch over parameters too
+    YkRoutineKind kind;
+} YkRoutine;
+
+enum { YK_ROUTINES_MAX = 5 };
+
+typedef struct YkLeafNote { // of the inputs or the configuration
+    const char *name, *comment;
+    double value;
+    size_t count; // of an array
+} YkLeafNote;
+
+typedef struct YkFile {
+    YkProgram program;
+    YkPrinter printer;
+    YkForces forces;
+    bool has_forces, single;
+    const char *prefix;
+    YkState *state; // assembled at the start
+    YkRoutine routines[YK_ROUTINES_MAX];
+    size_t routine_count;
+    YkLeafNote *inputs, *configuration;
+    size_t input_count, configuration_count;
+    YkResult *drives; // what a drive gives: members of the inputs
+    size_t drive_count;
+    YkRef *residuals; // loops and relations, then their Jacobian
+    size_t residual_count, row_count, coordinate_count;
+    YkText text;
+} YkFile;
+
+// members.c: what the inputs and the configuration hold.
+bool yk_file_members(YkFile *file);
+// routines.c: the routines, drives and residuals as values.
+bool yk_file_routines(YkFile *file);
+void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
+                        const char *format, ...);
+// What a routine's body makes: its results and what the status hangs on; room for 5 more.
+size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
+// file_text.c and its neighbours: the parts of the file, in order.
+void yk_file_write_head(YkFile *file);
+void yk_file_write_types(YkFile *file);
+void yk_file_write_helpers(YkFile *file, const char *body); // those that the body uses
+void yk_file_write_laws(YkFile *file);
+void yk_file_write_machine(YkFile *file);
+void yk_file_write_routine(YkFile *file, const YkRoutine *routine);
+void yk_file_write_drives(YkFile *file);
+// residuals.c: as values; their prototype; their function.
+bool yk_file_residuals(YkFile *file);
+void yk_file_declare_residuals(YkFile *file);
+void yk_file_write_residuals(YkFile *file);
+void yk_file_write_test(YkFile *file);
+// Writes a text with `@` for the prefix, `$` for the type of numbers, `~` for the ending of its functions.
+void yk_file_template(YkFile *file, const char *text);
+
+#endif

@@ -1,0 +1,45 @@
+// Forces of the program: the equations of motion in the inputs alone, efforts, accelerations, energies; reactions.
+//
+// With the Jacobian columns J_i of every body (its velocities for the rate 1 of input i), the equations are
+//     sum_j M_ij q_j'' + h_i = Q_i + effort_i,   M_ij = sum m v_i.v_j + I w_i w_j,
+// h from the accelerations for q'' = 0, Q from the loads. Source: Kane & Levinson 1985.
+#ifndef CODE_FORCES_H
+#define CODE_FORCES_H
+#include "code/program.h"
+
+typedef struct YkWrenchRef { // on a body: force, and moment about its reference point
+    YkRefVec force;
+    YkRef moment;
+} YkWrenchRef;
+
+typedef struct YkForces {
+    YkProgram *program;
+    YkMotionRef *motion;      // per coordinate of the tree: position and velocity
+    YkRates *column;          // per input
+    YkRates velocities, bias; // of the pose; its accelerations where the inputs do not accelerate
+    YkWrenchRef *load;        // per body
+    YkRef *mass, *rest;       // M[n][n]; h - Q
+    YkRef *effort;            // per input, all accelerations given
+    YkRef *acceleration;      // per input, those that are not driven without effort but `extra`
+    bool *is_free;            // per input
+    size_t free_count;
+    YkRef inertia; // above 0 where every free input has inertia
+    YkRef kinetic, potential;
+    YkRef *reaction;   // per joint: force x, y, moment; NULL: not printed
+    YkRef determinant; // of the reactions' equations
+    const char *why_no_reactions;
+} YkForces;
+
+// False where a load cannot be printed: reported.
+bool yk_forces_build(YkForces *forces, YkProgram *program);
+// loads.c: what all loads exert, into forces->load; and what springs and gravity store.
+bool yk_forces_loads(YkForces *forces);
+YkRefVec yk_forces_center(YkProgram *program, int32_t body); // its reference point, in the body's axes
+YkRef yk_forces_mass(YkProgram *program, int32_t body);
+YkRef yk_forces_inertia(YkProgram *program, int32_t body);
+// reactions.c: the free bodies' equations.
+void yk_forces_reactions(YkForces *forces, const YkRates *velocities, const YkRates *accelerations);
+// Does it have mass or load?
+bool yk_model_has_forces(const YkModel *model);
+
+#endif

@@ -1,0 +1,218 @@
+// Loads: what gravity, efforts, forces, springs, dampers and viscous friction exert on the bodies.
+#include "base/problems.h"
+#include "code/forces.h"
+
+YkRefVec yk_forces_center(YkProgram *p, int32_t body)
+{
+    YkDag *g = &p->graph;
+    const YkBody *b = &p->model->bodies[body];
+    if (!b->has_mass) return yk_dag_vec_number(g, 0, 0);
+    if (b->rod[0] != YK_NONE && b->rod[1] != YK_NONE) {
+        YkRefVec sum = yk_dag_vec_add(g, yk_program_point(p, b->rod[0]), yk_program_point(p, b->rod[1]));
+        return yk_dag_vec_scale(g, yk_dag_number(g, 0.5), sum);
+    }
+    YkRef x = b->center_x ? yk_program_expr(p, b->center_x) : yk_dag_number(g, b->center.x);
+    YkRef y = b->center_y ? yk_program_expr(p, b->center_y) : yk_dag_number(g, b->center.y);
+    return (YkRefVec){x, y};
+}
+
+YkRef yk_forces_mass(YkProgram *p, int32_t body)
+{
+    const YkBody *b = &p->model->bodies[body];
+    return b->mass_expr ? yk_program_expr(p, b->mass_expr) : yk_dag_number(&p->graph, b->mass);
+}
+
+YkRef yk_forces_inertia(YkProgram *p, int32_t body)
+{
+    YkDag *g = &p->graph;
+    const YkBody *b = &p->model->bodies[body];
+    if (b->inertia_expr) return yk_program_expr(p, b->inertia_expr);
+    if (b->rod[0] == YK_NONE || b->rod[1] == YK_NONE) return yk_dag_number(g, b->inertia);
+    YkRefVec rod = yk_dag_vec_subtract(g, yk_program_point(p, b->rod[1]), yk_program_point(p, b->rod[0]));
+    YkRef twelfth = yk_dag_divide(g, yk_forces_mass(p, body), yk_dag_number(g, 12));
+    return yk_dag_multiply(g, twelfth, yk_dag_dot(g, rod, rod));
+}
+
+bool yk_model_has_forces(const YkModel *m)
+{
+    bool has = m->effort_count + m->force_count + m->spring_count > 0;
+    for (size_t b = 0; b < m->body_count; b++) has = has || m->bodies[b].has_mass;
+    for (size_t j = 0; j < m->joint_count; j++) has = has || m->joints[j].has_friction;
+    return has;
+}
+
+// From a body's reference point to a point of it, world axes.
+static YkRefVec arm_to(YkProgram *p, int32_t body, YkRefVec at)
+{
+    YkDag *g = &p->graph;
+    YkRefVec v = yk_dag_vec_subtract(g, at, yk_forces_center(p, body));
+    v = yk_dag_vec_multiply(g, p->turn_unit[body], v);
+    return yk_dag_vec_multiply(g, p->unit[p->mech->bodies[body].orientation], v);
+}
+
+static void push(YkForces *f, int32_t body, YkRefVec arm, YkRefVec force)
+{
+    YkDag *g = &f->program->graph;
+    YkWrenchRef *load = &f->load[body];
+    load->force = yk_dag_vec_add(g, load->force, force);
+    load->moment = yk_dag_add(g, load->moment, yk_dag_cross(g, arm, force));
+}
+
+static YkRefVec in_world(YkProgram *p, int32_t body, YkRefVec v)
+{
+    YkDag *g = &p->graph;
+    return yk_dag_vec_multiply(g, p->unit[p->mech->bodies[body].orientation],
+                               yk_dag_vec_multiply(g, p->turn_unit[body], v));
+}
+
+static YkRefVec along_of(YkProgram *p, const YkJoint *joint)
+{
+    if (!joint->along_expr) return yk_dag_vec_number(&p->graph, joint->along.x, joint->along.y);
+    return yk_dag_unit(&p->graph, yk_program_expr(p, joint->along_expr));
+}
+
+// An effort along a joint's freedom: on its second body, its opposite at the same place on the first.
+static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effort)
+{
+    YkProgram *p = f->program;
+    YkDag *g = &p->graph;
+    const YkJoint *j = &p->model->joints[joint];
+    if (!is_distance) {
+        f->load[j->body[1]].moment = yk_dag_add(g, f->load[j->body[1]].moment, effort);
+        f->load[j->body[0]].moment = yk_dag_subtract(g, f->load[j->body[0]].moment, effort);
+        return;
+    }
+    YkRefVec line = in_world(p, j->body[0], along_of(p, j)), force = yk_dag_vec_scale(g, effort, line);
+    YkRefVec arm = arm_to(p, j->body[0], yk_program_point(p, j->point[0]));
+    YkRefVec out = yk_dag_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
+    push(f, j->body[1], arm_to(p, j->body[1], yk_program_point(p, j->point[1])), force);
+    push(f, j->body[0], yk_dag_vec_add(g, arm, out), yk_dag_vec_scale(g, yk_dag_number(g, -1), force));
+}
+
+static void add_efforts(YkForces *f)
+{
+    YkProgram *p = f->program;
+    for (size_t k = 0; k < p->model->effort_count; k++) {
+        const YkEffort *e = &p->model->efforts[k];
+        const YkCoordinate *c = &p->model->coordinates[e->coordinate];
+        bool is_law = e->law.of != NULL;
+        YkRef value = yk_program_expr_at(p, is_law ? e->law.of : e->expr, f->motion);
+        push_along(f, c->joint, c->is_distance,
+                   is_law ? yk_dag_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0) : value);
+    }
+}
+
+static void add_forces(YkForces *f)
+{
+    YkProgram *p = f->program;
+    YkDag *g = &p->graph;
+    for (size_t k = 0; k < p->model->force_count; k++) {
+        const YkForce *force = &p->model->forces[k];
+        YkRefVec v = {yk_program_expr_at(p, force->x, f->motion), yk_program_expr_at(p, force->y, f->motion)};
+        if (force->in_body_axes) v = in_world(p, force->body, v);
+        push(f, force->body, arm_to(p, force->body, yk_program_point(p, force->point)), v);
+        YkRef *moment = &f->load[force->body].moment;
+        *moment = yk_dag_add(g, *moment, yk_program_expr_at(p, force->moment, f->motion));
+    }
+}
+
+static YkRef value_of(YkProgram *p, const YkExpr *expr, double value)
+{
+    return expr ? yk_program_expr(p, expr) : yk_dag_number(&p->graph, value);
+}
+
+static void store(YkForces *f, YkRef stiffness, YkRef stretch)
+{
+    YkDag *g = &f->program->graph;
+    YkRef square = yk_dag_multiply(g, stiffness, yk_dag_multiply(g, stretch, stretch));
+    f->potential = yk_dag_add(g, f->potential, yk_dag_multiply(g, yk_dag_number(g, 0.5), square));
+}
+
+static void add_spring(YkForces *f, const YkSpring *s)
+{
+    YkProgram *p = f->program;
+    YkDag *g = &p->graph;
+    YkRef stiffness = value_of(p, s->stiffness_expr, s->stiffness), free = value_of(p, s->length_expr, s->length);
+    YkRef damping = value_of(p, s->damping_expr, s->damping);
+    if (s->coordinate != YK_NONE) {
+        const YkCoordinate *c = &p->model->coordinates[s->coordinate];
+        int32_t coordinate = yk_tree_coordinate(p->mech, c->joint, c->is_distance);
+        YkRef stretch = yk_dag_subtract(g, f->motion[coordinate].position, free);
+        YkRef pull = yk_dag_add(g, yk_dag_multiply(g, stiffness, stretch),
+                                yk_dag_multiply(g, damping, f->motion[coordinate].velocity));
+        store(f, stiffness, stretch);
+        push_along(f, c->joint, c->is_distance, yk_dag_minus(g, pull));
+        return;
+    }
+    YkRefVec at[2], rate[2], arm[2];
+    for (int k = 0; k < 2; k++) {
+        YkRefVec point = yk_program_point(p, s->point[k]);
+        at[k] = yk_program_at(p, s->body[k], point);
+        rate[k] = yk_program_at_rate(p, s->body[k], point, &f->velocities);
+        arm[k] = arm_to(p, s->body[k], point);
+    }
+    YkRefVec line = yk_dag_vec_subtract(g, at[1], at[0]);
+    YkRef length = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1);
+    yk_dag_name(g, length, "%s_length", yk_program_name(p, s->name));
+    YkRef per = yk_dag_divide(g, yk_dag_number(g, 1), yk_dag_unary(g, YK_VALUE_NONZERO, length));
+    YkRef stretch = yk_dag_subtract(g, length, free);
+    YkRef speed = yk_dag_multiply(g, yk_dag_dot(g, yk_dag_vec_subtract(g, rate[1], rate[0]), line), per);
+    YkRef pull = yk_dag_add(g, yk_dag_multiply(g, stiffness, stretch), yk_dag_multiply(g, damping, speed));
+    YkRefVec force = yk_dag_vec_scale(g, yk_dag_multiply(g, pull, per), line);
+    store(f, stiffness, stretch);
+    push(f, s->body[0], arm[0], force);
+    push(f, s->body[1], arm[1], yk_dag_vec_scale(g, yk_dag_number(g, -1), force));
+}
+
+static bool add_friction(YkForces *f)
+{
+    YkProgram *p = f->program;
+    YkDag *g = &p->graph;
+    for (size_t j = 0; j < p->model->joint_count; j++) {
+        const YkJoint *joint = &p->model->joints[j];
+        if (!joint->has_friction) continue;
+        if (joint->friction.coulomb != 0) {
+            yk_problem(p->problems, YK_CODE_NOT_PRINTABLE, joint->friction.place,
+                       "joint %q has dry friction, which depends on the reactions it changes; it is not printed",
+                       joint->name);
+            yk_problem_hint(p->problems, "`--kinematics` prints the motion alone; `yoke simulate` computes with it");
+            p->failed = true;
+            return false;
+        }
+        bool slides = yk_part(joint->kind)->slides;
+        YkRef viscous = value_of(p, joint->friction.viscous_expr, joint->friction.viscous);
+        YkRef rate = yk_program_joint_rate(p, (int32_t)j, slides, &f->velocities);
+        push_along(f, (int32_t)j, slides, yk_dag_minus(g, yk_dag_multiply(g, viscous, rate)));
+    }
+    return true;
+}
+
+static void add_gravity(YkForces *f)
+{
+    YkProgram *p = f->program;
+    YkDag *g = &p->graph;
+    if (!p->model->has_gravity) return;
+    YkRefVec gravity = {value_of(p, p->model->gravity_x, p->model->gravity.x),
+                        value_of(p, p->model->gravity_y, p->model->gravity.y)};
+    for (size_t b = 1; b < p->model->body_count; b++) {
+        if (!p->model->bodies[b].has_mass) continue;
+        YkRefVec weight = yk_dag_vec_scale(g, yk_forces_mass(p, (int32_t)b), gravity);
+        YkRefVec at = yk_program_at(p, (int32_t)b, yk_forces_center(p, (int32_t)b));
+        f->load[b].force = yk_dag_vec_add(g, f->load[b].force, weight);
+        f->potential = yk_dag_subtract(g, f->potential, yk_dag_dot(g, weight, at));
+    }
+}
+
+bool yk_forces_loads(YkForces *f)
+{
+    YkProgram *p = f->program;
+    YkRef zero = yk_dag_number(&p->graph, 0);
+    for (size_t b = 0; b < p->model->body_count; b++) f->load[b] = (YkWrenchRef){{zero, zero}, zero};
+    f->potential = zero;
+    yk_dag_section(&p->graph, "Loads on the bodies: forces at, and moments about, their centres of mass.");
+    add_gravity(f);
+    add_efforts(f);
+    add_forces(f);
+    for (size_t k = 0; k < p->model->spring_count; k++) add_spring(f, &p->model->springs[k]);
+    return add_friction(f) && !p->failed;
+}

@@ -1,0 +1,124 @@
+// Newton's method for one group, as a function of its own.
+#include "code/print.h"
+#include <string.h>
+
+typedef struct Gather {
+    YkPrinter *pr;
+    YkRef *known;
+    size_t count, capacity;
+    signed char *hangs; // per value: on the unknowns? 0: not looked at; 1: no; 2: yes
+} Gather;
+
+static const YkValue *value_of(const YkPrinter *pr, YkRef value)
+{
+    return &pr->program->graph.values[value];
+}
+
+static bool hangs(Gather *g, YkRef value)
+{
+    const YkValue *v = value_of(g->pr, value);
+    if (g->hangs[value]) return g->hangs[value] == 2;
+    bool found = v->op == YK_VALUE_LEAF && !v->of_parameters && v->leaf_class == YK_LEAF_UNKNOWN;
+    const YkRef operands[] = {v->a, v->b, v->c};
+    if (v->op != YK_VALUE_LEAF && v->op != YK_VALUE_RESULT)
+        for (size_t k = 0; k < 3; k++)
+            if (operands[k] >= 0 && hangs(g, operands[k])) found = true;
+    g->hangs[value] = found ? 2 : 1;
+    return found;
+}
+
+// What does not hang on the unknowns, nor on parameters alone, comes from outside.
+static void gather(Gather *g, YkRef value)
+{
+    const YkValue *v = value_of(g->pr, value);
+    if (v->of_parameters || (v->op == YK_VALUE_LEAF && hangs(g, value))) return;
+    if (hangs(g, value)) {
+        const YkRef operands[] = {v->a, v->b, v->c};
+        for (size_t k = 0; k < 3; k++)
+            if (operands[k] >= 0) gather(g, operands[k]);
+        return;
+    }
+    for (size_t k = 0; k < g->count && k < g->capacity; k++)
+        if (g->known[k] == value) return;
+    if (g->count < g->capacity) g->known[g->count] = value;
+    g->count++;
+}
+
+size_t yk_printer_group_known(YkPrinter *pr, size_t block, YkRef *known, size_t capacity)
+{
+    const YkPlaced *placed = &pr->program->placed[block];
+    size_t n = pr->program->mech->blocks[block].column_count;
+    Gather g = {pr, known, 0, capacity, YK_NEW(pr->program->arena, signed char, pr->room)};
+    if (!g.hangs) {
+        pr->failed = true;
+        return 0;
+    }
+    for (size_t k = 0; k < n; k++) gather(&g, placed->residual[k]);
+    for (size_t k = 0; k < n * n; k++) gather(&g, placed->jacobian[k]);
+    if (g.count > capacity) pr->failed = true;
+    return g.count;
+}
+
+enum { KNOWN_MAX = 512 };
+
+void yk_printer_group(YkPrinter *pr, size_t block)
+{
+    YkProgram *p = pr->program;
+    const YkPlaced *placed = &p->placed[block];
+    const YkBlock *b = &p->mech->blocks[block];
+    const char *real = pr->single ? "float" : "double", *name = placed->name;
+    int n = (int)b->column_count;
+    YkRef known[KNOWN_MAX];
+    size_t count = yk_printer_group_known(pr, block, known, KNOWN_MAX);
+    YkRef *roots = YK_NEW(p->arena, YkRef, (size_t)(n + n * n));
+    if (!roots || pr->failed) return;
+    for (int i = 0; i < n; i++) { // rows with their right side
+        for (int j = 0; j < n; j++) roots[i * (n + 1) + j] = placed->jacobian[i * n + j];
+        roots[i * (n + 1) + n] = yk_dag_minus(&p->graph, placed->residual[i]);
+    }
+    yk_text_format(
+        pr->out,
+        "/* The loops of group %s at the unknowns x[%d]: each row of `system` is a row of their Jacobian and\n"
+        "   minus what the loop misses by; returns the sum of the misses, m. */\n",
+        b->label, n);
+    yk_text_format(pr->out,
+                   "static %s %s_loops_%s(const %s_machine *m, const %s *known, const %s *x_%s, %s *system)\n{\n", real,
+                   pr->prefix, name, pr->prefix, real, real, name, real);
+    yk_text_format(pr->out, "    %s miss = 0;\n    (void)m;\n    (void)known;\n", real);
+    pr->cut = known;
+    pr->cut_count = count;
+    yk_printer_body(pr, roots, (size_t)(n * (n + 1)));
+    for (int k = 0; k < n * (n + 1); k++) {
+        yk_text_format(pr->out, "    system[%d] = ", k);
+        yk_printer_value(pr, roots[k]);
+        yk_text_puts(pr->out, ";\n");
+    }
+    pr->cut = NULL;
+    pr->cut_count = 0;
+    yk_text_format(pr->out,
+                   "    for (int k = 0; k < %d; k++) {\n"
+                   "        miss += fabs%s(system[k * %d + %d]);\n"
+                   "    }\n    return miss;\n}\n\n",
+                   n, pr->single ? "f" : "", n + 1, n);
+    yk_text_format(
+        pr->out,
+        "/* Newton's method from the guess in x[0..%d]; then x[%d]: the miss over what is allowed, x[%d]: the\n"
+        "   determinant over the lengths of the columns. It stops where the miss no longer shrinks. */\n",
+        n - 1, n, n + 1);
+    yk_text_format(pr->out, "static void %s_solve_%s(const %s_machine *m, const %s *known, %s *x)\n{\n", pr->prefix,
+                   name, pr->prefix, real, real);
+    yk_text_format(pr->out, "    %s system[%d], last = -1, determinant = 0;\n", real, n * (n + 1));
+    yk_text_format(pr->out, "    %s miss = %s_loops_%s(m, known, x, system);\n", real, pr->prefix, name);
+    yk_text_format(pr->out,
+                   "    for (int round = 0; round < 30; round++) {\n"
+                   "        determinant = %s_equations(%d, 1, system);\n"
+                   "        if (miss == 0 || (last >= 0 && !(miss < last)) || determinant == 0) break;\n"
+                   "        for (int k = 0; k < %d; k++) x[k] += system[k * %d + %d];\n"
+                   "        last = miss;\n"
+                   "        miss = %s_loops_%s(m, known, x, system);\n"
+                   "    }\n",
+                   pr->prefix, n, n, n + 1, n, pr->prefix, name);
+    yk_text_format(pr->out, "    x[%d] = miss / ", n);
+    yk_printer_number(pr, (pr->single ? 1e-5 : 1e-12) * yk_program_size(p));
+    yk_text_format(pr->out, ";\n    x[%d] = determinant;\n}\n\n", n + 1);
+}

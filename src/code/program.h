@@ -1,0 +1,139 @@
+// The program: the compiled steps of a mechanism, walked with values of a graph in place of numbers.
+//
+// What the engine does lane by lane (solve/run, solve/kernels*) is done here once, in symbols: the same steps in the
+// same order, the same closed forms. Rates come in sets: of the motion asked for, or with the rate 1 of one input and 0
+// of all others, which gives the columns of the Jacobian.
+#ifndef CODE_PROGRAM_H
+#define CODE_PROGRAM_H
+#include <yoke/code.h>
+#include "code/dag.h"
+#include "compile/mechanism.h"
+#include "compile/recipe.h"
+
+// First or second derivatives of all orientations (by slot), distances and nodes.
+typedef struct YkRates {
+    YkRef *turn, *slide;
+    YkRefVec *node;
+} YkRates;
+
+typedef struct YkMotionRef { // of a scalar
+    YkRef position, velocity, acceleration;
+} YkMotionRef;
+
+typedef struct YkPlane2 { // a vector and its derivatives
+    YkRefVec place, rate, accel;
+} YkPlane2;
+
+// What a block's position leaves for its rates.
+typedef struct YkPlaced {
+    YkRefVec known;  // K
+    YkRefVec p, q;   // RRR: the arms as they stand; RRP: q; LINK: p
+    YkRefVec e[2];   // RRR: unit vectors of both; RRP, RPR: of the line, of the orientation; PP: of both lines
+    YkRef inverse;   // of the determinant, as the rates need it
+    YkRef *unknown;  // GROUP: the leaves of Newton's method,
+    YkRef *residual; // [2 loops] by them
+    YkRef *jacobian; // [2 loops][columns]
+    YkRef *solution; // the same leaves' values, from the call,
+    YkRef *at;       // and the Jacobian there
+    int32_t call;
+    bool passes_pin; // RPR: the line passes the pin
+    const char *name;
+} YkPlaced;
+
+typedef struct YkProgram {
+    YkDag graph;
+    YkArena *arena;
+    const YkModel *model;
+    const YkMechanism *mech;
+    const YkRecipe *recipe; // how its vectors follow from points and lines of the model
+    YkProblems *problems;
+    // constants
+    YkRef *parameter; // per parameter
+    bool *is_fixed;   // per parameter: its value is the file's, for good
+    YkRef *turn;      // per body: angle to its orientation
+    YkRefVec *turn_unit;
+    YkRef time;
+    // the pose
+    YkRefVec *unit; // per slot
+    YkRef *distance;
+    YkRefVec *node;
+    YkPlaced *placed; // per block
+    YkMotionRef *input;
+    YkRef *argument, *argument_rate; // per relation with a law
+    const YkRef *input_rates;        // in work: first or second derivatives of the inputs
+    YkRef *slope;                    // per relation with a law: first and second derivative, two each
+    YkRef margin;                    // least sin^2 over the blocks
+    YkRef gap;                       // largest miss of loops that repeat others, over what is allowed
+    YkRef witness;                   // 0 where all is finite
+    YkRef missed;                    // largest miss of a group, over what is allowed
+    bool failed;                     // something cannot be printed: reported
+} YkProgram;
+
+bool yk_program_start(YkProgram *program, const YkMechanism *mech, const YkRecipe *recipe, YkArena *arena,
+                      YkProblems *problems);
+void yk_program_end(YkProgram *program);
+// The machine's size to the nearest power of two, for tolerances: the text then hangs on no value.
+double yk_program_size(const YkProgram *program);
+char *yk_program_text(YkProgram *program, const char *format, ...); // in the arena
+
+// constants.c: numbers of the model as values.
+// Parameters that keep the file's values, since what the program cannot compute anew hangs on them.
+void yk_program_fix(YkProgram *program);
+// Parameters, and the bodies' turns.
+void yk_program_constants(YkProgram *program);
+YkRef yk_program_expr(YkProgram *program, const YkExpr *expr); // of parameters and t; NULL: 0
+// The same with names of coordinates: `motion[coordinate]` of the tree.
+YkRef yk_program_expr_at(YkProgram *program, const YkExpr *expr, const YkMotionRef *motion);
+YkRefVec yk_program_point(YkProgram *program, int32_t point); // in the body's axes; YK_NONE: the origin
+YkRefVec yk_program_term(YkProgram *program, size_t term);    // of the mechanism's terms
+YkRefVec yk_program_constant(YkProgram *program, const YkSum *sum);
+YkRefVec yk_program_line(YkProgram *program, int32_t distance, YkVec value); // of a block: a unit vector
+YkRef yk_program_joint_offset(YkProgram *program, int32_t joint); // angle of the joint = Phi_b - Phi_a + this
+
+// pose.c: positions, by all steps.
+void yk_program_pose(YkProgram *program);
+// What a relation says of its target or, in a group or where it repeats others, what it misses by, m. unknown: the
+// group's columns, or NULL.
+YkRef yk_program_relation(YkProgram *program, size_t relation, const YkRef *unknown);
+// How much what repeats others misses; NaN shows in the witness.
+void yk_program_keep_gap(YkProgram *program, YkRef gap);
+int32_t yk_program_law(const YkProgram *program, const YkLaw *law); // its place in the model
+// The value of a law and its two derivatives, as a call.
+int32_t yk_program_call_law(YkProgram *program, int32_t law, YkRef argument);
+YkRefVec yk_program_sum(YkProgram *program, const YkSum *sum);
+// blocks.c: one block.
+void yk_program_place(YkProgram *program, size_t block);
+
+// rates.c
+YkRates yk_program_new_rates(YkProgram *program);
+// First derivatives from those of the inputs; second from those and the first.
+YkRates yk_program_velocities(YkProgram *program, const YkRef *input_rates);
+YkRates yk_program_accelerations(YkProgram *program, const YkRates *velocities, const YkRef *input_accelerations);
+// The rate of what a relation says, without a group's own columns; accelerations NULL: the first derivative.
+YkRef yk_program_relation_rate(YkProgram *program, size_t relation, const YkRates *velocities,
+                               const YkRates *accelerations);
+// The rate of the argument of a relation's law, from all that turns and slides.
+YkRef yk_program_argument_rate(YkProgram *program, size_t relation, const YkRates *velocities);
+YkRefVec yk_program_sum_rate(YkProgram *program, const YkSum *sum, const YkRates *velocities);
+YkRefVec yk_program_sum_accel(YkProgram *program, const YkSum *sum, const YkRates *velocities,
+                              const YkRates *accelerations);
+// block_rates.c: one block; accelerations NULL: its velocities.
+void yk_program_block_rates(YkProgram *program, size_t block, YkRates *velocities, YkRates *accelerations);
+
+// answers.c
+YkRef yk_program_coordinate(YkProgram *program, size_t coordinate); // its position
+// Its rate from first derivatives, or its acceleration from second ones: the same sum.
+YkRef yk_program_coordinate_rate(YkProgram *program, size_t coordinate, const YkRates *rates);
+YkRef yk_program_joint_rate(YkProgram *program, int32_t joint, bool is_distance, const YkRates *rates);
+// A point of a body, given in the body's axes.
+YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
+YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
+YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
+                             const YkRates *accelerations);
+// The names of model things as C names: letters, digits and underscores.
+const char *yk_program_name(YkProgram *program, const char *name);
+const char *yk_program_slot_name(YkProgram *program, int32_t slot);
+const char *yk_program_distance_name(YkProgram *program, int32_t distance);
+const char *yk_program_block_name(YkProgram *program, size_t block);
+
+#endif

@@ -1,0 +1,189 @@
+// Velocities and accelerations: the same steps, differentiated.
+#include "code/program.h"
+
+YkRates yk_program_new_rates(YkProgram *p)
+{
+    const YkMechanism *mech = p->mech;
+    YkRef zero = yk_dag_number(&p->graph, 0);
+    YkRates r = {YK_NEW(p->arena, YkRef, mech->slot_count + 1), YK_NEW(p->arena, YkRef, mech->distance_count + 1),
+                 YK_NEW(p->arena, YkRefVec, mech->node_count + 1)};
+    if (yk_arena_failed(p->arena)) {
+        p->failed = true;
+        return r;
+    }
+    for (size_t k = 0; k <= mech->slot_count; k++) r.turn[k] = zero;
+    for (size_t k = 0; k <= mech->distance_count; k++) r.slide[k] = zero;
+    for (size_t k = 0; k <= mech->node_count; k++) r.node[k] = (YkRefVec){zero, zero};
+    return r;
+}
+
+static YkRefVec add_nodes(YkProgram *p, const YkSum *sum, const YkRates *r)
+{
+    YkDag *g = &p->graph;
+    YkRefVec total = yk_dag_vec_number(g, 0, 0);
+    if (sum->plus != YK_NONE) total = yk_dag_vec_add(g, total, r->node[sum->plus]);
+    if (sum->minus != YK_NONE) total = yk_dag_vec_subtract(g, total, r->node[sum->minus]);
+    return total;
+}
+
+static YkRefVec turned(YkProgram *p, size_t index)
+{
+    return yk_dag_vec_multiply(&p->graph, p->unit[p->mech->terms[index].slot], yk_program_term(p, index));
+}
+
+// (d u)' = d' u + d w i u
+YkRefVec yk_program_sum_rate(YkProgram *p, const YkSum *sum, const YkRates *r)
+{
+    YkDag *g = &p->graph;
+    YkRefVec total = add_nodes(p, sum, r);
+    for (uint32_t k = 0; k < sum->count; k++) {
+        const YkTerm *term = &p->mech->terms[sum->first + k];
+        YkRefVec u = turned(p, sum->first + k);
+        YkRef across = r->turn[term->slot];
+        if (term->distance != YK_NONE) {
+            total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, r->slide[term->distance], u));
+            u = yk_dag_vec_scale(g, p->distance[term->distance], u);
+        }
+        total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, across, yk_dag_vec_quarter(g, u)));
+    }
+    return total;
+}
+
+// (d u)'' = d'' u + 2 d' w i u + d (a i u - w^2 u)
+YkRefVec yk_program_sum_accel(YkProgram *p, const YkSum *sum, const YkRates *r, const YkRates *s)
+{
+    YkDag *g = &p->graph;
+    YkRefVec total = add_nodes(p, sum, s);
+    for (uint32_t k = 0; k < sum->count; k++) {
+        const YkTerm *term = &p->mech->terms[sum->first + k];
+        YkRefVec u = turned(p, sum->first + k);
+        YkRef w = r->turn[term->slot], a = s->turn[term->slot];
+        if (term->distance != YK_NONE) {
+            YkRef twice = yk_dag_multiply(g, yk_dag_number(g, 2), yk_dag_multiply(g, r->slide[term->distance], w));
+            total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, s->slide[term->distance], u));
+            total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, twice, yk_dag_vec_quarter(g, u)));
+            u = yk_dag_vec_scale(g, p->distance[term->distance], u);
+        }
+        total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, a, yk_dag_vec_quarter(g, u)));
+        total = yk_dag_vec_subtract(g, total, yk_dag_vec_scale(g, yk_dag_multiply(g, w, w), u));
+    }
+    return total;
+}
+
+// Rates of a relation's sources.
+static YkRef sources(YkProgram *p, uint32_t first, uint32_t count, const YkRef *input, const YkRates *r)
+{
+    YkDag *g = &p->graph;
+    YkRef sum = yk_dag_number(g, 0);
+    for (uint32_t k = first; k < first + count; k++) {
+        const YkSource *s = &p->mech->sources[k];
+        YkRef rate = s->kind == YK_SOURCE_INPUT      ? input[s->index]
+                     : s->kind == YK_SOURCE_COLUMN   ? yk_dag_number(g, 0) // known apart
+                     : s->kind == YK_SOURCE_DISTANCE ? r->slide[s->index]
+                                                     : r->turn[s->index];
+        sum = yk_dag_add(g, sum, yk_dag_multiply(g, yk_dag_number(g, s->factor), rate));
+    }
+    return sum;
+}
+
+YkRef yk_program_argument_rate(YkProgram *p, size_t index, const YkRates *r)
+{
+    const YkRelation *relation = &p->mech->relations[index];
+    YkRef *input = YK_NEW(p->arena, YkRef, p->mech->input_count + 1);
+    if (!input) {
+        p->failed = true;
+        return 0;
+    }
+    for (size_t i = 0; i < p->mech->input_count; i++) input[i] = p->input[i].velocity;
+    return sources(p, relation->first_argument_source, relation->argument_source_count, input, r);
+}
+
+// value' = sources' + f' x', value'' = sources'' + f' x'' + f'' x'^2; r: the first derivatives where s are asked for.
+YkRef yk_program_relation_rate(YkProgram *p, size_t index, const YkRates *r, const YkRates *s)
+{
+    YkDag *g = &p->graph;
+    const YkRelation *relation = &p->mech->relations[index];
+    const YkRates *of = s ? s : r;
+    const YkRef *input = p->input_rates;
+    YkRef value = sources(p, relation->first_source, relation->source_count, input, of);
+    if (!relation->law) return value;
+    YkRef x = sources(p, relation->first_argument_source, relation->argument_source_count, input, of);
+    value = yk_dag_add(g, value, yk_dag_multiply(g, p->slope[2 * index], x));
+    if (!s) {
+        p->argument_rate[index] = x;
+        return value;
+    }
+    YkRef w = p->argument_rate[index];
+    return yk_dag_add(g, value, yk_dag_multiply(g, p->slope[2 * index + 1], yk_dag_multiply(g, w, w)));
+}
+
+static void run_relation(YkProgram *p, size_t index, const YkRates *r, YkRates *s)
+{
+    YkRelationTerm target = p->mech->relations[index].target;
+    YkRef value = yk_program_relation_rate(p, index, r ? r : s, r ? s : NULL);
+    *(target.is_distance ? &s->slide[target.index] : &s->turn[target.index]) = value;
+}
+
+static void name_rates(YkProgram *p, const YkStep *step, const YkRates *s, const char *ending)
+{
+    YkDag *g = &p->graph;
+    if (step->kind != YK_STEP_BLOCK) return;
+    const YkBlock *b = &p->mech->blocks[step->target];
+    for (uint32_t k = 0; k < b->column_count; k++) {
+        YkColumn c = b->kind == YK_BLOCK_GROUP ? p->mech->group_columns[b->first_column + k] : b->column[k];
+        YkRef value = c.is_distance ? s->slide[c.index] : s->turn[c.index];
+        const char *name = c.is_distance ? yk_program_distance_name(p, c.index) : yk_program_slot_name(p, c.index);
+        yk_dag_name(g, value, "%s_%s", name, ending);
+    }
+}
+
+// r: the first derivatives, where s are the second; otherwise NULL.
+static void run_step(YkProgram *p, const YkStep *step, const YkRef *input, YkRates *r, YkRates *s)
+{
+    YkDag *g = &p->graph;
+    switch (step->kind) {
+    case YK_STEP_TURN: {
+        YkRef change = step->sign < 0 ? yk_dag_minus(g, input[step->input]) : input[step->input];
+        s->turn[step->target] = yk_dag_add(g, s->turn[step->parent], change);
+        break;
+    }
+    case YK_STEP_COMPOSE:
+        s->turn[step->target] = yk_dag_add(g, s->turn[step->parent], s->turn[step->other]);
+        break;
+    case YK_STEP_DISTANCE:
+        s->slide[step->target] = input[step->input];
+        break;
+    case YK_STEP_NODE:
+        s->node[step->target] = r ? yk_program_sum_accel(p, &step->sum, r, s) : yk_program_sum_rate(p, &step->sum, s);
+        break;
+    case YK_STEP_BLOCK:
+        yk_program_block_rates(p, (size_t)step->target, r ? r : s, r ? s : NULL);
+        break;
+    case YK_STEP_RELATION:
+        run_relation(p, (size_t)step->target, r, s);
+        break;
+    case YK_STEP_CHECK:
+        break;
+    }
+    name_rates(p, step, s, r ? "a" : "w");
+}
+
+YkRates yk_program_velocities(YkProgram *p, const YkRef *input_rates)
+{
+    YkRates r = yk_program_new_rates(p);
+    p->input_rates = input_rates;
+    yk_dag_section(&p->graph, "Velocities, block by block from the same determinants.");
+    for (size_t k = 0; k < p->mech->step_count && !p->failed; k++)
+        run_step(p, &p->mech->steps[k], input_rates, NULL, &r);
+    return r;
+}
+
+YkRates yk_program_accelerations(YkProgram *p, const YkRates *velocities, const YkRef *input_accelerations)
+{
+    YkRates s = yk_program_new_rates(p), r = *velocities;
+    p->input_rates = input_accelerations;
+    yk_dag_section(&p->graph, "Accelerations, likewise.");
+    for (size_t k = 0; k < p->mech->step_count && !p->failed; k++)
+        run_step(p, &p->mech->steps[k], input_accelerations, &r, &s);
+    return s;
+}

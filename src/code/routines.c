@@ -1,0 +1,257 @@
+// The routines of the file: what each finds, as values.
+#include "code/file.h"
+#include "base/problems.h"
+
+void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
+                        const char *format, ...)
+{
+    YkText name = {0};
+    va_list arguments;
+    va_start(arguments, format);
+    yk_text_vformat(&name, format, arguments);
+    va_end(arguments);
+    const char *copy = yk_arena_copy(file->program.arena, yk_text_get(&name), name.length);
+    if (!copy) file->program.failed = true;
+    routine->results[routine->count++] = (YkResult){copy, comment, value, channel};
+    yk_text_free(&name);
+}
+
+static YkRoutine *begin(YkFile *file, const char *name, const char *about, size_t room)
+{
+    YkRoutine *r = &file->routines[file->routine_count++];
+    *r = (YkRoutine){.name = name, .about = about, .witness = file->program.witness, .regular = -1};
+    r->results = YK_NEW(file->program.arena, YkResult, room + 1);
+    if (!r->results) file->program.failed = true;
+    return r;
+}
+
+static YkChannel of(YkChannelKind kind, size_t index, int order)
+{
+    return (YkChannel){.kind = kind, .index = (int)index, .order = order};
+}
+
+static YkRef witness(YkProgram *p, YkRef sum, YkRef value)
+{
+    return yk_dag_add(&p->graph, sum, yk_dag_unary(&p->graph, YK_VALUE_WITNESS, value));
+}
+
+static const char *unit_of(bool is_distance, int order)
+{
+    static const char *const units[2][3] = {{"rad", "rad/s", "rad/s^2"}, {"m", "m/s", "m/s^2"}};
+    return units[is_distance][order];
+}
+
+// Velocities and accelerations for the inputs' own.
+typedef struct Rates {
+    YkRates velocities, accelerations;
+} Rates;
+
+static Rates find_rates(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    size_t n = p->mech->input_count;
+    YkRef *v = YK_NEW(p->arena, YkRef, n + 1), *a = YK_NEW(p->arena, YkRef, n + 1);
+    Rates r = {{0}, {0}};
+    if (!v || !a) {
+        p->failed = true;
+        return r;
+    }
+    for (size_t i = 0; i < n; i++) {
+        v[i] = p->input[i].velocity;
+        a[i] = p->input[i].acceleration;
+    }
+    r.velocities = yk_program_velocities(p, v);
+    r.accelerations = yk_program_accelerations(p, &r.velocities, a);
+    return r;
+}
+
+static YkRef rates_witness(YkProgram *p)
+{
+    YkRef sum = p->witness;
+    for (size_t i = 0; i < p->mech->input_count; i++)
+        sum = witness(p, witness(p, sum, p->input[i].velocity), p->input[i].acceleration);
+    return sum;
+}
+
+static void add_motion(YkFile *file, const Rates *r)
+{
+    YkProgram *p = &file->program;
+    size_t n = p->mech->coordinate_count;
+    YkRoutine *routine = begin(file, "motion", "Coordinates that are no inputs, with rates and accelerations.", 3 * n);
+    yk_dag_section(&p->graph, "Answers: angles between bodies, nearest to the configuration's.");
+    for (size_t k = 0; k < n && !p->failed; k++) {
+        const YkTreeCoordinate *c = &p->mech->coordinates[k];
+        const char *name = yk_program_name(p, c->name);
+        if (c->input != YK_NONE) continue;
+        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 0), unit_of(c->is_distance, 0),
+                           yk_program_coordinate(p, k), "%s", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 1), unit_of(c->is_distance, 1),
+                           yk_program_coordinate_rate(p, k, &r->velocities), "%s_rate", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 2), unit_of(c->is_distance, 2),
+                           yk_program_coordinate_rate(p, k, &r->accelerations), "%s_accel", name);
+    }
+    routine->witness = rates_witness(p);
+    routine->has_designs = true;
+    if (routine->count == 0) file->routine_count--;
+}
+
+static void add_points(YkFile *file, const Rates *r)
+{
+    YkProgram *p = &file->program;
+    YkDag *g = &p->graph;
+    YkRoutine *routine =
+        begin(file, "points", "Points of the moving bodies: places, velocities, accelerations, in world axes.",
+              6 * p->model->point_count);
+    yk_dag_section(g, "Points.");
+    for (size_t k = 0; k < p->model->point_count && !p->failed; k++) {
+        const YkPoint *point = &p->model->points[k];
+        if (point->body == 0) continue;
+        const char *body = yk_program_name(p, p->model->bodies[point->body].name),
+                   *name = yk_program_name(p, point->name);
+        YkRefVec at = yk_program_point(p, (int32_t)k);
+        YkRefVec place = yk_program_at(p, point->body, at),
+                 rate = yk_program_at_rate(p, point->body, at, &r->velocities);
+        YkRefVec accel = yk_program_at_accel(p, point->body, at, &r->velocities, &r->accelerations);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 0), "m", place.x, "%s_%s_x", body, name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 0), "m", place.y, "%s_%s_y", body, name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 1), "m/s", rate.x, "%s_%s_x_rate", body, name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 1), "m/s", rate.y, "%s_%s_y_rate", body, name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 2), "m/s^2", accel.x, "%s_%s_x_accel", body, name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 2), "m/s^2", accel.y, "%s_%s_y_accel", body, name);
+    }
+    routine->witness = rates_witness(p);
+    if (routine->count == 0) file->routine_count--;
+}
+
+static void add_efforts(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    size_t n = p->mech->input_count;
+    YkRoutine *routine = begin(
+        file, "efforts",
+        "Inverse dynamics: what each input must exert, besides all loads, for its acceleration; energies.", n + 2);
+    for (size_t i = 0; i < n; i++) {
+        const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
+        yk_file_add_result(file, routine, of(YK_CHANNEL_EFFORT, (size_t)p->mech->inputs[i], 0),
+                           c->is_distance ? "N" : "N m", file->forces.effort[i], "%s_effort",
+                           yk_program_name(p, c->name));
+    }
+    yk_file_add_result(file, routine, of(YK_CHANNEL_KINETIC, 0, 0), "J", file->forces.kinetic, "kinetic");
+    yk_file_add_result(file, routine, of(YK_CHANNEL_POTENTIAL, 0, 0), "J, of gravity and springs",
+                       file->forces.potential, "potential");
+    routine->checks_results = routine->has_designs = true;
+    routine->kind = YK_ROUTINE_INVERSE;
+    routine->witness = rates_witness(p);
+}
+
+static void add_accelerations(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    size_t n = p->mech->input_count;
+    if (file->forces.free_count == 0) return;
+    YkRoutine *routine =
+        begin(file, "accelerations",
+              "Forward dynamics: accelerations of the inputs that no drive moves, under all loads and `_effort`.", n);
+    for (size_t i = 0; i < n; i++) {
+        const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
+        if (!file->forces.is_free[i]) continue;
+        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, (size_t)p->mech->inputs[i], 2),
+                           unit_of(c->is_distance, 2), file->forces.acceleration[i], "%s_accel",
+                           yk_program_name(p, c->name));
+    }
+    routine->regular = file->forces.inertia;
+    routine->kind = YK_ROUTINE_FORWARD;
+    routine->checks_results = routine->has_designs = true;
+}
+
+static void add_reactions(YkFile *file, const Rates *r)
+{
+    YkProgram *p = &file->program;
+    YkForces *f = &file->forces;
+    if (p->mech->relation_count > 0)
+        f->why_no_reactions = "gears, racks, belts and cams take part in them";
+    else
+        yk_forces_reactions(f, &r->velocities, &r->accelerations);
+    if (!f->reaction) {
+        if (!f->why_no_reactions) return;
+        yk_problem(p->problems, YK_CODE_NOT_PRINTED, (YkPlace){0}, "the reactions in the joints are not printed: %s",
+                   f->why_no_reactions);
+        return;
+    }
+    YkRoutine *routine =
+        begin(file, "reactions",
+              "Reactions: the force of each joint's first body on its second, world axes; moment about its point.",
+              3 * p->model->joint_count);
+    for (size_t j = 0; j < p->model->joint_count; j++) {
+        const char *name = yk_program_name(p, p->model->joints[j].name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_X, j, 0), "N", f->reaction[3 * j], "%s_force_x", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_Y, j, 0), "N", f->reaction[3 * j + 1], "%s_force_y",
+                           name);
+        if (!yk_part(p->model->joints[j].kind)->turns)
+            yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, j, 0), "N m", f->reaction[3 * j + 2], "%s_moment",
+                               name);
+    }
+    YkRef size = yk_dag_unary(&p->graph, YK_VALUE_SIZE, f->determinant);
+    routine->regular = yk_dag_subtract(&p->graph, size, yk_dag_number(&p->graph, 1e-14));
+    routine->checks_results = true;
+    routine->kind = YK_ROUTINE_INVERSE;
+    routine->witness = rates_witness(p);
+}
+
+// --- drives
+// ---------------------------------------------------------------------------------------------------------------
+
+// What a drive gives: its expression, or a law of it, with two derivatives in time.
+static YkMotionRef drive_of(YkProgram *p, const YkDrive *drive)
+{
+    YkDag *g = &p->graph;
+    YkRef x = yk_program_expr(p, drive->expr), v = yk_dag_derivative(g, x, p->time),
+          a = yk_dag_derivative(g, v, p->time);
+    if (drive->law == YK_NONE) return (YkMotionRef){x, v, a};
+    int32_t call = yk_program_call_law(p, drive->law, x);
+    YkRef d1 = yk_dag_result(g, call, 1), d2 = yk_dag_result(g, call, 2);
+    YkRef bend = yk_dag_multiply(g, d2, yk_dag_multiply(g, v, v));
+    return (YkMotionRef){yk_dag_result(g, call, 0), yk_dag_multiply(g, d1, v),
+                         yk_dag_add(g, yk_dag_multiply(g, d1, a), bend)};
+}
+
+static void add_drives(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    file->drives = YK_NEW(p->arena, YkResult, 3 * p->mech->input_count + 1);
+    if (!file->drives) {
+        p->failed = true;
+        return;
+    }
+    yk_dag_section(&p->graph, NULL);
+    for (size_t i = 0; i < p->mech->input_count; i++) {
+        const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
+        if (c->drive == YK_NONE) continue;
+        const char *name = yk_program_name(p, c->name);
+        YkMotionRef m = drive_of(p, &p->model->drives[c->drive]);
+        file->drives[file->drive_count++] = (YkResult){.name = name, .value = m.position};
+        file->drives[file->drive_count++] =
+            (YkResult){.name = yk_program_text(p, "%s_rate", name), .value = m.velocity};
+        file->drives[file->drive_count++] =
+            (YkResult){.name = yk_program_text(p, "%s_accel", name), .value = m.acceleration};
+    }
+}
+
+bool yk_file_routines(YkFile *file)
+{
+    YkProgram *p = &file->program;
+    yk_program_pose(p);
+    if (p->failed) return false;
+    Rates r = find_rates(file);
+    if (p->failed) return false;
+    add_motion(file, &r);
+    add_points(file, &r);
+    if (file->has_forces) {
+        if (!yk_forces_build(&file->forces, p)) return false;
+        add_efforts(file);
+        add_accelerations(file);
+        add_reactions(file, &r);
+    }
+    add_drives(file);
+    return yk_file_residuals(file) && !p->failed && !p->graph.failed;
+}

@@ -1,0 +1,265 @@
+"""yoke code: the printed C compiles clean, agrees with the engine at other poses and parameters, and says what it is not.
+
+CC is the compiler; with YOKE_FEW only some of the examples are compiled."""
+import ctypes
+import glob
+import math
+import os
+import random
+import re
+import subprocess
+import unittest
+
+from harness import Case, ROOT, Run
+
+CC = os.environ.get("CC", "cc")
+WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
+EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
+DRY = {"crank-press", "rough-block", "shaking-table"}
+OTHERS = {"andrews", "double-pendulum", "quick-return", "jansen", "gas-engine", "double-butterfly", "car-axis", "five-bar",
+          "swing-cam", "epicyclic-drive", "scotch-yoke", "elliptic-trammel", "excavator"}  # compiled with other parameters too
+FEW = {"quick-return", "double-pendulum", "double-butterfly", "valve-cam"}
+NUMBER = re.compile(r"\b\d+\.\d*(?:e-?\d+)?\b|\b\d+e-?\d+\b")
+
+
+def name_of(path):
+    return os.path.splitext(os.path.basename(path))[0]
+
+
+def parts(text):
+    """The file as: what comes before its values, its values (defaults, start), its functions, its self-test."""
+    cut = {}
+    for function in ("defaults", "start"):
+        match = re.search(r"(?ms)^\w+ m_%s\(void\)\n\{.*?^\}\n" % function, text)
+        cut[function] = match.group(0)
+        text = text.replace(match.group(0), "<%s>" % function)
+    body, test = text.split("#ifdef m_TEST", 1)
+    return body, cut, test
+
+
+def joined(body, cut, test):
+    for function, own in cut.items():
+        body = body.replace("<%s>" % function, own)
+    return body + "#ifdef m_TEST" + test
+
+
+class Code(Case):
+    def compile(self, text, *options, name="m"):
+        source = self.write(name + ".c", text)
+        program = self.path(name)
+        done = subprocess.run([CC, *WARNINGS, "-O1", source, *options, "-lm", "-o", program], capture_output=True,
+                              encoding="utf-8", check=False)
+        self.assertEqual(done.returncode, 0, name + "\n" + done.stderr[:3000])
+        return program
+
+    def run_test(self, text, tolerance="1e-12", name="m"):
+        program = self.compile(text, "-Dm_TEST", "-Dm_TOLERANCE=" + tolerance, name=name)
+        return subprocess.run([program], capture_output=True, encoding="utf-8", check=False)
+
+    def print(self, file, *words):
+        return self.good("code", file, "--prefix", "m", "--quiet", *words).out
+
+    def library(self, text):
+        return ctypes.CDLL(self.compile(text, "-shared", "-fPIC"))
+
+    def test_every_example_compiles_clean_and_agrees_with_the_engine(self):
+        for path in EXAMPLES:
+            name = name_of(path)
+            if name in DRY or ("YOKE_FEW" in os.environ and name not in FEW):
+                continue
+            with self.subTest(name):
+                done = self.run_test(self.print(path), name=name)
+                self.assertEqual(done.stdout, "m: well\n", name)
+
+    def test_the_self_test_can_fail(self):
+        text = self.print(os.path.join(ROOT, "examples", "quick-return.yaml"))
+        wrong = text.replace("wanted[5][12] = {\n        {", "wanted[5][12] = {\n        {0.001 + ", 1)
+        self.assertNotEqual(wrong, text)
+        done = self.run_test(wrong)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("motion: value 0 at pose 0", done.stdout)
+
+    def test_other_parameters_give_what_the_engine_gives_for_them(self):
+        """The functions printed for the file's values, with the values, start and self-test printed for others."""
+        tried = 0
+        for path in EXAMPLES:
+            name = name_of(path)
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            section = re.search(r"(?s)^parameters:\s*\{(.*?)\}", text, re.M)
+            if not section or name in DRY or ("YOKE_FEW" in os.environ and name not in FEW):
+                continue
+            body, cut, test = parts(self.print(path))
+            members = re.findall(r"\.(\w+) = ([^,]*),", cut["defaults"])
+            numbers = random.Random(name)
+            words = []
+            for parameter, value in members:
+                size = numbers.uniform(0.97, 1.03) * float(value) if float(value) != 0 else 0.001
+                if parameter != "none":
+                    words += ["--param", "%s=%r" % (parameter, size)]
+            other = Run("code", path, "--prefix", "m", "--quiet", *words)
+            if other.code != 0 or not words:  # in other units, or it does not close
+                continue
+            with self.subTest(name):
+                other_body, other_cut, other_test = parts(other.out)
+                self.assertEqual(NUMBER.sub("#", body), NUMBER.sub("#", other_body), "the text hangs on values")
+                tried += 1
+                if name in OTHERS:
+                    done = self.run_test(joined(body, other_cut, other_test), name=name)
+                    self.assertEqual(done.stdout, "m: well\n", name)
+        self.assertGreater(tried, 1 if "YOKE_FEW" in os.environ else 25)
+
+    def test_single_precision_and_motion_alone(self):
+        for name, words in (("quick-return", ["--single"]), ("double-butterfly", ["--single"]), ("andrews", ["--single"]),
+                            ("crank-press", ["--kinematics"])):
+            with self.subTest(name):
+                text = self.print(os.path.join(ROOT, "examples", name + ".yaml"), *words)
+                done = self.run_test(text, "1e-2f" if "--single" in words else "1e-12", name=name)
+                self.assertEqual(done.stdout, "m: well\n", name)
+                if "--single" in words:
+                    code = re.sub(r"(?s)/\*.*?\*/|#ifdef m_TEST.*", "", text)
+                    self.assertNotIn("double", code)
+
+    def test_a_limit_is_told_where_the_engine_tells_it(self):
+        text = self.print(self.rocker, "--kinematics")
+        library = self.library(text)
+        members = re.findall(r"    double (\w+);", re.search(r"(?s)typedef struct m_inputs \{(.*?)\}", text).group(1))
+        inputs = type("Inputs", (ctypes.Structure,), {"_fields_": [(n, ctypes.c_double) for n in members]})
+        machine, configuration, parameters = (ctypes.create_string_buffer(4096) for _ in range(3))
+        for kind, target, argument in (("defaults", parameters, None), ("prepare", machine, parameters),
+                                       ("start", configuration, None)):
+            size = len(re.findall(r"(?m)^    \w+ [\w.]+;", re.search(
+                r"(?s)typedef struct m_%s \{(.*?)\n\}" % {"defaults": "parameters", "prepare": "machine",
+                                                         "start": "configuration"}[kind], text).group(1)))
+            # by value: a struct of as many numbers (the machine's first member is the parameters)
+            extra = len(re.findall(r"(?m)^    double", re.search(r"(?s)typedef struct m_parameters \{(.*?)\n\}", text).group(1)))
+            count = size - 1 + extra if kind == "prepare" else size
+            result = type("Values", (ctypes.Structure,), {"_fields_": [("v", ctypes.c_double * count)]})
+            function = getattr(library, "m_" + kind)
+            function.restype = result
+            value = function(*([argument] if argument else []))
+            ctypes.memmove(target, ctypes.byref(value), ctypes.sizeof(value))
+        seen = set()
+        for k in range(72):
+            angle = math.radians(5 * k - 180)
+            pose = inputs(**{"theta1": angle})
+            out = ctypes.create_string_buffer(4096)
+            status = library.m_find_motion(machine, configuration, ctypes.byref(pose), out)
+            engine = Run("solve", self.rocker, "--at", "theta1=%rrad" % angle, "--quiet")
+            self.assertEqual(status >= 0, engine.code == 0, "%d deg: %d" % (5 * k - 180, status))
+            seen.add(status)
+        self.assertEqual(seen, {0, -1})
+        bad = inputs(**{"theta1": float("nan")})
+        self.assertLess(library.m_find_motion(machine, configuration, ctypes.byref(bad), out), 0)
+        far = inputs(**{"theta1": 1e9})
+        self.assertLess(library.m_find_motion(machine, configuration, ctypes.byref(far), out), 0)
+
+    def test_residuals_vanish_at_a_pose_and_their_jacobian_is_their_derivative(self):
+        quick = os.path.join(ROOT, "examples", "quick-return.yaml")
+        text = self.print(quick)
+        answer = self.good("solve", quick, "--format", "json").json()["configurations"][0]["coordinates"]
+        order = re.search(r"q: (.*?)\.\n", text).group(1)
+        names = [word.split()[1] for word in order.split(", ")]
+        values = [answer[name]["position"] if name in answer else 0.0 for name in names]
+        program = """
+#include <stdio.h>
+int main(void)
+{
+    const m_parameters p = m_defaults();
+    const m_machine m = m_prepare(&p);
+    double q[] = {%s}, r[4], J[4 * %d], a[4], b[4], unused[4 * %d], worst = 0;
+    m_residuals(&m, q, r, J);
+    printf("%%.3g", fabs(r[0]) + fabs(r[1]) + fabs(r[2]) + fabs(r[3]));
+    for (int k = 0; k < %d; k++) {
+        const double before = q[k];
+        q[k] = before + 1e-6;
+        m_residuals(&m, q, a, unused);
+        q[k] = before - 1e-6;
+        m_residuals(&m, q, b, unused);
+        q[k] = before;
+        for (int i = 0; i < 4; i++) worst = fmax(worst, fabs((a[i] - b[i]) / 2e-6 - J[i * %d + k]));
+    }
+    printf(" %%.3g", worst);
+    return 0;
+}
+""" % (", ".join(map(repr, values)), len(names), len(names), len(names), len(names))
+        # joints without a name turn freely: their angles close no loop but their own
+        run = subprocess.run([self.compile(text + program)], capture_output=True, encoding="utf-8", check=True)
+        residual, worst = map(float, run.stdout.split())
+        self.assertLess(residual, 1e-12)
+        self.assertLess(worst, 1e-8)
+
+    def test_a_batch_over_parameters_gives_what_each_gives_alone(self):
+        text = self.print(os.path.join(ROOT, "examples", "double-pendulum.yaml"))
+        struct = re.search(r"(?s)typedef struct m_parameters \{(.*?)\n\}", text).group(1)
+        names = re.findall(r"double (\w+);", struct)
+        program = """
+#include <stdio.h>
+int main(void)
+{
+    enum { N = 40 };
+    static double p[%d][N], in[9][N], a[2][N];
+    static signed char status[N];
+    const m_configuration c = m_start();
+    m_parameters_arrays parameters = {%s};
+    m_inputs_arrays inputs = {in[0], in[1], in[2], in[3], in[4], in[5], in[6], in[7], in[8]};
+    m_accelerations_arrays out = {a[0], a[1]};
+    double worst = 0;
+    for (int i = 0; i < N; i++) {
+        const m_parameters own = m_defaults();
+%s        for (int k = 0; k < 9; k++) in[k][i] = sin(1.7 * i + k);
+    }
+    m_find_accelerations_designs(N, &parameters, &c, &inputs, &out, status);
+    for (int i = 0; i < N; i++) {
+        m_parameters own = m_defaults();
+        m_accelerations one;
+%s        const m_machine m = m_prepare(&own);
+        const m_inputs x = {in[0][i], in[1][i], in[2][i], in[3][i], in[4][i], in[5][i], in[6][i], in[7][i], in[8][i]};
+        if (m_find_accelerations(&m, &c, &x, &one) != status[i] || status[i] != m_OK) return 1;
+        worst = fmax(worst, fmax(fabs(one.theta1_accel - a[0][i]), fabs(one.theta2_accel - a[1][i])));
+    }
+    printf("%%.3g", worst);
+    return 0;
+}
+""" % (len(names), ", ".join("p[%d]" % k for k in range(len(names))),
+            "".join("        p[%d][i] = own.%s * (1 + 0.1 * sin(3.1 * i + %d));\n" % (k, n, k) for k, n in enumerate(names)),
+            "".join("        own.%s = p[%d][i];\n" % (n, k) for k, n in enumerate(names)))
+        run = subprocess.run([self.compile(text + program)], capture_output=True, encoding="utf-8", check=False)
+        self.assertEqual(run.returncode, 0)
+        self.assertLess(float(run.stdout), 1e-11)
+
+    def test_what_cannot_be_printed_is_refused_by_name_and_nothing_is_written(self):
+        for name in DRY:
+            target = self.path(name + ".c")
+            run = Run("code", os.path.join(ROOT, "examples", name + ".yaml"), "-o", target)
+            self.assertEqual(run.code, 1)
+            self.assertIn("[E0660]", run.err)
+            self.assertIn("dry friction", run.err)
+            self.assertFalse(os.path.exists(target))
+            self.assertEqual(run.out, "")
+
+    def test_bad_options_are_refused(self):
+        for prefix in ("3d", "a-b", "_x"):
+            self.wrong(806, "code", self.four_bar, "--prefix", prefix)
+        self.wrong(803, "code", self.four_bar, "--over", "theta1=0:1")
+
+    def test_the_file_says_what_it_leaves_out(self):
+        run = self.good("code", os.path.join(ROOT, "examples", "three-crank-parallelogram.yaml"), "--prefix", "m")
+        self.assertNotIn("m_find_reactions", run.out)
+        valve = self.good("code", os.path.join(ROOT, "examples", "valve-cam.yaml"), "--prefix", "m")
+        self.assertIn("Reactions are not part of it", valve.out)
+        self.assertIn("[W0661]", valve.err)
+
+    def test_json_holds_the_same_code(self):
+        answer = self.good("code", self.four_bar, "--format", "json").json()
+        self.assertEqual(answer["prefix"], "four_bar")
+        self.assertEqual(answer["code"], self.good("code", self.four_bar).out)
+        self.wrong(806, "code", self.four_bar, "--format", "csv")
+
+    def test_names_follow_the_file_or_the_prefix(self):
+        self.assertIn("four_bar_find_motion(", self.good("code", self.four_bar).out)
+        self.assertNotIn("four_bar", self.print(self.four_bar))
+
+
+if __name__ == "__main__":
+    unittest.main()
