@@ -115,6 +115,31 @@ static bool check_slide(YkLoader *loader, const YkCam *cam, const YkLaw *law)
                        "where the lift is lowest the follower would reach the cam's centre");
 }
 
+// Where the file's own geometry puts the roller or edge while the follower's angle is 0.
+static void warn_of_place(YkLoader *loader, const YkCam *cam)
+{
+    const YkModel *model = loader->model;
+    const YkJoint *pin = &model->joints[cam->follower_joint];
+    double asked = cam->base + cam->roller;
+    if (cam->point == YK_NONE || cam->face == YK_CAM_FLAT) return;
+    YkVec arm = yk_sub(model->points[cam->point].at, pin->at[pin->body[0] == cam->follower ? 0 : 1]);
+    YkVec at = yk_add(cam->pivot, arm);
+    double found = yk_norm(at);
+    bool is_lifted = cam->swing * yk_dot(at, yk_quarter(arm)) > 0; // the law's positive sense leads away from the cam
+    if (fabs(found - asked) <= 1e-4 * asked && is_lifted) return;
+    YkText words = {0};
+    yk_text_format(&words, "%s", length_text(loader, found));
+    yk_problem(loader->problems, YK_CODE_CAM_TURNED, cam->place,
+               "cam %q: at lift 0 the point %q lies %s from the cam's centre%s; `base` and roller ask for %s",
+               cam->name, model->points[cam->point].name, yk_text_get(&words),
+               is_lifted ? "" : ", on the side where lift brings it nearer", length_text(loader, asked));
+    yk_text_free(&words);
+    yk_problem_hint(
+        loader->problems,
+        "give the follower's points as they lie at lift 0; until then `yoke cam` turns it there, and the forces of "
+        "`solve` and `simulate` act where the points say");
+}
+
 static bool check_pin(YkLoader *loader, const YkCam *cam)
 {
     double size = cam->base + cam->roller;
@@ -129,7 +154,10 @@ static bool check_pin(YkLoader *loader, const YkCam *cam)
     }
     if (!(cam->arm > 0))
         return refuse_size(loader, cam, NULL, "a follower that turns needs its `arm`, or a point by `at`");
-    if (size > fabs(cam->centers - cam->arm) && size < cam->centers + cam->arm) return true;
+    if (size > fabs(cam->centers - cam->arm) && size < cam->centers + cam->arm) {
+        warn_of_place(loader, cam);
+        return true;
+    }
     yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->base_expr),
                "cam %q: with this arm the roller or edge cannot lie %s from the cam's centre", cam->name,
                length_text(loader, size));

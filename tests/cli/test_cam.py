@@ -147,6 +147,17 @@ class Answers(Cam):
         self.assertIn("cutter.x", head)
         self.assertEqual(rows, [[None if value is None else float(value) for value in row] for row in answer["rows"]])
 
+    def test_contact_force_is_that_of_the_free_bodies(self):
+        for name, cam in (("valve-cam", "intake"), ("swing-cam", "rocker-cam")):
+            path = os.path.join(ROOT, "examples", name + ".yaml")
+            head, rows = self.good("cam", path, "--steps", "24", "--format", "csv").csv()
+            of = ",".join(["theta.effort", cam + ".force"])
+            other = self.good("sweep", path, "--over", "theta=0:360deg", "--steps", "24", "--of", of, "--format", "csv").csv()[1]
+            largest = max(row[head.index("contact_force")] for row in rows)
+            for row, asked in zip(rows, other):
+                self.assertAlmostEqual(asked[2], row[head.index("contact_force")], delta=1e-6 * largest, msg=name)
+                self.assertAlmostEqual(asked[1], row[head.index("torque")], delta=1e-7 * largest, msg=name)
+
     def test_text_is_in_the_files_units(self):
         out = self.good("cam", example("valve-cam"), "--steps", "4").out
         for words in ("s(60 deg) = 9 mm", "3000 rpm", "5.8872 mm", "-4860000 mm/s^2", "condition number", "[mm/rad^2]"):

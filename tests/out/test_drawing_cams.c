@@ -114,7 +114,7 @@ static void a_flat_face_lies_on_its_cam(void **state)
 static void equations_keep_the_follower_where_they_have_it(void **state)
 {
     (void)state;
-    Machine m = open_machine("swing-cam");
+    Machine m = open_machine("../tests/bad/W0474-cam-turned"); // its points are not those of lift 0
     YkFrame moved[8], kept[8];
     assert_true(yk_drawing_place(m.drawing, m.state, moved));
     m.drawing->keeps_followers = true;

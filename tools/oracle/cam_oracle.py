@@ -108,7 +108,7 @@ def documents():
     disc = up_down(inch, 90, 180, 270, cycloidal, cycloidal)
     yield "flat-faced-cam", "disc", disc, lambda x: flat_row(lambda t: mpf(1893) / 1000 * inch + disc(t), x)
     rocker = up_down(20 * DEG, 120, 160, 280, modified_sine, poly345)
-    yield "swing-cam", "rocker-cam", rocker, swing(rocker, 45 * mm, 10 * mm, 90 * mm + i * 40 * mm, 80 * mm)
+    yield "swing-cam", "rocker-cam", rocker, swing(rocker, 45 * mm, 10 * mm, -90 * mm + i * 40 * mm, sqrt(mpf(90)**2 + 15**2) * mm)
 
 
 def main():
