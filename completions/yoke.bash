@@ -4,7 +4,7 @@ _yoke_options() {
 }
 
 _yoke_verbs() {
-    yoke 2>/dev/null | sed -n '/^Verbs:/,/^$/s/^  \([a-z-]*\) .*/\1/p' | grep -v 'not in this version'
+    yoke 2>/dev/null | sed -n '/^Verbs:/,/^$/s/^  \([a-z-]*\) .*/\1/p'
 }
 
 _yoke() {

@@ -1,6 +1,6 @@
 # fish completion for yoke: what the verbs take is asked of `yoke VERB --help`, so that it is never another
 function __yoke_verbs
-    yoke 2>/dev/null | sed -n '/^Verbs:/,/^$/s/^  \([a-z-]*\)  *\(.*\)/\1\t\2/p' | grep -v 'not in this version'
+    yoke 2>/dev/null | sed -n '/^Verbs:/,/^$/s/^  \([a-z-]*\)  *\(.*\)/\1\t\2/p'
 end
 function __yoke_options
     set -l words (commandline -opc)

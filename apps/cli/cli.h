@@ -74,7 +74,7 @@ struct YkVerb {
     const char *usage; // "FILE [options]"
     const char *about; // for --help: what it answers, a few lines
     const char *example;
-    int (*run)(YkSession *session); // NULL: not part of this version yet
+    int (*run)(YkSession *session);
 };
 
 // Verbs, in the order in which they are listed; ends at name NULL.

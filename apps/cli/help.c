@@ -28,7 +28,7 @@ void yk_help_tour(YkText *text)
     for (const YkVerb *verb = yk_verbs; verb->name; verb++) {
         yk_text_puts(text, "  ");
         add_padded(text, verb->name, strlen(verb->name), VERB_COLUMN);
-        yk_text_format(text, "%s%s\n", verb->summary, verb->run ? "" : " (not in this version yet)");
+        yk_text_format(text, "%s\n", verb->summary);
     }
     yk_text_puts(text,
                  "\n`yoke VERB --help` tells what a verb takes, `man yoke-model` what a machine file may hold.\n");
@@ -49,10 +49,6 @@ static void add_option(YkText *text, const YkOption *option)
 void yk_help_verb(YkText *text, const YkVerb *verb)
 {
     yk_text_format(text, "yoke %s %s\n", verb->name, verb->usage);
-    if (!verb->run) {
-        yk_text_format(text, "\nWill answer: %s. It is not part of this version yet.\n", verb->summary);
-        return;
-    }
     yk_text_format(text, "\n%s\n\nOptions:\n", verb->about);
     for (const YkOption *option = yk_options; option->name; option++)
         if (yk_option_is_for(option, verb->name)) add_option(text, option);

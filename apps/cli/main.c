@@ -21,15 +21,6 @@ void yk_print_problems(YkProblems *problems, bool quiet)
     fputs(yk_problems_text(problems, wants_colour()), stderr);
 }
 
-static int refuse_verb(YkSession *session)
-{
-    const YkVerb *verb = session->request->verb;
-    yk_problem(session->problems, YK_CODE_VERB_LATER, (YkPlace){0}, "`yoke %s` (%s) is not part of this version yet",
-               verb->name, verb->summary);
-    yk_problem_hint(session->problems, "`yoke` alone lists what this version answers");
-    return YK_EXIT_WRONG;
-}
-
 static int run(YkSession *session)
 {
     const YkRequest *request = session->request;
@@ -46,7 +37,7 @@ static int run(YkSession *session)
         }
         return yk_session_finish(session, YK_EXIT_DONE);
     }
-    return request->verb->run ? request->verb->run(session) : refuse_verb(session);
+    return request->verb->run(session);
 }
 
 int main(int argc, char **argv)
