@@ -55,7 +55,7 @@ static uint64_t signature(const YkStudyAnswer *answer)
 {
     const YkRequest *r = answer->session->request;
     uint64_t hash = add_word(0xcbf29ce484222325u, yk_version());
-    const char *const words[] = {r->over, r->steps, r->of, r->time};
+    const char *const words[] = {r->over, r->steps, r->of, r->time, r->lock};
     const YkPairs *const pairs[] = {&r->at, &r->rate, &r->accel, &r->param};
     hash = add_file(add_file(hash, r->file), r->sample);
     for (size_t k = 0; k < sizeof words / sizeof *words; k++) hash = add_word(hash, words[k]);
