@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/text.h"
+#include "expr/formula.h"
 
 enum { NOTHING = -1 };
 
@@ -266,53 +267,11 @@ YkRef yk_dag_power(YkDag *g, YkRef a, YkRef b)
     return operation(g, YK_VALUE_POWER, a, b, NOTHING);
 }
 
-static double apply(YkFunction function, double a, double b)
-{
-    switch (function) {
-    case YK_SIN:
-        return sin(a);
-    case YK_COS:
-        return cos(a);
-    case YK_TAN:
-        return tan(a);
-    case YK_ASIN:
-        return asin(a);
-    case YK_ACOS:
-        return acos(a);
-    case YK_ATAN:
-        return atan(a);
-    case YK_ATAN2:
-        return atan2(a, b);
-    case YK_SINH:
-        return sinh(a);
-    case YK_COSH:
-        return cosh(a);
-    case YK_TANH:
-        return tanh(a);
-    case YK_SQRT:
-        return sqrt(a);
-    case YK_EXP:
-        return exp(a);
-    case YK_LOG:
-        return log(a);
-    case YK_ABS:
-        return fabs(a);
-    case YK_SIGN:
-        return (a > 0) - (a < 0);
-    case YK_MIN:
-        return fmin(a, b);
-    case YK_MAX:
-        return fmax(a, b);
-    default:
-        return 0;
-    }
-}
-
 YkRef yk_dag_function(YkDag *g, YkFunction function, YkRef a, YkRef b)
 {
     bool has_second = b != NOTHING;
     if (is_number(g, a) && (!has_second || is_number(g, b)))
-        return yk_dag_number(g, apply(function, at(g, a)->number, has_second ? at(g, b)->number : 0));
+        return yk_dag_number(g, yk_function_value(function, at(g, a)->number, has_second ? at(g, b)->number : 0));
     if (function == YK_SQRT && at(g, a)->op == YK_VALUE_MULTIPLY && at(g, a)->a == at(g, a)->b)
         return yk_dag_unary(g, YK_VALUE_SIZE, at(g, a)->a);
     return intern(g, (YkValue){.op = YK_VALUE_FUNCTION, .a = a, .b = b, .c = NOTHING, .function = function});

@@ -14,7 +14,7 @@ static double whole_power(double base, double exponent)
     return exponent < 0 ? 1 / power : power;
 }
 
-static double call(YkFunction function, double a, double b)
+double yk_function_value(YkFunction function, double a, double b)
 {
     switch (function) {
     case YK_SIN:
@@ -75,7 +75,7 @@ double yk_formula_operate(int operation, double a, double b)
     case YK_OPERATION_WHOLE_POWER:
         return whole_power(a, b);
     default:
-        return call((YkFunction)(operation - YK_OPERATION_FUNCTION), a, b);
+        return yk_function_value((YkFunction)(operation - YK_OPERATION_FUNCTION), a, b);
     }
 }
 

@@ -16,8 +16,10 @@ bool yk_formula_is_constant(const YkFormula *formula); // then eval takes NULL v
 bool yk_formula_depends_on(const YkFormula *formula, int variable);
 // The value; not finite where the expression has none (division by zero, root of a negative number, ...).
 double yk_formula_eval(const YkFormula *formula, const double *variables);
-// The same for n <= YK_FORMULA_LANES sets of variables at once, variables[index][lane]. Returns the lanes of the value,
-// in scratch[YK_FORMULA_SCRATCH] or a variable's own; they stand until scratch is used again.
+// One function of one or two numbers, as formulas mean it.
+double yk_function_value(YkFunction function, double a, double b);
+// The same as yk_formula_eval for n <= YK_FORMULA_LANES sets of variables at once, variables[index][lane]. Returns the
+// lanes of the value, in scratch[YK_FORMULA_SCRATCH] or a variable's own; they stand until scratch is used again.
 enum { YK_FORMULA_LANES = 64, YK_FORMULA_SCRATCH = 34 * YK_FORMULA_LANES };
 const double *yk_formula_lanes(const YkFormula *formula, const double *const *variables, double *scratch, size_t n);
 
