@@ -120,3 +120,24 @@ double yk_if_accelerations(const YkSession *session, const YkState *state, doubl
 {
     return session->lacks_accelerations ? (double)NAN : yk_if_rates(state, value);
 }
+
+bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, const double *at)
+{
+    bool any = false;
+    for (size_t k = 0; k < yk_dynamics_contact_count(dynamics); k++) {
+        if (!yk_dynamics_contact_pulls(dynamics, k)) continue;
+        YkText when = {0};
+        if (at) {
+            yk_text_puts(&when, ", first seen at t = ");
+            yk_add_value(session, &when, *at, YK_QUANTITY_TIME, YK_DIGITS);
+        }
+        yk_problem(
+            session->problems, YK_CODE_CAM_PARTS, (YkPlace){0},
+            "cam %q would have to pull its follower, which leaves the cam instead%s; what is told keeps them together",
+            yk_dynamics_contact_name(dynamics, k), yk_text_get(&when));
+        session->out.failed |= when.failed;
+        yk_text_free(&when);
+        any = true;
+    }
+    return any;
+}

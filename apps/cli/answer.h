@@ -18,6 +18,9 @@ int yk_freedom_of(const YkMechanism *mech);
 void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char *message);
 // A value in the file's unit, with rounding noise (1e-13 of the machine's size) taken for zero.
 double yk_shown(const YkSession *session, double value, YkQuantity quantity);
+// Warns of cams that would have to pull their followers at the pose just solved; `at` (or NULL) is the time. True: there
+// are such.
+bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, const double *at);
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity);
 // Adds "190.09 deg", to `digits` significant digits, in the file's unit; angles in radians also in degrees.
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits);

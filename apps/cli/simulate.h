@@ -23,6 +23,7 @@ typedef struct YkSimulationAnswer {
     double *rows;    // all of them, where JSON or a plot wants them
     size_t row_count, row_capacity;
     YkStatus status;
+    bool is_pulled;              // a cam was seen to pull its follower: told once
     bool is_interrupted, is_cut; // by a signal; by an output that takes no more
 } YkSimulationAnswer;
 

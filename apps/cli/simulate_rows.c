@@ -115,6 +115,10 @@ bool yk_simulate_row(YkSimulationAnswer *answer)
     for (size_t c = 0; c < answer->column_count; c++)
         answer->row[c + 1] = yk_simulation_channel(answer->simulation, answer->columns[c].channel);
     if (yk_simulate_keeps_rows(answer) && !keep_row(answer)) return false;
+    bool has_cams = yk_model_cam_count(answer->session->model) > 0; // only then are forces needed at every row
+    if (has_cams && !answer->is_pulled)
+        answer->is_pulled =
+            yk_warn_of_pulling_cams(answer->session, yk_simulation_dynamics(answer->simulation), answer->row);
     answer->row_count++;
     if (answer->session->request->format == YK_FORMAT_TEXT) add_text_row(answer, &head);
     if (answer->session->request->format == YK_FORMAT_CSV) add_csv_row(answer);

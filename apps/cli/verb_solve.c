@@ -119,6 +119,7 @@ static int solve(Writer *writer)
     const char *message = forces == YK_OK ? report.message : session->forces_message;
     yk_tell_status(session, status, message);
     begin(writer, status, message);
+    if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics, NULL);
     YkStatus written = write_all(writer, pose, &is_complete);
     end(writer, is_complete);
     return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));

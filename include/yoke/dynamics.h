@@ -51,6 +51,10 @@ YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint)
 YK_API size_t yk_dynamics_contact_count(const YkDynamics *dynamics);
 YK_API const char *yk_dynamics_contact_name(const YkDynamics *dynamics, size_t contact);
 YK_API YkReaction yk_dynamics_contact(const YkDynamics *dynamics, size_t contact);
+// A cam can push its follower, not pull it, unless a groove or a second roller holds it: would this contact have to
+// pull? Then the motion computed is not the machine's: the follower leaves the cam. Not told of followers whose contact
+// is a couple.
+YK_API bool yk_dynamics_contact_pulls(const YkDynamics *dynamics, size_t contact);
 // Along a tree coordinate, on the joint's second body (its reaction on the first): of the drive where the coordinate is
 // a prescribed input, otherwise what `efforts:` gives. N m or N.
 YK_API double yk_dynamics_effort(const YkDynamics *dynamics, size_t coordinate);

@@ -158,6 +158,17 @@ class Answers(Cam):
                 self.assertAlmostEqual(asked[2], row[head.index("contact_force")], delta=1e-6 * largest, msg=name)
                 self.assertAlmostEqual(asked[1], row[head.index("torque")], delta=1e-7 * largest, msg=name)
 
+    def test_a_follower_that_leaves_its_cam_is_told(self):
+        with open(os.path.join(ROOT, "examples", "valve-cam.yaml"), encoding="utf-8") as file:
+            text = file.read()
+        slow = self.write("slow.yaml", text)
+        fast = self.write("fast.yaml", text.replace("3000 rpm", "3600 rpm"))  # it jumps from 3386 rpm, at 60 deg
+        groove = self.write("groove.yaml", text.replace("3000 rpm", "3600 rpm").replace("base: 17}", "base: 17, groove: true}"))
+        for verb in (["solve", "--at", "theta=60deg"], ["simulate", "--to", "20ms"]):
+            self.assertNotIn("[W0555]", self.good(verb[0], slow, *verb[1:]).err)
+            self.assertEqual(self.good(verb[0], fast, *verb[1:]).err.count("[W0555]"), 1)
+            self.assertNotIn("[W0555]", self.good(verb[0], groove, *verb[1:]).err)
+
     def test_text_is_in_the_files_units(self):
         out = self.good("cam", example("valve-cam"), "--steps", "4").out
         for words in ("s(60 deg) = 9 mm", "3000 rpm", "5.8872 mm", "-4860000 mm/s^2", "condition number", "[mm/rad^2]"):
