@@ -532,7 +532,7 @@ static int by_ref(const void *a, const void *b)
 void yk_printer_machine(YkPrinter *pr)
 {
     pr->in_machine = true;
-    qsort(pr->fields, pr->field_count, sizeof *pr->fields, by_ref);
+    if (pr->field_count > 0) qsort(pr->fields, pr->field_count, sizeof *pr->fields, by_ref);
     begin(pr, pr->fields, pr->field_count);
     for (size_t k = 0; k < pr->field_count; k++) { // fields have their names already
         YkRef field = pr->fields[k];

@@ -18,7 +18,8 @@ typedef struct Machine {
     YkState *state;
     YkDerivation *d;
     YkPage page;
-    double *values;
+    double *values; // [value_count]
+    size_t value_count;
     uint64_t seed;
 } Machine;
 
@@ -84,9 +85,21 @@ static inline size_t section_of(const char *name)
 static inline void take_values(Machine *m)
 {
     free(m->values);
-    m->values = calloc(yk_ring_symbol_count(m->d->ring) + 64, sizeof *m->values);
+    m->value_count = yk_ring_symbol_count(m->d->ring) + 64; // reading back brings symbols of its own
+    m->values = calloc(m->value_count, sizeof *m->values);
     assert_non_null(m->values);
     yk_derive_values(m->d, m->state, NULL, m->values);
+}
+
+// The values for a page to print: of every symbol that there is now; of those made since, none.
+static inline const double *page_values(Machine *m)
+{
+    size_t count = yk_ring_symbol_count(m->d->ring);
+    double *values = m->values && count > m->value_count ? realloc(m->values, count * sizeof *values) : m->values;
+    if (values == NULL) return NULL;
+    for (size_t k = m->value_count; k < count; k++) values[k] = NAN;
+    if (count > m->value_count) m->value_count = count;
+    return m->values = values;
 }
 
 // Assembles at the start, then moves the inputs by random amounts with random rates; false where that does not close.

@@ -284,7 +284,7 @@ static void visit(Machine *m, const char *name)
     if (!turns && random_pose(m, true)) check_lines(m, name);
     for (size_t format = 0; format < YK_PAGE_FORMATS; format++) {
         YkText text = {0};
-        assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, m->values, &text));
+        assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, page_values(m), &text));
         assert_null(strstr(yk_text_get(&text), "(null)"));
         yk_text_free(&text);
     }

@@ -13,7 +13,7 @@ static const char *text_of(Machine *m, bool numbers)
     m->page.has_numbers = numbers;
     assert_true(yk_derive_write(m->d, section_of("gears"), &m->page));
     if (numbers) take_values(m);
-    assert_true(yk_page_write(&m->page, YK_PAGE_TEXT, NULL, numbers ? m->values : NULL, &text));
+    assert_true(yk_page_write(&m->page, YK_PAGE_TEXT, NULL, numbers ? page_values(m) : NULL, &text));
     assert_true(text.length < sizeof kept);
     memcpy(kept, yk_text_get(&text), text.length + 1);
     yk_text_free(&text);
@@ -175,7 +175,7 @@ static void visit(Machine *m, const char *name)
         if (line->vanishes) check_line_read(m, line, name);
     for (size_t format = 0; format < YK_PAGE_FORMATS; format++) {
         YkText text = {0};
-        assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, m->values, &text));
+        assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, page_values(m), &text));
         assert_null(strstr(yk_text_get(&text), "(null)"));
         yk_text_free(&text);
     }

@@ -256,7 +256,7 @@ static void every_format_prints_the_section(void **state)
     assert_true(random_pose(&m, true) && take_forces(&m, dynamics, YK_METHOD_REDUCED));
     for (int format = 0; format < YK_PAGE_FORMATS; format++) {
         YkText text = {0};
-        assert_true(yk_page_write(&m.page, (YkPageFormat)format, "Toggle", m.values, &text));
+        assert_true(yk_page_write(&m.page, (YkPageFormat)format, "Toggle", page_values(&m), &text));
         assert_true(text.length > 2000);
         assert_null(strstr(yk_text_get(&text), "(null)"));
         if (format == YK_PAGE_C) assert_non_null(strstr(yk_text_get(&text), "M[0][0] = "));

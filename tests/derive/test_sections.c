@@ -120,7 +120,7 @@ static void visit_formats(Machine *m, const char *name)
     for (size_t format = 0; format < YK_PAGE_FORMATS; format++)
         for (int numbers = 0; numbers <= posed; numbers++) {
             YkText text = {0};
-            assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, numbers ? m->values : NULL, &text));
+            assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, numbers ? page_values(m) : NULL, &text));
             assert_true(text.length > 100);
             for (const char *nan = strstr(yk_text_get(&text), "nan"); nan; nan = strstr(nan + 1, "nan"))
                 assert_true(nan[-1] >= 'a' && nan[-1] <= 'z'); // as in "Determinants"
