@@ -49,7 +49,7 @@ def four_bar(name, source, names, d, a, b, c, start, coupler_point=None, bodies=
 # ---------------------------------------------------------------------------------------------------- the files of the format
 
 def quick_return(a1=1, a2=1):
-    return Machine("quick-return", "issue 2: figures to the digits printed; range of the crank in closed form", [
+    return Machine("quick-return", "figures to the digits printed; range of the crank in closed form", [
         pin("ground", (0, a1), "crank", O, "theta1"), pin("ground", O, "lever", O, "theta2"),
         slide("lever", O, "block", O, distance="d3"), pin("crank", ("3/4", 0), "block", O),
         pin("lever", ("7/4", 0), "coupler", O, "theta4"), pin("coupler", ("2/3", 0), "ram", O),
