@@ -174,4 +174,23 @@ static inline size_t each_example(void (*visit)(Machine *m, const char *name))
     closedir(folder);
     return count;
 }
+// The page as text; it stands until the next call.
+static inline const char *page_text(Machine *m, bool numbers)
+{
+    static char kept[60000];
+    YkText text = {0};
+    assert_true(yk_page_write(&m->page, YK_PAGE_TEXT, NULL, numbers ? page_values(m) : NULL, &text));
+    assert_true(text.length < sizeof kept);
+    memcpy(kept, yk_text_get(&text), text.length + 1);
+    yk_text_free(&text);
+    return kept;
+}
+
+static inline void expect(const char *text, const char *line)
+{
+    if (strstr(text, line)) return;
+    print_error("no line\n%s\nin\n%s", line, text);
+    fail();
+}
+
 #endif

@@ -171,4 +171,20 @@ static inline const YkDeriveForces *forces_of(Machine *m)
     return f;
 }
 
+// A section's equations at the start and at random poses, by both methods of the engine in turn; counts what was seen.
+static inline void check_section_at_poses(Machine *m, const char *section, const char *name, size_t *equations,
+                                          size_t *poses)
+{
+    forces_of(m);
+    write_section(m, section);
+    YkDynamics *dynamics = dynamics_of(m);
+    for (int k = 0; k < 6; k++) {
+        if (!random_pose(m, k == 0)) continue;
+        if (!take_forces(m, dynamics, k % 2 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED)) continue;
+        *equations += check_page(m, name, 1e-11);
+        ++*poses;
+    }
+    yk_dynamics_free(dynamics);
+}
+
 #endif

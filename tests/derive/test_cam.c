@@ -15,21 +15,8 @@ static void write_cam(Machine *m)
 
 static const char *text_of(Machine *m)
 {
-    static char kept[60000];
-    YkText text = {0};
     write_cam(m);
-    assert_true(yk_page_write(&m->page, YK_PAGE_TEXT, NULL, NULL, &text));
-    assert_true(text.length < sizeof kept);
-    memcpy(kept, yk_text_get(&text), text.length + 1);
-    yk_text_free(&text);
-    return kept;
-}
-
-static void expect(const char *text, const char *line)
-{
-    if (strstr(text, line)) return;
-    print_error("no line\n%s\nin\n%s", line, text);
-    fail();
+    return page_text(m, false);
 }
 
 // Turns the cam to an angle.

@@ -108,16 +108,7 @@ static void a_wrong_force_is_no_longer_proved(void **state)
 
 static void check_at_poses(Machine *m, const char *name)
 {
-    forces_of(m);
-    write_section(m, "lagrange");
-    YkDynamics *dynamics = dynamics_of(m);
-    for (int k = 0; k < 6; k++) {
-        if (!random_pose(m, k == 0)) continue;
-        if (!take_forces(m, dynamics, k % 2 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED)) continue;
-        equations_seen += check_page(m, name, 1e-11);
-        poses_seen++;
-    }
-    yk_dynamics_free(dynamics);
+    check_section_at_poses(m, "lagrange", name, &equations_seen, &poses_seen);
 }
 
 static void every_equation_holds_with_the_engines_accelerations_and_multipliers(void **state)

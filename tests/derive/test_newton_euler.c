@@ -5,16 +5,7 @@ static size_t equations_seen, poses_seen, counted;
 
 static void check_at_poses(Machine *m, const char *name)
 {
-    forces_of(m);
-    write_section(m, "newton-euler");
-    YkDynamics *dynamics = dynamics_of(m);
-    for (int k = 0; k < 6; k++) {
-        if (!random_pose(m, k == 0)) continue;
-        if (!take_forces(m, dynamics, k % 2 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED)) continue;
-        equations_seen += check_page(m, name, 1e-11);
-        poses_seen++;
-    }
-    yk_dynamics_free(dynamics);
+    check_section_at_poses(m, "newton-euler", name, &equations_seen, &poses_seen);
 }
 
 static void every_equation_holds_with_the_engines_accelerations_and_reactions(void **state)

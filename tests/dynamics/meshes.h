@@ -24,7 +24,7 @@
 #define RACK_BACKWARDS                                                                                                 \
     "gravity: [0, -9.81]\nbodies:\n  ground: {points: {A: [0, 0], R: [0, -0.05]}}\n"                                   \
     "  p: {points: {A: [0, 0]}, mass: 2, inertia: 0.003, center: [0.01, 0]}\n  bar: {points: {R: [0, 0]}, mass: 1}\n"  \
-    "joints:\n  A: {pin: [ground, p], angle: q}\n  S: {slide: [bar, ground], along: x, to: R, distance: s}\n"        \
+    "joints:\n  A: {pin: [ground, p], angle: q}\n  S: {slide: [bar, ground], along: x, to: R, distance: s}\n"          \
     "racks: {r: {pinion: p, rack: bar, radius: 50 mm}}\nstart: {q: 1, q.rate: 2}\n"
 
 #define CAM_PARTS                                                                                                      \

@@ -85,4 +85,24 @@ static const char *const rig_examples[] = {"toggle",           "double-pendulum"
                                            "car-axis",         "chain"};
 enum { RIG_EXAMPLES = sizeof rig_examples / sizeof *rig_examples };
 
+// Cheap and strict: the balance of every body; and what loads and inertia do in the motion, in which joints, gears,
+// racks and cams do no work.
+static inline void rig_check_balance(const Rig *rig, double allowed, double loose, uint64_t machine)
+{
+    const YkDynamics *d = rig->dynamics;
+    double off = 0, sum = d->largest_force * rig->mech->size;
+    for (size_t b = 1; b < yk_model_body_count(rig->model); b++) {
+        const YkBody *body = &rig->mech->model->bodies[b];
+        const YkBodyMotion *m = &d->motion[b];
+        double inertia = body->mass * yk_dot(m->velocity, m->acceleration) + body->inertia * m->w * m->a;
+        double loads = yk_dot(d->load[b].force, m->velocity) + d->load[b].moment * m->w;
+        off += inertia - loads;
+        sum += fabs(inertia) + fabs(loads);
+        double residual = yk_dynamics_balance(d, b).residual;
+        if (!(residual <= allowed * loose)) print_error("machine %lu:\n", (unsigned long)machine);
+        CHECK_NEAR(residual, 0, allowed * loose);
+    }
+    CHECK_NEAR(off, 0, allowed * loose * sum);
+}
+
 #endif

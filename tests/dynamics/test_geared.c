@@ -142,25 +142,6 @@ static bool solve(Rig *rig, YkDynamicsMethod method, Answer *answer)
     return true;
 }
 
-// In the motion the inertia and the loads do the same work: gears, racks and cams do none.
-static void check_power(const Rig *rig, double loose)
-{
-    const YkDynamics *d = rig->dynamics;
-    double off = 0, sum = d->largest_force * rig->mech->size;
-    for (size_t b = 1; b < yk_model_body_count(rig->model); b++) {
-        const YkBody *body = &rig->mech->model->bodies[b];
-        const YkBodyMotion *m = &d->motion[b];
-        double inertia = body->mass * yk_dot(m->velocity, m->acceleration) + body->inertia * m->w * m->a;
-        double loads = yk_dot(d->load[b].force, m->velocity) + d->load[b].moment * m->w;
-        off += inertia - loads;
-        sum += fabs(inertia) + fabs(loads);
-        double residual = yk_dynamics_balance(d, b).residual;
-        if (!(residual <= 1e-11 * loose)) print_error("machine %lu:\n", (unsigned long)machine_number);
-        CHECK_NEAR(residual, 0, 1e-11 * loose);
-    }
-    CHECK_NEAR(off, 0, 1e-11 * loose * sum);
-}
-
 static void forces_by_both_formulations_and_by_power(void **unused)
 {
     (void)unused;
@@ -174,9 +155,9 @@ static void forces_by_both_formulations_and_by_power(void **unused)
             if (!move(&rig, &seed)) break;
             double loose = 1 / rig.state->space.margin[0], most = 1;
             if (!solve(&rig, YK_METHOD_REDUCED, &reduced)) continue;
-            check_power(&rig, loose);
+            rig_check_balance(&rig, 1e-11, loose, machine_number);
             assert_true(solve(&rig, YK_METHOD_NEWTON_EULER, &bodies));
-            check_power(&rig, loose);
+            rig_check_balance(&rig, 1e-11, loose, machine_number);
             double force = rig.dynamics->largest_force + 1, moment = force * rig.mech->size;
             for (size_t i = 0; i < rig.mech->input_count; i++) most = fmax(most, fabs(bodies.acceleration[i]));
             for (size_t i = 0; i < rig.mech->input_count; i++) {

@@ -54,26 +54,6 @@ typedef struct Answer {
     double scale; // of forces
 } Answer;
 
-// Cheap and strict: the balance of every body; and what loads and inertia do in the motion, in which reactions do no
-// work.
-static void check_balance(const Rig *rig, double loose)
-{
-    const YkDynamics *d = rig->dynamics;
-    double off = 0, sum = d->largest_force * rig->mech->size;
-    for (size_t b = 1; b < yk_model_body_count(rig->model); b++) {
-        const YkBody *body = &rig->mech->model->bodies[b];
-        const YkBodyMotion *m = &d->motion[b];
-        double inertia = body->mass * yk_dot(m->velocity, m->acceleration) + body->inertia * m->w * m->a;
-        double loads = yk_dot(d->load[b].force, m->velocity) + d->load[b].moment * m->w;
-        off += inertia - loads;
-        sum += fabs(inertia) + fabs(loads);
-        double residual = yk_dynamics_balance(d, b).residual;
-        if (!(residual <= 1e-10 * loose)) print_error("machine %lu:\n", (unsigned long)machine_number);
-        CHECK_NEAR(residual, 0, 1e-10 * loose);
-    }
-    CHECK_NEAR(off, 0, 1e-10 * loose * sum);
-}
-
 static bool solve(Rig *rig, YkDynamicsMethod method, Answer *answer)
 {
     YkStatus status = yk_dynamics_solve(rig->dynamics, rig->state, method);
@@ -122,9 +102,9 @@ static void reduced_equations_equal_the_free_bodies(void **unused)
             if (rig.mech->redundant_count > 0) loose *= 1e4; // repeated constraints agree to rounding only
             if (machine.dry) loose = fmax(loose, 1e4);       // friction is settled to 1e-10 or better
             bool one = solve(&rig, YK_METHOD_REDUCED, &reduced);
-            if (one) check_balance(&rig, loose);
+            if (one) rig_check_balance(&rig, 1e-10, loose, machine_number);
             bool two = solve(&rig, YK_METHOD_NEWTON_EULER, &bodies);
-            if (two) check_balance(&rig, loose);
+            if (two) rig_check_balance(&rig, 1e-10, loose, machine_number);
             if (!machine.dry) assert_int_equal(one, two); // dry friction may have no answer, or several
             if (!one || !two) continue;
             if (!machine.dry) check_same(&rig, &reduced, &bodies, loose);
