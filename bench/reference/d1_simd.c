@@ -1,35 +1,7 @@
 // The double pendulum's accelerations for many independent states by hand, each with its own parameters: the loop
-// vectorises. Own sine and cosine without branches.
+// vectorises.
 #include "d1.h"
-
-static inline __attribute__((always_inline)) void quick_sincos(double x, double *sine, double *cosine)
-{
-    const double magic = 6755399441055744.0; // 1.5 * 2^52
-    double quarters = x * 0.63661977236758134308, shifted = quarters + magic, k = __builtin_rint(quarters);
-    union {
-        double number;
-        long long bits;
-    } whole = {shifted};
-    double r = x - k * 1.57079632673412561417e+00;
-    r -= k * 6.07710050650619224932e-11;
-    double z = r * r;
-    double s = r + r * z *
-                       (-1.66666666666666324348e-01 +
-                        z * (8.33333333332248946124e-03 +
-                             z * (-1.98412698298579493134e-04 +
-                                  z * (2.75573137070700676789e-06 +
-                                       z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)))));
-    double c = 1 - 0.5 * z +
-               z * z *
-                   (4.16666666666666019037e-02 +
-                    z * (-1.38888888888741095749e-03 +
-                         z * (2.48015872894767294178e-05 +
-                              z * (-2.75573143513906633035e-07 +
-                                   z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)))));
-    double first = whole.bits & 1 ? c : s, second = whole.bits & 1 ? s : c;
-    *sine = whole.bits & 2 ? -first : first;
-    *cosine = (whole.bits + 1) & 2 ? -second : second;
-}
+#include "lanes.h"
 
 void d1_simd(const D1States *state, double *restrict a1, double *restrict a2, size_t n)
 {
@@ -42,8 +14,8 @@ void d1_simd(const D1States *state, double *restrict a1, double *restrict a2, si
 #pragma GCC ivdep
     for (size_t i = 0; i < n; i++) {
         double s1, c1, s2, c2, w1 = v1[i], w2 = v2[i];
-        quick_sincos(t1[i], &s1, &c1);
-        quick_sincos(t2[i], &s2, &c2);
+        lane_sincos(t1[i], &s1, &c1);
+        lane_sincos(t2[i], &s2, &c2);
         double A = I1[i] + I2[i] + M1[i] * LC1[i] * LC1[i] + M2[i] * (L1[i] * L1[i] + LC2[i] * LC2[i]);
         double B = M2[i] * L1[i] * LC2[i], D = I2[i] + M2[i] * LC2[i] * LC2[i];
         double G1 = g * (M1[i] * LC1[i] + M2[i] * L1[i]), G2 = g * M2[i] * LC2[i];

@@ -16,7 +16,8 @@
     {                                                                                                                  \
         const double *restrict t = in[0];                                                                              \
         SIX;                                                                                                           \
-        _Pragma("omp simd") for (size_t i = 0; i < n; i++) {                                                                               \
+        _Pragma("omp simd") for (size_t i = 0; i < n; i++)                                                             \
+        {                                                                                                              \
             double s2, c2;                                                                                             \
             lane_sincos(t[i], &s2, &c2);                                                                               \
             double x = (a)*c2 - (d), y = (a)*s2, L2 = x * x + y * y, over = 1 / L2;                                    \
@@ -42,7 +43,8 @@ FOUR_BAR(hoeken, 1, 3.25, 3.25, 2.5, -1)
     {                                                                                                                  \
         const double *restrict t = in[0];                                                                              \
         SIX;                                                                                                           \
-        _Pragma("omp simd") for (size_t i = 0; i < n; i++) {                                                                               \
+        _Pragma("omp simd") for (size_t i = 0; i < n; i++)                                                             \
+        {                                                                                                              \
             double s2, c2;                                                                                             \
             lane_sincos(t[i], &s2, &c2);                                                                               \
             double s3 = ((e) - (r)*s2) * (1 / (l)), c3 = sqrt((1 - s3) * (1 + s3)), over = 1 / ((l)*c3);               \

@@ -1,4 +1,4 @@
-/* The closed forms of k1_c.c, without its program. */
+/* The quick-return in closed form. */
 #define _GNU_SOURCE
 #include <math.h>
 #include "closed.h"
