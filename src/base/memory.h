@@ -19,6 +19,7 @@ char *yk_arena_copy(YkArena *arena, const char *text, size_t length); // adds a 
 // A growing array: capacity doubles. `items` is a pointer variable, `count` and `capacity` size_t variables.
 // Evaluates to true when there is room for one more (items may have moved), false when out of memory.
 bool yk_grow(void **items, size_t count, size_t *capacity, size_t size);
-#define YK_ROOM(items, count, capacity) yk_grow((void **)&(items), (count), &(capacity), sizeof *(items))
+#define YK_ROOM(items, count, capacity)                                                                                \
+    ((count) < (capacity) || yk_grow((void **)&(items), (count), &(capacity), sizeof *(items)))
 
 #endif

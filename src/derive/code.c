@@ -156,11 +156,13 @@ static YkGraphValue sum_of_both(Branches *t, size_t i, size_t k)
 static YkGraphValue rest_of(Branches *t, size_t k)
 {
     YkDerivation *d = t->f->d;
+    size_t count = t->n + t->f->row_count;
+    int32_t *symbols = YK_NEW(d->arena, int32_t, count + 1);
+    if (!symbols) return YK_GRAPH_NONE;
+    for (size_t c = 0; c < t->n; c++) symbols[c] = yk_derive_freedom(d, c).acceleration;
+    for (size_t r = 0; r < t->f->row_count; r++) symbols[t->n + r] = t->f->multipliers[r];
     const YkPoisson *left = yk_derive_lagrange(t->f, k).left;
-    for (size_t c = 0; c < t->n; c++)
-        left = yk_ring_coefficient(d->ring, left, yk_derive_freedom(d, c).acceleration, 0);
-    for (size_t r = 0; r < t->f->row_count; r++) left = yk_ring_coefficient(d->ring, left, t->f->multipliers[r], 0);
-    return yk_graph_of(t->graph, left);
+    return yk_graph_of(t->graph, yk_ring_split(d->ring, left, symbols, count, NULL, 0));
 }
 
 static YkGraphValue rest_sum(Branches *t, size_t k)

@@ -39,7 +39,6 @@ static const char *name_of(const YkDeriveForces *f, size_t coordinate)
 static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLagrange *equations)
 {
     YkDerivation *d = f->d;
-    YkRing *ring = d->ring;
     size_t n = d->tree_count;
     YkLine *mass = yk_page_formula(page, f->row_count ? "M q'' + h + J^T lambda = Q" : "M q'' + h = Q");
     yk_line_vector(page, mass, "M", NULL, NULL);
@@ -56,21 +55,13 @@ static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLa
     M->code_remark = "M q'' + h, the coordinates q";
     for (size_t k = 0; k < n; k++)
         M->code_remark = yk_derive_text(d, M->code_remark, k ? ", " : " = ", d->coordinates[k].name);
+    int32_t *symbols = YK_NEW(d->arena, int32_t, n + f->row_count + 1); // accelerations, multipliers
+    if (!symbols) return;
+    for (size_t k = 0; k < n; k++) symbols[k] = M->column_symbols[k] = yk_derive_shown_acceleration(d, k);
+    for (size_t k = 0; k < f->row_count; k++) symbols[n + k] = f->multipliers[k];
     for (size_t i = 0; i < n; i++) {
-        const YkPoisson *left = equations[i].left;
         M->row_labels[i] = h->row_labels[i] = name_of(f, i);
-        for (size_t k = 0; k < n; k++) {
-            int32_t acceleration = yk_derive_shown_acceleration(d, k);
-            M->column_symbols[k] = acceleration;
-            M->entries[i * n + k] = yk_ring_rational(ring, 0, 1);
-            if (!yk_ring_mentions(ring, left, acceleration)) continue;
-            M->entries[i * n + k] = yk_ring_coefficient(ring, left, acceleration, 1);
-            left = yk_ring_coefficient(ring, left, acceleration, 0);
-        }
-        for (size_t k = 0; k < f->row_count; k++)
-            if (yk_ring_mentions(ring, left, f->multipliers[k]))
-                left = yk_ring_coefficient(ring, left, f->multipliers[k], 0);
-        h->entries[i] = left;
+        h->entries[i] = yk_ring_split(d->ring, equations[i].left, symbols, n + f->row_count, M->entries + i * n, n);
     }
 }
 

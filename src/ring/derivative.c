@@ -44,35 +44,61 @@ static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t v
     return known;
 }
 
-// The images of all powers of `a`, in their order, on top of the ring's stack; their common denominator. The tables of
-// powers and the stack may grow while derivatives are made: indices, not pointers.
-static bool push_images(YkRing *ring, const YkPoisson *a, int32_t variable, int depth, int64_t *denominator)
+// The marks of all symbols that are not taken to 0, and maybe of others.
+static uint64_t marks_touched(const YkRing *ring, int32_t variable)
 {
-    *denominator = 1;
-    for (size_t i = 0; i < a->count; i++)
-        for (int side = 0; side < 2; side++) {
-            const YkPowers *table = side == 0 ? &ring->monomials : &ring->phases;
-            uint64_t key = a->terms[i].key;
-            uint32_t item = side == 0 ? yk_key_monomial(key) : yk_key_phase(key), count;
-            yk_powers_of(table, item, &count);
-            for (uint32_t k = 0; k < count; k++) {
-                int32_t symbol = yk_powers_of(table, item, &count)[k].symbol;
-                const YkPoisson *image = symbol_derivative(ring, symbol, variable, depth);
-                if (!image) return false;
-                if (!YK_ROOM(ring->images, ring->image_count, ring->image_capacity))
-                    return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
-                ring->images[ring->image_count++] = image;
-                if (!yk_common_denominator(*denominator, image->denominator, denominator))
-                    return yk_ring_fail(ring, YK_RING_OVERFLOW) != NULL;
-            }
-        }
+    return ring->dependent_marks | (variable == TIME ? ring->moving_marks : yk_mark(variable));
+}
+
+static bool find_images_of(YkRing *ring, const YkPowers *table, uint32_t item, int32_t variable, int depth,
+                           int64_t *denominator)
+{
+    if (!(table->items[item].marks & ring->dependent_marks)) return true;
+    for (uint32_t k = 0; k < table->items[item].count; k++) { // the pool may move while derivatives are made
+        int32_t symbol = table->pool[table->items[item].first + k].symbol;
+        const YkPoisson *image = symbol_derivative(ring, symbol, variable, depth);
+        if (!image) return false;
+        if (image->denominator != 1 && !yk_common_denominator(*denominator, image->denominator, denominator))
+            return yk_ring_fail(ring, YK_RING_OVERFLOW) != NULL;
+    }
     return true;
 }
 
-// Gathers term * factor * image.
-static bool add_image(YkRing *ring, YkRingTerm term, int64_t factor, const YkPoisson *image, int64_t denominator)
+// Makes the images that are not at hand, those of symbols that depend on others; finds the common denominator of all.
+static bool find_images(YkRing *ring, const YkPoisson *a, int32_t variable, int depth, int64_t *denominator)
 {
-    if (!yk_exact_multiply(factor, denominator / image->denominator, &factor)) {
+    *denominator = 1;
+    for (size_t i = 0; i < a->count && ring->dependent_marks != 0; i++) {
+        uint64_t key = a->terms[i].key;
+        if (!find_images_of(ring, &ring->monomials, yk_key_monomial(key), variable, depth, denominator) ||
+            !find_images_of(ring, &ring->phases, yk_key_phase(key), variable, depth, denominator))
+            return false;
+    }
+    return true;
+}
+
+// A derivation while its terms are gathered: all images are at hand.
+typedef struct Gathering {
+    YkRing *ring;
+    int32_t variable;
+    int64_t denominator; // of all images
+    uint64_t touched;
+} Gathering;
+
+static const YkPoisson *image_of(const Gathering *d, int32_t index)
+{
+    const YkRingSymbol *symbol = &d->ring->symbols[index];
+    if (index == d->variable) return d->ring->one;
+    if (!(yk_mark(index) & d->touched)) return d->ring->zero;
+    if (d->variable == TIME && symbol->rate) return symbol->rate;
+    return symbol->square || symbol->partials ? symbol->known : d->ring->zero;
+}
+
+// Gathers term * factor * image.
+static bool add_image(const Gathering *d, YkRingTerm term, int64_t factor, const YkPoisson *image)
+{
+    YkRing *ring = d->ring;
+    if (d->denominator != 1 && !yk_exact_multiply(factor, d->denominator / image->denominator, &factor)) {
         ring->gather.failed = true;
         yk_ring_fail(ring, YK_RING_OVERFLOW);
         return false;
@@ -82,61 +108,50 @@ static bool add_image(YkRing *ring, YkRingTerm term, int64_t factor, const YkPoi
     return true;
 }
 
-// images: of the powers of this monomial.
-static bool add_monomial_part(YkRing *ring, YkRingTerm term, const YkPoisson *const *images, int64_t denominator)
+static bool add_monomial_part(const Gathering *d, YkRingTerm term)
 {
-    uint32_t monomial = yk_key_monomial(term.key), count;
-    yk_powers_of(&ring->monomials, monomial, &count);
-    for (uint32_t k = 0; k < count; k++) {
-        const YkPower power = yk_powers_of(&ring->monomials, monomial, &count)[k];
-        if (images[k]->count == 0) continue;
+    YkRing *ring = d->ring;
+    uint32_t monomial = yk_key_monomial(term.key);
+    if (!(ring->monomials.items[monomial].marks & d->touched)) return true;
+    for (uint32_t k = 0; k < ring->monomials.items[monomial].count; k++) { // the pool may move
+        const YkPower power = ring->monomials.pool[ring->monomials.items[monomial].first + k];
+        const YkPoisson *image = image_of(d, power.symbol);
+        if (image->count == 0) continue;
         uint32_t one = yk_ring_monomial_of(ring, power.symbol, 1);
         uint32_t less = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, monomial, one, -1);
         if (less == YK_NO_PRODUCT) return !(ring->gather.failed = true);
         YkRingTerm rest = {yk_key(yk_key_phase(term.key), less, yk_key_unit(term.key)), term.number};
-        if (!add_image(ring, rest, power.exponent, images[k], denominator)) return false;
+        if (!add_image(d, rest, power.exponent, image)) return false;
     }
     return true;
 }
 
-// images: of the powers of this phase.
-static bool add_phase_part(YkRing *ring, YkRingTerm term, const YkPoisson *const *images, int64_t denominator)
+static bool add_phase_part(const Gathering *d, YkRingTerm term)
 {
-    uint32_t phase = yk_key_phase(term.key), count;
-    yk_powers_of(&ring->phases, phase, &count);
+    YkRing *ring = d->ring;
+    uint32_t phase = yk_key_phase(term.key);
+    if (!(ring->phases.items[phase].marks & d->touched)) return true;
     bool has_i = term.key & YK_UNIT_I;
     YkRingTerm turned = {term.key ^ YK_UNIT_I, has_i ? -term.number : term.number}; // i times the term
-    for (uint32_t k = 0; k < count; k++) {
-        const YkPower power = yk_powers_of(&ring->phases, phase, &count)[k];
-        if (images[k]->count > 0 && !add_image(ring, turned, power.exponent, images[k], denominator)) return false;
+    for (uint32_t k = 0; k < ring->phases.items[phase].count; k++) {
+        const YkPower power = ring->phases.pool[ring->phases.items[phase].first + k];
+        const YkPoisson *image = image_of(d, power.symbol);
+        if (image->count > 0 && !add_image(d, turned, power.exponent, image)) return false;
     }
     return true;
-}
-
-static const YkPoisson *gather_derivative(YkRing *ring, const YkPoisson *a, size_t first_image, int64_t denominator)
-{
-    int64_t whole;
-    const YkPoisson *const *images = ring->images + first_image;
-    if (!yk_exact_multiply(a->denominator, denominator, &whole)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
-    yk_gather_begin(ring, whole);
-    for (size_t i = 0; i < a->count; i++) {
-        if (!add_monomial_part(ring, a->terms[i], images, denominator)) break;
-        images += ring->monomials.items[yk_key_monomial(a->terms[i].key)].count;
-        if (!add_phase_part(ring, a->terms[i], images, denominator)) break;
-        images += ring->phases.items[yk_key_phase(a->terms[i].key)].count;
-    }
-    return yk_gather_end(ring);
 }
 
 static const YkPoisson *derivative(YkRing *ring, const YkPoisson *a, int32_t variable, int depth)
 {
+    int64_t whole;
+    Gathering d = {ring, variable, 1, marks_touched(ring, variable)};
     if (!a || a->count == 0) return a;
-    size_t first_image = ring->image_count;
-    int64_t denominator;
-    bool well = push_images(ring, a, variable, depth, &denominator);
-    const YkPoisson *result = well ? gather_derivative(ring, a, first_image, denominator) : NULL;
-    ring->image_count = first_image;
-    return result;
+    if (!find_images(ring, a, variable, depth, &d.denominator)) return NULL;
+    if (!yk_exact_multiply(a->denominator, d.denominator, &whole)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    yk_gather_begin(ring, whole);
+    for (size_t i = 0; i < a->count; i++)
+        if (!add_monomial_part(&d, a->terms[i]) || !add_phase_part(&d, a->terms[i])) break;
+    return yk_gather_end(ring);
 }
 
 const YkPoisson *yk_ring_partial(YkRing *ring, const YkPoisson *a, int32_t variable)

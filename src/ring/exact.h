@@ -18,8 +18,17 @@ static inline bool yk_exact_add(int64_t a, int64_t b, int64_t *sum)
     return true;
 }
 
+static inline bool yk_is_short(int64_t a) // of 31 bits and a sign
+{
+    return a == (int32_t)a;
+}
+
 static inline bool yk_exact_multiply(int64_t a, int64_t b, int64_t *product)
 {
+    if (yk_is_short(a) && yk_is_short(b)) {
+        *product = a * b;
+        return true;
+    }
     YkWide wide = yk_wide_multiply(yk_magnitude(a), yk_magnitude(b));
     if (wide.high != 0 || wide.low > INT64_MAX) return false;
     *product = (a < 0) != (b < 0) ? -(int64_t)wide.low : (int64_t)wide.low;

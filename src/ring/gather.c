@@ -36,7 +36,7 @@ static bool more_slots(YkGather *gather)
     free(gather->slots);
     gather->slots = slots;
     gather->slot_count = slot_count;
-    if (gather->count > FEW) enter_all(gather);
+    if (gather->count > FEW && !gather->ascends) enter_all(gather);
     return true;
 }
 
@@ -54,6 +54,7 @@ bool yk_gather_room(YkRing *ring, size_t count)
 void yk_gather_begin(YkRing *ring, int64_t denominator)
 {
     ring->gather.count = 0;
+    ring->gather.ascends = true;
     ring->gather.denominator = denominator;
     ring->gather.failed = false;
 }
@@ -78,18 +79,39 @@ static YkRingTerm *find_term(YkGather *gather, uint64_t key, size_t *slot)
     return NULL;
 }
 
+// The first key that does not ascend: what is there is entered.
+static bool stop_ascending(YkGather *gather)
+{
+    while (gather->count >= FEW && 2 * (gather->count + 2) > gather->slot_count)
+        if (!more_slots(gather)) return false;
+    gather->ascends = false;
+    if (gather->count > FEW) enter_all(gather);
+    return true;
+}
+
+static bool append(YkRing *ring, uint64_t key, int64_t number)
+{
+    YkGather *gather = &ring->gather;
+    if (gather->count >= ring->limit) return fail(ring, YK_RING_SIZE);
+    if (!YK_ROOM(gather->terms, gather->count, gather->capacity)) return fail(ring, YK_RING_MEMORY);
+    gather->terms[gather->count++] = (YkRingTerm){key, number};
+    return true;
+}
+
 bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number)
 {
     YkGather *gather = &ring->gather;
     size_t slot = 0;
     if (gather->failed) return false;
+    if (gather->ascends) {
+        if (gather->count == 0 || gather->terms[gather->count - 1].key < key) return append(ring, key, number);
+        if (!stop_ascending(gather)) return fail(ring, YK_RING_MEMORY);
+    }
     if (gather->count >= FEW && 2 * (gather->count + 2) > gather->slot_count && !more_slots(gather))
         return fail(ring, YK_RING_MEMORY);
     YkRingTerm *term = find_term(gather, key, &slot);
     if (term) return yk_exact_add(term->number, number, &term->number) || fail(ring, YK_RING_OVERFLOW);
-    if (gather->count >= ring->limit) return fail(ring, YK_RING_SIZE);
-    if (!YK_ROOM(gather->terms, gather->count, gather->capacity)) return fail(ring, YK_RING_MEMORY);
-    gather->terms[gather->count++] = (YkRingTerm){key, number};
+    if (!append(ring, key, number)) return false;
     if (gather->count == FEW + 1) enter_all(gather);
     if (gather->count > FEW + 1) gather->slots[slot] = (uint32_t)gather->count;
     return true;
@@ -113,7 +135,7 @@ bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *
 
 static void empty_slots(YkGather *gather)
 {
-    if (gather->count <= FEW) return;
+    if (gather->ascends || gather->count <= FEW) return;
     if (gather->count * 8 > gather->slot_count) {
         if (gather->slots) memset(gather->slots, 0, gather->slot_count * sizeof *gather->slots);
         return;
@@ -174,6 +196,6 @@ const YkPoisson *yk_gather_end(YkRing *ring)
     YkGather *gather = &ring->gather;
     empty_slots(gather);
     if (gather->failed) return NULL;
-    if (!sort_terms(gather)) return yk_ring_fail(ring, YK_RING_MEMORY);
+    if (!gather->ascends && !sort_terms(gather)) return yk_ring_fail(ring, YK_RING_MEMORY);
     return yk_poisson_make(ring, gather->terms, gather->count, gather->denominator);
 }

@@ -67,7 +67,7 @@ typedef struct YkRingSymbol {
     const char *latex, *c, *mathml; // as it is typeset
 } YkRingSymbol;
 
-// Collects terms by key.
+// Collects terms by key. As long as keys ascend there is nothing to be found and nothing to be sorted.
 typedef struct YkGather {
     YkRingTerm *terms;
     size_t count, capacity;
@@ -76,6 +76,7 @@ typedef struct YkGather {
     YkRingTerm *sorted; // room for sorting
     size_t sorted_capacity;
     int64_t denominator;
+    bool ascends; // all keys so far; then the slots are free
     bool failed;
 } YkGather;
 
@@ -92,10 +93,10 @@ struct YkRing {
     YkPowers monomials, phases;
     YkGather gather;
     const YkPoisson *zero, *one;
-    YkRingChanges *changes;   // the newest
-    const YkPoisson **images; // a stack, of derivatives that are being made
-    size_t image_count, image_capacity;
-    size_t rule_count; // rates, partial derivatives and roots that were declared
+    YkRingChanges *changes; // the newest
+    size_t rule_count;      // rates, partial derivatives and roots that were declared
+    // Marks of symbols with a rate; of those whose derivatives have to be made, or have a denominator.
+    uint64_t moving_marks, dependent_marks;
     size_t form_count; // structured forms made so far
 };
 
@@ -119,8 +120,8 @@ uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor);
 // key a times key b, units apart: the caller multiplies by yk_unit_factor. False on failure.
 bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product);
 
-// --- lump.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as the product of those
-// and of the rest; false on failure.
+// --- lump.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as the product of
+// those and of the rest; false on failure.
 bool yk_ring_is_constant(const YkRing *ring, int32_t symbol);
 bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant, uint32_t *rest);
 

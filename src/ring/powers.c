@@ -39,6 +39,7 @@ void yk_powers_free(YkPowers *table)
 int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol)
 {
     uint32_t count;
+    if (!(table->items[item].marks & yk_mark(symbol))) return 0;
     const YkPower *powers = yk_powers_of(table, item, &count);
     for (uint32_t i = 0; i < count && powers[i].symbol <= symbol; i++)
         if (powers[i].symbol == symbol) return powers[i].exponent;
@@ -77,8 +78,12 @@ static uint32_t add_item(YkPowers *table, const YkPower *powers, size_t count, u
         !more_pool(table, count) || !YK_ROOM(table->items, table->count, table->capacity))
         return YK_NO_PRODUCT;
     *fault = YK_POWERS_FINE;
-    if (count > 0) memcpy(table->pool + table->pool_count, powers, count * sizeof *powers);
-    table->items[table->count] = (YkProductOfPowers){hash, table->pool_count, (uint32_t)count, 0};
+    uint64_t marks = 0;
+    for (size_t i = 0; i < count; i++) {
+        table->pool[table->pool_count + i] = powers[i];
+        marks |= yk_mark(powers[i].symbol);
+    }
+    table->items[table->count] = (YkProductOfPowers){hash, marks, table->pool_count, (uint32_t)count, 0};
     table->pool_count += count;
     size_t slot = slot_start(table, hash);
     while (table->slots[slot] != 0) slot = (slot + 1) & (table->slot_count - 1);

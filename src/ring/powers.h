@@ -12,10 +12,17 @@ typedef struct YkPower {
 
 typedef struct YkProductOfPowers {
     uint64_t hash;
-    size_t first; // index of its first power in the pool; powers ascend by symbol
+    uint64_t marks; // of all its symbols
+    size_t first;   // index of its first power in the pool; powers ascend by symbol
     uint32_t count;
     uint32_t note; // what the owner of the table has found out about it; 0 at first
 } YkProductOfPowers;
+
+// One bit of 64 for a symbol: where a product has not the mark, it has not the symbol.
+static inline uint64_t yk_mark(int32_t symbol)
+{
+    return (uint64_t)1 << (symbol & 63);
+}
 
 // A product that was made before. Where two would stand at one place the later one stays.
 typedef struct YkProductMade {

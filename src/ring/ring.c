@@ -28,7 +28,6 @@ void yk_ring_free(YkRing *ring)
     yk_names_free(&ring->latex_names);
     yk_names_free(&ring->c_names);
     free(ring->symbols);
-    free((void *)ring->images);
     yk_arena_free(ring->sheet);
     yk_arena_free(ring->arena);
     free(ring);

@@ -151,6 +151,11 @@ const YkPoisson *yk_ring_change(YkRing *ring, const YkPoisson *a, YkRingChanges 
 // a = sum over k of coefficient_k * symbol^k: the range of k, and one coefficient. false for zero and NULL.
 bool yk_ring_powers(const YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t *lowest, int32_t *highest);
 const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t power);
+// a = rest + sum over k of coefficients[k] * symbols[k], for an element that is linear in symbols: in no term stands
+// more than one of them, and each by power 1; otherwise NULL with YK_RING_POWER. Returns the rest. The first `wanted`
+// coefficients are made. Cost O(terms + count).
+const YkPoisson *yk_ring_split(YkRing *ring, const YkPoisson *a, const int32_t *symbols, size_t count,
+                               const YkPoisson **coefficients, size_t wanted);
 // The symbols that stand in an element, outside or in a phase, one after the other: the least that is greater than
 // `after` (-1: the first); -1 after the last. Cost O(terms).
 int32_t yk_ring_next_symbol(const YkRing *ring, const YkPoisson *a, int32_t after);

@@ -122,6 +122,8 @@ bool yk_ring_set_rate(YkRing *ring, int32_t symbol, const YkPoisson *rate)
     if (symbol < 0 || (size_t)symbol >= ring->symbol_count) return yk_ring_fail(ring, YK_RING_NAME) != NULL;
     ring->symbols[symbol].rate = rate;
     ring->rule_count++;
+    ring->moving_marks |= yk_mark(symbol);
+    if (rate->denominator != 1) ring->dependent_marks |= yk_mark(symbol);
     return true;
 }
 
@@ -133,6 +135,7 @@ static bool add_partial(YkRing *ring, int32_t symbol, int32_t variable, const Yk
     *partial = (YkPartial){ring->symbols[symbol].partials, variable, derivative};
     ring->symbols[symbol].partials = partial;
     ring->rule_count++;
+    ring->dependent_marks |= yk_mark(symbol);
     return true;
 }
 
@@ -164,8 +167,10 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
     if (!square) return -1;
     if (!yk_ring_is_real(ring, square)) return yk_ring_fail(ring, YK_RING_NOT_REAL) ? 0 : -1;
     int32_t symbol = yk_ring_symbol(ring, name, YK_RING_FUNCTION);
-    if (symbol >= 0) ring->symbols[symbol].square = square;
     ring->rule_count++;
+    if (symbol < 0) return -1;
+    ring->symbols[symbol].square = square;
+    ring->dependent_marks |= yk_mark(symbol);
     return symbol;
 }
 

@@ -174,6 +174,9 @@ static void a_rule_that_is_added_later_counts(void **state)
                yk_ring_multiply(r, twice, yk_ring_scale(r, symbol(&f, "m2"), 3, 1)));
     assert_true(yk_ring_set_rate(r, x, number(&f, 1, 1)));
     check_same(r, yk_ring_time_derivative(r, square), yk_ring_scale(r, twice, 3, 1));
+    assert_true(yk_ring_set_rate(r, x, number(&f, 2, 15)) && yk_ring_set_rate(r, y, number(&f, 1, 6)));
+    Element product = yk_ring_multiply(r, yk_ring_of(r, x), yk_ring_of(r, y));
+    check_same(r, yk_ring_time_derivative(r, product), read_text(&f, "2/15 lc1 + 1/6 l1"));
     yk_ring_free(r);
 }
 
