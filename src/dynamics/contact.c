@@ -117,7 +117,9 @@ static bool find_limits(YkSimulation *sim, int round)
 YkStatus yk_simulation_accelerate(YkSimulation *sim)
 {
     YkDynamics *d = sim->dynamics;
-    if (sim->contact_count == 0 && !d->loads->has_dry) return yk_dynamics_reduce(d, sim->state);
+    if (sim->contact_count == 0 && !d->loads->has_dry)
+        return sim->has_drives ? yk_dynamics_reduce(d, sim->state) // whose efforts are asked too
+                               : yk_dynamics_find_accelerations(d, sim->state);
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
         for (size_t c = 0; c < sim->contact_count; c++) item_of(sim, c)->dry = 0;
         YkStatus status = yk_dynamics_reduce(d, sim->state);

@@ -47,13 +47,24 @@ YkDynamics *yk_dynamics_new(const YkMechanism *mech, YkProblems *problems)
     return d;
 }
 
+// What depends on the choice of free inputs.
+static void forget_equations(YkDynamics *d)
+{
+    yk_influence_free(d->influence);
+    yk_reduced_free(d->reduced);
+    yk_elimination_free(d->elimination);
+    yk_tree_dynamics_free(d->tree);
+    d->influence = NULL;
+    d->reduced = NULL;
+    d->elimination = NULL;
+    d->tree = NULL;
+}
+
 void yk_dynamics_free(YkDynamics *d)
 {
     if (!d) return;
     yk_loads_free(d->loads);
-    yk_elimination_free(d->elimination);
-    yk_reduced_free(d->reduced);
-    yk_tree_dynamics_free(d->tree);
+    forget_equations(d);
     yk_free_bodies_free(d->bodies);
     free(d->is_free);
     free(d->q);
@@ -87,32 +98,34 @@ void yk_dynamics_set_effort(YkDynamics *d, size_t coordinate, double effort)
     if (yk_loads_set_effort(d->loads, coordinate, effort)) d->is_stale = true;
 }
 
-static bool all_free(const YkDynamics *d)
+static size_t count_free(const YkDynamics *d)
 {
-    for (size_t i = 0; i < d->mech->input_count; i++)
-        if (!d->is_free[i]) return false;
-    return true;
+    size_t count = 0;
+    for (size_t i = 0; i < d->mech->input_count; i++) count += d->is_free[i];
+    return count;
+}
+
+static bool make_elimination(YkDynamics *d, size_t free_count)
+{
+    d->elimination = yk_elimination_new(d->mech, d->is_free, d->loads->is_loaded);
+    if (d->elimination) d->reduced = yk_reduced_new(d->elimination);
+    if (!d->reduced || free_count == 0 || free_count > YK_INFLUENCE_MAX) return d->reduced != NULL;
+    d->influence = yk_influence_new(d->elimination, free_count);
+    return d->influence != NULL;
 }
 
 bool yk_dynamics_prepare(YkDynamics *d)
 {
     if (!d->is_stale) return true;
     bool fits = true;
-    yk_reduced_free(d->reduced);
-    yk_elimination_free(d->elimination);
-    yk_tree_dynamics_free(d->tree);
-    d->reduced = NULL;
-    d->elimination = NULL;
-    d->tree = all_free(d) ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
+    size_t free_count = count_free(d);
+    forget_equations(d);
+    d->tree = free_count == d->mech->input_count ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
     for (size_t i = 0; i < d->mech->input_count; i++) { // for what may push there
         const YkJoint *j = &d->mech->model->joints[d->mech->coordinates[d->mech->inputs[i]].joint];
         if (d->is_free[i]) d->loads->is_loaded[j->body[0]] = d->loads->is_loaded[j->body[1]] = true;
     }
-    if (!d->tree) {
-        d->elimination = yk_elimination_new(d->mech, d->is_free, d->loads->is_loaded);
-        if (d->elimination) d->reduced = yk_reduced_new(d->elimination);
-    }
-    d->is_stale = !d->tree && !d->reduced;
+    d->is_stale = !d->tree && !make_elimination(d, free_count);
     return !d->is_stale;
 }
 
@@ -173,10 +186,9 @@ static YkStatus reduce_tree(YkDynamics *d, const YkState *state, double *acceler
     return bad < 0 ? YK_OK : yk_dynamics_fail_at_input(d, bad);
 }
 
-YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
+// The pose with the free inputs' accelerations 0, and *loads on every body there: NULL, or in d->load.
+static YkStatus stand(YkDynamics *d, YkState *state, const YkLoad **loads)
 {
-    if (!yk_dynamics_prepare(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
-    if (d->tree) return reduce_tree(d, state, d->acceleration);
     for (size_t i = 0; i < d->mech->input_count; i++) {
         if (d->is_free[i]) state->input[3 * i + 2] = 0;
         d->acceleration[i] = state->input[3 * i + 2];
@@ -186,28 +198,48 @@ YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
         d->report = state->report;
         return status;
     }
+    *loads = NULL;
+    if (d->loads->item_count == 0 && d->push == 0) return status;
     size_t culprit;
-    const YkLoad *loads = NULL;
-    if (d->loads->item_count > 0 || d->push != 0) {
-        memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
-        if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit))
-            return yk_dynamics_fail_at_load(d, culprit);
-        if (d->push != 0) {
-            const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[d->pushed]];
-            yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->push, d->load);
-        }
-        loads = d->load;
+    memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
+    if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit))
+        return yk_dynamics_fail_at_load(d, culprit);
+    if (d->push != 0) {
+        const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[d->pushed]];
+        yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->push, d->load);
     }
+    *loads = d->load;
+    return status;
+}
+
+YkStatus yk_dynamics_reduce(YkDynamics *d, YkState *state)
+{
+    const YkLoad *loads;
+    if (!yk_dynamics_prepare(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
+    if (d->tree) return reduce_tree(d, state, d->acceleration);
+    YkStatus status = stand(d, state, &loads);
+    if (status < 0 || !state->has_rates) return status;
     int bad = yk_reduced_factor(d->reduced, &state->space, loads);
     if (bad != -1) return yk_dynamics_fail_at_input(d, bad);
     yk_reduced_solve(d->reduced, d->acceleration, false);
     return status;
 }
 
+YkStatus yk_dynamics_find_accelerations(YkDynamics *d, YkState *state)
+{
+    const YkLoad *loads;
+    if (!yk_dynamics_prepare(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
+    if (!d->influence) return yk_dynamics_reduce(d, state);
+    YkStatus status = stand(d, state, &loads);
+    if (status < 0 || !state->has_rates) return status;
+    int bad = yk_influence_accelerate(d->influence, &state->space, loads, d->acceleration);
+    return bad == -1 ? status : yk_dynamics_fail_at_input(d, bad);
+}
+
 YkStatus yk_dynamics_accelerate(YkDynamics *d, YkState *state, double *accelerations)
 {
     if (!d->is_stale && d->tree) return reduce_tree(d, state, accelerations);
-    YkStatus status = yk_dynamics_reduce(d, state);
+    YkStatus status = yk_dynamics_find_accelerations(d, state);
     if (status >= 0) memcpy(accelerations, d->acceleration, d->mech->input_count * sizeof *accelerations);
     return status;
 }

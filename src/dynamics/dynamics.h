@@ -2,6 +2,7 @@
 #ifndef DYNAMICS_DYNAMICS_H
 #define DYNAMICS_DYNAMICS_H
 #include "dynamics/free_bodies.h"
+#include "dynamics/influence.h"
 #include "dynamics/reduced.h"
 #include "dynamics/tree.h"
 
@@ -12,7 +13,8 @@ struct YkDynamics {
     bool has_mass;
     YkElimination *elimination; // made anew when what is free changes
     YkReduced *reduced;
-    YkTreeDynamics *tree; // open trees: the fast way; otherwise NULL
+    YkTreeDynamics *tree;   // open trees: the fast way; otherwise NULL
+    YkInfluence *influence; // closed machines with few free inputs: the fast way; otherwise NULL
     YkFreeBodies *bodies;
     bool is_stale;                         // elimination and tree do not fit the choice of free inputs
     double *q, *v, *effort, *acceleration; // per input
@@ -34,8 +36,10 @@ struct YkDynamics {
 bool yk_dynamics_prepare(YkDynamics *dynamics);
 // Accelerations of the free inputs at the state's inputs, into dynamics->acceleration; the state's pose stands there
 // with the free inputs' accelerations 0 (open trees: its pose is not touched). All loads but gravity are in `load`
-// then.
+// then. The reduced equations stand too, for efforts and responses.
 YkStatus yk_dynamics_reduce(YkDynamics *dynamics, YkState *state);
+// The same by the fastest way, where nothing but the accelerations is asked.
+YkStatus yk_dynamics_find_accelerations(YkDynamics *dynamics, YkState *state);
 // With dynamics->acceleration for the free inputs: solves the state again, then all reactions and efforts.
 YkStatus yk_dynamics_apply(YkDynamics *dynamics, YkState *state);
 // Dry friction depends on the reactions, which depend on it: sets it from the last reactions; does it stand?

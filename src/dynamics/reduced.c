@@ -1,19 +1,18 @@
 #include "dynamics/reduced.h"
 #include <stdlib.h>
 #include <string.h>
-#include "num/dense.h"
+#include "dynamics/gradient_pose.h"
 
 YkReduced *yk_reduced_new(const YkElimination *e)
 {
     YkReduced *r = calloc(1, sizeof *r);
     if (!r) return NULL;
-    size_t group = e->largest_group, wide = e->widest + 2, tall = group > 2 ? group : 2;
-    size_t total = e->entry_count + 3 * e->unknown_count + e->coefficient_count + 2 * wide + 2 * tall * wide +
-                   group * group + group * wide + 2 * group + 8;
+    size_t wide = e->widest + 2, tall = e->largest_group > 2 ? e->largest_group : 2;
+    size_t total = e->entry_count + 3 * e->unknown_count + e->coefficient_count + 2 * tall * wide;
     r->e = e;
-    r->memory = calloc(total * sizeof(double) + group * (sizeof(int) + sizeof(size_t)) + 16, 1);
-    if (!r->memory) {
-        free(r);
+    r->memory = calloc(total + 1, sizeof(double));
+    if (!r->memory || !yk_coefficients_start(&r->work, e)) {
+        yk_reduced_free(r);
         return NULL;
     }
     double *p = r->memory;
@@ -22,134 +21,21 @@ YkReduced *yk_reduced_new(const YkElimination *e)
     r->lost = p, p += e->unknown_count;
     r->xi = p, p += e->unknown_count;
     r->C = p, p += e->coefficient_count;
-    r->column = (YkVec *)p, p += 2 * wide;
     r->B = p, p += tall * wide;
     r->G = p, p += tall * wide;
-    r->D = p, p += group * group;
-    r->K = p, p += group * wide;
-    r->tau = p, p += 2 * group + 8;
-    r->order = (size_t *)p;
-    r->pivot = (int *)(r->order + group);
     return r;
 }
 
 void yk_reduced_free(YkReduced *r)
 {
     if (!r) return;
+    yk_coefficients_end(&r->work);
     free(r->memory);
     free(r);
 }
 
-// --- gradients
-// ----------------------------------------------------------------------------------------------------------
-
-// Lanes of one pose stand side by side: cos, sin, rate, acceleration.
-static inline const double *turn_of(const YkSpace *space, int32_t slot)
-{
-    return space->data + 4 * slot;
-}
-
-static inline YkVec turned(const double *turn, YkVec v)
-{
-    return yk_vec(turn[0] * v.x - turn[1] * v.y, turn[0] * v.y + turn[1] * v.x);
-}
-
-static inline void add_to(YkVec *columns, int32_t column, double k, YkVec v)
-{
-    if (column == YK_NONE) return;
-    columns[column].x += k * v.x;
-    columns[column].y += k * v.y;
-}
-
-static inline void add_piece(const YkSpace *space, const YkGradientPiece *piece, YkVec *columns)
-{
-    YkVec u = piece->slot ? turned(turn_of(space, piece->slot), piece->v) : piece->v;
-    if (piece->root) u = turned(turn_of(space, piece->root), u);
-    YkVec iu = yk_quarter(u);
-    double d = 1;
-    if (piece->distance != YK_NONE) {
-        d = yk_space_slide(space, piece->distance).d[0];
-        add_to(columns, piece->along, 1, u);
-    }
-    add_to(columns, piece->turn[0], d, iu);
-    add_to(columns, piece->turn[1], d, iu);
-}
-
-static inline void add_nodes(const YkElimination *e, const YkGradient *gradient, YkVec *columns)
-{
-    for (uint32_t k = 0; k < gradient->node_count; k++) {
-        const YkNodePart *part = &e->nodes[gradient->first_node + k];
-        columns[part->column].x += part->sign;
-        columns[part->column + 1].y += part->sign;
-    }
-}
-
-static inline void find_gradient(YkReduced *r, const YkSpace *space, const YkGradient *gradient)
-{
-    if (gradient->is_plain) {
-        const YkGradientPiece *piece = &r->e->pieces[gradient->first_piece];
-        for (uint32_t k = 0; k < gradient->columns; k++)
-            r->column[k] = yk_quarter(turned(turn_of(space, piece[k].unit), piece[k].v));
-        return;
-    }
-    for (uint32_t k = 0; k < gradient->columns; k++) r->column[k] = yk_vec(0, 0);
-    add_nodes(r->e, gradient, r->column);
-    for (uint32_t k = 0; k < gradient->piece_count; k++)
-        add_piece(space, &r->e->pieces[gradient->first_piece + k], r->column);
-}
-
 // --- bodies
-// -------------------------------------------------------------------------------------------------------------
-
-// The gradient of the reference point, and its acceleration in the pose.
-static inline YkVec find_acceleration(YkReduced *r, const YkSpace *space, const YkGradient *gradient)
-{
-    YkVec sum = {0, 0};
-    if (gradient->is_plain) {
-        const YkGradientPiece *piece = &r->e->pieces[gradient->first_piece];
-        for (uint32_t k = 0; k < gradient->columns; k++) {
-            const double *t = turn_of(space, piece[k].unit);
-            YkVec u = turned(t, piece[k].v), iu = yk_quarter(u);
-            double w2 = t[2] * t[2];
-            r->column[k] = iu;
-            sum.x += t[3] * iu.x - w2 * u.x;
-            sum.y += t[3] * iu.y - w2 * u.y;
-        }
-        return sum;
-    }
-    for (uint32_t k = 0; k < gradient->columns; k++) r->column[k] = yk_vec(0, 0);
-    for (uint32_t k = 0; k < gradient->node_count; k++) {
-        const YkNodePart *part = &r->e->nodes[gradient->first_node + k];
-        YkPlane p = yk_space_plane(space, part->node);
-        r->column[part->column].x += part->sign;
-        r->column[part->column + 1].y += part->sign;
-        sum = yk_add(sum, yk_scale(part->sign, yk_vec(p.ax[0], p.ay[0])));
-    }
-    for (uint32_t k = 0; k < gradient->piece_count; k++) {
-        const YkGradientPiece *piece = &r->e->pieces[gradient->first_piece + k];
-        YkVec u = piece->v;
-        double w = 0, a = 0;
-        if (piece->slot) {
-            const double *t = turn_of(space, piece->slot);
-            u = turned(t, u);
-            w = t[2];
-            a = t[3];
-        }
-        YkVec iu = yk_quarter(u);
-        double along = -w * w, across = a, d = 1;
-        if (piece->distance != YK_NONE) {
-            YkSlide s = yk_space_slide(space, piece->distance);
-            d = s.d[0];
-            along = s.a[0] - d * w * w;
-            across = d * a + 2 * s.v[0] * w;
-            add_to(r->column, piece->along, 1, u);
-        }
-        add_to(r->column, piece->turn[1], d, iu);
-        sum.x += along * u.x + across * iu.x;
-        sum.y += along * u.y + across * iu.y;
-    }
-    return sum;
-}
+// -----------------------------------------------------------------------------------------------------------------
 
 static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads, const YkElement *element)
 {
@@ -158,7 +44,8 @@ static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads,
     const int32_t *unknown = e->index + element->first_index, *entry = unknown + element->gradient.columns;
     uint32_t n = element->gradient.columns;
     double m = element->mass, moment = 0;
-    YkVec a = find_acceleration(r, space, &element->gradient);
+    YkVec *column = r->work.column;
+    YkVec a = yk_gradient_acceleration(e, space, &element->gradient, column);
     YkVec f = yk_vec(m * (model->gravity.x - a.x), m * (model->gravity.y - a.y));
     if (element->rotation != YK_NONE)
         moment = -element->inertia * yk_space_turn(space, e->mech->bodies[element->body].orientation).a[0];
@@ -167,9 +54,9 @@ static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads,
         moment += loads[element->body].moment;
     }
     for (uint32_t i = 0; i < n; i++) {
-        YkVec c = r->column[i];
+        YkVec c = column[i];
         r->g[unknown[i]] += c.x * f.x + c.y * f.y;
-        for (uint32_t j = i; j < n; j++) r->H[*entry++] += m * (c.x * r->column[j].x + c.y * r->column[j].y);
+        for (uint32_t j = i; j < n; j++) r->H[*entry++] += m * (c.x * column[j].x + c.y * column[j].y);
     }
     if (element->rotation == YK_NONE) return;
     uint32_t k = (uint32_t)element->rotation; // its diagonal entry
@@ -179,113 +66,7 @@ static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads,
 }
 
 // --- operations
-// ---------------------------------------------------------------------------------------------------------
-
-// The rows of a group's relations, behind those of its loops.
-static void add_relation_rows(YkReduced *r, const YkSpace *space, const YkOperation *op, size_t m)
-{
-    const YkElimination *e = r->e;
-    const YkBlock *block = &e->mech->blocks[op->block];
-    const double *factor = e->factors + op->first_factor;
-    size_t n = op->own, q = op->given;
-    for (size_t k = 0; k < block->relation_count; k++, factor += 2 * (n + q)) {
-        size_t row = 2 * block->loop_count + k;
-        double slope = space->gain[(size_t)e->mech->group_relations[block->first_relation + k] * space->stride];
-        for (size_t u = 0; u < n; u++) r->D[row * n + u] = factor[2 * u] + slope * factor[2 * u + 1];
-        for (size_t w = 0; w < q; w++) r->K[w * m + row] = -(factor[2 * (n + w)] + slope * factor[2 * (n + w) + 1]);
-    }
-}
-
-// D x = -K for the unknowns of a group; more equations than unknowns: least squares.
-static bool solve_group(YkReduced *r, const YkSpace *space, const YkOperation *op, double *C)
-{
-    const YkElimination *e = r->e;
-    const YkBlock *block = &e->mech->blocks[op->block];
-    size_t n = op->own, q = op->given, m = yk_block_rows(block);
-    memset(r->D, 0, m * n * sizeof *r->D);
-    memset(r->K, 0, m * q * sizeof *r->K);
-    for (size_t row = 0; row < block->loop_count; row++) {
-        for (uint32_t k = 0; k < op->gradient.columns; k++) r->column[k] = yk_vec(0, 0);
-        for (uint32_t k = 0; k < op->gradient.node_count; k++) {
-            const YkNodePart *part = &e->nodes[op->gradient.first_node + k];
-            if (part->row != (int32_t)row) continue;
-            r->column[part->column].x += part->sign;
-            r->column[part->column + 1].y += part->sign;
-        }
-        for (uint32_t k = 0; k < op->gradient.piece_count; k++) {
-            const YkGradientPiece *piece = &e->pieces[op->gradient.first_piece + k];
-            if (piece->row == (int32_t)row) add_piece(space, piece, r->column);
-        }
-        for (size_t k = 0; k < n; k++) {
-            r->D[2 * row * n + k] = r->column[k].x;
-            r->D[(2 * row + 1) * n + k] = r->column[k].y;
-        }
-        for (size_t k = 0; k < q; k++) {
-            r->K[k * m + 2 * row] = -r->column[n + k].x;
-            r->K[k * m + 2 * row + 1] = -r->column[n + k].y;
-        }
-    }
-    add_relation_rows(r, space, op, m);
-    if (m == n) {
-        if (yk_lu_factor(n, r->D, r->pivot, r->tau) == 0) return false;
-        for (size_t k = 0; k < q; k++) {
-            yk_lu_solve(n, r->D, r->pivot, r->K + k * m);
-            for (size_t u = 0; u < n; u++) C[u * q + k] = r->K[k * m + u];
-        }
-        return true;
-    }
-    size_t rank = yk_qr_factor(m, n, r->D, r->order, r->tau, 1e-10);
-    for (size_t k = 0; k < q; k++) {
-        yk_qr_solve(m, n, r->D, r->order, r->tau, rank, r->K + k * m, r->B); // B is free here
-        for (size_t u = 0; u < n; u++) C[u * q + k] = r->B[u];
-    }
-    return rank == n;
-}
-
-// The coefficients C of the operation's unknowns in the given ones.
-static bool find_coefficients(YkReduced *r, const YkSpace *space, const YkOperation *op)
-{
-    double *C = r->C + op->first_coefficient;
-    uint32_t q = op->given;
-    const YkVec *c = r->column;
-    switch (op->kind) {
-    case YK_OP_COPY:
-        for (uint32_t k = 0; k < q; k++) C[k] = 1;
-        return true;
-    case YK_OP_RELATION: {
-        const double *factor = r->e->factors + op->first_factor;
-        double slope = space->gain[op->block * space->stride];
-        for (uint32_t k = 0; k < q; k++) C[k] = factor[2 + 2 * k] + slope * factor[3 + 2 * k];
-        return true;
-    }
-    case YK_OP_NODE:
-        find_gradient(r, space, &op->gradient);
-        for (uint32_t k = 0; k < q; k++) {
-            C[k] = c[2 + k].x;
-            C[q + k] = c[2 + k].y;
-        }
-        return true;
-    case YK_OP_PAIR: {
-        find_gradient(r, space, &op->gradient);
-        double over = -1 / yk_cross(c[0], c[1]);
-        for (uint32_t k = 0; k < q; k++) {
-            C[k] = over * yk_cross(c[2 + k], c[1]);
-            C[q + k] = over * yk_cross(c[0], c[2 + k]);
-        }
-        return true;
-    }
-    case YK_OP_SINGLE: {
-        find_gradient(r, space, &op->gradient);
-        double over = -1 / yk_dot(c[0], c[0]);
-        for (uint32_t k = 0; k < q; k++) C[k] = over * yk_dot(c[0], c[1 + k]);
-        return true;
-    }
-    case YK_OP_GROUP:
-        return solve_group(r, space, op, C);
-    default:
-        return true;
-    }
-}
+// -----------------------------------------------------------------------------------------------------------------
 
 // One unknown: H += c (B + h c / 2)^T + its transpose.
 static void substitute_one(YkReduced *r, const YkOperation *op)
@@ -379,7 +160,7 @@ static bool eliminate(YkReduced *r, const YkSpace *space, const YkOperation *op)
 {
     if (op->kind == YK_OP_FREE) return minimise(r, op);
     if (op->kind == YK_OP_KNOWN) return true;
-    if (!find_coefficients(r, space, op)) return false;
+    if (!yk_coefficients_find(&r->work, space, op, r->C + op->first_coefficient)) return false;
     if (op->own == 1)
         substitute_one(r, op);
     else if (op->own == 2)

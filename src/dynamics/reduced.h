@@ -2,7 +2,7 @@
 // allocates nothing.
 #ifndef DYNAMICS_REDUCED_H
 #define DYNAMICS_REDUCED_H
-#include "dynamics/elimination.h"
+#include "dynamics/coefficients.h"
 #include "dynamics/loads.h"
 
 typedef struct YkReduced {
@@ -12,11 +12,8 @@ typedef struct YkReduced {
     double *g;           // [unknown] the forces
     double *xi;          // [unknown] accelerations beyond those of the pose
     double *C;           // [coefficient]
-    YkVec *column;       // gradient of the sum in work
-    double *B, *G;       // rows of the operation in work
-    double *D, *K, *tau; // groups
-    int *pivot;
-    size_t *order;
+    double *B, *G; // rows of the operation in work
+    YkCoefficients work;
     void *memory;
 } YkReduced;
 

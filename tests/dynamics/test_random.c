@@ -115,6 +115,28 @@ static void reduced_equations_equal_the_free_bodies(void **unused)
     assert_true(compared > 2 * machine_count());
 }
 
+// Machines with few free inputs, of whatever joints: by influence coefficients and by elimination.
+static void influence_coefficients_equal_the_elimination(void **unused)
+{
+    (void)unused;
+    size_t compared = 0;
+    for (uint64_t k = 0; k < machine_count(); k++) {
+        Rig rig;
+        double quick[64], most = 1e-3;
+        if (!make(&rig, k, false)) continue;
+        bool stands = yk_dynamics_accelerate(rig.dynamics, rig.state, quick) == YK_OK;
+        if (stands && rig.dynamics->influence && yk_dynamics_reduce(rig.dynamics, rig.state) == YK_OK) {
+            const double *slow = rig.dynamics->acceleration;
+            for (size_t i = 0; i < rig.mech->input_count; i++) most = fmax(most, fabs(slow[i]));
+            for (size_t i = 0; i < rig.mech->input_count; i++)
+                CHECK_NEAR(quick[i], slow[i], 1e-11 * most / rig.state->space.margin[0]);
+            compared++;
+        }
+        rig_free(&rig);
+    }
+    assert_true(4 * compared > machine_count());
+}
+
 // The inverse of the mass matrix, column by column from unit efforts: symmetric, positive.
 static void mass_matrices_are_symmetric_and_positive(void **unused)
 {
@@ -248,6 +270,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reduced_equations_equal_the_free_bodies),
+        cmocka_unit_test(influence_coefficients_equal_the_elimination),
         cmocka_unit_test(mass_matrices_are_symmetric_and_positive),
         cmocka_unit_test(motions_keep_their_energy_and_do_not_depend_on_the_stepper),
     };

@@ -56,6 +56,30 @@ static void efforts_of_drives_come_from_the_rows_as_well(void **unused)
     }
 }
 
+// Machines with few free inputs: their accelerations by influence coefficients, against the elimination.
+static void influence_coefficients_equal_the_elimination(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 9;
+    size_t compared = 0;
+    for (size_t k = 0; k < RIG_EXAMPLES; k++) {
+        Rig rig = rig_of_example(rig_examples[k]);
+        double quick[64], slow[64];
+        for (int pose = 0; pose < 20; pose++) {
+            if (!rig_shake(&rig, &seed)) continue;
+            assert_true(yk_dynamics_accelerate(rig.dynamics, rig.state, quick) >= 0);
+            if (!rig.dynamics->influence) break;
+            assert_true(yk_dynamics_reduce(rig.dynamics, rig.state) >= 0);
+            memcpy(slow, rig.dynamics->acceleration, rig.mech->input_count * sizeof *slow);
+            for (size_t i = 0; i < rig.mech->input_count; i++)
+                CHECK_NEAR(quick[i], slow[i], 1e-12 * scale_of(&rig, slow));
+            compared++;
+        }
+        rig_free(&rig);
+    }
+    assert_true(compared > 100);
+}
+
 // What a unit effort at i accelerates at j equals what one at j accelerates at i.
 static void responses_are_symmetric(void **unused)
 {
@@ -108,6 +132,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reduced_equations_equal_the_free_bodies),
         cmocka_unit_test(efforts_of_drives_come_from_the_rows_as_well),
+        cmocka_unit_test(influence_coefficients_equal_the_elimination),
         cmocka_unit_test(responses_are_symmetric),
         cmocka_unit_test(the_published_double_pendulum),
         cmocka_unit_test(a_freedom_without_inertia_is_named),
