@@ -58,7 +58,7 @@ typedef struct Part {
 static double count_parts(const Machine *machine, double links)
 {
     const YkMechanism *mech = machine->mech;
-    const YkElimination *e = machine->dynamics->elimination;
+    const YkInfluence *f = machine->dynamics->influence;
     const Part parts[] = {
         {"steps of solution", mech->step_count, sizeof *mech->steps},
         {"blocks", mech->block_count, sizeof *mech->blocks},
@@ -66,15 +66,10 @@ static double count_parts(const Machine *machine, double links)
         {"unit vectors with rates", mech->slot_count, 4 * sizeof(double)},
         {"where their lanes are", mech->slot_count, sizeof(YkTurn)},
         {"nodes", mech->node_count, 6 * sizeof(double) + sizeof(YkPlane)},
-        {"operations", e->operation_count, sizeof *e->operations},
-        {"bodies of the form", e->element_count, sizeof *e->elements},
-        {"where bodies are", e->element_count, sizeof *mech->bodies},
-        {"pieces of gradients", e->piece_count, sizeof *e->pieces},
-        {"nodes of gradients", e->node_count, sizeof *e->nodes},
-        {"addresses", e->index_count, sizeof *e->index},
-        {"the form", e->entry_count, sizeof(double)},
-        {"forces, losses, accelerations", e->unknown_count, 3 * sizeof(double)},
-        {"coefficients", e->coefficient_count, sizeof(double)},
+        {"moves of the influence coefficients", f->move_count, sizeof *f->moves},
+        {"columns of gradients", f->term_count, sizeof *f->terms},
+        {"bodies", f->e->element_count, sizeof *f->bodies},
+        {"influence coefficients", f->e->unknown_count, f->width * sizeof *f->R},
     };
     double sum = 0;
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
@@ -99,7 +94,7 @@ static bool report(const char *name, char *text, double links)
     if (!stands || !accelerations) exit(1);
     double bytes = measure(&machine, accelerations) / links;
     printf("%s, bytes a link\n", name);
-    if (machine.dynamics->elimination) printf("    %-40s %24.1f\n", "counted", count_parts(&machine, links));
+    if (machine.dynamics->influence) printf("    %-40s %24.1f\n", "counted", count_parts(&machine, links));
     if (bytes < 0)
         printf("    measured: this system does not tell\n");
     else

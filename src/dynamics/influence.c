@@ -6,61 +6,63 @@
 // --- making
 // -----------------------------------------------------------------------------------------------------------------
 
-static void put_terms(YkInfluence *f, const YkGradient *gradient, uint32_t first_index, size_t *count)
+static void put_terms(YkInfluence *f, const YkGradient *gradient, uint32_t first_index)
 {
     for (uint32_t k = 0; k < gradient->columns; k++) {
         const YkGradientPiece *piece = &f->e->pieces[gradient->first_piece + k];
-        int32_t unknown = f->e->index[first_index + k];
-        f->terms[(*count)++] = (YkInfluenceTerm){4 * piece->unit, unknown * (int32_t)f->free_count, piece->v};
+        int32_t unknown = f->e->index[first_index + k] * (int32_t)f->width;
+        f->terms[f->term_count++] = (YkInfluenceTerm){4 * piece->unit, unknown, piece->v, 0};
     }
 }
 
-static YkInfluenceBody body_of(const YkInfluence *f, const YkElement *element)
-{
-    const YkElimination *e = f->e;
-    YkInfluenceBody b = {element->mass, element->inertia, element->body, YK_NONE, YK_NONE};
-    if (element->rotation == YK_NONE) return b;
-    b.turn = 4 * e->mech->bodies[element->body].orientation;
-    b.rotation = e->index[element->first_index + (uint32_t)element->rotation] * (int32_t)f->free_count;
-    return b;
-}
-
-static void put_operation(YkInfluence *f, size_t p, size_t *freed, size_t *terms)
+static void put_operation(YkInfluence *f, size_t p, size_t *freed)
 {
     const YkOperation *op = &f->e->operations[p];
-    YkInfluenceMove move = {YK_CARRY_OTHER, (uint32_t)p, (uint32_t)*terms, op->gradient.columns};
+    YkInfluenceMove move = {YK_CARRY_OTHER, (uint32_t)p, (uint32_t)f->term_count, op->gradient.columns};
     if (op->kind == YK_OP_KNOWN) return; // R stays 0
     if (op->kind == YK_OP_FREE) {
         f->input[*freed] = op->input;
         f->unknown[*freed] = f->e->index[op->first_index];
-        move.kind = YK_CARRY_FREE;
-        move.index = (uint32_t)(*freed)++;
-    } else if (op->kind == YK_OP_PAIR && op->gradient.is_plain) {
+        f->R[(size_t)f->unknown[*freed] * f->width + *freed] = 1; // and stays so
+        (*freed)++;
+        return;
+    }
+    if (op->kind == YK_OP_PAIR && op->gradient.is_plain) {
         move.kind = YK_CARRY_PAIR;
-        put_terms(f, &op->gradient, op->first_index, terms);
+        put_terms(f, &op->gradient, op->first_index);
     }
     f->moves[f->move_count++] = move;
 }
 
-static void put_element(YkInfluence *f, size_t index, size_t *terms)
+static void put_element(YkInfluence *f, size_t index)
 {
     const YkElement *element = &f->e->elements[index];
-    YkInfluenceMove move = {YK_ADD_OTHER, (uint32_t)index, (uint32_t)*terms, element->gradient.columns};
-    f->bodies[index] = body_of(f, element);
-    if (element->gradient.is_plain) {
-        move.kind = YK_ADD_PLAIN;
-        put_terms(f, &element->gradient, element->first_index, terms);
+    uint32_t columns = element->gradient.columns;
+    YkInfluenceMove move = {YK_ADD_OTHER, (uint32_t)index, (uint32_t)f->term_count, columns};
+    YkInfluenceBody *b = &f->bodies[index];
+    *b = (YkInfluenceBody){element->mass, element->inertia, element->body, YK_NONE, YK_NONE};
+    if (element->rotation != YK_NONE) {
+        b->turn = 4 * f->e->mech->bodies[element->body].orientation;
+        b->rotation = f->e->index[element->first_index + (uint32_t)element->rotation] * (int32_t)f->width;
+    }
+    if (element->gradient.is_plain && columns <= 2) {
+        move.kind = columns == 1 ? YK_ADD_PIVOTED : YK_ADD_CARRIED;
+        put_terms(f, &element->gradient, element->first_index);
+        for (uint32_t k = 0; k < columns; k++) {
+            YkInfluenceTerm *term = &f->terms[move.first_term + k];
+            term->inertia = b->mass * yk_dot(term->v, term->v) + (term->unknown == b->rotation ? b->inertia : 0);
+        }
     }
     f->moves[f->move_count++] = move;
 }
 
 static void put_moves(YkInfluence *f)
 {
-    size_t freed = 0, terms = 0;
+    size_t freed = 0;
     for (size_t p = 0; p < f->e->operation_count; p++) {
         const YkOperation *op = &f->e->operations[p];
-        put_operation(f, p, &freed, &terms);
-        for (uint32_t k = 0; k < op->element_count; k++) put_element(f, op->first_element + k, &terms);
+        put_operation(f, p, &freed);
+        for (uint32_t k = 0; k < op->element_count; k++) put_element(f, op->first_element + k);
     }
 }
 
@@ -75,10 +77,13 @@ YkInfluence *yk_influence_new(const YkElimination *e, size_t free_count)
     }
     f->e = e;
     f->free_count = free_count;
+    f->width = free_count > 2 ? 4 : free_count;
+    f->gravity = e->mech->model->gravity;
+    f->has_gravity = f->gravity.x != 0 || f->gravity.y != 0;
     f->moves = calloc(e->operation_count + e->element_count + 1, sizeof *f->moves);
     f->terms = calloc(e->piece_count + 1, sizeof *f->terms);
     f->bodies = calloc(e->element_count + 1, sizeof *f->bodies);
-    f->R = calloc(e->unknown_count * free_count + 1, sizeof *f->R);
+    f->R = calloc(e->unknown_count * f->width + 1, sizeof *f->R);
     f->C = calloc(most, sizeof *f->C);
     if (!f->moves || !f->terms || !f->bodies || !f->R || !f->C || !yk_coefficients_start(&f->work, e)) {
         yk_influence_free(f);
@@ -147,56 +152,83 @@ typedef struct Sums {
     double g[YK_INFLUENCE_MAX];
 } Sums;
 
-// A body's reference point: its acceleration in the pose, and how it moves for each free input.
-typedef struct Reference {
-    YkVec a, J[YK_INFLUENCE_MAX];
-} Reference;
+// What acts on a body besides inertia: weight and loads.
+typedef struct Push {
+    YkVec force;
+    double moment;
+} Push;
 
-static inline Reference plain_reference(const YkInfluence *f, const YkSpace *space, const YkInfluenceMove *move,
-                                        size_t n)
+static inline Push push_of(const YkInfluence *f, const YkLoad *loads, const YkInfluenceBody *b)
 {
-    Reference at = {.a = {0, 0}};
-    for (uint32_t k = 0; k < move->term_count; k++) {
-        const YkInfluenceTerm *term = &f->terms[move->first_term + k];
-        const double *t = space->data + term->turn;
-        YkVec u = yk_turned_by(t, term->v), iu = yk_quarter(u);
-        double w2 = t[2] * t[2];
-        at.a.x += t[3] * iu.x - w2 * u.x;
-        at.a.y += t[3] * iu.y - w2 * u.y;
-        for (size_t i = 0; i < n; i++) at.J[i] = yk_add(at.J[i], yk_scale(f->R[(size_t)term->unknown + i], iu));
-    }
-    return at;
+    Push push = {yk_scale(b->mass, f->gravity), 0};
+    if (!loads) return push;
+    return (Push){yk_add(push.force, loads[b->body].force), loads[b->body].moment};
 }
 
-static Reference other_reference(const YkInfluence *f, const YkSpace *space, const YkElement *element, size_t n)
+// It turns about a fixed point: one inertia, and the moments about that point.
+static inline void add_pivoted(const YkInfluence *f, const YkSpace *space, const YkLoad *loads,
+                               const YkInfluenceMove *move, Sums *sums, size_t n)
 {
-    const int32_t *unknown = f->e->index + element->first_index;
-    YkVec *c = f->work.column;
-    Reference at = {.a = yk_gradient_acceleration(f->e, space, &element->gradient, c)};
-    for (uint32_t k = 0; k < element->gradient.columns; k++)
-        for (size_t i = 0; i < n; i++) at.J[i] = yk_add(at.J[i], yk_scale(f->R[(size_t)unknown[k] * n + i], c[k]));
-    return at;
-}
-
-static inline void add_body(const YkInfluence *f, const YkSpace *space, const YkLoad *loads, const YkInfluenceBody *b,
-                            const Reference *at, Sums *sums, size_t n)
-{
-    YkVec gravity = f->e->mech->model->gravity;
-    YkVec force = yk_vec(b->mass * (gravity.x - at->a.x), b->mass * (gravity.y - at->a.y));
-    double moment = b->turn == YK_NONE ? 0 : -b->inertia * space->data[b->turn + 3];
-    if (loads) {
-        force = yk_add(force, loads[b->body].force);
-        moment += loads[b->body].moment;
+    const YkInfluenceTerm *term = f->terms + move->first_term;
+    const YkInfluenceBody *b = &f->bodies[move->index];
+    const double *t = space->data + term->turn, *R = f->R + term->unknown;
+    double moment = -term->inertia * t[3];
+    if (f->has_gravity || loads) {
+        Push push = push_of(f, loads, b);
+        moment += yk_cross(yk_turned_by(t, term->v), push.force) + (b->rotation == YK_NONE ? 0 : push.moment);
     }
-    for (size_t i = 0; i < n; i++) {
-        sums->g[i] += yk_dot(at->J[i], force);
-        for (size_t j = i; j < n; j++) sums->M[i][j] += b->mass * yk_dot(at->J[i], at->J[j]);
-    }
-    if (b->rotation == YK_NONE) return;
-    const double *R = f->R + b->rotation;
     for (size_t i = 0; i < n; i++) {
         sums->g[i] += R[i] * moment;
-        for (size_t j = i; j < n; j++) sums->M[i][j] += b->inertia * R[i] * R[j];
+        for (size_t j = i; j < n; j++) sums->M[i][j] += term->inertia * R[i] * R[j];
+    }
+}
+
+// Two vectors u, w turn: their inertias, and m u.w between them; the centripetal parts act across, by m (u x w).
+static inline void add_carried(const YkInfluence *f, const YkSpace *space, const YkLoad *loads,
+                               const YkInfluenceMove *move, Sums *sums, size_t n)
+{
+    const YkInfluenceTerm *term = f->terms + move->first_term;
+    const YkInfluenceBody *b = &f->bodies[move->index];
+    const double *t0 = space->data + term[0].turn, *t1 = space->data + term[1].turn;
+    const double *R0 = f->R + term[0].unknown, *R1 = f->R + term[1].unknown;
+    YkVec u = yk_turned_by(t0, term[0].v), w = yk_turned_by(t1, term[1].v);
+    double D0 = term[0].inertia, D1 = term[1].inertia;
+    double between = b->mass * yk_dot(u, w), across = b->mass * yk_cross(u, w);
+    double moment0 = across * t1[2] * t1[2] - between * t1[3] - D0 * t0[3];
+    double moment1 = -across * t0[2] * t0[2] - between * t0[3] - D1 * t1[3];
+    if (f->has_gravity || loads) {
+        Push push = push_of(f, loads, b);
+        moment0 += yk_cross(u, push.force) + (b->rotation == term[0].unknown ? push.moment : 0);
+        moment1 += yk_cross(w, push.force) + (b->rotation == term[1].unknown ? push.moment : 0);
+    }
+    for (size_t i = 0; i < n; i++) {
+        double p0 = D0 * R0[i] + between * R1[i], p1 = D1 * R1[i] + between * R0[i];
+        sums->g[i] += R0[i] * moment0 + R1[i] * moment1;
+        for (size_t j = i; j < n; j++) sums->M[i][j] += p0 * R0[j] + p1 * R1[j];
+    }
+}
+
+static inline void add_other(const YkInfluence *f, const YkSpace *space, const YkLoad *loads,
+                             const YkInfluenceMove *move, Sums *sums, size_t n)
+{
+    const YkElement *element = &f->e->elements[move->index];
+    const YkInfluenceBody *b = &f->bodies[move->index];
+    const int32_t *unknown = f->e->index + element->first_index;
+    YkVec *c = f->work.column, a = yk_gradient_acceleration(f->e, space, &element->gradient, c), J[YK_INFLUENCE_MAX];
+    Push push = push_of(f, loads, b);
+    YkVec force = yk_sub(push.force, yk_scale(b->mass, a));
+    double moment = b->turn == YK_NONE ? 0 : push.moment - b->inertia * space->data[b->turn + 3];
+    for (size_t i = 0; i < n; i++) {
+        J[i] = yk_vec(0, 0);
+        for (uint32_t k = 0; k < element->gradient.columns; k++)
+            J[i] = yk_add(J[i], yk_scale(f->R[(size_t)unknown[k] * n + i], c[k]));
+    }
+    for (size_t i = 0; i < n; i++) {
+        double turn = b->rotation == YK_NONE ? 0 : f->R[(size_t)b->rotation + i];
+        sums->g[i] += yk_dot(J[i], force) + turn * moment;
+        for (size_t j = i; j < n; j++)
+            sums->M[i][j] += b->mass * yk_dot(J[i], J[j]) +
+                             (b->rotation == YK_NONE ? 0 : b->inertia * turn * f->R[(size_t)b->rotation + j]);
     }
 }
 
@@ -225,33 +257,44 @@ static int solve(const YkInfluence *f, Sums *s)
     return -1;
 }
 
-// All moves; n is the number of free inputs, known to the compiler where it is 1.
+// All moves; the width n is known to the compiler.
 static inline bool sum_up(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *total, size_t n)
 {
     Sums sums = {.g = {0}};
-    Reference at;
-    for (const YkInfluenceMove *move = f->moves, *end = move + f->move_count; move < end; move++)
-        switch (move->kind) {
-        case YK_CARRY_FREE:
-            for (size_t i = 0; i < n; i++) f->R[(size_t)f->unknown[move->index] * n + i] = i == move->index;
-            break;
+    for (const YkInfluenceMove *move = f->moves, *end = move + f->move_count; move < end; move++) switch (move->kind) {
         case YK_CARRY_PAIR:
             carry_pair(f, space, move, n);
             break;
         case YK_CARRY_OTHER:
             if (!carry_other(f, space, move, n)) return false;
             break;
-        case YK_ADD_PLAIN:
-            at = plain_reference(f, space, move, n);
-            add_body(f, space, loads, &f->bodies[move->index], &at, &sums, n);
+        case YK_ADD_PIVOTED:
+            add_pivoted(f, space, loads, move, &sums, n);
+            break;
+        case YK_ADD_CARRIED:
+            add_carried(f, space, loads, move, &sums, n);
             break;
         case YK_ADD_OTHER:
-            at = other_reference(f, space, &f->e->elements[move->index], n);
-            add_body(f, space, loads, &f->bodies[move->index], &at, &sums, n);
+            add_other(f, space, loads, move, &sums, n);
             break;
         }
     *total = sums;
     return true;
+}
+
+static bool sum_up_for_one(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *sums)
+{
+    return sum_up(f, space, loads, sums, 1);
+}
+
+static bool sum_up_for_two(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *sums)
+{
+    return sum_up(f, space, loads, sums, 2);
+}
+
+static bool sum_up_for_four(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *sums)
+{
+    return sum_up(f, space, loads, sums, YK_INFLUENCE_MAX);
 }
 
 int yk_influence_accelerate(YkInfluence *f, const YkSpace *space, const YkLoad *loads, double *acceleration)
@@ -259,14 +302,15 @@ int yk_influence_accelerate(YkInfluence *f, const YkSpace *space, const YkLoad *
     const YkElimination *e = f->e;
     size_t n = f->free_count;
     Sums sums;
-    bool stands = n == 1 ? sum_up(f, space, loads, &sums, 1) : sum_up(f, space, loads, &sums, n);
-    if (!stands) return -2;
+    bool (*const ways[])(YkInfluence *, const YkSpace *, const YkLoad *,
+                         Sums *) = {NULL, sum_up_for_one, sum_up_for_two, NULL, sum_up_for_four};
+    if (!ways[f->width](f, space, loads, &sums)) return -2;
     int bad = solve(f, &sums);
     if (bad != -1) return bad;
     for (size_t i = 0; i < n; i++) {
         int32_t parent = e->parent_of_input[f->input[i]];
         double own = sums.g[i];
-        for (size_t j = 0; parent > 0 && j < n; j++) own -= f->R[(size_t)parent * n + j] * sums.g[j];
+        for (size_t j = 0; parent > 0 && j < n; j++) own -= f->R[(size_t)parent * f->width + j] * sums.g[j];
         acceleration[f->input[i]] = e->sign_of_input[f->input[i]] * own;
     }
     return -1;

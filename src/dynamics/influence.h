@@ -11,17 +11,18 @@
 
 enum { YK_INFLUENCE_MAX = 4 }; // free inputs
 
-// i e(turn) v: a column of a plain gradient, and the unknown that it belongs to.
+// u = e(turn) v, whose quarter turn is a column of a plain gradient, and the unknown that it belongs to.
 typedef struct YkInfluenceTerm {
     int32_t turn, unknown; // places in the space's data and in R
     YkVec v;
+    double inertia; // of a body about v's end: m v^2, and its own where this is what it turns with
 } YkInfluenceTerm;
 
 typedef enum YkInfluenceKind {
-    YK_CARRY_FREE,  // a free input: a unit
     YK_CARRY_PAIR,  // a dyad with a plain gradient
     YK_CARRY_OTHER, // any other operation
-    YK_ADD_PLAIN,   // a body with a plain gradient
+    YK_ADD_PIVOTED, // a body with a plain gradient of one term: it turns about a fixed point
+    YK_ADD_CARRIED, // of two: it turns about a point that turns about a fixed one
     YK_ADD_OTHER    // any other body
 } YkInfluenceKind;
 
@@ -29,7 +30,7 @@ typedef enum YkInfluenceKind {
 typedef struct YkInfluenceMove {
     YkInfluenceKind kind;
     uint32_t index;      // of the operation or the element
-    uint32_t first_term; // PAIR, PLAIN
+    uint32_t first_term; // PAIR, PIVOTED, CARRIED
     uint32_t term_count;
 } YkInfluenceMove;
 
@@ -40,14 +41,17 @@ typedef struct YkInfluenceBody { // of the elements, in the order of the moves
 
 typedef struct YkInfluence {
     const YkElimination *e;
-    size_t free_count;
+    size_t free_count, width;          // columns of R: 1, 2 or 4, those beyond the free inputs 0
     int32_t input[YK_INFLUENCE_MAX];   // in the order in which they are freed
     int32_t unknown[YK_INFLUENCE_MAX]; // whose acceleration beyond its parent's is the input's
+    YkVec gravity;
+    bool has_gravity;
     YkInfluenceMove *moves;
     size_t move_count;
     YkInfluenceTerm *terms;
+    size_t term_count;
     YkInfluenceBody *bodies;
-    double *R; // [unknown][free input]
+    double *R; // [unknown][width]
     double *C; // coefficients of the operation in work
     YkCoefficients work;
 } YkInfluence;

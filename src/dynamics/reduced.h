@@ -7,11 +7,11 @@
 
 typedef struct YkReduced {
     const YkElimination *e;
-    double *H;           // [entry] the form
-    double *lost;        // [unknown] what has been subtracted from its diagonal
-    double *g;           // [unknown] the forces
-    double *xi;          // [unknown] accelerations beyond those of the pose
-    double *C;           // [coefficient]
+    double *H;     // [entry] the form
+    double *lost;  // [unknown] what has been subtracted from its diagonal
+    double *g;     // [unknown] the forces
+    double *xi;    // [unknown] accelerations beyond those of the pose
+    double *C;     // [coefficient]
     double *B, *G; // rows of the operation in work
     YkCoefficients work;
     void *memory;
