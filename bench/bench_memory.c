@@ -66,10 +66,7 @@ static double count_parts(const Machine *machine, double links)
         {"unit vectors with rates", mech->slot_count, 4 * sizeof(double)},
         {"where their lanes are", mech->slot_count, sizeof(YkTurn)},
         {"nodes", mech->node_count, 6 * sizeof(double) + sizeof(YkPlane)},
-        {"moves of the influence coefficients", f->move_count, sizeof *f->moves},
-        {"columns of gradients", f->term_count, sizeof *f->terms},
-        {"bodies", f->e->element_count, sizeof *f->bodies},
-        {"influence coefficients", f->e->unknown_count, f->width * sizeof *f->R},
+        {"bodies", f->body_count, sizeof *f->bodies},
     };
     double sum = 0;
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {

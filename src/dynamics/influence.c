@@ -6,19 +6,16 @@
 // --- making
 // -----------------------------------------------------------------------------------------------------------------
 
-static void put_terms(YkInfluence *f, const YkGradient *gradient, uint32_t first_index)
+static YkInfluenceTerm term_of(const YkInfluence *f, const YkGradient *gradient, uint32_t first_index, uint32_t column)
 {
-    for (uint32_t k = 0; k < gradient->columns; k++) {
-        const YkGradientPiece *piece = &f->e->pieces[gradient->first_piece + k];
-        int32_t unknown = f->e->index[first_index + k] * (int32_t)f->width;
-        f->terms[f->term_count++] = (YkInfluenceTerm){4 * piece->unit, unknown, piece->v, 0};
-    }
+    const YkGradientPiece *piece = &f->e->pieces[gradient->first_piece + column];
+    return (YkInfluenceTerm){4 * piece->unit, f->e->index[first_index + column] * (int32_t)f->width, piece->v};
 }
 
 static void put_operation(YkInfluence *f, size_t p, size_t *freed)
 {
     const YkOperation *op = &f->e->operations[p];
-    YkInfluenceMove move = {YK_CARRY_OTHER, (uint32_t)p, (uint32_t)f->term_count, op->gradient.columns};
+    YkInfluenceCarry carry = {.operation = (uint32_t)p, .first_term = (uint32_t)f->term_count};
     if (op->kind == YK_OP_KNOWN) return; // R stays 0
     if (op->kind == YK_OP_FREE) {
         f->input[*freed] = op->input;
@@ -28,68 +25,68 @@ static void put_operation(YkInfluence *f, size_t p, size_t *freed)
         return;
     }
     if (op->kind == YK_OP_PAIR && op->gradient.is_plain) {
-        move.kind = YK_CARRY_PAIR;
-        put_terms(f, &op->gradient, op->first_index);
+        carry.term_count = op->gradient.columns;
+        for (uint32_t k = 0; k < carry.term_count; k++)
+            f->terms[f->term_count++] = term_of(f, &op->gradient, op->first_index, k);
     }
-    f->moves[f->move_count++] = move;
+    f->carries[f->carry_count++] = carry;
 }
 
-static void put_element(YkInfluence *f, size_t index)
+static void put_body(YkInfluence *f, size_t index)
 {
     const YkElement *element = &f->e->elements[index];
     uint32_t columns = element->gradient.columns;
-    YkInfluenceMove move = {YK_ADD_OTHER, (uint32_t)index, (uint32_t)f->term_count, columns};
-    YkInfluenceBody *b = &f->bodies[index];
-    *b = (YkInfluenceBody){element->mass, element->inertia, element->body, YK_NONE, YK_NONE};
+    YkInfluenceBody *b = &f->bodies[f->body_count++];
+    *b = (YkInfluenceBody){.kind = YK_BODY_OTHER,
+                           .element = (uint32_t)index,
+                           .body = element->body,
+                           .turn = YK_NONE,
+                           .rotation = YK_NONE,
+                           .mass = element->mass,
+                           .inertia = element->inertia};
     if (element->rotation != YK_NONE) {
         b->turn = 4 * f->e->mech->bodies[element->body].orientation;
         b->rotation = f->e->index[element->first_index + (uint32_t)element->rotation] * (int32_t)f->width;
     }
-    if (element->gradient.is_plain && columns <= 2) {
-        move.kind = columns == 1 ? YK_ADD_PIVOTED : YK_ADD_CARRIED;
-        put_terms(f, &element->gradient, element->first_index);
-        for (uint32_t k = 0; k < columns; k++) {
-            YkInfluenceTerm *term = &f->terms[move.first_term + k];
-            term->inertia = b->mass * yk_dot(term->v, term->v) + (term->unknown == b->rotation ? b->inertia : 0);
-        }
+    if (!element->gradient.is_plain || columns > 2) return;
+    b->kind = columns == 1 ? YK_BODY_PIVOTED : YK_BODY_CARRIED;
+    for (uint32_t k = 0; k < columns; k++) {
+        YkInfluenceTerm term = term_of(f, &element->gradient, element->first_index, k);
+        b->term[k] = term;
+        b->about[k] = b->mass * yk_dot(term.v, term.v) + (term.unknown == b->rotation ? b->inertia : 0);
     }
-    f->moves[f->move_count++] = move;
 }
 
-static void put_moves(YkInfluence *f)
+static bool allocate(YkInfluence *f)
 {
-    size_t freed = 0;
-    for (size_t p = 0; p < f->e->operation_count; p++) {
-        const YkOperation *op = &f->e->operations[p];
-        put_operation(f, p, &freed);
-        for (uint32_t k = 0; k < op->element_count; k++) put_element(f, op->first_element + k);
+    const YkElimination *e = f->e;
+    size_t most = 1; // coefficients of any operation
+    for (size_t p = 0; p < e->operation_count; p++) {
+        size_t count = (size_t)e->operations[p].own * e->operations[p].given;
+        if (count > most) most = count;
     }
+    f->carries = calloc(e->operation_count + 1, sizeof *f->carries);
+    f->terms = calloc(e->piece_count + 1, sizeof *f->terms);
+    f->bodies = calloc(e->element_count + 1, sizeof *f->bodies);
+    f->R = calloc(e->unknown_count * f->width + 1, sizeof *f->R);
+    f->C = calloc(most, sizeof *f->C);
+    return f->carries && f->terms && f->bodies && f->R && f->C && yk_coefficients_start(&f->work, e);
 }
 
 YkInfluence *yk_influence_new(const YkElimination *e, size_t free_count)
 {
     YkInfluence *f = calloc(1, sizeof *f);
     if (!f) return NULL;
-    size_t most = 1; // coefficients of any operation
-    for (size_t p = 0; p < e->operation_count; p++) {
-        size_t count = (size_t)e->operations[p].own * e->operations[p].given;
-        if (count > most) most = count;
-    }
     f->e = e;
     f->free_count = free_count;
     f->width = free_count > 2 ? 4 : free_count;
-    f->gravity = e->mech->model->gravity;
-    f->has_gravity = f->gravity.x != 0 || f->gravity.y != 0;
-    f->moves = calloc(e->operation_count + e->element_count + 1, sizeof *f->moves);
-    f->terms = calloc(e->piece_count + 1, sizeof *f->terms);
-    f->bodies = calloc(e->element_count + 1, sizeof *f->bodies);
-    f->R = calloc(e->unknown_count * f->width + 1, sizeof *f->R);
-    f->C = calloc(most, sizeof *f->C);
-    if (!f->moves || !f->terms || !f->bodies || !f->R || !f->C || !yk_coefficients_start(&f->work, e)) {
+    if (!allocate(f)) {
         yk_influence_free(f);
         return NULL;
     }
-    put_moves(f);
+    size_t freed = 0;
+    for (size_t p = 0; p < e->operation_count; p++) put_operation(f, p, &freed);
+    for (size_t k = 0; k < e->element_count; k++) put_body(f, k);
     return f;
 }
 
@@ -97,7 +94,7 @@ void yk_influence_free(YkInfluence *f)
 {
     if (!f) return;
     yk_coefficients_end(&f->work);
-    free(f->moves);
+    free(f->carries);
     free(f->terms);
     free(f->bodies);
     free(f->R);
@@ -105,7 +102,7 @@ void yk_influence_free(YkInfluence *f)
     free(f);
 }
 
-// --- outwards
+// --- outwards: R
 // ---------------------------------------------------------------------------------------------------------------
 
 static inline YkVec column_of(const YkSpace *space, const YkInfluenceTerm *term)
@@ -113,13 +110,13 @@ static inline YkVec column_of(const YkSpace *space, const YkInfluenceTerm *term)
     return yk_quarter(yk_turned_by(space->data + term->turn, term->v));
 }
 
-// R of a dyad's two unknowns: c0 R0 + c1 R1 + the given columns' share = 0.
-static inline void carry_pair(YkInfluence *f, const YkSpace *space, const YkInfluenceMove *move, size_t n)
+static void carry_pair(YkInfluence *f, const YkSpace *space, const YkInfluenceCarry *carry)
 {
-    const YkInfluenceTerm *term = f->terms + move->first_term;
+    size_t n = f->width;
+    const YkInfluenceTerm *term = f->terms + carry->first_term;
     YkVec c0 = column_of(space, &term[0]), c1 = column_of(space, &term[1]), sum[YK_INFLUENCE_MAX];
     for (size_t i = 0; i < n; i++) sum[i] = yk_vec(0, 0);
-    for (uint32_t k = 2; k < move->term_count; k++) {
+    for (uint32_t k = 2; k < carry->term_count; k++) {
         YkVec c = column_of(space, &term[k]);
         for (size_t i = 0; i < n; i++) sum[i] = yk_add(sum[i], yk_scale(f->R[(size_t)term[k].unknown + i], c));
     }
@@ -130,9 +127,10 @@ static inline void carry_pair(YkInfluence *f, const YkSpace *space, const YkInfl
     }
 }
 
-static bool carry_other(YkInfluence *f, const YkSpace *space, const YkInfluenceMove *move, size_t n)
+static bool carry_other(YkInfluence *f, const YkSpace *space, const YkInfluenceCarry *carry)
 {
-    const YkOperation *op = &f->e->operations[move->index];
+    size_t n = f->width;
+    const YkOperation *op = &f->e->operations[carry->operation];
     const int32_t *unknown = f->e->index + op->first_index, *given = unknown + op->own;
     if (!yk_coefficients_find(&f->work, space, op, f->C)) return false;
     for (uint32_t u = 0; u < op->own; u++)
@@ -144,7 +142,19 @@ static bool carry_other(YkInfluence *f, const YkSpace *space, const YkInfluenceM
     return true;
 }
 
-// --- bodies
+static bool carry_all(YkInfluence *f, const YkSpace *space)
+{
+    for (size_t k = 0; k < f->carry_count; k++) {
+        const YkInfluenceCarry *carry = &f->carries[k];
+        if (carry->term_count > 0)
+            carry_pair(f, space, carry);
+        else if (!carry_other(f, space, carry))
+            return false;
+    }
+    return true;
+}
+
+// --- over the bodies
 // -----------------------------------------------------------------------------------------------------------------
 
 typedef struct Sums {
@@ -152,87 +162,144 @@ typedef struct Sums {
     double g[YK_INFLUENCE_MAX];
 } Sums;
 
-// What acts on a body besides inertia: weight and loads.
-typedef struct Push {
-    YkVec force;
-    double moment;
-} Push;
+// Where the sums look: n columns of R; or, moving, the rates in the pose as the only column.
+typedef struct Look {
+    const YkInfluence *f;
+    const YkSpace *space;
+    const YkLoad *loads;
+    YkVec gravity;
+    bool is_pushed; // by gravity or loads
+    bool moving;
+    size_t n;
+} Look;
 
-static inline Push push_of(const YkInfluence *f, const YkLoad *loads, const YkInfluenceBody *b)
+static inline const double *influence_of(const Look *look, int32_t turn, int32_t unknown)
 {
-    Push push = {yk_scale(b->mass, f->gravity), 0};
-    if (!loads) return push;
-    return (Push){yk_add(push.force, loads[b->body].force), loads[b->body].moment};
+    return look->moving ? look->space->data + turn + 2 : look->f->R + unknown;
+}
+
+// What acts on a body besides inertia: weight and loads.
+static inline YkLoad push_on(const Look *look, const YkInfluenceBody *b)
+{
+    YkLoad push = {yk_scale(b->mass, look->gravity), 0};
+    if (!look->loads) return push;
+    const YkLoad *load = &look->loads[b->body];
+    return (YkLoad){yk_add(push.force, load->force), load->moment};
 }
 
 // It turns about a fixed point: one inertia, and the moments about that point.
-static inline void add_pivoted(const YkInfluence *f, const YkSpace *space, const YkLoad *loads,
-                               const YkInfluenceMove *move, Sums *sums, size_t n)
+static inline void add_pivoted(const Look *look, const YkInfluenceBody *b, Sums *sums)
 {
-    const YkInfluenceTerm *term = f->terms + move->first_term;
-    const YkInfluenceBody *b = &f->bodies[move->index];
-    const double *t = space->data + term->turn, *R = f->R + term->unknown;
-    double moment = -term->inertia * t[3];
-    if (f->has_gravity || loads) {
-        Push push = push_of(f, loads, b);
+    const YkInfluenceTerm *term = &b->term[0];
+    const double *t = look->space->data + term->turn, *R = influence_of(look, term->turn, term->unknown);
+    double moment = -b->about[0] * t[3];
+    if (look->is_pushed) {
+        YkLoad push = push_on(look, b);
         moment += yk_cross(yk_turned_by(t, term->v), push.force) + (b->rotation == YK_NONE ? 0 : push.moment);
     }
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < look->n; i++) {
         sums->g[i] += R[i] * moment;
-        for (size_t j = i; j < n; j++) sums->M[i][j] += term->inertia * R[i] * R[j];
+        for (size_t j = i; j < look->n; j++) sums->M[i][j] += b->about[0] * R[i] * R[j];
     }
 }
 
 // Two vectors u, w turn: their inertias, and m u.w between them; the centripetal parts act across, by m (u x w).
-static inline void add_carried(const YkInfluence *f, const YkSpace *space, const YkLoad *loads,
-                               const YkInfluenceMove *move, Sums *sums, size_t n)
+static inline void add_carried(const Look *look, const YkInfluenceBody *b, Sums *sums)
 {
-    const YkInfluenceTerm *term = f->terms + move->first_term;
-    const YkInfluenceBody *b = &f->bodies[move->index];
-    const double *t0 = space->data + term[0].turn, *t1 = space->data + term[1].turn;
-    const double *R0 = f->R + term[0].unknown, *R1 = f->R + term[1].unknown;
+    const YkInfluenceTerm *term = b->term;
+    const double *t0 = look->space->data + term[0].turn, *t1 = look->space->data + term[1].turn;
+    const double *R0 = influence_of(look, term[0].turn, term[0].unknown);
+    const double *R1 = influence_of(look, term[1].turn, term[1].unknown);
     YkVec u = yk_turned_by(t0, term[0].v), w = yk_turned_by(t1, term[1].v);
-    double D0 = term[0].inertia, D1 = term[1].inertia;
     double between = b->mass * yk_dot(u, w), across = b->mass * yk_cross(u, w);
-    double moment0 = across * t1[2] * t1[2] - between * t1[3] - D0 * t0[3];
-    double moment1 = -across * t0[2] * t0[2] - between * t0[3] - D1 * t1[3];
-    if (f->has_gravity || loads) {
-        Push push = push_of(f, loads, b);
+    double moment0 = across * t1[2] * t1[2] - between * t1[3] - b->about[0] * t0[3];
+    double moment1 = -across * t0[2] * t0[2] - between * t0[3] - b->about[1] * t1[3];
+    if (look->is_pushed) {
+        YkLoad push = push_on(look, b);
         moment0 += yk_cross(u, push.force) + (b->rotation == term[0].unknown ? push.moment : 0);
         moment1 += yk_cross(w, push.force) + (b->rotation == term[1].unknown ? push.moment : 0);
     }
-    for (size_t i = 0; i < n; i++) {
-        double p0 = D0 * R0[i] + between * R1[i], p1 = D1 * R1[i] + between * R0[i];
+    for (size_t i = 0; i < look->n; i++) {
+        double p0 = b->about[0] * R0[i] + between * R1[i], p1 = b->about[1] * R1[i] + between * R0[i];
         sums->g[i] += R0[i] * moment0 + R1[i] * moment1;
-        for (size_t j = i; j < n; j++) sums->M[i][j] += p0 * R0[j] + p1 * R1[j];
+        for (size_t j = i; j < look->n; j++) sums->M[i][j] += p0 * R0[j] + p1 * R1[j];
     }
 }
 
-static inline void add_other(const YkInfluence *f, const YkSpace *space, const YkLoad *loads,
-                             const YkInfluenceMove *move, Sums *sums, size_t n)
+// The rate of an unknown in the pose.
+static double rate_of(const Look *look, int32_t unknown)
 {
-    const YkElement *element = &f->e->elements[move->index];
-    const YkInfluenceBody *b = &f->bodies[move->index];
+    const YkMechanism *mech = look->f->e->mech;
+    int32_t first_distance = yk_unknown_of_distance(mech, 0), first_node = yk_unknown_of_node(mech, 0);
+    if (unknown < first_distance) return yk_turn_at(look->space, unknown)[2];
+    if (unknown < first_node) return yk_space_slide(look->space, unknown - first_distance).v[0];
+    YkPlane node = yk_space_plane(look->space, (unknown - first_node) / 2);
+    return (unknown - first_node) % 2 == 0 ? node.vx[0] : node.vy[0];
+}
+
+static void add_other(const Look *look, const YkInfluenceBody *b, Sums *sums)
+{
+    const YkInfluence *f = look->f;
+    const YkElement *element = &f->e->elements[b->element];
     const int32_t *unknown = f->e->index + element->first_index;
-    YkVec *c = f->work.column, a = yk_gradient_acceleration(f->e, space, &element->gradient, c), J[YK_INFLUENCE_MAX];
-    Push push = push_of(f, loads, b);
+    YkVec *c = f->work.column, J[YK_INFLUENCE_MAX];
+    YkVec a = yk_gradient_acceleration(f->e, look->space, &element->gradient, c);
+    YkLoad push = push_on(look, b);
     YkVec force = yk_sub(push.force, yk_scale(b->mass, a));
-    double moment = b->turn == YK_NONE ? 0 : push.moment - b->inertia * space->data[b->turn + 3];
-    for (size_t i = 0; i < n; i++) {
-        J[i] = yk_vec(0, 0);
-        for (uint32_t k = 0; k < element->gradient.columns; k++)
-            J[i] = yk_add(J[i], yk_scale(f->R[(size_t)unknown[k] * n + i], c[k]));
+    const double none[YK_INFLUENCE_MAX] = {0}, *R = none;
+    double moment = 0;
+    if (b->rotation != YK_NONE) {
+        moment = push.moment - b->inertia * look->space->data[b->turn + 3];
+        R = influence_of(look, b->turn, b->rotation);
     }
-    for (size_t i = 0; i < n; i++) {
-        double turn = b->rotation == YK_NONE ? 0 : f->R[(size_t)b->rotation + i];
-        sums->g[i] += yk_dot(J[i], force) + turn * moment;
-        for (size_t j = i; j < n; j++)
-            sums->M[i][j] += b->mass * yk_dot(J[i], J[j]) +
-                             (b->rotation == YK_NONE ? 0 : b->inertia * turn * f->R[(size_t)b->rotation + j]);
+    for (size_t i = 0; i < look->n; i++) {
+        J[i] = yk_vec(0, 0);
+        for (uint32_t k = 0; k < element->gradient.columns; k++) {
+            double r = look->moving ? rate_of(look, unknown[k]) : f->R[(size_t)unknown[k] * look->n + i];
+            J[i] = yk_add(J[i], yk_scale(r, c[k]));
+        }
+    }
+    for (size_t i = 0; i < look->n; i++) {
+        sums->g[i] += yk_dot(J[i], force) + R[i] * moment;
+        for (size_t j = i; j < look->n; j++) sums->M[i][j] += b->mass * yk_dot(J[i], J[j]) + b->inertia * R[i] * R[j];
     }
 }
 
-// --- inwards
+// `moving` and the width are known to the compiler in each of the ways below: no loops over one column are left.
+static inline void sum_up(const Look *of, bool moving, size_t n, Sums *total)
+{
+    Look look = *of;
+    look.moving = moving;
+    look.n = n;
+    Sums sums = {.g = {0}};
+    for (const YkInfluenceBody *b = look.f->bodies, *end = b + look.f->body_count; b < end; b++)
+        if (b->kind == YK_BODY_PIVOTED)
+            add_pivoted(&look, b, &sums);
+        else if (b->kind == YK_BODY_CARRIED)
+            add_carried(&look, b, &sums);
+        else
+            add_other(&look, b, &sums);
+    *total = sums;
+}
+
+static void sum_moving(const Look *look, Sums *sums)
+{
+    sum_up(look, true, 1, sums);
+}
+static void sum_one(const Look *look, Sums *sums)
+{
+    sum_up(look, false, 1, sums);
+}
+static void sum_two(const Look *look, Sums *sums)
+{
+    sum_up(look, false, 2, sums);
+}
+static void sum_four(const Look *look, Sums *sums)
+{
+    sum_up(look, false, 4, sums);
+}
+
+// --- the accelerations
 // ----------------------------------------------------------------------------------------------------------------
 
 // Solves M x = g for x in g, the last free input first as in the elimination; returns the input without inertia, or -1.
@@ -257,60 +324,34 @@ static int solve(const YkInfluence *f, Sums *s)
     return -1;
 }
 
-// All moves; the width n is known to the compiler.
-static inline bool sum_up(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *total, size_t n)
+// Twice the kinetic energy is M rate^2, the power g rate.
+static int accelerate_moving(const Look *look, double rate, double *acceleration)
 {
-    Sums sums = {.g = {0}};
-    for (const YkInfluenceMove *move = f->moves, *end = move + f->move_count; move < end; move++) switch (move->kind) {
-        case YK_CARRY_PAIR:
-            carry_pair(f, space, move, n);
-            break;
-        case YK_CARRY_OTHER:
-            if (!carry_other(f, space, move, n)) return false;
-            break;
-        case YK_ADD_PIVOTED:
-            add_pivoted(f, space, loads, move, &sums, n);
-            break;
-        case YK_ADD_CARRIED:
-            add_carried(f, space, loads, move, &sums, n);
-            break;
-        case YK_ADD_OTHER:
-            add_other(f, space, loads, move, &sums, n);
-            break;
-        }
-    *total = sums;
-    return true;
-}
-
-static bool sum_up_for_one(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *sums)
-{
-    return sum_up(f, space, loads, sums, 1);
-}
-
-static bool sum_up_for_two(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *sums)
-{
-    return sum_up(f, space, loads, sums, 2);
-}
-
-static bool sum_up_for_four(YkInfluence *f, const YkSpace *space, const YkLoad *loads, Sums *sums)
-{
-    return sum_up(f, space, loads, sums, YK_INFLUENCE_MAX);
-}
-
-int yk_influence_accelerate(YkInfluence *f, const YkSpace *space, const YkLoad *loads, double *acceleration)
-{
-    const YkElimination *e = f->e;
-    size_t n = f->free_count;
     Sums sums;
-    bool (*const ways[])(YkInfluence *, const YkSpace *, const YkLoad *,
-                         Sums *) = {NULL, sum_up_for_one, sum_up_for_two, NULL, sum_up_for_four};
-    if (!ways[f->width](f, space, loads, &sums)) return -2;
+    sum_moving(look, &sums);
+    if (!(sums.M[0][0] > 0)) return look->f->input[0];
+    acceleration[look->f->input[0]] = rate * (sums.g[0] / sums.M[0][0]);
+    return -1;
+}
+
+int yk_influence_accelerate(YkInfluence *f, const YkState *state, const YkLoad *loads, double *acceleration)
+{
+    static const double LEAST_RATE = 1e-60; // its square is a number
+    void (*const ways[])(const Look *, Sums *) = {NULL, sum_one, sum_two, NULL, sum_four};
+    const YkElimination *e = f->e;
+    Sums sums;
+    Look look = {.f = f, .space = &state->space, .loads = loads, .gravity = e->mech->model->gravity};
+    look.is_pushed = loads || look.gravity.x != 0 || look.gravity.y != 0;
+    bool may_move = e->mech->input_count == 1 && fabs(state->input[1]) > LEAST_RATE;
+    if (may_move) return accelerate_moving(&look, state->input[1], acceleration);
+    if (!carry_all(f, look.space)) return -2;
+    ways[f->width](&look, &sums);
     int bad = solve(f, &sums);
     if (bad != -1) return bad;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < f->free_count; i++) {
         int32_t parent = e->parent_of_input[f->input[i]];
         double own = sums.g[i];
-        for (size_t j = 0; parent > 0 && j < n; j++) own -= f->R[(size_t)parent * f->width + j] * sums.g[j];
+        for (size_t j = 0; parent > 0 && j < f->free_count; j++) own -= f->R[(size_t)parent * f->width + j] * sums.g[j];
         acceleration[f->input[i]] = e->sign_of_input[f->input[i]] * own;
     }
     return -1;
