@@ -5,16 +5,9 @@
 
 enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64 };
 
-typedef struct Chunk {
-    struct Chunk *older;
+typedef struct YkChunk {
+    _Alignas(ALIGN_SMALL) struct YkChunk *older;
 } Chunk; // the memory follows
-
-struct YkArena {
-    Chunk *newest;
-    unsigned char *next, *end; // free memory of the newest chunk
-    size_t chunk_size;         // of the next chunk
-    bool failed;
-};
 
 YkArena *yk_arena_new(void)
 {
@@ -46,11 +39,6 @@ void yk_arena_clear(YkArena *arena)
     arena->next = (unsigned char *)(kept + 1);
 }
 
-static size_t padding(const unsigned char *address, size_t alignment)
-{
-    return (size_t)(-(uintptr_t)address & (alignment - 1));
-}
-
 // A chunk with room for `bytes` at any alignment. What was left of the chunk before is lost: less than it holds.
 static bool add_chunk(YkArena *arena, size_t bytes)
 {
@@ -62,9 +50,16 @@ static bool add_chunk(YkArena *arena, size_t bytes)
     chunk->older = arena->newest;
     arena->newest = chunk;
     arena->next = (unsigned char *)(chunk + 1);
-    arena->end = (unsigned char *)chunk + size;
+    arena->end = arena->next + (size - sizeof(Chunk)) / ALIGN_SMALL * ALIGN_SMALL;
     if (arena->chunk_size < CHUNK_MAX) arena->chunk_size *= 2;
     return true;
+}
+
+void *yk_arena_take_from_new_chunk(YkArena *arena, size_t bytes)
+{
+    if (arena && add_chunk(arena, bytes)) return yk_arena_take(arena, bytes);
+    if (arena) arena->failed = true;
+    return NULL;
 }
 
 void *yk_arena_alloc(YkArena *arena, size_t count, size_t size)
@@ -74,19 +69,17 @@ void *yk_arena_alloc(YkArena *arena, size_t count, size_t size)
         arena->failed = true;
         return NULL;
     }
-    size_t bytes = count * size, alignment = bytes >= ALIGN_LARGE ? ALIGN_LARGE : ALIGN_SMALL;
+    size_t bytes = count * size, pad = 0;
     if (bytes == 0) bytes = 1; // so that two empty arrays differ
-    size_t pad = padding(arena->next, alignment);
-    if (!arena->next || (size_t)(arena->end - arena->next) < pad || (size_t)(arena->end - arena->next) - pad < bytes) {
-        if (!add_chunk(arena, bytes)) {
+    if (bytes >= ALIGN_LARGE) {
+        if (bytes + ALIGN_LARGE > (size_t)(arena->end - arena->next) && !add_chunk(arena, bytes)) {
             arena->failed = true;
             return NULL;
         }
-        pad = padding(arena->next, alignment);
+        pad = (size_t)(-(uintptr_t)arena->next & (ALIGN_LARGE - 1));
     }
-    unsigned char *memory = arena->next + pad;
-    arena->next = memory + bytes;
-    return memset(memory, 0, bytes);
+    unsigned char *memory = yk_arena_take(arena, pad + bytes);
+    return memory ? memset(memory + pad, 0, bytes) : NULL;
 }
 
 bool yk_arena_failed(const YkArena *arena)

@@ -4,7 +4,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef struct YkArena YkArena;
+typedef struct YkArena {
+    struct YkChunk *newest;
+    unsigned char *next, *end; // free memory of the newest chunk, whole sixteens of bytes
+    size_t chunk_size;         // of the next chunk
+    bool failed;
+} YkArena;
 
 YkArena *yk_arena_new(void);
 void yk_arena_free(YkArena *arena);
@@ -12,6 +17,15 @@ void yk_arena_clear(YkArena *arena); // all that was given is gone; memory is ke
 // Zeroed memory for `count` things of `size` bytes, aligned to 64 bytes from 64 bytes on, to 16 below.
 // NULL on overflow or exhaustion; the arena then remembers: yk_arena_failed() stays true.
 void *yk_arena_alloc(YkArena *arena, size_t count, size_t size);
+// The same without zeros, aligned to 16 bytes: for what is written at once. The way of small things, many of them.
+void *yk_arena_take_from_new_chunk(YkArena *arena, size_t bytes);
+static inline void *yk_arena_take(YkArena *arena, size_t bytes)
+{
+    if (!arena || bytes > (size_t)(arena->end - arena->next)) return yk_arena_take_from_new_chunk(arena, bytes);
+    unsigned char *memory = arena->next;
+    arena->next += (bytes + 15) & ~(size_t)15;
+    return memory;
+}
 bool yk_arena_failed(const YkArena *arena);
 char *yk_arena_copy(YkArena *arena, const char *text, size_t length); // adds a final NUL
 #define YK_NEW(arena, type, count) ((type *)yk_arena_alloc((arena), (count), sizeof(type)))

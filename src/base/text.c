@@ -1,7 +1,6 @@
 #include "base/text.h"
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 void yk_text_free(YkText *text)
 {
@@ -21,10 +20,9 @@ void yk_text_clear(YkText *text)
     if (text->data) text->data[0] = '\0';
 }
 
-// Room for `extra` more bytes and the final NUL.
-static bool reserve(YkText *text, size_t extra)
+bool yk_text_reserve(YkText *text, size_t extra)
 {
-    if (text->failed) return false; // a text with a hole would be worse than one cut short
+    if (text->failed) return false;
     if (extra < text->capacity - text->length) return true;
     size_t needed = text->length + extra + 1, doubled = 2 * text->capacity;
     char *grown = NULL;
@@ -42,22 +40,9 @@ static bool reserve(YkText *text, size_t extra)
     return true;
 }
 
-void yk_text_add(YkText *text, const char *data, size_t length)
-{
-    if (!reserve(text, length)) return;
-    if (length > 0) memcpy(text->data + text->length, data, length);
-    text->length += length;
-    text->data[text->length] = '\0';
-}
-
-void yk_text_puts(YkText *text, const char *string)
-{
-    yk_text_add(text, string, strlen(string));
-}
-
 void yk_text_repeat(YkText *text, char character, size_t count)
 {
-    if (!reserve(text, count)) return;
+    if (!yk_text_reserve(text, count)) return;
     memset(text->data + text->length, character, count);
     text->length += count;
     text->data[text->length] = '\0';

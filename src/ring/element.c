@@ -24,8 +24,9 @@ const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t c
     for (size_t i = 0; i < count; i++) kept += terms[i].number != 0;
     if (kept == 0 && ring->zero) return ring->zero;
     if (kept > ring->limit) return yk_ring_fail(ring, YK_RING_SIZE);
-    YkPoisson *a = yk_arena_alloc(ring->arena, 1, sizeof(YkPoisson) + kept * sizeof(YkRingTerm));
+    YkPoisson *a = yk_arena_take(ring->arena, sizeof(YkPoisson) + kept * sizeof(YkRingTerm));
     if (!a) return yk_ring_fail(ring, YK_RING_MEMORY);
+    a->count = 0;
     int64_t divisor = shared_divisor(terms, count, denominator);
     for (size_t i = 0; i < count; i++) {
         if (terms[i].number == 0) continue;

@@ -38,12 +38,12 @@ static inline bool yk_exact_multiply(int64_t a, int64_t b, int64_t *product)
 // Greatest common divisor; of 0 and b it is b.
 static inline uint64_t yk_gcd(uint64_t a, uint64_t b)
 {
-    while (b != 0) {
+    while (b > 1) { // most of ours end at 1: no division by it
         uint64_t rest = a % b;
         a = b;
         b = rest;
     }
-    return a;
+    return b == 1 ? 1 : a;
 }
 
 // A rational number in lowest terms, denominator > 0.
@@ -55,6 +55,10 @@ typedef struct YkRatio {
 static inline bool yk_ratio_make(int64_t over, int64_t under, YkRatio *ratio)
 {
     if (over == INT64_MIN || under == INT64_MIN || under == 0) return false;
+    if (under == 1) {
+        *ratio = (YkRatio){over, 1};
+        return true;
+    }
     int64_t divisor = (int64_t)yk_gcd(yk_magnitude(over), yk_magnitude(under));
     if (under < 0) divisor = -divisor;
     *ratio = (YkRatio){over / divisor, under / divisor};
