@@ -112,20 +112,25 @@ static void go(Check *check, const YkMotion *target, double part)
     }
 }
 
+static YkMotion random_input(Check *check, size_t input)
+{
+    const YkDerivation *d = check->d;
+    int32_t c = d->mech->inputs[input];
+    bool is_distance = d->coordinates[c].is_distance;
+    YkMotion from = yk_state_input(check->start, input);
+    if (d->coordinates[c].is_held) return (YkMotion){.position = from.position};
+    double size = is_distance ? d->mech->size : 1, reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : YK_PI;
+    return (YkMotion){from.position + uniform(check, -reach, reach), size * uniform(check, 0.3, 2),
+                      size * uniform(check, -2, 2)};
+}
+
 // From the start towards random inputs in small steps, and no further than to where another configuration comes near:
 // with special dimensions (a parallelogram) what holds in one does not hold in the other.
 static bool move_to_random_pose(Check *check, YkMotion *target)
 {
     const YkMechanism *mech = check->d->mech;
     double reached = 0, least = fmin(0.1, 0.5 * check->start_margin);
-    for (size_t i = 0; i < mech->input_count; i++) {
-        bool is_distance = mech->coordinates[mech->inputs[i]].is_distance;
-        YkMotion from = yk_state_input(check->start, i);
-        double size = is_distance ? mech->size : 1,
-               reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : YK_PI;
-        target[i] = (YkMotion){from.position + uniform(check, -reach, reach), size * uniform(check, 0.3, 2),
-                               size * uniform(check, -2, 2)};
-    }
+    for (size_t i = 0; i < mech->input_count; i++) target[i] = random_input(check, i);
     yk_state_copy(check->state, check->start);
     for (int step = 1; step <= STEPS; step++) {
         go(check, target, (double)step / STEPS);

@@ -4,6 +4,7 @@
 // field
 //   p = 2^64 - 2^32 + 1 (loop_point.c). A false equation passes one point by chance with probability about degree / p;
 // - with the file's numbers: both sides are equal at many random poses of the numeric engine.
+// Inputs take any motion, whatever drives them; only what a lock holds stands, in the field as in the engine.
 #ifndef DERIVE_CHECK_H
 #define DERIVE_CHECK_H
 #include "base/problems.h"

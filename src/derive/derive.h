@@ -27,6 +27,7 @@ typedef struct YkDeriveCoordinate {
     bool is_distance;
     bool in_tree;
     bool is_input;                        // given: driven, or held by the analysis
+    bool is_held;                         // by a lock: it stands, whatever moves
     int32_t drive;                        // of the model, or YK_NONE
     int32_t position, rate, acceleration; // symbols
 } YkDeriveCoordinate;

@@ -197,6 +197,18 @@ static void take_roots(Making *making)
     }
 }
 
+// Rows of their own: what a lock holds neither moves nor starts to.
+static size_t hold(const Making *making, bool accelerations, const YkPoisson **zeros)
+{
+    const YkDerivation *d = making->d;
+    size_t count = 0;
+    for (size_t k = 0; k < d->coordinate_count; k++)
+        if (d->coordinates[k].is_held)
+            zeros[count++] =
+                yk_ring_of(d->ring, accelerations ? d->coordinates[k].acceleration : d->coordinates[k].rate);
+    return count;
+}
+
 // Rates: J q' = 0. A machine that moves only with special dimensions has too little freedom here.
 static void move(Making *making, bool accelerations)
 {
@@ -206,7 +218,8 @@ static void move(Making *making, bool accelerations)
     size_t more = accelerations ? d->relation_count : 0,
            n = d->coordinate_count + (accelerations ? d->unknown_count : 0);
     int32_t *unknowns = calloc(n + 1, sizeof *unknowns);
-    const YkPoisson **zeros = (const YkPoisson **)calloc(blocks->row_count + more + 1, sizeof *zeros);
+    const YkPoisson **zeros =
+        (const YkPoisson **)calloc(blocks->row_count + more + d->coordinate_count + 1, sizeof *zeros);
     making->failed |= !unknowns || !zeros;
     for (size_t r = 0; r < blocks->row_count && !making->failed; r++) {
         zeros[r] = yk_ring_time_derivative(d->ring, blocks->rows[r].value);
@@ -219,9 +232,10 @@ static void move(Making *making, bool accelerations)
                                     : d->coordinates[blocks->column_order[d->coordinate_count - 1 - k]].rate;
     for (size_t k = d->coordinate_count; k < n && !making->failed; k++)
         unknowns[k] = d->unknowns[k - d->coordinate_count];
-    if (!making->failed && !solve(making, zeros, blocks->row_count + more, unknowns, n, &rank))
+    size_t held = making->failed ? 0 : hold(making, accelerations, zeros + blocks->row_count + more);
+    if (!making->failed && !solve(making, zeros, blocks->row_count + more + held, unknowns, n, &rank))
         making->is_possible = false;
-    if (!accelerations && (size_t)rank + d->mech->input_count > d->coordinate_count) making->is_possible = false;
+    if (!accelerations && (size_t)rank + d->mech->input_count > d->coordinate_count + held) making->is_possible = false;
     free(unknowns);
     free((void *)zeros);
 }

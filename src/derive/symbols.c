@@ -150,6 +150,7 @@ bool yk_derive_enter_coordinates(YkDerivation *d)
                                   .is_distance = of->is_distance,
                                   .in_tree = true,
                                   .is_input = of->input != YK_NONE,
+                                  .is_held = of->drive != YK_NONE && d->model->drives[of->drive].is_hold,
                                   .drive = of->drive};
         if (!enter_coordinate(d, c, of->name)) return false;
     }
