@@ -21,7 +21,14 @@ static const char *word_of(YkCheckKind kind)
     return words[kind];
 }
 
-static void add_pose(Checking *checking, YkText *text)
+// ", theta1' = 3 rad/s": where the equation speaks of rates; of accelerations, too, where it speaks of these.
+static void add_derivative(Checking *checking, YkText *text, const YkCoordinateInfo *info, double value, int order)
+{
+    yk_text_format(text, ", %s%s = ", info->name, order == 1 ? "'" : "''");
+    yk_add_value(checking->session, text, value, yk_quantity_of(info->is_distance, order), YK_DIGITS);
+}
+
+static void add_pose(Checking *checking, YkText *text, const YkCheckVerdict *verdict)
 {
     const YkMechanism *mech = checking->session->mech;
     size_t count = yk_coordinate_count(mech);
@@ -30,14 +37,14 @@ static void add_pose(Checking *checking, YkText *text)
         YkMotion motion = yk_state_coordinate(checking->session->state, k);
         yk_text_format(text, "%s%s = ", k ? ", " : "", info.name);
         yk_add_value(checking->session, text, motion.position, yk_quantity_of(info.is_distance, 0), YK_DIGITS);
-        if (info.input < 0) continue;
-        yk_text_format(text, ", %s' = ", info.name);
-        yk_add_value(checking->session, text, motion.velocity, yk_quantity_of(info.is_distance, 1), YK_DIGITS);
+        if (verdict->order >= 1) add_derivative(checking, text, &info, motion.velocity, 1);
+        if (verdict->order >= 2) add_derivative(checking, text, &info, motion.acceleration, 2);
     }
     if (count > SHOWN_MAX) yk_text_puts(text, ", ...");
+    if (verdict->forces) yk_text_format(text, ", %s (SI)", verdict->forces);
 }
 
-static void say_text(Checking *checking, const char *equation, const YkCheckVerdict *verdict)
+static void say_text(Checking *checking, const char *equation, const YkCheckVerdict *verdict, const char *why)
 {
     YkText *out = &checking->session->out;
     yk_text_format(out, "%s\n  ", equation);
@@ -60,7 +67,7 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
     case YK_CHECK_FALSE:
         yk_text_puts(out, "false");
         yk_text_format(out, ": the left side is %e, the right side %e (SI) at\n  ", verdict->left, verdict->right);
-        add_pose(checking, out);
+        add_pose(checking, out, verdict);
         yk_text_puts(out, "\n");
         if (verdict->slip) yk_text_format(out, "  %s\n", verdict->slip);
         break;
@@ -68,12 +75,12 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
         yk_text_puts(out, "undecided: the machine could not be put into poses that tell\n");
         break;
     case YK_CHECK_UNREADABLE:
-        yk_text_puts(out, "not understood\n");
+        yk_text_format(out, "not understood%s%s\n", why ? ": " : "", why ? why : "");
         break;
     }
 }
 
-static void say_json(Checking *checking, const char *equation, const YkCheckVerdict *verdict)
+static void say_json(Checking *checking, const char *equation, const YkCheckVerdict *verdict, const char *why)
 {
     YkJson *json = &checking->json;
     yk_json_object(json, NULL, YK_JSON_LINES);
@@ -83,6 +90,7 @@ static void say_json(Checking *checking, const char *equation, const YkCheckVerd
         yk_json_bool(json, "identity", verdict->is_identity);
         yk_json_integer(json, "poses", (long long)verdict->poses);
     }
+    if (verdict->kind == YK_CHECK_UNREADABLE && why) yk_json_string(json, "message", why);
     if (verdict->kind == YK_CHECK_TRUE_HERE)
         yk_json_bool(json, "other_dimensions_decided", !verdict->is_for_these_numbers);
     if (verdict->kind == YK_CHECK_FALSE) {
@@ -104,7 +112,14 @@ static void say_json(Checking *checking, const char *equation, const YkCheckVerd
     yk_json_end(json);
 }
 
-static void check_one(Checking *checking, const char *equation)
+// Where an equation stands: an option's value, or a line of standard input.
+typedef struct Source {
+    const char *name, *text;
+    size_t length;
+    uint32_t line;
+} Source;
+
+static void check_one(Checking *checking, const char *equation, const Source *source)
 {
     YkSession *session = checking->session;
     YkProblems *problems = yk_problems_new();
@@ -113,13 +128,14 @@ static void check_one(Checking *checking, const char *equation)
         return;
     }
     yk_state_copy(session->state, checking->start);
-    yk_problems_set_source(problems, "--check", equation, strlen(equation));
+    yk_problems_set_source(problems, source->name, source->text, source->length);
     YkCheckVerdict verdict = yk_derive_check(checking->derivation, session->state, session->dynamics, equation,
-                                             strlen(equation), (YkPlace){1, 1, 0}, problems);
+                                             strlen(equation), (YkPlace){source->line, 1, 0}, problems);
+    const char *why = yk_problems_count(problems) > 0 ? yk_problems_get(problems, 0)->message : NULL;
     if (checking->as_json)
-        say_json(checking, equation, &verdict);
+        say_json(checking, equation, &verdict, why);
     else
-        say_text(checking, equation, &verdict);
+        say_text(checking, equation, &verdict, why);
     yk_print_problems(problems, session->request->quiet);
     yk_problems_free(problems);
     int exit_code = verdict.kind == YK_CHECK_UNREADABLE  ? YK_EXIT_WRONG
@@ -134,12 +150,13 @@ static void check_lines(Checking *checking)
     size_t length = 0;
     char *text = yk_derive_read_input(&length, checking->session->problems);
     if (!text) checking->exit_code = YK_EXIT_WRONG;
-    for (char *line = text, *end = text ? text + length : NULL; line && line < end;) {
+    Source source = {.name = "standard input", .text = text, .length = length, .line = 1};
+    for (char *line = text, *end = text ? text + length : NULL; line && line < end; source.line++) {
         char *stop = memchr(line, '\n', (size_t)(end - line));
         size_t size = stop ? (size_t)(stop - line) : (size_t)(end - line);
         if (size > 0 && line[size - 1] == '\r') size--;
         const char *copy = yk_arena_copy(checking->derivation->arena, line, size);
-        if (copy && copy[strspn(copy, " \t")] != '\0' && *copy != '#') check_one(checking, copy);
+        if (copy && copy[strspn(copy, " \t")] != '\0' && *copy != '#') check_one(checking, copy, &source);
         line = stop ? stop + 1 : end;
     }
     free(text);
@@ -165,7 +182,7 @@ int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
         if (strcmp(checks->items[k], "-") == 0)
             check_lines(&checking);
         else
-            check_one(&checking, checks->items[k]);
+            check_one(&checking, checks->items[k], &(Source){"--check", checks->items[k], strlen(checks->items[k]), 1});
     }
     if (as_json) {
         yk_json_end(&checking.json);

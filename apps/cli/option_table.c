@@ -40,7 +40,8 @@ const YkOption yk_options[] = {
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
      " check solve sweep simulate gears rest cam derive code report study ",
-     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; code: text, json; report: html, pdf; study: npy too)"},
+     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; code: text, json; report: "
+     "html, pdf; study: npy too)"},
     {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at its start (default 0)"},
     {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at its end, as in 10s"},
     {"every", 0, YK_OPTION_WORD, FIELD(every), "TIME", " simulate ", "a row every so often (default: --steps 100)"},
@@ -71,7 +72,7 @@ const YkOption yk_options[] = {
     {"speed", 0, YK_OPTION_WORD, FIELD(speed), "VALUE", " cam ",
      "the cam's speed, as in 600rpm (default: its drive's)"},
     {"what", 0, YK_OPTION_WORD, FIELD(what), "LIST", " derive ",
-     "loops,jacobian,velocity,acceleration,points,free-bodies,newton-euler,energy,lagrange or all (default)"},
+     "loops,jacobian,velocity,acceleration,points,free-bodies,newton-euler,energy,lagrange,gears,cam or all (default)"},
     {"svg", 0, YK_OPTION_WORD, FIELD(svg), "DIR", " derive ",
      "also draw the free bodies, one file BODY.svg each, into this folder"},
     {"numbers", 0, YK_OPTION_SWITCH, FIELD(numbers), NULL, " derive ", "put the values of a pose beside the symbols"},

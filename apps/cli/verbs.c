@@ -57,8 +57,8 @@ const YkVerb yk_verbs[] = {
      "with its blocks and their determinants, velocities and accelerations block by block, points; free bodies,\n"
      "Newton's and Euler's equations, energies, Lagrange's equations. --numbers puts the values of a pose beside\n"
      "the symbols; --svg DIR draws the free bodies. --check 'EQUATION' tells whether an equation in the file's\n"
-     "names is true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians): exit 0 true,\n"
-     "1 false.",
+     "names is true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians, or with a\n"
+     "unit): exit 0 true, 1 false.",
      "yoke derive examples/quick-return.yaml --check 'l1*cos(theta1) - d3*cos(theta2) = 0'", yk_run_derive},
     {"gears", "ratios, torques and power flow of a gear train", "FILE [options]",
      "Speeds of all wheels and carriers of a gear train, exactly: fractions of the inputs, and formulas in tooth\n"

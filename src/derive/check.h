@@ -25,6 +25,8 @@ typedef struct YkCheckVerdict {
     bool is_for_these_numbers; // true here, and whether for all dimensions could not be told
     size_t poses;              // of the numeric engine, at which both sides were compared
     double left, right;        // both sides at the pose at which the state is left (false: the one that shows it)
+    int order;                 // false: of the highest derivative of a coordinate in the equation
+    const char *forces;        // false: "F12x = 3.25, M03 = -0.5", the unknown forces in it there, SI; or NULL
     const char *slip;          // false: "with the other sign before `d3*cos(theta2)` it would be true"; or NULL
 } YkCheckVerdict;
 
@@ -46,7 +48,7 @@ typedef struct YkEquation {
     YkEquationTerm terms[YK_EQUATION_TERMS_MAX]; // the first so many
     size_t term_count;
 } YkEquation;
-bool yk_equation_read(YkRing *ring, const char *text, size_t length, YkPlace place, YkProblems *problems,
+bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace place, YkProblems *problems,
                       YkEquation *equation);
 
 // --- loop_point.c: a random point of the machine's motion, dimensions included, over the prime field; NULL where none

@@ -39,9 +39,9 @@ static const YkPoisson *as_decimal(YkRing *ring, double value, int64_t limit)
     return yk_ring_decimal(ring, value < 0 ? -mantissa : mantissa, exponent);
 }
 
-// The size of a unit: a short decimal (mm), a power of pi times a fraction (deg, rpm), a fraction (km/h).
-static const YkPoisson *unit_size(YkRing *ring, double size, int angle)
+const YkPoisson *yk_derive_unit_size(YkDerivation *d, double size, int angle)
 {
+    YkRing *ring = d->ring;
     int64_t over, under;
     const YkPoisson *decimal = as_decimal(ring, size, DIGITS_EXACT);
     if (decimal) return decimal;
@@ -60,7 +60,7 @@ static const YkPoisson *number(YkDerivation *d, const YkExpr *expr)
     double size = expr->has_unit ? expr->unit_size : expr->value_scale;
     if (size == 1) return value;
     int angle = expr->has_unit ? expr->unit.angle : expr->dimension.angle;
-    return yk_ring_multiply(d->ring, value, unit_size(d->ring, size, angle ? angle : 1));
+    return yk_ring_multiply(d->ring, value, yk_derive_unit_size(d, size, angle ? angle : 1));
 }
 
 static const YkPoisson *name(YkDerivation *d, const YkExpr *expr)

@@ -126,3 +126,26 @@ const YkPoisson *yk_ring_pi(YkRing *ring)
     int32_t pi = yk_ring_constant_angle(ring, 1);
     return pi < 0 ? NULL : yk_ring_of(ring, pi);
 }
+
+const YkPoisson *yk_ring_exp_of(YkRing *ring, const YkPoisson *angle)
+{
+    const YkPoisson *unit = angle ? ring->one : NULL;
+    for (size_t i = 0; unit && i < angle->count; i++) {
+        uint32_t count;
+        const YkRingTerm term = angle->terms[i];
+        const YkPower *powers = yk_powers_of(&ring->monomials, yk_key_monomial(term.key), &count);
+        if (yk_key_phase(term.key) != 0 || yk_key_unit(term.key) != 0 || count != 1 || powers[0].exponent != 1)
+            return NULL;
+        int32_t symbol = powers[0].symbol;
+        int64_t factor = term.number / angle->denominator;
+        if (ring->symbols[symbol].pi_over == 1) {
+            unit = yk_ring_multiply(ring, unit, yk_ring_turn(ring, term.number, angle->denominator));
+            continue;
+        }
+        bool whole = term.number % angle->denominator == 0 && factor >= -YK_POWER_MAX && factor <= YK_POWER_MAX;
+        if (!whole || !ring->symbols[symbol].is_angle) return NULL;
+        const YkAngleTerm one = {symbol, (int32_t)factor};
+        unit = yk_ring_multiply(ring, unit, yk_ring_exp(ring, &one, 1));
+    }
+    return unit;
+}

@@ -41,6 +41,8 @@ const YkPoisson *yk_form_expand(YkRing *ring, const YkForm *form, size_t terms);
 bool yk_form_field(YkRing *ring, const YkForm *form, const YkFieldPoint *point, uint64_t *value);
 // The value at completed values (yk_ring_complete); NaN where it has none.
 YkVec yk_form_value(YkRing *ring, const YkForm *form, const double *values);
+// What rounding in that value is measured by: the same sums and products of the sizes of all terms.
+double yk_form_magnitude(YkRing *ring, const YkForm *form, const double *values);
 
 typedef enum YkFormVerdict { YK_FORM_DIFFERENT, YK_FORM_EQUAL, YK_FORM_UNDECIDED } YkFormVerdict;
 // Compares at `points` random points (3 are plenty). Different is certain; equal is false with probability below

@@ -10,6 +10,7 @@ typedef struct Result {
     const YkPoisson *element;
     uint64_t field, mirrored;
     YkVec value;
+    double magnitude; // what rounding in the value is measured by
 } Result;
 
 typedef struct Walk {
@@ -25,7 +26,10 @@ static Result of_element(const Walk *walk, const YkPoisson *a)
 {
     Result result = {.known = true};
     if (walk->way == EXPAND) result.element = a;
-    if (walk->way == DOUBLE) result.value = yk_ring_value(walk->ring, a, walk->values);
+    if (walk->way == DOUBLE) {
+        result.value = yk_ring_value(walk->ring, a, walk->values);
+        result.magnitude = yk_ring_magnitude(walk->ring, a, walk->values);
+    }
     if (walk->way == FIELD) {
         result.field = yk_ring_field(walk->ring, a, walk->point, false);
         result.mirrored = yk_ring_field(walk->ring, a, walk->point, true);
@@ -37,6 +41,7 @@ static Result add(const Walk *walk, Result a, Result b)
 {
     if (walk->way == EXPAND) a.element = yk_ring_add(walk->ring, a.element, b.element);
     a.value = yk_add(a.value, b.value);
+    a.magnitude += b.magnitude;
     a.field = yk_field_add(a.field, b.field);
     a.mirrored = yk_field_add(a.mirrored, b.mirrored);
     return a;
@@ -46,6 +51,7 @@ static Result multiply(const Walk *walk, Result a, Result b)
 {
     if (walk->way == EXPAND) a.element = yk_ring_multiply(walk->ring, a.element, b.element);
     a.value = yk_mul(a.value, b.value);
+    a.magnitude *= b.magnitude;
     a.field = yk_field_multiply(a.field, b.field);
     a.mirrored = yk_field_multiply(a.mirrored, b.mirrored);
     return a;
@@ -67,6 +73,7 @@ static Result divide(const Walk *walk, Result a, Result b)
     if (walk->way == DOUBLE) {
         double size = yk_dot(b.value, b.value);
         a.value = yk_mul(a.value, yk_vec(b.value.x / size, -b.value.y / size));
+        a.magnitude *= b.magnitude / size;
     }
     if (walk->way == FIELD) {
         a.known = b.field != 0 && b.mirrored != 0;
@@ -143,6 +150,13 @@ YkVec yk_form_value(YkRing *ring, const YkForm *form, const double *values)
     Walk walk = {.ring = ring, .way = DOUBLE, .values = values};
     Result result = {0};
     return run(&walk, form, &result) ? result.value : yk_vec(NAN, NAN);
+}
+
+double yk_form_magnitude(YkRing *ring, const YkForm *form, const double *values)
+{
+    Walk walk = {.ring = ring, .way = DOUBLE, .values = values};
+    Result result = {0};
+    return run(&walk, form, &result) ? result.magnitude : NAN;
 }
 
 // One point: 1 equal, 0 different, -1 no value there.

@@ -151,31 +151,6 @@ const YkPoisson *yk_reader_name(YkRingReader *reader)
     return unknown_name(reader, start, name);
 }
 
-// e^(i angle) for an element that is a whole combination of angles and a rational multiple of pi, turned by 1/i where
-// `imaginary`. NULL where it is something else.
-static const YkPoisson *unit_of(YkRing *ring, const YkPoisson *angle)
-{
-    const YkPoisson *unit = ring->one;
-    for (size_t i = 0; i < angle->count && unit; i++) {
-        uint32_t count;
-        const YkRingTerm term = angle->terms[i];
-        const YkPower *powers = yk_powers_of(&ring->monomials, yk_key_monomial(term.key), &count);
-        if (yk_key_phase(term.key) != 0 || yk_key_unit(term.key) != 0 || count != 1 || powers[0].exponent != 1)
-            return NULL;
-        int32_t symbol = powers[0].symbol;
-        int64_t factor = term.number / angle->denominator;
-        if (ring->symbols[symbol].pi_over == 1) {
-            unit = yk_ring_multiply(ring, unit, yk_ring_turn(ring, term.number, angle->denominator));
-            continue;
-        }
-        bool whole = term.number % angle->denominator == 0 && factor >= -YK_POWER_MAX && factor <= YK_POWER_MAX;
-        if (!whole || !ring->symbols[symbol].is_angle) return NULL;
-        const YkAngleTerm one = {symbol, (int32_t)factor};
-        unit = yk_ring_multiply(ring, unit, yk_ring_exp(ring, &one, 1));
-    }
-    return unit;
-}
-
 static const YkPoisson *refuse_angle(YkRingReader *reader, size_t start)
 {
     if (yk_ring_status(reader->ring) == YK_RING_MEMORY)
@@ -191,7 +166,7 @@ static const YkPoisson *unit_argument(YkRingReader *reader, bool is_exp, const c
     const YkPoisson *angle = yk_reader_sum(reader);
     if (!angle) return NULL;
     if (is_exp) angle = yk_ring_divide(reader->ring, angle, yk_ring_i(reader->ring));
-    const YkPoisson *unit = angle ? unit_of(reader->ring, angle) : NULL;
+    const YkPoisson *unit = yk_ring_exp_of(reader->ring, angle);
     if (!unit) return refuse_angle(reader, start);
     return yk_reader_takes(reader, close) ? unit : yk_reader_expected(reader, close[0] == ')' ? "`)`" : "`}`");
 }

@@ -105,6 +105,9 @@ typedef struct YkAngleTerm {
     int32_t angle, factor;
 } YkAngleTerm;
 const YkPoisson *yk_ring_exp(YkRing *ring, const YkAngleTerm *terms, size_t count);
+// The same of an angle that stands outside of cos and sin: a sum of whole multiples of angles and of fractions of pi;
+// NULL for anything else.
+const YkPoisson *yk_ring_exp_of(YkRing *ring, const YkPoisson *angle);
 const YkPoisson *yk_ring_cos(YkRing *ring, const YkAngleTerm *terms, size_t count);
 const YkPoisson *yk_ring_sin(YkRing *ring, const YkAngleTerm *terms, size_t count);
 
@@ -176,5 +179,7 @@ const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol sym
 void yk_ring_complete(YkRing *ring, double *values);
 // The value of an element at completed values.
 YkVec yk_ring_value(const YkRing *ring, const YkPoisson *a, const double *values);
+// The sum of the sizes of its terms: what rounding in its value is measured by.
+double yk_ring_magnitude(const YkRing *ring, const YkPoisson *a, const double *values);
 
 #endif

@@ -29,6 +29,15 @@ static double phase_value(const YkRing *ring, uint32_t phase, const double *valu
     return value;
 }
 
+// A term's size with its sign, before the element's denominator.
+static double term_value(const YkRing *ring, const YkRingTerm *term, const double *values)
+{
+    double size = (double)term->number * monomial_value(ring, yk_key_monomial(term->key), values);
+    if (yk_key_unit(term->key) & YK_UNIT_SQRT2) size *= sqrt(2);
+    if (yk_key_unit(term->key) & YK_UNIT_SQRT3) size *= sqrt(3);
+    return size;
+}
+
 YkVec yk_ring_value(const YkRing *ring, const YkPoisson *a, const double *values)
 {
     YkVec sum = {0, 0}, unit = {1, 0};
@@ -37,13 +46,18 @@ YkVec yk_ring_value(const YkRing *ring, const YkPoisson *a, const double *values
         uint64_t key = a->terms[i].key;
         if (i == 0 || yk_key_phase(key) != yk_key_phase(a->terms[i - 1].key))
             unit = yk_unit(phase_value(ring, yk_key_phase(key), values));
-        double size = (double)a->terms[i].number * monomial_value(ring, yk_key_monomial(key), values);
-        if (yk_key_unit(key) & YK_UNIT_SQRT2) size *= sqrt(2);
-        if (yk_key_unit(key) & YK_UNIT_SQRT3) size *= sqrt(3);
-        YkVec term = yk_scale(size, unit);
+        YkVec term = yk_scale(term_value(ring, &a->terms[i], values), unit);
         sum = yk_add(sum, yk_key_unit(key) & YK_UNIT_I ? yk_quarter(term) : term);
     }
     return yk_vec(sum.x / (double)a->denominator, sum.y / (double)a->denominator);
+}
+
+double yk_ring_magnitude(const YkRing *ring, const YkPoisson *a, const double *values)
+{
+    double sum = 0;
+    if (!a) return NAN;
+    for (size_t i = 0; i < a->count; i++) sum += fabs(term_value(ring, &a->terms[i], values));
+    return sum / (double)a->denominator;
 }
 
 void yk_ring_complete(YkRing *ring, double *values)

@@ -226,8 +226,7 @@ static void check_read(Machine *m, const YkLine *line)
     }
     if (equals != 1) return;
     yk_print_formula_text(&printing, line, &text);
-    bool good =
-        yk_equation_read(m->d->ring, yk_text_get(&text), text.length, (YkPlace){1, 1, 0}, m->problems, &equation);
+    bool good = yk_equation_read(m->d, yk_text_get(&text), text.length, (YkPlace){1, 1, 0}, m->problems, &equation);
     if (!good) print_error("%s\n%s", yk_text_get(&text), yk_problems_text(m->problems, 0));
     assert_true(good);
     double right = yk_form_value(m->d->ring, equation.right, m->values).x;

@@ -146,7 +146,7 @@ static void what_cannot_be_read_is_told_with_its_place(void **state)
     static const struct {
         const char *equation;
         uint32_t column;
-    } cases[] = {{"l1 = foo", 6},      {"l1", 3}, {"l1 + = 2", 6}, {"(l1 = 2", 5},         {"l1 = 2 )", 8},
+    } cases[] = {{"l1 = foo", 6},      {"l1", 3}, {"l1 + = 2", 6}, {"(l1 = 2", 1},         {"l1 = 2 )", 8},
                  {"l1^theta1 = 2", 4}, {"", 1},   {"l1 = ", 6},    {"l1 = cos(theta1", 9}, {"l1 = #", 6}};
     Machine m = example("quick-return");
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {

@@ -1,0 +1,284 @@
+// Words of an equation: numbers with units, names, functions.
+#include <string.h>
+#include "base/names.h"
+#include "base/number.h"
+#include "base/units.h"
+#include "derive/equation.h"
+#include "derive/free_bodies.h"
+
+static const YkForm *form_of(YkEquationReader *reader, const YkPoisson *a)
+{
+    return yk_form_of(reader->d->ring, a);
+}
+
+static size_t name_end(const YkEquationReader *reader, size_t at)
+{
+    while (at < reader->length &&
+           (yk_is_letter(reader->text[at]) || yk_is_digit(reader->text[at]) || reader->text[at] == '.'))
+        at++;
+    while (at < reader->length && reader->text[at] == '\'') at++;
+    return at;
+}
+
+static const char *copy(YkEquationReader *reader, size_t start, size_t end)
+{
+    const char *name = yk_arena_copy(reader->d->arena, reader->text + start, end - start);
+    return name ? name : "";
+}
+
+// --- Units
+
+static size_t letters_end(const YkEquationReader *reader, size_t at)
+{
+    while (at < reader->length && yk_is_letter(reader->text[at]) && reader->text[at] != '_') at++;
+    return at;
+}
+
+static size_t digits_end(const YkEquationReader *reader, size_t at)
+{
+    if (at >= reader->length || reader->text[at] != '^') return at;
+    size_t end = at + 1 + (at + 1 < reader->length && reader->text[at + 1] == '-'), first = end;
+    while (end < reader->length && yk_is_digit(reader->text[end])) end++;
+    return end > first ? end : at;
+}
+
+static bool is_unit(const YkEquationReader *reader, size_t start, size_t end, double *size, YkDimension *dimension)
+{
+    const char *bad;
+    size_t bad_length;
+    return end > start && yk_unit_read(reader->text + start, end - start, size, dimension, &bad, &bad_length);
+}
+
+// The unit behind a number, one word as in the file: mm, deg, N*m, m/s^2. Where it begins with a name of the machine it
+// is none: with a parameter m, `2 m` is twice that. A t is the time, never a tonne.
+static const YkForm *read_unit(YkEquationReader *reader, const YkForm *value)
+{
+    double size, more;
+    YkDimension dimension, wider;
+    yk_equation_peek(reader);
+    size_t start = reader->at, letters = letters_end(reader, start), end = digits_end(reader, letters);
+    if (letters == start || name_end(reader, start) != letters) return value;
+    if (yk_ring_find(reader->d->ring, copy(reader, start, letters)) >= 0) return value;
+    if (!is_unit(reader, start, end, &size, &dimension)) return value;
+    while (end < reader->length && (reader->text[end] == '*' || reader->text[end] == '/')) {
+        letters = letters_end(reader, end + 1);
+        size_t next = digits_end(reader, letters);
+        bool is_time = letters == end + 2 && reader->text[end + 1] == 't';
+        if (is_time || name_end(reader, end + 1) != letters || !is_unit(reader, start, next, &more, &wider)) break;
+        size = more, dimension = wider, end = next;
+    }
+    reader->at = end;
+    const YkPoisson *unit = yk_derive_unit_size(reader->d, size, dimension.angle);
+    return yk_form_multiply(reader->d->ring, value, form_of(reader, unit));
+}
+
+// --- Names
+
+static const char *nearest_name(const YkDerivation *d, const char *name)
+{
+    enum { CANDIDATES_MAX = 1000 };
+    const char *candidates[CANDIDATES_MAX];
+    size_t count = yk_ring_symbol_count(d->ring);
+    if (count > CANDIDATES_MAX) count = CANDIDATES_MAX;
+    for (size_t k = 0; k < count; k++) candidates[k] = yk_ring_symbol_name(d->ring, (int32_t)k);
+    return yk_nearest(name, candidates, count);
+}
+
+// theta1dot and theta1ddot are theta1' and theta1''. NULL where it is nothing of the kind.
+static const char *dotted_name(YkEquationReader *reader, const char *name)
+{
+    static const char *const endings[] = {"ddot", "dot"};
+    for (int k = 0; k < 2; k++) {
+        size_t length = strlen(name), size = strlen(endings[k]);
+        if (length <= size || strcmp(name + length - size, endings[k]) != 0) continue;
+        length -= size + (length > size + 1 && name[length - size - 1] == '_');
+        const char *base = yk_arena_copy(reader->d->arena, name, length);
+        if (base && yk_ring_find(reader->d->ring, base) >= 0)
+            return yk_derive_text(reader->d, base, k == 0 ? "''" : "'", "");
+    }
+    return NULL;
+}
+
+static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const char *name)
+{
+    static const char *const inverse[] = {"asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan"};
+    YkPlace place = reader->place;
+    place.column += (uint32_t)start;
+    place.length = (uint32_t)strlen(name);
+    reader->failed = true;
+    for (size_t k = 0; k < sizeof inverse / sizeof *inverse; k++) {
+        if (strcmp(name, inverse[k]) != 0) continue;
+        yk_problem(reader->problems, YK_CODE_UNKNOWN_NAME, place, "%q has many values: it cannot be proved", name);
+        yk_problem_hint(reader->problems,
+                        "compare sines, cosines or tangents: tan(theta2) = ... for theta2 = atan(...)");
+        return NULL;
+    }
+    yk_problem(reader->problems, YK_CODE_UNKNOWN_NAME, place, "unknown name %q", name);
+    const char *near = dotted_name(reader, name);
+    if (!near) near = nearest_name(reader->d, name);
+    if (near)
+        yk_problem_hint(reader->problems, "did you mean %q?", near);
+    else
+        yk_problem_hint(reader->problems, "known are the file's parameters and coordinates, rates as theta1' or "
+                                          "theta1.rate, crank.angle, crank.A.x, T and V, and forces as `--what "
+                                          "free-bodies` names them");
+    return NULL;
+}
+
+static const YkForm *read_name(YkEquationReader *reader)
+{
+    YkRing *ring = reader->d->ring;
+    size_t start = reader->at;
+    reader->at = name_end(reader, start);
+    const char *name = copy(reader, start, reader->at);
+    if (strcmp(name, "pi") == 0) return read_unit(reader, form_of(reader, yk_ring_pi(ring)));
+    int32_t symbol = yk_ring_find(ring, name);
+    if (symbol >= 0) return form_of(reader, yk_ring_of(ring, symbol));
+    if (strcmp(name, "i") == 0) return form_of(reader, yk_ring_i(ring));
+    const YkPoisson *quantity = yk_derive_quantity(reader->d, name);
+    if (quantity) return form_of(reader, quantity);
+    if (yk_ring_status(ring) != YK_RING_OK) return NULL;
+    return unknown_name(reader, start, name);
+}
+
+// --- Numbers
+
+static const YkForm *read_number(YkEquationReader *reader, size_t bytes)
+{
+    YkPlace place = reader->place;
+    size_t start = reader->at;
+    place.column += (uint32_t)start;
+    const YkPoisson *value =
+        yk_ring_read(reader->d->ring, YK_RING_TEXT, reader->text + start, bytes, place, reader->problems);
+    reader->at += bytes;
+    if (!value) reader->failed = true;
+    return value ? read_unit(reader, form_of(reader, value)) : NULL;
+}
+
+// --- Functions
+
+typedef enum Function { COS, SIN, TAN, SQRT, EXP, POW, NO_FUNCTION } Function;
+
+static Function function_at(const YkEquationReader *reader, size_t start, size_t end)
+{
+    static const char *const words[] = {"cos", "sin", "tan", "sqrt", "exp", "pow"};
+    size_t k = 0;
+    while (k < NO_FUNCTION &&
+           (strlen(words[k]) != end - start || strncmp(words[k], reader->text + start, end - start) != 0))
+        k++;
+    return (Function)k;
+}
+
+static const YkForm *root(YkEquationReader *reader, size_t start)
+{
+    YkRing *ring = reader->d->ring;
+    int64_t over = 0, under = 1;
+    const YkForm *square = yk_equation_bracket(reader);
+    const YkPoisson *value = square ? yk_form_expand(ring, square, 100) : NULL, *of = NULL;
+    if (!square) return NULL;
+    if (value && yk_ring_is_rational(value, &over, &under) && under < 1000000 && over < INT64_MAX / under && over >= 0)
+        of = yk_ring_sqrt(ring, over * under);
+    if (of) return form_of(reader, yk_ring_scale(ring, of, 1, under));
+    yk_ring_clear(ring);
+    return yk_equation_refuse(reader, start, "a root is no polynomial: it cannot be proved",
+                              "square both sides: d^2 = ... for d = sqrt(...)");
+}
+
+// cos, sin, tan of an angle: a sum of whole multiples of angles and of fractions of pi, 30 deg among them.
+static const YkForm *trigonometric(YkEquationReader *reader, Function function)
+{
+    YkRing *ring = reader->d->ring;
+    size_t start = reader->at + 1;
+    const YkForm *angle = yk_equation_bracket(reader);
+    const YkPoisson *a = angle ? yk_form_expand(ring, angle, 1000) : NULL, *unit = yk_ring_exp_of(ring, a);
+    if (!angle) return NULL;
+    if (!unit) {
+        yk_ring_clear(ring);
+        return yk_equation_refuse(reader, start,
+                                  "an angle here is a sum of whole multiples of angles and of fractions of pi", NULL);
+    }
+    const YkForm *cos = form_of(reader, yk_ring_real(ring, unit)),
+                 *sin = form_of(reader, yk_ring_imaginary(ring, unit));
+    return function == COS ? cos : function == SIN ? sin : yk_form_divide(ring, sin, cos);
+}
+
+// exp(...) and pow(...), as the ring prints them.
+static const YkForm *ring_function(YkEquationReader *reader, size_t start)
+{
+    int depth = 0;
+    size_t end = reader->at;
+    YkPlace place = reader->place;
+    do {
+        depth += (reader->text[end] == '(') - (reader->text[end] == ')');
+        end++;
+    } while (end < reader->length && depth > 0);
+    if (depth > 0) return yk_equation_refuse(reader, reader->at, "this bracket is never closed", NULL);
+    place.column += (uint32_t)start;
+    reader->at = end;
+    const YkPoisson *a =
+        yk_ring_read(reader->d->ring, YK_RING_TEXT, reader->text + start, end - start, place, reader->problems);
+    if (!a) reader->failed = true;
+    return form_of(reader, a);
+}
+
+static const YkForm *no_bracket(YkEquationReader *reader, size_t start, size_t end)
+{
+    YkText message = {0}, hint = {0};
+    const char *name = copy(reader, start, end);
+    size_t next = name_end(reader, reader->at);
+    yk_text_format(&message, "`(` is wanted behind `%s`", name);
+    yk_text_format(&hint, "write %s(%s)", name, next > reader->at ? copy(reader, reader->at, next) : "theta1");
+    yk_equation_refuse(reader, reader->at, yk_text_get(&message), yk_text_get(&hint));
+    yk_text_free(&message);
+    yk_text_free(&hint);
+    return NULL;
+}
+
+// sin(x), and sin^2(x) as books have it.
+static const YkForm *read_function(YkEquationReader *reader, Function function, size_t start)
+{
+    size_t end = reader->at, power = 0;
+    int exponent = 0;
+    if (yk_equation_peek(reader) == '^' && function <= TAN) {
+        power = ++reader->at;
+        char c = yk_equation_peek(reader);
+        if (c == '-')
+            return yk_equation_refuse(reader, power, "a negative power here could be the inverse function",
+                                      "write 1/sin(x); inverse functions cannot be proved: compare sin(x) itself");
+        for (; yk_is_digit(yk_equation_peek(reader)) && exponent < 1000; reader->at++)
+            exponent = 10 * exponent + (reader->text[reader->at] - '0');
+        if (exponent < 1 || exponent > 32)
+            return yk_equation_refuse(reader, power, "an exponent is a whole number here, up to 32", NULL);
+    }
+    if (yk_equation_peek(reader) != '(') return no_bracket(reader, start, end);
+    const YkForm *value = function <= TAN    ? trigonometric(reader, function)
+                          : function == SQRT ? root(reader, start)
+                                             : ring_function(reader, start);
+    const YkForm *product = value;
+    for (int k = 1; k < exponent; k++) product = yk_form_multiply(reader->d->ring, product, value);
+    return product;
+}
+
+const YkForm *yk_equation_atom(YkEquationReader *reader)
+{
+    char c = yk_equation_peek(reader);
+    size_t start = reader->at;
+    if (c == '(' || c == '[') return yk_equation_bracket(reader);
+    if (yk_is_letter(c)) {
+        Function function = function_at(reader, start, name_end(reader, start));
+        if (function == NO_FUNCTION) return read_name(reader);
+        reader->at = name_end(reader, start);
+        return read_function(reader, function, start);
+    }
+    double value;
+    size_t bytes =
+        yk_is_digit(c) || c == '.' ? yk_number_read(reader->text + start, reader->length - start, &value) : 0;
+    if (bytes > 0) return read_number(reader, bytes);
+    if (c == '\0') return yk_equation_refuse(reader, start, "the equation ends where a quantity is wanted", NULL);
+    if (c == '=') return yk_equation_refuse(reader, start, "a quantity is wanted before `=`", NULL);
+    if ((unsigned char)c >= 0x80)
+        return yk_equation_refuse(reader, start, "this sign is not read in equations",
+                                  "names are the file's; products `*` or a blank, minus `-`, rates theta1'");
+    return yk_equation_refuse(reader, start, "a quantity is wanted here",
+                              "write products with `*` or a blank, powers with `^`");
+}

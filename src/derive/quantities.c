@@ -1,0 +1,127 @@
+// What an equation may speak of besides the symbols: energies, points, efforts, reactions, by the names of `--of`.
+#include <string.h>
+#include "derive/frame.h"
+#include "derive/free_bodies.h"
+
+// Takes ' and .rate, .accel from the end: how often to differentiate by time.
+static int take_order(const char *name, size_t *length)
+{
+    int order = 0;
+    while (*length > 0 && name[*length - 1] == '\'') --*length, order++;
+    if (order > 0) return order;
+    static const char *const endings[] = {".rate", ".accel"};
+    for (int k = 0; k < 2; k++) {
+        size_t size = strlen(endings[k]);
+        if (*length <= size || strncmp(name + *length - size, endings[k], size) != 0) continue;
+        *length -= size;
+        return k + 1;
+    }
+    return 0;
+}
+
+static bool is_word(const char *name, size_t length, const char *word)
+{
+    return strlen(word) == length && strncmp(name, word, length) == 0;
+}
+
+// --- Energies
+
+static const YkPoisson *energy(const YkDeriveForces *f, const char *name, size_t length)
+{
+    YkDerivation *d = f->d;
+    bool is_kinetic = is_word(name, length, "T") || is_word(name, length, "kinetic");
+    bool is_potential = is_word(name, length, "V") || is_word(name, length, "potential");
+    bool is_sum = is_word(name, length, "energy");
+    const YkPoisson *T = is_kinetic || is_sum ? yk_derive_kinetic_total(f) : NULL;
+    const YkPoisson *V = is_potential || is_sum ? yk_derive_potential(f) : NULL;
+    if (is_sum) return yk_ring_add(d->ring, T, V);
+    if (T || V) return T ? T : V;
+    for (size_t b = 1; b < d->model->body_count && length > 2 && strncmp(name, "T_", 2) == 0; b++)
+        if (is_word(name + 2, length - 2, d->bodies[b].name)) return yk_derive_kinetic(f, (int32_t)b);
+    for (size_t k = 0; k < f->load_count && length > 2 && strncmp(name, "V_", 2) == 0; k++)
+        if (is_word(name + 2, length - 2, f->loads[k].name)) return f->loads[k].energy;
+    return NULL;
+}
+
+// --- Points
+
+static const YkPoisson *coordinate_of_point(YkDerivation *d, const char *name, size_t length)
+{
+    char part = length > 2 && name[length - 2] == '.' ? name[length - 1] : '\0';
+    if (part != 'x' && part != 'y') return NULL;
+    const char *dot = memchr(name, '.', length - 2);
+    for (size_t p = 0; dot && p < d->model->point_count; p++) {
+        const YkPoint *point = &d->model->points[p];
+        const char *own = dot + 1;
+        if (!is_word(name, (size_t)(dot - name), d->model->bodies[point->body].name)) continue;
+        if (!is_word(own, length - 2 - (size_t)(own - name), point->name)) continue;
+        const YkPoisson *at = yk_derive_position(d, point->body, yk_derive_at(d, point->body, (int32_t)p));
+        return part == 'x' ? yk_ring_real(d->ring, at) : yk_ring_imaginary(d->ring, at);
+    }
+    return NULL;
+}
+
+// --- Forces
+
+static bool takes_ending(const char *name, size_t *length, const char *ending)
+{
+    size_t size = strlen(ending);
+    if (*length <= size || strncmp(name + *length - size, ending, size) != 0) return false;
+    *length -= size;
+    return true;
+}
+
+// The moment of a load along a joint on its second body; the ground takes none.
+static const YkPoisson *moment_on_second(const YkDeriveForces *f, const YkDeriveLoad *load)
+{
+    const int32_t *body = f->d->model->joints[load->joint].body;
+    for (size_t k = 0; k < load->push_count; k++)
+        if (load->push[k].body == body[1]) return load->push[k].moment;
+    return load->push_count > 0 ? yk_ring_negate(f->d->ring, load->push[0].moment) : NULL;
+}
+
+// The unknown effort of a drive, or what `efforts:` says of an angle.
+static const YkPoisson *effort(const YkDeriveForces *f, const char *name, size_t length)
+{
+    YkDerivation *d = f->d;
+    if (!takes_ending(name, &length, ".effort")) return NULL;
+    for (size_t c = 0; c < d->tree_count; c++) {
+        const YkDeriveCoordinate *of = &d->coordinates[c];
+        if (!is_word(name, length, of->name)) continue;
+        for (size_t k = 0; k < f->effort_count; k++)
+            if (f->effort_coordinate[k] == (int32_t)c) return yk_ring_of(d->ring, f->efforts[k]);
+        for (size_t k = 0; k < f->load_count && !of->is_distance; k++)
+            if (f->loads[k].kind == YK_DERIVE_EFFORT && f->loads[k].joint == of->joint)
+                return moment_on_second(f, &f->loads[k]);
+        return NULL;
+    }
+    return NULL;
+}
+
+// Of a joint, on its second body by its first.
+static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size_t length)
+{
+    YkDerivation *d = f->d;
+    bool is_x = takes_ending(name, &length, ".force.x"), is_y = !is_x && takes_ending(name, &length, ".force.y");
+    bool is_moment = !is_x && !is_y && takes_ending(name, &length, ".moment");
+    if (!is_x && !is_y && !is_moment) return NULL;
+    for (size_t j = 0; j < d->model->joint_count; j++) {
+        if (!is_word(name, length, d->model->joints[j].name)) continue;
+        if (is_moment) return f->joint_moment[j];
+        return is_x ? yk_ring_real(d->ring, f->joint_force[j]) : yk_ring_imaginary(d->ring, f->joint_force[j]);
+    }
+    return NULL;
+}
+
+const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name)
+{
+    size_t length = strlen(name);
+    int order = take_order(name, &length);
+    const YkPoisson *a = d->most_depth > YK_DERIVE_DEPTH_MAX ? NULL : coordinate_of_point(d, name, length);
+    const YkDeriveForces *f = a ? NULL : yk_derive_forces(d);
+    if (f && d->most_depth <= YK_DERIVE_DEPTH_MAX) a = energy(f, name, length);
+    if (f && !a && order == 0) a = effort(f, name, length);
+    if (f && !a && order == 0) a = reaction(f, name, length);
+    for (; a && order > 0; order--) a = yk_ring_time_derivative(d->ring, a);
+    return a;
+}

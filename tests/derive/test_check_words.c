@@ -1,0 +1,230 @@
+// What equations may be written with, and what a false one is told.
+#include "derive_check.h"
+
+static YkDynamics *dynamics_of(Machine *m)
+{
+    YkDynamics *dynamics = yk_dynamics_new(m->mech, m->problems);
+    assert_non_null(dynamics);
+    return dynamics;
+}
+
+static YkCheckVerdict forces_verdict(Machine *m, YkDynamics *dynamics, const char *equation)
+{
+    yk_state_set_time(m->state, 0, NULL);
+    assert_true(yk_state_assemble(m->state) >= 0);
+    return yk_derive_check(m->d, m->state, dynamics, equation, strlen(equation), (YkPlace){1, 1, 0}, m->problems);
+}
+
+typedef struct Expected {
+    const char *equation;
+    YkCheckKind kind;
+} Expected;
+
+static void check_kinds(const char *name, const Expected *expected, size_t count)
+{
+    Machine m = example(name);
+    YkDynamics *dynamics = dynamics_of(&m);
+    for (size_t k = 0; k < count; k++) {
+        YkCheckVerdict verdict = forces_verdict(&m, dynamics, expected[k].equation);
+        if (verdict.kind == expected[k].kind) continue;
+        print_error("%s: verdict %d, expected %d\n%s", expected[k].equation, (int)verdict.kind, (int)expected[k].kind,
+                    yk_problems_text(m.problems, 0));
+        fail();
+    }
+    yk_dynamics_free(dynamics);
+    machine_end(&m);
+}
+#define CHECK_KINDS(name, ...)                                                                                         \
+    check_kinds(name, (const Expected[]){__VA_ARGS__}, sizeof((const Expected[]){__VA_ARGS__}) / sizeof(Expected))
+
+static void numbers_take_units(void **state)
+{
+    (void)state;
+    CHECK_KINDS("quick-return", {"l1 = 750 mm", YK_CHECK_TRUE_HERE}, {"l1 = 750mm", YK_CHECK_TRUE_HERE},
+                {"l1 = 750", YK_CHECK_FALSE}, {"d5 = 1.2 m", YK_CHECK_FALSE},
+                {"sin(theta1 + 90 deg) = cos(theta1)", YK_CHECK_TRUE},
+                {"cos(60 deg - theta1) = cos(theta1)/2 + sqrt(3)/2 sin(theta1)", YK_CHECK_TRUE},
+                {"0.5 m/s*t = 500 mm/s*t", YK_CHECK_TRUE}, {"180 deg = pi", YK_CHECK_TRUE},
+                {"60 rpm = 2 pi rad/s", YK_CHECK_TRUE}, {"1 km/h = 1/3.6 m/s", YK_CHECK_TRUE});
+    CHECK_KINDS("double-pendulum", {"tau1 = 0.5 N*m", YK_CHECK_TRUE_HERE}, {"m2 g = 1 N", YK_CHECK_FALSE},
+                {"I1 = 0.025 kg*m^2", YK_CHECK_TRUE_HERE});
+}
+
+// With a parameter m, 2 m is twice that; with a coordinate s, rad/s is a unit still.
+static void names_of_the_machine_come_before_units(void **state)
+{
+    (void)state;
+    Machine m = machine_of("parameters: {m: 3 kg, l: 2 m}\n"
+                           "bodies: {arm: {points: {P: [l, 0]}, mass: m, center: [l, 0], inertia: 0}, ram: {}}\n"
+                           "joints:\n"
+                           "  O: {pin: [ground, arm], angle: q}\n"
+                           "  R: {slide: [ground, ram], along: x, distance: s}\n");
+    assert_int_equal(verdict_on(&m, "2 m = 6").kind, YK_CHECK_TRUE_HERE);
+    assert_int_equal(verdict_on(&m, "l = 2 m").kind, YK_CHECK_FALSE);
+    assert_int_equal(verdict_on(&m, "l = 200 cm").kind, YK_CHECK_TRUE_HERE);
+    assert_int_equal(verdict_on(&m, "q' 1 s = 1 rad/s").kind, YK_CHECK_FALSE);
+    assert_int_equal(verdict_on(&m, "60 rpm = 2 pi rad/s").kind, YK_CHECK_TRUE);
+    machine_end(&m);
+}
+
+static void books_ways_of_writing_are_read(void **state)
+{
+    (void)state;
+    CHECK_KINDS("quick-return", {"sin^2(theta1) + cos^2 (theta1) = 1", YK_CHECK_TRUE},
+                {"theta1**2 = theta1^2", YK_CHECK_TRUE}, {"d3 [1 + 2] == 3 d3", YK_CHECK_TRUE},
+                {"tan^2(theta2) = 1/cos(theta2)^2 - 1", YK_CHECK_TRUE},
+                {"sin(2 (theta1 + theta2)) = 2 sin(theta1 + theta2) cos(theta1 + theta2)", YK_CHECK_TRUE},
+                {"sin(lever.angle) = sin(theta2)", YK_CHECK_TRUE}, {"sqrt(3/4) = sqrt(3)/2", YK_CHECK_TRUE});
+}
+
+static void points_are_spoken_of_by_their_names(void **state)
+{
+    (void)state;
+    CHECK_KINDS("quick-return", {"crank.A.x = d3 cos(theta2)", YK_CHECK_TRUE},
+                {"crank.A.x' = -l1 sin(theta1) theta1'", YK_CHECK_TRUE},
+                {"crank.A.y.accel = l1 cos(theta1) theta1'' - l1 sin(theta1) theta1'^2", YK_CHECK_TRUE},
+                {"ram.C.x = coupler.C.x", YK_CHECK_TRUE}, {"ram.C.y = a1", YK_CHECK_FALSE},
+                {"ram.C.y = a1 + a2", YK_CHECK_TRUE});
+}
+
+static void energies_balance_what_efforts_do(void **state)
+{
+    (void)state;
+    CHECK_KINDS("double-pendulum", {"T' + V' = tau1 theta1' + tau2 theta2'", YK_CHECK_TRUE},
+                {"energy' = theta1.effort theta1' + theta2.effort theta2'", YK_CHECK_TRUE},
+                {"T' + V' = tau1 theta1'", YK_CHECK_FALSE},
+                {"V = -m1 g lc1 cos(theta1) - m2 g (l1 cos(theta1) + lc2 cos(theta1 + theta2))", YK_CHECK_TRUE},
+                {"T_link1 = 1/2 (I1 + m1 lc1^2) theta1'^2", YK_CHECK_TRUE}, {"T = T_link1 + T_link2", YK_CHECK_TRUE},
+                {"kinetic + potential = T - V", YK_CHECK_FALSE});
+    CHECK_KINDS("toggle", {"T' + V' = tau theta1'", YK_CHECK_TRUE}, {"theta1.effort = tau", YK_CHECK_TRUE},
+                {"B.force.x = m5 d5''", YK_CHECK_TRUE}, {"B.force.x = -m5 d5''", YK_CHECK_FALSE},
+                {"R.moment = 0", YK_CHECK_TRUE});
+}
+
+// A moment that is rounding alone is measured by the other forces: it is 0.
+static void what_is_nothing_but_rounding_is_nothing(void **state)
+{
+    (void)state;
+    CHECK_KINDS("cart-pendulum", {"M01 = 0", YK_CHECK_TRUE}, {"(N01 - F12y)/5 = 19.62/5", YK_CHECK_TRUE},
+                {"(N01 - F12y)/5 = 20/5", YK_CHECK_FALSE});
+    Machine m = machine_of("parameters: {a: 0.1, b: 0.2, c: 0.3}\n"
+                           "bodies: {arm: {points: {P: [a + b + c, 0]}}}\n"
+                           "joints: {O: {pin: [ground, arm], angle: q}}\n");
+    assert_int_equal(verdict_on(&m, "(a + b - c) = 0").kind, YK_CHECK_TRUE_HERE); // 0.1 + 0.2 - 0.3 = 5.6e-17
+    assert_int_equal(verdict_on(&m, "1/(a + b - c + 1) = 1").kind, YK_CHECK_TRUE_HERE);
+    assert_int_equal(verdict_on(&m, "(a + b - c) = 1e-8").kind, YK_CHECK_FALSE);
+    machine_end(&m);
+}
+
+// --- What a false equation is told
+
+static void check_slip(Machine *m, YkDynamics *dynamics, const char *equation, const char *slip)
+{
+    YkCheckVerdict verdict = forces_verdict(m, dynamics, equation);
+    assert_int_equal(verdict.kind, YK_CHECK_FALSE);
+    assert_true(verdict.left != verdict.right);
+    if (!slip && !verdict.slip) return;
+    if (!slip || !verdict.slip || strcmp(slip, verdict.slip) != 0)
+        print_error("%s: %s\n", equation, verdict.slip ? verdict.slip : "no slip");
+    assert_true(slip && verdict.slip);
+    assert_string_equal(verdict.slip, slip);
+}
+
+static void slips_of_the_hand_are_named(void **state)
+{
+    (void)state;
+    Machine m = example("quick-return");
+    check_slip(&m, NULL, "d3 cos(theta2) = l1 sin(theta1)",
+               "with `cos(theta1)` in place of `sin(theta1)` it would be true");
+    check_slip(&m, NULL, "d5 = l2 cos(theta2) + l4 cos(theta4)",
+               "with `coupler.angle` in place of `theta4`, which is measured from lever, it would be true");
+    check_slip(&m, NULL, "d5 = l2 cos(theta2) + l4 cos(theta2 + theta4) + l1", "without `l1` it would be true");
+    check_slip(&m, NULL,
+               "d3 theta2'' + d3' theta2' = l1 cos(theta1 - theta2) theta1'' - l1 sin(theta1 - theta2) theta1'^2",
+               "with twice `d3' theta2'` it would be true");
+    check_slip(&m, NULL, "d3^2 = a1^2 + l1^2 + 4 a1 l1 sin(theta1)",
+               "with half of `4 a1 l1 sin(theta1)` it would be true");
+    check_slip(&m, NULL, "d3 = 2 d5", NULL);
+    check_slip(&m, NULL, "0 = 1", NULL);
+    machine_end(&m);
+}
+
+static void what_only_drives_make_true_is_told_so(void **state)
+{
+    (void)state;
+    static const char drives[] = "it holds as the drives move the machine; here inputs may move in any way";
+    Machine m = example("quick-return");
+    check_slip(&m, NULL, "theta1' = -0.5 rad/s", drives);
+    check_slip(&m, NULL, "theta1'' = 0", drives);
+    check_slip(&m, NULL, "theta1 = 30 deg - 0.5 rad/s*t", drives);
+    check_slip(&m, NULL, "theta1' = 0.5 rad/s", NULL);
+    machine_end(&m);
+}
+
+static void the_pose_tells_what_the_equation_speaks_of(void **state)
+{
+    (void)state;
+    Machine m = example("toggle");
+    YkDynamics *dynamics = dynamics_of(&m);
+    assert_int_equal(forces_verdict(&m, dynamics, "theta1 = theta2").order, 0);
+    assert_int_equal(forces_verdict(&m, dynamics, "theta1' = d5'/l1").order, 1);
+    YkCheckVerdict verdict = forces_verdict(&m, dynamics, "2 B.force.x = m5 d5''");
+    assert_int_equal(verdict.order, 2);
+    assert_non_null(strstr(verdict.forces, "F45x = "));
+    CHECK_NEAR(strtod(strstr(verdict.forces, "= ") + 2, NULL), verdict.left / 2, 1e-4);
+    yk_dynamics_free(dynamics);
+    machine_end(&m);
+}
+
+static void what_cannot_be_read_has_a_hint(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *equation, *message, *hint;
+    } cases[] = {{"d3 cos theta2 = 1", "`(` is wanted behind `cos`", "write cos(theta2)"},
+                 {"theta1dot = 1", "unknown name `theta1dot`", "did you mean `theta1'`?"},
+                 {"theta1_ddot = 1", "unknown name `theta1_ddot`", "did you mean `theta1''`?"},
+                 {"l_1 = 2", "unknown name `l_1`", "did you mean `l1`?"},
+                 {"d3 = sqrt(l1^2)", "a root is no polynomial: it cannot be proved", "square both sides"},
+                 {"theta2 = atan2(1, 2)", "`atan2` has many values: it cannot be proved", "tangents"},
+                 {"sin^-1(theta1) = 1", "a negative power here could be the inverse function", "1/sin(x)"},
+                 {"\xce\xb8"
+                  "1 = 2",
+                  "this sign is not read in equations", "names are the file's"},
+                 {"l1 = 2 \xc2\xb7 3", "this sign is not read in equations", "products `*`"},
+                 {"omega = 2", "unknown name `omega`", "theta1.rate"},
+                 {"l1 = l2 = 1", "there is a second `=`: one equation at a time", NULL},
+                 {"sin(l1) = 0", "an angle here is a sum of whole multiples", NULL}};
+    Machine m = example("quick-return");
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        YkProblems *problems = yk_problems_new();
+        const char *equation = cases[k].equation;
+        YkCheckVerdict verdict =
+            yk_derive_check(m.d, m.state, NULL, equation, strlen(equation), (YkPlace){1, 1, 0}, problems);
+        assert_int_equal(verdict.kind, YK_CHECK_UNREADABLE);
+        assert_int_equal(yk_problems_count(problems), 1);
+        expect(yk_problems_get(problems, 0)->message, cases[k].message);
+        if (cases[k].hint) expect(yk_problems_get(problems, 0)->hint, cases[k].hint);
+        yk_problems_free(problems);
+    }
+    // and the next one is read as if nothing had been
+    assert_int_equal(verdict_on(&m, "crank.A.x = l1 cos(theta1)").kind, YK_CHECK_TRUE);
+    machine_end(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_take_units),
+        cmocka_unit_test(names_of_the_machine_come_before_units),
+        cmocka_unit_test(books_ways_of_writing_are_read),
+        cmocka_unit_test(points_are_spoken_of_by_their_names),
+        cmocka_unit_test(energies_balance_what_efforts_do),
+        cmocka_unit_test(what_is_nothing_but_rounding_is_nothing),
+        cmocka_unit_test(slips_of_the_hand_are_named),
+        cmocka_unit_test(what_only_drives_make_true_is_told_so),
+        cmocka_unit_test(the_pose_tells_what_the_equation_speaks_of),
+        cmocka_unit_test(what_cannot_be_read_has_a_hint),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
