@@ -1,60 +1,70 @@
-// Common parts of terms.
+// Parts of monomials, and what terms have in common.
+#include <string.h>
 #include "ring/shown.h"
 
-static uint32_t or_fail(YkSheet *sheet, uint32_t monomial)
+YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to)
 {
-    if (monomial == YK_NO_PRODUCT) sheet->failed = true;
-    return monomial;
+    size_t first = 0, end = monomial.count;
+    if (end == 0) return monomial;
+    while (end > 0 && yk_rank_class(monomial.powers[end - 1].rank) > to) end--;
+    while (first < end && yk_rank_class(monomial.powers[first].rank) < from) first++;
+    return (YkMonomial){monomial.powers + first, end - first};
 }
 
-uint32_t yk_quotient(YkSheet *sheet, uint32_t monomial, uint32_t divisor)
+static YkShownPower *new_powers(YkSheet *sheet, size_t count)
 {
-    if (sheet->failed) return YK_NO_PRODUCT;
-    return or_fail(sheet, yk_ring_monomial(sheet->ring, monomial, divisor, -1));
+    YkShownPower *powers = yk_arena_take(sheet->arena, (count + 1) * sizeof *powers);
+    if (!powers) sheet->failed = true;
+    return powers;
 }
 
-static uint32_t product_of(YkSheet *sheet, uint32_t product, YkPower power)
+// The powers of a * b^-1, which has room for all; returns how many.
+static size_t divide(YkMonomial a, YkMonomial b, YkShownPower *out)
 {
-    uint32_t factor = yk_ring_monomial_of(sheet->ring, power.symbol, power.exponent);
-    return or_fail(sheet, factor == YK_NO_PRODUCT ? factor : yk_ring_monomial(sheet->ring, product, factor, 1));
-}
-
-uint32_t yk_part_of_classes(YkSheet *sheet, uint32_t monomial, unsigned classes)
-{
-    uint32_t count, part = 0;
-    YkRing *ring = sheet->ring;
-    if (sheet->failed) return YK_NO_PRODUCT;
-    if (!(yk_ring_classes(ring, monomial) & classes)) return 0;
-    if (!(yk_ring_classes(ring, monomial) & ~classes)) return monomial;
-    yk_powers_of(&ring->monomials, monomial, &count);
-    for (uint32_t i = 0; i < count && part != YK_NO_PRODUCT; i++) {
-        const YkPower power = yk_powers_of(&ring->monomials, monomial, &count)[i];
-        if (classes >> ring->symbols[power.symbol].kind & 1) part = product_of(sheet, part, power);
+    size_t i = 0, k = 0, count = 0;
+    while (i < a.count || k < b.count) {
+        bool from_a = i < a.count && (k == b.count || a.powers[i].rank <= b.powers[k].rank);
+        bool from_b = k < b.count && (i == a.count || b.powers[k].rank <= a.powers[i].rank);
+        YkShownPower power = {from_a ? a.powers[i].rank : b.powers[k].rank, 0};
+        if (from_a) power.exponent += a.powers[i++].exponent;
+        if (from_b) power.exponent -= b.powers[k++].exponent;
+        if (power.exponent != 0) out[count++] = power;
     }
-    return part;
+    return count;
 }
 
-// The positive powers that two monomials share.
-static uint32_t shared(YkSheet *sheet, uint32_t a, uint32_t b)
+YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor)
 {
-    uint32_t count, part = 0;
-    const YkRing *ring = sheet->ring;
-    yk_powers_of(&ring->monomials, a, &count);
-    for (uint32_t i = 0; i < count && part != YK_NO_PRODUCT; i++) {
-        YkPower power = yk_powers_of(&ring->monomials, a, &count)[i];
-        int32_t other = yk_powers_exponent(&ring->monomials, b, power.symbol);
-        if (other < power.exponent) power.exponent = other;
-        if (power.exponent > 0) part = product_of(sheet, part, power);
+    if (divisor.count == 0) return monomial;
+    if (monomial.count > 0 && divisor.powers + divisor.count == monomial.powers + monomial.count) // its own last piece
+        return (YkMonomial){monomial.powers, monomial.count - divisor.count};
+    YkShownPower *powers = new_powers(sheet, monomial.count + divisor.count);
+    return (YkMonomial){powers, powers ? divide(monomial, divisor, powers) : 0};
+}
+
+// Leaves of powers[count] the positive ones that the other monomial shares; returns how many.
+static size_t share(YkShownPower *powers, size_t count, YkMonomial other)
+{
+    size_t kept = 0, k = 0;
+    for (size_t i = 0; i < count; i++) {
+        YkShownPower power = powers[i];
+        while (k < other.count && other.powers[k].rank < power.rank) k++;
+        if (k == other.count) break;
+        if (other.powers[k].rank != power.rank) continue;
+        if (other.powers[k].exponent < power.exponent) power.exponent = other.powers[k].exponent;
+        if (power.exponent > 0) powers[kept++] = power;
     }
-    return part;
+    return kept;
 }
 
-uint32_t yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count)
+YkMonomial yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count)
 {
-    uint32_t common = shared(sheet, terms[0].monomial, terms[0].monomial);
-    for (size_t i = 1; i < count && common != 0 && !sheet->failed; i++)
-        common = shared(sheet, common, terms[i].monomial);
-    return common;
+    size_t shared = terms[0].monomial.count;
+    YkShownPower *powers = shared > 0 ? new_powers(sheet, shared) : NULL;
+    if (!powers) return (YkMonomial){NULL, 0};
+    memcpy(powers, terms[0].monomial.powers, shared * sizeof *powers);
+    for (size_t i = 0; i < count && shared > 0; i++) shared = share(powers, shared, terms[i].monomial);
+    return (YkMonomial){powers, shared};
 }
 
 bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common)
@@ -67,4 +77,12 @@ bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common)
     }
     *common = (YkRatio){(int64_t)over, under};
     return true;
+}
+
+void yk_divide_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkMonomial monomial, YkRatio number)
+{
+    for (size_t i = 0; i < count; i++) {
+        terms[i].monomial = yk_quotient(sheet, terms[i].monomial, monomial);
+        if (!yk_ratio_divide(terms[i].number, number, &terms[i].number)) sheet->failed = true;
+    }
 }

@@ -16,33 +16,35 @@ static bool bracket_number(YkSheet *sheet, const YkShownTerm *terms, size_t coun
     return true;
 }
 
-// Divides terms by a monomial and a number, in place.
-static void divide_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, uint32_t monomial, YkRatio number)
-{
-    for (size_t i = 0; i < count && !sheet->failed; i++) {
-        terms[i].monomial = yk_quotient(sheet, terms[i].monomial, monomial);
-        if (!yk_ratio_divide(terms[i].number, number, &terms[i].number)) sheet->failed = true;
-    }
-}
-
 static void append_terms(YkSheet *sheet, YkShow *sum, const YkShownTerm *terms, size_t count)
 {
-    for (size_t i = 0; i < count && !sheet->failed; i++)
+    for (size_t i = 0; i < count; i++)
         yk_show_append(sum, yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL));
+}
+
+// 1 or -1: not written as a factor.
+static bool is_sign(YkRatio number)
+{
+    return number.under == 1 && (number.over == 1 || number.over == -1);
 }
 
 // One mass or inertia: common factor times bracket, or the terms one by one where nothing is common.
 static void polynomial_group(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     YkRatio number;
-    uint32_t common = count > 1 ? yk_common_monomial(sheet, terms, count) : 0;
-    if (sheet->failed || !bracket_number(sheet, terms, count, &number)) return;
-    if (count == 1 || (common == 0 && (yk_ratio_is(number, 1) || yk_ratio_is(number, -1)))) {
+    if (count == 1) {
         append_terms(sheet, sum, terms, count);
         return;
     }
-    YkShow *product = yk_show_term(sheet, number, common, NULL), *bracket = yk_show(sheet, YK_SHOW_SUM);
-    divide_terms(sheet, terms, count, common, number);
+    YkMonomial common = yk_common_monomial(sheet, terms, count);
+    if (!bracket_number(sheet, terms, count, &number)) return;
+    if (common.count == 0 && is_sign(number)) {
+        append_terms(sheet, sum, terms, count);
+        return;
+    }
+    YkShow *product = yk_show_product(sheet, yk_show_term(sheet, number, common, NULL));
+    YkShow *bracket = yk_show(sheet, YK_SHOW_SUM);
+    yk_divide_terms(sheet, terms, count, common, number);
     append_terms(sheet, bracket, terms, count);
     yk_show_append(product, bracket);
     yk_show_append(sum, product);
@@ -52,55 +54,57 @@ static void polynomial_group(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, si
 static void rate_group(YkSheet *sheet, YkShow *sum, YkRateProduct *list, size_t count)
 {
     YkShownTerm *terms = YK_NEW(sheet->arena, YkShownTerm, count);
+    YkRatio number = {1, 1};
+    YkMonomial common = {NULL, 0};
     if (!terms) sheet->failed = true;
     for (size_t i = 0; i < count && terms; i++) terms[i] = (YkShownTerm){list[i].monomial, list[i].number, {0}};
-    YkRatio number = {1, 1};
-    uint32_t common = !sheet->failed && count > 1 ? yk_common_monomial(sheet, terms, count) : 0;
-    if (sheet->failed || (count > 1 && !bracket_number(sheet, terms, count, &number))) return;
+    if (!terms || (count > 1 && !bracket_number(sheet, terms, count, &number))) return;
+    if (count > 1) common = yk_common_monomial(sheet, terms, count);
     YkShow *bracket = yk_show(sheet, YK_SHOW_SUM);
-    divide_terms(sheet, terms, count, common, number);
-    for (size_t i = 0; i < count && !sheet->failed; i++) {
-        bool bare = terms[i].monomial == 0 && (yk_ratio_is(terms[i].number, 1) || yk_ratio_is(terms[i].number, -1));
-        YkShow *part =
-            bare ? yk_show(sheet, YK_SHOW_PRODUCT) : yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL);
+    yk_divide_terms(sheet, terms, count, common, number);
+    for (size_t i = 0; i < count; i++) {
+        bool bare = terms[i].monomial.count == 0 && is_sign(terms[i].number);
+        YkShow *part = yk_show(sheet, YK_SHOW_PRODUCT);
+        if (!bare) yk_show_append(part, yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL));
         if (part) part->negative = terms[i].number.over < 0;
         yk_show_append(part, list[i].rates);
         yk_show_append(bracket, part);
     }
-    bool factored = common != 0 || !(yk_ratio_is(number, 1) || yk_ratio_is(number, -1));
-    YkShow *whole = factored ? yk_show_term(sheet, number, common, NULL) : bracket;
-    if (factored)
+    YkShow *whole = bracket;
+    if (common.count > 0 || !is_sign(number)) {
+        whole = yk_show_product(sheet, yk_show_term(sheet, number, common, NULL));
         yk_show_append(whole, bracket);
-    else if (whole)
+    } else if (whole) {
         whole->negative = number.over < 0;
+    }
     yk_show_append(sum, whole);
 }
 
-// Do two monomials have the same inertias and masses?
-static bool same_mass(YkSheet *sheet, uint32_t a, uint32_t b)
+static YkMonomial mass_of(YkMonomial monomial)
 {
-    uint32_t left = yk_part_of_classes(sheet, a, YK_CLASSES_OF_MASS);
-    return left == yk_part_of_classes(sheet, b, YK_CLASSES_OF_MASS) && !sheet->failed;
+    return yk_part_of(monomial, YK_RING_INERTIA, YK_RING_MASS);
 }
 
 // (m1 + m2) a for terms that are one length, or one product of such, times masses alone. False where they are not so.
 static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     YkRatio number;
-    uint32_t common = count > 1 ? yk_common_monomial(sheet, terms, count) : 0;
-    if (common == 0 || sheet->failed || yk_part_of_classes(sheet, common, YK_CLASSES_OF_MASS) != 0) return false;
-    for (size_t i = 0; i < count && !sheet->failed; i++) {
-        uint32_t rest = yk_quotient(sheet, terms[i].monomial, common);
-        if (sheet->failed || rest == 0 || yk_part_of_classes(sheet, rest, YK_CLASSES_OF_MASS) != rest) return false;
+    if (count < 2) return false;
+    for (size_t i = 0; i < count; i++)
+        if (mass_of(terms[i].monomial).count == 0) return false;
+    YkMonomial common = yk_common_monomial(sheet, terms, count);
+    if (common.count == 0 || mass_of(common).count > 0) return false;
+    for (size_t i = 0; i < count; i++) {
+        YkMonomial rest = yk_quotient(sheet, terms[i].monomial, common);
+        if (rest.count == 0 || mass_of(rest).count < rest.count) return false;
     }
     if (!bracket_number(sheet, terms, count, &number)) return true;
-    divide_terms(sheet, terms, count, common, number);
-    bool bare = yk_ratio_is(number, 1) || yk_ratio_is(number, -1);
-    YkShow *product = bare ? yk_show(sheet, YK_SHOW_PRODUCT) : yk_show_term(sheet, number, 0, NULL);
-    YkShow *bracket = yk_show(sheet, YK_SHOW_SUM);
+    yk_divide_terms(sheet, terms, count, common, number);
+    YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT), *bracket = yk_show(sheet, YK_SHOW_SUM);
+    if (!is_sign(number)) yk_show_append(product, yk_show_term(sheet, number, (YkMonomial){NULL, 0}, NULL));
     append_terms(sheet, bracket, terms, count);
     yk_show_append(product, bracket);
-    if (!sheet->failed) yk_show_append(product, yk_show_term(sheet, (YkRatio){1, 1}, common, NULL));
+    yk_show_append(product, yk_show_term(sheet, (YkRatio){1, 1}, common, NULL));
     if (product) product->negative = number.over < 0;
     yk_show_append(sum, product);
     return true;
@@ -109,23 +113,25 @@ static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms,
 void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     size_t products, end;
-    yk_sort_by_monomial(sheet, terms, count);
+    yk_sort_terms(sheet, terms, count, YK_BY_MONOMIAL);
     YkRateProduct *list = yk_rate_products(sheet, terms, count, &products);
-    if (!list && !sheet->failed && masses_times_common(sheet, sum, terms, count)) return;
-    for (size_t start = 0; list && start < products && !sheet->failed; start = end) {
-        for (end = start + 1; end < products && same_mass(sheet, list[start].monomial, list[end].monomial); end++) {}
+    if (!list && masses_times_common(sheet, sum, terms, count)) return;
+    for (size_t start = 0; list && start < products; start = end) {
+        YkMonomial mass = mass_of(list[start].monomial);
+        for (end = start + 1; end < products && yk_is_same_monomial(mass, mass_of(list[end].monomial)); end++) {}
         rate_group(sheet, sum, list + start, end - start);
     }
-    for (size_t start = 0; !list && start < count && !sheet->failed; start = end) {
-        for (end = start + 1; end < count && same_mass(sheet, terms[start].monomial, terms[end].monomial); end++) {}
+    for (size_t start = 0; !list && start < count; start = end) {
+        YkMonomial mass = mass_of(terms[start].monomial);
+        for (end = start + 1; end < count && yk_is_same_monomial(mass, mass_of(terms[end].monomial)); end++) {}
         polynomial_group(sheet, sum, terms + start, end - start);
     }
 }
 
-static bool has_class(YkSheet *sheet, const YkShownTerm *terms, size_t count, YkRingClass kind)
+static bool has_rate(const YkShownTerm *terms, size_t count)
 {
-    for (size_t i = 0; i < count && !sheet->failed; i++)
-        if (yk_ring_classes(sheet->ring, terms[i].monomial) & 1u << kind) return true;
+    for (size_t i = 0; i < count; i++)
+        if (yk_part_of(terms[i].monomial, YK_RING_RATE, YK_RING_RATE).count > 0) return true;
     return false;
 }
 
@@ -133,35 +139,34 @@ static bool has_class(YkSheet *sheet, const YkShownTerm *terms, size_t count, Yk
 // 1/2 l1 (m1 + 2 m2) g cos(theta1), m2 l1 g cos(theta2) (theta1' + ...), in the order that reads best.
 static void bracket_times_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
+    const YkRatio one = {1, 1};
     YkAtom atom = terms[0].atom, unit = {.is_imaginary = atom.is_imaginary, .surd = atom.surd};
     YkRatio number;
-    uint32_t common = yk_common_monomial(sheet, terms, count);
-    if (sheet->failed || !yk_common_number(terms, count, &number)) {
+    YkMonomial common = yk_common_monomial(sheet, terms, count);
+    if (!yk_common_number(terms, count, &number)) {
         sheet->failed = true;
         return;
     }
     if (terms[0].number.over < 0) number.over = -number.over;
-    uint32_t late = yk_part_of_classes(sheet, common, 1u << YK_RING_GRAVITY | 1u << YK_RING_RATE);
-    uint32_t rates = yk_part_of_classes(sheet, common, 1u << YK_RING_RATE);
-    divide_terms(sheet, terms, count, common, number);
-    if (sheet->failed) return;
-    bool moving = has_class(sheet, terms, count, YK_RING_RATE);
-    uint32_t early = yk_quotient(sheet, common, late), gravity = yk_quotient(sheet, late, rates);
-    if (sheet->failed) return;
-    YkShow *product = yk_show_term(sheet, number, early, &unit), *bracket = yk_show(sheet, YK_SHOW_SUM);
-    if (product && yk_ratio_is(number, number.over < 0 ? -1 : 1) && early == 0 && !unit.is_imaginary && unit.surd == 0)
-        product->first = product->last = NULL; // no lone 1
+    yk_divide_terms(sheet, terms, count, common, number);
+    YkMonomial gravity = yk_part_of(common, YK_RING_GRAVITY, YK_RING_GRAVITY);
+    YkMonomial rates = yk_part_of(common, YK_RING_RATE, YK_RING_RATE);
+    YkMonomial early = yk_quotient(sheet, yk_quotient(sheet, common, rates), gravity);
+    YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT), *bracket = yk_show(sheet, YK_SHOW_SUM);
+    if (!is_sign(number) || early.count > 0 || unit.is_imaginary || unit.surd != 0)
+        yk_show_append(product, yk_show_term(sheet, number, early, &unit));
+    if (product) product->negative = number.over < 0;
+    bool moving = has_rate(terms, count);
     if (moving)
         append_terms(sheet, bracket, terms, count);
     else
         yk_show_polynomial(sheet, bracket, terms, count);
     atom.is_imaginary = false;
     atom.surd = 0;
-    YkShow *tail = yk_show_term(sheet, (YkRatio){1, 1}, gravity, &atom);
-    YkShow *motion = rates != 0 ? yk_show_term(sheet, (YkRatio){1, 1}, rates, NULL) : NULL;
+    YkShow *tail = yk_show_term(sheet, one, gravity, &atom);
     yk_show_append(product, moving ? tail : bracket);
     yk_show_append(product, moving ? bracket : tail);
-    yk_show_append(product, motion);
+    if (rates.count > 0) yk_show_append(product, yk_show_term(sheet, one, rates, NULL));
     yk_show_append(sum, product);
 }
 
@@ -169,9 +174,9 @@ static void atom_group(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t c
 {
     size_t products = 0;
     const YkRateProduct *list = count > 1 ? yk_rate_products(sheet, terms, count, &products) : NULL;
-    if (sheet->failed) return;
     if (list && products == 1) {
-        YkShow *product = yk_show_term(sheet, list->number, list->monomial, &terms[0].atom);
+        YkShow *term = yk_show_term(sheet, list->number, list->monomial, &terms[0].atom);
+        YkShow *product = yk_show_product(sheet, term);
         yk_show_append(product, list->rates);
         yk_show_append(sum, product);
     } else if (count == 1) {
@@ -183,7 +188,7 @@ static void atom_group(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t c
 
 void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
-    yk_sort_by_atom(sheet, terms, count);
+    yk_sort_terms(sheet, terms, count, YK_BY_ATOM);
     for (size_t start = 0, end; start < count && !sheet->failed; start = end) {
         const YkAtom atom = terms[start].atom;
         for (end = start + 1; end < count && yk_compare_atoms(sheet->ring, &atom, &terms[end].atom) == 0; end++) {}

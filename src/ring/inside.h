@@ -54,6 +54,7 @@ typedef struct YkPartial {
 
 typedef struct YkRingSymbol {
     const char *name;
+    size_t name_length;
     YkRingClass kind;
     bool is_angle;
     const YkPoisson *element; // the symbol itself; made at first use

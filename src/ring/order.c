@@ -1,36 +1,39 @@
 // The reader's order: deterministic, from classes, symbols and powers alone.
-#include <stdlib.h>
 #include <string.h>
 #include "ring/shown.h"
 
-// Of the powers from `from` on, the one that comes next in order of (class, symbol) after (kind, symbol); NULL after
-// the last.
-static const YkPower *next_power(const YkRing *ring, uint32_t monomial, const YkPower *after)
+enum { FEW = 6 }; // terms that are sorted by insertion
+
+YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial)
 {
     uint32_t count;
-    const YkPower *powers = yk_powers_of(&ring->monomials, monomial, &count), *best = NULL;
-    for (uint32_t i = 0; i < count; i++) {
-        YkRingClass kind = ring->symbols[powers[i].symbol].kind;
-        YkRingClass low = after ? ring->symbols[after->symbol].kind : YK_RING_INERTIA;
-        if (after && (kind < low || (kind == low && powers[i].symbol <= after->symbol))) continue;
-        if (!best || kind < ring->symbols[best->symbol].kind) best = &powers[i];
+    const YkRing *ring = sheet->ring;
+    const YkPower *of = yk_powers_of(&ring->monomials, monomial, &count);
+    YkShownPower *powers = count > 0 ? yk_arena_take(sheet->arena, count * sizeof *powers) : NULL;
+    if (count > 0 && !powers) sheet->failed = true;
+    for (uint32_t i = 0; powers && i < count; i++) {
+        YkShownPower power = {(uint32_t)ring->symbols[of[i].symbol].kind << YK_RANK_BITS | (uint32_t)of[i].symbol,
+                              of[i].exponent};
+        uint32_t k = i;
+        for (; k > 0 && powers[k - 1].rank > power.rank; k--) powers[k] = powers[k - 1];
+        powers[k] = power;
     }
-    return best;
+    return (YkMonomial){powers, powers ? count : 0};
 }
 
-int yk_compare_monomials(const YkRing *ring, uint32_t a, uint32_t b)
+int yk_compare_monomials(YkMonomial a, YkMonomial b)
 {
-    if (a == b) return 0;
-    const YkPower *left = NULL, *right = NULL;
-    do {
-        left = next_power(ring, a, left);
-        right = next_power(ring, b, right);
-        if (!left || !right) return left ? 1 : right ? -1 : 0;
-        YkRingClass left_kind = ring->symbols[left->symbol].kind, right_kind = ring->symbols[right->symbol].kind;
-        if (left_kind != right_kind) return left_kind < right_kind ? -1 : 1;
-        if (left->symbol != right->symbol) return left->symbol < right->symbol ? -1 : 1;
-    } while (left->exponent == right->exponent);
-    return left->exponent > right->exponent ? -1 : 1;
+    if (a.powers == b.powers && a.count == b.count) return 0;
+    for (size_t i = 0; i < a.count && i < b.count; i++) {
+        if (a.powers[i].rank != b.powers[i].rank) return a.powers[i].rank < b.powers[i].rank ? -1 : 1;
+        if (a.powers[i].exponent != b.powers[i].exponent) return a.powers[i].exponent > b.powers[i].exponent ? -1 : 1;
+    }
+    return a.count == b.count ? 0 : a.count < b.count ? -1 : 1;
+}
+
+bool yk_is_same_monomial(YkMonomial a, YkMonomial b)
+{
+    return a.count == b.count && yk_compare_monomials(a, b) == 0;
 }
 
 static int compare_phases(const YkRing *ring, uint32_t a, uint32_t b)
@@ -55,38 +58,40 @@ int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b)
     return order != 0 ? order : (int)a->surd - (int)b->surd;
 }
 
-static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm *b, bool by_atom)
+static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm *b, YkOrder order)
 {
-    int order = by_atom ? yk_compare_atoms(ring, &a->atom, &b->atom) : 0;
-    return (order != 0 ? order : yk_compare_monomials(ring, a->monomial, b->monomial)) <= 0;
+    int sign = order == YK_BY_ATOM ? yk_compare_atoms(ring, &a->atom, &b->atom) : 0;
+    if (sign != 0) return sign < 0;
+    if (order == YK_BY_MONOMIAL || order == YK_BY_ATOM) return yk_compare_monomials(a->monomial, b->monomial) <= 0;
+    YkRingClass kind = order == YK_BY_RATE ? YK_RING_RATE : YK_RING_ACCELERATION;
+    return yk_compare_monomials(yk_part_of(a->monomial, kind, kind), yk_part_of(b->monomial, kind, kind)) <= 0;
 }
 
-// Merge sort, stable, so that equal terms keep their order on every machine.
-static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size_t count, bool by_atom)
+// Few terms by insertion, more by merging; stable, so that equal terms keep their order on every machine.
+static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size_t count, YkOrder order)
 {
-    if (count < 2) return;
     size_t half = count / 2, i = 0, k = half;
-    sort(ring, terms, room, half, by_atom);
-    sort(ring, terms + half, room, count - half, by_atom);
-    if (precedes(ring, &terms[half - 1], &terms[half], by_atom)) return;
-    memcpy(room, terms, count * sizeof *terms);
-    for (size_t at = 0; at < count; at++)
-        terms[at] = k == count || (i < half && precedes(ring, &room[i], &room[k], by_atom)) ? room[i++] : room[k++];
+    if (count <= FEW) {
+        for (i = 1; i < count; i++) {
+            YkShownTerm term = terms[i];
+            for (k = i; k > 0 && !precedes(ring, &terms[k - 1], &term, order); k--) terms[k] = terms[k - 1];
+            terms[k] = term;
+        }
+        return;
+    }
+    sort(ring, terms, room, half, order);
+    sort(ring, terms + half, room, count - half, order);
+    if (precedes(ring, &terms[half - 1], &terms[half], order)) return;
+    memcpy(room, terms, half * sizeof *terms);
+    for (size_t at = 0; i < half; at++)
+        terms[at] = k == count || precedes(ring, &room[i], &terms[k], order) ? room[i++] : terms[k++];
 }
 
-static void sort_terms(const YkSheet *sheet, YkShownTerm *terms, size_t count, bool by_atom)
+void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkOrder order)
 {
-    YkShownTerm *room =
-        count > 1 ? YK_NEW(sheet->arena, YkShownTerm, count) : NULL; // a failed arena fails the sheet later
-    if (room) sort(sheet->ring, terms, room, count, by_atom);
-}
-
-void yk_sort_by_monomial(const YkSheet *sheet, YkShownTerm *terms, size_t count)
-{
-    sort_terms(sheet, terms, count, false);
-}
-
-void yk_sort_by_atom(const YkSheet *sheet, YkShownTerm *terms, size_t count)
-{
-    sort_terms(sheet, terms, count, true);
+    YkShownTerm *room = count > FEW ? yk_arena_take(sheet->arena, count / 2 * sizeof *room) : NULL;
+    if (count > FEW && !room)
+        sheet->failed = true;
+    else
+        sort(sheet->ring, terms, room, count, order);
 }

@@ -1,16 +1,17 @@
 // Products of rates as the books print them: theta2' (2 theta1' + theta2'), (theta1' + theta2')^2.
+#include <string.h>
 #include "ring/shown.h"
 
 enum { RATES_MAX = 32 };
 
 // A quadratic form in rates: S[i][k] symmetric.
 typedef struct Form {
-    int32_t rates[RATES_MAX];
+    uint32_t rates[RATES_MAX]; // ranks
     size_t count;
     YkRatio S[RATES_MAX][RATES_MAX];
 } Form;
 
-static bool index_of(Form *form, int32_t rate, size_t *index)
+static bool index_of(Form *form, uint32_t rate, size_t *index)
 {
     for (*index = 0; *index < form->count; ++*index)
         if (form->rates[*index] == rate) return true;
@@ -21,17 +22,15 @@ static bool index_of(Form *form, int32_t rate, size_t *index)
 }
 
 // False where a term is not of second degree, or there are too many rates.
-static bool read_form(const YkSheet *sheet, const YkShownTerm *terms, size_t count, Form *form)
+static bool read_form(const YkShownTerm *terms, size_t count, Form *form)
 {
     form->count = 0;
     for (size_t i = 0; i < count; i++) {
-        uint32_t powers_count;
-        size_t a, b;
-        const YkPower *powers = yk_powers_of(&sheet->ring->monomials, terms[i].monomial, &powers_count);
-        bool is_square = powers_count == 1 && powers[0].exponent == 2;
-        if (!is_square && !(powers_count == 2 && powers[0].exponent == 1 && powers[1].exponent == 1)) return false;
-        if (!index_of(form, powers[0].symbol, &a) || !index_of(form, powers[is_square ? 0 : 1].symbol, &b))
-            return false;
+        size_t a, b, power_count = terms[i].monomial.count;
+        const YkShownPower *powers = terms[i].monomial.powers;
+        bool is_square = power_count == 1 && powers[0].exponent == 2;
+        if (!is_square && !(power_count == 2 && powers[0].exponent == 1 && powers[1].exponent == 1)) return false;
+        if (!index_of(form, powers[0].rank, &a) || !index_of(form, powers[is_square ? 0 : 1].rank, &b)) return false;
         YkRatio value = terms[i].number;
         if (!is_square && !yk_ratio_multiply(value, (YkRatio){1, 2}, &value)) return false;
         form->S[a][b] = form->S[b][a] = value;
@@ -44,7 +43,7 @@ static void sort_form(Form *form)
 {
     for (size_t i = 1; i < form->count; i++)
         for (size_t k = i; k > 0 && form->rates[k] < form->rates[k - 1]; k--) {
-            int32_t rate = form->rates[k];
+            uint32_t rate = form->rates[k];
             form->rates[k] = form->rates[k - 1];
             form->rates[k - 1] = rate;
             for (size_t j = 0; j < form->count; j++) {
@@ -84,25 +83,37 @@ static bool is_common(const Form *form, size_t k)
     return true;
 }
 
-// The linear form with these coefficients, as factor * (whole combination, first sign +): a symbol or a sum. NULL on
-// overflow.
-static YkShow *linear_form(YkSheet *sheet, const Form *form, const YkRatio *coefficients, YkRatio *factor)
+static YkMonomial rate_power(YkSheet *sheet, uint32_t rate, int32_t exponent)
+{
+    YkShownPower *power = yk_arena_take(sheet->arena, sizeof *power);
+    if (!power) sheet->failed = true;
+    if (power) *power = (YkShownPower){rate, exponent};
+    return (YkMonomial){power, power ? 1 : 0};
+}
+
+// The linear form with these coefficients as factor * (whole combination, first sign +)^exponent: a symbol or a sum.
+// NULL on overflow. The factor is that of the form, not raised.
+static YkShow *linear_form(YkSheet *sheet, const Form *form, const YkRatio *coefficients, int32_t exponent,
+                           YkRatio *factor)
 {
     YkShownTerm terms[RATES_MAX];
     size_t count = 0;
     for (size_t i = 0; i < form->count; i++)
         if (coefficients[i].over != 0)
-            terms[count++] = (YkShownTerm){yk_ring_monomial_of(sheet->ring, form->rates[i], 1), coefficients[i], {0}};
+            terms[count++] = (YkShownTerm){rate_power(sheet, form->rates[i], 1), coefficients[i], {0}};
     if (count == 0 || !yk_common_number(terms, count, factor)) return NULL;
     if (terms[0].number.over < 0) factor->over = -factor->over;
+    if (count == 1) {
+        uint32_t rate = terms[0].monomial.count > 0 ? terms[0].monomial.powers[0].rank : 0;
+        return yk_show_term(sheet, (YkRatio){1, 1}, rate_power(sheet, rate, exponent), NULL);
+    }
     YkShow *sum = yk_show(sheet, YK_SHOW_SUM);
     for (size_t i = 0; i < count; i++) {
-        if (!yk_ratio_divide(terms[i].number, *factor, &terms[i].number) || terms[i].monomial == YK_NO_PRODUCT)
-            return NULL;
+        if (!yk_ratio_divide(terms[i].number, *factor, &terms[i].number)) return NULL;
         yk_show_append(sum, yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL));
     }
-    if (count > 1 || !sum || !sum->first) return sum;
-    return sum->first->first; // the bare symbol
+    if (sum) sum->exponent = exponent;
+    return sum;
 }
 
 static YkShow *square(YkSheet *sheet, const Form *form, size_t k, YkRatio *factor)
@@ -110,12 +121,9 @@ static YkShow *square(YkSheet *sheet, const Form *form, size_t k, YkRatio *facto
     YkRatio coefficients[RATES_MAX], c;
     for (size_t i = 0; i < form->count; i++)
         if (!yk_ratio_divide(form->S[k][i], form->S[k][k], &coefficients[i])) return NULL;
-    YkShow *base = linear_form(sheet, form, coefficients, &c);
-    if (!base || !yk_ratio_multiply(c, c, factor) || !yk_ratio_multiply(*factor, form->S[k][k], factor)) return NULL;
-    base->exponent = 2;
-    YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT);
-    yk_show_append(product, base);
-    return product;
+    YkShow *power = linear_form(sheet, form, coefficients, 2, &c);
+    if (!power || !yk_ratio_multiply(c, c, factor) || !yk_ratio_multiply(*factor, form->S[k][k], factor)) return NULL;
+    return yk_show_product(sheet, power);
 }
 
 static YkShow *common_rate(YkSheet *sheet, const Form *form, size_t k, YkRatio *factor)
@@ -123,10 +131,9 @@ static YkShow *common_rate(YkSheet *sheet, const Form *form, size_t k, YkRatio *
     YkRatio coefficients[RATES_MAX];
     for (size_t i = 0; i < form->count; i++)
         if (!yk_ratio_multiply(form->S[k][i], (YkRatio){i == k ? 1 : 2, 1}, &coefficients[i])) return NULL;
-    YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT), *rate = yk_show(sheet, YK_SHOW_SYMBOL);
-    if (rate) rate->symbol = form->rates[k];
-    yk_show_append(product, rate);
-    YkShow *linear = linear_form(sheet, form, coefficients, factor);
+    YkShow *linear = linear_form(sheet, form, coefficients, 1, factor);
+    YkShow *rate = yk_show_term(sheet, (YkRatio){1, 1}, rate_power(sheet, form->rates[k], 1), NULL);
+    YkShow *product = yk_show_product(sheet, rate);
     yk_show_append(product, linear);
     return linear ? product : NULL;
 }
@@ -134,7 +141,7 @@ static YkShow *common_rate(YkSheet *sheet, const Form *form, size_t k, YkRatio *
 static YkShow *factored(YkSheet *sheet, const YkShownTerm *terms, size_t count, YkRatio *factor)
 {
     Form form;
-    if (!read_form(sheet, terms, count, &form)) return NULL;
+    if (!read_form(terms, count, &form)) return NULL;
     sort_form(&form);
     for (size_t k = 0; k < form.count; k++)
         if (is_square_at(&form, k)) return square(sheet, &form, k, factor);
@@ -143,31 +150,39 @@ static YkShow *factored(YkSheet *sheet, const YkShownTerm *terms, size_t count, 
     return NULL;
 }
 
-// Terms with their rates apart: sorted by the rest, and the rates alone left as monomials. NULL where one has none.
-static YkShownTerm *split_rates(YkSheet *sheet, const YkShownTerm *terms, size_t count, uint32_t *rests)
+// Terms with their rates alone left as monomials; the rests apart. False where one has no rate.
+static bool split_rates(YkSheet *sheet, YkShownTerm *terms, size_t count, YkMonomial *rests)
 {
-    YkShownTerm *rates = YK_NEW(sheet->arena, YkShownTerm, count);
-    if (!rates) sheet->failed = true;
-    for (size_t i = 0; i < count && !sheet->failed; i++) {
-        rates[i] = terms[i];
-        rates[i].monomial = yk_part_of_classes(sheet, terms[i].monomial, 1u << YK_RING_RATE);
-        if (rates[i].monomial == 0) return NULL;
-        if (!sheet->failed) rests[i] = yk_quotient(sheet, terms[i].monomial, rates[i].monomial);
+    for (size_t i = 0; i < count; i++) {
+        YkMonomial rates = yk_part_of(terms[i].monomial, YK_RING_RATE, YK_RING_RATE);
+        if (rates.count == 0) return false;
+        rests[i] = yk_quotient(sheet, terms[i].monomial, rates);
+        terms[i].monomial = rates;
     }
-    return sheet->failed ? NULL : rates;
+    return true;
+}
+
+static bool has_no_rate(YkMonomial monomial)
+{
+    return yk_part_of(monomial, YK_RING_RATE, YK_RING_RATE).count == 0;
 }
 
 YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t count, size_t *products)
 {
     *products = 0;
-    uint32_t *rests = YK_NEW(sheet->arena, uint32_t, count + 1);
-    YkRateProduct *list = YK_NEW(sheet->arena, YkRateProduct, count + 1);
-    if (!rests || !list) sheet->failed = true;
-    YkShownTerm *rates = sheet->failed || count == 0 ? NULL : split_rates(sheet, terms, count, rests);
-    if (!rates) return NULL;
+    if (count == 0 || has_no_rate(terms[0].monomial)) return NULL;
+    YkMonomial *rests = yk_arena_take(sheet->arena, count * sizeof *rests);
+    YkRateProduct *list = yk_arena_take(sheet->arena, count * sizeof *list);
+    YkShownTerm *rates = yk_arena_take(sheet->arena, count * sizeof *rates);
+    if (!rests || !list || !rates) {
+        sheet->failed = true;
+        return NULL;
+    }
+    memcpy(rates, terms, count * sizeof *rates);
+    if (!split_rates(sheet, rates, count, rests)) return NULL;
     for (size_t start = 0, end; start < count; start = end) {
         // Equal rests stand together: the sort puts rates after all other classes.
-        for (end = start + 1; end < count && rests[end] == rests[start]; end++) {}
+        for (end = start + 1; end < count && yk_is_same_monomial(rests[end], rests[start]); end++) {}
         YkRateProduct *product = &list[*products];
         product->monomial = rests[start];
         product->rates = factored(sheet, rates + start, end - start, &product->number);

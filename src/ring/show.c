@@ -3,9 +3,9 @@
 
 YkShow *yk_show(YkSheet *sheet, YkShowKind kind)
 {
-    YkShow *show = YK_NEW(sheet->arena, YkShow, 1);
+    YkShow *show = yk_arena_take(sheet->arena, sizeof *show);
     if (show)
-        *show = (YkShow){.kind = kind, .exponent = 1, .number = {1, 1}};
+        *show = (YkShow){.kind = kind, .exponent = 1};
     else
         sheet->failed = true;
     return show;
@@ -24,12 +24,14 @@ static void link_part(YkShow *whole, YkShow *part)
 void yk_show_append(YkShow *whole, YkShow *part)
 {
     if (!whole || !part) return;
-    bool same = part->kind == whole->kind && part->exponent == 1;
-    if (!same) {
+    if (whole->kind == YK_SHOW_PRODUCT && part->kind != YK_SHOW_SUM && part->negative) {
+        whole->negative = !whole->negative;
+        part->negative = false;
+    }
+    if (part->kind != whole->kind || part->exponent != 1) {
         link_part(whole, part);
         return;
     }
-    if (whole->kind == YK_SHOW_PRODUCT && part->negative) whole->negative = !whole->negative;
     for (YkShow *inner = part->first, *next; inner; inner = next) {
         next = inner->next;
         if (whole->kind == YK_SHOW_SUM && part->negative) inner->negative = !inner->negative;
@@ -37,68 +39,48 @@ void yk_show_append(YkShow *whole, YkShow *part)
     }
 }
 
-size_t yk_show_count(const YkShow *whole)
-{
-    size_t count = 0;
-    for (const YkShow *part = whole ? whole->first : NULL; part; part = part->next) count++;
-    return count;
-}
-
 YkShow *yk_show_simplest(YkShow *sum)
 {
-    if (!sum || yk_show_count(sum) != 1) return sum;
+    if (!sum || !sum->first || sum->first != sum->last) return sum;
     sum->first->negative = sum->first->negative != sum->negative;
     return sum->first;
 }
 
-static void append_symbols(YkSheet *sheet, YkShow *product, uint32_t monomial, unsigned from_class, unsigned to_class)
+YkShow *yk_show_term(YkSheet *sheet, YkRatio number, YkMonomial monomial, const YkAtom *atom)
 {
-    uint32_t count;
-    const YkPower *powers = yk_powers_of(&sheet->ring->monomials, monomial, &count);
-    for (unsigned kind = from_class; kind <= to_class; kind++)
-        for (uint32_t i = 0; i < count; i++) {
-            if (sheet->ring->symbols[powers[i].symbol].kind != kind) continue;
-            YkShow *symbol = yk_show(sheet, YK_SHOW_SYMBOL);
-            if (symbol) {
-                symbol->symbol = powers[i].symbol;
-                symbol->exponent = powers[i].exponent;
-            }
-            yk_show_append(product, symbol);
-        }
+    YkShow *term = yk_show(sheet, YK_SHOW_TERM);
+    if (!term) return NULL;
+    bool is_bare =
+        monomial.count == 0 && (!atom || (atom->function == YK_SHOWN_ONE && !atom->is_imaginary && atom->surd == 0));
+    term->negative = number.over < 0;
+    if (term->negative) number.over = -number.over;
+    term->has_number = is_bare || !yk_ratio_is(number, 1);
+    term->term.number = number;
+    term->term.monomial = monomial;
+    if (atom) term->term.atom = *atom;
+    return term;
 }
 
-// i and sqrt(2), sqrt(3), sqrt(6).
-static void append_unit(YkSheet *sheet, YkShow *product, const YkAtom *atom)
-{
-    if (atom->is_imaginary) yk_show_append(product, yk_show(sheet, YK_SHOW_I));
-    if (atom->surd == 0) return;
-    YkShow *root = yk_show(sheet, YK_SHOW_SQRT);
-    int64_t square = (atom->surd & YK_UNIT_SQRT2 ? 2 : 1) * (atom->surd & YK_UNIT_SQRT3 ? 3 : 1);
-    if (root) root->number = (YkRatio){square, 1};
-    yk_show_append(product, root);
-}
-
-YkShow *yk_show_term(YkSheet *sheet, YkRatio number, uint32_t monomial, const YkAtom *atom)
+YkShow *yk_show_product(YkSheet *sheet, YkShow *part)
 {
     YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT);
-    YkRatio size = {number.over < 0 ? -number.over : number.over, number.under};
-    bool is_bare =
-        monomial == 0 && (!atom || (atom->function == YK_SHOWN_ONE && !atom->is_imaginary && atom->surd == 0));
-    if (!yk_ratio_is(size, 1) || is_bare) {
-        YkShow *part = yk_show(sheet, YK_SHOW_NUMBER);
-        if (part) part->number = size;
-        yk_show_append(product, part);
-    }
-    if (atom) append_unit(sheet, product, atom);
-    append_symbols(sheet, product, monomial, YK_RING_INERTIA, YK_RING_FORCE);
-    if (atom && atom->function != YK_SHOWN_ONE) {
-        YkShow *function = yk_show(sheet, YK_SHOW_FUNCTION);
-        if (function) function->atom = *atom;
-        yk_show_append(product, function);
-    }
-    append_symbols(sheet, product, monomial, YK_RING_RATE, YK_RING_ACCELERATION);
-    if (product) product->negative = number.over < 0;
+    yk_show_append(product, part);
     return product;
+}
+
+size_t yk_show_below(const YkShow *product, bool *high)
+{
+    size_t count = 0;
+    *high = false;
+    for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor)) {
+        YkMonomial monomial = factor->term.monomial;
+        for (size_t i = 0; i < monomial.count; i++) {
+            if (monomial.powers[i].exponent > 0) continue;
+            *high |= monomial.powers[i].exponent < -1;
+            count++;
+        }
+    }
+    return count;
 }
 
 uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase)

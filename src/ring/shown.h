@@ -16,8 +16,32 @@ typedef struct YkAtom {
     int shift;
 } YkAtom;
 
+// A power in the reader's order: the rank is the class, then the symbol.
+typedef struct YkShownPower {
+    uint32_t rank;
+    int32_t exponent;
+} YkShownPower;
+
+// A product of powers as it is printed: they ascend by rank, so that a class is a piece of it. In the sheet's memory,
+// shared.
+typedef struct YkMonomial {
+    const YkShownPower *powers;
+    size_t count;
+} YkMonomial;
+
+enum { YK_RANK_BITS = 28 }; // of the symbol
+
+static inline YkRingClass yk_rank_class(uint32_t rank)
+{
+    return (YkRingClass)(rank >> YK_RANK_BITS);
+}
+static inline int32_t yk_rank_symbol(uint32_t rank)
+{
+    return (int32_t)(rank & (((uint32_t)1 << YK_RANK_BITS) - 1));
+}
+
 typedef struct YkShownTerm {
-    uint32_t monomial;
+    YkMonomial monomial;
     YkRatio number;
     YkAtom atom;
 } YkShownTerm;
@@ -34,60 +58,68 @@ typedef struct YkSheet {
 // Terms of an element, real ones as cos and sin. NULL on failure (memory or overflow, with the ring's status).
 YkShownTerm *yk_shown_terms(YkSheet *sheet, const YkPoisson *a, size_t *count);
 
-// The order of the reader. Monomials: by class, then symbol, higher powers first.
-int yk_compare_monomials(const YkRing *ring, uint32_t a, uint32_t b);
+// --- order.c: the order of the reader. Monomials: by class, then symbol, higher powers first.
+YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial); // of the ring's
+int yk_compare_monomials(YkMonomial a, YkMonomial b);
+bool yk_is_same_monomial(YkMonomial a, YkMonomial b);
 int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b);
-void yk_sort_by_monomial(const YkSheet *sheet, YkShownTerm *terms, size_t count);
-void yk_sort_by_atom(const YkSheet *sheet, YkShownTerm *terms, size_t count); // then by monomial
+typedef enum YkOrder { YK_BY_MONOMIAL, YK_BY_ATOM, YK_BY_RATE, YK_BY_ACCELERATION } YkOrder;
+// By atom, then by monomial; by the rates (accelerations) of the monomial alone. Equal terms stay as they stand.
+void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkOrder order);
 
-// --- the tree: sums of products, whose factors are leaves or sums
-typedef enum YkShowKind {
-    YK_SHOW_NUMBER,
-    YK_SHOW_SYMBOL,
-    YK_SHOW_I,
-    YK_SHOW_SQRT,     // of `number`
-    YK_SHOW_FUNCTION, // of an atom
-    YK_SHOW_SUM,
-    YK_SHOW_PRODUCT,
-} YkShowKind;
+// --- common.c: parts of monomials
+// The piece of the classes `from` to `to`, within the same memory.
+YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to);
+YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor);
+// Of all terms: the greatest common monomial with positive powers, and the greatest common rational divisor (> 0).
+YkMonomial yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count);
+bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common);
+// Divides terms by a monomial and a number, in place.
+void yk_divide_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkMonomial monomial, YkRatio number);
+
+// --- the tree: sums of products, whose factors are terms and sums
+typedef enum YkShowKind { YK_SHOW_TERM, YK_SHOW_SUM, YK_SHOW_PRODUCT } YkShowKind;
 
 typedef struct YkShow YkShow;
 struct YkShow {
     YkShowKind kind;
     bool negative;    // its sign as a summand
-    int32_t exponent; // of a factor; below 0 it stands in the denominator
-    YkRatio number;   // > 0
-    int32_t symbol;
-    YkAtom atom;
+    bool has_number;  // of a term: its number is written
+    int32_t exponent; // of a sum as a factor
+    // |number| * i sqrt(surd) * constants of the monomial * function * rates and accelerations
+    YkShownTerm term;
     YkShow *first, *last, *next; // parts, siblings
 };
 
 // All of the following give NULL and set sheet->failed when out of memory, and take NULL.
 YkShow *yk_show(YkSheet *sheet, YkShowKind kind);
-// Adds a part; products within products and sums within sums (their signs turned where the inner one is negative)
-// become one.
+// Adds a part to a sum or product; products within products and sums within sums (their signs turned where the inner
+// one is negative) become one. A product takes the sign of its terms.
 void yk_show_append(YkShow *whole, YkShow *part);
-// |number| * surd * constants of the monomial * function * rates and accelerations, with the number's sign; atom may be
-// NULL.
-YkShow *yk_show_term(YkSheet *sheet, YkRatio number, uint32_t monomial, const YkAtom *atom);
-size_t yk_show_count(const YkShow *whole);
+// A term with its sign; a 1 by itself is written. atom may be NULL.
+YkShow *yk_show_term(YkSheet *sheet, YkRatio number, YkMonomial monomial, const YkAtom *atom);
+// A product that begins with this part.
+YkShow *yk_show_product(YkSheet *sheet, YkShow *part);
 // A sum with one part is that part.
 YkShow *yk_show_simplest(YkShow *sum);
 
-// --- grouping
-enum { YK_CLASSES_OF_MASS = 1 << YK_RING_INERTIA | 1 << YK_RING_MASS };
-// The part of a monomial whose symbols are of the classes (a mask of 1 << class). YK_NO_PRODUCT and sheet->failed on
-// failure.
-uint32_t yk_part_of_classes(YkSheet *sheet, uint32_t monomial, unsigned classes);
-uint32_t yk_quotient(YkSheet *sheet, uint32_t monomial, uint32_t divisor);
-// Of all terms: the greatest common monomial with positive powers, and the greatest common rational divisor (> 0).
-uint32_t yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count);
-bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common);
+// The factors of a product in turn; a term is its own only one.
+static inline const YkShow *yk_show_first(const YkShow *product)
+{
+    return product->kind == YK_SHOW_TERM ? product : product->first;
+}
+static inline const YkShow *yk_show_next(const YkShow *product, const YkShow *factor)
+{
+    return product->kind == YK_SHOW_TERM ? NULL : factor->next;
+}
+// How many powers stand below the line; *high tells whether one is higher than the first.
+size_t yk_show_below(const YkShow *product, bool *high);
 
+// --- grouping
 // Products of rates as perfect squares or a common rate times a linear form, one for each monomial of the rest. Terms
 // sorted by monomial; NULL where one of them has no such form (or *count is 0).
 typedef struct YkRateProduct {
-    uint32_t monomial; // of the rest
+    YkMonomial monomial; // of the rest
     YkRatio number;
     YkShow *rates;
 } YkRateProduct;
@@ -100,6 +132,10 @@ void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t cou
 YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count);
 
 // --- writing the tree
+static inline int64_t yk_surd_square(unsigned surd) // 2, 3 or 6
+{
+    return (surd & YK_UNIT_SQRT2 ? 2 : 1) * (surd & YK_UNIT_SQRT3 ? 3 : 1);
+}
 void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text); // TEXT, BOOK, LATEX, C
 void yk_write_mathml(const YkSheet *sheet, const YkShow *sum, YkText *text);
 // The angle of a function: its terms in order, each with sign and multiple, pi among them.

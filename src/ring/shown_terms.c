@@ -1,12 +1,10 @@
 // From terms with e^(i phi) to terms with cos and sin: c e^(i phi) and its conjugate are 2 Re(c) cos phi - 2 Im(c) sin
 // phi.
-#include <stdlib.h>
-#include <string.h>
 #include "ring/shown.h"
 
 // All terms of one phase and monomial: their numbers by unit.
 typedef struct Cluster {
-    uint32_t phase, monomial;
+    uint32_t phase;
     int64_t number[YK_UNITS];
     unsigned units; // which numbers are not 0: a mask of 1 << unit
 } Cluster;
@@ -46,16 +44,16 @@ typedef struct Writer {
     YkSheet *sheet;
     YkShownTerm *terms;
     size_t count;
-    int64_t denominator;
     bool is_real;
+    YkRatio scale, paired; // of numbers: one over the denominator; twice that where two terms make a cosine or sine
 } Writer;
 
-static void put(Writer *writer, uint32_t monomial, int64_t number, int64_t divisor, YkAtom atom)
+// A term of number / divisor.
+static void put(Writer *writer, YkMonomial monomial, int64_t number, int64_t divisor, YkAtom atom)
 {
-    YkRatio ratio, factor = {writer->is_real && atom.phase != 0 ? 2 : 1, 1};
-    if (!yk_ratio_divide(factor, (YkRatio){divisor, 1}, &factor) ||
-        !yk_ratio_make(number, writer->denominator, &ratio) ||
-        (!yk_ratio_is(factor, 1) && !yk_ratio_multiply(ratio, factor, &ratio))) {
+    YkRatio ratio, scale = writer->is_real && atom.phase != 0 ? writer->paired : writer->scale;
+    if ((divisor != 1 && !yk_ratio_divide(scale, (YkRatio){divisor, 1}, &scale)) ||
+        !yk_ratio_multiply((YkRatio){number, 1}, scale, &ratio)) {
         yk_ring_fail(writer->sheet->ring, YK_RING_OVERFLOW);
         writer->sheet->failed = true;
         return;
@@ -64,7 +62,7 @@ static void put(Writer *writer, uint32_t monomial, int64_t number, int64_t divis
 }
 
 // One term cos(phi + shift) where the coefficient is a number times e^(i shift), other than 1 and i.
-static bool put_turned(Writer *writer, const Cluster *cluster)
+static bool put_turned(Writer *writer, YkMonomial monomial, const Cluster *cluster)
 {
     if (writer->sheet->format == YK_RING_C || cluster->phase == 0) return false;
     if ((cluster->units & (cluster->units - 1)) == 0) return false; // a single unit: 1 or i times a number or root
@@ -75,49 +73,56 @@ static bool put_turned(Writer *writer, const Cluster *cluster)
         if (k == 6 || !is_turned(cluster, k, &number, &divisor)) continue;
         YkAtom atom = {writer->is_real ? YK_SHOWN_COS : YK_SHOWN_EXP, .phase = cluster->phase,
                        .shift = k > 6 ? k - 12 : k};
-        put(writer, cluster->monomial, k > 6 ? -number : number, divisor, atom);
+        put(writer, monomial, k > 6 ? -number : number, divisor, atom);
         return true;
     }
     return false;
 }
 
-static void put_units(Writer *writer, const Cluster *cluster)
+static void put_unit(Writer *writer, YkMonomial monomial, uint32_t phase, unsigned unit, int64_t number)
 {
-    for (unsigned unit = 0; unit < YK_UNITS; unit++) {
-        int64_t number = cluster->number[unit];
-        bool has_i = unit & YK_UNIT_I;
-        if (number == 0) continue;
-        YkAtom atom = {.surd = unit & YK_UNIT_SURD, .phase = cluster->phase};
-        if (cluster->phase != 0) atom.function = !writer->is_real ? YK_SHOWN_EXP : has_i ? YK_SHOWN_SIN : YK_SHOWN_COS;
-        atom.is_imaginary = has_i && !(writer->is_real && cluster->phase != 0);
-        put(writer, cluster->monomial, atom.function == YK_SHOWN_SIN ? -number : number, 1, atom);
-    }
+    bool has_i = unit & YK_UNIT_I;
+    YkAtom atom = {.surd = unit & YK_UNIT_SURD, .phase = phase};
+    if (phase != 0) atom.function = !writer->is_real ? YK_SHOWN_EXP : has_i ? YK_SHOWN_SIN : YK_SHOWN_COS;
+    atom.is_imaginary = has_i && !(writer->is_real && phase != 0);
+    put(writer, monomial, atom.function == YK_SHOWN_SIN ? -number : number, 1, atom);
 }
 
-static size_t read_cluster(const YkPoisson *a, size_t start, Cluster *cluster)
+// All terms of a[start ... end) have one phase and monomial.
+static void put_cluster(Writer *writer, const YkPoisson *a, size_t start, size_t end)
 {
-    size_t end = start;
-    uint64_t head = a->terms[start].key >> YK_UNIT_BITS;
-    *cluster = (Cluster){.phase = yk_key_phase(a->terms[start].key), .monomial = yk_key_monomial(a->terms[start].key)};
-    for (; end < a->count && a->terms[end].key >> YK_UNIT_BITS == head; end++)
-        cluster->number[yk_key_unit(a->terms[end].key)] = a->terms[end].number,
-        cluster->units |= 1u << yk_key_unit(a->terms[end].key);
-    return end;
+    uint64_t key = a->terms[start].key;
+    YkMonomial monomial = yk_monomial(writer->sheet, yk_key_monomial(key));
+    if (end - start > 1) {
+        Cluster cluster = {.phase = yk_key_phase(key)};
+        for (size_t i = start; i < end; i++) {
+            unsigned unit = yk_key_unit(a->terms[i].key);
+            cluster.number[unit] = a->terms[i].number;
+            cluster.units |= 1u << unit;
+        }
+        if (put_turned(writer, monomial, &cluster)) return;
+    }
+    for (size_t i = start; i < end; i++)
+        put_unit(writer, monomial, yk_key_phase(key), yk_key_unit(a->terms[i].key), a->terms[i].number);
 }
 
 YkShownTerm *yk_shown_terms(YkSheet *sheet, const YkPoisson *a, size_t *count)
 {
     YkRing *ring = sheet->ring;
-    Writer writer = {.sheet = sheet, .denominator = a->denominator, .is_real = yk_ring_is_real(ring, a)};
-    if (!writer.is_real && sheet->format == YK_RING_C) yk_ring_fail(ring, YK_RING_NOT_REAL);
-    writer.terms = YK_NEW(sheet->arena, YkShownTerm, a->count + 1);
+    Writer writer = {.sheet = sheet, .is_real = yk_ring_is_real(ring, a), .scale = {1, a->denominator}};
+    if (!writer.is_real && sheet->format == YK_RING_C) {
+        yk_ring_fail(ring, YK_RING_NOT_REAL);
+        return NULL;
+    }
+    yk_ratio_make(2, a->denominator, &writer.paired);
+    writer.terms = yk_arena_take(sheet->arena, (a->count + 1) * sizeof *writer.terms);
     if (!writer.terms) yk_ring_fail(ring, YK_RING_MEMORY);
-    if (!writer.terms || (!writer.is_real && sheet->format == YK_RING_C)) return NULL;
-    for (size_t i = 0; i < a->count;) {
-        Cluster cluster;
-        i = read_cluster(a, i, &cluster);
-        if (writer.is_real && !is_first_positive(ring, cluster.phase)) continue; // its conjugate carries it
-        if (!put_turned(&writer, &cluster)) put_units(&writer, &cluster);
+    for (size_t start = 0, end; start < a->count && writer.terms; start = end) {
+        uint64_t head = a->terms[start].key >> YK_UNIT_BITS;
+        for (end = start + 1; end < a->count && a->terms[end].key >> YK_UNIT_BITS == head; end++) {}
+        if (writer.is_real && !is_first_positive(ring, yk_key_phase(a->terms[start].key)))
+            continue; // its conjugate carries it
+        put_cluster(&writer, a, start, end);
     }
     *count = writer.count;
     return sheet->failed ? NULL : writer.terms;

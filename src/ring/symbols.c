@@ -38,7 +38,8 @@ static bool enter_name(YkRing *ring, const char *name, int32_t symbol)
 static int32_t add_symbol(YkRing *ring, const char *name, YkRingSymbol symbol)
 {
     if (ring->symbol_count >= SYMBOLS_MAX) return yk_ring_fail(ring, YK_RING_SIZE) ? 0 : -1;
-    symbol.name = yk_arena_copy(ring->arena, name, strlen(name));
+    symbol.name_length = strlen(name);
+    symbol.name = yk_arena_copy(ring->arena, name, symbol.name_length);
     if (!symbol.name || !YK_ROOM(ring->symbols, ring->symbol_count, ring->symbol_capacity)) {
         yk_ring_fail(ring, YK_RING_MEMORY);
         return -1;

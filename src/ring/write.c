@@ -10,13 +10,27 @@ typedef struct Pen {
 
 static void put_sum(const Pen *pen, const YkShow *sum);
 
-static void put_whole(const Pen *pen, int64_t value)
+static void put_digits(const Pen *pen, int64_t value)
 {
     char digits[24];
     size_t at = sizeof digits;
     for (int64_t rest = value; rest > 0 || at == sizeof digits; rest /= 10) digits[--at] = (char)('0' + rest % 10);
     yk_text_add(pen->text, digits + at, sizeof digits - at);
+}
+
+static void put_whole(const Pen *pen, int64_t value)
+{
+    put_digits(pen, value);
     if (pen->format == YK_RING_C) yk_text_puts(pen->text, ".0");
+}
+
+static void put_name(const Pen *pen, int32_t symbol)
+{
+    const YkRingSymbol *named = &pen->sheet->ring->symbols[symbol];
+    if (pen->format == YK_RING_TEXT || pen->format == YK_RING_BOOK)
+        yk_text_add(pen->text, named->name, named->name_length);
+    else
+        yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, symbol, pen->format));
 }
 
 static void put_ratio(const Pen *pen, YkRatio ratio)
@@ -71,7 +85,7 @@ static uint32_t put_angle(const Pen *pen, const YkAtom *atom)
             put_whole(pen, shown.factor);
             put_times(pen);
         }
-        yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, shown.symbol, pen->format));
+        put_name(pen, shown.symbol);
     }
     return k;
 }
@@ -108,93 +122,107 @@ static void put_function(const Pen *pen, const YkAtom *atom)
     yk_text_puts(pen->text, ")");
 }
 
-static void put_root(const Pen *pen, YkRatio number)
+static void put_root(const Pen *pen, unsigned surd)
 {
     bool latex = pen->format == YK_RING_LATEX;
     yk_text_puts(pen->text, latex ? "\\sqrt{" : "sqrt(");
-    put_ratio(pen, number);
+    put_whole(pen, yk_surd_square(surd));
     yk_text_puts(pen->text, latex ? "}" : ")");
 }
 
-// A factor without its exponent.
-static void put_base(const Pen *pen, const YkShow *factor)
+// A sum, or a symbol where there is none.
+static void put_base(const Pen *pen, const YkShow *sum, int32_t symbol)
 {
-    switch (factor->kind) {
-    case YK_SHOW_NUMBER:
-        put_ratio(pen, factor->number);
-        break;
-    case YK_SHOW_SYMBOL:
-        yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, factor->symbol, pen->format));
-        break;
-    case YK_SHOW_I:
-        yk_text_puts(pen->text, imaginary_unit(pen));
-        break;
-    case YK_SHOW_SQRT:
-        put_root(pen, factor->number);
-        break;
-    case YK_SHOW_FUNCTION:
-        put_function(pen, &factor->atom);
-        break;
-    case YK_SHOW_PRODUCT:
-        break; // a product within a product is part of it
-    case YK_SHOW_SUM:
-        yk_text_puts(pen->text, "(");
-        put_sum(pen, factor);
-        yk_text_puts(pen->text, ")");
-        break;
+    if (!sum) {
+        put_name(pen, symbol);
+        return;
     }
+    yk_text_puts(pen->text, "(");
+    put_sum(pen, sum);
+    yk_text_puts(pen->text, ")");
 }
 
-// A factor to a positive power. C has no powers: small ones are written out, others are pow().
-static void put_power(const Pen *pen, const YkShow *factor, int32_t exponent)
+// A base to a positive power. C has no powers: small ones are written out, others are pow().
+static void put_power(const Pen *pen, const YkShow *sum, int32_t symbol, int32_t exponent)
 {
     enum { WRITTEN_OUT_MAX = 4 };
     bool in_c = pen->format == YK_RING_C, call = in_c && exponent > WRITTEN_OUT_MAX;
     if (call) yk_text_puts(pen->text, "pow(");
-    put_base(pen, factor);
+    put_base(pen, sum, symbol);
+    if (exponent == 1) return;
     for (int32_t i = 1; in_c && !call && i < exponent; i++) {
         yk_text_puts(pen->text, "*");
-        put_base(pen, factor);
+        put_base(pen, sum, symbol);
     }
-    if (call)
-        yk_text_format(pen->text, ", %d)", (int)exponent);
-    else if (!in_c && exponent != 1)
-        yk_text_format(pen->text, pen->format == YK_RING_LATEX ? "^{%d}" : "^%d", (int)exponent);
+    if (in_c && !call) return;
+    yk_text_puts(pen->text, call ? ", " : pen->format == YK_RING_LATEX ? "^{" : "^");
+    put_digits(pen, exponent);
+    yk_text_puts(pen->text, call ? ")" : pen->format == YK_RING_LATEX ? "}" : "");
 }
 
-// The factors with positive exponents (sign 1) or with negative ones (sign -1); returns how many.
-static size_t put_factors(const Pen *pen, const YkShow *product, int32_t sign, bool write)
+// Between factors.
+static void separate(const Pen *pen, bool *any)
 {
-    size_t count = 0;
-    for (const YkShow *factor = product->first; factor; factor = factor->next) {
-        if ((factor->exponent > 0) != (sign > 0)) continue;
-        if (write && count > 0) put_times(pen);
-        if (write) put_power(pen, factor, sign * factor->exponent);
-        count++;
-    }
-    return count;
+    if (*any) put_times(pen);
+    *any = true;
 }
 
-static bool is_power(const YkShow *product)
+// Powers with positive exponents (sign 1) or with negative ones (sign -1).
+static void put_powers(const Pen *pen, YkMonomial monomial, int32_t sign, bool *any)
 {
-    for (const YkShow *factor = product->first; factor; factor = factor->next)
-        if (factor->exponent < -1) return true;
-    return false;
+    for (size_t i = 0; i < monomial.count; i++) {
+        int32_t exponent = sign * monomial.powers[i].exponent;
+        if (exponent < 0) continue;
+        separate(pen, any);
+        put_power(pen, NULL, yk_rank_symbol(monomial.powers[i].rank), exponent);
+    }
+}
+
+// What of a term stands above the line.
+static void put_term(const Pen *pen, const YkShow *show, bool *any)
+{
+    const YkAtom *atom = &show->term.atom;
+    YkMonomial early = yk_part_of(show->term.monomial, YK_RING_INERTIA, YK_RING_FORCE);
+    if (show->has_number) {
+        separate(pen, any);
+        put_ratio(pen, show->term.number);
+    }
+    if (atom->is_imaginary) {
+        separate(pen, any);
+        yk_text_puts(pen->text, imaginary_unit(pen));
+    }
+    if (atom->surd != 0) {
+        separate(pen, any);
+        put_root(pen, atom->surd);
+    }
+    put_powers(pen, early, 1, any);
+    if (atom->function != YK_SHOWN_ONE) {
+        separate(pen, any);
+        put_function(pen, atom);
+    }
+    put_powers(pen, yk_part_of(show->term.monomial, YK_RING_RATE, YK_RING_ACCELERATION), 1, any);
 }
 
 static void put_product(const Pen *pen, const YkShow *product)
 {
-    size_t above = put_factors(pen, product, 1, false), below = put_factors(pen, product, -1, false);
-    bool latex = pen->format == YK_RING_LATEX && below > 0,
-         brackets = below > 1 || (pen->format == YK_RING_C && is_power(product));
+    bool high, any = false;
+    size_t below = yk_show_below(product, &high);
+    bool latex = pen->format == YK_RING_LATEX && below > 0, brackets = below > 1 || (pen->format == YK_RING_C && high);
     if (latex) yk_text_puts(pen->text, "\\frac{");
-    if (above > 0)
-        put_factors(pen, product, 1, true);
-    else
-        put_whole(pen, 1);
+    for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor)) {
+        if (factor->kind == YK_SHOW_TERM) {
+            put_term(pen, factor, &any);
+            continue;
+        }
+        separate(pen, &any);
+        put_power(pen, factor, -1, factor->exponent);
+    }
+    if (!any) put_whole(pen, 1);
     if (below == 0) return;
     yk_text_puts(pen->text, latex ? "}{" : brackets ? "/(" : "/");
-    put_factors(pen, product, -1, true);
+    any = false;
+    for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor))
+        put_powers(pen, factor->term.monomial, -1, &any);
     yk_text_puts(pen->text, latex ? "}" : brackets ? ")" : "");
 }
 
@@ -246,12 +274,10 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
 
 static bool is_whole(const YkSheet *sheet, const YkShownTerm *term)
 {
-    uint32_t count;
     YkAngleShown shown;
-    const YkPower *powers = yk_powers_of(&sheet->ring->monomials, term->monomial, &count);
     if (term->number.under != 1) return false;
-    for (uint32_t i = 0; i < count; i++)
-        if (powers[i].exponent < 0) return false;
+    for (size_t i = 0; i < term->monomial.count; i++)
+        if (term->monomial.powers[i].exponent < 0) return false;
     for (uint32_t k = 0; yk_angle_shown(sheet, &term->atom, k, &shown); k++)
         if (shown.symbol < 0 && shown.pi_over != 1) return false;
     return true;

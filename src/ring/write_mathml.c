@@ -69,72 +69,95 @@ static void put_function(const YkSheet *sheet, const YkAtom *atom, YkText *text)
     yk_text_puts(text, "<mo>)</mo></mrow>");
 }
 
-static void put_base(const YkSheet *sheet, const YkShow *factor, YkText *text)
+// Between factors.
+static void separate(YkText *text, const char *times, bool *any)
 {
-    switch (factor->kind) {
-    case YK_SHOW_NUMBER:
-        put_ratio(text, factor->number);
-        break;
-    case YK_SHOW_SYMBOL:
-        yk_text_puts(text, yk_ring_name_in(sheet->ring, factor->symbol, YK_RING_MATHML));
-        break;
-    case YK_SHOW_I:
-        yk_text_puts(text, "<mi mathvariant=\"normal\">i</mi>");
-        break;
-    case YK_SHOW_SQRT:
-        yk_text_puts(text, "<msqrt>");
-        put_ratio(text, factor->number);
-        yk_text_puts(text, "</msqrt>");
-        break;
-    case YK_SHOW_FUNCTION:
-        put_function(sheet, &factor->atom, text);
-        break;
-    case YK_SHOW_PRODUCT:
-        break; // a product within a product is part of it
-    case YK_SHOW_SUM:
-        yk_text_puts(text, "<mrow><mo>(</mo>");
-        put_sum(sheet, factor, text);
-        yk_text_puts(text, "<mo>)</mo></mrow>");
-        break;
+    if (*any) yk_text_puts(text, times);
+    *any = true;
+}
+
+// Powers with positive exponents (sign 1) or with negative ones (sign -1).
+static void put_powers(const YkSheet *sheet, YkMonomial monomial, int32_t sign, bool *any, YkText *text)
+{
+    for (size_t i = 0; i < monomial.count; i++) {
+        int32_t exponent = sign * monomial.powers[i].exponent;
+        if (exponent < 0) continue;
+        separate(text, TIMES, any);
+        if (exponent > 1) yk_text_puts(text, "<msup>");
+        yk_text_puts(text, yk_ring_name_in(sheet->ring, yk_rank_symbol(monomial.powers[i].rank), YK_RING_MATHML));
+        if (exponent == 1) continue;
+        put_whole(text, exponent);
+        yk_text_puts(text, "</msup>");
     }
 }
 
-static void put_power(const YkSheet *sheet, const YkShow *factor, int32_t exponent, YkText *text)
+// What of a term stands above the line.
+static void put_term(const YkSheet *sheet, const YkShow *show, bool *any, YkText *text)
 {
-    if (exponent != 1) yk_text_puts(text, "<msup>");
-    put_base(sheet, factor, text);
-    if (exponent == 1) return;
-    put_whole(text, exponent);
+    const YkAtom *atom = &show->term.atom;
+    if (show->has_number) {
+        separate(text, TIMES, any);
+        put_ratio(text, show->term.number);
+    }
+    if (atom->is_imaginary) {
+        separate(text, TIMES, any);
+        yk_text_puts(text, "<mi mathvariant=\"normal\">i</mi>");
+    }
+    if (atom->surd != 0) {
+        separate(text, TIMES, any);
+        yk_text_puts(text, "<msqrt>");
+        put_whole(text, yk_surd_square(atom->surd));
+        yk_text_puts(text, "</msqrt>");
+    }
+    put_powers(sheet, yk_part_of(show->term.monomial, YK_RING_INERTIA, YK_RING_FORCE), 1, any, text);
+    if (atom->function != YK_SHOWN_ONE) {
+        separate(text, SPACED_TIMES, any);
+        put_function(sheet, atom, text);
+    }
+    put_powers(sheet, yk_part_of(show->term.monomial, YK_RING_RATE, YK_RING_ACCELERATION), 1, any, text);
+}
+
+static void put_bracket(const YkSheet *sheet, const YkShow *sum, bool *any, YkText *text)
+{
+    separate(text, TIMES, any);
+    if (sum->exponent != 1) yk_text_puts(text, "<msup>");
+    yk_text_puts(text, "<mrow><mo>(</mo>");
+    put_sum(sheet, sum, text);
+    yk_text_puts(text, "<mo>)</mo></mrow>");
+    if (sum->exponent == 1) return;
+    put_whole(text, sum->exponent);
     yk_text_puts(text, "</msup>");
 }
 
-static size_t count_below(const YkShow *product)
+static void put_above(const YkSheet *sheet, const YkShow *product, YkText *text)
 {
-    size_t count = 0;
-    for (const YkShow *factor = product->first; factor; factor = factor->next) count += factor->exponent < 0;
-    return count;
-}
-
-static void put_factors(const YkSheet *sheet, const YkShow *product, int32_t sign, YkText *text)
-{
-    size_t count = 0;
+    bool any = false;
     yk_text_puts(text, "<mrow>");
-    for (const YkShow *factor = product->first; factor; factor = factor->next) {
-        if ((factor->exponent > 0) != (sign > 0)) continue;
-        if (count++ > 0) yk_text_puts(text, factor->kind == YK_SHOW_FUNCTION ? SPACED_TIMES : TIMES);
-        put_power(sheet, factor, sign * factor->exponent, text);
-    }
-    if (count == 0) put_whole(text, 1);
+    for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor))
+        if (factor->kind == YK_SHOW_TERM)
+            put_term(sheet, factor, &any, text);
+        else
+            put_bracket(sheet, factor, &any, text);
+    if (!any) put_whole(text, 1);
     yk_text_puts(text, "</mrow>");
 }
 
-static void put_product(const YkSheet *sheet, const YkShow *part, YkText *text)
+static void put_below(const YkSheet *sheet, const YkShow *product, YkText *text)
 {
-    bool fraction = count_below(part) > 0;
+    bool any = false;
+    yk_text_puts(text, "<mrow>");
+    for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor))
+        put_powers(sheet, factor->term.monomial, -1, &any, text);
+    yk_text_puts(text, "</mrow>");
+}
+
+static void put_product(const YkSheet *sheet, const YkShow *product, YkText *text)
+{
+    bool high, fraction = yk_show_below(product, &high) > 0;
     if (fraction) yk_text_puts(text, "<mfrac>");
-    put_factors(sheet, part, 1, text);
+    put_above(sheet, product, text);
     if (!fraction) return;
-    put_factors(sheet, part, -1, text);
+    put_below(sheet, product, text);
     yk_text_puts(text, "</mfrac>");
 }
 
