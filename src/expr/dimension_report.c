@@ -63,6 +63,40 @@ static bool is_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension want
     return name != NULL;
 }
 
+static bool is_bare_number(const YkExpr *expr)
+{
+    return expr->kind == YK_EXPR_NUMBER && !expr->has_unit;
+}
+
+// A term of the sum that has a number without a unit as a factor, such as `0.02 * theta.rate`; NULL: there is none.
+static const YkExpr *bare_factor(const YkExpr *expr)
+{
+    switch (expr->kind) {
+    case YK_EXPR_NEGATE:
+        return bare_factor(expr->a);
+    case YK_EXPR_ADD:
+    case YK_EXPR_SUBTRACT: {
+        const YkExpr *found = bare_factor(expr->a);
+        return found ? found : bare_factor(expr->b);
+    }
+    case YK_EXPR_MULTIPLY: {
+        if (is_bare_number(expr->a)) return expr->a;
+        if (is_bare_number(expr->b)) return expr->b;
+        const YkExpr *found = bare_factor(expr->a);
+        return found ? found : bare_factor(expr->b);
+    }
+    case YK_EXPR_DIVIDE:
+        return is_bare_number(expr->a) ? expr->a : bare_factor(expr->a);
+    default:
+        return NULL;
+    }
+}
+
+static void hint_at_bare_factor(YkDimensions *dims)
+{
+    yk_problem_hint(dims->problems, "in a product a bare number is a plain number: give it its unit");
+}
+
 void yk_dim_report_use(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
 {
     if (is_silent(dims) || is_two_ways(dims, expr, wanted)) return;
@@ -73,8 +107,8 @@ void yk_dim_report_use(YkDimensions *dims, const YkExpr *expr, YkDimension wante
     if (owner && owner->origin)
         yk_problem_hint(dims->problems, "it is used as %s on line %u, column %u", yk_dimension_name(wanted),
                         (unsigned)owner->origin_place.line, (unsigned)owner->origin_place.column);
-    else if (yk_dimension_equal(expr->dimension, YK_DIM_NONE))
-        yk_problem_hint(dims->problems, "in a product a bare number is a plain number: give it its unit");
+    else if (yk_dimension_equal(expr->dimension, YK_DIM_NONE) || bare_factor(expr))
+        hint_at_bare_factor(dims);
 }
 
 void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
@@ -91,6 +125,7 @@ void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
     else
         yk_problem(dims->problems, YK_CODE_MIXED_SUM, place, "%q needs two of the same kind, not %s and %s",
                    yk_function_name(expr->function), name_a, name_b);
+    if (bare_factor(expr->a) || bare_factor(expr->b)) hint_at_bare_factor(dims);
 }
 
 void yk_dim_report_argument(YkDimensions *dims, const YkExpr *call, YkDimension wanted)

@@ -75,12 +75,17 @@ static YkExpr *refuse_unit(YkParser *parser, size_t number, size_t unit, size_t 
     if (bad_length == 0) bad_length = 1;
     const char *word = piece(parser, bad, bad + bad_length);
     bool is_call = yk_parser_peek(parser, skip_blanks_from(parser, bad + bad_length)) == '(';
-    const char *near = is_call || looks_like_a_name(word) ? NULL : yk_unit_nearest(parser->text + bad, bad_length);
+    bool is_rate = yk_parser_peek(parser, bad + bad_length) == '.';
+    bool is_name = is_call || is_rate || looks_like_a_name(word);
+    const char *near = is_name ? NULL : yk_unit_nearest(parser->text + bad, bad_length);
     size_t number_end = unit;
     while (number_end > number && parser->text[number_end - 1] == ' ') number_end--;
     yk_problem(parser->problems, YK_CODE_EXPR_UNIT, yk_parser_place(parser, bad, bad + bad_length), "%q is not a unit",
                word);
-    if (near)
+    if (near && bad > unit)
+        yk_problem_hint(parser->problems, "did you mean %q? For a product put spaces around the operator: `%s %c %s`",
+                        near, piece(parser, number, bad - 1), (int)parser->text[bad - 1], word);
+    else if (near)
         yk_problem_hint(parser->problems, "did you mean %q?", near);
     else if (bad > unit)
         yk_problem_hint(parser->problems, "for a product put spaces around the operator: `%s %c %s`",

@@ -93,6 +93,27 @@ static void finish_rod(YkLoader *loader, YkBody *body)
     body->inertia = body->mass * length * length / 12;
 }
 
+// The farthest that a point of the body lies from its centre of mass.
+static double extent_of(const YkModel *model, const YkBody *body)
+{
+    double most = 0;
+    for (int32_t k = 0; k < body->point_count; k++)
+        most = fmax(most, yk_norm(yk_sub(model->points[body->first_point + k].at, body->center)));
+    return most;
+}
+
+// Inertias go wrong by units, and then by a factor of 1e6 (kg m^2 for kg mm^2): the radius of gyration shows it.
+static void doubt_inertia(YkLoader *loader, const YkBody *body)
+{
+    static const double LEAST = 1e-2, MOST = 1e2;
+    double gyration = sqrt(body->inertia / body->mass), extent = extent_of(loader->model, body);
+    if (extent == 0 || (gyration >= LEAST * extent && gyration <= MOST * extent)) return;
+    yk_problem(loader->problems, YK_CODE_ODD_INERTIA, body->inertia_expr->place,
+               "%q has a radius of gyration of %e m, but its points lie up to %e m from its centre of mass", body->name,
+               gyration, extent);
+    yk_problem_hint(loader->problems, "is the unit of the inertia right? It is %e kg*m^2", body->inertia);
+}
+
 static void finish_body(YkLoader *loader, YkBody *body)
 {
     if (body->mass_expr && body->mass <= 0) {
@@ -104,6 +125,7 @@ static void finish_body(YkLoader *loader, YkBody *body)
         yk_problem(loader->problems, YK_CODE_BAD_INERTIA, body->inertia_expr->place,
                    "the inertia of %q is %g; it cannot be negative", body->name, body->inertia);
     }
+    if (body->inertia_expr && body->inertia > 0 && body->mass > 0) doubt_inertia(loader, body);
     if (body->rod[0] != YK_NONE && body->rod[1] != YK_NONE) finish_rod(loader, body);
 }
 

@@ -93,6 +93,28 @@ static void a_rod_has_its_centre_and_inertia_at_any_place_and_direction(void **s
     }
 }
 
+// From a hundredth of the body's extent to a hundred times as much.
+static void an_inertia_of_the_wrong_unit_is_doubted(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *inertia;
+        size_t warnings;
+    } cases[] = {{"0.02 kg*mm^2", 1}, {"0.11 g*m^2", 0}, {"1 kg*m^2", 0},
+                 {"0.9e4 kg*m^2", 0}, {"2e4 kg*m^2", 1}, {"0", 0}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[256];
+        snprintf(text, sizeof text, "bodies: {b: {points: {P: [1 m, 0]}, mass: 1 kg, inertia: %s}}\n" PINNED,
+                 cases[k].inertia);
+        YkProblems *problems = yk_problems_new();
+        YkModel *model = yk_model_parse(text, strlen(text), "test.yaml", NULL, problems);
+        assert_non_null(model);
+        assert_int_equal(yk_problems_count(problems), cases[k].warnings);
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
 static void mass_alone_is_a_point_mass_and_inertia_alone_a_flywheel(void **state)
 {
     (void)state;
@@ -197,6 +219,7 @@ int main(void)
         cmocka_unit_test(numbers_keep_their_exact_decimals),
         cmocka_unit_test(a_plain_number_equals_the_same_number_as_an_expression),
         cmocka_unit_test(a_rod_has_its_centre_and_inertia_at_any_place_and_direction),
+        cmocka_unit_test(an_inertia_of_the_wrong_unit_is_doubted),
         cmocka_unit_test(mass_alone_is_a_point_mass_and_inertia_alone_a_flywheel),
         cmocka_unit_test(mistakes_in_points_are_refused_where_they_stand),
         cmocka_unit_test(mistakes_in_masses_are_refused_where_they_stand),
