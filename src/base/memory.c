@@ -89,8 +89,10 @@ bool yk_arena_failed(const YkArena *arena)
 
 char *yk_arena_copy(YkArena *arena, const char *text, size_t length)
 {
-    char *copy = length < SIZE_MAX ? yk_arena_alloc(arena, length + 1, 1) : NULL;
-    if (copy && length > 0) memcpy(copy, text, length);
+    char *copy = arena && length < PTRDIFF_MAX ? yk_arena_take(arena, length + 1) : NULL;
+    if (!copy) return NULL;
+    if (length > 0) memcpy(copy, text, length);
+    copy[length] = '\0';
     return copy;
 }
 

@@ -26,6 +26,11 @@ static inline void *yk_arena_take(YkArena *arena, size_t bytes)
     arena->next += (bytes + 15) & ~(size_t)15;
     return memory;
 }
+// Gives back what was taken last, all but its first `kept` bytes.
+static inline void yk_arena_give_back(YkArena *arena, void *taken, size_t kept)
+{
+    arena->next = (unsigned char *)taken + ((kept + 15) & ~(size_t)15);
+}
 bool yk_arena_failed(const YkArena *arena);
 char *yk_arena_copy(YkArena *arena, const char *text, size_t length); // adds a final NUL
 #define YK_NEW(arena, type, count) ((type *)yk_arena_alloc((arena), (count), sizeof(type)))

@@ -8,9 +8,13 @@ const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body)
     YkRing *ring = f->d->ring;
     const YkDeriveMass *m = &f->bodies[body];
     if (f->kinetic[body]) return f->kinetic[body];
-    const YkPoisson *spin = f->d->bodies[body].spin, *square = yk_ring_dot(ring, m->velocity, m->velocity);
-    const YkPoisson *turning = yk_ring_product(ring, (const YkPoisson *[]){m->inertia, spin, spin}, 3);
-    f->kinetic[body] = yk_ring_scale(ring, yk_ring_add(ring, yk_ring_multiply(ring, m->mass, square), turning), 1, 2);
+    const YkPoisson *half_mass = yk_ring_scale(ring, m->mass, 1, 2),
+                    *half_inertia = yk_ring_scale(ring, m->inertia, 1, 2);
+    const YkPoisson *spin = f->d->bodies[body].spin;
+    const YkPoisson *square =
+        yk_ring_multiply(ring, yk_ring_conjugate(ring, m->velocity), m->velocity); // real by itself
+    const YkPoisson *turning = yk_ring_product(ring, (const YkPoisson *[]){half_inertia, spin, spin}, 3);
+    f->kinetic[body] = yk_ring_add(ring, yk_ring_multiply(ring, half_mass, square), turning);
     return f->kinetic[body];
 }
 

@@ -235,9 +235,7 @@ static void fill_matrix(const YkDeriveForces *f, const YkDeriveSystem *system, Y
 {
     for (size_t i = 0; i < system->row_count; i++) {
         A->row_labels[i] = system->labels[i];
-        for (size_t k = 0; k < system->unknown_count; k++)
-            A->entries[i * system->unknown_count + k] = yk_derive_system_entry(f, system, i, k);
-        b->entries[i] = yk_derive_system_right(f, system, i);
+        b->entries[i] = yk_derive_system_row(f, system, i, A->entries + i * system->unknown_count);
     }
     for (size_t k = 0; k < system->unknown_count; k++) {
         xi->entries[k] = yk_ring_of(f->d->ring, system->unknowns[k]);

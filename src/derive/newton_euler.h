@@ -13,9 +13,8 @@ typedef struct YkDeriveSystem { // A xi = b
 // Rows: forces x and y and moments of every body, junctions, accelerations of what closes loops; without trivial pairs.
 // Unknowns: reactions, efforts of drives, accelerations that are not given.
 bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system);
-// The entry of A, and of b.
-const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
-                                        size_t column);
-const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row);
+// A row of A, [unknown_count]; returns that of b.
+const YkPoisson *yk_derive_system_row(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
+                                      const YkPoisson **entries);
 
 #endif

@@ -51,11 +51,11 @@ const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
 
 // --- Partial velocities, d(velocity)/d(rate) = d(position)/d(coordinate) in body form
 
-static const YkPoisson *partial_spin(const YkDeriveForces *f, int32_t body, size_t coordinate)
+// The partial of a body's spin is 1 or 0.
+static bool is_turned_by(const YkDeriveForces *f, int32_t body, size_t coordinate)
 {
     YkDeriveFreedom freedom = yk_derive_freedom(f->d, coordinate);
-    bool turns = freedom.body != YK_NONE && f->d->bodies[body].angle == freedom.position;
-    return yk_ring_rational(f->d->ring, turns, 1);
+    return freedom.body != YK_NONE && f->d->bodies[body].angle == freedom.position;
 }
 
 static const YkPoisson *partial_position(const YkDeriveForces *f, const YkPoisson *position, size_t coordinate)
@@ -67,21 +67,25 @@ const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
-    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    for (size_t b = 1; b < d->model->body_count; b++) {
-        const YkPoisson *turn = partial_spin(f, (int32_t)b, coordinate);
+    size_t bodies = d->model->body_count, count = 0, turned = 0;
+    // Works of forces, complex: their real parts count; then moments.
+    const YkPoisson **works = YK_NEW(d->arena, const YkPoisson *, 2 * bodies + f->junction_count + 1);
+    const YkPoisson **moments = works ? works + bodies + f->junction_count : NULL;
+    if (!works) return NULL;
+    for (size_t b = 1; b < bodies; b++) {
         const YkPoisson *shift = partial_position(f, f->bodies[b].position, coordinate);
         if (!yk_ring_is_zero(shift))
-            sum = yk_ring_add(ring, sum, yk_ring_dot(ring, shift, yk_derive_newton(f, (int32_t)b)));
-        if (!yk_ring_is_zero(turn))
-            sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, turn, yk_derive_euler(f, (int32_t)b)));
+            works[count++] = yk_ring_multiply(ring, yk_ring_conjugate(ring, shift), yk_derive_newton(f, (int32_t)b));
+        if (is_turned_by(f, (int32_t)b, coordinate)) moments[turned++] = yk_derive_euler(f, (int32_t)b);
     }
     for (size_t k = 0; k < f->junction_count; k++) {
         YkDerivePlace place = f->junctions[k].place;
         const YkPoisson *at = yk_derive_position(d, place.body, yk_derive_at(d, place.body, place.point));
-        sum = yk_ring_add(ring, sum, yk_ring_dot(ring, partial_position(f, at, coordinate), f->junctions[k].force));
+        const YkPoisson *shift = partial_position(f, at, coordinate);
+        works[count++] = yk_ring_multiply(ring, yk_ring_conjugate(ring, shift), f->junctions[k].force);
     }
-    return sum;
+    const YkPoisson *work = yk_ring_real(ring, yk_ring_sum(ring, works, count));
+    return yk_ring_add(ring, work, yk_ring_sum(ring, moments, turned));
 }
 
 const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate)
@@ -92,10 +96,8 @@ const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLo
         const YkDerivePush *push = &load->push[p];
         if (push->body == 0) continue;
         const YkPoisson *shift = partial_position(f, f->bodies[push->body].position, coordinate);
-        const YkPoisson *turn = partial_spin(f, push->body, coordinate);
         sum = yk_ring_add(ring, sum, yk_ring_dot(ring, shift, push->force));
-        if (yk_ring_is_zero(turn)) continue;
-        sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, push));
+        if (is_turned_by(f, push->body, coordinate)) sum = yk_ring_add(ring, sum, yk_derive_moment_of(f, push));
     }
     return sum;
 }

@@ -97,16 +97,10 @@ bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
     return add_rows(&all) && yk_derivation_is_well(d);
 }
 
-const YkPoisson *yk_derive_system_entry(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
-                                        size_t column)
+const YkPoisson *yk_derive_system_row(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
+                                      const YkPoisson **entries)
 {
-    return yk_ring_coefficient(f->d->ring, system->zeros[row], system->unknowns[column], 1);
-}
-
-const YkPoisson *yk_derive_system_right(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row)
-{
-    YkRing *ring = f->d->ring;
-    const YkPoisson *rest = system->zeros[row];
-    for (size_t k = 0; k < system->unknown_count; k++) rest = yk_ring_coefficient(ring, rest, system->unknowns[k], 0);
-    return yk_ring_negate(ring, rest);
+    size_t count = system->unknown_count;
+    const YkPoisson *rest = yk_ring_split(f->d->ring, system->zeros[row], system->unknowns, count, entries, count);
+    return yk_ring_negate(f->d->ring, rest);
 }

@@ -57,7 +57,7 @@ const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t s
     if (power == 0 && found == a->count) return a;
     uint32_t divisor = yk_ring_monomial_of(ring, symbol, power);
     if (divisor == YK_NO_PRODUCT) return NULL;
-    yk_gather_begin(ring, a->denominator);
+    yk_gather_begin_distinct(ring, a->denominator);
     for (size_t i = 0; i < a->count; i++) {
         uint64_t key = a->terms[i].key;
         if (exponent_in(ring, a->terms[i], symbol) != power) continue;

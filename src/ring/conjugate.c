@@ -25,7 +25,7 @@ static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
 const YkPoisson *yk_ring_conjugate(YkRing *ring, const YkPoisson *a)
 {
     if (!a) return NULL;
-    yk_gather_begin(ring, a->denominator);
+    yk_gather_begin_distinct(ring, a->denominator);
     for (size_t i = 0; i < a->count; i++) {
         uint64_t key = a->terms[i].key;
         uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));

@@ -9,31 +9,29 @@ uint64_t yk_poisson_content(const YkPoisson *a)
     return divisor;
 }
 
-// The divisor that numbers and denominator share.
-static int64_t shared_divisor(const YkRingTerm *terms, size_t count, int64_t denominator)
+// Divides numbers and denominator by what they share.
+static void reduce(YkPoisson *a)
 {
-    uint64_t divisor = (uint64_t)denominator;
-    for (size_t i = 0; i < count && divisor != 1; i++)
-        if (terms[i].number != 0) divisor = yk_gcd(yk_magnitude(terms[i].number), divisor);
-    return (int64_t)divisor;
+    uint64_t divisor = (uint64_t)a->denominator;
+    for (size_t i = 0; i < a->count && divisor != 1; i++) divisor = yk_gcd(yk_magnitude(a->terms[i].number), divisor);
+    if (divisor == 1) return;
+    for (size_t i = 0; i < a->count; i++) a->terms[i].number /= (int64_t)divisor;
+    a->denominator /= (int64_t)divisor;
 }
 
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator)
 {
-    size_t kept = 0;
-    for (size_t i = 0; i < count; i++) kept += terms[i].number != 0;
-    if (kept == 0 && ring->zero) return ring->zero;
-    if (kept > ring->limit) return yk_ring_fail(ring, YK_RING_SIZE);
-    YkPoisson *a = yk_arena_take(ring->arena, sizeof(YkPoisson) + kept * sizeof(YkRingTerm));
+    if (count == 0 && ring->zero) return ring->zero;
+    YkPoisson *a = yk_arena_take(ring->arena, sizeof(YkPoisson) + count * sizeof(YkRingTerm));
     if (!a) return yk_ring_fail(ring, YK_RING_MEMORY);
-    a->count = 0;
-    int64_t divisor = shared_divisor(terms, count, denominator);
-    for (size_t i = 0; i < count; i++) {
-        if (terms[i].number == 0) continue;
-        int64_t number = divisor == 1 ? terms[i].number : terms[i].number / divisor;
-        a->terms[a->count++] = (YkRingTerm){terms[i].key, number};
-    }
-    a->denominator = kept == 0 ? 1 : denominator / divisor;
+    *a = (YkPoisson){.denominator = denominator};
+    for (size_t i = 0; i < count; i++)
+        if (terms[i].number != 0) a->terms[a->count++] = terms[i];
+    bool is_zero = a->count == 0 && ring->zero, is_long = a->count > ring->limit;
+    if (a->count < count) yk_arena_give_back(ring->arena, a, is_zero ? 0 : sizeof *a + a->count * sizeof *a->terms);
+    if (is_zero) return ring->zero;
+    if (is_long) return yk_ring_fail(ring, YK_RING_SIZE);
+    reduce(a);
     return a;
 }
 

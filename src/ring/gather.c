@@ -55,8 +55,15 @@ void yk_gather_begin(YkRing *ring, int64_t denominator)
 {
     ring->gather.count = 0;
     ring->gather.ascends = true;
+    ring->gather.is_distinct = false;
     ring->gather.denominator = denominator;
     ring->gather.failed = false;
+}
+
+void yk_gather_begin_distinct(YkRing *ring, int64_t denominator)
+{
+    yk_gather_begin(ring, denominator);
+    ring->gather.is_distinct = true;
 }
 
 static bool fail(YkRing *ring, YkRingStatus status)
@@ -105,8 +112,12 @@ bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number)
     if (gather->failed) return false;
     if (gather->ascends) {
         if (gather->count == 0 || gather->terms[gather->count - 1].key < key) return append(ring, key, number);
-        if (!stop_ascending(gather)) return fail(ring, YK_RING_MEMORY);
+        if (gather->is_distinct)
+            gather->ascends = false;
+        else if (!stop_ascending(gather))
+            return fail(ring, YK_RING_MEMORY);
     }
+    if (gather->is_distinct) return append(ring, key, number);
     if (gather->count >= FEW && 2 * (gather->count + 2) > gather->slot_count && !more_slots(gather))
         return fail(ring, YK_RING_MEMORY);
     YkRingTerm *term = find_term(gather, key, &slot);
@@ -135,7 +146,7 @@ bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *
 
 static void empty_slots(YkGather *gather)
 {
-    if (gather->ascends || gather->count <= FEW) return;
+    if (gather->ascends || gather->is_distinct || gather->count <= FEW) return;
     if (gather->count * 8 > gather->slot_count) {
         if (gather->slots) memset(gather->slots, 0, gather->slot_count * sizeof *gather->slots);
         return;

@@ -58,6 +58,7 @@ typedef struct YkRingSymbol {
     YkRingClass kind;
     bool is_angle;
     const YkPoisson *element; // the symbol itself; made at first use
+    uint32_t monomial;        // the same as a monomial; 0: not made yet
     const YkPoisson *rate;    // declared total time derivative, or NULL
     YkPartial *partials;
     const YkPoisson *square; // of a root
@@ -77,7 +78,8 @@ typedef struct YkGather {
     YkRingTerm *sorted; // room for sorting
     size_t sorted_capacity;
     int64_t denominator;
-    bool ascends; // all keys so far; then the slots are free
+    bool ascends;     // all keys so far; then the slots are free
+    bool is_distinct; // no key comes twice: none is looked up
     bool failed;
 } YkGather;
 
@@ -112,14 +114,35 @@ bool yk_ring_typeset(YkRing *ring);
 void yk_ring_free_all_changes(YkRing *ring);
 
 // --- keys.c: products of keys. YK_NO_PRODUCT with the status on failure.
-uint32_t yk_ring_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times); // a * b^times
-uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
+uint32_t yk_ring_make_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
+uint32_t yk_ring_make_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
+static inline uint32_t yk_ring_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times) // a * b^times
+{
+    uint32_t product;
+    bool at_hand = yk_powers_at_hand(&ring->monomials, a, b, times, &product);
+    return at_hand ? product : yk_ring_make_monomial(ring, a, b, times);
+}
+static inline uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
+{
+    uint32_t product;
+    bool at_hand = yk_powers_at_hand(&ring->phases, a, b, times, &product);
+    return at_hand ? product : yk_ring_make_phase(ring, a, b, times);
+}
 uint32_t yk_ring_opposite(YkRing *ring, uint32_t phase);   // -phase
 unsigned yk_ring_classes(YkRing *ring, uint32_t monomial); // of its symbols: a mask of 1 << class
 uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent);
+// The part of a monomial whose symbols are wanted.
+uint32_t yk_ring_part(YkRing *ring, uint32_t monomial, bool (*is_wanted)(const void *context, int32_t symbol),
+                      const void *context);
 uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor);
 // key a times key b, units apart: the caller multiplies by yk_unit_factor. False on failure.
-bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product);
+static inline bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product)
+{
+    uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(a), yk_key_monomial(b), 1);
+    uint32_t phase = yk_ring_phase(ring, yk_key_phase(a), yk_key_phase(b), 1);
+    *product = yk_key(phase, monomial, yk_key_unit(a) ^ yk_key_unit(b));
+    return monomial != YK_NO_PRODUCT && phase != YK_NO_PRODUCT;
+}
 
 // --- lump.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as the product of
 // those and of the rest; false on failure.
@@ -128,6 +151,7 @@ bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant
 
 // --- gather.c: begin, add any terms over one denominator, end. No other operation of the ring in between.
 void yk_gather_begin(YkRing *ring, int64_t denominator);
+void yk_gather_begin_distinct(YkRing *ring, int64_t denominator); // no key will come twice
 bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number);
 bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *b, int64_t factor); // factor * a * b
 const YkPoisson *yk_gather_end(YkRing *ring);

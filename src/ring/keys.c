@@ -7,14 +7,14 @@ static uint32_t outcome(YkRing *ring, uint32_t item, YkPowersFault fault)
     return item;
 }
 
-uint32_t yk_ring_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
+uint32_t yk_ring_make_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
 {
     YkPowersFault fault;
     uint32_t item = yk_powers_multiply(&ring->monomials, a, b, times, (uint32_t)1 << YK_MONOMIAL_BITS, &fault);
     return outcome(ring, item, fault);
 }
 
-uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
+uint32_t yk_ring_make_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
 {
     YkPowersFault fault;
     uint32_t item = yk_powers_multiply(&ring->phases, a, b, times, (uint32_t)1 << YK_PHASE_BITS, &fault);
@@ -45,9 +45,20 @@ uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent)
 {
     YkPowersFault fault;
     const YkPower power = {symbol, exponent};
-    uint32_t limit = (uint32_t)1 << YK_MONOMIAL_BITS;
+    uint32_t limit = (uint32_t)1 << YK_MONOMIAL_BITS, *known = exponent == 1 ? &ring->symbols[symbol].monomial : NULL;
+    if (known && *known != 0) return *known;
     uint32_t item = yk_powers_enter(&ring->monomials, &power, exponent != 0, limit, &fault);
+    if (known && item != YK_NO_PRODUCT) *known = item;
     return outcome(ring, item, fault);
+}
+
+uint32_t yk_ring_part(YkRing *ring, uint32_t monomial, bool (*is_wanted)(const void *context, int32_t symbol),
+                      const void *context)
+{
+    YkPowersFault fault;
+    uint32_t limit = (uint32_t)1 << YK_MONOMIAL_BITS;
+    uint32_t part = yk_powers_part(&ring->monomials, monomial, is_wanted, context, limit, &fault);
+    return outcome(ring, part, fault);
 }
 
 uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor)
@@ -57,12 +68,4 @@ uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor)
     uint32_t limit = (uint32_t)1 << YK_PHASE_BITS;
     uint32_t item = yk_powers_enter(&ring->phases, &power, factor != 0, limit, &fault);
     return outcome(ring, item, fault);
-}
-
-bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product)
-{
-    uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(a), yk_key_monomial(b), 1);
-    uint32_t phase = yk_ring_phase(ring, yk_key_phase(a), yk_key_phase(b), 1);
-    *product = yk_key(phase, monomial, yk_key_unit(a) ^ yk_key_unit(b));
-    return monomial != YK_NO_PRODUCT && phase != YK_NO_PRODUCT;
 }

@@ -6,7 +6,7 @@ enum { CONSTANTS = 1 << YK_RING_INERTIA | 1 << YK_RING_MASS | 1 << YK_RING_CONST
 
 typedef struct Piece {
     uint64_t rest; // the key without the constants
-    YkRingTerm constant;
+    YkRingTerm constant, whole;
 } Piece;
 
 bool yk_ring_is_constant(const YkRing *ring, int32_t index)
@@ -15,27 +15,27 @@ bool yk_ring_is_constant(const YkRing *ring, int32_t index)
     return (CONSTANTS & 1 << symbol->kind) && !symbol->rate && !symbol->partials;
 }
 
+static bool is_constant(const void *ring, int32_t symbol)
+{
+    return yk_ring_is_constant(ring, symbol);
+}
+
 bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant, uint32_t *rest)
 {
-    uint32_t count;
-    *constant = 0;
-    yk_powers_of(&ring->monomials, monomial, &count);
-    for (uint32_t i = 0; i < count && *constant != YK_NO_PRODUCT; i++) {
-        const YkPower power = yk_powers_of(&ring->monomials, monomial, &count)[i];
-        if (!yk_ring_is_constant(ring, power.symbol)) continue;
-        uint32_t one = yk_ring_monomial_of(ring, power.symbol, power.exponent);
-        *constant = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, *constant, one, 1);
-    }
-    *rest = *constant == YK_NO_PRODUCT ? YK_NO_PRODUCT : yk_ring_monomial(ring, monomial, *constant, -1);
-    return *rest != YK_NO_PRODUCT;
+    *constant = 0, *rest = monomial;
+    if (!(yk_ring_classes(ring, monomial) & CONSTANTS)) return true;
+    *constant = yk_ring_part(ring, monomial, is_constant, ring);
+    if (*constant != YK_NO_PRODUCT) *rest = yk_ring_monomial(ring, monomial, *constant, -1);
+    return *constant != YK_NO_PRODUCT && *rest != YK_NO_PRODUCT;
 }
 
 // Takes a term apart: symbols of constant classes, and what is left.
-static bool take_apart(YkRing *ring, uint64_t key, Piece *piece, int64_t number)
+static bool take_apart(YkRing *ring, YkRingTerm term, Piece *piece)
 {
     uint32_t constant, rest;
-    if (!yk_ring_split_constants(ring, yk_key_monomial(key), &constant, &rest)) return false;
-    *piece = (Piece){yk_key(yk_key_phase(key), rest, yk_key_unit(key)), {yk_key(0, constant, 0), number}};
+    if (!yk_ring_split_constants(ring, yk_key_monomial(term.key), &constant, &rest)) return false;
+    *piece = (Piece){
+        yk_key(yk_key_phase(term.key), rest, yk_key_unit(term.key)), {yk_key(0, constant, 0), term.number}, term};
     return true;
 }
 
@@ -46,41 +46,58 @@ static int by_rest(const void *a, const void *b)
     return p->constant.key < q->constant.key ? -1 : p->constant.key > q->constant.key;
 }
 
-// The sum of one rest's constants as number * lump, the lump's first number positive.
-static const YkPoisson *lumped(YkRing *ring, const Piece *pieces, size_t count, int64_t denominator,
-                               YkLumpSymbol symbol_of, void *context)
+// What the pieces of one rest have in common, with the sign of the first.
+static int64_t content_of(const Piece *pieces, size_t count)
 {
-    if (!yk_gather_room(ring, count)) return NULL;
-    for (size_t i = 0; i < count; i++) ring->gather.terms[i] = pieces[i].constant;
-    const YkPoisson *sum = yk_poisson_make(ring, ring->gather.terms, count, denominator);
-    if (!sum || (sum->count == 1 && yk_key_monomial(sum->terms[0].key) == 0)) return sum; // a number
-    int64_t content = (int64_t)yk_poisson_content(sum);
-    if (sum->terms[0].number < 0) content = -content;
-    const YkPoisson *lump = yk_ring_scale(ring, sum, sum->denominator, content);
-    int32_t symbol = lump ? symbol_of(context, lump) : -1;
-    if (symbol < 0) return ring->status == YK_RING_OK ? sum : NULL;
-    return yk_ring_scale(ring, yk_ring_of(ring, symbol), content, sum->denominator);
+    uint64_t content = 0;
+    for (size_t i = 0; i < count && content != 1; i++)
+        content = yk_gcd(yk_magnitude(pieces[i].constant.number), content);
+    return pieces[0].constant.number < 0 ? -(int64_t)content : (int64_t)content;
+}
+
+// Puts the terms that one rest becomes: a number times the lump's symbol, or what was there. Returns how many there
+// are, 0 on failure.
+static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLumpSymbol symbol_of, void *context,
+                         YkRingTerm *out)
+{
+    bool is_number = count == 1 && yk_key_monomial(pieces[0].constant.key) == 0;
+    int64_t content = content_of(pieces, count);
+    int32_t symbol = -1;
+    if (!is_number) {
+        if (!yk_gather_room(ring, count)) return 0;
+        for (size_t i = 0; i < count; i++)
+            ring->gather.terms[i] = (YkRingTerm){pieces[i].constant.key, pieces[i].constant.number / content};
+        const YkPoisson *lump = yk_poisson_make(ring, ring->gather.terms, count, 1);
+        symbol = lump ? symbol_of(context, lump) : -1;
+        if (ring->status != YK_RING_OK) return 0;
+    }
+    for (size_t i = 0; i < count && symbol < 0; i++) out[i] = pieces[i].whole;
+    if (symbol < 0) return count;
+    uint32_t one = yk_ring_monomial_of(ring, symbol, 1);
+    uint32_t monomial = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, one, yk_key_monomial(pieces[0].rest), 1);
+    *out = (YkRingTerm){yk_key(yk_key_phase(pieces[0].rest), monomial, yk_key_unit(pieces[0].rest)), content};
+    return monomial != YK_NO_PRODUCT;
 }
 
 const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol symbol_of, void *context)
 {
     if (!a) return NULL;
     Piece *pieces = calloc(a->count + 1, sizeof *pieces);
-    const YkPoisson **parts = calloc(a->count + 1, sizeof *parts), *result = NULL;
-    size_t part_count = 0;
-    bool well = pieces && parts;
+    YkRingTerm *terms = calloc(a->count + 1, sizeof *terms);
+    size_t count = 0;
+    bool well = pieces && terms;
     if (!well) yk_ring_fail(ring, YK_RING_MEMORY);
-    for (size_t i = 0; well && i < a->count; i++)
-        well = take_apart(ring, a->terms[i].key, &pieces[i], a->terms[i].number);
+    for (size_t i = 0; well && i < a->count; i++) well = take_apart(ring, a->terms[i], &pieces[i]);
     if (well) qsort(pieces, a->count, sizeof *pieces, by_rest);
     for (size_t start = 0, end; well && start < a->count; start = end) {
         for (end = start; end < a->count && pieces[end].rest == pieces[start].rest; end++) {}
-        const YkPoisson *lump = lumped(ring, pieces + start, end - start, a->denominator, symbol_of, context);
-        parts[part_count] = yk_ring_multiply(ring, lump, yk_poisson_term(ring, pieces[start].rest, 1, 1));
-        well = parts[part_count++] != NULL;
+        size_t made = put_lumped(ring, pieces + start, end - start, symbol_of, context, terms + count);
+        well = made > 0;
+        count += made;
     }
-    if (well) result = yk_ring_sum(ring, parts, part_count);
+    yk_gather_begin(ring, a->denominator);
+    for (size_t i = 0; well && i < count; i++) well = yk_gather_add(ring, terms[i].key, terms[i].number);
     free(pieces);
-    free(parts);
-    return result;
+    free(terms);
+    return well ? yk_gather_end(ring) : NULL;
 }

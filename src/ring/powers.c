@@ -3,6 +3,8 @@
 #include <string.h>
 #include "base/memory.h"
 
+enum { MADE_MIN = 64, MADE_MAX = 8192 }; // products that are kept
+
 // A random odd number for each symbol (splitmix64; Steele et al. 2014).
 static uint64_t symbol_hash(int32_t symbol)
 {
@@ -21,7 +23,8 @@ bool yk_powers_start(YkPowers *table)
 {
     table->slot_count = 64;
     table->slots = calloc(table->slot_count, sizeof *table->slots);
-    table->made = calloc(YK_PRODUCTS_MADE, sizeof *table->made);
+    table->made_count = MADE_MIN;
+    table->made = calloc(table->made_count, sizeof *table->made);
     YkPowersFault fault;
     return table->slots && table->made && yk_powers_enter(table, NULL, 0, 1, &fault) == 0;
 }
@@ -91,6 +94,13 @@ static uint32_t add_item(YkPowers *table, const YkPower *powers, size_t count, u
     return (uint32_t)table->count++;
 }
 
+static bool is_same(const YkPower *a, const YkPower *b, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (a[i].symbol != b[i].symbol || a[i].exponent != b[i].exponent) return false;
+    return true;
+}
+
 // The item of these powers, whose hash is known; entered where it is new.
 static uint32_t find_or_add(YkPowers *table, const YkPower *powers, size_t count, uint64_t hash, uint32_t limit,
                             YkPowersFault *fault)
@@ -98,8 +108,7 @@ static uint32_t find_or_add(YkPowers *table, const YkPower *powers, size_t count
     size_t slot = slot_start(table, hash);
     for (; table->slots[slot] != 0; slot = (slot + 1) & (table->slot_count - 1)) {
         const YkProductOfPowers *item = &table->items[table->slots[slot] - 1];
-        if (item->hash != hash || item->count != count) continue;
-        if (count > 0 && memcmp(table->pool + item->first, powers, count * sizeof *powers) != 0) continue;
+        if (item->hash != hash || item->count != count || !is_same(table->pool + item->first, powers, count)) continue;
         *fault = YK_POWERS_FINE;
         return table->slots[slot] - 1;
     }
@@ -136,15 +145,34 @@ static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b
     return count;
 }
 
+static bool more_scratch(YkPowers *table, size_t wanted)
+{
+    while (table->scratch_capacity < wanted)
+        if (!yk_grow((void **)&table->scratch, table->scratch_capacity, &table->scratch_capacity,
+                     sizeof *table->scratch))
+            return false;
+    return true;
+}
+
+uint32_t yk_powers_part(YkPowers *table, uint32_t item, bool (*is_wanted)(const void *context, int32_t symbol),
+                        const void *context, uint32_t limit, YkPowersFault *fault)
+{
+    uint32_t count, wanted = 0;
+    const YkPower *powers = yk_powers_of(table, item, &count);
+    *fault = YK_POWERS_MEMORY;
+    if (!more_scratch(table, count)) return YK_NO_PRODUCT;
+    for (uint32_t i = 0; i < count; i++)
+        if (is_wanted(context, powers[i].symbol)) table->scratch[wanted++] = powers[i];
+    *fault = YK_POWERS_FINE;
+    if (wanted == 0) return 0;
+    return wanted == count ? item : yk_powers_enter(table, table->scratch, wanted, limit, fault);
+}
+
 static uint32_t multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit, YkPowersFault *fault)
 {
     const YkProductOfPowers *left = &table->items[a], *right = &table->items[b];
-    while (table->scratch_capacity < (size_t)left->count + right->count)
-        if (!yk_grow((void **)&table->scratch, table->scratch_capacity, &table->scratch_capacity,
-                     sizeof *table->scratch)) {
-            *fault = YK_POWERS_MEMORY;
-            return YK_NO_PRODUCT;
-        }
+    *fault = YK_POWERS_MEMORY;
+    if (!more_scratch(table, (size_t)left->count + right->count)) return YK_NO_PRODUCT;
     size_t count = merge(left->count ? table->pool + left->first : NULL, left->count,
                          right->count ? table->pool + right->first : NULL, right->count, times, table->scratch);
     if (count == SIZE_MAX) {
@@ -155,16 +183,26 @@ static uint32_t multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times,
     return find_or_add(table, table->scratch, count, hash, limit, fault);
 }
 
+// Of a larger table more products are kept; those that were are forgotten. Without memory all stays as it is.
+static void keep_more(YkPowers *table)
+{
+    if (table->made_count >= MADE_MAX || table->count < table->made_count) return;
+    YkProductMade *made = calloc(4 * table->made_count, sizeof *made);
+    if (!made) return;
+    free(table->made);
+    table->made = made;
+    table->made_count *= 4;
+}
+
 uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
                             YkPowersFault *fault)
 {
+    uint32_t product;
     *fault = YK_POWERS_FINE;
-    if (b == 0 || times == 0) return a;
-    if (a == 0 && times == 1) return b;
-    YkProductMade *made =
-        &table->made[(a * 0x9e3779b1u ^ b * 0x85ebca6bu ^ (uint32_t)times) >> 16 & (YK_PRODUCTS_MADE - 1)];
-    if (made->a == a && made->b == b && made->times == times) return made->product;
-    uint32_t product = multiply(table, a, b, times, limit, fault);
-    if (product != YK_NO_PRODUCT) *made = (YkProductMade){a, b, product, times};
+    if (yk_powers_at_hand(table, a, b, times, &product)) return product;
+    product = multiply(table, a, b, times, limit, fault);
+    if (product == YK_NO_PRODUCT) return product;
+    keep_more(table);
+    *yk_powers_place(table, a, b, times) = (YkProductMade){a, b, product, times};
     return product;
 }

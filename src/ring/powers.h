@@ -30,8 +30,6 @@ typedef struct YkProductMade {
     int32_t times; // 0: none
 } YkProductMade;
 
-enum { YK_PRODUCTS_MADE = 1024 };
-
 typedef struct YkPowers {
     YkPower *pool;
     size_t pool_count, pool_capacity;
@@ -41,7 +39,8 @@ typedef struct YkPowers {
     size_t slot_count;
     YkPower *scratch;
     size_t scratch_capacity;
-    YkProductMade *made; // [YK_PRODUCTS_MADE]
+    YkProductMade *made; // [made_count]; grows with the table, anew
+    size_t made_count;   // a power of two
 } YkPowers;
 
 enum { YK_POWER_MAX = 1000000 };
@@ -60,8 +59,24 @@ static inline const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, 
 int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol); // 0 where it does not occur
 // The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
 uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
-// a * b^times, times = 1 or -1 (or any other small power).
+// a * b^times, times = 1 or -1 (or any other small power), b not 0.
 uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
                             YkPowersFault *fault);
+// The product of those powers of an item whose symbols are wanted.
+uint32_t yk_powers_part(YkPowers *table, uint32_t item, bool (*is_wanted)(const void *context, int32_t symbol),
+                        const void *context, uint32_t limit, YkPowersFault *fault);
+static inline YkProductMade *yk_powers_place(const YkPowers *table, uint32_t a, uint32_t b, int32_t times)
+{
+    uint32_t mixed = (a * 0x9e3779b1u ^ b * 0x85ebca6bu ^ (uint32_t)times) >> 16;
+    return &table->made[mixed & (table->made_count - 1)];
+}
+// Is a * b^times at hand?
+static inline bool yk_powers_at_hand(const YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t *product)
+{
+    const YkProductMade *made = yk_powers_place(table, a, b, times);
+    bool is_one = b == 0 || times == 0, is_other = a == 0 && times == 1;
+    *product = is_one ? a : is_other ? b : made->product;
+    return is_one || is_other || (made->a == a && made->b == b && made->times == times);
+}
 
 #endif

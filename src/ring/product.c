@@ -33,7 +33,10 @@ const YkPoisson *yk_ring_multiply(YkRing *ring, const YkPoisson *a, const YkPois
     if (yk_ring_is_same(b, ring->one)) return a;
     if (a->count > ring->limit * WORK_PER_TERM / b->count) return yk_ring_fail(ring, YK_RING_SIZE);
     if (!cancel(a, b, &cancelled)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
-    yk_gather_begin(ring, cancelled.denominator);
+    if (a->count == 1 || b->count == 1)
+        yk_gather_begin_distinct(ring, cancelled.denominator);
+    else
+        yk_gather_begin(ring, cancelled.denominator);
     for (size_t i = 0; i < a->count; i++) {
         const YkRingTerm left = {a->terms[i].key, a->terms[i].number / cancelled.a_divisor};
         for (size_t k = 0; k < b->count; k++) {

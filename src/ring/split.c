@@ -56,7 +56,7 @@ static const YkPoisson *part(const Split *s, uint32_t place)
     if (place == 0 && end == s->a->count) return s->a;
     if (place > 0) one = yk_ring_monomial_of(ring, s->symbols[place - 1], 1);
     if (one == YK_NO_PRODUCT) return NULL;
-    yk_gather_begin(ring, s->a->denominator);
+    yk_gather_begin_distinct(ring, s->a->denominator);
     for (uint32_t i = first; i < end; i++) {
         const YkRingTerm *term = &s->a->terms[s->in_order[i]];
         uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(term->key), one, -1);

@@ -10,16 +10,25 @@ typedef struct Image {
     const YkPoisson *value;
 } Image;
 
+// A term, without number and unit: what stays of it, and what the rest becomes.
+typedef struct Part {
+    uint64_t key, kept; // monomial and phase; kept == key: nothing changes
+    const YkPoisson *image;
+    bool is_new; // `kept` is what goes; what stays is found when terms are gathered
+} Part;
+
+enum { TERMS_MADE = 256 };
+
 struct YkRingChanges {
     YkRingChanges *older;    // of the same ring
     const YkRingChange **of; // [symbol_count], NULL where a symbol stays; newer symbols stay, too
     size_t symbol_count;
-    Image *images; // open addressing
+    uint64_t marks; // of the symbols that change
+    Image *images;  // open addressing
     size_t image_count, slot_count;
-    YkPower *powers; // room for one product
-    size_t power_capacity;
-    uint64_t *replaced; // of each term of the element at hand
-    size_t replaced_capacity;
+    Part *made;  // [TERMS_MADE], terms that came before: of two at one place the later; NULL: none are kept
+    Part *parts; // of each term of the element at hand
+    size_t part_capacity;
     YkRingChange changes[]; // a copy
 };
 
@@ -95,59 +104,95 @@ static const YkRingChange *change_of(const YkRingChanges *changes, int32_t symbo
     return (size_t)symbol < changes->symbol_count ? changes->of[symbol] : NULL;
 }
 
-// The part of a product whose symbols change (in a phase: have a unit; in a monomial: a value).
-static uint32_t replaced_part(YkRing *ring, YkRingChanges *changes, YkPowers *table, uint32_t item, bool phase)
+static bool has_value(const void *changes, int32_t symbol)
 {
-    uint32_t count, changed = 0;
-    const YkPower *powers = yk_powers_of(table, item, &count);
-    while (changes->power_capacity < count)
-        if (!yk_grow((void **)&changes->powers, changes->power_capacity, &changes->power_capacity,
-                     sizeof *changes->powers)) {
-            yk_ring_fail(ring, YK_RING_MEMORY);
-            return YK_NO_PRODUCT;
-        }
-    for (uint32_t i = 0; i < count; i++) {
-        const YkRingChange *change = change_of(changes, powers[i].symbol);
-        if (change && (phase ? change->unit : change->value)) changes->powers[changed++] = powers[i];
-    }
-    if (changed == 0) return 0;
-    if (changed == count) return item;
-    YkPowersFault fault;
-    uint32_t part = yk_powers_enter(table, changes->powers, changed, (uint32_t)1 << YK_PHASE_BITS, &fault);
-    if (part == YK_NO_PRODUCT) yk_ring_fail(ring, fault == YK_POWERS_MEMORY ? YK_RING_MEMORY : YK_RING_POWER);
-    return part;
+    const YkRingChange *change = change_of(changes, symbol);
+    return change && change->value;
 }
 
-// What changes of every term, and the common denominator of the images. False on failure.
-static bool find_images(YkRing *ring, YkRingChanges *changes, const YkPoisson *a, int64_t *denominator)
+static bool has_unit(const void *changes, int32_t symbol)
+{
+    const YkRingChange *change = change_of(changes, symbol);
+    return change && change->unit;
+}
+
+// The part of a term whose symbols change: in the monomial those with a value, in the phase those with a unit. False on
+// failure.
+static bool find_replaced(YkRing *ring, const YkRingChanges *changes, uint64_t key, uint64_t *replaced)
+{
+    YkPowersFault fault;
+    uint32_t limit = (uint32_t)1 << YK_PHASE_BITS;
+    uint32_t phase = yk_powers_part(&ring->phases, yk_key_phase(key), has_unit, changes, limit, &fault);
+    if (phase == YK_NO_PRODUCT) yk_ring_fail(ring, fault == YK_POWERS_MEMORY ? YK_RING_MEMORY : YK_RING_POWER);
+    uint32_t monomial = phase == YK_NO_PRODUCT ? phase : yk_ring_part(ring, yk_key_monomial(key), has_value, changes);
+    *replaced = yk_key(phase, monomial, 0);
+    return phase != YK_NO_PRODUCT && monomial != YK_NO_PRODUCT;
+}
+
+static Part *place_of(const YkRingChanges *changes, uint64_t key)
+{
+    return &changes->made[(key * 0x9e3779b97f4a7c15u) >> 40 & (TERMS_MADE - 1)];
+}
+
+static bool is_touched(const YkRing *ring, const YkRingChanges *changes, uint64_t key)
+{
+    uint64_t marks = ring->monomials.items[yk_key_monomial(key)].marks | ring->phases.items[yk_key_phase(key)].marks;
+    return marks & changes->marks;
+}
+
+static bool find_part(YkRing *ring, YkRingChanges *changes, uint64_t key, Part *part)
+{
+    *part = (Part){key, key, ring->one, false};
+    if (!is_touched(ring, changes, key)) return true;
+    const Part *made = changes->made ? place_of(changes, key) : NULL;
+    if (made && made->image && made->key == key) {
+        *part = *made;
+        return true;
+    }
+    uint64_t replaced;
+    if (!find_replaced(ring, changes, key, &replaced)) return false;
+    if (replaced != 0) *part = (Part){key, replaced, image_of(ring, changes, replaced), true};
+    return part->image != NULL;
+}
+
+// What changes of every term, and the common denominator of the images. *is_same: nothing does. False on failure.
+static bool find_images(YkRing *ring, YkRingChanges *changes, const YkPoisson *a, int64_t *denominator, bool *is_same)
 {
     size_t work = 0;
     *denominator = 1;
+    *is_same = true;
     for (size_t i = 0; i < a->count; i++) {
-        if (!YK_ROOM(changes->replaced, i, changes->replaced_capacity))
-            return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
-        uint32_t phase = replaced_part(ring, changes, &ring->phases, yk_key_phase(a->terms[i].key), true);
-        uint32_t monomial = replaced_part(ring, changes, &ring->monomials, yk_key_monomial(a->terms[i].key), false);
-        if (phase == YK_NO_PRODUCT || monomial == YK_NO_PRODUCT) return false;
-        changes->replaced[i] = yk_key(phase, monomial, 0);
-        const YkPoisson *image = image_of(ring, changes, changes->replaced[i]);
-        if (!image) return false;
-        if (!yk_common_denominator(*denominator, image->denominator, denominator))
+        if (!YK_ROOM(changes->parts, i, changes->part_capacity)) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
+        Part *part = &changes->parts[i];
+        if (!find_part(ring, changes, a->terms[i].key & ~(uint64_t)(YK_UNITS - 1), part)) return false;
+        *is_same = *is_same && !part->is_new && part->kept == part->key;
+        if (!yk_common_denominator(*denominator, part->image->denominator, denominator))
             return yk_ring_fail(ring, YK_RING_OVERFLOW) != NULL;
-        work += image->count;
+        work += part->image->count;
         if (work / WORK_PER_TERM > ring->limit) return yk_ring_fail(ring, YK_RING_SIZE) != NULL;
     }
     return true;
 }
 
-// Gathers a term with its replaced part as its image.
-static bool add_term(YkRing *ring, YkRingChanges *changes, YkRingTerm term, uint64_t replaced, int64_t denominator)
+// Takes what is replaced off the term. False on failure.
+static bool finish_part(YkRing *ring, YkRingChanges *changes, Part *part)
 {
-    const YkPoisson *image = image_of(ring, changes, replaced);
-    uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(term.key), yk_key_monomial(replaced), -1);
-    uint32_t phase = yk_ring_phase(ring, yk_key_phase(term.key), yk_key_phase(replaced), -1);
-    if (!image || monomial == YK_NO_PRODUCT || phase == YK_NO_PRODUCT) return !(ring->gather.failed = true);
-    const YkRingTerm kept = {yk_key(phase, monomial, yk_key_unit(term.key)), term.number};
+    if (!part->is_new) return true;
+    uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(part->key), yk_key_monomial(part->kept), -1);
+    uint32_t phase = yk_ring_phase(ring, yk_key_phase(part->key), yk_key_phase(part->kept), -1);
+    if (monomial == YK_NO_PRODUCT || phase == YK_NO_PRODUCT) return false;
+    part->kept = yk_key(phase, monomial, 0);
+    part->is_new = false;
+    if (changes->made) *place_of(changes, part->key) = *part;
+    return true;
+}
+
+// Gathers a term with its replaced part as its image.
+static bool add_term(YkRing *ring, YkRingChanges *changes, YkRingTerm term, Part *part, int64_t denominator)
+{
+    const YkPoisson *image = part->image;
+    if (!finish_part(ring, changes, part)) return !(ring->gather.failed = true);
+    const YkRingTerm kept = {part->kept | yk_key_unit(term.key), term.number};
     for (size_t i = 0; i < image->count; i++)
         if (!yk_gather_add_product(ring, &image->terms[i], &kept, denominator / image->denominator)) return false;
     return true;
@@ -156,12 +201,14 @@ static bool add_term(YkRing *ring, YkRingChanges *changes, YkRingTerm term, uint
 const YkPoisson *yk_ring_change(YkRing *ring, const YkPoisson *a, YkRingChanges *changes)
 {
     int64_t denominator, whole;
+    bool is_same;
     if (!a || !changes || a->count == 0) return changes ? a : NULL;
-    if (!find_images(ring, changes, a, &denominator)) return NULL;
+    if (!find_images(ring, changes, a, &denominator, &is_same)) return NULL;
+    if (is_same) return a;
     if (!yk_exact_multiply(denominator, a->denominator, &whole)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
     yk_gather_begin(ring, whole);
     for (size_t i = 0; i < a->count; i++)
-        if (!add_term(ring, changes, a->terms[i], changes->replaced[i], denominator)) break;
+        if (!add_term(ring, changes, a->terms[i], &changes->parts[i], denominator)) break;
     return yk_gather_end(ring);
 }
 
@@ -172,8 +219,8 @@ static void free_changes(YkRingChanges *changes)
     if (!changes) return;
     free((void *)changes->of);
     free(changes->images);
-    free(changes->powers);
-    free(changes->replaced);
+    free(changes->parts);
+    free(changes->made);
     free(changes);
 }
 
@@ -195,6 +242,7 @@ static YkRingChanges *new_changes(YkRing *ring, const YkRingChange *list, size_t
     for (size_t i = 0; i < count; i++) {
         changes->changes[i] = list[i];
         changes->of[list[i].symbol] = &changes->changes[i];
+        changes->marks |= yk_mark(list[i].symbol);
     }
     return changes;
 }
@@ -203,6 +251,7 @@ YkRingChanges *yk_ring_changes(YkRing *ring, const YkRingChange *list, size_t co
 {
     YkRingChanges *changes = new_changes(ring, list, count);
     if (!changes) return NULL;
+    changes->made = calloc(TERMS_MADE, sizeof *changes->made); // without, all is as slow as the first time
     changes->older = ring->changes;
     ring->changes = changes;
     return changes;
