@@ -108,7 +108,7 @@ void yk_polynomial_put_condition_number(const YkDerivePolynomial *p)
     yk_number_write_digits(number, 6, text);
     yk_number_write_digits(p->segment.condition_number, 4, inner);
     yk_page_words(p->law->page,
-                  "YkPolynomialCondition number of this matrix: %s (2-norm); of the system in Chebyshev polynomials by "
+                  "Condition number of this matrix: %s (2-norm); of the system in Chebyshev polynomials by "
                   "which `solve` "
                   "and `cam` compute: %s.",
                   number < 1e15 ? text : "above 1e15", inner);
