@@ -6,42 +6,45 @@
 void yk_names_free(YkNames *names)
 {
     free(names->keys);
-    free(names->values);
+    free(names->entries);
     *names = (YkNames){0};
 }
 
-// FNV-1a with a final mix, since only the low bits choose the slot (Fowler, Noll, Vo; Steele et al. 2014).
-static uint64_t hash(const char *key)
+// FNV-1a with a final mix, since only the low bits choose the slot (Fowler, Noll, Vo; Steele et al. 2014). Never 0.
+static uint32_t hash(const char *key)
 {
     uint64_t h = 0xcbf29ce484222325u;
     for (; *key; key++) h = (h ^ (unsigned char)*key) * 0x100000001b3u;
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
-    return h ^ (h >> 31);
+    h ^= h >> 31;
+    return (uint32_t)h != 0 ? (uint32_t)h : 1;
 }
 
 // The slot that holds key, or the free one where it belongs. capacity > 0 and a slot is free.
-static size_t slot_of(const YkNames *names, const char *key)
+static size_t slot_of(const YkNames *names, const char *key, uint32_t hash)
 {
-    size_t mask = names->capacity - 1, slot = (size_t)hash(key) & mask;
-    while (names->keys[slot] && strcmp(names->keys[slot], key) != 0) slot = (slot + 1) & mask;
+    size_t mask = names->capacity - 1, slot = hash & mask;
+    for (; names->entries[slot].hash != 0; slot = (slot + 1) & mask)
+        if (names->entries[slot].hash == hash && strcmp(names->keys[slot], key) == 0) break;
     return slot;
 }
 
 static bool rehash(YkNames *names)
 {
     YkNames larger = {.count = names->count, .capacity = names->capacity ? 2 * names->capacity : 16};
-    if (larger.capacity < names->capacity) return false;
+    if (larger.capacity > UINT32_MAX / 2) return false;
     larger.keys = calloc(larger.capacity, sizeof *larger.keys);
-    larger.values = calloc(larger.capacity, sizeof *larger.values);
-    if (!larger.keys || !larger.values) {
+    larger.entries = calloc(larger.capacity, sizeof *larger.entries);
+    if (!larger.keys || !larger.entries) {
         yk_names_free(&larger);
         return false;
     }
     for (size_t i = 0; i < names->capacity; i++) {
-        if (!names->keys[i]) continue;
-        size_t slot = slot_of(&larger, names->keys[i]);
+        if (names->entries[i].hash == 0) continue;
+        size_t mask = larger.capacity - 1, slot = names->entries[i].hash & mask;
+        while (larger.entries[slot].hash != 0) slot = (slot + 1) & mask;
         larger.keys[slot] = names->keys[i];
-        larger.values[slot] = names->values[i];
+        larger.entries[slot] = names->entries[i];
     }
     yk_names_free(names);
     *names = larger;
@@ -50,13 +53,17 @@ static bool rehash(YkNames *names)
 
 bool yk_names_add(YkNames *names, const char *key, int32_t value, int32_t *existing)
 {
-    int32_t found = yk_names_find(names, key);
-    if (existing) *existing = found;
-    if (found != YK_NONE) return true;
-    if (2 * (names->count + 1) > names->capacity && !rehash(names)) return false;
-    size_t slot = slot_of(names, key);
+    uint32_t h = hash(key);
+    size_t slot = names->capacity > 0 ? slot_of(names, key, h) : 0;
+    bool is_there = names->capacity > 0 && names->entries[slot].hash != 0;
+    if (existing) *existing = is_there ? names->entries[slot].value : YK_NONE;
+    if (is_there) return true;
+    if (2 * (names->count + 1) > names->capacity) {
+        if (!rehash(names)) return false;
+        slot = slot_of(names, key, h);
+    }
     names->keys[slot] = key;
-    names->values[slot] = value;
+    names->entries[slot] = (YkNameEntry){value, h};
     names->count++;
     return true;
 }
@@ -64,6 +71,6 @@ bool yk_names_add(YkNames *names, const char *key, int32_t value, int32_t *exist
 int32_t yk_names_find(const YkNames *names, const char *key)
 {
     if (names->capacity == 0) return YK_NONE;
-    size_t slot = slot_of(names, key);
-    return names->keys[slot] ? names->values[slot] : YK_NONE;
+    size_t slot = slot_of(names, key, hash(key));
+    return names->entries[slot].hash != 0 ? names->entries[slot].value : YK_NONE;
 }

@@ -6,9 +6,14 @@
 #include <stdint.h>
 
 enum { YK_NONE = -1 };
+typedef struct YkNameEntry {
+    int32_t value;
+    uint32_t hash; // 0: a free place
+} YkNameEntry;
+
 typedef struct YkNames {
-    const char **keys;
-    int32_t *values;
+    const char **keys;    // NULL at a free place
+    YkNameEntry *entries; // at the same places: most are told apart without a look at their text
     size_t count, capacity;
 } YkNames; // zeroed = empty
 

@@ -6,11 +6,11 @@
 
 static const char *number_of(YkDerivation *d, size_t number)
 {
-    YkText text = {0};
-    yk_text_format(&text, "%z", number);
-    const char *name = yk_derive_text(d, yk_text_get(&text), "", "");
-    yk_text_free(&text);
-    return name;
+    char digits[24], *first = digits + sizeof digits;
+    *--first = '\0';
+    do *--first = (char)('0' + number % 10);
+    while ((number /= 10) > 0);
+    return yk_derive_text(d, first, "", "");
 }
 
 static uint64_t pair_of(const int32_t body[2])

@@ -247,8 +247,10 @@ bool yk_derive_enter_loads(YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
     const YkModel *model = d->model;
-    size_t most = model->body_count + model->effort_count + model->force_count + 2 * model->spring_count +
-                  2 * model->joint_count + model->stop_count + d->coordinate_count + 1;
+    size_t most =
+        model->body_count + model->effort_count + model->force_count + 2 * model->spring_count + model->stop_count + 1;
+    for (size_t j = 0; j < model->joint_count; j++) most += model->joints[j].has_friction ? 2 : 0;
+    for (size_t k = 0; k < d->tree_count; k++) most += d->coordinates[k].is_input;
     f->loads = YK_NEW(d->arena, YkDeriveLoad, most);
     f->opaques = YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + 1);
     f->lengths = YK_NEW(d->arena, YkDeriveLength, model->spring_count + 2 * d->mech->relation_count + 1);

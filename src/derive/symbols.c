@@ -2,33 +2,37 @@
 #include <string.h>
 #include "derive/frame.h"
 
-// A name the ring accepts: letters, digits, _ and dots, then primes; `taken` more underscores.
-static void fit_name(YkText *text, const char *name, size_t taken)
+static bool fits(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
+}
+
+// A name the ring accepts: letters, digits, _ and dots, then primes.
+static void fit_name(YkText *text, const char *name)
 {
     yk_text_clear(text);
     yk_text_puts(text, name);
-    for (char *c = text->data; c && *c; c++) {
-        bool fits = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') || *c == '.';
-        if (!fits) *c = '_';
-    }
-    yk_text_repeat(text, '_', taken);
+    for (char *c = text->data; c && *c; c++)
+        if (!fits(*c)) *c = '_';
 }
+
+enum { FORMS_MAX = 20 }; // of a name that is taken: NAME, NAME_, NAME__, ...
 
 // Enters a new symbol under the first free form of its name.
 static int32_t enter(YkDerivation *d, const char *name, YkRingClass kind, bool is_angle)
 {
-    YkText text = {0};
+    size_t length = strlen(name);
+    char *form = yk_arena_take(d->arena, length + FORMS_MAX);
     int32_t symbol = -1;
-    for (size_t taken = 0; taken < 20 && symbol < 0 && yk_ring_status(d->ring) == YK_RING_OK; taken++) {
-        fit_name(&text, name, taken);
-        if (text.failed) break;
-        if (yk_ring_find(d->ring, yk_text_get(&text)) >= 0) continue;
-        symbol =
-            is_angle ? yk_ring_angle(d->ring, yk_text_get(&text)) : yk_ring_symbol(d->ring, yk_text_get(&text), kind);
-        if (symbol < 0 && yk_ring_status(d->ring) == YK_RING_NAME) yk_ring_clear(d->ring); // a word that is reserved
+    for (size_t k = 0; form && k < length; k++) form[k] = fits(name[k]) ? name[k] : '_';
+    for (size_t more = 0; form && more < FORMS_MAX && symbol < 0 && yk_ring_status(d->ring) == YK_RING_OK; more++) {
+        if (more > 0) form[length + more - 1] = '_';
+        form[length + more] = '\0';
+        symbol = is_angle ? yk_ring_angle(d->ring, form) : yk_ring_symbol(d->ring, form, kind);
+        if (symbol < 0 && yk_ring_status(d->ring) == YK_RING_NAME) yk_ring_clear(d->ring); // taken, or reserved
     }
-    d->failed |= text.failed;
-    yk_text_free(&text);
+    if (form) yk_arena_give_back(d->arena, form, 0);
+    d->failed |= !form;
     return symbol;
 }
 
@@ -47,7 +51,7 @@ int32_t yk_derive_find(const YkDerivation *d, const char *name)
     YkText text = {0};
     int32_t parameter = yk_names_find(&d->model->parameter_names, name);
     if (parameter != YK_NONE) return d->parameters[parameter];
-    fit_name(&text, name, 0);
+    fit_name(&text, name);
     int32_t symbol = text.failed ? -1 : yk_ring_find(d->ring, yk_text_get(&text));
     yk_text_free(&text);
     return symbol;
@@ -57,7 +61,7 @@ void yk_derive_also(YkDerivation *d, int32_t symbol, const char *first, const ch
 {
     YkText text = {0}, name = {0};
     yk_text_format(&name, "%s%s", first, second);
-    fit_name(&text, yk_text_get(&name), 0);
+    fit_name(&text, yk_text_get(&name));
     for (size_t i = 0; i < name.length && !text.failed; i++) // primes stay
         if (name.data[i] == '\'') text.data[i] = '\'';
     d->failed |= text.failed || name.failed;

@@ -1,10 +1,29 @@
 // Conjugation: i -> -i, e^(i phi) -> e^(-i phi). Real and imaginary parts, dot and cross products.
 #include "ring/inside.h"
 
+static bool has_no_phase(const YkPoisson *a)
+{
+    return a->count == 0 || yk_key_phase(a->terms[a->count - 1].key) == 0; // keys ascend by phase
+}
+
+// Of an element without phases: the terms without i, or those with it, which is taken off. Their order stays.
+static const YkPoisson *half_of_constant(YkRing *ring, const YkPoisson *a, bool imaginary)
+{
+    size_t count = 0;
+    if (!yk_gather_room(ring, a->count)) return NULL;
+    YkRingTerm *out = ring->gather.terms;
+    for (size_t i = 0; i < a->count; i++) {
+        bool has_i = yk_key_unit(a->terms[i].key) & YK_UNIT_I;
+        if (has_i == imaginary) out[count++] = (YkRingTerm){a->terms[i].key & ~(uint64_t)YK_UNIT_I, a->terms[i].number};
+    }
+    return count == a->count && !imaginary ? a : yk_poisson_make(ring, out, count, a->denominator);
+}
+
 // Gathers (sign a + conjugate a) * i^turns / 2, turns 0 or 1, a without i and with it turned.
 static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
 {
     int64_t denominator;
+    if (has_no_phase(a)) return half_of_constant(ring, a, imaginary);
     if (!yk_exact_multiply(a->denominator, 2, &denominator)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
     yk_gather_begin(ring, denominator);
     for (size_t i = 0; i < a->count; i++) {

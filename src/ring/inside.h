@@ -56,7 +56,8 @@ typedef struct YkRingSymbol {
     const char *name;
     size_t name_length;
     YkRingClass kind;
-    bool is_angle;
+    bool is_angle, has_rates;
+    int32_t rate_symbol;      // with rates: the first of them, the other follows
     const YkPoisson *element; // the symbol itself; made at first use
     uint32_t monomial;        // the same as a monomial; 0: not made yet
     const YkPoisson *rate;    // declared total time derivative, or NULL
@@ -96,8 +97,9 @@ struct YkRing {
     YkPowers monomials, phases;
     YkGather gather;
     const YkPoisson *zero, *one;
-    YkRingChanges *changes; // the newest
-    size_t rule_count;      // rates, partial derivatives and roots that were declared
+    YkRingChanges *changes;  // the newest
+    size_t derivative_names; // names that end in .rate or .accel
+    size_t rule_count;       // rates, partial derivatives and roots that were declared
     // Marks of symbols with a rate; of those whose derivatives have to be made, or have a denominator.
     uint64_t moving_marks, dependent_marks;
     size_t form_count; // structured forms made so far

@@ -76,7 +76,7 @@ static int32_t find_symbol(const YkRingReader *reader, const char *name)
     const YkRing *ring = reader->ring;
     int32_t symbol = reader->format == YK_RING_LATEX ? yk_names_find(&ring->latex_names, name) : YK_NONE;
     if (reader->format == YK_RING_C) symbol = yk_names_find(&ring->c_names, name);
-    return symbol != YK_NONE ? symbol : yk_names_find(&ring->names, name);
+    return symbol != YK_NONE ? symbol : yk_ring_find(ring, name);
 }
 
 static void skip_group(YkRingReader *reader)

@@ -14,7 +14,7 @@ static bool is_reserved(const char *name)
 {
     static const char *const words[] = {"cos", "sin", "sqrt", "exp", "pow", "pi"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strcmp(name, words[i]) == 0) return true;
+        if (*name == *words[i] && strcmp(name, words[i]) == 0) return true;
     return strncmp(name, "pi_", 3) == 0 && name[3] != '\0' && strspn(name + 3, "0123456789") == strlen(name + 3);
 }
 
@@ -27,39 +27,70 @@ static bool is_name(const char *name)
     return *c == '\0' && c - name <= NAME_MAX_LENGTH && c[-1] != '.' && !is_reserved(name);
 }
 
+// NAME.rate and NAME.accel are other names of NAME' and NAME'': not entered, but understood. The symbol, or -1.
+static int32_t find_derivative(const YkRing *ring, const char *name)
+{
+    static const char *const endings[] = {".rate", ".accel"};
+    char stem[NAME_MAX_LENGTH + 1];
+    const char *dot = strrchr(name, '.');
+    if (!dot || (size_t)(dot - name) >= sizeof stem) return -1;
+    memcpy(stem, name, (size_t)(dot - name));
+    stem[dot - name] = '\0';
+    for (int k = 0; k < 2; k++)
+        if (strcmp(dot, endings[k]) == 0) {
+            int32_t of = yk_names_find(&ring->names, stem);
+            bool has_rates = of >= 0 && ring->symbols[of].has_rates && strcmp(ring->symbols[of].name, stem) == 0;
+            return has_rates ? ring->symbols[of].rate_symbol + k : -1;
+        }
+    return -1;
+}
+
 // Enters a name for a symbol; false with the status when it is taken.
 static bool enter_name(YkRing *ring, const char *name, int32_t symbol)
 {
     int32_t existing;
+    const char *dot = strrchr(name, '.');
+    bool is_derivative = dot && (strcmp(dot, ".rate") == 0 || strcmp(dot, ".accel") == 0);
+    if (is_derivative && find_derivative(ring, name) >= 0) return yk_ring_fail(ring, YK_RING_NAME) != NULL;
+    ring->derivative_names += is_derivative;
     if (!yk_names_add(&ring->names, name, symbol, &existing)) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
     return existing == YK_NONE || yk_ring_fail(ring, YK_RING_NAME) != NULL;
 }
 
-static int32_t add_symbol(YkRing *ring, const char *name, YkRingSymbol symbol)
+// `name`, in the ring's arena and the last that was taken from it, is given back where it does not become a symbol's.
+static int32_t add_symbol(YkRing *ring, char *name, YkRingSymbol symbol)
 {
-    if (ring->symbol_count >= SYMBOLS_MAX) return yk_ring_fail(ring, YK_RING_SIZE) ? 0 : -1;
-    symbol.name_length = strlen(name);
-    symbol.name = yk_arena_copy(ring->arena, name, symbol.name_length);
-    if (!symbol.name || !YK_ROOM(ring->symbols, ring->symbol_count, ring->symbol_capacity)) {
+    if (!name || !YK_ROOM(ring->symbols, ring->symbol_count, ring->symbol_capacity)) {
         yk_ring_fail(ring, YK_RING_MEMORY);
         return -1;
     }
+    symbol.name = name;
+    symbol.name_length = strlen(name);
     int32_t index = (int32_t)ring->symbol_count;
-    if (!enter_name(ring, symbol.name, index)) return -1;
+    if (ring->symbol_count >= SYMBOLS_MAX) yk_ring_fail(ring, YK_RING_SIZE);
+    if (ring->symbol_count >= SYMBOLS_MAX || !enter_name(ring, name, index)) {
+        yk_arena_give_back(ring->arena, name, 0);
+        return -1;
+    }
     ring->symbols[ring->symbol_count++] = symbol;
     return index;
 }
 
+static int32_t add_named(YkRing *ring, const char *name, YkRingSymbol symbol)
+{
+    return add_symbol(ring, yk_arena_copy(ring->arena, name, strlen(name)), symbol);
+}
+
 int32_t yk_ring_symbol(YkRing *ring, const char *name, YkRingClass kind)
 {
-    if (is_name(name)) return add_symbol(ring, name, (YkRingSymbol){.kind = kind});
+    if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = kind});
     yk_ring_fail(ring, YK_RING_NAME);
     return -1;
 }
 
 int32_t yk_ring_angle(YkRing *ring, const char *name)
 {
-    if (is_name(name)) return add_symbol(ring, name, (YkRingSymbol){.kind = YK_RING_COORDINATE, .is_angle = true});
+    if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = YK_RING_COORDINATE, .is_angle = true});
     yk_ring_fail(ring, YK_RING_NAME);
     return -1;
 }
@@ -77,8 +108,8 @@ int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over)
     if (name.failed)
         yk_ring_fail(ring, YK_RING_MEMORY);
     else if (symbol < 0)
-        symbol = add_symbol(ring, yk_text_get(&name),
-                            (YkRingSymbol){.kind = YK_RING_CONSTANT, .is_angle = pi_over > 1, .pi_over = pi_over});
+        symbol = add_named(ring, yk_text_get(&name),
+                           (YkRingSymbol){.kind = YK_RING_CONSTANT, .is_angle = pi_over > 1, .pi_over = pi_over});
     yk_text_free(&name);
     return symbol;
 }
@@ -92,26 +123,44 @@ bool yk_ring_alias(YkRing *ring, int32_t symbol, const char *name)
     return enter_name(ring, copy, symbol);
 }
 
-// A symbol named coordinate + suffix, with coordinate + alias as its other name.
-static int32_t add_derived(YkRing *ring, int32_t coordinate, const char *suffix, const char *alias, YkRingClass kind)
+// A symbol named as the coordinate with so many primes.
+static int32_t add_derived(YkRing *ring, int32_t coordinate, size_t primes, YkRingClass kind)
 {
-    YkText name = {0};
-    yk_text_format(&name, "%s%s", ring->symbols[coordinate].name, suffix);
-    int32_t symbol = name.failed ? -1 : yk_ring_symbol(ring, yk_text_get(&name), kind);
-    yk_text_clear(&name);
-    yk_text_format(&name, "%s%s", ring->symbols[coordinate].name, alias);
-    if (name.failed) yk_ring_fail(ring, YK_RING_MEMORY);
-    bool well = symbol >= 0 && !name.failed && yk_ring_alias(ring, symbol, yk_text_get(&name));
-    yk_text_free(&name);
-    return well ? symbol : -1;
+    const char *of = ring->symbols[coordinate].name;
+    size_t length = strlen(of);
+    char *name = yk_arena_take(ring->arena, length + primes + 1);
+    if (!name) return yk_ring_fail(ring, YK_RING_MEMORY) ? 0 : -1;
+    memcpy(name, of, length);
+    memset(name + length, '\'', primes);
+    name[length + primes] = '\0';
+    if (length + primes <= NAME_MAX_LENGTH) return add_symbol(ring, name, (YkRingSymbol){.kind = kind});
+    yk_ring_fail(ring, YK_RING_NAME);
+    return -1;
+}
+
+// Is NAME.rate or NAME.accel a name of its own? Few are: names that end so are counted.
+static bool is_derivative_taken(const YkRing *ring, int32_t coordinate)
+{
+    static const char *const endings[] = {".rate", ".accel"};
+    char name[NAME_MAX_LENGTH + 8];
+    const char *of = ring->symbols[coordinate].name;
+    for (int k = 0; k < 2 && ring->derivative_names > 0; k++) {
+        memcpy(name, of, strlen(of));
+        strcpy(name + strlen(of), endings[k]);
+        if (yk_names_find(&ring->names, name) >= 0) return true;
+    }
+    return false;
 }
 
 int32_t yk_ring_rates(YkRing *ring, int32_t coordinate)
 {
-    if (coordinate < 0 || (size_t)coordinate >= ring->symbol_count) return yk_ring_fail(ring, YK_RING_NAME) ? 0 : -1;
-    int32_t rate = add_derived(ring, coordinate, "'", ".rate", YK_RING_RATE);
-    int32_t acceleration = rate < 0 ? -1 : add_derived(ring, coordinate, "''", ".accel", YK_RING_ACCELERATION);
+    if (coordinate < 0 || (size_t)coordinate >= ring->symbol_count || is_derivative_taken(ring, coordinate))
+        return yk_ring_fail(ring, YK_RING_NAME) ? 0 : -1;
+    int32_t rate = add_derived(ring, coordinate, 1, YK_RING_RATE);
+    int32_t acceleration = rate < 0 ? -1 : add_derived(ring, coordinate, 2, YK_RING_ACCELERATION);
     if (acceleration < 0) return -1;
+    ring->symbols[coordinate].rate_symbol = rate;
+    ring->symbols[coordinate].has_rates = true;
     bool well = yk_ring_set_rate(ring, coordinate, yk_ring_of(ring, rate)) &&
                 yk_ring_set_rate(ring, rate, yk_ring_of(ring, acceleration));
     return well ? rate : -1;
@@ -177,7 +226,8 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
 
 int32_t yk_ring_find(const YkRing *ring, const char *name)
 {
-    return yk_names_find(&ring->names, name);
+    int32_t symbol = yk_names_find(&ring->names, name);
+    return symbol >= 0 ? symbol : find_derivative(ring, name);
 }
 
 size_t yk_ring_symbol_count(const YkRing *ring)

@@ -103,6 +103,24 @@ static void a_copy_ends_in_nul_and_keeps_inner_ones(void **state)
     yk_arena_free(arena);
 }
 
+static void what_is_given_back_is_given_next(void **state)
+{
+    (void)state;
+    YkArena *arena = yk_arena_new();
+    for (size_t bytes = 1; bytes < 10000; bytes = 3 * bytes + 1) { // from several chunks
+        char *taken = yk_arena_take(arena, bytes);
+        memset(taken, 'a', bytes);
+        yk_arena_give_back(arena, taken, 1);
+        char *next = yk_arena_take(arena, 5);
+        assert_true(next == taken + 16 || bytes + 16 > 4096); // at the end of a chunk, from another
+        memset(next, 'b', 5);
+        assert_int_equal(*taken, 'a');
+        yk_arena_give_back(arena, next, 0);
+        assert_ptr_equal(yk_arena_take(arena, 16), next);
+    }
+    yk_arena_free(arena);
+}
+
 static void a_growing_array_keeps_its_items_and_doubles(void **state)
 {
     (void)state;
@@ -167,6 +185,7 @@ int main(void)
         cmocka_unit_test(overflow_and_exhaustion_give_null_and_are_remembered),
         cmocka_unit_test(an_arena_that_could_not_be_made_fails_everything),
         cmocka_unit_test(a_copy_ends_in_nul_and_keeps_inner_ones),
+        cmocka_unit_test(what_is_given_back_is_given_next),
         cmocka_unit_test(a_growing_array_keeps_its_items_and_doubles),
         cmocka_unit_test(an_array_that_cannot_grow_keeps_what_it_has),
         cmocka_unit_test(a_cleared_arena_gives_zeroed_memory_again),

@@ -58,6 +58,35 @@ static void a_symbol_tells_what_it_is(void **state)
     yk_ring_free(r);
 }
 
+// NAME.rate and NAME.accel are understood without being entered: nobody else may take them.
+static void the_other_names_of_rates_are_taken(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(4);
+    YkRing *r = f.ring;
+    const char *const taken[] = {"theta1.rate", "theta1.accel", "d3.rate", "A.angle.accel"};
+    for (size_t k = 0; k < sizeof taken / sizeof *taken; k++) {
+        assert_int_equal(yk_ring_symbol(r, taken[k], YK_RING_CONSTANT), -1);
+        assert_int_equal(yk_ring_status(r), YK_RING_NAME);
+        yk_ring_clear(r);
+        assert_false(yk_ring_alias(r, f.parameter[0], taken[k]));
+        yk_ring_clear(r);
+    }
+    assert_int_equal(yk_ring_find(r, "d3.rate"), f.distance_rate);
+    assert_int_equal(yk_ring_find(r, "A.angle.accel"), f.rate[2] + 1);
+    assert_int_equal(yk_ring_find(r, "l1.rate"), -1); // does not move
+    assert_int_equal(yk_ring_find(r, ".rate"), -1);
+    check_same(r, read_text(&f, "theta1.rate^2 + d3.accel"), read_text(&f, "theta1'^2 + d3''"));
+    assert_true(yk_ring_alias(r, f.angle[0], "phi")); // of another name they are not
+    assert_int_equal(yk_ring_find(r, "phi.rate"), -1);
+    int32_t own = yk_ring_symbol(r, "x.accel", YK_RING_CONSTANT), x = yk_ring_symbol(r, "x", YK_RING_COORDINATE);
+    assert_true(own >= 0 && x >= 0);
+    assert_int_equal(yk_ring_rates(r, x), -1); // whose name it would take
+    assert_int_equal(yk_ring_status(r), YK_RING_NAME);
+    assert_int_equal(yk_ring_find(r, "x.accel"), own);
+    yk_ring_free(r);
+}
+
 static void what_cannot_be_declared_is_refused(void **state)
 {
     (void)state;
@@ -150,6 +179,7 @@ int main(void)
         cmocka_unit_test(names_are_checked),
         cmocka_unit_test(words_that_contain_functions_are_names),
         cmocka_unit_test(a_symbol_tells_what_it_is),
+        cmocka_unit_test(the_other_names_of_rates_are_taken),
         cmocka_unit_test(what_cannot_be_declared_is_refused),
         cmocka_unit_test(names_are_set_as_engineers_write_them),
         cmocka_unit_test(names_in_latex_and_c_are_unique),
