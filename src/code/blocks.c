@@ -34,7 +34,8 @@ static YkRef not_negative(YkDag *g, YkRef a)
 static void keep_margin(YkProgram *p, YkRef margin, YkRef result)
 {
     YkDag *g = &p->graph;
-    p->margin = yk_dag_binary(g, YK_VALUE_LEAST, p->margin, margin);
+    bool is_first = yk_dag_is_number(g, p->margin, 1);
+    p->margin = is_first ? margin : yk_dag_binary(g, YK_VALUE_LEAST, p->margin, margin);
     p->witness = yk_dag_add(g, p->witness, yk_dag_unary(g, YK_VALUE_WITNESS, result));
 }
 
@@ -127,8 +128,8 @@ static YkRef singular_where_tiny(YkProgram *p, YkRef K2)
 {
     YkDag *g = &p->graph;
     double size = yk_program_size(p);
-    YkRef less = yk_dag_subtract(g, K2, yk_dag_number(g, 1e-34 * size * size));
-    return yk_dag_choose(g, less, yk_dag_number(g, -1), one(g));
+    YkRef of_size = yk_dag_multiply(g, yk_dag_number(g, 1 / (size * size)), K2);
+    return yk_dag_subtract(g, yk_dag_multiply(g, yk_dag_number(g, 1e34), of_size), one(g));
 }
 
 // RPR: a line that turns about a pin passes a point.

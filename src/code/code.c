@@ -83,6 +83,16 @@ static bool need_fields(YkFile *file)
     return !p->failed;
 }
 
+// Compilers work at as many poses side by side as fit the narrowest type of a loop. Loops of the machine make a long
+// chain of operations, each waiting for the last: there four vectors at once pay, in trees two.
+static void write_lanes(YkFile *file)
+{
+    bool has_blocks = file->program.mech->block_count > 0;
+    yk_file_template(
+        file, "/* A status in loops over arrays: a narrow type makes compilers work at more poses side by side. */\n");
+    yk_file_template(file, has_blocks ? "typedef short @_status;\n\n" : "typedef int @_status;\n\n");
+}
+
 // Helpers are printed before what uses them, so that is printed first, aside.
 static bool write_body(YkFile *file)
 {
@@ -105,7 +115,9 @@ static bool write_body(YkFile *file)
                      "#if defined(__clang__)\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that stays "
                      "scalar is slower, not wrong */\n"
                      "#define @_EACH _Pragma(\"clang loop vectorize(assume_safety)\")\n#elif defined(__GNUC__)\n"
-                     "#define @_EACH _Pragma(\"GCC ivdep\")\n#else\n#define @_EACH\n#endif\n\n");
+                     "#define @_EACH _Pragma(\"GCC ivdep\")\n#else\n#define @_EACH\n#endif\n"
+                     "enum { @_BLOCK = 256 }; /* poses whose status is held at a time */\n");
+    write_lanes(file);
     yk_file_write_helpers(file, yk_text_get(&body));
     yk_text_puts(&file->text, yk_text_get(&body));
     bool failed = body.failed;

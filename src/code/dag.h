@@ -97,6 +97,8 @@ void yk_dag_section(YkDag *graph, const char *heading);
 // What the program should call it, unless it has a name already or is a plain number; returns it.
 YkRef yk_dag_name(YkDag *graph, YkRef value, const char *format, ...);
 
+// A value with its operands set: the one that is there already, or a new one.
+YkRef yk_dag_intern(YkDag *graph, YkValue value);
 YkRef yk_dag_number(YkDag *graph, double number);
 YkRef yk_dag_leaf(YkDag *graph, YkLeafClass leaf_class, const char *name);
 YkRef yk_dag_add(YkDag *graph, YkRef a, YkRef b);
@@ -113,6 +115,8 @@ YkRefVec yk_dag_unit(YkDag *graph, YkRef angle); // (cos, sin)
 // A call; the result `k` of it.
 int32_t yk_dag_call(YkDag *graph, YkCall call);
 YkRef yk_dag_result(YkDag *graph, int32_t call, size_t k);
+// How many operations the roots take, each value once, those of parameters alone not counted.
+size_t yk_dag_cost(const YkDag *graph, const YkRef *roots, size_t count);
 // d value / d leaf, exact. memo: as many as the graph has values at the time, -1 where not known yet.
 YkRef yk_dag_derivative(YkDag *graph, YkRef value, YkRef leaf);
 

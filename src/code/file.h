@@ -60,7 +60,15 @@ void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, con
                         const char *format, ...);
 // What a routine's body makes: its results and what the status hangs on; room for 5 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
-// file_text.c and its neighbours: the parts of the file, in order.
+// file_types.c: the type of numbers; parameters that the struct has, since they follow from no others.
+const char *yk_file_real(const YkFile *file);
+bool yk_file_is_own(const YkFile *file, size_t parameter);
+size_t yk_file_own_parameters(const YkFile *file);
+void yk_file_prototype(YkFile *file, const YkRoutine *routine, const char *ending);
+void yk_file_prototype_many(YkFile *file, const YkRoutine *routine, bool designs, const char *ending);
+// The text before, a value, the text after.
+void yk_file_line(YkFile *file, const char *before, YkRef value, const char *after);
+// file_*.c and their neighbours: the parts of the file, in order.
 void yk_file_write_head(YkFile *file);
 void yk_file_write_types(YkFile *file);
 void yk_file_write_helpers(YkFile *file, const char *body); // those that the body uses

@@ -17,11 +17,12 @@ typedef struct YkForces {
     YkMotionRef *motion;      // per coordinate of the tree: position and velocity
     YkRates *column;          // per input
     YkRates velocities, bias; // of the pose; its accelerations where the inputs do not accelerate
-    YkWrenchRef *load;        // per body
-    YkRef *mass, *rest;       // M[n][n]; h - Q
-    YkRef *effort;            // per input, all accelerations given
-    YkRef *acceleration;      // per input, those that are not driven without effort but `extra`
-    bool *is_free;            // per input
+    YkRefVec gravity;
+    YkWrenchRef *load;   // per body, besides its weight
+    YkRef *mass, *rest;  // M[n][n]; h - Q
+    YkRef *effort;       // per input, all accelerations given
+    YkRef *acceleration; // per input, those that are not driven without effort but `extra`
+    bool *is_free;       // per input
     size_t free_count;
     YkRef inertia; // above 0 where every free input has inertia
     YkRef kinetic, potential;
@@ -30,6 +31,12 @@ typedef struct YkForces {
     const char *why_no_reactions;
 } YkForces;
 
+typedef struct YkEquations { // M q'' + rest = efforts
+    YkRef *mass, *rest;      // M[n][n], at and below its diagonal
+} YkEquations;
+
+enum { YK_FORCES_INPUTS_MAX = 40 };
+
 // False where a load cannot be printed: reported.
 bool yk_forces_build(YkForces *forces, YkProgram *program);
 // loads.c: what all loads exert, into forces->load; and what springs and gravity store.
@@ -37,6 +44,12 @@ bool yk_forces_loads(YkForces *forces);
 YkRefVec yk_forces_center(YkProgram *program, int32_t body); // its reference point, in the body's axes
 YkRef yk_forces_mass(YkProgram *program, int32_t body);
 YkRef yk_forces_inertia(YkProgram *program, int32_t body);
+// equations.c: M and the rest.
+bool yk_forces_equations(YkForces *forces);
+// lumped.c: adds all masses and their weight; false where the machine is no tree, or not all its bodies have mass.
+bool yk_forces_lumped(YkForces *forces, YkEquations *out);
+// accelerations.c: of the free inputs.
+void yk_forces_accelerations(YkForces *forces);
 // reactions.c: the free bodies' equations.
 void yk_forces_reactions(YkForces *forces, const YkRates *velocities, const YkRates *accelerations);
 // Does it have mass or load?

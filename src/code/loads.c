@@ -187,18 +187,18 @@ static bool add_friction(YkForces *f)
     return true;
 }
 
-static void add_gravity(YkForces *f)
+static void make_gravity(YkForces *f)
 {
     YkProgram *p = f->program;
     YkDag *g = &p->graph;
+    f->gravity = yk_dag_vec_number(g, 0, 0);
     if (!p->model->has_gravity) return;
-    YkRefVec gravity = {value_of(p, p->model->gravity_x, p->model->gravity.x),
-                        value_of(p, p->model->gravity_y, p->model->gravity.y)};
+    f->gravity.x = value_of(p, p->model->gravity_x, p->model->gravity.x);
+    f->gravity.y = value_of(p, p->model->gravity_y, p->model->gravity.y);
     for (size_t b = 1; b < p->model->body_count; b++) {
         if (!p->model->bodies[b].has_mass) continue;
-        YkRefVec weight = yk_dag_vec_scale(g, yk_forces_mass(p, (int32_t)b), gravity);
+        YkRefVec weight = yk_dag_vec_scale(g, yk_forces_mass(p, (int32_t)b), f->gravity);
         YkRefVec at = yk_program_at(p, (int32_t)b, yk_forces_center(p, (int32_t)b));
-        f->load[b].force = yk_dag_vec_add(g, f->load[b].force, weight);
         f->potential = yk_dag_subtract(g, f->potential, yk_dag_dot(g, weight, at));
     }
 }
@@ -210,7 +210,7 @@ bool yk_forces_loads(YkForces *f)
     for (size_t b = 0; b < p->model->body_count; b++) f->load[b] = (YkWrenchRef){{zero, zero}, zero};
     f->potential = zero;
     yk_dag_section(&p->graph, "Loads on the bodies: forces at, and moments about, their centres of mass.");
-    add_gravity(f);
+    make_gravity(f);
     add_efforts(f);
     add_forces(f);
     for (size_t k = 0; k < p->model->spring_count; k++) add_spring(f, &p->model->springs[k]);

@@ -30,15 +30,22 @@ static void name_unit(YkProgram *p, int32_t slot)
     yk_dag_name(&p->graph, p->unit[slot].y, "%s_s", name);
 }
 
-// slot = parent turned by sign (q + offset); the offset is minus the joint's.
+// By sign (q + offset); the offset is minus the joint's.
+YkRefVec yk_program_turn(YkProgram *p, const YkStep *step)
+{
+    YkDag *g = &p->graph;
+    int32_t joint = p->mech->coordinates[p->mech->inputs[step->input]].joint;
+    YkRef angle = yk_dag_subtract(g, p->input[step->input].position, yk_program_joint_offset(p, joint));
+    return yk_dag_unit(g, step->sign < 0 ? yk_dag_minus(g, angle) : angle);
+}
+
+// slot = parent turned.
 static void run_turn(YkProgram *p, const YkStep *step)
 {
     YkDag *g = &p->graph;
     const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[step->input]];
     yk_dag_section(g, yk_program_text(p, "%s turns by %s.", yk_program_slot_name(p, step->target), c->name));
-    YkRef angle = yk_dag_subtract(g, p->input[step->input].position, yk_program_joint_offset(p, c->joint));
-    if (step->sign < 0) angle = yk_dag_minus(g, angle);
-    YkRefVec e = yk_dag_unit(g, angle);
+    YkRefVec e = yk_program_turn(p, step);
     p->witness = yk_dag_add(g, p->witness, yk_dag_unary(g, YK_VALUE_WITNESS, e.x)); // NaN where it is too large
     p->unit[step->target] = yk_dag_vec_multiply(g, p->unit[step->parent], e);
     name_unit(p, step->target);

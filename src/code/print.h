@@ -46,16 +46,25 @@ typedef struct YkPrinter {
 
 bool yk_printer_start(YkPrinter *printer, YkProgram *program, const char *prefix, bool single, YkText *out);
 void yk_printer_end(YkPrinter *printer);
+// print.c: marks what the roots need, for a function that begins here.
+void yk_printer_begin(YkPrinter *printer, const YkRef *roots, size_t count);
 // Takes note of what a pose's values need of the machine.
 void yk_printer_need(YkPrinter *printer, const YkRef *roots, size_t count);
 // Statements for all that the roots need; afterwards yk_printer_value writes them. Names in `reserved` are not used.
 void yk_printer_body(YkPrinter *printer, const YkRef *roots, size_t count);
+// print_value.c: by its variable, if it has one; or what that variable is set to.
 void yk_printer_value(YkPrinter *printer, YkRef value);
+void yk_printer_written(YkPrinter *printer, YkRef value);
+// Does it stand for itself: a number, a leaf, a value of the machine, an element of `known`?
+bool yk_printer_is_given(const YkPrinter *printer, YkRef value);
 // The machine's own values: `m.name = ...;`
 void yk_printer_machine(YkPrinter *printer);
 void yk_printer_number(YkPrinter *printer, double number);
+// Breaks what has been written from there on into lines of the usual length.
+void yk_printer_wrap(YkPrinter *printer, size_t from);
 // group.c: the functions of Newton's method, one a group that the roots need.
 void yk_printer_group(YkPrinter *printer, size_t block);
+enum { YK_PRINTER_KNOWN_MAX = 512 };
 // What a group's function takes from outside, in the order of its array: at most `capacity` to known; returns how many.
 size_t yk_printer_group_known(YkPrinter *printer, size_t block, YkRef *known, size_t capacity);
 

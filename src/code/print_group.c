@@ -59,8 +59,6 @@ size_t yk_printer_group_known(YkPrinter *pr, size_t block, YkRef *known, size_t 
     return g.count;
 }
 
-enum { KNOWN_MAX = 512 };
-
 void yk_printer_group(YkPrinter *pr, size_t block)
 {
     YkProgram *p = pr->program;
@@ -68,8 +66,8 @@ void yk_printer_group(YkPrinter *pr, size_t block)
     const YkBlock *b = &p->mech->blocks[block];
     const char *real = pr->single ? "float" : "double", *name = placed->name;
     int n = (int)b->column_count;
-    YkRef known[KNOWN_MAX];
-    size_t count = yk_printer_group_known(pr, block, known, KNOWN_MAX);
+    YkRef known[YK_PRINTER_KNOWN_MAX];
+    size_t count = yk_printer_group_known(pr, block, known, YK_PRINTER_KNOWN_MAX);
     YkRef *roots = YK_NEW(p->arena, YkRef, (size_t)(n + n * n));
     if (!roots || pr->failed) return;
     for (int i = 0; i < n; i++) { // rows with their right side

@@ -92,6 +92,7 @@ YkRef yk_program_joint_offset(YkProgram *program, int32_t joint); // angle of th
 
 // pose.c: positions, by all steps.
 void yk_program_pose(YkProgram *program);
+YkRefVec yk_program_turn(YkProgram *program, const YkStep *step); // of an input's turn, from its parent
 // What a relation says of its target or, in a group or where it repeats others, what it misses by, m. unknown: the
 // group's columns, or NULL.
 YkRef yk_program_relation(YkProgram *program, size_t relation, const YkRef *unknown);

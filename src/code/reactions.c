@@ -80,7 +80,7 @@ static void enter(Work *w, size_t column, int32_t body, double sign, YkRefVec po
     row[2 * (w->n + 1)] = yk_dag_divide(g, yk_dag_cross(g, arm, force), yk_dag_number(g, yk_program_size(p)));
 }
 
-// inertia - loads, moments over the machine's size as in the rows.
+// inertia - weight - loads, moments over the machine's size as in the rows.
 static void enter_right(Work *w, int32_t body, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = w->f->program;
@@ -91,7 +91,8 @@ static void enter_right(Work *w, int32_t body, const YkRates *r, const YkRates *
     YkRef moment = yk_dag_minus(g, load->moment);
     if (p->model->bodies[body].has_mass) {
         YkRefVec a = yk_program_at_accel(p, body, yk_forces_center(p, body), r, s);
-        force = yk_dag_vec_add(g, force, yk_dag_vec_scale(g, yk_forces_mass(p, body), a));
+        YkRefVec pull = yk_dag_vec_subtract(g, a, w->f->gravity);
+        force = yk_dag_vec_add(g, force, yk_dag_vec_scale(g, yk_forces_mass(p, body), pull));
         YkRef spin = s->turn[p->mech->bodies[body].orientation];
         moment = yk_dag_add(g, moment, yk_dag_multiply(g, yk_forces_inertia(p, body), spin));
     }

@@ -154,6 +154,44 @@ class Code(Case):
         far = inputs(**{"theta1": 1e9})
         self.assertLess(library.m_find_motion(machine, configuration, ctypes.byref(far), out), 0)
 
+    def test_a_batch_says_of_each_pose_what_a_call_says(self):
+        """Arrays longer than a block and no multiple of one, good poses among others of every kind."""
+        text = self.print(self.rocker, "--kinematics")
+        members = re.findall(r"    double (\w+);", re.search(r"(?s)typedef struct m_inputs \{(.*?)\}", text).group(1))
+        results = re.findall(r"    double (\w+);", re.search(r"(?s)typedef struct m_motion \{(.*?)\n\}", text).group(1))
+        program = """
+#include <stdio.h>
+int main(void)
+{
+    enum { N = 1003 };
+    static double in[%d][N], out[%d][N];
+    static signed char status[N];
+    const m_parameters p = m_defaults();
+    const m_machine m = m_prepare(&p);
+    const m_configuration c = m_start();
+    const m_inputs_arrays inputs = {%s};
+    const m_motion_arrays outputs = {%s};
+    double worst = 0;
+    int seen[16] = {0};
+    for (int i = 0; i < N; i++) in[1][i] = i %% 97 == 13 ? NAN : i %% 89 == 7 ? 1e9 : 0.013 * i - 6;
+    m_find_motion_batch(N, &m, &c, &inputs, &outputs, status);
+    for (int i = 0; i < N; i++) {
+        const m_inputs pose = {%s};
+        m_motion one;
+        if (m_find_motion(&m, &c, &pose, &one) != status[i]) return 1;
+        seen[status[i] + 8] = 1;
+        if (status[i] != m_OK) continue;
+%s    }
+    if (!seen[m_OK + 8] || !seen[m_LIMIT + 8] || worst > 1e-11) return 2;
+    return 0;
+}
+""" % (len(members), len(results), ", ".join("in[%d]" % k for k in range(len(members))),
+            ", ".join("out[%d]" % k for k in range(len(results))), ", ".join("in[%d][i]" % k for k in range(len(members))),
+            "".join("        worst = fmax(worst, fabs(one.%s - out[%d][i]));\n" % (n, k) for k, n in enumerate(results)))
+        for flags in (["-O1"], ["-O3", "-fno-math-errno", "-fno-trapping-math"]):
+            run = subprocess.run([self.compile(text + program, *flags)], check=False)
+            self.assertEqual(run.returncode, 0, flags)
+
     def test_residuals_vanish_at_a_pose_and_their_jacobian_is_their_derivative(self):
         quick = os.path.join(ROOT, "examples", "quick-return.yaml")
         text = self.print(quick)

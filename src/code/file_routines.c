@@ -1,0 +1,197 @@
+// The routines of the printed file: one pose, and loops over arrays of poses and of parameters.
+#include <string.h>
+#include "code/file.h"
+
+// --- the status -----------------------------------------------------------------------------------
+
+// Where the condition does not hold (of NaN none does), that is how it went; the first of all counts.
+static void check(YkFile *file, YkRef value, const char *condition, const char *status)
+{
+    yk_text_puts(&file->text, "!(");
+    yk_printer_value(&file->printer, value);
+    yk_text_format(&file->text, "%s) ? %s_%s\n        : ", condition, file->prefix, status);
+}
+
+static void check_local(YkFile *file, const char *condition, const char *status)
+{
+    yk_text_format(&file->text, "!(%s) ? %s_%s\n        : ", condition, file->prefix, status);
+}
+
+static void check_gap(YkFile *file)
+{
+    YkText *out = &file->text;
+    yk_text_puts(out, "!(");
+    yk_printer_value(&file->printer, file->program.gap);
+    yk_text_puts(out, " <= ");
+    yk_printer_number(&file->printer, yk_program_size(&file->program));
+    yk_text_puts(out, file->single ? " * (1e-5f + 1e-7f / sqrtf(margin > 1e-7f ? margin : 1e-7f))"
+                                   : " * (1e-12 + 4e-16 / sqrt(margin > 1e-14 ? margin : 1e-14))");
+    yk_text_format(out, ") ? %s_NO_ASSEMBLY\n        : ", file->prefix);
+}
+
+// What the conditions speak of.
+static void write_witnesses(YkFile *file, const YkRoutine *r, bool has_margin, bool has_witness)
+{
+    const char *real = yk_file_real(file);
+    YkText *out = &file->text;
+    yk_text_puts(out, "\n    /* How it went. */\n");
+    if (has_margin)
+        yk_file_line(file, yk_program_text(&file->program, "    const %s margin = ", real), file->program.margin,
+                     ";\n");
+    if (has_witness)
+        yk_file_line(file, yk_program_text(&file->program, "    const %s witness = ", real), r->witness, ";\n");
+    if (!r->checks_results) return;
+    size_t from = out->length;
+    yk_text_format(out, "    const %s finite = ", real);
+    for (size_t k = 0; k < r->count; k++) yk_text_format(out, "%s0 * out->%s", k == 0 ? "" : " + ", r->results[k].name);
+    yk_text_puts(out, ";");
+    yk_printer_wrap(&file->printer, from);
+    yk_text_puts(out, "\n");
+}
+
+static void write_status(YkFile *file, const YkRoutine *r)
+{
+    const YkProgram *p = &file->program;
+    const YkDag *g = &p->graph;
+    bool has_gap = !yk_dag_is_number(g, p->gap, 0), has_margin = has_gap || !yk_dag_is_number(g, p->margin, 1),
+         has_witness = !yk_dag_is_number(g, r->witness, 0);
+    write_witnesses(file, r, has_margin, has_witness);
+    yk_text_puts(&file->text, "    return ");
+    if (!yk_dag_is_number(g, p->missed, 0)) check(file, p->missed, " <= 1", "NOT_CONVERGED");
+    if (has_margin) check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
+    if (has_witness) check_local(file, "witness == 0", "BAD_INPUT");
+    if (has_gap) check_gap(file);
+    if (has_margin) check_local(file, file->single ? "margin > 1e-7f" : "margin > 1e-14", "SINGULAR");
+    if (r->regular >= 0) check(file, r->regular, " > 0", "SINGULAR");
+    if (r->checks_results) check_local(file, "finite == 0", "NOT_FINITE");
+    yk_text_format(&file->text, "%s_OK;\n}\n\n", file->prefix);
+}
+
+// --- the kernel -----------------------------------------------------------------------------------
+
+static size_t gather_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
+{
+    const YkProgram *p = &file->program;
+    size_t count = 0;
+    for (size_t k = 0; k < r->count; k++) roots[count++] = r->results[k].value;
+    roots[count++] = p->margin;
+    roots[count++] = r->witness;
+    roots[count++] = p->gap;
+    roots[count++] = p->missed;
+    if (r->regular >= 0) roots[count++] = r->regular;
+    return count;
+}
+
+size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
+{
+    return gather_roots(file, r, roots);
+}
+
+static void write_kernel(YkFile *file, const YkRoutine *r)
+{
+    YkRef *roots = YK_NEW(file->program.arena, YkRef, r->count + 8);
+    if (!roots) {
+        file->program.failed = true;
+        return;
+    }
+    size_t count = gather_roots(file, r, roots);
+    yk_text_format(&file->text, "/* %s */\n", r->about);
+    yk_text_format(&file->text,
+                   "%s_INLINE int %s_%s_of(const %s_machine *m, const %s_configuration *c, const %s_inputs *in,\n    "
+                   "%s_%s *out)\n{\n    (void)m;\n    (void)c;\n    (void)in;\n",
+                   file->prefix, file->prefix, r->name, file->prefix, file->prefix, file->prefix, file->prefix,
+                   r->name);
+    yk_printer_body(&file->printer, roots, count);
+    yk_text_puts(&file->text, "\n    /* Results. */\n");
+    for (size_t k = 0; k < r->count; k++)
+        yk_file_line(file, yk_program_text(&file->program, "    out->%s = ", r->results[k].name), r->results[k].value,
+                     ";\n");
+    write_status(file, r);
+}
+
+// Does the routine use this input?
+static bool uses_leaf(const YkFile *file, const char *name)
+{
+    const YkDag *g = &file->program.graph;
+    for (size_t k = 0; k < g->count; k++)
+        if (g->values[k].op == YK_VALUE_LEAF && strcmp(g->values[k].name, name) == 0) return file->printer.count[k] > 0;
+    return false;
+}
+
+// --- loops ----------------------------------------------------------------------------------------
+
+// The arrays under names of their own: none overlaps another.
+static void write_arrays(YkFile *file, const YkRoutine *r, const bool *used, bool designs)
+{
+    YkText *out = &file->text;
+    YkProgram *p = &file->program;
+    const char *real = yk_file_real(file);
+    for (size_t k = 0; k < file->input_count; k++)
+        if (used[k])
+            yk_text_format(out, "    const %s *restrict in_%s = in->%s;\n", real, file->inputs[k].name,
+                           file->inputs[k].name);
+    for (size_t k = 0; designs && k < p->model->parameter_count; k++)
+        if (yk_file_is_own(file, k)) {
+            const char *name = yk_program_name(p, p->model->parameters[k].name);
+            yk_text_format(out, "    const %s *restrict p_%s = p->%s;\n", real, name, name);
+        }
+    for (size_t k = 0; k < r->count; k++)
+        yk_text_format(out, "    %s *restrict out_%s = out->%s;\n", real, r->results[k].name, r->results[k].name);
+    if (!designs) yk_text_format(out, "    const %s_machine machine = *m;\n", file->prefix);
+    yk_file_template(file, "    const @_configuration configuration = *c;\n    (void)in;\n");
+}
+
+static void write_own_machine(YkFile *file)
+{
+    YkText *out = &file->text;
+    YkProgram *p = &file->program;
+    yk_file_template(file, "            @_parameters own;\n");
+    for (size_t k = 0; k < p->model->parameter_count; k++) {
+        if (!yk_file_is_own(file, k)) continue;
+        const char *name = yk_program_name(p, p->model->parameters[k].name);
+        yk_text_format(out, "            own.%s = p_%s[i];\n", name, name);
+    }
+    yk_file_template(file, "            const @_machine machine = @_prepared(&own);\n");
+}
+
+// Blocks of poses: the status of each as a number beside the results, then all of them as bytes.
+static void write_many(YkFile *file, const YkRoutine *r, const bool *used, bool designs)
+{
+    YkText *out = &file->text;
+    yk_file_prototype_many(file, r, designs, "\n{\n");
+    write_arrays(file, r, used, designs);
+    yk_file_template(file, "    for (size_t first = 0; first < n; first += @_BLOCK) {\n"
+                           "        const size_t count = n - first < @_BLOCK ? n - first : @_BLOCK;\n"
+                           "        @_status how[@_BLOCK];\n"
+                           "        @_EACH\n"
+                           "        for (size_t k = 0; k < count; k++) {\n"
+                           "            const size_t i = first + k;\n");
+    if (designs) write_own_machine(file);
+    yk_text_format(out, "            %s_inputs pose;\n            %s_%s found;\n", file->prefix, file->prefix, r->name);
+    for (size_t k = 0; k < file->input_count; k++)
+        if (used[k])
+            yk_text_format(out, "            pose.%s = in_%s[i];\n", file->inputs[k].name, file->inputs[k].name);
+    yk_text_format(out, "            how[k] = (%s_status)%s_%s_of(&machine, &configuration, &pose, &found);\n",
+                   file->prefix, file->prefix, r->name);
+    for (size_t k = 0; k < r->count; k++)
+        yk_text_format(out, "            out_%s[i] = found.%s;\n", r->results[k].name, r->results[k].name);
+    yk_text_puts(out, "        }\n"
+                      "        for (size_t k = 0; k < count; k++) status[first + k] = (signed char)how[k];\n"
+                      "    }\n}\n\n");
+}
+
+void yk_file_write_routine(YkFile *file, const YkRoutine *r)
+{
+    bool *used = YK_NEW(file->program.arena, bool, file->input_count + 1);
+    write_kernel(file, r);
+    if (!used) {
+        file->program.failed = true;
+        return;
+    }
+    for (size_t k = 0; k < file->input_count; k++)
+        used[k] = uses_leaf(file, yk_program_text(&file->program, "in->%s", file->inputs[k].name));
+    yk_file_prototype(file, r, "\n{\n");
+    yk_text_format(&file->text, "    return %s_%s_of(m, c, in, out);\n}\n\n", file->prefix, r->name);
+    write_many(file, r, used, false);
+    if (r->has_designs && yk_file_own_parameters(file) > 0) write_many(file, r, used, true);
+}

@@ -1,0 +1,252 @@
+// Values as statements: a variable for what is used more than once, calls before their first result.
+#include <stdlib.h>
+#include <string.h>
+#include "code/print.h"
+
+enum { INLINE_MAX = 9, LINE_MAX_LENGTH = 112 }; // operations in one expression; columns
+
+static const YkValue *value_of(const YkPrinter *pr, YkRef value)
+{
+    return &pr->program->graph.values[value];
+}
+
+// A name for a variable that nothing else has.
+static const char *unique(YkPrinter *pr, const char *wish)
+{
+    static const char *const reserved[] = {"m",        "c",      "in",     "out",     "i",      "n", "known",
+                                           "x",        "status", "margin", "witness", "finite", "q", "residual",
+                                           "jacobian", "system", "miss",   "t",       NULL};
+    const char *name = wish;
+    int32_t existing;
+    for (int k = 2;; k++) {
+        bool is_reserved = false;
+        for (size_t i = 0; reserved[i]; i++) is_reserved = is_reserved || strcmp(reserved[i], name) == 0;
+        if (!is_reserved && yk_names_find(&pr->taken, name) == YK_NONE) break;
+        name = yk_program_text(pr->program, "%s_%d", wish, k);
+    }
+    if (!yk_names_add(&pr->taken, name, 0, &existing)) pr->failed = true;
+    return name;
+}
+
+static const char *real(const YkPrinter *pr)
+{
+    return pr->single ? "float" : "double";
+}
+
+// --- statements -----------------------------------------------------------------------------------
+
+// How many operations stand in its expression as it would be written.
+static int weight(const YkPrinter *pr, YkRef value)
+{
+    const YkValue *v = value_of(pr, value);
+    if (value < 0 || yk_printer_is_given(pr, value) || pr->local[value]) return 0;
+    if (v->op == YK_VALUE_MINUS) return weight(pr, v->a);
+    int sum = 1;
+    const YkRef operands[] = {v->a, v->b, v->c};
+    for (size_t k = 0; k < 3; k++) sum += operands[k] >= 0 ? weight(pr, operands[k]) : 0;
+    return sum;
+}
+
+// Comments stand before the first statement of their section.
+static void heading(YkPrinter *pr, int32_t section)
+{
+    const char *text = pr->program->graph.sections[section];
+    if (section == pr->section) return;
+    pr->section = section;
+    if (text) yk_text_format(pr->out, "\n    /* %s */\n", text);
+}
+
+// Breaks a line that is too long after a blank at its outermost places.
+void yk_printer_wrap(YkPrinter *pr, size_t from)
+{
+    size_t start = from;
+    while (pr->out->length - start > LINE_MAX_LENGTH) {
+        size_t at = start + LINE_MAX_LENGTH;
+        while (at > start + 20 && pr->out->data[at] != ' ') at--;
+        if (at <= start + 20) return;
+        char *rest = yk_arena_copy(pr->program->arena, pr->out->data + at + 1, pr->out->length - at - 1);
+        if (!rest) {
+            pr->failed = true;
+            return;
+        }
+        pr->out->length = at;
+        pr->out->data[at] = 0;
+        yk_text_puts(pr->out, "\n");
+        start = pr->out->length;
+        yk_text_format(pr->out, "        %s", rest);
+    }
+}
+
+static void declare(YkPrinter *pr, YkRef value, const char *name)
+{
+    size_t from = pr->out->length;
+    yk_text_format(pr->out, "    const %s %s = ", real(pr), name);
+    yk_printer_written(pr, value);
+    yk_text_puts(pr->out, ";");
+    yk_printer_wrap(pr, from);
+    yk_text_puts(pr->out, "\n");
+    pr->local[value] = name;
+}
+
+// The sine and, right behind, the cosine of one angle.
+static void declare_pair(YkPrinter *pr, YkRef sine)
+{
+    const YkValue *s = value_of(pr, sine), *c = value_of(pr, sine + 1);
+    pr->uses[YK_HELPER_SINCOS] = true;
+    pr->local[sine] = unique(pr, s->name ? s->name : yk_program_text(pr->program, "s%d", (int)sine));
+    pr->local[sine + 1] = unique(pr, c->name ? c->name : yk_program_text(pr->program, "c%d", (int)sine));
+    yk_text_format(pr->out, "    %s %s, %s;\n    %s_sincos(", real(pr), pr->local[sine], pr->local[sine + 1],
+                   pr->prefix);
+    yk_printer_value(pr, s->a);
+    yk_text_format(pr->out, ", &%s, &%s);\n", pr->local[sine], pr->local[sine + 1]);
+}
+
+// A row of values as the start of an array.
+static void array(YkPrinter *pr, const char *name, const YkRef *values, size_t count, size_t size)
+{
+    size_t from = pr->out->length;
+    yk_text_format(pr->out, "    %s %s[%d] = {", real(pr), name, (int)size);
+    for (size_t k = 0; k < count; k++) {
+        if (k > 0) yk_text_puts(pr->out, ", ");
+        yk_printer_value(pr, values[k]);
+    }
+    yk_text_puts(pr->out, "};");
+    yk_printer_wrap(pr, from);
+    yk_text_puts(pr->out, "\n");
+}
+
+// --- calls ----------------------------------------------------------------------------------------
+
+static const char *call_array(YkPrinter *pr, const YkCall *call)
+{
+    static const char *const endings[] = {"system", "solution", "law"};
+    return unique(pr, yk_program_text(pr->program, "%s_%s", call->name, endings[call->kind]));
+}
+
+// Equations: the entries that are not zero, then the solution in their place.
+static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    pr->uses[YK_HELPER_SOLVE] = true;
+    if (call->argument_count <= 24) {
+        array(pr, name, call->arguments, call->argument_count, call->result_count);
+    } else {
+        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", real(pr), name, (int)call->result_count);
+        for (size_t k = 0; k < call->argument_count; k++) {
+            if (yk_dag_is_number(&pr->program->graph, call->arguments[k], 0)) continue;
+            size_t from = pr->out->length;
+            yk_text_format(pr->out, "    %s[%d] = ", name, (int)k);
+            yk_printer_value(pr, call->arguments[k]);
+            yk_text_puts(pr->out, ";");
+            yk_printer_wrap(pr, from);
+            yk_text_puts(pr->out, "\n");
+        }
+    }
+    yk_text_format(pr->out, "    %s[%d] = %s_equations(%d, %d, %s);\n", name, (int)call->result_count - 1, pr->prefix,
+                   (int)call->n, (int)call->m, name);
+}
+
+static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    YkRef known[YK_PRINTER_KNOWN_MAX];
+    size_t count = yk_printer_group_known(pr, (size_t)call->index, known, YK_PRINTER_KNOWN_MAX);
+    const char *given_name = unique(pr, yk_program_text(pr->program, "%s_known", call->name));
+    pr->uses[YK_HELPER_SOLVE] = true;
+    array(pr, name, call->arguments, call->argument_count, call->result_count);
+    if (count == 0) {
+        yk_text_format(pr->out, "    const %s %s[1] = {0};\n", real(pr), given_name);
+    } else {
+        yk_text_puts(pr->out, "    const");
+        array(pr, given_name, known, count, count);
+    }
+    yk_text_format(pr->out, "    %s_solve_%s(m, %s, %s);\n", pr->prefix, call->name, given_name, name);
+}
+
+static void call_law(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    pr->uses[YK_HELPER_LAW] = true;
+    yk_text_format(pr->out, "    %s %s[3];\n    %s_law_%s(", real(pr), name, pr->prefix, call->name);
+    yk_printer_value(pr, call->arguments[0]);
+    yk_text_format(pr->out, ", %s);\n", name);
+}
+
+// The call before its first result.
+static const char *ensure_call(YkPrinter *pr, int32_t index, const char **names)
+{
+    YkCall call = pr->program->graph.calls[index];
+    if (names[index]) return names[index];
+    names[index] = call_array(pr, &call);
+    if (call.kind == YK_CALL_SOLVE)
+        call_solve(pr, &call, names[index]);
+    else if (call.kind == YK_CALL_GROUP)
+        call_group(pr, &call, names[index]);
+    else
+        call_law(pr, &call, names[index]);
+    return names[index];
+}
+
+// --- all together ---------------------------------------------------------------------------------
+
+static bool needs_variable(const YkPrinter *pr, YkRef value)
+{
+    const YkValue *v = value_of(pr, value);
+    if (v->op == YK_VALUE_MINUS) return false;
+    if (pr->count[value] > 1 || (v->name && pr->count[value] > 0)) return true;
+    return weight(pr, value) > INLINE_MAX;
+}
+
+static void statement(YkPrinter *pr, YkRef value, const char **call_names)
+{
+    YkValue v = *value_of(pr, value);
+    if (pr->local[value]) return;
+    if ((v.op == YK_VALUE_SINE || v.op == YK_VALUE_COSINE) && !pr->in_machine) {
+        heading(pr, v.section);
+        declare_pair(pr, v.op == YK_VALUE_SINE ? value : v.b);
+    } else if (v.op == YK_VALUE_RESULT) {
+        if (!call_names[v.a]) heading(pr, pr->program->graph.calls[v.a].section);
+        pr->local[value] = yk_program_text(pr->program, "%s[%d]", ensure_call(pr, v.a, call_names), (int)v.b);
+    } else if (needs_variable(pr, value)) {
+        heading(pr, v.section);
+        declare(pr, value, unique(pr, v.name ? v.name : yk_program_text(pr->program, "t%d", (int)value)));
+    }
+}
+
+void yk_printer_body(YkPrinter *pr, const YkRef *roots, size_t count)
+{
+    yk_printer_begin(pr, roots, count);
+    const char **names = calloc(pr->program->graph.call_count + 1, sizeof *names);
+    if (!names) {
+        pr->failed = true;
+        return;
+    }
+    for (size_t k = 0; k < pr->room - 1; k++)
+        if (pr->marked[k]) statement(pr, (YkRef)k, names);
+    free(names);
+}
+
+static int by_ref(const void *a, const void *b)
+{
+    return *(const YkRef *)a < *(const YkRef *)b ? -1 : *(const YkRef *)a > *(const YkRef *)b;
+}
+
+void yk_printer_machine(YkPrinter *pr)
+{
+    pr->in_machine = true;
+    if (pr->field_count > 0) qsort(pr->fields, pr->field_count, sizeof *pr->fields, by_ref);
+    yk_printer_begin(pr, pr->fields, pr->field_count);
+    for (size_t k = 0; k < pr->field_count; k++) { // fields have their names already
+        YkRef field = pr->fields[k];
+        for (YkRef v = k == 0 ? 0 : pr->fields[k - 1] + 1; v < field; v++)
+            if (pr->marked[v] && needs_variable(pr, v))
+                declare(pr, v,
+                        unique(pr, value_of(pr, v)->name ? value_of(pr, v)->name
+                                                         : yk_program_text(pr->program, "t%d", (int)v)));
+        size_t from = pr->out->length;
+        yk_text_format(pr->out, "    machine.%s = ", pr->field[field]);
+        yk_printer_written(pr, field);
+        yk_text_puts(pr->out, ";");
+        yk_printer_wrap(pr, from);
+        yk_text_puts(pr->out, "\n");
+        pr->local[field] = yk_program_text(pr->program, "machine.%s", pr->field[field]);
+    }
+    pr->in_machine = false;
+}
