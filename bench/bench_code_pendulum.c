@@ -2,12 +2,11 @@
 // cache (39 KB with all arrays; the hand-written takes six of them as constants): the C that `yoke code` prints against
 // a loop written by hand, both compiled with the same flags but for fast-math, which only the hand-written has.
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #define pendulum_DECLARATIONS_ONLY
 #include "pendulum.c"
 #include "reference/common/bench.h"
 #include "reference/d1.h"
+#include "rows.h"
 
 enum { CHUNK = 256, REPEATS = 400, ROUNDS = 21 };
 static const double MOST = 1.3;
@@ -44,12 +43,6 @@ static void by_code(Bench *b)
     pendulum_find_accelerations_designs(CHUNK, &p, &c, &in, &out, b->status);
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double time_of(Bench *b, void (*run)(Bench *))
 {
     double start = bench_now();
@@ -72,12 +65,7 @@ int main(void)
             largest = fmax(largest, fabs(b.a[k][i]));
             if (b.status[i] != 0) return 1;
         }
-    qsort(hand, ROUNDS, sizeof *hand, ascending);
-    qsort(code, ROUNDS, sizeof *code, ascending);
-    double ratio = code[ROUNDS / 2] / hand[ROUNDS / 2];
-    printf("%-36s %8s %8s %8s %12s\n", "double pendulums, own parameters", "ns", "least", "ratio", "difference");
-    printf("%-36s %8.2f %8.2f %8.2f %12s\n", "by hand (fast-math)", hand[ROUNDS / 2], hand[0], 1., "-");
-    printf("%-36s %8.2f %8.2f %8.2f %12.1e   %s <= %g\n", "yoke code, _designs", code[ROUNDS / 2], code[0], ratio,
-           worst / largest, ratio <= MOST ? "keeps" : "MISSES", MOST);
-    return ratio <= MOST && worst <= 1e-12 * largest ? 0 : 2;
+    bool keeps = row("`yoke code`: double pendulums, each with its own parameters, a state", median(hand, ROUNDS),
+                     median(code, ROUNDS), "ns", MOST, worst / largest);
+    return keeps && worst <= 1e-12 * largest ? 0 : 2;
 }

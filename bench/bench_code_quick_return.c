@@ -2,12 +2,11 @@
 // by hand: over arrays in cache, and one pose a call.
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #define quick_DECLARATIONS_ONLY
 #include "quick.c"
 #include "reference/common/bench.h"
 #include "reference/k1/closed.h"
+#include "rows.h"
 
 enum { CHUNK = 1024, ROUNDS = 21 };
 static const double W = -0.5, AL = 0.1, MOST = 1.1;
@@ -60,12 +59,6 @@ static void by_call(Bench *b)
     }
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double time_of(Bench *b, void (*run)(Bench *))
 {
     enum { REPEATS = 30 };
@@ -88,19 +81,15 @@ static double error_of(Bench *b, void (*run)(Bench *))
     return worst;
 }
 
-static bool compare(Bench *b, const char *name, void (*hand)(Bench *), void (*code)(Bench *))
+static bool compare(Bench *b, const char *task, void (*hand)(Bench *), void (*code)(Bench *))
 {
     double theirs[ROUNDS], ours[ROUNDS];
     for (int r = 0; r < ROUNDS; r++) {
         theirs[r] = time_of(b, hand);
         ours[r] = time_of(b, code);
     }
-    qsort(theirs, ROUNDS, sizeof *theirs, ascending);
-    qsort(ours, ROUNDS, sizeof *ours, ascending);
-    double ratio = ours[ROUNDS / 2] / theirs[ROUNDS / 2], error = error_of(b, code);
-    printf("%-28s %10.2f %10.2f %10.2f %10.2f %8.2f %10.1e   %s <= %g\n", name, theirs[ROUNDS / 2], theirs[0],
-           ours[ROUNDS / 2], ours[0], ratio, error, ratio <= MOST ? "keeps" : "MISSES", MOST);
-    return ratio <= MOST && error <= 1e-12;
+    double error = error_of(b, code);
+    return row(task, median(theirs, ROUNDS), median(ours, ROUNDS), "ns", MOST, error) && error <= 1e-12;
 }
 
 int main(void)
@@ -111,9 +100,8 @@ int main(void)
         b.theta[i] = 3.141592653589793 * (double)i / (CHUNK - 1);
         b.rate[i] = W, b.accel[i] = AL;
     }
-    printf("%-28s %10s %10s %10s %10s %8s %10s\n", "12 outputs, ns a pose", "by hand", "least", "printed", "least",
-           "ratio", "max error");
-    bool keeps = compare(&b, "arrays (SIMD, fast-math)", by_simd, by_batch);
-    keeps &= compare(&b, "one pose a call", by_scalar, by_call);
+    bool keeps = compare(&b, "`yoke code`: quick-return, position, velocity, acceleration, in batches, a pose", by_simd,
+                         by_batch);
+    keeps &= compare(&b, "`yoke code`: the same, one pose a call", by_scalar, by_call);
     return keeps ? 0 : 2;
 }

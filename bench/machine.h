@@ -3,6 +3,7 @@
 #define BENCH_MACHINE_H
 #include <stdio.h>
 #include <yoke/yoke.h>
+#include "rows.h"
 
 typedef struct Machine {
     YkProblems *problems;
@@ -26,12 +27,5 @@ YkSimulation *machine_simulate(Machine *machine, double tolerance, double horizo
 char *chain_text(size_t rods); // hanging, of 1 m and 1 kg, pins J0, J1, ...
 char *arm_text(size_t links);  // a chain whose every link has parameters of its own: length, centre, mass, inertia
 char *n_four_bar_text(size_t loops); // rods of 1 m and 1 kg, upright, turning clockwise at 1 rad/s
-
-// Sorts; the middle one.
-double median(double *values, size_t count);
-
-// A row of docs/speed.md, as bench/run gathers them: the task, time by hand and ours, the ratio that is asked (0: none)
-// and how far the two are apart. Returns whether the ratio is kept.
-bool row(const char *task, double by_hand, double ours, const char *unit, double asked, double difference);
 
 #endif

@@ -38,7 +38,7 @@ typedef struct YkFile {
     YkProgram program;
     YkPrinter printer;
     YkForces forces;
-    bool has_forces, single;
+    bool has_forces, single, is_of_file; // is_of_file: see compile/variant.h
     const char *prefix;
     YkState *state; // assembled at the start
     YkRoutine routines[YK_ROUTINES_MAX];

@@ -104,6 +104,7 @@ static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names
     for (size_t k = 0; k < count; k++) own[k] = mech->model->parameters[yk_redesign_parameter(v->redesign, k)].value;
     choose_probe(v, mech->model, count, values);
     if (yk_redesign_set(v->redesign, values) == YK_OK) v->mech = compile(v, mech, NULL);
+    v->is_of_file = !v->mech && count > 0;
     if (!v->mech && yk_redesign_set(v->redesign, own) == YK_OK) v->mech = compile(v, mech, problems);
     if (v->mech) {
         v->mech->recipe = NULL;
@@ -119,7 +120,14 @@ YkVariant *yk_variant_new(const YkMechanism *mech, const char *const *names, siz
 {
     YkVariant *v = calloc(1, sizeof *v);
     size_t errors = yk_problems_error_count(problems);
-    if (v && make(v, mech, names, count, problems)) return v;
+    if (v && make(v, mech, names, count, problems)) {
+        if (v->is_of_file)
+            yk_problem(
+                problems, YK_CODE_SPECIAL_VALUES, (YkPlace){0},
+                "with parameters a little beside their values the machine has other constraints, or is solved in "
+                "another order: what is 0 or cancels at these values is taken to stay so");
+        return v;
+    }
     yk_variant_free(v);
     if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing what varies");

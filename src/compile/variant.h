@@ -18,6 +18,9 @@ struct YkVariant {
     size_t active_count;
     YkPatch *patches;
     size_t patch_count, patch_capacity;
+    // Values beside the file's make another machine: it is compiled at the file's own, and what is 0 or cancels there
+    // stays so.
+    bool is_of_file;
     bool failed;
 };
 

@@ -328,6 +328,20 @@ int main(void)
         self.assertIn("Reactions are not part of it", valve.out)
         self.assertIn("[W0661]", valve.err)
 
+    def test_values_that_make_the_machine_what_it_is_are_told(self):
+        """Three cranks in a parallelogram, each with a length of its own: only where all are equal does it turn."""
+        with open(os.path.join(ROOT, "examples", "three-crank-parallelogram.yaml"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertNotIn("W0607", self.good("code", self.write("one.yaml", text)).err)
+        text = text.replace("bodies:", "parameters: {a: 0.5, b: 0.5, c: 0.5}\nbodies:", 1)
+        for crank, name in enumerate("abc", 1):
+            text = text.replace("A%d: [0.5, 0]" % crank, "A%d: [%s, 0]" % (crank, name))
+        path = self.write("three.yaml", text)
+        run = self.good("code", path, "--prefix", "m")
+        self.assertIn("[W0607]", run.err)
+        self.assertIn("The parameters' values are special", run.out)
+        self.assertEqual(self.run_test(run.out).stdout, "m: well\n")
+
     def test_json_holds_the_same_code(self):
         answer = self.good("code", self.four_bar, "--format", "json").json()
         self.assertEqual(answer["prefix"], "four_bar")
