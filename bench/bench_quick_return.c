@@ -57,7 +57,7 @@ static void by_batch(Bench *b, const double *theta1)
 static void by_state(Bench *b, const double *theta1)
 {
     for (size_t i = 0; i < CHUNK; i++) {
-        yk_state_set_input(b->state, 0, (YkMotion){theta1[i], W, AL});
+        yk_state_set_input_to(b->state, 0, theta1[i], W, AL);
         if (yk_state_solve(b->state) != YK_OK) exit(1);
         for (size_t k = 0; k < 4; k++) {
             YkMotion m = yk_state_coordinate(b->state, (size_t)b->channels[k].index);

@@ -36,6 +36,7 @@
 FOUR_BAR(four_bar, 0.04, 0.12, 0.08, 0.1, -1)
 FOUR_BAR(drag_link, 2, 1.8, 2.4, 1, -1)
 FOUR_BAR(hoeken, 1, 3.25, 3.25, 2.5, -1)
+FOUR_BAR(chebyshev, 5, 2, 5, 4, 1)
 
 // Slider-cranks: crank r, rod l, the slide's line at height e.
 #define SLIDER_CRANK(name, r, l, e)                                                                                    \
@@ -129,6 +130,7 @@ const GalleryMachine gallery_machines[] = {
     {"four-bar", OF("gamma", "theta4"), four_bar, {0}, {6.28}, 1},
     {"drag-link", OF("theta3", "theta4"), drag_link, {0}, {6.28}, 1},
     {"hoeken", OF("gamma", "beta"), hoeken, {0}, {6.28}, 1},
+    {"chebyshev", OF("gamma", "beta"), chebyshev, {0.8}, {1.6}, 1}, // away from its dead points
     {"slider-crank", OF("psi", "x"), slider_crank, {0}, {6.28}, 1},
     {"offset-slider-crank", OF("psi", "d"), offset_slider_crank, {0}, {6.28}, 1},
     {"oscillating-cylinder", OF("phi", "s"), oscillating_cylinder, {0}, {6.28}, 1},

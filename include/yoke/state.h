@@ -24,6 +24,8 @@ YK_API YkStatus yk_state_copy(YkState *to, const YkState *from); // same mechani
 YK_API YkStatus yk_state_set_time(YkState *state, double time, YkProblems *problems);
 YK_API double yk_state_time(const YkState *state);
 YK_API void yk_state_set_input(YkState *state, size_t input, YkMotion motion);
+// The same, number by number: a structure that was only just filled would go through memory and wait there.
+YK_API void yk_state_set_input_to(YkState *state, size_t input, double position, double velocity, double acceleration);
 YK_API YkMotion yk_state_input(const YkState *state, size_t input);
 
 // Assembles: among all configurations that close at the inputs, takes the one nearest to the guesses of `start:`

@@ -159,6 +159,27 @@ void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters,
     block->body_count = (uint32_t)mech->member_count - block->first_body;
 }
 
+static YkBlockForm form_of(const YkBlock *block)
+{
+    YkVec arm = block->arm[0].constant;
+    bool is_axial = yk_is_axial(block->line[0]), is_fixed = block->line_slot[0] == 0;
+    if (!block->arm_is_constant[0]) return YK_FORM_RARE;
+    if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1]) return YK_FORM_RRR;
+    if (block->kind == YK_BLOCK_RRP && !is_fixed) return YK_FORM_RRP_TURNING;
+    if (block->kind == YK_BLOCK_RRP) return is_axial && yk_is_axial(arm) ? YK_FORM_RRP_AXIAL : YK_FORM_RRP;
+    if (block->kind != YK_BLOCK_RPR || !is_fixed) return YK_FORM_RARE;
+    return is_axial && arm.x == 0 && arm.y == 0 ? YK_FORM_RPR_AXIAL : YK_FORM_RPR;
+}
+
+void yk_block_measure(YkBlock *block)
+{
+    block->form = form_of(block);
+    if (block->form == YK_FORM_RRR)
+        block->arms.pair = yk_arm_pair(block->arm[0].constant, block->arm[1].constant);
+    else if (block->kind == YK_BLOCK_RRP)
+        block->arms.circle = yk_arm_circle(block->arm[0].constant);
+}
+
 static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
 {
     YkMechanism *mech = plan->mech;
@@ -176,6 +197,7 @@ static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
         block->column[columns++] = (YkColumn){true, p->line[k].distance};
     }
     block->column_count = (uint32_t)columns;
+    yk_block_measure(block);
     if (!ok) plan->failed = true;
 }
 

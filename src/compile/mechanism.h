@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <yoke/mechanism.h>
+#include "compile/arms.h"
 #include "model/model.h"
 
 // v e^(i Phi_slot), times the distance where there is one. Slots: the orientations, then their relative orientations.
@@ -128,24 +129,41 @@ typedef struct YkColumn { // an unknown
     int32_t index; // orientation (a group's root) or distance
 } YkColumn;
 
+// How a block of one pose is solved, of those that are common: constant arms; the line of an RRP on the ground or
+// turning, of an RPR fixed in what turns.
+typedef enum YkBlockForm {
+    YK_FORM_RARE,
+    YK_FORM_RRR,
+    YK_FORM_RRP,
+    YK_FORM_RRP_AXIAL, // line and arm point along x
+    YK_FORM_RRP_TURNING,
+    YK_FORM_RPR,
+    YK_FORM_RPR_AXIAL // the line points along x, and passes the pin
+} YkBlockForm;
+
 typedef struct YkBlock {
     YkBlockKind kind;
+    YkBlockForm form;
+    // dyads: known part, arms (in relative slots, in the axes of the unknown), lines. What a pose needs comes first.
+    bool arm_is_constant[2];
+    int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
+    YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
+    YkSum known;
+    YkArms arms;   // of RRR and RRP, where the arms are constant
+    YkVec line[2]; // constant unit vectors
+    YkSum arm[2];  // RRR: U, W; RRP: W; RPR: C; LINK: U
     const char *label;
     int32_t assur_class;
     uint32_t first_joint, joint_count; // in block_members
     uint32_t first_body, body_count;   // in block_members
-    // dyads: known part, arms (in relative slots, in the axes of the unknown), lines
-    YkSum known;
-    YkSum arm[2]; // RRR: U, W; RRP: W; RPR: C; LINK: U
-    bool arm_is_constant[2];
-    int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
-    YkVec line[2];        // constant unit vectors
-    YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
     // groups
     uint32_t first_column, column_count;     // in group_columns
     uint32_t first_loop, loop_count;         // in group_loops: all terms, known and unknown
     uint32_t first_relation, relation_count; // in group_relations: one equation each, behind those of the loops
 } YkBlock;
+
+// Works out the block's form and `arms`: after every change of its vectors.
+void yk_block_measure(YkBlock *block);
 
 // Equations of a group.
 static inline size_t yk_block_rows(const YkBlock *block)

@@ -1,61 +1,51 @@
 // Answers from a pose.
 #include <string.h>
+#include "solve/angle.h"
+#include "solve/pose.h"
 #include "solve/state.h"
 
-typedef struct Turn {
-    YkVec e;
-    double w, a;
-} Turn;
-
-static Turn turn_in(const YkSpace *space, int32_t slot)
+YK_INLINE YkMotion without_rates(YkMotion m, bool has_rates)
 {
-    if (slot == 0) return (Turn){{1, 0}, 0, 0};
-    YkTurn t = yk_space_turn(space, slot);
-    return (Turn){{t.c[0], t.s[0]}, t.w[0], t.a[0]};
+    return (YkMotion){m.position, has_rates ? m.velocity : 0, has_rates ? m.acceleration : 0};
 }
 
-static YkMotion without_rates(YkMotion m, bool has_rates)
+YK_INLINE YkMotion distance_in(const YkSpace *space, int32_t distance)
 {
-    return has_rates ? m : (YkMotion){m.position, 0, 0};
-}
-
-static YkMotion distance_in(const YkSpace *space, int32_t distance)
-{
-    YkSlide d = yk_space_slide(space, distance);
-    return (YkMotion){d.d[0], d.v[0], d.a[0]};
+    Slide d = pose_slides(space)[distance];
+    return (YkMotion){d.d, d.v, d.a};
 }
 
 // What an angle comes out nearest to: where it last was, or the sum of inputs that it is.
-static double reference_of(const YkState *s, const YkSpace *space, size_t coordinate)
+YK_INLINE double reference_of(const YkState *s, const YkSpace *space, const YkTreeCoordinate *c)
 {
-    const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
+    if (!c->is_sum) return s->reference[c - s->mech->coordinates];
     const double *inputs = space == &s->space ? s->valid_input : s->input;
     double sum = c->sum_offset;
-    if (!c->is_sum) return s->reference[coordinate];
     for (uint32_t k = c->first_source; k < c->first_source + c->source_count; k++)
         sum += s->mech->sources[k].factor * inputs[3 * s->mech->sources[k].index];
     return sum;
 }
 
+// By the lanes' arithmetic, as the batch does: the same bits.
+YK_INLINE YkMotion coordinate_in(const YkState *s, const YkSpace *space, const YkTreeCoordinate *c)
+{
+    if (c->is_distance) return distance_in(space, c->distance);
+    Line a = pose_turns(space)[c->angle.a], b = pose_turns(space)[c->angle.b];
+    double reference = reference_of(s, space, c);
+    return (YkMotion){angle_between(a.e, c->angle.a != 0, b.e, c->angle.offset, reference), b.w - a.w, b.a - a.a};
+}
+
 YkMotion yk_coordinate_in(const YkState *s, const YkSpace *space, size_t coordinate)
 {
-    const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
-    if (c->is_distance) return distance_in(space, c->distance);
-    YkTurn a = yk_space_turn(space, c->angle.a), b = yk_space_turn(space, c->angle.b);
-    YkMotion m = {0, (b.c ? b.w[0] : 0) - (a.c ? a.w[0] : 0), (b.c ? b.a[0] : 0) - (a.c ? a.a[0] : 0)};
-    yk_lanes_angle(&m.position, a, b, c->angle.offset, reference_of(s, space, coordinate),
-                   1); // as the batch does: the same bits
-    return m;
+    return coordinate_in(s, space, &s->mech->coordinates[coordinate]);
 }
 
 YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)
 {
-    int32_t input = s->mech->coordinates[coordinate].input;
-    if (input != YK_NONE) { // as it was set, to the last bit and turn
-        const double *in = s->valid_input + 3 * input;
-        return (YkMotion){in[0], in[1], in[2]};
-    }
-    return without_rates(yk_coordinate_in(s, &s->space, coordinate), s->has_rates);
+    const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
+    if (c->input == YK_NONE) return without_rates(coordinate_in(s, &s->space, c), s->has_rates);
+    const double *in = s->valid_input + 3 * c->input; // as it was set, to the last bit and turn
+    return (YkMotion){in[0], in[1], in[2]};
 }
 
 // Angles add up along the tree, so that a body's angle is as continuous as its coordinates.
@@ -70,7 +60,7 @@ YkMotion yk_state_body(const YkState *s, size_t body)
         YkMotion m = c == YK_NONE ? (YkMotion){joint->turned, 0, 0} : yk_state_coordinate(s, (size_t)c);
         sum.position += way * m.position;
     }
-    Turn t = turn_in(&s->space, mech->bodies[body].orientation);
+    Line t = pose_turns(&s->space)[mech->bodies[body].orientation];
     return without_rates((YkMotion){sum.position, t.w, t.a}, s->has_rates);
 }
 

@@ -1,13 +1,5 @@
 // Answers: angles between bodies, differences of rates, and the mask over what does not close.
-#include "solve/elementary.h"
-
-// angle + offset, less as many turns as bring it nearest to the reference.
-YK_INLINE double near_reference(double angle, double offset, double reference)
-{
-    double sum = angle + offset, turns = (sum - reference) * (1 / (2 * YK_PI));
-    double k = (turns + YK_TO_INTEGER) - YK_TO_INTEGER;
-    return sum - k * (2 * YK_PI);
-}
+#include "solve/angle.h"
 
 YK_INLINE void angle_loop(double *out, YkTurn a, bool has_a, YkTurn b, bool has_b, double offset, double reference,
                           size_t n)
@@ -15,8 +7,8 @@ YK_INLINE void angle_loop(double *out, YkTurn a, bool has_a, YkTurn b, bool has_
     const YkVec ground = {1, 0};
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        YkVec e_b = has_b ? lane_unit(b, i) : ground, e = has_a ? yk_mul(e_b, yk_conj(lane_unit(a, i))) : e_b;
-        out[i] = near_reference(unit_angle(e.y, e.x), offset, reference);
+        YkVec e_b = has_b ? lane_unit(b, i) : ground, e_a = has_a ? lane_unit(a, i) : ground;
+        out[i] = angle_between(e_a, has_a, e_b, offset, reference);
     }
 }
 

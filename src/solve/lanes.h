@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+#include "compile/arms.h"
 #include "solve/kernels.h"
 
 // A function that must vanish into its caller, so that it is compiled for the caller's instruction set.
@@ -100,15 +101,24 @@ typedef struct Known {
     YkVec place, rate, accel;
 } Known;
 
-YK_INLINE Known lane_known(YkPlane p, size_t i)
+// rates: whether they are asked.
+YK_INLINE Known lane_known(YkPlane p, bool rates, size_t i)
 {
-    return (Known){lane_place(p, i), lane_rate(p, i), lane_accel(p, i)};
+    const YkVec none = {0, 0};
+    return (Known){lane_place(p, i), rates ? lane_rate(p, i) : none, rates ? lane_accel(p, i) : none};
 }
 
 // One lane of the rates and accelerations of an orientation and a distance.
 typedef struct Rates {
     double w, v, turn_accel, slide_accel;
 } Rates;
+
+// What a dyad of an orientation and a distance finds.
+typedef struct Found {
+    YkVec e;
+    double d, margin;
+    Rates rates;
+} Found;
 
 YK_INLINE void lane_set_rates(YkTurn t, YkSlide d, size_t i, Rates rates)
 {
@@ -132,13 +142,8 @@ typedef struct Form {
     bool places, rates; // finds positions; velocities and accelerations
     bool varies;        // an arm has lanes
     bool turns;         // a line turns
-    bool axial; // constant vectors point along x (real numbers), as most points and slides do: half the products go
+    bool axial;         // constant vectors point along x, as yk_is_axial says: half the products go
 } Form;
-
-YK_INLINE bool is_axial(YkVec v)
-{
-    return v.y == 0;
-}
 
 // Products with a constant v that is real where `axial`.
 YK_INLINE YkVec times(YkVec a, YkVec v, bool axial)
@@ -154,10 +159,9 @@ YK_INLINE double cross_with(YkVec v, YkVec a, bool axial)
     return axial ? v.x * a.y : yk_cross(v, a);
 }
 
-YK_INLINE Known arm_known(YkArm arm, bool varies, size_t i)
+YK_INLINE Known arm_known(YkArm arm, bool varies, bool rates, size_t i)
 {
-    const YkVec still = {0, 0};
-    return varies ? lane_known(arm.lanes, i) : (Known){arm.constant, still, still};
+    return varies ? lane_known(arm.lanes, rates, i) : (Known){.place = arm.constant};
 }
 
 // The unit vector e = u e^(i line).
@@ -166,10 +170,19 @@ YK_INLINE YkVec line_unit(YkTurn line, YkVec u, bool turns, size_t i)
     return turns ? yk_mul(lane_unit(line, i), u) : u;
 }
 
-// 1 / a, as a complex number.
-YK_INLINE YkVec vec_inverse(YkVec a)
+// A direction, and how it turns.
+typedef struct Line {
+    YkVec e;
+    double w, a;
+} Line;
+
+YK_INLINE Line lane_turning(YkTurn turn, size_t i)
 {
-    return yk_scale(1 / yk_dot(a, a), yk_conj(a));
+    return (Line){lane_unit(turn, i), turn.w[i], turn.a[i]};
+}
+YK_INLINE Line lane_line(YkTurn line, YkVec u, bool turns, bool rates, size_t i)
+{
+    return (Line){line_unit(line, u, turns, i), turns && rates ? line.w[i] : 0, turns && rates ? line.a[i] : 0};
 }
 
 // sqrt of a, of 0 where a is negative or NaN.
@@ -191,6 +204,16 @@ YK_INLINE void lane_margin(double *margin, double *own, size_t i, double m, doub
     double before = margin[i], known = witness == witness ? m : -1;
     own[i] = known;
     margin[i] = known < before ? known : before;
+}
+
+YK_INLINE void lane_set_found(Form form, YkTurn out, YkSlide d, size_t i, Found found, double *margin, double *own)
+{
+    if (form.places) {
+        d.d[i] = found.d;
+        lane_set_unit(out, i, found.e);
+        lane_margin(margin, own, i, found.margin, found.margin);
+    }
+    if (form.rates) lane_set_rates(out, d, i, found.rates);
 }
 
 // Keeps the largest gap of a lane. NaN counts as infinite.

@@ -112,14 +112,9 @@ static void write_sentence(YkReport *r, const Sentence *sentence, const char *la
         append(r->message, sizeof r->message, parts[k], k == 1 ? 80 : sizeof r->message);
 }
 
-void yk_state_tell(YkState *s, const YkSpace *space, YkStatus status)
+void yk_state_explain(YkState *s, const YkSpace *space, YkStatus status)
 {
     YkReport *r = &s->report;
-    r->status = status;
-    r->block = r->joint = -1;
-    r->gap = r->determinant = 0;
-    r->message[0] = 0;
-    if (status == YK_OK || status == YK_REDUNDANT) return;
     YkSpace view = *space;
     const Sentence *sentence = status == YK_LIMIT ? &past_limit : status == YK_SINGULAR ? &dead_point : &no_assembly;
     int b = worst_block(s, space, status);

@@ -1,14 +1,29 @@
 #include "solve/run.h"
 #include "solve/relations.h"
+#include "solve/single.h"
 #include <string.h>
+
+// Inputs that are no numbers close nothing.
+static double start_margin(const YkRun *run, size_t lane)
+{
+    const double *const *in = run->inputs, *const *end = in + 3 * run->mech->input_count;
+    double numbers = 0;
+    for (; in < end; in += 3) numbers += 0 * in[0][lane] + 0 * in[1][lane] + 0 * in[2][lane];
+    return numbers == 0 ? 1 : -1;
+}
 
 void yk_run_begin(const YkRun *run)
 {
-    double *margin = run->space->margin;
+    double *margin = run->space->margin, *gap = run->space->gap;
     size_t n = run->lanes;
+    if (n == 1) {
+        gap[0] = 0;
+        margin[0] = start_margin(run, 0);
+        return;
+    }
     for (size_t k = 0; k < n; k++) margin[k] = 1;
-    memset(run->space->gap, 0, n * sizeof(double));
-    for (size_t i = 0; i < run->mech->input_count; i++) { // inputs that are no numbers close nothing
+    memset(gap, 0, n * sizeof *gap);
+    for (size_t i = 0; i < run->mech->input_count; i++) {
         const double *x = run->inputs[3 * i], *v = run->inputs[3 * i + 1], *a = run->inputs[3 * i + 2];
         for (size_t k = 0; k < n; k++) margin[k] = 0 * x[k] + 0 * v[k] + 0 * a[k] == 0 ? margin[k] : -1;
     }
@@ -25,6 +40,10 @@ static void add_term(const YkRun *run, YkTerm term, YkPlane out)
 
 void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out)
 {
+    if (run->space->stride == 1) {
+        yk_run_single_sum(run, sum, out);
+        return;
+    }
     const YkTerm *terms = run->mech->terms + sum->first;
     uint32_t k = 0;
     if (sum->plus == YK_NONE && sum->minus == YK_NONE && sum->count > 0 && terms[0].distance == YK_NONE) {
@@ -138,37 +157,43 @@ static void run_distance(const YkRun *run, const YkStep *step)
     }
 }
 
+void yk_run_lanes(const YkRun *run, const YkStep *step)
+{
+    const YkSpace *s = run->space;
+    switch (step->kind) {
+    case YK_STEP_TURN: {
+        const double *const *in = run->inputs + 3 * step->input;
+        yk_lanes_turn(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2], step->offset,
+                      step->sign, run->lanes);
+        break;
+    }
+    case YK_STEP_COMPOSE:
+        yk_lanes_compose(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), yk_space_turn(s, step->other),
+                         run->lanes);
+        break;
+    case YK_STEP_DISTANCE:
+        run_distance(run, step);
+        break;
+    case YK_STEP_NODE:
+        yk_run_sum(run, &step->sum, yk_space_plane(s, step->target));
+        break;
+    case YK_STEP_BLOCK:
+        run_block(run, (size_t)step->target);
+        break;
+    case YK_STEP_RELATION:
+        yk_run_relation(run, (size_t)step->target);
+        break;
+    case YK_STEP_CHECK:
+        yk_run_relation_check(run, (size_t)step->target);
+        break;
+    }
+}
+
 void yk_run_steps(const YkRun *run, size_t from, size_t to)
 {
-    for (size_t k = from; k < to; k++) {
-        const YkStep *step = &run->mech->steps[k];
-        const YkSpace *s = run->space;
-        switch (step->kind) {
-        case YK_STEP_TURN: {
-            const double *const *in = run->inputs + 3 * step->input;
-            yk_lanes_turn(yk_space_turn(s, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2],
-                          step->offset, step->sign, run->lanes);
-            break;
-        }
-        case YK_STEP_COMPOSE:
-            yk_lanes_compose(yk_space_turn(s, step->target), yk_space_turn(s, step->parent),
-                             yk_space_turn(s, step->other), run->lanes);
-            break;
-        case YK_STEP_DISTANCE:
-            run_distance(run, step);
-            break;
-        case YK_STEP_NODE:
-            yk_run_sum(run, &step->sum, yk_space_plane(s, step->target));
-            break;
-        case YK_STEP_BLOCK:
-            run_block(run, (size_t)step->target);
-            break;
-        case YK_STEP_RELATION:
-            yk_run_relation(run, (size_t)step->target);
-            break;
-        case YK_STEP_CHECK:
-            yk_run_relation_check(run, (size_t)step->target);
-            break;
-        }
+    if (run->space->stride == 1) {
+        yk_run_single(run, from, to);
+        return;
     }
+    for (size_t k = from; k < to; k++) yk_run_lanes(run, &run->mech->steps[k]);
 }

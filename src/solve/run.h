@@ -18,6 +18,8 @@ typedef struct YkRun {
 // Runs steps [from, to). The margins and gaps go on from where they are: call yk_run_begin before step 0.
 void yk_run_begin(const YkRun *run);
 void yk_run_steps(const YkRun *run, size_t from, size_t to);
+// One step, by the kernels over lanes.
+void yk_run_lanes(const YkRun *run, const YkStep *step);
 // A sum over lanes: constant + nodes + turned vectors.
 void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out);
 // Where a point of the model is, after all steps.

@@ -132,11 +132,16 @@ double yk_state_time(const YkState *s)
     return s->time;
 }
 
+void yk_state_set_input_to(YkState *s, size_t input, double position, double velocity, double acceleration)
+{
+    s->input[3 * input] = position;
+    s->input[3 * input + 1] = velocity;
+    s->input[3 * input + 2] = acceleration;
+}
+
 void yk_state_set_input(YkState *s, size_t input, YkMotion m)
 {
-    s->input[3 * input] = m.position;
-    s->input[3 * input + 1] = m.velocity;
-    s->input[3 * input + 2] = m.acceleration;
+    yk_state_set_input_to(s, input, m.position, m.velocity, m.acceleration);
 }
 
 YkMotion yk_state_input(const YkState *s, size_t input)
@@ -150,7 +155,8 @@ YkMotion yk_state_input(const YkState *s, size_t input)
 YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
 {
     if (!(space->margin[0] >= YK_LIMIT_MARGIN)) return YK_LIMIT;
-    if (!(space->gap[0] <= yk_gap_tolerance(s->mech, space->margin[0]))) return YK_NO_ASSEMBLY;
+    bool is_closed = space->gap[0] <= s->mech->size * YK_CLOSING_TOLERANCE; // the least tolerance: mostly it is enough
+    if (!is_closed && !(space->gap[0] <= yk_gap_tolerance(s->mech, space->margin[0]))) return YK_NO_ASSEMBLY;
     if (space->margin[0] <= YK_SINGULAR_MARGIN) return YK_SINGULAR;
     return s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
 }
@@ -176,7 +182,7 @@ void yk_state_refer(YkState *s)
 YkStatus yk_state_solve(YkState *s)
 {
     if (s->mech->has_groups) return yk_state_track(s);
-    yk_state_walk(s);
+    if (s->mech->reference_count > 0) yk_state_walk(s);
     YkRun run = yk_state_run(s, &s->spare);
     yk_run_begin(&run);
     yk_run_steps(&run, 0, s->mech->step_count);

@@ -44,8 +44,17 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
 // The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a
 // redundant loop gapes).
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);
-// Fills the report for a status.
-void yk_state_tell(YkState *state, const YkSpace *space, YkStatus status);
+// Fills the report for a status: nothing but the status where all is well.
+void yk_state_explain(YkState *state, const YkSpace *space, YkStatus status);
+static inline void yk_state_tell(YkState *state, const YkSpace *space, YkStatus status)
+{
+    YkReport *report = &state->report;
+    report->status = status;
+    report->block = report->joint = -1;
+    report->gap = report->determinant = 0;
+    report->message[0] = 0;
+    if (status != YK_OK && status != YK_REDUNDANT) yk_state_explain(state, space, status);
+}
 // The inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a variant);
 // the pose too where it is the same mechanism.
 void yk_state_take(YkState *to, const YkState *from);

@@ -212,7 +212,6 @@ YkStatus yk_state_track(YkState *s)
 void yk_state_walk(YkState *s)
 {
     enum { STEPS_MAX = 100000 };
-    if (s->mech->reference_count == 0) return;
     const double stride = 0.1; // rad, or of the size: no angle makes half a turn in it
     double *ends = s->search->path, *wanted = s->search->wanted, length = path_length(s);
     keep_references(s);
