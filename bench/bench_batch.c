@@ -1,4 +1,4 @@
-// Batches: nine machines of the gallery against closed forms written for each alone; the double pendulum with parameters
+// Batches: ten machines of the gallery against closed forms written for each alone; the double pendulum with parameters
 // of its own in every state; a Monte-Carlo study of a four-bar on one thread and two.
 #include <math.h>
 #include <stdlib.h>
@@ -119,7 +119,7 @@ static bool compare_gallery(void)
         worst = fmax(worst, off);
         close_pair(&p);
     }
-    return row("nine machines of the gallery, batch: the median ratio", 1, median(ratios, gallery_count), "", 2, worst);
+    return row("ten machines of the gallery, batch: the median ratio", 1, median(ratios, gallery_count), "", 2, worst);
 }
 
 // --- the double pendulum

@@ -23,12 +23,12 @@
             double x = (a)*c2 - (d), y = (a)*s2, L2 = x * x + y * y, over = 1 / L2;                                    \
             double p = (L2 + (c) * (c) - (b) * (b)) * (0.5 / (c)), q = (sign)*sqrt(L2 - p * p);                        \
             double c4 = (p * x - q * y) * over, s4 = (p * y + q * x) * over;                                           \
-            double c3 = ((c)*c4 - x) * (1 / (b)), s3 = ((c)*s4 - y) * (1 / (b));                                       \
+            double c3 = ((c)*c4 - x) * (1.0 / (b)), s3 = ((c)*s4 - y) * (1.0 / (b));                                   \
             double det = 1 / (c3 * s4 - s3 * c4), sa = c2 * s4 - s2 * c4, sb = c3 * s2 - s3 * c2;                      \
-            double w3 = -(a)*w * sa * det * (1 / (b)), w4 = (a)*w * sb * det * (1 / (c));                              \
+            double w3 = -(a)*w * sa * det * (1.0 / (b)), w4 = (a)*w * sb * det * (1.0 / (c));                          \
             double gx = -(a) * (al * s2 + w * w * c2) - (b)*w3 * w3 * c3 + (c)*w4 * w4 * c4;                           \
             double gy = (a) * (al * c2 - w * w * s2) - (b)*w3 * w3 * s3 + (c)*w4 * w4 * s4;                            \
-            double a3 = -(gx * c4 + gy * s4) * det * (1 / (b)), a4 = -(gx * c3 + gy * s3) * det * (1 / (c));           \
+            double a3 = -(gx * c4 + gy * s4) * det * (1.0 / (b)), a4 = -(gx * c3 + gy * s3) * det * (1.0 / (c));       \
             o0[i] = lane_atan2(s3 * c2 - c3 * s2, c3 * c2 + s3 * s2), o1[i] = lane_atan2(s4, c4);                      \
             o2[i] = w3 - w, o3[i] = w4, o4[i] = a3 - al, o5[i] = a4;                                                   \
         }                                                                                                              \
@@ -48,7 +48,7 @@ FOUR_BAR(chebyshev, 5, 2, 5, 4, 1)
         {                                                                                                              \
             double s2, c2;                                                                                             \
             lane_sincos(t[i], &s2, &c2);                                                                               \
-            double s3 = ((e) - (r)*s2) * (1 / (l)), c3 = sqrt((1 - s3) * (1 + s3)), over = 1 / ((l)*c3);               \
+            double s3 = ((e) - (r)*s2) * (1.0 / (l)), c3 = sqrt((1 - s3) * (1 + s3)), over = 1 / ((l)*c3);             \
             double w3 = -(r)*w * c2 * over, a3 = ((l)*w3 * w3 * s3 - (r) * (al * c2 - w * w * s2)) * over;             \
             o0[i] = lane_atan2(s3 * c2 - c3 * s2, c3 * c2 + s3 * s2), o1[i] = (r)*c2 + (l)*c3;                         \
             o2[i] = w3 - w, o3[i] = -(r)*w * s2 - (l)*w3 * s3, o4[i] = a3 - al;                                        \

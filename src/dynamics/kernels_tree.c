@@ -1,169 +1,231 @@
 #include "dynamics/kernels_tree.h"
 #include "dynamics/tree_articulated.h"
-#include "solve/lanes.h"
+#include "solve/elementary.h"
 
-YK_INLINE void yk_lanes_tree_angle_body(double *const *link, double *const *parent, const double *q, const double *v,
-                                        double sense, size_t n)
+// Again, one by one, for the lanes of which at least one is beyond the reduction's range.
+YK_APART void turn_one_by_one(YkTreeFound *link, size_t n)
 {
-    double *angle = link[YK_ROW_ANGLE], *w = link[YK_ROW_W];
-    const double *before = parent ? parent[YK_ROW_ANGLE] : NULL, *rate = parent ? parent[YK_ROW_W] : NULL;
-    if (!parent) {
-        YK_EACH_LANE
-        for (size_t i = 0; i < n; i++) angle[i] = sense * q[i], w[i] = sense * v[i];
-    } else {
-        YK_EACH_LANE
-        for (size_t i = 0; i < n; i++) angle[i] = before[i] + sense * q[i], w[i] = rate[i] + sense * v[i];
-    }
-    yk_sincos_lanes(angle, link[YK_ROW_S], link[YK_ROW_C], n);
-}
-YK_KERNEL(yk_lanes_tree_angle,
-          (double *const *link, double *const *parent, const double *q, const double *v, double sense, size_t n),
-          (link, parent, q, v, sense))
-
-// What the children showed, and the link itself: all about its pin.
-YK_INLINE YkArticulated whole_link(double *const *r, bool has_children, YkVec e, double w, size_t i)
-{
-    YkArticulated A = {0};
-    YkVec center = yk_vec(r[YK_ROW_CENTER_X][i], r[YK_ROW_CENTER_Y][i]);
-    double mass = r[YK_ROW_MASS][i];
-    if (has_children) {
-        A = (YkArticulated){
-            r[YK_ROW_J][i],  yk_vec(r[YK_ROW_H_X][i], r[YK_ROW_H_Y][i]), r[YK_ROW_XX][i], r[YK_ROW_XY][i],
-            r[YK_ROW_YY][i], yk_vec(r[YK_ROW_F_X][i], r[YK_ROW_F_Y][i]), r[YK_ROW_N][i]};
-    }
-    yk_articulated_add_body(&A, mass, yk_mul(e, yk_scale(mass, center)),
-                            r[YK_ROW_INERTIA][i] + mass * yk_dot(center, center), w);
-    return A;
+    for (size_t i = 0; i < n; i++) yk_sincos(link->angle[i], &link->s[i], &link->c[i]);
 }
 
-YK_INLINE void hand_over(double *const *p, bool is_first, const YkArticulated *A, size_t i)
+// Absolute angle and rate: the parent's (none: the ground's) plus sense times the coordinate; then cos and sin.
+YK_INLINE void find_angle(YkTreeFound *link, const YkTreeFound *parent, bool has_parent, const double *q,
+                          const double *v, double sense, size_t n)
 {
-    const double value[] = {A->J, A->h.x, A->h.y, A->xx, A->xy, A->yy, A->f.x, A->f.y, A->n};
-    for (int k = 0; k < 9; k++) p[YK_ROW_J + k][i] = is_first ? value[k] : p[YK_ROW_J + k][i] + value[k];
-}
-
-YK_INLINE void inward_loop(double *const *r, double *const *p, bool has_parent, bool has_children, bool is_first,
-                           const double *torque, double sense, double *ok, size_t n)
-{
+    uint64_t far = 0;
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        double mass = r[YK_ROW_MASS][i], w = r[YK_ROW_W][i];
-        YkVec e = yk_vec(r[YK_ROW_C][i], r[YK_ROW_S][i]), center = yk_vec(r[YK_ROW_CENTER_X][i], r[YK_ROW_CENTER_Y][i]);
-        YkArticulated A = whole_link(r, has_children, e, w, i);
+        double x = has_parent ? parent->angle[i] + sense * q[i] : sense * q[i];
+        link->angle[i] = x;
+        link->w[i] = has_parent ? parent->w[i] + sense * v[i] : sense * v[i];
+        sincos_near(x, &link->s[i], &link->c[i]);
+        far |= sincos_far_bits(x);
+    }
+    if (sincos_is_far(far)) turn_one_by_one(link, n);
+}
+
+// What is given of a link, for the lanes from `at`.
+typedef struct Given {
+    const double *at_x, *at_y, *center_x, *center_y, *mass, *inertia, *torque;
+} Given;
+
+YK_INLINE Given given_of(const YkTreeRows *link, size_t at)
+{
+    const double *const *row = link->given;
+    return (Given){row[YK_GIVEN_AT_X] + at,
+                   row[YK_GIVEN_AT_Y] + at,
+                   row[YK_GIVEN_CENTER_X] + at,
+                   row[YK_GIVEN_CENTER_Y] + at,
+                   row[YK_GIVEN_MASS] + at,
+                   row[YK_GIVEN_INERTIA] + at,
+                   link->torque + at};
+}
+
+YK_INLINE YkArticulated shown_to(const YkTreeFound *link, size_t i)
+{
+    return (YkArticulated){link->J[i],  yk_vec(link->h_x[i], link->h_y[i]), link->xx[i], link->xy[i],
+                           link->yy[i], yk_vec(link->f_x[i], link->f_y[i]), link->n[i]};
+}
+
+// To the parent, which stores it (is_first) or adds it to its other children's.
+YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, double mass, double least, size_t i)
+{
+    YkArticulated sum = *A;
+    if (!is_first) {
+        YkArticulated before = shown_to(to, i);
+        yk_articulated_add(&before, A);
+        sum = before;
+    }
+    to->J[i] = sum.J, to->h_x[i] = sum.h.x, to->h_y[i] = sum.h.y;
+    to->xx[i] = sum.xx, to->xy[i] = sum.xy, to->yy[i] = sum.yy;
+    to->f_x[i] = sum.f.x, to->f_y[i] = sum.f.y, to->n[i] = sum.n;
+    to->mass_out[i] = is_first ? mass : to->mass_out[i] + mass;
+    to->least[i] = is_first ? least : to->least[i] + least;
+}
+
+// Lets the link's pin go under its torque and shows the rest to the parent.
+YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, YkTreeFound *parent, bool has_parent,
+                      bool has_children, bool is_first, double *ok, size_t n)
+{
+    double sense = rows->sense, least_mass = rows->has_mass ? 0 : -1;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) {
+        double mass = given.mass[i], w = link->w[i], inertia = given.inertia[i];
+        YkVec e = yk_vec(link->c[i], link->s[i]), center = yk_vec(given.center_x[i], given.center_y[i]);
+        double own = inertia + mass * yk_dot(center, center);
+        YkVec moment = yk_mul(e, yk_scale(mass, center));
+        YkArticulated A = {own, yk_quarter(moment), mass, 0, mass, yk_scale(-w * w, moment), 0}; // the link alone
+        if (has_children) {
+            A = shown_to(link, i);
+            yk_articulated_add_body(&A, mass, moment, own, w);
+        }
         // what stands behind the pin: see tree_pins.c
-        double behind = r[YK_ROW_INERTIA][i] + mass * yk_dot(center, center) + (has_children ? r[YK_ROW_LEAST][i] : 0);
-        double out = mass + (has_children ? r[YK_ROW_MASS_OUT][i] : 0);
-        ok[i] = A.J > YK_LEAST_PIVOT * behind || ok[i] < 0 ? ok[i] : 0;
-        YkAnswer answer = yk_articulated_release_turn(&A, torque ? sense * torque[i] : 0);
-        r[YK_ROW_ON_X][i] = answer.on.x;
-        r[YK_ROW_ON_Y][i] = answer.on.y;
+        double behind = own + (has_children ? link->least[i] : 0), out = mass + (has_children ? link->mass_out[i] : 0);
+        double now = (mass > least_mass) & (inertia >= 0) ? ok[i] : -1;
+        ok[i] = (A.J > YK_LEAST_PIVOT * behind) | (now < 0) ? now : 0;
+        YkAnswer answer = yk_articulated_release_turn(&A, sense * given.torque[i]);
+        link->on_x[i] = answer.on.x;
+        link->on_y[i] = answer.on.y;
         if (!has_parent) {
-            r[YK_ROW_BY][i] = answer.by;
+            link->by[i] = answer.by;
             continue;
         }
-        YkVec at = yk_vec(r[YK_ROW_AT_X][i], r[YK_ROW_AT_Y][i]);
-        YkVec arm = yk_mul(yk_vec(p[YK_ROW_C][i], p[YK_ROW_S][i]), at);
-        YkVec bias = yk_scale(-p[YK_ROW_W][i] * p[YK_ROW_W][i], arm), across = yk_quarter(arm);
-        r[YK_ROW_BY][i] = answer.by - yk_dot(answer.on, bias);
-        r[YK_ROW_TURN][i] = yk_dot(answer.on, across);
-        r[YK_ROW_BIAS_X][i] = bias.x;
-        r[YK_ROW_BIAS_Y][i] = bias.y;
-        r[YK_ROW_ACROSS_X][i] = across.x;
-        r[YK_ROW_ACROSS_Y][i] = across.y;
+        YkVec at = yk_vec(given.at_x[i], given.at_y[i]), arm = yk_mul(yk_vec(parent->c[i], parent->s[i]), at);
+        YkVec bias = yk_scale(-parent->w[i] * parent->w[i], arm), across = yk_quarter(arm);
+        link->by[i] = answer.by - yk_dot(answer.on, bias);
+        link->turn[i] = yk_dot(answer.on, across);
+        link->bias_x[i] = bias.x;
+        link->bias_y[i] = bias.y;
+        link->across_x[i] = across.x;
+        link->across_y[i] = across.y;
         A = yk_articulated_move_force(&A, arm, bias);
-        hand_over(p, is_first, &A, i);
-        double least = out * yk_dot(at, at);
-        p[YK_ROW_LEAST][i] = is_first ? least : p[YK_ROW_LEAST][i] + least;
-        p[YK_ROW_MASS_OUT][i] = is_first ? out : p[YK_ROW_MASS_OUT][i] + out;
+        show(parent, is_first, &A, out, out * yk_dot(at, at), i);
     }
 }
 
-YK_INLINE void yk_lanes_tree_inward_body(double *const *link, double *const *parent, bool has_children, bool is_first,
-                                         const double *torque, double sense, double *ok, size_t n)
+YK_INLINE void inward_link(const YkTreeRows *rows, Given given, YkTreeFound *link, YkTreeFound *parent, double *ok,
+                           size_t n)
 {
-    // the rows as locals: they are not read again in the loop
-    double *r[YK_ROW_COUNT], *p[YK_ROW_COUNT];
-    for (int k = 0; k < YK_ROW_COUNT; k++) r[k] = link[k], p[k] = parent ? parent[k] : NULL;
-    if (!parent && has_children)
-        inward_loop(r, p, false, true, true, torque, sense, ok, n);
+    if (!parent && rows->has_children)
+        inward(rows, given, link, NULL, false, true, true, ok, n);
     else if (!parent)
-        inward_loop(r, p, false, false, true, torque, sense, ok, n);
-    else if (is_first && has_children)
-        inward_loop(r, p, true, true, true, torque, sense, ok, n);
-    else if (is_first)
-        inward_loop(r, p, true, false, true, torque, sense, ok, n);
+        inward(rows, given, link, NULL, false, false, true, ok, n);
+    else if (rows->is_first && rows->has_children)
+        inward(rows, given, link, parent, true, true, true, ok, n);
+    else if (rows->is_first)
+        inward(rows, given, link, parent, true, false, true, ok, n);
+    else if (rows->has_children)
+        inward(rows, given, link, parent, true, true, false, ok, n);
     else
-        inward_loop(r, p, true, has_children, false, torque, sense, ok, n);
+        inward(rows, given, link, parent, true, false, false, ok, n);
 }
-YK_KERNEL(yk_lanes_tree_inward,
-          (double *const *link, double *const *parent, bool has_children, bool is_first, const double *torque,
-           double sense, double *ok, size_t n),
-          (link, parent, has_children, is_first, torque, sense, ok))
 
-YK_INLINE void outward_loop(double *const *r, double *const *p, bool has_parent, const double *gx, const double *gy,
-                            double sense, double *out, size_t n)
+// The acceleration of the coordinate, given that of the parent's pin and turning (none: gx, gy is gravity, against
+// which the ground accelerates, so that it acts on every mass). Where it is no number, no inertia resisted.
+YK_INLINE void outward(YkTreeFound *link, const YkTreeFound *parent, bool has_parent, const double *gx,
+                       const double *gy, double sense, double *ok, double *out, size_t n)
 {
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        YkVec on = yk_vec(r[YK_ROW_ON_X][i], r[YK_ROW_ON_Y][i]), a;
+        YkVec on = yk_vec(link->on_x[i], link->on_y[i]), a = yk_vec(-gx[i], -gy[i]);
         double alpha = 0, own;
         if (has_parent) {
-            a = yk_vec(p[YK_ROW_F_X][i], p[YK_ROW_F_Y][i]);
-            alpha = p[YK_ROW_N][i];
-            own = (r[YK_ROW_BY][i] - yk_dot(on, a)) - r[YK_ROW_TURN][i] * alpha;
-            a = yk_add(yk_add(a, yk_vec(r[YK_ROW_BIAS_X][i], r[YK_ROW_BIAS_Y][i])),
-                       yk_scale(alpha, yk_vec(r[YK_ROW_ACROSS_X][i], r[YK_ROW_ACROSS_Y][i])));
-        } else { // the ground accelerates against gravity, which so acts on every mass
-            a = yk_vec(-gx[i], -gy[i]);
-            own = r[YK_ROW_BY][i] - yk_dot(on, a);
+            a = yk_vec(parent->pin_x[i], parent->pin_y[i]);
+            alpha = parent->alpha[i];
+            own = (link->by[i] - yk_dot(on, a)) - link->turn[i] * alpha;
+            a = yk_add(yk_add(a, yk_vec(link->bias_x[i], link->bias_y[i])),
+                       yk_scale(alpha, yk_vec(link->across_x[i], link->across_y[i])));
+        } else {
+            own = link->by[i] - yk_dot(on, a);
         }
-        out[i] = sense * (own - alpha);
-        r[YK_ROW_F_X][i] = a.x;
-        r[YK_ROW_F_Y][i] = a.y;
-        r[YK_ROW_N][i] = own;
+        double found = sense * (own - alpha), zero = found - found;
+        ok[i] = (zero == 0) | (ok[i] < 0) ? ok[i] : 0;
+        out[i] = found;
+        link->pin_x[i] = a.x;
+        link->pin_y[i] = a.y;
+        link->alpha[i] = own;
     }
 }
 
-YK_INLINE void yk_lanes_tree_outward_body(double *const *link, double *const *parent, const double *gx,
-                                          const double *gy, double sense, double *a, size_t n)
+// Whether a row holds numbers of a measure.
+YK_INLINE bool fits(const double *value, size_t n)
 {
-    double *r[YK_ROW_COUNT], *p[YK_ROW_COUNT];
-    for (int k = 0; k < YK_ROW_COUNT; k++) r[k] = link[k], p[k] = parent ? parent[k] : NULL;
-    if (parent)
-        outward_loop(r, p, true, gx, gy, sense, a, n);
-    else
-        outward_loop(r, p, false, gx, gy, sense, a, n);
-}
-YK_KERNEL(yk_lanes_tree_outward,
-          (double *const *link, double *const *parent, const double *gx, const double *gy, double sense, double *a,
-           size_t n),
-          (link, parent, gx, gy, sense, a))
-
-YK_INLINE void yk_lanes_tree_check_body(double *const *link, bool has_mass, double *ok, size_t n)
-{
-    const double *mass = link[YK_ROW_MASS], *inertia = link[YK_ROW_INERTIA];
+    uint64_t bad = 0;
     YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
-        bool good = (!has_mass || mass[i] > 0) && inertia[i] >= 0;
-        ok[i] = good ? ok[i] : -1;
+    for (size_t i = 0; i < n; i++) bad |= fabs(value[i]) <= 1e100 ? 0u : 1u;
+    return bad == 0;
+}
+
+YK_APART void mark_row(const double *value, double *ok, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(value[i]) <= 1e100)) ok[i] = -1;
+}
+
+YK_INLINE bool all_well(const double *ok, size_t n)
+{
+    uint64_t bad = 0;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) bad |= ok[i] > 0 ? 0u : 1u;
+    return bad == 0;
+}
+
+YK_APART void mask(const YkTreeLanes *tree, const double *ok, size_t at, size_t n)
+{
+    for (size_t k = 0; k < tree->link_count; k++)
+        for (size_t i = 0; i < n; i++)
+            if (!(ok[i] > 0)) tree->link[k].a[at + i] = 0;
+}
+
+// The states from `at` on, at most YK_TREE_LANES.
+YK_INLINE bool few(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
+{
+    const double *gx = tree->gravity[0] + at, *gy = tree->gravity[1] + at;
+    for (size_t k = 0; k < tree->checked_count; k++)
+        if (!fits(tree->checked[k] + at, n)) mark_row(tree->checked[k] + at, ok, n);
+    for (size_t k = 0; k < tree->link_count; k++) {
+        const YkTreeRows *link = &tree->link[k];
+        if (link->parent < 0)
+            find_angle(&tree->found[k], NULL, false, link->q + at, link->v + at, link->sense, n);
+        else
+            find_angle(&tree->found[k], &tree->found[link->parent], true, link->q + at, link->v + at, link->sense, n);
+    }
+    for (size_t k = tree->link_count; k-- > 0;) {
+        const YkTreeRows *link = &tree->link[k];
+        YkTreeFound *parent = link->parent < 0 ? NULL : &tree->found[link->parent];
+        inward_link(link, given_of(link, at), &tree->found[k], parent, ok, n);
+    }
+    for (size_t k = 0; k < tree->link_count; k++) {
+        const YkTreeRows *link = &tree->link[k];
+        if (link->parent < 0)
+            outward(&tree->found[k], NULL, false, gx, gy, link->sense, ok, link->a + at, n);
+        else
+            outward(&tree->found[k], &tree->found[link->parent], true, gx, gy, link->sense, ok, link->a + at, n);
+    }
+    return all_well(ok, n);
+}
+
+YK_INLINE void yk_lanes_tree_body(bool *well, const YkTreeLanes *tree, double *ok, size_t n)
+{
+    *well = true;
+    for (size_t at = 0; at < n; at += YK_TREE_LANES) {
+        size_t count = n - at < YK_TREE_LANES ? n - at : YK_TREE_LANES;
+        bool are_well = count == YK_TREE_LANES ? few(tree, ok + at, at, YK_TREE_LANES) : few(tree, ok + at, at, count);
+        if (!are_well) mask(tree, ok + at, at, count);
+        *well &= are_well;
     }
 }
-YK_KERNEL(yk_lanes_tree_check, (double *const *link, bool has_mass, double *ok, size_t n), (link, has_mass, ok))
+YK_KERNEL(yk_lanes_tree, (bool *well, const YkTreeLanes *tree, double *ok, size_t n), (well, tree, ok))
 
-YK_INLINE void yk_lanes_tree_fits_body(const double *value, double *ok, size_t n)
+YK_INLINE void yk_lanes_tree_part_body(double *row, const double *value, double sign, bool adds, size_t n)
 {
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) ok[i] = fabs(value[i]) <= 1e100 ? ok[i] : -1;
-}
-YK_KERNEL(yk_lanes_tree_fits, (const double *value, double *ok, size_t n), (value, ok))
-
-YK_INLINE void yk_lanes_tree_mask_body(double *a, double *ok, size_t n)
-{
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
-        double x = a[i];
-        ok[i] = x - x == 0 ? ok[i] : (ok[i] < 0 ? ok[i] : 0);
-        a[i] = ok[i] > 0 ? x : 0;
+    if (adds) {
+        YK_EACH_LANE
+        for (size_t i = 0; i < n; i++) row[i] += sign * value[i];
+    } else {
+        YK_EACH_LANE
+        for (size_t i = 0; i < n; i++) row[i] = sign * value[i];
     }
 }
-YK_KERNEL(yk_lanes_tree_mask, (double *a, double *ok, size_t n), (a, ok))
+YK_KERNEL(yk_lanes_tree_part, (double *row, const double *value, double sign, bool adds, size_t n),
+          (row, value, sign, adds))

@@ -101,6 +101,15 @@ bool yk_formula_is_constant(const YkFormula *formula)
     return formula->variable_count == 0;
 }
 
+int yk_formula_variable(const YkFormula *formula, double *sign)
+{
+    const YkInstruction *only = formula->instruction_count == 1 ? formula->instructions : NULL;
+    bool is_negated = only && only->operation == YK_EXPR_NEGATE && only->from[0] == YK_FROM_VARIABLE;
+    *sign = is_negated ? -1 : 1;
+    if (is_negated) return only->index[0];
+    return formula->instruction_count == 0 && formula->from == YK_FROM_VARIABLE ? formula->index : -1;
+}
+
 bool yk_formula_depends_on(const YkFormula *formula, int variable)
 {
     size_t low = 0, high = formula->variable_count;

@@ -13,6 +13,8 @@ typedef int (*YkResolve)(void *context, const YkExpr *name, double *value);
 // Compiles. NULL when out of memory or a name is unknown. Lives in the arena.
 YkFormula *yk_formula_compile(const YkExpr *expr, YkResolve resolve, void *context, YkArena *arena);
 bool yk_formula_is_constant(const YkFormula *formula); // then eval takes NULL variables
+// The variable that it is as it stands or (*sign -1) negated; or -1.
+int yk_formula_variable(const YkFormula *formula, double *sign);
 bool yk_formula_depends_on(const YkFormula *formula, int variable);
 // The value; not finite where the expression has none (division by zero, root of a negative number, ...).
 double yk_formula_eval(const YkFormula *formula, const double *variables);

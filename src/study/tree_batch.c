@@ -8,9 +8,13 @@
 
 enum { LANES = YK_FORMULA_LANES };
 
+// Rows of a link: what the kernel is given, and of a rod its vector from end to end.
+enum { ROD_X = YK_GIVEN_COUNT, ROD_Y, ROW_COUNT };
+
 // A row that follows the parameters: lanes = sum of sign * value over up to two values of the model.
 typedef struct Part {
     const YkFormula *formula; // NULL: constant
+    int32_t variable;         // that the formula is, or YK_NONE
     double constant, sign;
 } Part;
 typedef struct Given {
@@ -18,34 +22,33 @@ typedef struct Given {
     Part part[2];
     size_t parts;
     bool is_constant; // filled once
+    int32_t variable; // a parameter as it stands, read where it is; or YK_NONE
 } Given;
 
 typedef struct Link {
-    double *row[YK_ROW_COUNT];
-    int32_t parent; // link, or YK_NONE: the ground
+    double *row[ROW_COUNT]; // of its own
     int32_t input;
-    double sense;
-    bool has_children, is_first; // is_first: of its parent's children, the one that is looked at first
-    bool has_mass;
-    int32_t rod[2]; // points of a rod, or YK_NONE
+    bool is_rod;
 } Link;
 
 struct YkTreeBatch {
     YkArena *arena;
     YkVariant *variant;
     size_t parameter_count, link_count, input_count;
-    Link *link; // parents before children
+    Link *link;       // parents before children
+    YkTreeRows *rows; // of the links, as the kernel reads them
+    YkTreeFound *found;
     Given *given;
     size_t given_count;
     const YkFormula **effort; // [input], NULL: none
     const double **variable;  // [parameter of the model]
-    double *gravity[2];
+    const double **checked;   // parameters and what is derived from them
+    size_t checked_count;
+    double *gravity[2], *none; // none: of no torque
     Part gravity_part[2];
     double *scratch, *ok, *own; // own: [3 * input][LANES] constants for NULL arrays
-    const double **q, **v, **torque;
-    double **derived; // rows of derived parameters
-    double **chosen;  // rows of parameters that a case leaves out
-    double **own_row; // [given] where it is made, unless it is a variable itself
+    double **derived;           // rows of derived parameters
+    double **chosen;            // rows of parameters that a case leaves out
 };
 
 // --- does it fit?
@@ -69,14 +72,18 @@ static bool is_pinned_tree(const YkMechanism *mech)
 
 static Part part_of(const YkTreeBatch *b, const double *value, double sign)
 {
-    return (Part){yk_redesign_formula(b->variant->redesign, value), *value, sign};
+    Part part = {yk_redesign_formula(b->variant->redesign, value), YK_NONE, *value, sign};
+    double own = 1;
+    if (part.formula) part.variable = yk_formula_variable(part.formula, &own);
+    if (part.variable != YK_NONE) part.sign *= own;
+    return part;
 }
 
 static void give(YkTreeBatch *b, int32_t link, int32_t row, const double *first, const double *second)
 {
     Given *g = &b->given[b->given_count++];
     const double *value[] = {first, second};
-    *g = (Given){.link = link, .row = row, .is_constant = true};
+    *g = (Given){.link = link, .row = row, .is_constant = true, .variable = YK_NONE};
     for (int k = 0; k < 2; k++) {
         if (!value[k]) continue;
         Part part = part_of(b, value[k], k ? -1 : 1);
@@ -86,6 +93,8 @@ static void give(YkTreeBatch *b, int32_t link, int32_t row, const double *first,
     }
     for (size_t k = 0, p; g->is_constant && k < LANES; k++)
         for (p = 0; p < g->parts; p++) b->link[link].row[row][k] += g->part[p].sign * g->part[p].constant;
+    bool is_one = g->parts == 1 && g->part[0].sign > 0 && !b->link[link].is_rod; // of a rod: see finish_rod
+    if (is_one) g->variable = g->part[0].variable;
 }
 
 // The coordinates of a joint's point on one of its sides; NULL: an origin.
@@ -108,27 +117,27 @@ static void give_link(YkTreeBatch *b, int32_t k, int32_t body, const int32_t *li
         const YkJoint *up = &model->joints[mech->tree.joint[parent]];
         before = point_of(model, up, up->body[0] == parent ? 0 : 1);
     }
-    Link *link = &b->link[k];
-    link->parent = parent == 0 ? YK_NONE : link_of_body[parent];
-    link->input = mech->coordinates[yk_tree_coordinate(mech, j, false)].input;
-    link->sense = side == 0 ? -1 : 1;
-    link->has_mass = own->mass_expr != NULL;
     bool is_rod = own->rod[0] != YK_NONE && own->rod[1] != YK_NONE;
-    link->rod[0] = is_rod ? own->rod[0] : YK_NONE;
-    link->rod[1] = is_rod ? own->rod[1] : YK_NONE;
-    give(b, k, YK_ROW_AT_X, there ? &there->x : NULL, before ? &before->x : NULL);
-    give(b, k, YK_ROW_AT_Y, there ? &there->y : NULL, before ? &before->y : NULL);
-    give(b, k, YK_ROW_MASS, &own->mass, NULL);
+    int32_t input = mech->coordinates[yk_tree_coordinate(mech, j, false)].input;
+    b->link[k].input = input;
+    b->link[k].is_rod = is_rod;
+    b->rows[k] = (YkTreeRows){.parent = parent == 0 ? -1 : link_of_body[parent],
+                              .sense = side == 0 ? -1 : 1,
+                              .has_mass = own->mass_expr != NULL};
+    for (int r = 0; r < YK_GIVEN_COUNT; r++) b->rows[k].given[r] = b->link[k].row[r];
+    give(b, k, YK_GIVEN_AT_X, there ? &there->x : NULL, before ? &before->x : NULL);
+    give(b, k, YK_GIVEN_AT_Y, there ? &there->y : NULL, before ? &before->y : NULL);
+    give(b, k, YK_GIVEN_MASS, &own->mass, NULL);
     if (is_rod) { // see finish_rod
         const YkVec *p = &model->points[own->rod[0]].at, *q = &model->points[own->rod[1]].at;
-        give(b, k, YK_ROW_J, &q->x, &p->x);
-        give(b, k, YK_ROW_H_X, &q->y, &p->y);
-        give(b, k, YK_ROW_CENTER_X, &p->x, here ? &here->x : NULL);
-        give(b, k, YK_ROW_CENTER_Y, &p->y, here ? &here->y : NULL);
+        give(b, k, ROD_X, &q->x, &p->x);
+        give(b, k, ROD_Y, &q->y, &p->y);
+        give(b, k, YK_GIVEN_CENTER_X, &p->x, here ? &here->x : NULL);
+        give(b, k, YK_GIVEN_CENTER_Y, &p->y, here ? &here->y : NULL);
     } else {
-        give(b, k, YK_ROW_CENTER_X, &own->center.x, here ? &here->x : NULL);
-        give(b, k, YK_ROW_CENTER_Y, &own->center.y, here ? &here->y : NULL);
-        give(b, k, YK_ROW_INERTIA, &own->inertia, NULL);
+        give(b, k, YK_GIVEN_CENTER_X, &own->center.x, here ? &here->x : NULL);
+        give(b, k, YK_GIVEN_CENTER_Y, &own->center.y, here ? &here->y : NULL);
+        give(b, k, YK_GIVEN_INERTIA, &own->inertia, NULL);
     }
 }
 
@@ -150,15 +159,14 @@ static bool give_all(YkTreeBatch *b)
         give_link(b, (int32_t)b->link_count++, body, link_of_body);
     }
     for (size_t k = b->link_count; k-- > 0;) { // looked at from the last to the first
-        Link *link = &b->link[k];
-        if (link->parent == YK_NONE) continue;
-        link->is_first = !b->link[link->parent].has_children;
-        b->link[link->parent].has_children = true;
+        YkTreeRows *rows = &b->rows[k];
+        if (rows->parent < 0) continue;
+        rows->is_first = !b->rows[rows->parent].has_children;
+        b->rows[rows->parent].has_children = true;
     }
     b->gravity_part[0] = part_of(b, &mech->model->gravity.x, 1);
     b->gravity_part[1] = part_of(b, &mech->model->gravity.y, 1);
     for (int c = 0; c < 2; c++) find_constant(&b->gravity_part[c], b->gravity[c]);
-    for (size_t k = 0; k < b->given_count; k++) b->own_row[k] = b->link[b->given[k].link].row[b->given[k].row];
     return true;
 }
 
@@ -193,24 +201,24 @@ static bool allocate(YkTreeBatch *b, const YkState *state)
     size_t bodies = model->body_count, inputs = b->input_count, parameters = model->parameter_count;
     b->link = YK_NEW(b->arena, Link, bodies);
     b->given = YK_NEW(b->arena, Given, 8 * bodies);
-    b->own_row = YK_NEW(b->arena, double *, 8 * bodies);
+    b->rows = YK_NEW(b->arena, YkTreeRows, bodies);
+    b->found = yk_arena_alloc(b->arena, bodies, sizeof(YkTreeFound));
     b->effort = YK_NEW(b->arena, const YkFormula *, inputs + 1);
     b->variable = YK_NEW(b->arena, const double *, parameters + 1);
     b->derived = YK_NEW(b->arena, double *, parameters + 1);
     b->chosen = YK_NEW(b->arena, double *, parameters + 1);
-    b->q = YK_NEW(b->arena, const double *, 3 * inputs + 3);
+    b->checked = YK_NEW(b->arena, const double *, parameters + 1);
     b->scratch = YK_NEW(b->arena, double, YK_FORMULA_SCRATCH);
     b->ok = row_of(b);
     b->gravity[0] = row_of(b);
     b->gravity[1] = row_of(b);
+    b->none = row_of(b);
     b->own = YK_NEW(b->arena, double, 3 * (inputs + 1) * LANES);
     for (size_t k = 0; b->derived && b->chosen && k <= parameters; k++)
         b->derived[k] = row_of(b), b->chosen[k] = row_of(b);
     for (size_t k = 0; b->link && k < bodies; k++)
-        for (int r = 0; r < YK_ROW_COUNT; r++) b->link[k].row[r] = row_of(b);
+        for (int r = 0; r < ROW_COUNT; r++) b->link[k].row[r] = row_of(b);
     if (yk_arena_failed(b->arena)) return false;
-    b->v = b->q + inputs + 1;
-    b->torque = b->v + inputs + 1;
     for (size_t i = 0; i < inputs; i++)
         for (size_t k = 0; k < LANES; k++) {
             b->own[(3 * i) * LANES + k] = state->input[3 * i];
@@ -247,122 +255,106 @@ void yk_tree_batch_free(YkTreeBatch *b)
 
 static void find_part(YkTreeBatch *b, const Part *part, bool adds, double *row, size_t n)
 {
-    if (!part->formula) {
-        for (size_t i = 0; i < n; i++) row[i] = (adds ? row[i] : 0) + part->sign * part->constant;
-        return;
-    }
-    const double *value = yk_formula_lanes(part->formula, b->variable, b->scratch, n);
-    for (size_t i = 0; i < n; i++) row[i] = (adds ? row[i] : 0) + part->sign * value[i];
+    double constant = part->sign * part->constant;
+    if (part->variable != YK_NONE)
+        yk_lanes_tree_part(row, b->variable[part->variable], part->sign, adds, n);
+    else if (part->formula)
+        yk_lanes_tree_part(row, yk_formula_lanes(part->formula, b->variable, b->scratch, n), part->sign, adds, n);
+    else
+        for (size_t i = 0; i < n; i++) row[i] = adds ? row[i] + constant : constant;
 }
 
-static void find_parameters(YkTreeBatch *b, const YkMotionCase *asked, size_t parameters, size_t from, size_t n)
+static void set_variable(YkTreeBatch *b, int32_t index, const double *row)
+{
+    b->variable[index] = row;
+    b->checked[b->checked_count++] = row;
+}
+
+static void find_parameters(YkTreeBatch *b, const YkMotionCase *asked, size_t from, size_t n)
 {
     const YkRedesign *redesign = b->variant->redesign;
     const YkFormula *formula = NULL;
-    for (size_t p = 0; p < parameters; p++) {
+    b->checked_count = 0;
+    for (size_t p = 0; p < b->parameter_count; p++) {
         int32_t index = yk_redesign_parameter(redesign, p);
-        b->variable[index] = b->chosen[p];
-        if (asked->parameters && asked->parameters[p])
-            b->variable[index] = asked->parameters[p] + from;
-        else
-            for (size_t i = 0; i < n; i++) b->chosen[p][i] = yk_redesign_value(redesign, p);
-        yk_lanes_tree_fits(b->variable[index], b->ok, n);
+        bool is_asked = asked->parameters && asked->parameters[p];
+        for (size_t i = 0; !is_asked && i < n; i++) b->chosen[p][i] = yk_redesign_value(redesign, p);
+        set_variable(b, index, is_asked ? asked->parameters[p] + from : b->chosen[p]);
     }
     for (size_t k = 0;; k++) {
         int32_t index = yk_redesign_derived(redesign, k, &formula);
         if (index == YK_NONE) return;
         const double *value = yk_formula_lanes(formula, b->variable, b->scratch, n);
         memcpy(b->derived[k], value, n * sizeof *value);
-        yk_lanes_tree_fits(b->derived[k], b->ok, n);
-        b->variable[index] = b->derived[k];
+        set_variable(b, index, b->derived[k]);
     }
 }
 
-// A uniform rod: its centre lies half way, its inertia is m L^2 / 12. J and H_X hold its vector for now.
+// A uniform rod: its centre lies half way, its inertia is m L^2 / 12.
 static void finish_rod(const Link *link, double *ok, size_t n)
 {
-    const double *x = link->row[YK_ROW_J], *y = link->row[YK_ROW_H_X], *mass = link->row[YK_ROW_MASS];
+    const double *x = link->row[ROD_X], *y = link->row[ROD_Y], *mass = link->row[YK_GIVEN_MASS];
     for (size_t i = 0; i < n; i++) {
         double square = x[i] * x[i] + y[i] * y[i];
-        link->row[YK_ROW_CENTER_X][i] += 0.5 * x[i];
-        link->row[YK_ROW_CENTER_Y][i] += 0.5 * y[i];
-        link->row[YK_ROW_INERTIA][i] = mass[i] * square / 12;
+        link->row[YK_GIVEN_CENTER_X][i] += 0.5 * x[i];
+        link->row[YK_GIVEN_CENTER_Y][i] += 0.5 * y[i];
+        link->row[YK_GIVEN_INERTIA][i] = mass[i] * square / 12;
         ok[i] = square > 0 ? ok[i] : -1;
     }
 }
 
-// A row that is a variable as it stands is read where it is.
 static void find_row(YkTreeBatch *b, const Given *g, size_t n)
 {
-    double **row = &b->link[g->link].row[g->row];
-    const double *value = NULL;
-    bool is_made = b->link[g->link].rod[0] != YK_NONE; // finish_rod adds to it
-    if (!is_made && g->parts == 1 && g->part[0].formula && g->part[0].sign > 0)
-        value = yk_formula_lanes(g->part[0].formula, b->variable, b->scratch, n);
-    bool is_variable = value && !(value >= b->scratch && value < b->scratch + YK_FORMULA_SCRATCH);
-    *row = is_variable ? (double *)(uintptr_t)value : b->own_row[g - b->given]; // only read
-    if (is_variable) return;
-    if (value) memcpy(*row, value, n * sizeof *value);
-    if (value) return;
-    if (g->parts == 0) memset(*row, 0, n * sizeof **row);
-    for (size_t p = 0; p < g->parts; p++) find_part(b, &g->part[p], p > 0, *row, n);
+    double *row = b->link[g->link].row[g->row];
+    if (g->variable != YK_NONE) {
+        b->rows[g->link].given[g->row] = b->variable[g->variable];
+        return;
+    }
+    if (g->parts == 0) memset(row, 0, n * sizeof *row);
+    for (size_t p = 0; p < g->parts; p++) find_part(b, &g->part[p], p > 0, row, n);
 }
 
 static void find_links(YkTreeBatch *b, size_t n)
 {
     for (size_t k = 0; k < b->given_count; k++)
-        if (!b->given[k].is_constant || b->link[b->given[k].link].rod[0] != YK_NONE) find_row(b, &b->given[k], n);
-    for (size_t k = 0; k < b->link_count; k++) {
-        if (b->link[k].rod[0] != YK_NONE) finish_rod(&b->link[k], b->ok, n);
-        yk_lanes_tree_check(b->link[k].row, b->link[k].has_mass, b->ok, n);
-    }
+        if (!b->given[k].is_constant || b->link[b->given[k].link].is_rod) find_row(b, &b->given[k], n);
+    for (size_t k = 0; k < b->link_count; k++)
+        if (b->link[k].is_rod) finish_rod(&b->link[k], b->ok, n);
     for (int c = 0; c < 2; c++)
         if (b->gravity_part[c].formula) find_part(b, &b->gravity_part[c], false, b->gravity[c], n);
 }
 
-static void point_inputs(YkTreeBatch *b, const YkMotionCase *asked, size_t from, size_t n)
+// The torque along an input: as asked, or what the file says.
+static const double *torque_of(YkTreeBatch *b, const YkMotionCase *asked, size_t i, size_t from, size_t n)
 {
-    for (size_t i = 0; i < b->input_count; i++) {
-        double *own = b->own + 3 * i * LANES;
-        b->q[i] = asked->positions && asked->positions[i] ? asked->positions[i] + from : own;
-        b->v[i] = asked->rates && asked->rates[i] ? asked->rates[i] + from : own + LANES;
-        b->torque[i] = asked->efforts && asked->efforts[i] ? asked->efforts[i] + from : NULL;
-        if (asked->efforts || !b->effort[i]) continue;
-        memcpy(own + 2 * LANES, yk_formula_lanes(b->effort[i], b->variable, b->scratch, n), n * sizeof(double));
-        b->torque[i] = own + 2 * LANES;
+    double *own = b->own + (3 * i + 2) * LANES;
+    if (asked->efforts) return asked->efforts[i] ? asked->efforts[i] + from : b->none;
+    if (!b->effort[i]) return b->none;
+    memcpy(own, yk_formula_lanes(b->effort[i], b->variable, b->scratch, n), n * sizeof *own);
+    return own;
+}
+
+static void point_links(YkTreeBatch *b, const YkMotionCase *asked, double *const *accelerations, size_t from, size_t n)
+{
+    for (size_t k = 0; k < b->link_count; k++) { // every link has an input of its own
+        size_t i = (size_t)b->link[k].input;
+        const double *own = b->own + 3 * i * LANES;
+        b->rows[k].q = asked->positions && asked->positions[i] ? asked->positions[i] + from : own;
+        b->rows[k].v = asked->rates && asked->rates[i] ? asked->rates[i] + from : own + LANES;
+        b->rows[k].torque = torque_of(b, asked, i, from, n);
+        b->rows[k].a = accelerations[i] + from;
     }
 }
 
-static double *const *parent_rows(const YkTreeBatch *b, const Link *link)
+static YkStatus run_block(YkTreeBatch *b, size_t from, size_t n, signed char *status)
 {
-    return link->parent == YK_NONE ? NULL : b->link[link->parent].row;
-}
-
-static YkStatus run_block(YkTreeBatch *b, double *const *accelerations, size_t from, size_t n, signed char *status)
-{
-    for (size_t k = 0; k < b->link_count; k++) {
-        const Link *link = &b->link[k];
-        yk_lanes_tree_angle(link->row, parent_rows(b, link), b->q[link->input], b->v[link->input], link->sense, n);
-    }
-    for (size_t k = b->link_count; k-- > 0;) {
-        const Link *link = &b->link[k];
-        yk_lanes_tree_inward(link->row, parent_rows(b, link), link->has_children, link->is_first,
-                             b->torque[link->input], link->sense, b->ok, n);
-    }
-    for (size_t k = 0; k < b->link_count; k++) {
-        const Link *link = &b->link[k];
-        yk_lanes_tree_outward(link->row, parent_rows(b, link), b->gravity[0], b->gravity[1], link->sense,
-                              accelerations[link->input] + from, n);
-    }
+    YkTreeLanes tree = {b->rows, b->found, b->link_count, {b->gravity[0], b->gravity[1]}, b->checked, b->checked_count};
     bool well;
-    for (size_t i = 0; i < b->input_count; i++) yk_lanes_tree_mask(accelerations[i] + from, b->ok, n);
-    yk_lanes_well(&well, b->ok, b->ok, 0, 1, n);
+    yk_lanes_tree(&well, &tree, b->ok, n);
     if (well) {
         if (status) memset(status + from, YK_OK, n);
         return YK_OK;
     }
-    for (size_t i = 0; i < b->input_count; i++)
-        yk_lanes_tree_mask(accelerations[i] + from, b->ok, n); // fails as a whole
     YkStatus worst = YK_OK;
     for (size_t k = 0; k < n; k++) {
         YkStatus one = b->ok[k] > 0 ? YK_OK : b->ok[k] < 0 ? YK_BAD_MODEL : YK_SINGULAR;
@@ -379,10 +371,10 @@ YkStatus yk_tree_batch_run(YkTreeBatch *b, const YkMotionCase *asked, size_t fro
     for (size_t at = from; at < to; at += LANES) {
         size_t n = to - at < LANES ? to - at : LANES;
         for (size_t k = 0; k < n; k++) b->ok[k] = 1;
-        find_parameters(b, asked, b->parameter_count, at, n);
+        find_parameters(b, asked, at, n);
         find_links(b, n);
-        point_inputs(b, asked, at, n);
-        YkStatus here = run_block(b, accelerations, at, n, status);
+        point_links(b, asked, accelerations, at, n);
+        YkStatus here = run_block(b, at, n, status);
         if (here < 0 || (worst == YK_OK && here > 0)) worst = here;
     }
     return worst;
