@@ -4,11 +4,19 @@
 
 YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to)
 {
-    size_t first = 0, end = monomial.count;
-    if (end == 0) return monomial;
-    while (end > 0 && yk_rank_class(monomial.powers[end - 1].rank) > to) end--;
-    while (first < end && yk_rank_class(monomial.powers[first].rank) < from) first++;
-    return (YkMonomial){monomial.powers + first, end - first};
+    uint32_t wanted = ((uint32_t)2 << to) - ((uint32_t)1 << from), first = 0, end = monomial.count;
+    if (!(monomial.classes & ~wanted)) return monomial;
+    if (!(monomial.classes & wanted)) return (YkMonomial){NULL, 0, 0};
+    while (yk_rank_class(monomial.powers[end - 1].rank) > to) end--;
+    while (yk_rank_class(monomial.powers[first].rank) < from) first++;
+    return (YkMonomial){monomial.powers + first, end - first, monomial.classes & wanted};
+}
+
+static YkMonomial with_classes(const YkShownPower *powers, uint32_t count)
+{
+    YkMonomial monomial = {powers, count, 0};
+    for (uint32_t i = 0; i < count; i++) monomial.classes |= (uint32_t)1 << yk_rank_class(powers[i].rank);
+    return monomial;
 }
 
 static YkShownPower *new_powers(YkSheet *sheet, size_t count)
@@ -19,9 +27,9 @@ static YkShownPower *new_powers(YkSheet *sheet, size_t count)
 }
 
 // The powers of a * b^-1, which has room for all; returns how many.
-static size_t divide(YkMonomial a, YkMonomial b, YkShownPower *out)
+static uint32_t divide(YkMonomial a, YkMonomial b, YkShownPower *out)
 {
-    size_t i = 0, k = 0, count = 0;
+    uint32_t i = 0, k = 0, count = 0;
     while (i < a.count || k < b.count) {
         bool from_a = i < a.count && (k == b.count || a.powers[i].rank <= b.powers[k].rank);
         bool from_b = k < b.count && (i == a.count || b.powers[k].rank <= a.powers[i].rank);
@@ -37,16 +45,16 @@ YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor)
 {
     if (divisor.count == 0) return monomial;
     if (monomial.count > 0 && divisor.powers + divisor.count == monomial.powers + monomial.count) // its own last piece
-        return (YkMonomial){monomial.powers, monomial.count - divisor.count};
+        return with_classes(monomial.powers, monomial.count - divisor.count);
     YkShownPower *powers = new_powers(sheet, monomial.count + divisor.count);
-    return (YkMonomial){powers, powers ? divide(monomial, divisor, powers) : 0};
+    return with_classes(powers, powers ? divide(monomial, divisor, powers) : 0);
 }
 
 // Leaves of powers[count] the positive ones that the other monomial shares; returns how many.
-static size_t share(YkShownPower *powers, size_t count, YkMonomial other)
+static uint32_t share(YkShownPower *powers, uint32_t count, YkMonomial other)
 {
-    size_t kept = 0, k = 0;
-    for (size_t i = 0; i < count; i++) {
+    uint32_t kept = 0, k = 0;
+    for (uint32_t i = 0; i < count; i++) {
         YkShownPower power = powers[i];
         while (k < other.count && other.powers[k].rank < power.rank) k++;
         if (k == other.count) break;
@@ -59,12 +67,12 @@ static size_t share(YkShownPower *powers, size_t count, YkMonomial other)
 
 YkMonomial yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count)
 {
-    size_t shared = terms[0].monomial.count;
+    uint32_t shared = terms[0].monomial.count;
     YkShownPower *powers = shared > 0 ? new_powers(sheet, shared) : NULL;
-    if (!powers) return (YkMonomial){NULL, 0};
+    if (!powers) return (YkMonomial){NULL, 0, 0};
     memcpy(powers, terms[0].monomial.powers, shared * sizeof *powers);
     for (size_t i = 0; i < count && shared > 0; i++) shared = share(powers, shared, terms[i].monomial);
-    return (YkMonomial){powers, shared};
+    return with_classes(powers, shared);
 }
 
 bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common)

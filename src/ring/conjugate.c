@@ -66,33 +66,60 @@ const YkPoisson *yk_ring_imaginary(YkRing *ring, const YkPoisson *a)
     return a ? half(ring, a, true) : NULL;
 }
 
-// The number that stands at a key; 0 where none does.
-static int64_t number_at(const YkPoisson *a, uint64_t key)
+// The first term whose key is not below.
+static size_t find_key(const YkPoisson *a, size_t from, uint64_t key)
 {
-    size_t low = 0, high = a->count;
+    size_t low = from, high = a->count;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (a->terms[middle].key == key) return a->terms[middle].number;
         if (a->terms[middle].key < key)
             low = middle + 1;
         else
             high = middle;
     }
-    return 0;
+    return low;
 }
 
-// Every term has its conjugate among the terms: nothing is made.
+static size_t end_of_phase(const YkPoisson *a, size_t start)
+{
+    size_t end = start + 1;
+    while (end < a->count && yk_key_phase(a->terms[end].key) == yk_key_phase(a->terms[start].key)) end++;
+    return end;
+}
+
+// Are count terms from `other` on the conjugates of those from `start` on, phases apart?
+static bool are_conjugates(const YkPoisson *a, size_t start, size_t other, size_t count)
+{
+    const uint64_t rest = ((uint64_t)1 << (YK_MONOMIAL_BITS + YK_UNIT_BITS)) - 1;
+    for (size_t i = 0; i < count; i++) {
+        const YkRingTerm *left = &a->terms[start + i], *right = &a->terms[other + i];
+        bool has_i = yk_key_unit(left->key) & YK_UNIT_I;
+        if (((left->key ^ right->key) & rest) != 0 || left->number != (has_i ? -right->number : right->number))
+            return false;
+    }
+    return true;
+}
+
+// Every phase has its opposite among the phases, with the conjugates of its terms in the same order: nothing is made.
 bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
 {
-    for (size_t i = 0; a && i < a->count; i++) {
-        uint64_t key = a->terms[i].key;
-        bool has_i = yk_key_unit(key) & YK_UNIT_I;
-        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
-        if (phase == YK_NO_PRODUCT) return false;
-        int64_t number = number_at(a, yk_key(phase, yk_key_monomial(key), yk_key_unit(key)));
-        if (number != (has_i ? -a->terms[i].number : a->terms[i].number)) return false;
+    size_t first = 0, second = 0; // terms of the phases that come first of two opposite ones, and of the others
+    for (size_t start = 0, end; a && start < a->count; start = end) {
+        uint32_t phase = yk_key_phase(a->terms[start].key), opposite = yk_ring_opposite(ring, phase);
+        end = end_of_phase(a, start);
+        if (opposite == YK_NO_PRODUCT) return false;
+        if (opposite < phase) {
+            second += end - start;
+            continue;
+        }
+        size_t other = opposite == phase ? start : find_key(a, end, yk_key(opposite, 0, 0));
+        if (a->count - other < end - start || !are_conjugates(a, start, other, end - start)) return false;
+        if (opposite == phase) continue;
+        if (yk_key_phase(a->terms[other].key) != opposite) return false;
+        if (end_of_phase(a, other) - other != end - start) return false;
+        first += end - start;
     }
-    return a != NULL;
+    return a && first == second;
 }
 
 const YkPoisson *yk_ring_dot(YkRing *ring, const YkPoisson *u, const YkPoisson *v)

@@ -55,7 +55,7 @@ static void rate_group(YkSheet *sheet, YkShow *sum, YkRateProduct *list, size_t 
 {
     YkShownTerm *terms = YK_NEW(sheet->arena, YkShownTerm, count);
     YkRatio number = {1, 1};
-    YkMonomial common = {NULL, 0};
+    YkMonomial common = {NULL, 0, 0};
     if (!terms) sheet->failed = true;
     for (size_t i = 0; i < count && terms; i++) terms[i] = (YkShownTerm){list[i].monomial, list[i].number, {0}};
     if (!terms || (count > 1 && !bracket_number(sheet, terms, count, &number))) return;
@@ -85,23 +85,28 @@ static YkMonomial mass_of(YkMonomial monomial)
     return yk_part_of(monomial, YK_RING_INERTIA, YK_RING_MASS);
 }
 
+static bool has_mass(YkMonomial monomial)
+{
+    return yk_holds(monomial, YK_RING_MASS) || yk_holds(monomial, YK_RING_INERTIA);
+}
+
 // (m1 + m2) a for terms that are one length, or one product of such, times masses alone. False where they are not so.
 static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     YkRatio number;
     if (count < 2) return false;
     for (size_t i = 0; i < count; i++)
-        if (mass_of(terms[i].monomial).count == 0) return false;
+        if (!has_mass(terms[i].monomial)) return false;
     YkMonomial common = yk_common_monomial(sheet, terms, count);
-    if (common.count == 0 || mass_of(common).count > 0) return false;
+    if (common.count == 0 || has_mass(common)) return false;
     for (size_t i = 0; i < count; i++) {
         YkMonomial rest = yk_quotient(sheet, terms[i].monomial, common);
-        if (rest.count == 0 || mass_of(rest).count < rest.count) return false;
+        if (!has_mass(rest) || mass_of(rest).count < rest.count) return false;
     }
     if (!bracket_number(sheet, terms, count, &number)) return true;
     yk_divide_terms(sheet, terms, count, common, number);
     YkShow *product = yk_show(sheet, YK_SHOW_PRODUCT), *bracket = yk_show(sheet, YK_SHOW_SUM);
-    if (!is_sign(number)) yk_show_append(product, yk_show_term(sheet, number, (YkMonomial){NULL, 0}, NULL));
+    if (!is_sign(number)) yk_show_append(product, yk_show_term(sheet, number, (YkMonomial){NULL, 0, 0}, NULL));
     append_terms(sheet, bracket, terms, count);
     yk_show_append(product, bracket);
     yk_show_append(product, yk_show_term(sheet, (YkRatio){1, 1}, common, NULL));
@@ -131,7 +136,7 @@ void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t 
 static bool has_rate(const YkShownTerm *terms, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        if (yk_part_of(terms[i].monomial, YK_RING_RATE, YK_RING_RATE).count > 0) return true;
+        if (yk_holds(terms[i].monomial, YK_RING_RATE)) return true;
     return false;
 }
 

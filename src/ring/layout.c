@@ -9,14 +9,9 @@ typedef enum SectionKind { ACCELERATIONS, RATES, GRAVITY, REST, SECTIONS } Secti
 
 static SectionKind section_of(YkMonomial monomial)
 {
-    SectionKind kind = REST;
-    for (size_t i = 0; i < monomial.count; i++) {
-        YkRingClass class = yk_rank_class(monomial.powers[i].rank);
-        if (class == YK_RING_ACCELERATION) return ACCELERATIONS;
-        if (class == YK_RING_RATE) kind = RATES;
-        if (class == YK_RING_GRAVITY) kind = GRAVITY;
-    }
-    return kind;
+    if (yk_holds(monomial, YK_RING_ACCELERATION)) return ACCELERATIONS;
+    if (yk_holds(monomial, YK_RING_RATE)) return RATES;
+    return yk_holds(monomial, YK_RING_GRAVITY) ? GRAVITY : REST;
 }
 
 static void take_sections(YkSheet *sheet, const YkShownTerm *terms, size_t count, Section sections[SECTIONS])
@@ -40,7 +35,7 @@ static void take_sections(YkSheet *sheet, const YkShownTerm *terms, size_t count
 // The common rational factor of the terms goes before the bracket where it is not 1.
 static void append_factor(YkSheet *sheet, YkShow *product, YkShownTerm *terms, size_t count)
 {
-    const YkMonomial none = {NULL, 0};
+    const YkMonomial none = {NULL, 0, 0};
     YkRatio number;
     if (count < 2 || !yk_common_number(terms, count, &number) || yk_ratio_is(number, 1)) return;
     yk_divide_terms(sheet, terms, count, none, number);
@@ -95,7 +90,7 @@ static void gravity_section(YkSheet *sheet, YkShow *sum, Section section)
 {
     YkShownTerm *terms = section.count > 1 ? yk_arena_take(sheet->arena, section.count * sizeof *terms) : NULL;
     YkShow *bracket = section.count > 1 ? yk_show(sheet, YK_SHOW_SUM) : NULL;
-    YkMonomial lead = {NULL, 0};
+    YkMonomial lead = {NULL, 0, 0};
     bool is_common = bracket && terms;
     if (section.count > 0) lead = yk_part_of(section.terms[0].monomial, YK_RING_GRAVITY, YK_RING_GRAVITY);
     for (size_t i = 0; i < section.count && is_common; i++) {

@@ -6,19 +6,20 @@ enum { FEW = 6 }; // terms that are sorted by insertion
 
 YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial)
 {
-    uint32_t count;
+    uint32_t count, classes = 0;
     const YkRing *ring = sheet->ring;
     const YkPower *of = yk_powers_of(&ring->monomials, monomial, &count);
     YkShownPower *powers = count > 0 ? yk_arena_take(sheet->arena, count * sizeof *powers) : NULL;
     if (count > 0 && !powers) sheet->failed = true;
     for (uint32_t i = 0; powers && i < count; i++) {
-        YkShownPower power = {(uint32_t)ring->symbols[of[i].symbol].kind << YK_RANK_BITS | (uint32_t)of[i].symbol,
-                              of[i].exponent};
+        uint32_t kind = ring->symbols[of[i].symbol].kind;
+        YkShownPower power = {kind << YK_RANK_BITS | (uint32_t)of[i].symbol, of[i].exponent};
+        classes |= (uint32_t)1 << kind;
         uint32_t k = i;
         for (; k > 0 && powers[k - 1].rank > power.rank; k--) powers[k] = powers[k - 1];
         powers[k] = power;
     }
-    return (YkMonomial){powers, powers ? count : 0};
+    return (YkMonomial){powers, powers ? count : 0, classes};
 }
 
 int yk_compare_monomials(YkMonomial a, YkMonomial b)

@@ -88,7 +88,7 @@ static YkMonomial rate_power(YkSheet *sheet, uint32_t rate, int32_t exponent)
     YkShownPower *power = yk_arena_take(sheet->arena, sizeof *power);
     if (!power) sheet->failed = true;
     if (power) *power = (YkShownPower){rate, exponent};
-    return (YkMonomial){power, power ? 1 : 0};
+    return (YkMonomial){power, power ? 1 : 0, 1u << YK_RING_RATE};
 }
 
 // The linear form with these coefficients as factor * (whole combination, first sign +)^exponent: a symbol or a sum.
@@ -154,23 +154,18 @@ static YkShow *factored(YkSheet *sheet, const YkShownTerm *terms, size_t count, 
 static bool split_rates(YkSheet *sheet, YkShownTerm *terms, size_t count, YkMonomial *rests)
 {
     for (size_t i = 0; i < count; i++) {
+        if (!yk_holds(terms[i].monomial, YK_RING_RATE)) return false;
         YkMonomial rates = yk_part_of(terms[i].monomial, YK_RING_RATE, YK_RING_RATE);
-        if (rates.count == 0) return false;
         rests[i] = yk_quotient(sheet, terms[i].monomial, rates);
         terms[i].monomial = rates;
     }
     return true;
 }
 
-static bool has_no_rate(YkMonomial monomial)
-{
-    return yk_part_of(monomial, YK_RING_RATE, YK_RING_RATE).count == 0;
-}
-
 YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t count, size_t *products)
 {
     *products = 0;
-    if (count == 0 || has_no_rate(terms[0].monomial)) return NULL;
+    if (count == 0 || !yk_holds(terms[0].monomial, YK_RING_RATE)) return NULL;
     YkMonomial *rests = yk_arena_take(sheet->arena, count * sizeof *rests);
     YkRateProduct *list = yk_arena_take(sheet->arena, count * sizeof *list);
     YkShownTerm *rates = yk_arena_take(sheet->arena, count * sizeof *rates);

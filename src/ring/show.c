@@ -48,16 +48,21 @@ YkShow *yk_show_simplest(YkShow *sum)
 
 YkShow *yk_show_term(YkSheet *sheet, YkRatio number, YkMonomial monomial, const YkAtom *atom)
 {
-    YkShow *term = yk_show(sheet, YK_SHOW_TERM);
-    if (!term) return NULL;
-    bool is_bare =
-        monomial.count == 0 && (!atom || (atom->function == YK_SHOWN_ONE && !atom->is_imaginary && atom->surd == 0));
-    term->negative = number.over < 0;
-    if (term->negative) number.over = -number.over;
-    term->has_number = is_bare || !yk_ratio_is(number, 1);
-    term->term.number = number;
-    term->term.monomial = monomial;
-    if (atom) term->term.atom = *atom;
+    const YkAtom none = {.function = YK_SHOWN_ONE};
+    YkShow *term = yk_arena_take(sheet->arena, sizeof *term);
+    if (!term) {
+        sheet->failed = true;
+        return NULL;
+    }
+    if (!atom) atom = &none;
+    bool is_bare = monomial.count == 0 && atom->function == YK_SHOWN_ONE && !atom->is_imaginary && atom->surd == 0;
+    bool negative = number.over < 0;
+    if (negative) number.over = -number.over;
+    *term = (YkShow){.kind = YK_SHOW_TERM,
+                     .negative = negative,
+                     .has_number = is_bare || !yk_ratio_is(number, 1),
+                     .exponent = 1,
+                     .term = {monomial, number, *atom}};
     return term;
 }
 

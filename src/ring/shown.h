@@ -26,7 +26,7 @@ typedef struct YkShownPower {
 // shared.
 typedef struct YkMonomial {
     const YkShownPower *powers;
-    size_t count;
+    uint32_t count, classes; // a mask of 1 << class
 } YkMonomial;
 
 enum { YK_RANK_BITS = 28 }; // of the symbol
@@ -68,6 +68,11 @@ typedef enum YkOrder { YK_BY_MONOMIAL, YK_BY_ATOM, YK_BY_RATE, YK_BY_ACCELERATIO
 void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkOrder order);
 
 // --- common.c: parts of monomials
+// Does it hold a symbol of the class?
+static inline bool yk_holds(YkMonomial monomial, YkRingClass kind)
+{
+    return monomial.classes >> kind & 1;
+}
 // The piece of the classes `from` to `to`, within the same memory.
 YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to);
 YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor);

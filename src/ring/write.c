@@ -167,22 +167,23 @@ static void separate(const Pen *pen, bool *any)
     *any = true;
 }
 
-// Powers with positive exponents (sign 1) or with negative ones (sign -1).
-static void put_powers(const Pen *pen, YkMonomial monomial, int32_t sign, bool *any)
+// Of a monomial's powers from `k` on those up to a class, with positive exponents (sign 1) or with negative ones (sign
+// -1); returns which is next.
+static uint32_t put_powers(const Pen *pen, YkMonomial monomial, uint32_t k, YkRingClass last, int32_t sign, bool *any)
 {
-    for (size_t i = 0; i < monomial.count; i++) {
-        int32_t exponent = sign * monomial.powers[i].exponent;
+    for (; k < monomial.count && yk_rank_class(monomial.powers[k].rank) <= last; k++) {
+        int32_t exponent = sign * monomial.powers[k].exponent;
         if (exponent < 0) continue;
         separate(pen, any);
-        put_power(pen, NULL, yk_rank_symbol(monomial.powers[i].rank), exponent);
+        put_power(pen, NULL, yk_rank_symbol(monomial.powers[k].rank), exponent);
     }
+    return k;
 }
 
 // What of a term stands above the line.
 static void put_term(const Pen *pen, const YkShow *show, bool *any)
 {
     const YkAtom *atom = &show->term.atom;
-    YkMonomial early = yk_part_of(show->term.monomial, YK_RING_INERTIA, YK_RING_FORCE);
     if (show->has_number) {
         separate(pen, any);
         put_ratio(pen, show->term.number);
@@ -195,12 +196,12 @@ static void put_term(const Pen *pen, const YkShow *show, bool *any)
         separate(pen, any);
         put_root(pen, atom->surd);
     }
-    put_powers(pen, early, 1, any);
+    uint32_t late = put_powers(pen, show->term.monomial, 0, YK_RING_FORCE, 1, any);
     if (atom->function != YK_SHOWN_ONE) {
         separate(pen, any);
         put_function(pen, atom);
     }
-    put_powers(pen, yk_part_of(show->term.monomial, YK_RING_RATE, YK_RING_ACCELERATION), 1, any);
+    put_powers(pen, show->term.monomial, late, YK_RING_ACCELERATION, 1, any);
 }
 
 static void put_product(const Pen *pen, const YkShow *product)
@@ -222,7 +223,7 @@ static void put_product(const Pen *pen, const YkShow *product)
     yk_text_puts(pen->text, latex ? "}{" : brackets ? "/(" : "/");
     any = false;
     for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor))
-        put_powers(pen, factor->term.monomial, -1, &any);
+        put_powers(pen, factor->term.monomial, 0, YK_RING_ACCELERATION, -1, &any);
     yk_text_puts(pen->text, latex ? "}" : brackets ? ")" : "");
 }
 

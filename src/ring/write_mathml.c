@@ -79,7 +79,7 @@ static void separate(YkText *text, const char *times, bool *any)
 // Powers with positive exponents (sign 1) or with negative ones (sign -1).
 static void put_powers(const YkSheet *sheet, YkMonomial monomial, int32_t sign, bool *any, YkText *text)
 {
-    for (size_t i = 0; i < monomial.count; i++) {
+    for (uint32_t i = 0; i < monomial.count; i++) {
         int32_t exponent = sign * monomial.powers[i].exponent;
         if (exponent < 0) continue;
         separate(text, TIMES, any);
