@@ -258,7 +258,7 @@ void yk_derive_end_line(YkDeriveLaw *law, YkLine *line, int order, const YkPoiss
     if (!line || !value) return;
     int32_t symbol = yk_ring_next_symbol(ring, law->shown[order], -1);
     yk_text_format(&target, "%s_%z%s", yk_ring_name_in(ring, symbol, YK_RING_C), law->index + 1, zone);
-    line->vanishes = yk_ring_subtract(ring, law->shown[order], value);
+    line->left = law->shown[order], line->right = value;
     line->value = yk_derive_in_joints(law->d, value);
     line->within = within;
     line->target = yk_arena_copy(law->page->arena, yk_text_get(&target), target.length);

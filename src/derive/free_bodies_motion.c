@@ -171,6 +171,6 @@ void yk_derive_put_angles(YkDerivation *d, YkPage *page)
         if (c == YK_NONE || body->angle == d->coordinates[c].position) continue;
         YkLine *line = yk_page_equation(page, body->name, yk_ring_of(d->ring, body->angle), shown_angle(d, (int32_t)b),
                                         YK_RING_TEXTBOOK);
-        if (line) line->vanishes = NULL; // the numeric engine counts turns of bodies apart
+        if (line) line->left = NULL; // the numeric engine counts turns of bodies apart
     }
 }

@@ -34,7 +34,7 @@ static const YkPoisson *teeth(const Mesh *mesh, int side)
 static YkLine *new_line(const Mesh *mesh, const char *remark)
 {
     YkLine *line = yk_page_formula(mesh->page, remark);
-    if (line) line->vanishes = mesh->zero;
+    if (line) line->left = mesh->zero, line->right = NULL;
     return line;
 }
 

@@ -109,14 +109,13 @@ static void put_share(YkDerivation *d, YkPage *page, YkLine *line, const Share *
     add_share(ring, sum, share);
 }
 
-// The line's truth: under * symbol - over vanishes.
-static void finish(YkDerivation *d, YkLine *line, const YkPoisson *left, const Sum *sum, int32_t symbol)
+// The line's truth: under * symbol = over.
+static void finish(YkLine *line, const YkPoisson *left, const Sum *sum, int32_t symbol)
 {
-    YkRing *ring = d->ring;
     if (!line) return;
-    line->vanishes = yk_ring_subtract(ring, yk_ring_multiply(ring, sum->under, left), sum->over);
-    line->value = line->over = sum->over;
-    line->value_under = line->under = sum->under;
+    line->left = left;
+    line->value = line->over = line->right = sum->over;
+    line->value_under = line->under = line->factor = sum->under;
     line->solved = symbol;
 }
 
@@ -162,7 +161,7 @@ static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkP
         }
     }
     if (!sum.any) yk_line_sign(page, line, "0");
-    finish(d, line, left, &sum, YK_NONE);
+    finish(line, left, &sum, YK_NONE);
     if (line) line->is_in_numbers = true;
     const YkTrain *whole = train->train;
     if (column >= whole->net.bodies || whole->motion.status == YK_TRAIN_LOCKED) return;
@@ -208,7 +207,7 @@ static bool put_in_teeth(YkDerivation *d, YkPage *page, int32_t column, const Yk
         for (int32_t k = 0; k < count; k++)
             if (shares[k].is_negative == (pass == 1)) put_share(d, page, line, &shares[k], &sum);
     if (!sum.any) yk_line_sign(page, line, "0");
-    finish(d, line, left, &sum, yk_derive_column_symbol(d, column));
+    finish(line, left, &sum, yk_derive_column_symbol(d, column));
     return yk_ring_status(d->ring) == YK_RING_OK || give_up(d, page, line, name_of(d, column));
 }
 

@@ -173,7 +173,7 @@ static void put_drives(YkDerivation *d, YkPage *page)
         const int32_t symbols[] = {c->position, c->rate, c->acceleration};
         for (int order = 0; order < 3 && law; order++) {
             YkLine *line = yk_page_equation(page, NULL, yk_ring_of(d->ring, symbols[order]), law, YK_RING_TEXTBOOK);
-            if (line) line->vanishes = NULL; // holds where the drive is not overruled
+            if (line) line->left = NULL; // holds where the drive is not overruled
             law = yk_ring_time_derivative(d->ring, law);
         }
     }

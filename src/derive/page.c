@@ -159,11 +159,16 @@ YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left
     yk_line_element(page, line, left, style);
     yk_line_sign(page, line, "=");
     yk_line_element(page, line, right ? right : yk_ring_rational(page->ring, 0, 1), style);
-    line->vanishes = right ? yk_ring_subtract(page->ring, left, right) : left;
+    line->left = left, line->right = right;
     int64_t p, q;
     line->value = right && !yk_ring_is_rational(right, &p, &q) ? right : NULL;
-    if (!line->vanishes) page->failed = true;
     return line;
+}
+
+const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line)
+{
+    const YkPoisson *left = line->factor ? yk_ring_multiply(ring, line->factor, line->left) : line->left;
+    return left && line->right ? yk_ring_subtract(ring, left, line->right) : left;
 }
 
 // The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix): where it finds no common divisor, print may have a 2, no
@@ -254,10 +259,9 @@ YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const
     yk_line_element(page, line, left, YK_RING_TEXTBOOK);
     yk_line_sign(page, line, "=");
     put_fraction(page, line, over, divisor);
-    line->vanishes = yk_ring_subtract(ring, yk_ring_multiply(ring, divisor, left), over);
-    line->value = line->over = over;
-    line->value_under = line->under = divisor;
+    line->left = left;
+    line->value = line->over = line->right = over;
+    line->value_under = line->under = line->factor = divisor;
     line->solved = symbol;
-    if (!line->vanishes) page->failed = true;
     return line;
 }

@@ -60,11 +60,11 @@ struct YkLine {
     const char *text;    // heading, words; of a formula a name or remark, or NULL
     const char *section; // to which section it belongs
     YkPagePiece *first, *last;
-    // What is 0 wherever the formula holds, on the machine's own motion; NULL where it is no equation between scalars
-    // or vectors.
-    const YkPoisson *vanishes;
-    bool is_identity;   // `vanishes` is 0 by itself, coordinates being free
-    bool is_in_numbers; // `vanishes` is 0 with the file's numbers only
+    // factor * left = right wherever the formula holds, on the machine's own motion; right NULL: 0; factor NULL: 1; left
+    // NULL where it is no equation between scalars or vectors.
+    const YkPoisson *left, *right, *factor;
+    bool is_identity;   // it holds by itself, coordinates being free
+    bool is_in_numbers; // it holds with the file's numbers only
     // For C: target = over / under; under NULL: 1. "Phi" gathers rows. NULL: no statement, but where the formula is a
     // name = a value: then the name. Matrices have targets of their own.
     const char *target;
@@ -112,7 +112,9 @@ void yk_line_words(YkPage *page, YkLine *line, const char *words);
 // A zeroed matrix with room for its entries, to be filled; NULL when out of memory.
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
 
-// left = right, both real elements; right may be NULL for 0. `vanishes` is set, and the value unless right is a number.
+// What is 0 wherever the formula holds: factor * left - right. NULL where it is no equation.
+const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line);
+// left = right, both real elements; right may be NULL for 0. The value is set unless right is a number.
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
                          YkRingStyle style);
 // symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.

@@ -65,8 +65,8 @@ static inline size_t check_page(Machine *m, const char *what, double tolerance)
 {
     size_t count = 0;
     for (const YkLine *line = m->page.first; line; line = line->next) {
-        if (!line->vanishes) continue;
-        check_vanishes(m, line->vanishes, what, tolerance);
+        if (!line->left) continue;
+        check_vanishes(m, yk_line_vanishes(m->d->ring, line), what, tolerance);
         count++;
     }
     return count;

@@ -198,8 +198,9 @@ static double size_of(const Machine *m, const YkPoisson *a)
 static void check_lines(Machine *m, const char *name)
 {
     for (const YkLine *line = m->page.first; line; line = line->next) {
-        if (!line->vanishes || !holds(m, line)) continue;
-        double value = value_of(m, line->vanishes), size = size_of(m, line->vanishes);
+        if (!line->left || !holds(m, line)) continue;
+        const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+        double value = value_of(m, zero), size = size_of(m, zero);
         if (!(fabs(value) <= 1e-12 * size + 1e-14)) {
             YkText text = {0};
             YkPrinting printing = {.ring = m->d->ring, .text = &text};
@@ -219,7 +220,7 @@ static void check_read(Machine *m, const YkLine *line)
     YkPrinting printing = {.ring = m->d->ring, .text = &text};
     YkEquation equation;
     int equals = 0;
-    if (!line->vanishes) return;
+    if (!line->left) return;
     for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
         if (piece->kind == YK_PIECE_VECTOR || piece->kind == YK_PIECE_MATRIX || piece->kind == YK_PIECE_WORDS) return;
         equals += piece->kind == YK_PIECE_SIGN && *piece->text == '=';

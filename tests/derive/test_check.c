@@ -244,10 +244,12 @@ static void check_lines(Machine *m, const char *name)
     for (const YkLine *line = m->page.first; line; line = line->next) {
         YkText text = {0};
         bool is_influence =
-            line->vanishes && line->solved >= 0 && strncmp(yk_ring_symbol_name(m->d->ring, line->solved), "k_", 2) == 0;
-        if (!line->vanishes || is_influence) continue;
-        if (yk_ring_field(m->d->ring, line->vanishes, point, false) != 0) {
-            yk_ring_write(m->d->ring, line->vanishes, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
+            line->left && line->solved >= 0 && strncmp(yk_ring_symbol_name(m->d->ring, line->solved), "k_", 2) == 0;
+        const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+        if (!line->left || is_influence) continue;
+        assert_non_null(zero);
+        if (yk_ring_field(m->d->ring, zero, point, false) != 0) {
+            yk_ring_write(m->d->ring, zero, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
             print_error("%s: %s\n", name, yk_text_get(&text));
             fail();
         }

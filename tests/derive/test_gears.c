@@ -86,10 +86,11 @@ static bool has_vectors(const YkLine *line)
 
 static void check_line_at_pose(const Machine *m, const YkLine *line, const char *name)
 {
-    double value = yk_ring_value(m->d->ring, line->vanishes, m->values).x, size = 1;
+    const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+    double value = yk_ring_value(m->d->ring, zero, m->values).x, size = 1;
     for (size_t s = 0; s < yk_ring_symbol_count(m->d->ring); s++) { // what its terms come to
-        if (!yk_ring_mentions(m->d->ring, line->vanishes, (int32_t)s)) continue;
-        const YkPoisson *slope = yk_ring_partial(m->d->ring, line->vanishes, (int32_t)s);
+        if (!yk_ring_mentions(m->d->ring, zero, (int32_t)s)) continue;
+        const YkPoisson *slope = yk_ring_partial(m->d->ring, zero, (int32_t)s);
         size += fabs(yk_ring_value(m->d->ring, slope, m->values).x * m->values[s]);
     }
     if (!(fabs(value) <= 1e-12 * size)) print_error("%s: %s: %g\n", name, line->text ? line->text : "", value);
@@ -100,7 +101,9 @@ static void check_line_at_pose(const Machine *m, const YkLine *line, const char 
 // By the relations of `loops`, for all numbers of teeth: at a random point of the prime field.
 static void check_line_in_field(Machine *m, const YkLine *line, const YkFieldPoint *point, const char *name)
 {
-    uint64_t value = yk_ring_field(m->d->ring, yk_derive_in_joints(m->d, line->vanishes), point, false);
+    const YkPoisson *zero = yk_derive_in_joints(m->d, yk_line_vanishes(m->d->ring, line));
+    assert_non_null(zero);
+    uint64_t value = yk_ring_field(m->d->ring, zero, point, false);
     if (value != 0) print_error("%s: %s\n", name, line->text ? line->text : "");
     assert_int_equal(value, 0);
     lines_proved++;
@@ -150,16 +153,16 @@ static void visit(Machine *m, const char *name)
     for (int k = 0; k < 3; k++) {
         if (!random_pose(m, k == 0)) continue;
         for (const YkLine *line = m->page.first; line; line = line->next)
-            if (line->vanishes) check_line_at_pose(m, line, name);
+            if (line->left) check_line_at_pose(m, line, name);
     }
     bool is_possible;
     YkFieldPoint *point = yk_derive_loop_point(m->d, 2025, &is_possible);
     for (const YkLine *line = m->page.first; line && point; line = line->next)
-        if (line->vanishes && !line->is_in_numbers && m->mech->loop_count == 0)
+        if (line->left && !line->is_in_numbers && m->mech->loop_count == 0)
             check_line_in_field(m, line, point, name);
     yk_field_point_free(point);
     for (const YkLine *line = m->page.first; line; line = line->next)
-        if (line->vanishes) check_line_read(m, line, name);
+        if (line->left) check_line_read(m, line, name);
     for (size_t format = 0; format < YK_PAGE_FORMATS; format++) {
         YkText text = {0};
         assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, page_values(m), &text));

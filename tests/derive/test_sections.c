@@ -39,12 +39,13 @@ static bool is_an_angle_row(const Machine *m, const YkLine *line)
 static void check_formulas(Machine *m, const char *name)
 {
     for (const YkLine *line = m->page.first; line; line = line->next) {
-        if (!line->vanishes || is_an_angle_row(m, line)) continue;
-        YkVec value = yk_ring_value(m->d->ring, line->vanishes, m->values);
-        double size = hypot(value.x, value.y), allowed = 1e-12 * size_of(m, line->vanishes);
+        if (!line->left || is_an_angle_row(m, line)) continue;
+        const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+        YkVec value = yk_ring_value(m->d->ring, zero, m->values);
+        double size = hypot(value.x, value.y), allowed = 1e-12 * size_of(m, zero);
         if (!(size <= allowed)) {
             YkText text = {0};
-            yk_ring_write(m->d->ring, line->vanishes, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
+            yk_ring_write(m->d->ring, zero, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
             print_error("%s, %s: %s = %g, allowed %g\n", name, line->section, yk_text_get(&text), size, allowed);
             yk_text_free(&text);
             fail();
