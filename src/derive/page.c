@@ -17,7 +17,7 @@ static const char *copy(YkPage *page, const char *text)
 
 static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
 {
-    YkLine *line = YK_NEW(memory_of(page), YkLine, 1);
+    YkLine *line = yk_arena_take(memory_of(page), sizeof *line);
     if (!line) {
         page->failed = true;
         return NULL;
@@ -61,7 +61,7 @@ YkLine *yk_page_formula(YkPage *page, const char *remark)
 
 static YkPagePiece *add_piece(YkPage *page, YkLine *line, YkPagePieceKind kind)
 {
-    YkPagePiece *piece = line ? YK_NEW(memory_of(page), YkPagePiece, 1) : NULL;
+    YkPagePiece *piece = line ? yk_arena_take(memory_of(page), sizeof *piece) : NULL;
     if (!piece) {
         page->failed = true;
         return NULL;

@@ -118,6 +118,10 @@ static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms,
 void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     size_t products, end;
+    if (count == 1) { // nothing to group
+        append_terms(sheet, sum, terms, count);
+        return;
+    }
     yk_sort_terms(sheet, terms, count, YK_BY_MONOMIAL);
     YkRateProduct *list = yk_rate_products(sheet, terms, count, &products);
     if (!list && masses_times_common(sheet, sum, terms, count)) return;

@@ -81,7 +81,11 @@ static void brackets(YkSheet *sheet, YkShow *sum, Section section, YkRingClass k
         YkMonomial lead = yk_part_of(section.terms[start].monomial, kind, kind);
         for (end = start + 1; end < section.count; end++)
             if (!yk_is_same_monomial(yk_part_of(section.terms[end].monomial, kind, kind), lead)) break;
-        lead_bracket(sheet, sum, section.terms + start, end - start, lead, is_rate);
+        const YkShownTerm *only = &section.terms[start];
+        if (end == start + 1)
+            yk_show_append(sum, yk_show_term(sheet, only->number, only->monomial, &only->atom));
+        else
+            lead_bracket(sheet, sum, section.terms + start, end - start, lead, is_rate);
     }
 }
 

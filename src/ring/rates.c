@@ -21,15 +21,22 @@ static bool index_of(Form *form, uint32_t rate, size_t *index)
     return true;
 }
 
+// Of second degree, in one or two rates?
+static bool is_quadratic(YkMonomial rates)
+{
+    if (rates.count == 1) return rates.powers[0].exponent == 2;
+    return rates.count == 2 && rates.powers[0].exponent == 1 && rates.powers[1].exponent == 1;
+}
+
 // False where a term is not of second degree, or there are too many rates.
 static bool read_form(const YkShownTerm *terms, size_t count, Form *form)
 {
     form->count = 0;
     for (size_t i = 0; i < count; i++) {
-        size_t a, b, power_count = terms[i].monomial.count;
+        size_t a, b;
         const YkShownPower *powers = terms[i].monomial.powers;
-        bool is_square = power_count == 1 && powers[0].exponent == 2;
-        if (!is_square && !(power_count == 2 && powers[0].exponent == 1 && powers[1].exponent == 1)) return false;
+        if (!is_quadratic(terms[i].monomial)) return false;
+        bool is_square = terms[i].monomial.count == 1;
         if (!index_of(form, powers[0].rank, &a) || !index_of(form, powers[is_square ? 0 : 1].rank, &b)) return false;
         YkRatio value = terms[i].number;
         if (!is_square && !yk_ratio_multiply(value, (YkRatio){1, 2}, &value)) return false;
@@ -141,6 +148,10 @@ static YkShow *common_rate(YkSheet *sheet, const Form *form, size_t k, YkRatio *
 static YkShow *factored(YkSheet *sheet, const YkShownTerm *terms, size_t count, YkRatio *factor)
 {
     Form form;
+    if (count == 1 && is_quadratic(terms->monomial)) {
+        *factor = terms->number;
+        return yk_show_product(sheet, yk_show_term(sheet, (YkRatio){1, 1}, terms->monomial, NULL));
+    }
     if (!read_form(terms, count, &form)) return NULL;
     sort_form(&form);
     for (size_t k = 0; k < form.count; k++)
