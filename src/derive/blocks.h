@@ -13,6 +13,7 @@ typedef struct YkDeriveRow {
     size_t count;
     const YkPoisson **entries; // partial derivatives by them
     int32_t block;             // YK_NONE: repeats others
+    const YkPoisson *gamma;    // memo: yk_derive_gamma
 } YkDeriveRow;
 
 typedef struct YkDeriveBlock {

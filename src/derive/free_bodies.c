@@ -57,9 +57,10 @@ static void put_column(YkDerivation *d, YkPage *page, YkLine *line, const YkPois
 
 static void put_couple(YkDerivation *d, YkPage *page, YkLine *line, const YkPoisson *moment)
 {
+    const YkPoisson *shown = yk_derive_shown(d, moment);
     yk_line_sign(page, line, "=");
-    yk_line_element(page, line, yk_derive_shown(d, moment), YK_RING_TEXTBOOK);
-    if (line) line->value = yk_derive_shown(d, moment);
+    yk_line_element(page, line, shown, YK_RING_TEXTBOOK);
+    if (line) line->value = shown;
 }
 
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact)

@@ -4,7 +4,7 @@
 #include "derive/blocks.h"
 
 // J q'' = gamma, one row: gamma = - (d/dt J) q'.
-const YkPoisson *yk_derive_gamma(YkDerivation *d, const YkDeriveRow *row);
+const YkPoisson *yk_derive_gamma(YkDerivation *d, YkDeriveRow *row);
 // determinant * unknown = over[unknown], for rates or accelerations, from those before. false where the block is not
 // solved.
 bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over);

@@ -182,13 +182,9 @@ static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson
 
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
-    // The content of over + T under, T a symbol of its own, is what both have in common.
-    int32_t mark = yk_ring_find(ring, "common_factor__");
-    if (mark < 0) mark = yk_ring_symbol(ring, "common_factor__", YK_RING_ACCELERATION);
-    const YkPoisson *both = yk_ring_add(ring, *over, yk_ring_multiply(ring, yk_ring_of(ring, mark), *under));
-    const YkPoisson *common = yk_ring_content(ring, both);
+    const YkPoisson *common = yk_ring_common_content(ring, *over, *under);
     if (!common) return false;
-    if (!yk_ring_is_zero(common)) {
+    if (!yk_ring_is_zero(common) && !yk_ring_is_same(common, yk_ring_rational(ring, 1, 1))) {
         *over = yk_ring_divide(ring, *over, common);
         *under = yk_ring_divide(ring, *under, common);
     }

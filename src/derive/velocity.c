@@ -23,15 +23,15 @@ static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, 
     return sum;
 }
 
-const YkPoisson *yk_derive_gamma(YkDerivation *d, const YkDeriveRow *row)
+const YkPoisson *yk_derive_gamma(YkDerivation *d, YkDeriveRow *row)
 {
     YkRing *ring = d->ring;
+    int32_t *accelerations = row->gamma ? NULL : YK_NEW(d->arena, int32_t, row->count + 1);
+    if (!accelerations) return row->gamma;
+    for (size_t k = 0; k < row->count; k++) accelerations[k] = d->coordinates[row->columns[k]].acceleration;
     const YkPoisson *second = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, row->value));
-    for (size_t k = 0; k < row->count; k++) {
-        const YkPoisson *acceleration = yk_ring_of(ring, d->coordinates[row->columns[k]].acceleration);
-        second = yk_ring_subtract(ring, second, yk_ring_multiply(ring, row->entries[k], acceleration));
-    }
-    return yk_ring_negate(ring, second);
+    row->gamma = yk_ring_negate(ring, yk_ring_split(ring, second, accelerations, row->count, NULL, 0));
+    return row->gamma;
 }
 
 bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over)
@@ -39,7 +39,7 @@ bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool acc
     const YkPoisson *right[YK_CRAMER_MAX];
     if (!yk_derive_is_solved(block)) return false;
     for (size_t i = 0; i < block->row_count; i++) {
-        const YkDeriveRow *row = &d->blocks->rows[d->blocks->row_order[block->first_row + i]];
+        YkDeriveRow *row = &d->blocks->rows[d->blocks->row_order[block->first_row + i]];
         right[i] = known_side(d, block, row, accelerations);
         if (accelerations) right[i] = yk_ring_add(d->ring, right[i], yk_derive_gamma(d, row));
     }
@@ -65,7 +65,7 @@ void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *bl
         x->entries[k] = yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate);
     }
     for (size_t i = 0; i < n; i++) {
-        const YkDeriveRow *row = &d->blocks->rows[d->blocks->row_order[block->first_row + i]];
+        YkDeriveRow *row = &d->blocks->rows[d->blocks->row_order[block->first_row + i]];
         for (size_t k = 0; k < m; k++)
             A->entries[m * i + k] = yk_derive_entry(d, row, d->blocks->column_order[block->first_column + k]);
         b->entries[i] = known_side(d, block, row, accelerations);

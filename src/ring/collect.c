@@ -68,33 +68,35 @@ const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t s
     return yk_gather_end(ring);
 }
 
-// The common part of two monomials: of each symbol the lower exponent, 0 where it is absent.
-static uint32_t common_monomial(YkRing *ring, uint32_t a, uint32_t b)
+// What the monomials of all terms have in common with *monomial. False on failure.
+static bool take_common(YkRing *ring, const YkPoisson *a, uint32_t *monomial)
 {
-    uint32_t count, common = 0, one;
-    for (int side = 0; side < 2; side++) {
-        uint32_t here = side == 0 ? a : b, there = side == 0 ? b : a;
-        yk_powers_of(&ring->monomials, here, &count);
-        for (uint32_t i = 0; i < count && common != YK_NO_PRODUCT; i++) {
-            const YkPower power = yk_powers_of(&ring->monomials, here, &count)[i];
-            int32_t other = yk_powers_exponent(&ring->monomials, there, power.symbol);
-            int32_t least = power.exponent < other ? power.exponent : other;
-            if (least == 0 || (side == 1 && other != 0)) continue; // that one was met from the other side
-            one = yk_ring_monomial_of(ring, power.symbol, least);
-            common = one == YK_NO_PRODUCT ? one : yk_ring_monomial(ring, common, one, 1);
-        }
-    }
-    return common;
+    for (size_t i = 0; i < a->count && *monomial != YK_NO_PRODUCT; i++)
+        *monomial = yk_ring_common_monomial(ring, *monomial, yk_key_monomial(a->terms[i].key));
+    return *monomial != YK_NO_PRODUCT;
 }
 
 const YkPoisson *yk_ring_content(YkRing *ring, const YkPoisson *a)
 {
     if (!a || a->count == 0) return a;
     uint32_t monomial = yk_key_monomial(a->terms[0].key);
-    for (size_t i = 1; i < a->count && monomial != YK_NO_PRODUCT; i++)
-        monomial = common_monomial(ring, monomial, yk_key_monomial(a->terms[i].key));
-    if (monomial == YK_NO_PRODUCT) return NULL;
+    if (!take_common(ring, a, &monomial)) return NULL;
     return yk_poisson_term(ring, yk_key(0, monomial, 0), (int64_t)yk_poisson_content(a), a->denominator);
+}
+
+const YkPoisson *yk_ring_common_content(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
+{
+    int64_t denominator, of_a, of_b;
+    if (!a || !b) return NULL;
+    if (a->count == 0 || b->count == 0) return yk_ring_content(ring, a->count == 0 ? b : a);
+    uint32_t monomial = yk_key_monomial(a->terms[0].key);
+    if (!take_common(ring, a, &monomial) || !take_common(ring, b, &monomial)) return NULL;
+    if (!yk_common_denominator(a->denominator, b->denominator, &denominator) ||
+        !yk_exact_multiply((int64_t)yk_poisson_content(a), denominator / a->denominator, &of_a) ||
+        !yk_exact_multiply((int64_t)yk_poisson_content(b), denominator / b->denominator, &of_b))
+        return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    int64_t number = (int64_t)yk_gcd((uint64_t)of_a, (uint64_t)of_b);
+    return yk_poisson_term(ring, yk_key(0, monomial, 0), number, denominator);
 }
 
 // a times root^2k, as few as make all its powers >= 0, with every root^2 replaced by the square: zero just when a is.

@@ -14,6 +14,13 @@ uint32_t yk_ring_make_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t tim
     return outcome(ring, item, fault);
 }
 
+uint32_t yk_ring_common_monomial(YkRing *ring, uint32_t a, uint32_t b)
+{
+    YkPowersFault fault;
+    uint32_t item = yk_powers_common(&ring->monomials, a, b, (uint32_t)1 << YK_MONOMIAL_BITS, &fault);
+    return outcome(ring, item, fault);
+}
+
 uint32_t yk_ring_make_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times)
 {
     YkPowersFault fault;

@@ -206,3 +206,23 @@ uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t tim
     *yk_powers_place(table, a, b, times) = (YkProductMade){a, b, product, times};
     return product;
 }
+
+uint32_t yk_powers_common(YkPowers *table, uint32_t a, uint32_t b, uint32_t limit, YkPowersFault *fault)
+{
+    uint32_t a_count, b_count, i = 0, k = 0;
+    size_t count = 0;
+    *fault = YK_POWERS_FINE;
+    if (a == b) return a;
+    *fault = YK_POWERS_MEMORY;
+    if (!more_scratch(table, (size_t)table->items[a].count + table->items[b].count)) return YK_NO_PRODUCT;
+    const YkPower *left = yk_powers_of(table, a, &a_count), *right = yk_powers_of(table, b, &b_count);
+    while (i < a_count || k < b_count) {
+        bool from_a = i < a_count && (k == b_count || left[i].symbol <= right[k].symbol);
+        bool from_b = k < b_count && (i == a_count || right[k].symbol <= left[i].symbol);
+        YkPower power = {from_a ? left[i].symbol : right[k].symbol, 0};
+        int32_t of_a = from_a ? left[i++].exponent : 0, of_b = from_b ? right[k++].exponent : 0;
+        power.exponent = of_a < of_b ? of_a : of_b;
+        if (power.exponent != 0) table->scratch[count++] = power;
+    }
+    return yk_powers_enter(table, table->scratch, count, limit, fault);
+}

@@ -59,6 +59,8 @@ static inline const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, 
 int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol); // 0 where it does not occur
 // The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
 uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
+// Of each symbol the lower exponent, 0 where it does not occur: what two products have in common.
+uint32_t yk_powers_common(YkPowers *table, uint32_t a, uint32_t b, uint32_t limit, YkPowersFault *fault);
 // a * b^times, times = 1 or -1 (or any other small power), b not 0.
 uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
                             YkPowersFault *fault);

@@ -166,6 +166,8 @@ bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol); /
 // The greatest rational number times symbols' powers that divides every term: a = content * (a / content), where the
 // quotient has whole coefficients without common divisor and no symbol in all terms. 0 of 0.
 const YkPoisson *yk_ring_content(YkRing *ring, const YkPoisson *a);
+// The same that divides every term of both; of 0 and a the content of a.
+const YkPoisson *yk_ring_common_content(YkRing *ring, const YkPoisson *a, const YkPoisson *b);
 
 // Lumped constants: every polynomial in inertias, masses, lengths, gravity and other constants becomes a rational
 // number times symbol_of(lump): the same symbol for the same lump, or -1 to leave it as it is.
