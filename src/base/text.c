@@ -33,6 +33,7 @@ bool yk_text_reserve(YkText *text, size_t extra)
     }
     if (!grown) {
         text->failed = true;
+        text->capacity = text->length; // no room for anything
         return false;
     }
     text->data = grown;

@@ -20,7 +20,7 @@ void yk_text_clear(YkText *text);            // empties, keeps the memory
 bool yk_text_reserve(YkText *text, size_t extra);
 static inline void yk_text_add(YkText *text, const char *data, size_t length)
 {
-    if ((text->failed || length >= text->capacity - text->length) && !yk_text_reserve(text, length)) return;
+    if (length >= text->capacity - text->length && !yk_text_reserve(text, length)) return;
     if (length > 0) memcpy(text->data + text->length, data, length);
     text->length += length;
     text->data[text->length] = '\0';

@@ -163,14 +163,26 @@ static void put_quotient(YkPrinting *printing, const YkPagePiece *piece, YkText 
 static void put_name(const YkPagePiece *piece, YkText *text)
 {
     yk_text_puts(text, piece->text);
-    if (piece->sub) yk_text_format(text, "_%s", piece->sub);
-    if (piece->super) yk_text_format(text, "^{%s}", piece->super);
+    if (piece->sub) {
+        yk_text_puts(text, "_");
+        yk_text_puts(text, piece->sub);
+    }
+    if (!piece->super) return;
+    yk_text_puts(text, "^{");
+    yk_text_puts(text, piece->super);
+    yk_text_puts(text, "}");
+}
+
+static bool is_sign_of(const YkPagePiece *piece, const char *signs)
+{
+    if (piece->kind != YK_PIECE_SIGN) return false;
+    while (*signs && *signs != *piece->text) signs++;
+    return *signs != '\0';
 }
 
 static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPagePiece *before, YkText *text)
 {
-    bool closes = piece->kind == YK_PIECE_SIGN && strchr(",)]", *piece->text);
-    bool is_spaced = before && !closes && !(before->kind == YK_PIECE_SIGN && strchr("([", *before->text));
+    bool is_spaced = before && !is_sign_of(piece, ",)]") && !is_sign_of(before, "([");
     if (before && before->kind == YK_PIECE_QUOTIENT && piece->kind == YK_PIECE_ELEMENT) yk_text_puts(text, " *");
     if (is_spaced) yk_text_puts(text, " ");
     switch (piece->kind) {

@@ -9,11 +9,11 @@ typedef enum YkShownFunction { YK_SHOWN_ONE, YK_SHOWN_COS, YK_SHOWN_SIN, YK_SHOW
 
 // What stands beside number and monomial: [i] sqrt(surd) function(phase + shift * 15 deg).
 typedef struct YkAtom {
-    YkShownFunction function;
-    bool is_imaginary;
-    unsigned surd; // YK_UNIT_SQRT2 | YK_UNIT_SQRT3
     uint32_t phase;
-    int shift;
+    int8_t shift;
+    uint8_t function; // a YkShownFunction
+    uint8_t surd;     // YK_UNIT_SQRT2 | YK_UNIT_SQRT3
+    bool is_imaginary;
 } YkAtom;
 
 // A power in the reader's order: the rank is the class, then the symbol.

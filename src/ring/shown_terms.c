@@ -71,8 +71,9 @@ static bool put_turned(Writer *writer, YkMonomial monomial, const Cluster *clust
     for (int k = 1; k < 12; k++) {
         int64_t number, divisor;
         if (k == 6 || !is_turned(cluster, k, &number, &divisor)) continue;
-        YkAtom atom = {writer->is_real ? YK_SHOWN_COS : YK_SHOWN_EXP, .phase = cluster->phase,
-                       .shift = k > 6 ? k - 12 : k};
+        YkAtom atom = {.phase = cluster->phase,
+                       .shift = (int8_t)(k > 6 ? k - 12 : k),
+                       .function = writer->is_real ? YK_SHOWN_COS : YK_SHOWN_EXP};
         put(writer, monomial, k > 6 ? -number : number, divisor, atom);
         return true;
     }
@@ -82,7 +83,7 @@ static bool put_turned(Writer *writer, YkMonomial monomial, const Cluster *clust
 static void put_unit(Writer *writer, YkMonomial monomial, uint32_t phase, unsigned unit, int64_t number)
 {
     bool has_i = unit & YK_UNIT_I;
-    YkAtom atom = {.surd = unit & YK_UNIT_SURD, .phase = phase};
+    YkAtom atom = {.surd = (uint8_t)(unit & YK_UNIT_SURD), .phase = phase};
     if (phase != 0) atom.function = !writer->is_real ? YK_SHOWN_EXP : has_i ? YK_SHOWN_SIN : YK_SHOWN_COS;
     atom.is_imaginary = has_i && !(writer->is_real && phase != 0);
     put(writer, monomial, atom.function == YK_SHOWN_SIN ? -number : number, 1, atom);

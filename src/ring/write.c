@@ -6,6 +6,8 @@ typedef struct Pen {
     const YkSheet *sheet;
     YkText *text;
     YkRingFormat format;
+    bool is_plain; // TEXT or BOOK
+    char times;
 } Pen;
 
 static void put_sum(const Pen *pen, const YkShow *sum);
@@ -14,7 +16,12 @@ static void put_digits(const Pen *pen, int64_t value)
 {
     char digits[24];
     size_t at = sizeof digits;
-    for (int64_t rest = value; rest > 0 || at == sizeof digits; rest /= 10) digits[--at] = (char)('0' + rest % 10);
+    if (value < 10) {
+        digits[0] = (char)('0' + value);
+        yk_text_add(pen->text, digits, 1);
+        return;
+    }
+    for (int64_t rest = value; rest > 0; rest /= 10) digits[--at] = (char)('0' + rest % 10);
     yk_text_add(pen->text, digits + at, sizeof digits - at);
 }
 
@@ -27,7 +34,7 @@ static void put_whole(const Pen *pen, int64_t value)
 static void put_name(const Pen *pen, int32_t symbol)
 {
     const YkRingSymbol *named = &pen->sheet->ring->symbols[symbol];
-    if (pen->format == YK_RING_TEXT || pen->format == YK_RING_BOOK)
+    if (pen->is_plain)
         yk_text_add(pen->text, named->name, named->name_length);
     else
         yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, symbol, pen->format));
@@ -48,7 +55,7 @@ static void put_ratio(const Pen *pen, YkRatio ratio)
 
 static void put_times(const Pen *pen)
 {
-    yk_text_puts(pen->text, pen->format == YK_RING_TEXT || pen->format == YK_RING_C ? "*" : " ");
+    yk_text_add(pen->text, &pen->times, 1);
 }
 
 // k pi / n
@@ -241,7 +248,12 @@ static void put_sum(const Pen *pen, const YkShow *sum)
 
 void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
 {
-    const Pen pen = {sheet, text, sheet->format};
+    const YkRingFormat format = sheet->format;
+    const Pen pen = {.sheet = sheet,
+                     .text = text,
+                     .format = format,
+                     .is_plain = format == YK_RING_TEXT || format == YK_RING_BOOK,
+                     .times = format == YK_RING_TEXT || format == YK_RING_C ? '*' : ' '};
     put_sum(&pen, sum);
 }
 
