@@ -245,7 +245,6 @@ static void fill_matrix(const YkDeriveForces *f, const YkDeriveSystem *system, Y
 
 static void put_system(const YkDeriveForces *f, YkPage *page, const YkDeriveSystem *system)
 {
-    if (system->row_count == 0 || system->row_count > ROWS_SHOWN_MAX) return;
     yk_page_heading(page, 2, "Matrix form");
     YkLine *line = yk_page_formula(page, "A xi = b");
     YkShownMatrix *A = yk_line_matrix(page, line, system->row_count, system->unknown_count);
@@ -271,8 +270,10 @@ bool yk_derive_section_newton_euler(YkDerivation *d, YkPage *page)
     for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
     put_junctions(f, page);
     put_closing(f, page);
-    if (!yk_derive_system(f, &system)) return false;
+    if (!yk_derive_system_size(f, &system)) return false;
     put_counts(f, page, &system);
+    if (system.row_count == 0 || system.row_count > ROWS_SHOWN_MAX) return true;
+    if (!yk_derive_system(f, &system)) return false;
     put_system(f, page, &system);
     return true;
 }

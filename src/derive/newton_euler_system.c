@@ -66,11 +66,9 @@ static bool add_rows(Rows *rows)
     return count >= 0;
 }
 
-static void add_unknowns(Rows *rows)
+static void add_unknowns(const YkDeriveForces *f, YkDeriveSystem *system)
 {
-    const YkDeriveForces *f = rows->f;
     YkDerivation *d = f->d;
-    YkDeriveSystem *system = rows->system;
     for (size_t k = 0; k < f->reaction_count; k++)
         if (!is_trivial_moment(f, k)) system->unknowns[system->unknown_count++] = f->reactions[k];
     for (size_t k = 0; k < f->effort_count; k++) system->unknowns[system->unknown_count++] = f->efforts[k];
@@ -82,18 +80,29 @@ static void add_unknowns(Rows *rows)
     }
 }
 
+bool yk_derive_system_size(const YkDeriveForces *f, YkDeriveSystem *system)
+{
+    YkDerivation *d = f->d;
+    size_t unknowns = f->reaction_count + f->effort_count + d->tree_count + 1;
+    int closing = yk_derive_closing_rows(f);
+    *system = (YkDeriveSystem){.unknowns = YK_NEW(d->arena, int32_t, unknowns)};
+    if (closing < 0 || yk_arena_failed(d->arena)) return false;
+    add_unknowns(f, system);
+    system->row_count = 2 * f->junction_count + (size_t)closing;
+    for (size_t b = 1; b < d->model->body_count; b++) system->row_count += f->bodies[b].is_trivial ? 2 : 3;
+    return true;
+}
+
 bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system)
 {
     YkDerivation *d = f->d;
-    size_t rows = 3 * d->model->body_count + 2 * f->junction_count + 3 * d->loop_count + d->tie_count + 1;
-    size_t unknowns = f->reaction_count + f->effort_count + d->tree_count + 1;
     YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->model->body_count + 1);
-    *system = (YkDeriveSystem){.zeros = YK_NEW(d->arena, const YkPoisson *, rows),
-                               .labels = YK_NEW(d->arena, const char *, rows),
-                               .unknowns = YK_NEW(d->arena, int32_t, unknowns)};
+    if (!changes || !yk_derive_system_size(f, system)) return false;
+    system->zeros = YK_NEW(d->arena, const YkPoisson *, system->row_count + 1);
+    system->labels = YK_NEW(d->arena, const char *, system->row_count + 1);
     if (yk_arena_failed(d->arena)) return false;
+    system->row_count = 0;
     Rows all = {f, system, changes, trivial_moments(f, changes)};
-    add_unknowns(&all);
     return add_rows(&all) && yk_derivation_is_well(d);
 }
 

@@ -81,6 +81,10 @@ static const YkPoisson *reciprocal(YkRing *ring, const YkPoisson *a)
     uint32_t monomial = yk_ring_monomial(ring, 0, yk_key_monomial(a->terms[0].key), -1);
     uint32_t phase = yk_ring_phase(ring, 0, yk_key_phase(a->terms[0].key), -1);
     if (monomial == YK_NO_PRODUCT || phase == YK_NO_PRODUCT) return NULL;
+    if (a->count == 1 && yk_key_unit(a->terms[0].key) == 0) {
+        int64_t number = a->terms[0].number, sign = number < 0 ? -1 : 1;
+        return yk_poisson_term(ring, yk_key(phase, monomial, 0), sign * a->denominator, sign * number);
+    }
     const YkPoisson *inverse = yk_poisson_term(ring, yk_key(phase, monomial, 0), 1, 1);
     const YkPoisson *number = yk_ring_multiply(ring, a, inverse);
     for (unsigned unit = YK_UNIT_I; unit <= YK_UNIT_SQRT3; unit *= 2) {

@@ -83,15 +83,18 @@ const YkPoisson *yk_ring_scale(YkRing *ring, const YkPoisson *a, int64_t numerat
     if (denominator == 0) return yk_ring_fail(ring, YK_RING_DIVISOR);
     if (!yk_ratio_make(numerator, denominator, &ratio)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
     if (ratio.over == 0 || a->count == 0) return ring->zero;
+    if (ratio.over == 1 && ratio.under == 1) return a;
     // content / denominator * ratio with everything cancelled first: the result overflows only when it must.
-    int64_t content = (int64_t)yk_poisson_content(a);
+    bool is_whole = a->denominator == 1 && ratio.under == 1;
+    int64_t content = is_whole ? 1 : (int64_t)yk_poisson_content(a);
     if (!yk_ratio_multiply((YkRatio){content, a->denominator}, ratio, &whole))
         return yk_ring_fail(ring, YK_RING_OVERFLOW);
     if (!yk_gather_room(ring, a->count)) return NULL;
     YkRingTerm *out = ring->gather.terms;
     for (size_t i = 0; i < a->count; i++) {
         out[i].key = a->terms[i].key;
-        if (!scaled(ring, a->terms[i].number / content, whole.over, &out[i].number)) return NULL;
+        int64_t number = content == 1 ? a->terms[i].number : a->terms[i].number / content;
+        if (!scaled(ring, number, whole.over, &out[i].number)) return NULL;
     }
     return yk_poisson_make(ring, out, a->count, whole.under);
 }
