@@ -164,7 +164,8 @@ static YkBlockForm form_of(const YkBlock *block)
     YkVec arm = block->arm[0].constant;
     bool is_axial = yk_is_axial(block->line[0]), is_fixed = block->line_slot[0] == 0;
     if (!block->arm_is_constant[0]) return YK_FORM_RARE;
-    if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1]) return YK_FORM_RRR;
+    if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1])
+        return yk_is_axial(arm) && yk_is_axial(block->arm[1].constant) ? YK_FORM_RRR_AXIAL : YK_FORM_RRR;
     if (block->kind == YK_BLOCK_RRP && !is_fixed) return YK_FORM_RRP_TURNING;
     if (block->kind == YK_BLOCK_RRP) return is_axial && yk_is_axial(arm) ? YK_FORM_RRP_AXIAL : YK_FORM_RRP;
     if (block->kind != YK_BLOCK_RPR || !is_fixed) return YK_FORM_RARE;
@@ -174,7 +175,7 @@ static YkBlockForm form_of(const YkBlock *block)
 void yk_block_measure(YkBlock *block)
 {
     block->form = form_of(block);
-    if (block->form == YK_FORM_RRR)
+    if (block->form == YK_FORM_RRR || block->form == YK_FORM_RRR_AXIAL)
         block->arms.pair = yk_arm_pair(block->arm[0].constant, block->arm[1].constant);
     else if (block->kind == YK_BLOCK_RRP)
         block->arms.circle = yk_arm_circle(block->arm[0].constant);

@@ -134,6 +134,7 @@ typedef struct YkColumn { // an unknown
 typedef enum YkBlockForm {
     YK_FORM_RARE,
     YK_FORM_RRR,
+    YK_FORM_RRR_AXIAL, // both arms point along x
     YK_FORM_RRP,
     YK_FORM_RRP_AXIAL, // line and arm point along x
     YK_FORM_RRP_TURNING,

@@ -29,6 +29,16 @@ typedef struct YkArm {
     YkPlane lanes;
 } YkArm;
 
+// margin = 1; -1 where an input is no number. is_first: of the inputs, the one that begins.
+void yk_lanes_begin(double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n);
+
+// constant + along e^(i turn); turn not ground.
+typedef struct YkTurned {
+    YkVec constant;
+    double along;
+    YkTurn turn;
+} YkTurned;
+
 // out = parent turned by sign * (theta + offset). rate, accel NULL: zero. sign is +1 or -1.
 void yk_lanes_turn(YkTurn out, YkTurn parent, const double *theta, const double *rate, const double *accel,
                    double offset, double sign, size_t n);
@@ -93,6 +103,13 @@ void yk_lanes_rpr_all(YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, 
                       double *block_margin, size_t n);
 void yk_lanes_rrr_all(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
                       double *block_margin, size_t n);
+// The same with the known part as a turned vector, of constant arms: same bits as yk_lanes_start_turn and then these.
+void yk_lanes_rrp_turned(const YkTurned *K, YkVec W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
+                         double *margin, double *block_margin, size_t n);
+void yk_lanes_rpr_turned(const YkTurned *K, YkVec C, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
+                         double *block_margin, size_t n);
+void yk_lanes_rrr_turned(const YkTurned *K, YkVec U, YkVec W, double branch, YkTurn out1, YkTurn out2, double *margin,
+                         double *block_margin, size_t n);
 
 // Answers. angle = arg(e_b conj(e_a)) + offset, taken nearest to `reference` modulo a turn.
 void yk_lanes_angle(double *out, YkTurn a, YkTurn b, double offset, double reference, size_t n);

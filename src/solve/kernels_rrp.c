@@ -1,7 +1,8 @@
 // RRP over lanes.
 #include "solve/rrp.h"
+#include "solve/term.h"
 
-YK_INLINE void rrp_loop(Form form, YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
+YK_INLINE void rrp_loop(Form form, Base K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
                         double *margin, double *own, size_t n)
 {
     YkArmCircle constant = yk_arm_circle(W.constant);
@@ -9,21 +10,21 @@ YK_INLINE void rrp_loop(Form form, YkPlane K, YkArm W, YkTurn line, YkVec u, dou
     for (size_t i = 0; i < n; i++) {
         Known arm = arm_known(W, form.varies, form.rates, i);
         YkArmCircle circle = form.varies ? yk_arm_circle(arm.place) : constant;
-        Found found = rrp_solve(form, lane_known(K, form.rates, i), arm, circle,
+        Found found = rrp_solve(form, base_at(K, form.rates, i), arm, circle,
                                 lane_line(line, u, form.turns, form.rates, i), branch, form.places ? 0 : d.d[i]);
         lane_set_found(form, out, d, i, found, margin, own);
     }
 }
 
 // Arms that vary are rare: one loop serves them all.
-YK_APART void rrp_varying(bool places, bool rates, YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
+YK_APART void rrp_varying(bool places, bool rates, Base K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
                           YkSlide d, double *margin, double *own, size_t n)
 {
     Form form = {places, rates, true, line.c != NULL, false};
     rrp_loop(form, K, W, line, u, branch, out, d, margin, own, n);
 }
 
-YK_INLINE void rrp_choose(bool places, bool rates, YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
+YK_INLINE void rrp_choose(bool places, bool rates, Base K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
                           YkSlide d, double *margin, double *own, size_t n)
 {
     if (arm_varies(W))
@@ -39,7 +40,8 @@ YK_INLINE void rrp_choose(bool places, bool rates, YkPlane K, YkArm W, YkTurn li
 YK_INLINE void yk_lanes_rrp_body(YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
                                  double *margin, double *block_margin, size_t n)
 {
-    rrp_choose(true, false, K, W, line, u, branch, out, d, margin, block_margin ? block_margin : margin, n);
+    rrp_choose(true, false, (Base){.lanes = K}, W, line, u, branch, out, d, margin,
+               block_margin ? block_margin : margin, n);
 }
 YK_KERNEL(yk_lanes_rrp,
           (YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
@@ -48,7 +50,7 @@ YK_KERNEL(yk_lanes_rrp,
 
 YK_INLINE void yk_lanes_rrp_rates_body(YkPlane K, YkArm W, YkTurn line, YkVec u, YkTurn out, YkSlide d, size_t n)
 {
-    rrp_choose(false, true, K, W, line, u, 0, out, d, NULL, NULL, n);
+    rrp_choose(false, true, (Base){.lanes = K}, W, line, u, 0, out, d, NULL, NULL, n);
 }
 YK_KERNEL(yk_lanes_rrp_rates, (YkPlane K, YkArm W, YkTurn line, YkVec u, YkTurn out, YkSlide d, size_t n),
           (K, W, line, u, out, d))
@@ -56,10 +58,24 @@ YK_KERNEL(yk_lanes_rrp_rates, (YkPlane K, YkArm W, YkTurn line, YkVec u, YkTurn 
 YK_INLINE void yk_lanes_rrp_all_body(YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
                                      double *margin, double *block_margin, size_t n)
 {
-    rrp_choose(true, YK_ONE_PASS, K, W, line, u, branch, out, d, margin, block_margin ? block_margin : margin, n);
+    rrp_choose(true, YK_ONE_PASS, (Base){.lanes = K}, W, line, u, branch, out, d, margin,
+               block_margin ? block_margin : margin, n);
     if (!YK_ONE_PASS) yk_lanes_rrp_rates_body(K, W, line, u, out, d, n);
 }
 YK_KERNEL(yk_lanes_rrp_all,
           (YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
+           double *block_margin, size_t n),
+          (K, W, line, u, branch, out, d, margin, block_margin))
+
+YK_INLINE void yk_lanes_rrp_turned_body(const YkTurned *K, YkVec W, YkTurn line, YkVec u, double branch, YkTurn out,
+                                        YkSlide d, double *margin, double *block_margin, size_t n)
+{
+    const Base base = {.is_turned = true, .sum = *K};
+    const YkArm arm = {.constant = W};
+    rrp_choose(true, YK_ONE_PASS, base, arm, line, u, branch, out, d, margin, block_margin ? block_margin : margin, n);
+    if (!YK_ONE_PASS) rrp_choose(false, true, base, arm, line, u, 0, out, d, NULL, NULL, n);
+}
+YK_KERNEL(yk_lanes_rrp_turned,
+          (const YkTurned *K, YkVec W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
            double *block_margin, size_t n),
           (K, W, line, u, branch, out, d, margin, block_margin))

@@ -1,5 +1,6 @@
 // RRR over lanes.
 #include "solve/rrr.h"
+#include "solve/term.h"
 
 // The branch of a solution that stands in the lanes: the sign of its determinant.
 YK_INLINE double branch_of(YkArm U, bool U_varies, YkArm W, bool W_varies, YkTurn out1, YkTurn out2, size_t i)
@@ -10,7 +11,7 @@ YK_INLINE double branch_of(YkArm U, bool U_varies, YkArm W, bool W_varies, YkTur
 }
 
 // The loop over the lanes, with what is asked and what varies known when it is compiled.
-YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, YkPlane K, YkArm U, YkArm W,
+YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, bool axial, Base K, YkArm U, YkArm W,
                         double branch, YkTurn out1, YkTurn out2, double *margin, double *own, size_t n)
 {
     YkArmPair constant = yk_arm_pair(U.constant, W.constant);
@@ -19,7 +20,7 @@ YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, Y
         Known u = arm_known(U, U_varies, rates, i), w = arm_known(W, W_varies, rates, i);
         YkArmPair arms = U_varies || W_varies ? yk_arm_pair(u.place, w.place) : constant;
         double sign = places ? branch : branch_of(U, U_varies, W, W_varies, out1, out2, i);
-        RrrFound found = rrr_solve(rates, lane_known(K, rates, i), u, U_varies, w, W_varies, arms, sign);
+        RrrFound found = rrr_solve(rates, base_at(K, rates, i), u, U_varies, w, W_varies, arms, axial, sign);
         if (places) {
             lane_set_unit(out1, i, found.e1);
             lane_set_unit(out2, i, found.e2);
@@ -35,25 +36,28 @@ YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, Y
 }
 
 // Arms that vary are rare: one loop serves them all.
-YK_APART void rrr_varying(bool places, bool rates, YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
+YK_APART void rrr_varying(bool places, bool rates, Base K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
                           double *margin, double *own, size_t n)
 {
-    rrr_loop(places, rates, arm_varies(U), arm_varies(W), K, U, W, branch, out1, out2, margin, own, n);
+    rrr_loop(places, rates, arm_varies(U), arm_varies(W), false, K, U, W, branch, out1, out2, margin, own, n);
 }
 
-YK_INLINE void rrr_choose(bool places, bool rates, YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
+YK_INLINE void rrr_choose(bool places, bool rates, Base K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
                           double *margin, double *own, size_t n)
 {
     if (arm_varies(U) || arm_varies(W))
         rrr_varying(places, rates, K, U, W, branch, out1, out2, margin, own, n);
+    else if (yk_is_axial(U.constant) && yk_is_axial(W.constant))
+        rrr_loop(places, rates, false, false, true, K, U, W, branch, out1, out2, margin, own, n);
     else
-        rrr_loop(places, rates, false, false, K, U, W, branch, out1, out2, margin, own, n);
+        rrr_loop(places, rates, false, false, false, K, U, W, branch, out1, out2, margin, own, n);
 }
 
 YK_INLINE void yk_lanes_rrr_body(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
                                  double *block_margin, size_t n)
 {
-    rrr_choose(true, false, K, U, W, branch, out1, out2, margin, block_margin ? block_margin : margin, n);
+    rrr_choose(true, false, (Base){.lanes = K}, U, W, branch, out1, out2, margin, block_margin ? block_margin : margin,
+               n);
 }
 YK_KERNEL(yk_lanes_rrr,
           (YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin, double *block_margin,
@@ -62,17 +66,32 @@ YK_KERNEL(yk_lanes_rrr,
 
 YK_INLINE void yk_lanes_rrr_rates_body(YkPlane K, YkArm U, YkArm W, YkTurn out1, YkTurn out2, size_t n)
 {
-    rrr_choose(false, true, K, U, W, 0, out1, out2, NULL, NULL, n);
+    rrr_choose(false, true, (Base){.lanes = K}, U, W, 0, out1, out2, NULL, NULL, n);
 }
 YK_KERNEL(yk_lanes_rrr_rates, (YkPlane K, YkArm U, YkArm W, YkTurn out1, YkTurn out2, size_t n), (K, U, W, out1, out2))
 
 YK_INLINE void yk_lanes_rrr_all_body(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
                                      double *margin, double *block_margin, size_t n)
 {
-    rrr_choose(true, YK_ONE_PASS, K, U, W, branch, out1, out2, margin, block_margin ? block_margin : margin, n);
+    rrr_choose(true, YK_ONE_PASS, (Base){.lanes = K}, U, W, branch, out1, out2, margin,
+               block_margin ? block_margin : margin, n);
     if (!YK_ONE_PASS) yk_lanes_rrr_rates_body(K, U, W, out1, out2, n);
 }
 YK_KERNEL(yk_lanes_rrr_all,
           (YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin, double *block_margin,
            size_t n),
+          (K, U, W, branch, out1, out2, margin, block_margin))
+
+YK_INLINE void yk_lanes_rrr_turned_body(const YkTurned *K, YkVec U, YkVec W, double branch, YkTurn out1, YkTurn out2,
+                                        double *margin, double *block_margin, size_t n)
+{
+    const Base base = {.is_turned = true, .sum = *K};
+    const YkArm arm1 = {.constant = U}, arm2 = {.constant = W};
+    double *own = block_margin ? block_margin : margin;
+    rrr_choose(true, YK_ONE_PASS, base, arm1, arm2, branch, out1, out2, margin, own, n);
+    if (!YK_ONE_PASS) rrr_choose(false, true, base, arm1, arm2, 0, out1, out2, NULL, NULL, n);
+}
+YK_KERNEL(yk_lanes_rrr_turned,
+          (const YkTurned *K, YkVec U, YkVec W, double branch, YkTurn out1, YkTurn out2, double *margin,
+           double *block_margin, size_t n),
           (K, U, W, branch, out1, out2, margin, block_margin))

@@ -185,10 +185,11 @@ YK_INLINE Line lane_line(YkTurn line, YkVec u, bool turns, bool rates, size_t i)
     return (Line){line_unit(line, u, turns, i), turns && rates ? line.w[i] : 0, turns && rates ? line.a[i] : 0};
 }
 
-// sqrt of a, of 0 where a is negative or NaN.
+// sqrt of a, of 0 where a is negative or NaN. The root need not wait for the choice.
 YK_INLINE double root_of(double a)
 {
-    return sqrt(a > 0 ? a : 0);
+    double root = sqrt(a);
+    return a > 0 ? root : 0;
 }
 
 // |a|, or something tiny and harmless for 0. (A choice between a and 1 would tempt compilers into dividing twice.)

@@ -8,24 +8,24 @@
 #define SOLVE_RRR_H
 #include "solve/lanes.h"
 
-// One lane before any root: 4 D^2, and 1 / L^2 and 1 / (4 D^2) by one division that need not wait for it. Where D^2 <=
-// 0, the last means nothing; where L = 0 (any angle would do), neither.
+// One lane before any root: 4 D^2, 1 / (2 L^2) and 1 / (4 D^2). Where D^2 <= 0, the last means nothing; where L = 0
+// (any angle would do), the one before. Each has a division of its own: neither waits for more than it needs, and in a
+// chain of dyads the wait is what costs.
 typedef struct RrrTriangle {
-    double L2, square, per_L2, per_square;
+    double L2, square, half_per_L2, per_square;
 } RrrTriangle;
 
 YK_INLINE RrrTriangle rrr_triangle(YkVec K, YkArmPair arms)
 {
     double L2 = yk_dot(K, K), square = (arms.outer - L2) * (L2 - arms.inner);
-    double factor = not_zero(square), inverse = 1 / (L2 * factor);
-    return (RrrTriangle){L2, square, factor * inverse, L2 * inverse};
+    return (RrrTriangle){L2, square, 0.5 / L2, 1 / square};
 }
 
 // sin^2 of the angle between the arms. What does not close is measured by the base where that is short: a gap of 1e-9
 // is nothing to arms of 1, but to a base of 1e-8 it is.
 YK_INLINE double rrr_margin(RrrTriangle known, YkArmPair arms)
 {
-    double m = known.square * arms.scale, shortness = arms.rectangle * known.per_L2;
+    double m = known.square * arms.scale, shortness = 2 * arms.rectangle * known.half_per_L2;
     return m < 0 ? m * (shortness > 1 ? shortness : 1) : m;
 }
 
@@ -37,10 +37,10 @@ typedef struct Rrr {
 
 YK_INLINE Rrr rrr_place(YkVec K, YkArmPair arms, RrrTriangle known, double branch)
 {
-    double half = 0.5 * known.per_L2, root = branch * root_of(known.square), slope = root * half;
+    double half = known.half_per_L2, root = root_of(known.square), slope = root * (branch * half);
     YkVec p = yk_mul(K, yk_vec(-(known.L2 + arms.product) * half, slope));
     YkVec q = yk_mul(K, yk_vec(-(known.L2 - arms.product) * half, -slope));
-    return (Rrr){p, q, 0.5 * root};
+    return (Rrr){p, q, 0.5 * branch * root};
 }
 
 // U'' e^(i Phi) + 2 i Phi' U' e^(i Phi): what a varying arm adds to the acceleration.
@@ -73,12 +73,13 @@ typedef struct RrrFound {
     RatePair rates;
 } RrrFound;
 
+// axial: both arms point along x.
 YK_INLINE RrrFound rrr_solve(bool rates, Known K, Known U, bool U_varies, Known W, bool W_varies, YkArmPair arms,
-                             double branch)
+                             bool axial, double branch)
 {
     RrrTriangle known = rrr_triangle(K.place, arms);
     Rrr at = rrr_place(K.place, arms, known, branch);
-    YkVec e1 = yk_mul(at.p, arms.inverse_U), e2 = yk_mul(at.q, arms.inverse_W);
+    YkVec e1 = times(at.p, arms.inverse_U, axial), e2 = times(at.q, arms.inverse_W, axial);
     RrrFound found = {.e1 = e1, .e2 = e2, .margin = rrr_margin(known, arms)};
     if (rates) found.rates = rrr_rates(K, U, U_varies, W, W_varies, known, at, e1, e2);
     return found;

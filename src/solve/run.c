@@ -3,30 +3,27 @@
 #include "solve/single.h"
 #include <string.h>
 
-// Inputs that are no numbers close nothing.
-static double start_margin(const YkRun *run, size_t lane)
+static void begin_single(const YkRun *run)
 {
     const double *const *in = run->inputs, *const *end = in + 3 * run->mech->input_count;
-    double numbers = 0;
-    for (; in < end; in += 3) numbers += 0 * in[0][lane] + 0 * in[1][lane] + 0 * in[2][lane];
-    return numbers == 0 ? 1 : -1;
+    double numbers = 0; // or NaN: see yk_lanes_begin
+    for (; in < end; in += 3) numbers += 0 * *in[0] + 0 * *in[1] + 0 * *in[2];
+    run->space->margin[0] = numbers == 0 ? 1 : -1;
+    run->space->gap[0] = 0;
 }
 
 void yk_run_begin(const YkRun *run)
 {
-    double *margin = run->space->margin, *gap = run->space->gap;
-    size_t n = run->lanes;
+    double *margin = run->space->margin;
+    size_t n = run->lanes, inputs = run->mech->input_count;
     if (n == 1) {
-        gap[0] = 0;
-        margin[0] = start_margin(run, 0);
+        begin_single(run);
         return;
     }
-    for (size_t k = 0; k < n; k++) margin[k] = 1;
-    memset(gap, 0, n * sizeof *gap);
-    for (size_t i = 0; i < run->mech->input_count; i++) {
-        const double *x = run->inputs[3 * i], *v = run->inputs[3 * i + 1], *a = run->inputs[3 * i + 2];
-        for (size_t k = 0; k < n; k++) margin[k] = 0 * x[k] + 0 * v[k] + 0 * a[k] == 0 ? margin[k] : -1;
-    }
+    memset(run->space->gap, 0, n * sizeof(double));
+    for (size_t i = 0; i < inputs; i++)
+        yk_lanes_begin(margin, run->inputs[3 * i], run->inputs[3 * i + 1], run->inputs[3 * i + 2], i == 0, n);
+    for (size_t k = 0; inputs == 0 && k < n; k++) margin[k] = 1;
 }
 
 static void add_term(const YkRun *run, YkTerm term, YkPlane out)
@@ -76,42 +73,87 @@ static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 static inline YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
 {
     if (!block->arm_is_constant[k]) return varying_arm(run, block, k);
-    return (YkArm){block->arm[k].constant, yk_space_plane(run->space, YK_NONE)};
+    return (YkArm){.constant = block->arm[k].constant};
 }
 
-// Closed forms: positions and rates together.
+// Whether a sum is a constant and one turned vector along x: K.
+static bool is_turned(const YkRun *run, const YkSum *sum, YkTurned *K)
+{
+    if (sum->count != 1 || sum->plus != YK_NONE || sum->minus != YK_NONE) return false;
+    YkTerm term = run->mech->terms[sum->first];
+    if (term.slot == 0 || term.distance != YK_NONE || !yk_is_axial(term.v)) return false;
+    K->constant = sum->constant;
+    K->along = term.v.x;
+    K->turn = yk_space_turn(run->space, term.slot);
+    return true;
+}
+
+typedef struct Outs { // of a dyad
+    YkTurn turn, other;
+    YkSlide slide;
+    double *margin, *own, branch;
+} Outs;
+
+static Outs outs_of(const YkRun *run, const YkBlock *b, size_t index)
+{
+    const YkSpace *s = run->space;
+    Outs out = {.margin = s->margin, .branch = run->branch[index] < 0 ? -1 : 1};
+    out.own = s->block_margin ? s->block_margin + index * s->stride : NULL;
+    out.turn = yk_space_turn(s, b->column[0].index);
+    if (b->kind == YK_BLOCK_RRR)
+        out.other = yk_space_turn(s, b->column[1].index);
+    else
+        out.slide = yk_space_slide(s, b->column[1].index);
+    return out;
+}
+
+// Closed forms: positions and rates together. The commonest work out their known part themselves.
+static bool run_turned(const YkRun *run, const YkBlock *b, size_t index)
+{
+    YkTurned K;
+    if (b->form == YK_FORM_RARE || !is_turned(run, &b->known, &K)) return false;
+    Outs out = outs_of(run, b, index);
+    YkVec arm = b->arm[0].constant;
+    if (b->kind == YK_BLOCK_RRR)
+        yk_lanes_rrr_turned(&K, arm, b->arm[1].constant, out.branch, out.turn, out.other, out.margin, out.own,
+                            run->lanes);
+    else if (b->kind == YK_BLOCK_RRP)
+        yk_lanes_rrp_turned(&K, arm, yk_space_turn(run->space, b->line_slot[0]), b->line[0], out.branch, out.turn,
+                            out.slide, out.margin, out.own, run->lanes);
+    else
+        yk_lanes_rpr_turned(&K, arm, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, run->lanes);
+    return true;
+}
+
+static void run_pp(const YkRun *run, const YkBlock *b, size_t index, YkPlane K)
+{
+    const YkSpace *s = run->space;
+    double *own = s->block_margin ? s->block_margin + index * s->stride : NULL;
+    YkTurn line1 = yk_space_turn(s, b->line_slot[0]), line2 = yk_space_turn(s, b->line_slot[1]);
+    YkSlide d1 = yk_space_slide(s, b->column[0].index), d2 = yk_space_slide(s, b->column[1].index);
+    yk_lanes_pp(K, line1, b->line[0], line2, b->line[1], d1, d2, s->margin, own, run->lanes);
+    yk_lanes_pp_rates(K, line1, b->line[0], line2, b->line[1], d1, d2, run->lanes);
+}
+
 static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
 {
-    YkSpace *s = run->space;
+    YkPlane K = yk_space_scratch(run->space, YK_SCRATCH_KNOWN);
     size_t n = run->lanes;
-    double *own = s->block_margin ? s->block_margin + index * s->stride : NULL,
-           branch = run->branch[index] < 0 ? -1 : 1;
-    YkPlane K = yk_space_scratch(s, YK_SCRATCH_KNOWN);
-    YkTurn line = yk_space_turn(s, b->line_slot[0]);
+    if (run_turned(run, b, index)) return;
     yk_run_sum(run, &b->known, K);
-    switch (b->kind) {
-    case YK_BLOCK_RRR:
-        yk_lanes_rrr_all(K, arm_of(run, b, 0), arm_of(run, b, 1), branch, yk_space_turn(s, b->column[0].index),
-                         yk_space_turn(s, b->column[1].index), s->margin, own, n);
-        break;
-    case YK_BLOCK_RRP:
-        yk_lanes_rrp_all(K, arm_of(run, b, 0), line, b->line[0], branch, yk_space_turn(s, b->column[0].index),
-                         yk_space_slide(s, b->column[1].index), s->margin, own, n);
-        break;
-    case YK_BLOCK_RPR:
-        yk_lanes_rpr_all(K, arm_of(run, b, 0), line, b->line[0], branch, yk_space_turn(s, b->column[0].index),
-                         yk_space_slide(s, b->column[1].index), s->margin, own, n);
-        break;
-    case YK_BLOCK_PP: {
-        YkTurn line2 = yk_space_turn(s, b->line_slot[1]);
-        YkSlide d1 = yk_space_slide(s, b->column[0].index), d2 = yk_space_slide(s, b->column[1].index);
-        yk_lanes_pp(K, line, b->line[0], line2, b->line[1], d1, d2, s->margin, own, n);
-        yk_lanes_pp_rates(K, line, b->line[0], line2, b->line[1], d1, d2, n);
-        break;
+    if (b->kind == YK_BLOCK_PP) {
+        run_pp(run, b, index, K);
+        return;
     }
-    default:
-        break;
-    }
+    Outs out = outs_of(run, b, index);
+    YkArm arm = arm_of(run, b, 0);
+    YkTurn line = yk_space_turn(run->space, b->line_slot[0]);
+    if (b->kind == YK_BLOCK_RRR)
+        yk_lanes_rrr_all(K, arm, arm_of(run, b, 1), out.branch, out.turn, out.other, out.margin, out.own, n);
+    else if (b->kind == YK_BLOCK_RRP)
+        yk_lanes_rrp_all(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
+    else
+        yk_lanes_rpr_all(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
 }
 
 // Blocks that repeat constraints: one unknown or none.

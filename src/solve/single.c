@@ -109,10 +109,10 @@ YK_INLINE void keep_found(const Pose *p, const YkBlock *b, size_t index, Found f
     keep_margin(p, index, found.margin, found.margin);
 }
 
-YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double branch)
+YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double branch, bool axial)
 {
     const Known none = {{0, 0}, {0, 0}, {0, 0}}; // of constant arms only the lengths count
-    RrrFound found = rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->arms.pair, branch);
+    RrrFound found = rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->arms.pair, axial, branch);
     p->turn[b->column[0].index] = (Line){found.e1, found.rates.w1, found.rates.a1};
     p->turn[b->column[1].index] = (Line){found.e2, found.rates.w2, found.rates.a2};
     keep_margin(p, index, found.margin, found.e1.x);
@@ -144,7 +144,10 @@ YK_INLINE void solve_block(const YkRun *run, const Pose *p, const YkStep *step)
     double branch = run->branch[index] < 0 ? -1 : 1;
     switch (b->form) {
     case YK_FORM_RRR:
-        solve_rrr(p, b, index, branch);
+        solve_rrr(p, b, index, branch, false);
+        break;
+    case YK_FORM_RRR_AXIAL:
+        solve_rrr(p, b, index, branch, true);
         break;
     case YK_FORM_RRP:
         solve_rrp(p, b, index, branch, false, false);

@@ -20,6 +20,22 @@ YK_INLINE Known term_turned(Line turn, YkVec v, bool axial)
     return (Known){z, spin_rate(z, turn.w), spin_accel(z, turn.w, turn.a)};
 }
 
+// The known part of a dyad's loop: in lanes, or a constant and one turned vector along x, as in most loops of
+// machines; that is worked out where it is used and never stored.
+typedef struct Base {
+    bool is_turned;
+    YkPlane lanes;
+    YkTurned sum;
+} Base;
+
+YK_INLINE Known base_at(Base base, bool rates, size_t i)
+{
+    if (!base.is_turned) return lane_known(base.lanes, rates, i);
+    Known known = term_turned(lane_turning(base.sum.turn, i), yk_vec(base.sum.along, 0), true);
+    known.place = yk_add(base.sum.constant, known.place);
+    return known;
+}
+
 // d z with z = v e^(i phi): d' z + d z', d'' z + 2 d' z' + d z''.
 YK_INLINE Known term_sliding(Line turn, bool turns, YkVec v, double d, double rate, double accel)
 {
