@@ -18,7 +18,7 @@ typedef struct RrrTriangle {
 YK_INLINE RrrTriangle rrr_triangle(YkVec K, YkArmPair arms)
 {
     double L2 = yk_dot(K, K), square = (arms.outer - L2) * (L2 - arms.inner);
-    return (RrrTriangle){L2, square, 0.5 / L2, 1 / square};
+    return (RrrTriangle){L2, square, 0.5 / L2, 1 / not_zero(square)};
 }
 
 // sin^2 of the angle between the arms. What does not close is measured by the base where that is short: a gap of 1e-9
