@@ -37,9 +37,11 @@ typedef struct Rrr {
 
 YK_INLINE Rrr rrr_place(YkVec K, YkArmPair arms, RrrTriangle known, double branch)
 {
-    double half = known.half_per_L2, root = root_of(known.square), slope = root * (branch * half);
-    YkVec p = yk_mul(K, yk_vec(-(known.L2 + arms.product) * half, slope));
-    YkVec q = yk_mul(K, yk_vec(-(known.L2 - arms.product) * half, -slope));
+    double half = known.half_per_L2, root = root_of(known.square);
+    YkVec across =
+        yk_scale(root, yk_quarter(yk_scale(branch * half, K))); // the root, which comes last, meets one product
+    YkVec p = yk_add(yk_scale(-(known.L2 + arms.product) * half, K), across);
+    YkVec q = yk_sub(yk_scale(-(known.L2 - arms.product) * half, K), across);
     return (Rrr){p, q, 0.5 * branch * root};
 }
 
