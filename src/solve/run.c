@@ -94,17 +94,17 @@ typedef struct Outs { // of a dyad
     double *margin, *own, branch;
 } Outs;
 
-static Outs outs_of(const YkRun *run, const YkBlock *b, size_t index)
+// What the block's kind has none of is the ground's, or the first.
+static inline Outs outs_of(const YkRun *run, const YkBlock *b, size_t index)
 {
     const YkSpace *s = run->space;
-    Outs out = {.margin = s->margin, .branch = run->branch[index] < 0 ? -1 : 1};
-    out.own = s->block_margin ? s->block_margin + index * s->stride : NULL;
-    out.turn = yk_space_turn(s, b->column[0].index);
-    if (b->kind == YK_BLOCK_RRR)
-        out.other = yk_space_turn(s, b->column[1].index);
-    else
-        out.slide = yk_space_slide(s, b->column[1].index);
-    return out;
+    int32_t second = b->column[1].index, turn = b->kind == YK_BLOCK_RRR ? second : 0, slide = turn ? 0 : second;
+    return (Outs){yk_space_turn(s, b->column[0].index),
+                  yk_space_turn(s, turn),
+                  yk_space_slide(s, slide),
+                  s->margin,
+                  s->block_margin ? s->block_margin + index * s->stride : NULL,
+                  run->branch[index] < 0 ? -1 : 1};
 }
 
 // Closed forms: positions and rates together. The commonest work out their known part themselves.
