@@ -5,7 +5,7 @@
 #define START " solve sweep draw simulate derive report study "
 #define FORCES " solve sweep simulate gears derive "
 #define MODEL " check solve sweep draw simulate cam gears rest derive code report study "
-#define LOCKS " check solve sweep draw simulate gears rest derive report study "
+#define LOCKS " check solve sweep draw simulate gears rest derive code report study "
 #define FIELD(name) offsetof(YkRequest, name)
 
 const YkOption yk_options[] = {

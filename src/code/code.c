@@ -183,7 +183,9 @@ static bool print(YkFile *file, const YkModel *model, const YkCSourceOptions *op
                   YkProblems *problems)
 {
     YkCompileOptions compile = {options->inputs, options->input_count};
-    YkMechanism *mech = yk_mechanism_compile(model, &compile, problems);
+    YkMechanism *mech = yk_mechanism_compile(model, &compile, NULL);
+    if (!mech)
+        mech = yk_mechanism_compile(model, &compile, problems); // to say why; its notes are for who checks the machine
     YkVariant *variant = mech ? vary(mech, arena, problems) : NULL;
     bool ok = variant && print_varying(file, variant, options, arena, problems);
     yk_printer_end(&file->printer);

@@ -44,6 +44,7 @@ void yk_file_write_head(YkFile *file)
         "   over arrays vectorise with `-O3 -march=native -fno-math-errno -fno-trapping-math`; never use -ffast-math.\n"
         "   In other source files: #define @_DECLARATIONS_ONLY before including this one.\n"
         "   With -D@_TEST the file is a program that tests itself against poses that yoke computed.\n");
+    if (m->engaged) yk_text_format(out, "\n   Its lock %s is engaged.\n", m->engaged);
     if (file->has_forces && m->stop_count > 0)
         yk_text_puts(out, "\n   Stops are not part of it: coordinates go on beyond them.\n");
     if (file->has_forces && file->forces.why_no_reactions)

@@ -41,7 +41,8 @@ enum { YK_FORCES_INPUTS_MAX = 40 };
 bool yk_forces_build(YkForces *forces, YkProgram *program);
 // loads.c: what all loads exert, into forces->load; and what springs and gravity store.
 bool yk_forces_loads(YkForces *forces);
-YkRefVec yk_forces_center(YkProgram *program, int32_t body); // its reference point, in the body's axes
+YkRefVec yk_forces_center(YkProgram *program, int32_t body);       // its reference point, in the body's axes
+YkRefVec yk_forces_line(YkProgram *program, const YkJoint *joint); // of a joint that slides, world axes
 YkRef yk_forces_mass(YkProgram *program, int32_t body);
 YkRef yk_forces_inertia(YkProgram *program, int32_t body);
 // equations.c: M and the rest.

@@ -65,10 +65,12 @@ static YkRefVec in_world(YkProgram *p, int32_t body, YkRefVec v)
                                yk_dag_vec_multiply(g, p->turn_unit[body], v));
 }
 
-static YkRefVec along_of(YkProgram *p, const YkJoint *joint)
+YkRefVec yk_forces_line(YkProgram *p, const YkJoint *joint)
 {
-    if (!joint->along_expr) return yk_dag_vec_number(&p->graph, joint->along.x, joint->along.y);
-    return yk_dag_unit(&p->graph, yk_program_expr(p, joint->along_expr));
+    YkDag *g = &p->graph;
+    YkRefVec along = joint->along_expr ? yk_dag_unit(g, yk_program_expr(p, joint->along_expr))
+                                       : yk_dag_vec_number(g, joint->along.x, joint->along.y);
+    return in_world(p, joint->body[0], along);
 }
 
 // An effort along a joint's freedom: on its second body, its opposite at the same place on the first.
@@ -82,7 +84,7 @@ static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effor
         f->load[j->body[0]].moment = yk_dag_subtract(g, f->load[j->body[0]].moment, effort);
         return;
     }
-    YkRefVec line = in_world(p, j->body[0], along_of(p, j)), force = yk_dag_vec_scale(g, effort, line);
+    YkRefVec line = yk_forces_line(p, j), force = yk_dag_vec_scale(g, effort, line);
     YkRefVec arm = arm_to(p, j->body[0], yk_program_point(p, j->point[0]));
     YkRefVec out = yk_dag_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
     push(f, j->body[1], arm_to(p, j->body[1], yk_program_point(p, j->point[1])), force);

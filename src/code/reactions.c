@@ -1,43 +1,14 @@
 // Reactions: Newton's and Euler's equations of every body, all reactions and efforts unknown, as dynamics/free_bodies
 // has them: a pin transmits two forces, a slide a normal force and a couple, a pin-slot a normal force, a weld all
 // three.
-#include "code/forces.h"
+#include "code/balance.h"
 
-typedef struct Column { // of the equations: a unit wrench on the joint's second body, its opposite on the first
-    int32_t joint, input;
-    YkRefVec force;
-    bool is_couple;
-} Column;
-
-typedef struct Work {
-    YkForces *f;
-    Column *columns;
-    size_t count;
-    YkRef *system; // [n][n + 1]
-    size_t n;
-} Work;
-
-static YkRefVec in_world(YkProgram *p, int32_t body, YkRefVec v)
+static void add_column(YkBalance *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
 {
-    YkDag *g = &p->graph;
-    return yk_dag_vec_multiply(g, p->unit[p->mech->bodies[body].orientation],
-                               yk_dag_vec_multiply(g, p->turn_unit[body], v));
+    w->columns[w->count++] = (YkUnknown){(int32_t)joint, input, YK_NONE, force, is_couple, 0};
 }
 
-static YkRefVec line_of(YkProgram *p, const YkJoint *joint)
-{
-    YkDag *g = &p->graph;
-    YkRefVec along = joint->along_expr ? yk_dag_unit(g, yk_program_expr(p, joint->along_expr))
-                                       : yk_dag_vec_number(g, joint->along.x, joint->along.y);
-    return in_world(p, joint->body[0], along);
-}
-
-static void add_column(Work *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
-{
-    w->columns[w->count++] = (Column){(int32_t)joint, input, force, is_couple};
-}
-
-static void make_columns(Work *w)
+static void make_columns(YkBalance *w)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -46,7 +17,7 @@ static void make_columns(Work *w)
         const YkJoint *joint = &p->model->joints[j];
         const YkPart *part = yk_part(joint->kind);
         if (part->slides) {
-            add_column(w, j, YK_NONE, yk_dag_vec_quarter(g, line_of(p, joint)), false);
+            add_column(w, j, YK_NONE, yk_dag_vec_quarter(g, yk_forces_line(p, joint)), false);
         } else {
             add_column(w, j, YK_NONE, x, false);
             add_column(w, j, YK_NONE, y, false);
@@ -55,37 +26,48 @@ static void make_columns(Work *w)
     }
     for (size_t i = 0; i < p->mech->input_count; i++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
-        YkRefVec line = c->is_distance ? line_of(p, &p->model->joints[c->joint]) : none;
+        YkRefVec line = c->is_distance ? yk_forces_line(p, &p->model->joints[c->joint]) : none;
         add_column(w, (size_t)c->joint, (int32_t)i, line, !c->is_distance);
     }
 }
 
-// One wrench's part of a body's three equations; sign: +1 on the second body.
-static void enter(Work *w, size_t column, int32_t body, double sign, YkRefVec point)
+void yk_balance_add(YkBalance *w, size_t column, int32_t body, YkRefVec force, YkRef moment)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
-    const Column *c = &w->columns[column];
+    size_t stride = w->n + w->sides;
     if (body == 0) return;
-    YkRef factor = yk_dag_number(g, sign);
-    YkRef *row = w->system + 3 * (size_t)(body - 1) * (w->n + 1) + column;
-    if (c->is_couple) {
-        row[2 * (w->n + 1)] = factor;
-        return;
-    }
-    YkRefVec center = yk_program_at(p, body, yk_forces_center(p, body)), force = yk_dag_vec_scale(g, factor, c->force);
-    YkRefVec arm = yk_dag_vec_subtract(g, point, center);
-    row[0] = force.x;
-    row[w->n + 1] = force.y;
-    row[2 * (w->n + 1)] = yk_dag_divide(g, yk_dag_cross(g, arm, force), yk_dag_number(g, yk_program_size(p)));
+    YkRef *row = w->system + 3 * (size_t)(body - 1) * stride + column;
+    const YkRef parts[] = {force.x, force.y, yk_dag_divide(g, moment, yk_dag_number(g, yk_program_size(p)))};
+    for (size_t k = 0; k < 3; k++) row[k * stride] = yk_dag_add(g, row[k * stride], parts[k]);
+}
+
+void yk_balance_push(YkBalance *w, size_t column, int32_t body, double sign, YkRefVec place, YkRefVec force)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    YkRefVec center = yk_program_at(p, body, yk_forces_center(p, body)), arm = yk_dag_vec_subtract(g, place, center);
+    force = yk_dag_vec_scale(g, yk_dag_number(g, sign), force);
+    yk_balance_add(w, column, body, force, yk_dag_cross(g, arm, force));
+}
+
+// A joint's wrench on one of its bodies; a couple is measured over the machine's size.
+static void enter(YkBalance *w, size_t column, int32_t body, double sign, YkRefVec point)
+{
+    YkProgram *p = w->f->program;
+    const YkUnknown *c = &w->columns[column];
+    YkRefVec none = yk_dag_vec_number(&p->graph, 0, 0);
+    if (c->is_couple)
+        yk_balance_add(w, column, body, none, yk_dag_number(&p->graph, sign * yk_program_size(p)));
+    else
+        yk_balance_push(w, column, body, sign, point, c->force);
 }
 
 // inertia - weight - loads, moments over the machine's size as in the rows.
-static void enter_right(Work *w, int32_t body, const YkRates *r, const YkRates *s)
+static void enter_right(YkBalance *w, int32_t body, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
-    YkRef *row = w->system + 3 * (size_t)(body - 1) * (w->n + 1) + w->n;
     const YkWrenchRef *load = &w->f->load[body];
     YkRefVec force = yk_dag_vec_scale(g, yk_dag_number(g, -1), load->force);
     YkRef moment = yk_dag_minus(g, load->moment);
@@ -96,17 +78,19 @@ static void enter_right(Work *w, int32_t body, const YkRates *r, const YkRates *
         YkRef spin = s->turn[p->mech->bodies[body].orientation];
         moment = yk_dag_add(g, moment, yk_dag_multiply(g, yk_forces_inertia(p, body), spin));
     }
-    row[0] = force.x;
-    row[w->n + 1] = force.y;
-    row[2 * (w->n + 1)] = yk_dag_divide(g, moment, yk_dag_number(g, yk_program_size(p)));
+    yk_balance_add(w, w->n, body, force, moment);
 }
 
-static void make_system(Work *w, const YkRates *r, const YkRates *s)
+static void make_system(YkBalance *w, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
-    for (size_t k = 0; k < w->n * (w->n + 1); k++) w->system[k] = yk_dag_number(g, 0);
+    for (size_t k = 0; k < w->n * (w->n + w->sides); k++) w->system[k] = yk_dag_number(g, 0);
     for (size_t k = 0; k < w->count; k++) {
+        if (w->columns[k].relation != YK_NONE) {
+            yk_meshes_enter(w, k);
+            continue;
+        }
         const YkJoint *joint = &p->model->joints[w->columns[k].joint];
         YkRefVec point = yk_program_at(p, joint->body[1], yk_program_point(p, joint->point[1]));
         enter(w, k, joint->body[0], -1, point);
@@ -115,16 +99,32 @@ static void make_system(Work *w, const YkRates *r, const YkRates *s)
     for (size_t b = 1; b < p->model->body_count; b++) enter_right(w, (int32_t)b, r, s);
 }
 
+// An unknown: of the balance, less what the radial forces of the teeth add to the loads.
+static YkRef value_of(YkBalance *w, int32_t call, size_t k)
+{
+    YkDag *g = &w->f->program->graph;
+    size_t stride = w->n + w->sides;
+    YkRef value = yk_dag_result(g, call, k * stride + w->n);
+    for (size_t c = 0; c < w->count; c++) {
+        size_t side = w->columns[c].radial;
+        if (side == 0) continue;
+        YkRef size = yk_dag_unary(g, YK_VALUE_SIZE, yk_dag_result(g, call, c * stride + w->n));
+        YkRef part = yk_dag_multiply(g, size, yk_dag_result(g, call, k * stride + w->n + side));
+        value = yk_dag_subtract(g, value, part);
+    }
+    return value;
+}
+
 // Couples are unknown over the machine's size, as the moments' rows are.
-static void read_results(Work *w, int32_t call)
+static void read_results(YkBalance *w, int32_t call)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
     for (size_t k = 0; k < 3 * p->model->joint_count; k++) w->f->reaction[k] = yk_dag_number(g, 0);
     for (size_t k = 0; k < w->count; k++) {
-        const Column *c = &w->columns[k];
-        YkRef value = yk_dag_result(g, call, k * (w->n + 1) + w->n), *out = w->f->reaction + 3 * c->joint;
-        if (c->input != YK_NONE) continue;
+        const YkUnknown *c = &w->columns[k];
+        if (c->input != YK_NONE || c->relation != YK_NONE) continue;
+        YkRef value = value_of(w, call, k), *out = w->f->reaction + 3 * c->joint;
         if (c->is_couple) {
             out[2] = yk_dag_multiply(g, value, yk_dag_number(g, yk_program_size(p)));
         } else {
@@ -132,34 +132,41 @@ static void read_results(Work *w, int32_t call)
             out[1] = yk_dag_add(g, out[1], yk_dag_multiply(g, value, c->force.y));
         }
     }
-    w->f->determinant = yk_dag_result(g, call, w->n * (w->n + 1));
+    w->f->determinant = yk_dag_result(g, call, w->n * (w->n + w->sides));
 }
 
 void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = f->program;
-    Work w = {.f = f, .n = 3 * (p->model->body_count - 1)};
-    w.columns = YK_NEW(p->arena, Column, 3 * p->model->joint_count + p->mech->input_count + 1);
-    w.system = YK_NEW(p->arena, YkRef, w.n * (w.n + 1) + 1);
-    YkRef *reaction = YK_NEW(p->arena, YkRef, 3 * p->model->joint_count + 1);
+    YkBalance w = {.f = f, .n = 3 * (p->model->body_count - 1), .sides = 1};
+    size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
+    w.columns = YK_NEW(p->arena, YkUnknown, most + 1);
     if (yk_arena_failed(p->arena)) {
         p->failed = true;
         return;
     }
     yk_dag_section(&p->graph, "Free bodies: three equations each, their reactions and efforts unknown.");
     make_columns(&w);
+    yk_meshes_columns(&w);
     if (w.count != w.n) {
         f->why_no_reactions = "constraints repeat others, so that they are not determined";
+        return;
+    }
+    size_t entries = w.n * (w.n + w.sides);
+    w.system = YK_NEW(p->arena, YkRef, entries + 1);
+    YkRef *reaction = YK_NEW(p->arena, YkRef, 3 * p->model->joint_count + 1);
+    if (yk_arena_failed(p->arena)) {
+        p->failed = true;
         return;
     }
     f->reaction = reaction;
     make_system(&w, r, s);
     int32_t call = yk_dag_call(&p->graph, (YkCall){.kind = YK_CALL_SOLVE,
                                                    .n = (int32_t)w.n,
-                                                   .m = 1,
+                                                   .m = (int32_t)w.sides,
                                                    .arguments = w.system,
-                                                   .argument_count = w.n * (w.n + 1),
-                                                   .result_count = w.n * (w.n + 1) + 1,
+                                                   .argument_count = entries,
+                                                   .result_count = entries + 1,
                                                    .name = "bodies"});
     read_results(&w, call);
 }

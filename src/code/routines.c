@@ -168,10 +168,7 @@ static void add_reactions(YkFile *file, const Rates *r)
 {
     YkProgram *p = &file->program;
     YkForces *f = &file->forces;
-    if (p->mech->relation_count > 0)
-        f->why_no_reactions = "gears, racks, belts and cams take part in them";
-    else
-        yk_forces_reactions(f, &r->velocities, &r->accelerations);
+    yk_forces_reactions(f, &r->velocities, &r->accelerations);
     if (!f->reaction) {
         if (!f->why_no_reactions) return;
         yk_problem(p->problems, YK_CODE_NOT_PRINTED, (YkPlace){0}, "the reactions in the joints are not printed: %s",

@@ -1,0 +1,106 @@
+// What gears, racks, belts, cams and laws transmit, as unknowns of the bodies' balance. By virtual work the force
+// belongs to the relation that it enforces; where it acts is derived in dynamics/free_bodies_meshes.
+#include <math.h>
+#include "code/balance.h"
+
+static bool has_force(const YkGear *gear)
+{
+    return gear->center_distance > 0;
+}
+
+void yk_meshes_columns(YkBalance *w)
+{
+    const YkProgram *p = w->f->program;
+    for (size_t k = 0; k < p->mech->relation_count; k++) {
+        const YkRelation *r = &p->mech->relations[k];
+        YkUnknown *u = &w->columns[w->count++];
+        *u = (YkUnknown){.joint = YK_NONE, .input = YK_NONE, .relation = (int32_t)k};
+        if (r->kind != YK_RELATION_GEAR || !has_force(&p->model->gears[r->index])) continue;
+        if (tan(p->model->gears[r->index].pressure_angle) != 0) u->radial = w->sides++;
+    }
+}
+
+void yk_meshes_couples(YkBalance *w, size_t column, const int32_t *bodies, const YkRef *couples)
+{
+    YkRefVec none = yk_dag_vec_number(&w->f->program->graph, 0, 0);
+    for (int k = 0; k < 3; k++) yk_balance_add(w, column, bodies[k], none, couples[k]);
+}
+
+// Couples given as numbers: the largest is 1 N times the machine's size.
+static void enter_couples(YkBalance *w, size_t column, const int32_t *bodies, double a, double b)
+{
+    YkProgram *p = w->f->program;
+    double unit = yk_program_size(p) / fmax(fabs(a), fmax(fabs(b), fabs(a + b)));
+    const YkRef couples[] = {yk_dag_number(&p->graph, a * unit), yk_dag_number(&p->graph, b * unit),
+                             yk_dag_number(&p->graph, -(a + b) * unit)};
+    yk_meshes_couples(w, column, bodies, couples);
+}
+
+// A force on the second body at a place of the world, its opposite on the first.
+void yk_meshes_force(YkBalance *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
+{
+    yk_balance_push(w, column, bodies[0], -1, place, force);
+    yk_balance_push(w, column, bodies[1], 1, place, force);
+}
+
+// A wheel's centre is the origin of its body.
+static YkRefVec center_of(YkProgram *p, int32_t body)
+{
+    return yk_program_at(p, body, yk_dag_vec_number(&p->graph, 0, 0));
+}
+
+// At the pitch point: a force across the line of centres and, for each newton of it, one away from the first centre on
+// the second wheel, by the pressure angle.
+static void enter_gear(YkBalance *w, size_t column, const YkGear *gear)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    double a = (double)gear->teeth[0], b = gear->is_internal ? -(double)gear->teeth[1] : (double)gear->teeth[1];
+    if (!has_force(gear)) {
+        const int32_t bodies[] = {gear->body[0], gear->body[1], gear->carrier};
+        enter_couples(w, column, bodies, a, b);
+        return;
+    }
+    YkRefVec A = center_of(p, gear->body[0]), line = yk_dag_vec_subtract(g, center_of(p, gear->body[1]), A);
+    YkRefVec out = yk_dag_vec_scale(g, yk_dag_number(g, a / (a + b)), line); // internal: beyond A
+    YkRefVec pitch = yk_dag_vec_add(g, A, out);
+    YkRef per = yk_dag_divide(g, yk_dag_number(g, 1), yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1));
+    YkRefVec unit = yk_dag_vec_scale(g, per, line);
+    yk_meshes_force(w, column, gear->body, pitch, yk_dag_vec_quarter(g, unit));
+    if (w->columns[column].radial == 0) return;
+    double slope = (a / (a + b) < 0 ? -1 : 1) * tan(gear->pressure_angle);
+    YkRefVec radial = yk_dag_vec_scale(g, yk_dag_number(g, slope), unit);
+    yk_meshes_force(w, w->n + w->columns[column].radial, gear->body, pitch, radial);
+}
+
+static void enter_rack(YkBalance *w, size_t column, const YkRack *rack)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    const YkJoint *slide = &p->model->joints[rack->slide];
+    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way, and so is the sense
+    YkRefVec u = yk_forces_line(p, slide);
+    YkRef away = yk_dag_number(g, -sign * rack->sense * rack->radius);
+    YkRefVec pitch = yk_dag_vec_add(g, center_of(p, rack->pinion), yk_dag_vec_scale(g, away, yk_dag_vec_quarter(g, u)));
+    const int32_t bodies[] = {rack->pinion, rack->rack};
+    yk_meshes_force(w, column, bodies, pitch, yk_dag_vec_scale(g, yk_dag_number(g, sign), u));
+}
+
+void yk_meshes_enter(YkBalance *w, size_t column)
+{
+    const YkModel *m = w->f->program->model;
+    const YkRelation *r = &w->f->program->mech->relations[w->columns[column].relation];
+    if (r->kind == YK_RELATION_GEAR) {
+        enter_gear(w, column, &m->gears[r->index]);
+    } else if (r->kind == YK_RELATION_RACK) {
+        enter_rack(w, column, &m->racks[r->index]);
+    } else if (r->kind == YK_RELATION_CAM) {
+        yk_meshes_cam(w, column, r, &m->cams[r->index]);
+    } else if (r->kind == YK_RELATION_LAW) {
+        yk_meshes_follow(w, column, r, &m->follows[r->index]);
+    } else {
+        const YkBelt *belt = &m->belts[r->index];
+        double a = belt->radius[0], b = belt->is_crossed ? belt->radius[1] : -belt->radius[1];
+        enter_couples(w, column, (int32_t[]){belt->body[0], belt->body[1], belt->carrier}, a, b);
+    }
+}

@@ -1,0 +1,130 @@
+// What cams transmit, and coordinates that follow others by a law: forces and couples by the slope of the law.
+#include <math.h>
+#include "code/balance.h"
+
+// d value / d argument of the relation's law.
+static YkRef slope_of(const YkBalance *w, const YkRelation *r)
+{
+    YkProgram *p = w->f->program;
+    size_t index = (size_t)(r - p->mech->relations);
+    return yk_dag_divide(&p->graph, p->slope[2 * index], yk_dag_number(&p->graph, r->gain));
+}
+
+static YkRef times(YkDag *g, double factor, YkRef value)
+{
+    return yk_dag_multiply(g, yk_dag_number(g, factor), value);
+}
+
+// --- cams -----------------------------------------------------------------------------------------
+
+typedef struct CamPose {
+    YkRef slope;
+    YkRefVec center, u; // of the cam; the line of motion of a follower that slides
+    double way, turn;   // +1 where the follower, the cam, is the second body of its joint
+} CamPose;
+
+static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
+{
+    const YkJoint *j = &p->model->joints[joint];
+    return yk_program_at(p, body, yk_program_point(p, j->point[j->body[1] == body]));
+}
+
+// Followers that turn and name no point: couples in the proportion of the ways.
+static void cam_couples(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose)
+{
+    YkDag *g = &w->f->program->graph;
+    double size = yk_program_size(w->f->program);
+    YkRef on_cam = times(g, -pose->turn * size, pose->slope), on_follower = yk_dag_number(g, pose->way * size);
+    const YkRef couples[] = {on_cam, on_follower, yk_dag_minus(g, yk_dag_add(g, on_cam, on_follower))};
+    yk_meshes_couples(w, column, (int32_t[]){cam->cam, cam->follower, cam->carrier}, couples);
+}
+
+// A flat face is pushed along its line of motion, where it touches: off that line by the slope of the lift.
+static void flat_face(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose)
+{
+    YkDag *g = &w->f->program->graph;
+    YkRefVec off = yk_dag_vec_scale(g, times(g, -pose->turn, pose->slope), yk_dag_vec_quarter(g, pose->u));
+    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_dag_vec_add(g, pose->center, off), pose->u);
+}
+
+// Where the roller or edge of a follower is that slides and names no point.
+static YkRefVec roller_of(YkBalance *w, const YkCam *cam, const CamPose *pose)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    double reach = cam->base + cam->roller, start = sqrt(reach * reach - cam->offset * cam->offset);
+    YkRef lift = p->distance[p->mech->joint_distance[cam->follower_joint]];
+    YkRefVec along = yk_dag_vec_scale(g, yk_dag_add(g, yk_dag_number(g, start), lift), pose->u);
+    YkRefVec aside = yk_dag_vec_scale(g, yk_dag_number(g, -cam->offset), yk_dag_vec_quarter(g, pose->u));
+    return yk_dag_vec_add(g, pose->center, yk_dag_vec_add(g, along, aside));
+}
+
+// Along the common normal: across the way of the roller on the cam.
+static void roller_force(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    YkRefVec velocity = yk_dag_vec_scale(g, pose->slope, pose->u);
+    if (cam->oscillates) {
+        YkRefVec arm = yk_dag_vec_subtract(g, at, joint_on(p, cam->follower_joint, cam->follower));
+        velocity = yk_dag_vec_scale(g, times(g, pose->way, pose->slope), yk_dag_vec_quarter(g, arm));
+    }
+    YkRefVec out = yk_dag_vec_quarter(g, yk_dag_vec_subtract(g, at, pose->center));
+    YkRefVec against = yk_dag_vec_subtract(g, velocity, yk_dag_vec_scale(g, yk_dag_number(g, pose->turn), out));
+    YkRef speed = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, against, against), -1);
+    YkRef per = yk_dag_divide(g, yk_dag_number(g, 1), speed);
+    YkRefVec force = yk_dag_vec_scale(g, per, yk_dag_vec_quarter(g, against));
+    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, force);
+}
+
+void yk_meshes_cam(YkBalance *w, size_t column, const YkRelation *r, const YkCam *cam)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    const YkModel *m = p->model;
+    CamPose pose = {.slope = slope_of(w, r), .center = joint_on(p, cam->cam_joint, cam->cam)};
+    double reach = cam->base + cam->roller;
+    pose.way = m->joints[cam->follower_joint].body[1] == cam->follower ? 1 : -1;
+    pose.turn = m->joints[cam->cam_joint].body[1] == cam->cam ? 1 : -1;
+    YkRefVec carrier =
+        yk_dag_vec_multiply(g, p->unit[p->mech->bodies[cam->carrier].orientation], p->turn_unit[cam->carrier]);
+    pose.u = yk_dag_vec_multiply(g, carrier, yk_dag_vec_number(g, cam->along.x, cam->along.y));
+    if (!cam->oscillates && (cam->face == YK_CAM_FLAT || !(reach * reach > cam->offset * cam->offset)))
+        flat_face(w, column, cam, &pose);
+    else if (cam->point != YK_NONE)
+        roller_force(w, column, cam, &pose, yk_program_at(p, cam->follower, yk_program_point(p, cam->point)));
+    else if (cam->oscillates)
+        cam_couples(w, column, cam, &pose);
+    else
+        roller_force(w, column, cam, &pose, roller_of(w, cam, &pose));
+}
+
+// --- laws -----------------------------------------------------------------------------------------
+
+// An effort along a coordinate: on its joint's second body, and back on the first.
+static void push_along(YkBalance *w, size_t column, int32_t coordinate, YkRef effort)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    const YkCoordinate *c = &p->model->coordinates[coordinate];
+    const YkJoint *j = &p->model->joints[c->joint];
+    if (c->is_distance) {
+        YkRefVec at = yk_program_at(p, j->body[1], yk_program_point(p, j->point[1]));
+        yk_meshes_force(w, column, j->body, at, yk_dag_vec_scale(g, effort, yk_forces_line(p, j)));
+        return;
+    }
+    YkRefVec none = yk_dag_vec_number(g, 0, 0);
+    yk_balance_add(w, column, j->body[1], none, effort);
+    yk_balance_add(w, column, j->body[0], none, yk_dag_minus(g, effort));
+}
+
+// What follows pushes along its own coordinate, and the other's two bodies feel the law's slope of it.
+void yk_meshes_follow(YkBalance *w, size_t column, const YkRelation *r, const YkFollow *follow)
+{
+    YkProgram *p = w->f->program;
+    YkDag *g = &p->graph;
+    bool is_distance = p->model->coordinates[follow->coordinate].is_distance;
+    YkRef unit = yk_dag_number(g, is_distance ? 1 : yk_program_size(p));
+    push_along(w, column, follow->coordinate, unit);
+    push_along(w, column, follow->of, yk_dag_minus(g, yk_dag_multiply(g, slope_of(w, r), unit)));
+}
