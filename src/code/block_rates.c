@@ -213,6 +213,7 @@ static void rates_group(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRa
         YkRef rate = yk_dag_result(g, call, k * (n + 1) + n);
         *(columns[k].is_distance ? &target->slide[columns[k].index] : &target->turn[columns[k].index]) = rate;
     }
+    if (!s) yk_program_group_arguments(p, b, r);
 }
 
 void yk_program_block_rates(YkProgram *p, size_t index, YkRates *r, YkRates *s)

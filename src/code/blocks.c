@@ -219,34 +219,28 @@ static int find_column(const YkProgram *p, const YkBlock *b, bool is_distance, i
     return -1;
 }
 
-static bool hangs_on_columns(const YkProgram *p, uint32_t first, uint32_t count)
-{
-    for (uint32_t k = first; k < first + count; k++)
-        if (p->mech->sources[k].kind == YK_SOURCE_COLUMN) return true;
-    return false;
-}
-
-// The rows of gears, racks and belts, behind those of the loops.
-static void evaluate_relations(YkProgram *p, const YkBlock *b, const YkRef *x, YkRef *residual, YkRef *jacobian)
+// What the unknowns among some sources add to a row of the Jacobian, times a factor.
+static void enter_sources(YkProgram *p, uint32_t first, uint32_t count, YkRef factor, YkRef *row)
 {
     YkDag *g = &p->graph;
-    size_t n = b->column_count;
+    for (uint32_t i = first; i < first + count; i++) {
+        const YkSource *source = &p->mech->sources[i];
+        if (source->kind != YK_SOURCE_COLUMN) continue;
+        YkRef part = yk_dag_multiply(g, yk_dag_number(g, source->factor), factor);
+        row[source->index] = yk_dag_add(g, row[source->index], part);
+    }
+}
+
+// The rows of gears, racks, belts, cams and laws, behind those of the loops.
+static void evaluate_relations(YkProgram *p, const YkBlock *b, const YkRef *x, YkRef *residual, YkRef *jacobian)
+{
     for (uint32_t k = 0; k < b->relation_count; k++) {
         size_t row = 2 * (size_t)b->loop_count + k, index = (size_t)p->mech->group_relations[b->first_relation + k];
         const YkRelation *r = &p->mech->relations[index];
-        if (r->law && hangs_on_columns(p, r->first_argument_source, r->argument_source_count)) {
-            yk_problem(p->problems, YK_CODE_NOT_PRINTABLE, (YkPlace){0},
-                       "%q is solved together with loops that it needs, which is not printed for laws", r->name);
-            p->failed = true;
-            return;
-        }
+        YkRef *entries = &jacobian[row * b->column_count];
         residual[row] = yk_program_relation(p, index, x);
-        for (uint32_t i = r->first_source; i < r->first_source + r->source_count; i++) {
-            const YkSource *source = &p->mech->sources[i];
-            if (source->kind != YK_SOURCE_COLUMN) continue;
-            YkRef *entry = &jacobian[row * n + (size_t)source->index];
-            *entry = yk_dag_add(g, *entry, yk_dag_number(g, source->factor));
-        }
+        enter_sources(p, r->first_source, r->source_count, one(&p->graph), entries);
+        if (r->law) enter_sources(p, r->first_argument_source, r->argument_source_count, p->slope[2 * index], entries);
     }
 }
 

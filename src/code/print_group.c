@@ -14,15 +14,31 @@ static const YkValue *value_of(const YkPrinter *pr, YkRef value)
     return &pr->program->graph.values[value];
 }
 
+// Of a law's result: the law's argument. What other calls give hangs on no unknown.
+static size_t operands_of(const Gather *g, const YkValue *v, YkRef *operands)
+{
+    const YkRef all[] = {v->a, v->b, v->c};
+    size_t count = 0;
+    if (v->op == YK_VALUE_LEAF) return 0;
+    if (v->op == YK_VALUE_RESULT) {
+        const YkCall *call = &g->pr->program->graph.calls[v->a];
+        if (call->kind == YK_CALL_LAW) operands[count++] = call->arguments[0];
+        return count;
+    }
+    for (size_t k = 0; k < 3; k++)
+        if (all[k] >= 0) operands[count++] = all[k];
+    return count;
+}
+
 static bool hangs(Gather *g, YkRef value)
 {
     const YkValue *v = value_of(g->pr, value);
     if (g->hangs[value]) return g->hangs[value] == 2;
     bool found = v->op == YK_VALUE_LEAF && !v->of_parameters && v->leaf_class == YK_LEAF_UNKNOWN;
-    const YkRef operands[] = {v->a, v->b, v->c};
-    if (v->op != YK_VALUE_LEAF && v->op != YK_VALUE_RESULT)
-        for (size_t k = 0; k < 3; k++)
-            if (operands[k] >= 0 && hangs(g, operands[k])) found = true;
+    YkRef operands[3];
+    size_t count = operands_of(g, v, operands);
+    for (size_t k = 0; k < count; k++)
+        if (hangs(g, operands[k])) found = true;
     g->hangs[value] = found ? 2 : 1;
     return found;
 }
@@ -33,9 +49,9 @@ static void gather(Gather *g, YkRef value)
     const YkValue *v = value_of(g->pr, value);
     if (v->of_parameters || (v->op == YK_VALUE_LEAF && hangs(g, value))) return;
     if (hangs(g, value)) {
-        const YkRef operands[] = {v->a, v->b, v->c};
-        for (size_t k = 0; k < 3; k++)
-            if (operands[k] >= 0) gather(g, operands[k]);
+        YkRef operands[3];
+        size_t count = operands_of(g, v, operands);
+        for (size_t k = 0; k < count; k++) gather(g, operands[k]);
         return;
     }
     for (size_t k = 0; k < g->count && k < g->capacity; k++)

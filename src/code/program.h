@@ -115,6 +115,8 @@ YkRef yk_program_relation_rate(YkProgram *program, size_t relation, const YkRate
                                const YkRates *accelerations);
 // The rate of the argument of a relation's law, from all that turns and slides.
 YkRef yk_program_argument_rate(YkProgram *program, size_t relation, const YkRates *velocities);
+// Adds what the unknowns of a group, their velocities known, do to the arguments of its laws.
+void yk_program_group_arguments(YkProgram *program, const YkBlock *block, const YkRates *velocities);
 YkRefVec yk_program_sum_rate(YkProgram *program, const YkSum *sum, const YkRates *velocities);
 YkRefVec yk_program_sum_accel(YkProgram *program, const YkSum *sum, const YkRates *velocities,
                               const YkRates *accelerations);

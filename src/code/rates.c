@@ -86,6 +86,39 @@ static YkRef sources(YkProgram *p, uint32_t first, uint32_t count, const YkRef *
     return sum;
 }
 
+// What the unknowns of the relation's group, where it is solved in one, add to the rate of its argument.
+static YkRef columns_rate(YkProgram *p, const YkBlock *b, const YkRelation *relation, const YkRates *r)
+{
+    YkDag *g = &p->graph;
+    YkRef sum = yk_dag_number(g, 0);
+    for (uint32_t k = 0; k < relation->argument_source_count; k++) {
+        const YkSource *s = &p->mech->sources[relation->first_argument_source + k];
+        if (s->kind != YK_SOURCE_COLUMN) continue;
+        const YkColumn *c = &p->mech->group_columns[b->first_column + (uint32_t)s->index];
+        YkRef rate = c->is_distance ? r->slide[c->index] : r->turn[c->index];
+        sum = yk_dag_add(g, sum, yk_dag_multiply(g, yk_dag_number(g, s->factor), rate));
+    }
+    return sum;
+}
+
+void yk_program_group_arguments(YkProgram *p, const YkBlock *b, const YkRates *r)
+{
+    for (uint32_t k = 0; k < b->relation_count; k++) {
+        size_t index = (size_t)p->mech->group_relations[b->first_relation + k];
+        if (!p->mech->relations[index].law) continue;
+        YkRef own = columns_rate(p, b, &p->mech->relations[index], r);
+        p->argument_rate[index] = yk_dag_add(&p->graph, p->argument_rate[index], own);
+    }
+}
+
+static const YkBlock *group_of(const YkMechanism *mech, size_t relation)
+{
+    for (size_t b = 0; b < mech->block_count; b++)
+        for (uint32_t k = 0; k < mech->blocks[b].relation_count && mech->blocks[b].kind == YK_BLOCK_GROUP; k++)
+            if (mech->group_relations[mech->blocks[b].first_relation + k] == (int32_t)relation) return &mech->blocks[b];
+    return NULL;
+}
+
 YkRef yk_program_argument_rate(YkProgram *p, size_t index, const YkRates *r)
 {
     const YkRelation *relation = &p->mech->relations[index];
@@ -95,7 +128,9 @@ YkRef yk_program_argument_rate(YkProgram *p, size_t index, const YkRates *r)
         return 0;
     }
     for (size_t i = 0; i < p->mech->input_count; i++) input[i] = p->input[i].velocity;
-    return sources(p, relation->first_argument_source, relation->argument_source_count, input, r);
+    YkRef known = sources(p, relation->first_argument_source, relation->argument_source_count, input, r);
+    const YkBlock *group = group_of(p->mech, index);
+    return group ? yk_dag_add(&p->graph, known, columns_rate(p, group, relation, r)) : known;
 }
 
 // value' = sources' + f' x', value'' = sources'' + f' x'' + f'' x'^2; r: the first derivatives where s are asked for.

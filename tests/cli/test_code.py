@@ -187,6 +187,16 @@ class Code(Case):
         self.assertIn("m_find_reactions", text)
         self.assertEqual(self.run_test(text).stdout, "m: well\n")
 
+    def test_laws_are_solved_together_with_loops(self):
+        """A five-bar whose fourth angle follows its second by a law, both unknown: Newton's method calls the law."""
+        with open(os.path.join(ROOT, "examples", "geared-five-bar.yaml"), encoding="utf-8") as file:
+            text = re.sub(r"(?m)^gears:.*$", "laws:\n  l: {period: 2*pi, segments: [{rise: {to: 3 rad, by: 0.3 rad, law: 3-4-5}}, "
+                          "{fall: {to: 2*pi, by: 0.3 rad, law: cycloidal}}]}", file.read())
+        text = text.replace("1 rad/s * t}", "1 rad/s * t, t4: {law: l, of: t2}}")
+        for words in ([], ["--kinematics"]):
+            code = self.print(self.write("law.yaml", text), *words)
+            self.assertEqual(self.run_test(code).stdout, "m: well\n", words)
+
     def test_locks_are_engaged(self):
         """A planetary drive with heavy wheels: each of its locks, by name."""
         for lock in ("held", "direct", "stopped"):
