@@ -3,25 +3,34 @@
 #include "solve/elementary.h"
 
 // Again, one by one, for the lanes of which at least one is beyond the reduction's range.
-YK_APART void turn_one_by_one(YkTreeFound *link, size_t n)
+YK_APART void turn_one_by_one(YkTreeFound *link, const YkTreeFound *parent, const double *q, double sense, size_t n)
 {
-    for (size_t i = 0; i < n; i++) yk_sincos(link->angle[i], &link->s[i], &link->c[i]);
+    for (size_t i = 0; i < n; i++) {
+        YkVec e;
+        yk_sincos(sense * q[i], &e.y, &e.x);
+        if (parent) e = yk_mul(yk_vec(parent->c[i], parent->s[i]), e);
+        link->c[i] = e.x;
+        link->s[i] = e.y;
+    }
 }
 
-// Absolute angle and rate: the parent's (none: the ground's) plus sense times the coordinate; then cos and sin.
-YK_INLINE void find_angle(YkTreeFound *link, const YkTreeFound *parent, bool has_parent, const double *q,
-                          const double *v, double sense, size_t n)
+// Direction and rate of turning: the parent's (none: the ground's), turned by sense times the coordinate. Turning loses
+// no digits along a chain that coils up, as adding angles would.
+YK_INLINE void find_turn(YkTreeFound *link, const YkTreeFound *parent, bool has_parent, const double *q,
+                         const double *v, double sense, size_t n)
 {
     uint64_t far = 0;
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        double x = has_parent ? parent->angle[i] + sense * q[i] : sense * q[i];
-        link->angle[i] = x;
-        link->w[i] = has_parent ? parent->w[i] + sense * v[i] : sense * v[i];
-        sincos_near(x, &link->s[i], &link->c[i]);
+        double x = sense * q[i], s, c;
+        sincos_near(x, &s, &c);
         far |= sincos_far_bits(x);
+        YkVec e = has_parent ? yk_mul(yk_vec(parent->c[i], parent->s[i]), yk_vec(c, s)) : yk_vec(c, s);
+        link->c[i] = e.x;
+        link->s[i] = e.y;
+        link->w[i] = has_parent ? parent->w[i] + sense * v[i] : sense * v[i];
     }
-    if (sincos_is_far(far)) turn_one_by_one(link, n);
+    if (sincos_is_far(far)) turn_one_by_one(link, has_parent ? parent : NULL, q, sense, n);
 }
 
 // What is given of a link, for the lanes from `at`.
@@ -186,9 +195,9 @@ YK_INLINE bool few(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
     for (size_t k = 0; k < tree->link_count; k++) {
         const YkTreeRows *link = &tree->link[k];
         if (link->parent < 0)
-            find_angle(&tree->found[k], NULL, false, link->q + at, link->v + at, link->sense, n);
+            find_turn(&tree->found[k], NULL, false, link->q + at, link->v + at, link->sense, n);
         else
-            find_angle(&tree->found[k], &tree->found[link->parent], true, link->q + at, link->v + at, link->sense, n);
+            find_turn(&tree->found[k], &tree->found[link->parent], true, link->q + at, link->v + at, link->sense, n);
     }
     for (size_t k = tree->link_count; k-- > 0;) {
         const YkTreeRows *link = &tree->link[k];

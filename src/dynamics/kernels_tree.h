@@ -22,7 +22,7 @@ enum {
 enum { YK_TREE_LANES = 32 };
 typedef double YkFew[YK_TREE_LANES];
 typedef struct YkTreeFound {
-    YkFew angle, c, s, w;                                        // absolute
+    YkFew c, s, w;                                               // absolute
     YkFew J, h_x, h_y, xx, xy, yy, f_x, f_y, n, mass_out, least; // of its children, about its pin: see tree_pins.c
     YkFew by, turn, on_x, on_y, bias_x, bias_y, across_x, across_y;
     YkFew pin_x, pin_y, alpha; // accelerations: of its pin, of its turning

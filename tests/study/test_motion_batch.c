@@ -32,16 +32,17 @@ static void test_the_double_pendulum_is_its_textbook_equation(void **unused)
     YkMotionBatch *batch = yk_motion_batch_new(m.state, PENDULUM, 8, 2, m.problems);
     assert_non_null(batch);
     draw(&m, PENDULUM, 8, 0.4, 1);
+    for (size_t k = 7; k < STATES; k += 500) q[0][k] += 3e6; // beyond the quick reduction of angles
     YkMotionCase asked = ask(VALUES);
     assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_OK);
     for (size_t k = 0; k < STATES; k++) {
         double l1 = value[0][k], c1 = value[1][k], c2 = value[2][k], m1 = value[3][k], m2 = value[4][k], g = 9.81;
         double I1 = value[5][k], I2 = value[6][k], w1 = v[0][k], w2 = v[1][k], t1 = q[0][k], t2 = q[1][k];
         double A = I1 + I2 + m1 * c1 * c1 + m2 * (l1 * l1 + c2 * c2), B = m2 * l1 * c2, D = I2 + m2 * c2 * c2;
+        double s12 = sin(t1) * cos(t2) + cos(t1) * sin(t2); // the sum of the angles has lost digits where one is large
         double m11 = A + 2 * B * cos(t2), m12 = D + B * cos(t2), h = B * sin(t2);
-        double r1 =
-            value[7][k] + h * w2 * (2 * w1 + w2) - g * (m1 * c1 + m2 * l1) * sin(t1) - g * m2 * c2 * sin(t1 + t2);
-        double r2 = -0.2 - h * w1 * w1 - g * m2 * c2 * sin(t1 + t2), over = 1 / (m11 * D - m12 * m12);
+        double r1 = value[7][k] + h * w2 * (2 * w1 + w2) - g * (m1 * c1 + m2 * l1) * sin(t1) - g * m2 * c2 * s12;
+        double r2 = -0.2 - h * w1 * w1 - g * m2 * c2 * s12, over = 1 / (m11 * D - m12 * m12);
         double scale = 1e-12 * (1 + fabs(a[0][k]) + fabs(a[1][k]));
         CHECK_NEAR(a[0][k], (D * r1 - m12 * r2) * over, scale);
         CHECK_NEAR(a[1][k], (m11 * r2 - m12 * r1) * over, scale);
