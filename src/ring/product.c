@@ -24,6 +24,18 @@ static bool cancel(const YkPoisson *a, const YkPoisson *b, Cancelled *cancelled)
                              &cancelled->denominator);
 }
 
+// Of single terms, numbers cancelled.
+static const YkPoisson *multiply_terms(YkRing *ring, const YkRingTerm *a, const YkRingTerm *b, const Cancelled *by)
+{
+    uint64_t key;
+    int64_t number;
+    if (!yk_ring_key_product(ring, a->key, b->key, &key)) return NULL;
+    if (!yk_exact_multiply(a->number / by->a_divisor, b->number / by->b_divisor, &number) ||
+        !yk_exact_multiply(number, yk_unit_factor(yk_key_unit(a->key), yk_key_unit(b->key)), &number))
+        return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    return yk_poisson_term(ring, key, number, by->denominator);
+}
+
 const YkPoisson *yk_ring_multiply(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
 {
     Cancelled cancelled;
@@ -33,6 +45,7 @@ const YkPoisson *yk_ring_multiply(YkRing *ring, const YkPoisson *a, const YkPois
     if (yk_ring_is_same(b, ring->one)) return a;
     if (a->count > ring->limit * WORK_PER_TERM / b->count) return yk_ring_fail(ring, YK_RING_SIZE);
     if (!cancel(a, b, &cancelled)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    if (a->count == 1 && b->count == 1) return multiply_terms(ring, a->terms, b->terms, &cancelled);
     if (a->count == 1 || b->count == 1)
         yk_gather_begin_distinct(ring, cancelled.denominator);
     else

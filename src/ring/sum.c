@@ -34,6 +34,7 @@ static const YkPoisson *add(YkRing *ring, const YkPoisson *a, const YkPoisson *b
 {
     if (!a || !b) return NULL;
     if (b->count == 0) return a;
+    if (a->count == 0 && sign == 1) return b;
     int64_t denominator, divisor = (int64_t)yk_gcd((uint64_t)a->denominator, (uint64_t)b->denominator);
     if (!yk_exact_multiply(a->denominator / divisor, b->denominator, &denominator))
         return yk_ring_fail(ring, YK_RING_OVERFLOW);
