@@ -105,6 +105,7 @@ struct YkDerivation {
     YkDeriveLoop *loops; // in the file's order; yk_derive_loops makes them at first use
     size_t loop_count;
     struct YkDeriveNames *names; // of points; made at first use
+    const char *pitch_stem;      // of pitch points; found at first use
     YkDeriveRelation *ties;      // gears, racks, belts, cams, laws (relations.h); made at first use
     size_t tie_count;
     YkDeriveConstant *constants;
@@ -182,6 +183,9 @@ void yk_derive_combination(const YkDerivation *d, int32_t body, int32_t *B);
 // A. The origin has the name of a point that the file puts there, or the body's name with 0.
 const char *yk_derive_point_name(YkDerivation *d, int32_t body, int32_t point);
 const char *yk_derive_center_name(YkDerivation *d, int32_t body); // C1, C2, ... unless taken
+// The pitch point of the model's gear or, behind the gears, rack: P1, P2, ...; Q1, T1, pitch1, ... where the file has
+// points of such names. In every section and drawing the same.
+const char *yk_derive_pitch_name(YkDerivation *d, size_t gear_or_rack);
 // From the place `from` (a point of a body, by its index or YK_NONE for the origin) to the place `to`.
 typedef struct YkDerivePlace {
     int32_t body, point;

@@ -111,7 +111,10 @@ void yk_mesh_gear(YkMeshMaking *m, const YkRelation *of)
         m->mesh->effort = m->unknown;
         return;
     }
-    yk_mesh_unknown(m, "N", gear->body, "the force between these gears, along their line of action");
+    m->point = yk_derive_pitch_name(m->d, (size_t)of->index);
+    yk_mesh_unknown(m, "N", gear->body,
+                    yk_derive_text(m->d, "the force between these gears at their pitch point ", m->point,
+                                   ", along their line of action"));
     const YkMeshAxis axes[] = {yk_mesh_axis(m, gear->body[0], gear->carrier),
                                yk_mesh_axis(m, gear->body[1], gear->carrier)};
     const YkPoisson *direction, *distance = length_of(m, line_of_centers(m, gear, axes), &direction);

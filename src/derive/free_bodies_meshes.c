@@ -39,7 +39,7 @@ static const char *body_name(const YkMeshMaking *m, int32_t body)
 static void add_contact(YkMeshMaking *m, YkDeriveContact contact)
 {
     contact.joint = contact.junction = YK_NONE;
-    contact.point = m->tie->name;
+    contact.point = m->point;
     m->f->contacts[m->f->contact_count++] = contact;
 }
 
@@ -128,7 +128,10 @@ static void make_rack(YkMeshMaking *m, const YkRelation *of)
     YkRing *ring = m->ring;
     const int32_t body[] = {rack->pinion, rack->rack};
     int sign = m->d->model->joints[rack->slide].body[1] == rack->rack ? 1 : -1;
-    yk_mesh_unknown(m, "F", body, "the force between pinion and rack, along the rack");
+    m->point = yk_derive_pitch_name(m->d, m->d->model->gear_count + (size_t)of->index);
+    yk_mesh_unknown(
+        m, "F", body,
+        yk_derive_text(m->d, "the force between pinion and rack at their pitch point ", m->point, ", along the rack"));
     const YkPoisson *u = yk_ring_scale(ring, yk_mesh_line(m, rack->slide), sign, 1);
     const YkPoisson *across = yk_ring_product(
         ring, (const YkPoisson *[]){yk_ring_i(ring), u, yk_derive_expression(m->d, rack->radius_expr)}, 3);
@@ -203,7 +206,8 @@ bool yk_derive_enter_meshes(YkDeriveForces *f)
     f->meshes = YK_NEW(d->arena, YkDeriveMesh, d->tie_count + 1);
     if (!f->meshes) return false;
     for (size_t k = 0; k < d->tie_count && yk_derivation_is_well(d); k++) {
-        YkMeshMaking m = {.f = f, .d = d, .ring = d->ring, .index = k, .tie = &ties[k], .mesh = &f->meshes[k]};
+        YkMeshMaking m = {
+            .f = f, .d = d, .ring = d->ring, .index = k, .tie = &ties[k], .mesh = &f->meshes[k], .point = ties[k].name};
         *m.mesh = (YkDeriveMesh){.symbol = YK_NONE, .lean = YK_NONE};
         makers[ties[k].kind](&m, &d->mech->relations[k]);
     }

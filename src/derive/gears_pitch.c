@@ -1,6 +1,5 @@
 // One mesh: the velocity of its pitch point from both sides, as a textbook writes it with vectors from the centres, and
 // what it comes to in numbers of teeth (Willis 1841).
-#include <string.h>
 #include "derive/frame.h"
 #include "derive/gears.h"
 #include "derive/sections.h"
@@ -11,7 +10,6 @@ typedef struct Mesh {
     const YkTrainNet *net;
     const YkTrainRow *row;
     YkTrainMesh of;
-    size_t index;
     const YkPoisson *zero; // sum of factor * speed
     const char *point;     // the pitch point's name
 } Mesh;
@@ -172,6 +170,7 @@ static void put_rack(const Mesh *mesh)
     const YkRack *rack = &mesh->d->model->racks[mesh->row->index];
     const YkPoisson *relative = yk_ring_subtract(ring, speed(mesh, mesh->of.body[0]), speed(mesh, mesh->of.carrier));
     const YkPoisson *slides = yk_derive_column(mesh->d, mesh->row->terms[mesh->row->count - 1].column);
+    yk_page_words(mesh->page, "%s is the pitch point: there the pinion's circle touches the rack.", mesh->point);
     YkLine *line = new_line(mesh, NULL);
     yk_line_vector(mesh->page, line, "v", NULL, mesh->point);
     yk_line_sign(mesh->page, line, "=");
@@ -189,26 +188,6 @@ static void put_rack(const Mesh *mesh)
 }
 
 // --- The whole -------------------------------------------------------------------------------------------------------
-
-// P1, P2, ... or Q1, Q2, ... where the file has points of such names.
-static const char *name_point(const Mesh *mesh)
-{
-    static const char *const stems[] = {"P", "Q", "T", "pitch"};
-    size_t stem = 0;
-    const YkModel *model = mesh->d->model;
-    for (size_t p = 0; p < model->point_count && stem + 1 < sizeof stems / sizeof *stems;) {
-        const char *name = model->points[p].name;
-        bool is_taken = name[0] == stems[stem][0] && strspn(name + 1, "0123456789") == strlen(name + 1);
-        stem += is_taken;
-        p = is_taken ? 0 : p + 1;
-    }
-    YkText text = {0};
-    yk_text_format(&text, "%s%z", stems[stem], mesh->index + 1);
-    const char *name = yk_arena_copy(mesh->page->arena, yk_text_get(&text), text.length);
-    mesh->page->failed |= !name;
-    yk_text_free(&text);
-    return name ? name : "";
-}
 
 // The radii of the pitch circles: p^{P1/O} = 1/2 mod N1 e.
 static void put_radii(const Mesh *mesh)
@@ -260,12 +239,14 @@ void yk_derive_put_mesh(YkDerivation *d, YkPage *page, size_t index)
                  .page = page,
                  .net = &train->net,
                  .row = yk_train_mesh_row(&train->net, (int32_t)index),
-                 .of = yk_train_mesh(train, index),
-                 .index = index};
+                 .of = yk_train_mesh(train, index)};
     mesh.zero = yk_derive_row_zero(d, mesh.row);
-    mesh.point = name_point(&mesh);
+    bool is_rack = mesh.of.kind == YK_TRAIN_RACK; // a belt has no pitch point
+    mesh.point = mesh.of.kind == YK_TRAIN_BELT
+                     ? NULL
+                     : yk_derive_pitch_name(d, (size_t)mesh.row->index + (is_rack ? d->model->gear_count : 0));
     put_heading(&mesh);
-    if (mesh.of.kind == YK_TRAIN_RACK) {
+    if (is_rack) {
         put_rack(&mesh);
         return;
     }

@@ -1,4 +1,5 @@
 // What the file says of bodies and joints, as elements: points, lines, masses, positions.
+#include <string.h>
 #include "derive/frame.h"
 
 static const YkPoisson *vector(YkDerivation *d, const YkExpr *x, const YkExpr *y)
@@ -100,4 +101,29 @@ const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)
 const YkPoisson *yk_derive_gravity(YkDerivation *d)
 {
     return vector(d, d->model->gravity_x, d->model->gravity_y);
+}
+
+static bool is_stem_taken(const YkModel *model, const char *stem)
+{
+    size_t length = strlen(stem);
+    for (size_t p = 0; p < model->point_count; p++) {
+        const char *name = model->points[p].name;
+        if (strncmp(name, stem, length) == 0 && strspn(name + length, "0123456789") == strlen(name + length))
+            return true;
+    }
+    return false;
+}
+
+const char *yk_derive_pitch_name(YkDerivation *d, size_t gear_or_rack)
+{
+    static const char *const stems[] = {"P", "Q", "T", "pitch"};
+    size_t k = 0;
+    while (!d->pitch_stem && k + 1 < sizeof stems / sizeof *stems && is_stem_taken(d->model, stems[k])) k++;
+    if (!d->pitch_stem) d->pitch_stem = stems[k];
+    YkText text = {0};
+    yk_text_format(&text, "%s%z", d->pitch_stem, gear_or_rack + 1);
+    const char *name = text.failed ? NULL : yk_arena_copy(d->arena, yk_text_get(&text), text.length);
+    d->failed |= !name;
+    yk_text_free(&text);
+    return name ? name : "";
 }

@@ -12,7 +12,7 @@ typedef struct YkMeshMaking {
     size_t index;
     const YkDeriveRelation *tie;
     YkDeriveMesh *mesh;
-    const char *between;
+    const char *between, *point; // point: the name of where it acts
     const YkPoisson *unknown;
 } YkMeshMaking;
 

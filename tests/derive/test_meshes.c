@@ -363,10 +363,10 @@ static void a_pair_of_gears_prints_as_in_the_books(void **state)
     write_section(&m, "free-bodies");
     write_section(&m, "newton-euler");
     write_section(&m, "lagrange");
-    check_says(&m, "N12 is the force between these gears, along their line of action.");
+    check_says(&m, "N12 is the force between these gears at their pitch point Q1, along their line of action.");
     check_says(&m, "alpha12 is the pressure angle of 20 deg with the sign of N12");
     check_says(&m, "F_42 + N_12 - N_23 = 0\n");
-    check_says(&m, "p^{sun-planet/P} x N_12 - p^{planet-ring/P} x N_23 = 0\n");
+    check_says(&m, "p^{Q1/P} x N_12 - p^{Q2/P} x N_23 = 0\n");
     check_says(&m, "moments about O:  tau_theta1 - 1/2 N1 mod N12 cos(alpha12) = 0\n");
     check_says(&m, "theta1:  N1 lambda1 = tau_theta1\n");
     check_says(&m, "sun-planet:  lambda1 = 1/2 mod N12 cos(alpha12)\n");
@@ -375,6 +375,28 @@ static void a_pair_of_gears_prints_as_in_the_books(void **state)
     write_section(&m, "newton-euler");
     check_says(&m, "angle of the normal:  1/40 (1 + 40 s) sin(phi12) = lift_v cos(phi12)\n");
     check_says(&m, "4 force + 2 moment + 1 acceleration = 7 equations; 5 reactions + 1 accelerations + 1 efforts = 7");
+    machine_end(&m);
+}
+
+// Behind the gears come the racks; P, Q, ... as the file leaves them free.
+static void pitch_points_have_one_name_in_all_sections(void **state)
+{
+    (void)state;
+    Machine m =
+        machine_of("parameters: {r: 0.1}\n"
+                   "bodies: {ground: {points: {A: [0.3, 0]}}, a: {}, b: {points: {A: [0, 0], P7: [1, 0]}}, bar: {}}\n"
+                   "joints:\n"
+                   "  O: {pin: [ground, a], angle: t1}\n"
+                   "  A: {pin: [ground, b], angle: t2}\n"
+                   "  R: {slide: [ground, bar], along: x, distance: x}\n"
+                   "racks: {rail: {pinion: a, rack: bar, radius: r}}\n"
+                   "gears: {pair: {mesh: [a, b], teeth: [20, 40]}}\n");
+    write_section(&m, "gears");
+    write_section(&m, "free-bodies");
+    check_says(&m, "v_Q2 = omega_a x p^{Q2/O}");
+    check_says(&m, "Q2 is the pitch point: there the pinion's circle touches the rack.");
+    check_says(&m, "rail: F13 is the force between pinion and rack at their pitch point Q2, along the rack.");
+    check_says(&m, "by bar at Q2:");
     machine_end(&m);
 }
 
@@ -389,6 +411,7 @@ int main(void)
         cmocka_unit_test(an_equation_of_a_geared_five_bar_is_proved),
         cmocka_unit_test(a_wrong_push_is_no_longer_proved),
         cmocka_unit_test(a_pair_of_gears_prints_as_in_the_books),
+        cmocka_unit_test(pitch_points_have_one_name_in_all_sections),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
