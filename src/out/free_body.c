@@ -58,6 +58,7 @@ void yk_free_body_drawings_free(YkFreeBodyDrawings *p)
 {
     if (!p) return;
     yk_drawing_free(p->drawing);
+    yk_names_free(&p->spot_names);
     free(p->arrows);
     free(p->values);
     yk_arena_free(p->arena);

@@ -1,6 +1,7 @@
 // Where the arrows of free-body drawings go: at which end of the arrow the point is, and which way a force points whose
 // direction is unknown, so that arrows keep clear of each other and of the body.
 #include <stdlib.h>
+#include <string.h>
 #include "out/free_body_inside.h"
 
 static const double clear = 13; // px between an arrow and anything else, where there is room
@@ -166,11 +167,10 @@ static YkVec direction(const YkArrow *arrow, double degrees)
 }
 
 // One direction for both bodies that the force acts on, opposite on the second.
-static void arrange_free(YkFreeBodyDrawings *p, YkArrow *arrow, YkVec (*lines)[2])
+static void arrange_free(YkFreeBodyDrawings *p, YkArrow *arrow, YkVec (*lines)[2], YkVec (*others)[2])
 {
     static const double degrees[] = {45, 35, 55, 25, 65, 15, 75};
     YkArrow *partner = arrow->partner == YK_NONE ? NULL : &p->arrows[arrow->partner];
-    YkVec(*others)[2] = lines + lines_most(p);
     size_t count = lines_for(p, arrow, lines), other_count = partner ? lines_for(p, partner, others) : 0;
     double least = INFINITY;
     for (size_t k = 0; k < (arrow->angle > 0 ? 1 : sizeof degrees / sizeof *degrees); k++) {
@@ -198,11 +198,52 @@ static void arrange_moment(const YkFreeBodyDrawings *p, YkArrow *arrow)
     }
 }
 
+// --- The same force on two pictures
+
+static bool is_same_force(const YkArrow *a, const YkArrow *b)
+{
+    return a->turn == 0 && b->turn == 0 && !a->is_inertia && !b->is_inertia && a->name.sub == b->name.sub &&
+           a->is_negative != b->is_negative && strcmp(a->name.base, b->name.base) == 0;
+}
+
+static void pair(YkArrow *arrows, int32_t a, int32_t b)
+{
+    arrows[a].partner = b;
+    arrows[b].partner = a;
+    arrows[a].angle = arrows[b].angle = fmax(arrows[a].angle, arrows[b].angle); // a junction's
+}
+
+// Arrows of one name stand in a list, the last first: few, whatever the machine's size.
+static void find_partners(YkFreeBodyDrawings *p)
+{
+    YkNames names = {0};
+    int32_t *before = calloc(p->arrow_count + 1, sizeof *before), *last = calloc(p->arrow_count + 1, sizeof *last);
+    p->failed |= !before || !last;
+    for (size_t a = 0; a < p->arrow_count && !p->failed; a++) {
+        const char *name = p->arrows[a].name.sub ? p->arrows[a].name.sub : "";
+        int32_t list;
+        p->failed |= !yk_names_add(&names, name, (int32_t)a, &list);
+        if (p->failed) break;
+        before[a] = list == YK_NONE ? YK_NONE : last[list];
+        last[list == YK_NONE ? (int32_t)a : list] = (int32_t)a;
+        for (int32_t b = before[a]; b != YK_NONE && p->arrows[a].partner == YK_NONE; b = before[b])
+            if (p->arrows[b].partner == YK_NONE && is_same_force(&p->arrows[a], &p->arrows[b]))
+                pair(p->arrows, b, (int32_t)a);
+    }
+    yk_names_free(&names);
+    free(before);
+    free(last);
+}
+
 bool yk_free_body_arrange(YkFreeBodyDrawings *p)
 {
     size_t most = lines_most(p);
     YkVec(*lines)[2] = calloc(2 * most, sizeof *lines);
-    if (!lines) return false;
+    find_partners(p);
+    if (!lines || p->failed) {
+        free(lines);
+        return false;
+    }
     for (size_t k = 0; k < p->arrow_count; k++) { // first what has a direction
         YkArrow *arrow = &p->arrows[k];
         if (arrow->turn != 0) arrange_moment(p, arrow);
@@ -214,7 +255,8 @@ bool yk_free_body_arrange(YkFreeBodyDrawings *p)
     for (int inertia = 0; inertia < 2; inertia++)
         for (size_t k = 0; k < p->arrow_count; k++) {
             YkArrow *arrow = &p->arrows[k];
-            if (arrow->is_free && !arrow->is_laid && arrow->is_inertia == (inertia == 1)) arrange_free(p, arrow, lines);
+            if (arrow->is_free && !arrow->is_laid && arrow->is_inertia == (inertia == 1))
+                arrange_free(p, arrow, lines, lines + most);
         }
     free(lines);
     return true;

@@ -11,7 +11,8 @@ static const char minus[] = "\xe2\x88\x92"; // a real one
 // Where a body's reference is, m.
 static YkVec reference_of(const YkFreeBodyDrawings *p, int32_t body)
 {
-    return yk_ring_value(p->d->ring, p->forces->bodies[body].position, p->values);
+    const YkBody *of = &p->d->model->bodies[body]; // by the pose: far from the ground no formula is written out
+    return yk_frame_apply(yk_drawing_frames(p->drawing, 0)[body], of->has_mass ? of->center : yk_vec(0, 0));
 }
 
 static YkVec place_of(const YkFreeBodyDrawings *p, const YkDerivePush *push)
@@ -29,11 +30,12 @@ static YkVec couple_place(const YkFreeBodyDrawings *p, const YkDeriveLoad *load,
     return yk_drawing_joint(p->drawing, frames, joint, joint->body[1] == push->body);
 }
 
-static void name_spot(YkFreeBodyDrawing *picture, const char *name, YkVec at, bool is_center)
+static void name_spot(YkFreeBodyDrawings *p, size_t picture, const char *name, YkVec at, bool is_center)
 {
-    for (size_t k = 0; k < picture->spot_count; k++)
-        if (strcmp(picture->spots[k].name, name) == 0) return;
-    picture->spots[picture->spot_count++] = (YkSpotName){name, at, is_center};
+    YkFreeBodyDrawing *of = &p->pictures[picture];
+    int32_t known;
+    p->failed |= !yk_names_add(&p->spot_names, name, (int32_t)of->spot_count, &known);
+    if (known == YK_NONE && !p->failed) of->spots[of->spot_count++] = (YkSpotName){name, at, is_center};
 }
 
 // --- Arrows
@@ -62,10 +64,11 @@ static YkVec direction_of(const YkFreeBodyDrawings *p, const YkPoisson *vector, 
 // Two unknowns: a force of any direction.
 static bool is_any_direction(const YkFreeBodyDrawings *p, const YkPoisson *force)
 {
+    const YkRing *ring = p->d->ring;
     size_t unknowns = 0;
-    for (size_t k = 0; k < p->forces->reaction_count && unknowns < 2; k++)
-        unknowns += yk_ring_mentions(p->d->ring, force, p->forces->reactions[k]);
-    return unknowns == 2;
+    for (int32_t s = yk_ring_next_symbol(ring, force, -1); s >= 0; s = yk_ring_next_symbol(ring, force, s))
+        unknowns += p->is_reaction[s];
+    return unknowns >= 2;
 }
 
 static const char *contact_words(const YkFreeBodyDrawings *p, const YkDeriveContact *contact)
@@ -78,7 +81,7 @@ static void add_contact(YkFreeBodyDrawings *p, size_t picture, const YkDeriveCon
 {
     YkSvgName name = {.sign = contact->is_negative ? minus : NULL, .base = contact->letter, .sub = contact->between};
     YkVec at = place_of(p, &contact->push), right = yk_vec(contact->is_negative ? -1 : 1, 0);
-    name_spot(&p->pictures[picture], yk_derive_contact_point(p->d, contact), at, false);
+    name_spot(p, picture, yk_derive_contact_point(p->d, contact), at, false);
     YkArrow *arrow = contact->letter ? add_arrow(p, picture, name, at) : NULL;
     if (arrow) {
         arrow->words = contact_words(p, contact);
@@ -102,7 +105,7 @@ static void add_load(YkFreeBodyDrawings *p, size_t picture, const YkDeriveLoad *
         const char *point = yk_derive_load_point(p->forces, load, k);
         YkVec at = place_of(p, push);
         YkArrow *arrow = add_arrow(p, picture, name, at);
-        if (load->kind != YK_DERIVE_GRAVITY) name_spot(&p->pictures[picture], point, at, false);
+        if (load->kind != YK_DERIVE_GRAVITY) name_spot(p, picture, point, at, false);
         if (arrow) {
             arrow->words = yk_derive_text(p->d, words, " at ", point);
             arrow->along = direction_of(p, push->force, yk_vec(k == 1 ? -1 : 1, 0));
@@ -150,7 +153,7 @@ static void add_inertia(YkFreeBodyDrawings *p, size_t picture, int32_t body)
     const YkDeriveMass *m = &p->forces->bodies[body];
     YkVec at = reference_of(p, body);
     const char *center = yk_derive_center_name(p->d, body);
-    if (p->d->model->bodies[body].has_mass) name_spot(&p->pictures[picture], center, at, true);
+    if (p->d->model->bodies[body].has_mass) name_spot(p, picture, center, at, true);
     if (!yk_ring_is_zero(m->mass)) {
         YkArrow *arrow = add_arrow(p, picture, (YkSvgName){minus, factor_text(p, m->mass), "a", center, NULL}, at);
         if (arrow) {
@@ -204,7 +207,7 @@ static void look_at(YkFreeBodyDrawings *p, YkFreeBodyDrawing *picture)
     YkVec size = yk_sub(e.high, e.low);
     picture->middle = yk_scale(0.5, yk_add(e.low, e.high));
     picture->scale = fmin(across / size.x, up / size.y);
-    if (!(fmax(size.x, size.y) > 1e-9 * yk_drawing_extent(p->drawing))) picture->scale = 1; // a body in one point
+    if (!(fmax(size.x, size.y) > 1e-9 * p->extent)) picture->scale = 1; // a body in one point
     yk_free_body_turn_to(p, picture);
     for (size_t k = 0; k < picture->count; k++) {
         YkArrow *arrow = &p->arrows[picture->first + k];
@@ -229,6 +232,8 @@ static bool begin_picture(YkFreeBodyDrawings *p, size_t picture, size_t spots)
 {
     YkFreeBodyDrawing *of = &p->pictures[picture];
     of->first = p->arrow_count;
+    yk_names_free(&p->spot_names);
+    p->spot_names = (YkNames){0};
     of->spots = YK_NEW(p->arena, YkSpotName, spots + 2);
     return of->spots != NULL;
 }
@@ -240,12 +245,11 @@ static bool gather_body(YkFreeBodyDrawings *p, size_t picture)
     const char *name = p->d->model->bodies[body].name;
     p->pictures[picture].title = number_text(p, yk_derive_text(p->d, name, ", body ", ""), body, "");
     p->pictures[picture].stem = number_text(p, "", body, yk_derive_text(p->d, "-", name, ""));
-    if (!begin_picture(p, picture, f->contact_count + 2 * f->load_count)) return false;
-    for (size_t k = 0; k < f->contact_count; k++)
-        if (f->contacts[k].push.body == body) add_contact(p, picture, &f->contacts[k]);
-    for (size_t k = 0; k < f->load_count; k++)
-        for (size_t end = 0; end < f->loads[k].push_count; end++)
-            if (f->loads[k].push[end].body == body) add_load(p, picture, &f->loads[k], end);
+    size_t contacts, pushes;
+    const int32_t *contact = yk_derive_contacts_on(f, body, &contacts), *push = yk_derive_pushes_on(f, body, &pushes);
+    if (!begin_picture(p, picture, contacts + pushes)) return false;
+    for (size_t k = 0; k < contacts; k++) add_contact(p, picture, &f->contacts[contact[k]]);
+    for (size_t k = 0; k < pushes; k++) add_load(p, picture, &f->loads[push[k] / 2], (size_t)push[k] % 2);
     add_inertia(p, picture, body);
     look_at(p, &p->pictures[picture]);
     return !p->failed;
@@ -260,13 +264,13 @@ static bool gather_junction(YkFreeBodyDrawings *p, size_t picture)
     p->pictures[picture].title = yk_derive_text(p->d, "Junction ", f->junctions[junction].name, ", a pin without mass");
     p->pictures[picture].stem = yk_derive_text(p->d, "junction-", f->junctions[junction].name, "");
     if (!begin_picture(p, picture, 1)) return false;
-    for (size_t k = 0; k < f->contact_count; k++) count += f->contacts[k].junction == junction;
-    for (size_t k = 0; k < f->contact_count; k++) {
+    const int32_t first = f->junctions[junction].first_contact;
+    for (int32_t k = first; k != YK_NONE; k = f->contacts[k].next) count++;
+    for (int32_t k = first; k != YK_NONE; k = f->contacts[k].next) {
         const YkDeriveContact *contact = &f->contacts[k];
-        if (contact->junction != junction) continue;
         YkSvgName name = {.sign = minus, .base = contact->letter, .sub = contact->between};
         YkVec at = place_of(p, &contact->push);
-        name_spot(&p->pictures[picture], f->junctions[junction].name, at, false);
+        name_spot(p, picture, f->junctions[junction].name, at, false);
         YkArrow *arrow = add_arrow(p, picture, name, at);
         if (!arrow) continue;
         arrow->words = yk_derive_text(p->d, "by ", p->d->model->bodies[contact->push.body].name, "");
@@ -277,32 +281,17 @@ static bool gather_junction(YkFreeBodyDrawings *p, size_t picture)
     return !p->failed;
 }
 
-// --- The same force on two pictures
-
-static bool is_same_force(const YkArrow *a, const YkArrow *b)
-{
-    return a->turn == 0 && b->turn == 0 && !a->is_inertia && !b->is_inertia && a->name.sub == b->name.sub &&
-           a->is_negative != b->is_negative && strcmp(a->name.base, b->name.base) == 0;
-}
-
-static void find_partners(YkFreeBodyDrawings *p)
-{
-    for (size_t a = 0; a < p->arrow_count; a++)
-        for (size_t b = a + 1; b < p->arrow_count && p->arrows[a].partner == YK_NONE; b++) {
-            if (!is_same_force(&p->arrows[a], &p->arrows[b])) continue;
-            p->arrows[a].partner = (int32_t)b;
-            p->arrows[b].partner = (int32_t)a;
-            double angle = fmax(p->arrows[a].angle, p->arrows[b].angle); // a junction's
-            p->arrows[a].angle = p->arrows[b].angle = angle;
-        }
-}
+// --- All of them
 
 bool yk_free_body_gather(YkFreeBodyDrawings *p)
 {
-    for (size_t k = 0; k < p->count; k++) {
+    p->is_reaction = YK_NEW(p->arena, bool, yk_ring_symbol_count(p->d->ring) + 1);
+    for (size_t k = 0; k < p->forces->reaction_count && p->is_reaction; k++)
+        p->is_reaction[p->forces->reactions[k]] = true;
+    p->extent = yk_drawing_extent(p->drawing);
+    for (size_t k = 0; k < p->count && p->is_reaction; k++) {
         bool good = p->pictures[k].body != YK_NONE ? gather_body(p, k) : gather_junction(p, k);
         if (!good) return false;
     }
-    find_partners(p);
-    return !p->failed && yk_derivation_is_well(p->d);
+    return p->is_reaction && !p->failed && yk_derivation_is_well(p->d);
 }

@@ -1,6 +1,7 @@
 // What the files of free-body drawings share.
 #ifndef OUT_FREE_BODY_INSIDE_H
 #define OUT_FREE_BODY_INSIDE_H
+#include "base/names.h"
 #include "out/drawing.h"
 #include "out/free_body.h"
 #include "out/svg.h"
@@ -44,8 +45,11 @@ struct YkFreeBodyDrawings {
     YkArena *arena;
     YkDerivation *d;
     const YkDeriveForces *forces;
-    double *values; // of the pose, every unknown 1
+    double *values;     // of the pose, every unknown 1
+    bool *is_reaction;  // per symbol
+    YkNames spot_names; // of the picture in work
     YkDrawing *drawing;
+    double extent; // of the whole machine, m
     YkFreeBodyDrawing *pictures;
     size_t count;
     YkArrow *arrows;

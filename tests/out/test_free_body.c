@@ -34,6 +34,39 @@ static void bodies_come_first_then_junctions(void **state)
     machine_end(&m);
 }
 
+// A hanging chain: far from the ground no position is written as a formula, and still it is drawn. The same force
+// leaves one body as it comes to the next.
+static void long_chains_are_drawn_to_their_end(void **state)
+{
+    (void)state;
+    enum { LINKS = 150 };
+    YkText text = {0};
+    yk_text_puts(&text, "bodies:\n  ground: {points: {J1: [0, 0]}}\n");
+    for (int k = 1; k <= LINKS; k++)
+        yk_text_format(&text, "  b%d: {points: {J%d: [0, 0], J%d: [1, 0]}, mass: 1, center: [0.5, 0], inertia: 1}\n", k,
+                       k, k + 1);
+    yk_text_puts(&text, "joints:\n");
+    for (int k = 1; k <= LINKS; k++) {
+        yk_text_format(&text, "  J%d: {pin: [", k);
+        yk_text_format(&text, k == 1 ? "ground" : "b%d", k - 1);
+        yk_text_format(&text, ", b%d], angle: q%d}\n", k, k);
+    }
+    Machine m = machine_of(yk_text_get(&text));
+    yk_text_free(&text);
+    yk_state_set_time(m.state, 0, NULL);
+    assert_true(yk_state_assemble(m.state) >= 0);
+    YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(m.d, m.state);
+    assert_non_null(pictures);
+    assert_int_equal(yk_free_body_drawings_count(pictures), LINKS);
+    const char *svg = yk_free_body_drawings_svg(pictures, LINKS - 1);
+    assert_non_null(strstr(svg, "<title>F_149_150, by b149 at J150</title>"));
+    assert_null(strstr(svg, "nan"));
+    svg = yk_free_body_drawings_svg(pictures, LINKS - 2);
+    assert_non_null(strstr(svg, "<title>-F_149_150, by b150 at J150</title>"));
+    yk_free_body_drawings_free(pictures);
+    machine_end(&m);
+}
+
 static void any_one_failure_is_survived(void **state)
 {
     (void)state;
@@ -58,6 +91,7 @@ static void any_one_failure_is_survived(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_come_first_then_junctions),
+                                       cmocka_unit_test(long_chains_are_drawn_to_their_end),
                                        cmocka_unit_test(any_one_failure_is_survived)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
