@@ -59,13 +59,20 @@ static void add_summary(const YkSimulation *simulation, YkJson *json)
     yk_json_end(json);
 }
 
+// What stopped it: at a dead point "singular".
+static YkStatus status_of(const YkSimulationAnswer *answer)
+{
+    bool failed = answer->status < 0 && answer->simulation;
+    return failed && yk_simulation_report(answer->simulation)->status == YK_SINGULAR ? YK_SINGULAR : answer->status;
+}
+
 void yk_simulate_json(const YkSimulationAnswer *answer, const char *message, const char *code)
 {
     YkSession *session = answer->session;
     YkJson json = {.text = &session->out};
     yk_json_object(&json, NULL, YK_JSON_LINES);
     yk_json_string(&json, "model", yk_model_name(session->model));
-    yk_json_string(&json, "status", answer->is_interrupted ? "interrupted" : yk_status_name(answer->status));
+    yk_json_string(&json, "status", answer->is_interrupted ? "interrupted" : yk_status_name(status_of(answer)));
     yk_json_integer(&json, "freedom", yk_freedom_of(session->mech));
     if (message) yk_json_string(&json, "message", message);
     if (code) yk_json_string(&json, "code", code);

@@ -40,9 +40,10 @@ YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, 
 // Replaces what `efforts:` says along a coordinate by a constant, before the first advance.
 YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
 // Goes on to time `to`. The state then stands at `to` exactly (dense output, loops closed by the position solver). On
-// failure it stands at the last good time: YK_LIMIT (also: a drive goes past a stop), YK_SINGULAR, YK_NOT_CONVERGED
-// (step too small, too many steps; the report names why). YK_BAD_ARGUMENT for a time that is past or not finite:
-// nothing changes. Where options.goes_on said no, it is YK_OK and yk_simulation_time tells how far it came.
+// failure it stands at the last good time, and the status is below 0: YK_LIMIT (also: a drive goes past a stop),
+// YK_NOT_CONVERGED (step too small, too many steps), YK_NO_MEMORY. The report names why, with a status of its own:
+// YK_SINGULAR where a dead point or a freedom without inertia stopped it. YK_BAD_ARGUMENT for a time that is past or not
+// finite: nothing changes. Where options.goes_on said no, it is YK_OK and yk_simulation_time tells how far it came.
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);
 YK_API double yk_simulation_time(const YkSimulation *simulation);
 // State, its mechanism and dynamics are valid until the next advance, which may take other coordinates: coordinates,

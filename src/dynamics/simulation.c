@@ -256,20 +256,6 @@ static void take_step_end(YkSimulation *sim)
     sim->time = yk_ode_time(sim->ode);
 }
 
-// After a failure: the pose of the last time that was reached, with the accelerations found there.
-static void stand_still(YkSimulation *sim)
-{
-    size_t n = sim->free_count;
-    sim->has_forces = false;
-    if (!sim->state || !sim->y) return;
-    yk_simulation_set(sim, sim->time, sim->y);
-    bool has_rate = sim->ode && yk_ode_time(sim->ode) == sim->time;
-    for (size_t k = 0; k < n && has_rate; k++)
-        sim->state->input[3 * sim->free_input[k] + 2] = yk_ode_rate(sim->ode)[n + k];
-    if (yk_state_solve(sim->state) >= 0) yk_state_refer(sim->state);
-    memcpy(sim->work, sim->y + 2 * n, sim->work_count * sizeof *sim->work);
-}
-
 static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
 {
     yk_dynamics_fail(sim->dynamics, status, why, "", "");
@@ -280,12 +266,8 @@ static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
 static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
 {
     if (sim->status == YK_OK) sim->status = status == YK_ODE_NO_MEMORY ? YK_NO_MEMORY : YK_NOT_CONVERGED;
-    if (sim->report.message[0] == 0) {
-        yk_dynamics_fail(sim->dynamics, sim->status,
-                         "the step size fell below 1e-14 of the span: something changes too fast", "", "");
-        sim->report = sim->dynamics->report;
-    }
-    stand_still(sim);
+    yk_simulation_stand_still(sim);
+    if (sim->report.message[0] == 0) yk_simulation_explain(sim);
     return sim->status;
 }
 

@@ -122,4 +122,11 @@ void yk_simulation_look(YkSimulation *sim); // after a step: what happened in it
 bool yk_simulation_look_dead(YkSimulation *sim);
 void yk_simulation_watch_start(YkSimulation *sim);
 
+// --- standstill.c: after a failure
+// The pose of the last time that was reached, with the accelerations found there.
+void yk_simulation_stand_still(YkSimulation *simulation);
+// Where no reason is known, what the pose tells, into the report: status YK_SINGULAR near a dead point, the
+// simulation's own elsewhere.
+void yk_simulation_explain(YkSimulation *simulation);
+
 #endif
