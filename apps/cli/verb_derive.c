@@ -87,8 +87,8 @@ static int cannot(YkSession *session, const YkDerivation *derivation)
     return YK_EXIT_NO_ANSWER;
 }
 
-// A page as text, part by part: what a large machine needs is neither memory for the whole nor patience for its first
-// lines.
+// A page part by part: what a large machine needs is neither memory for the whole nor patience for its first lines. A
+// file appears whole or not at all.
 typedef struct Parts {
     YkSession *session;
     YkPrinting printing;
@@ -96,7 +96,7 @@ typedef struct Parts {
     bool good;
 } Parts;
 
-enum { BYTES_AT_ONCE = 1 << 22 }; // a page up to here is written as a whole or not at all
+enum { BYTES_AT_ONCE = 1 << 22 }; // a page up to here is written at once, to standard output too
 
 static bool flush(Parts *parts)
 {
@@ -119,37 +119,44 @@ static void put_part(void *context, YkPage *page)
     page->failed |= !parts->good;
 }
 
-static int write_parts(YkSession *session, YkDerivation *derivation, YkPage *page, const bool *wanted)
+static int finish_parts(Parts *parts, YkDerivation *derivation, bool derived)
+{
+    YkSession *session = parts->session;
+    if (!derived || !parts->good) { // the latter has been said
+        yk_stream_drop(&parts->stream);
+        return parts->good ? cannot(session, derivation) : YK_EXIT_WRONG;
+    }
+    if (!parts->stream.is_open) return yk_session_finish(session, YK_EXIT_DONE);
+    if (!flush(parts)) {
+        yk_stream_drop(&parts->stream);
+        return YK_EXIT_WRONG;
+    }
+    return yk_stream_close(&parts->stream, session->problems) ? YK_EXIT_DONE : YK_EXIT_WRONG;
+}
+
+static int write_parts(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
+                       const bool *wanted)
 {
     Parts parts = {.session = session, .good = true};
-    parts.printing =
-        (YkPrinting){.ring = derivation->ring, .text = &session->out, .title = yk_model_name(session->model)};
+    parts.printing = (YkPrinting){
+        .ring = derivation->ring, .text = &session->out, .title = yk_model_name(session->model), .format = format};
     page->passing = yk_arena_new();
     page->part_ends = put_part, page->context = &parts;
     bool derived = page->passing != NULL;
     for (size_t k = 0; yk_derive_sections[k].name && derived; k++)
         derived = !wanted[k] || yk_derive_write(derivation, k, page);
     if (derived) put_part(&parts, page);
-    yk_page_end_parts(&parts.printing);
+    bool ended = yk_page_end_parts(&parts.printing);
     yk_arena_free(page->passing);
-    if (!parts.good) { // has been said
-        yk_stream_close(&parts.stream, session->problems);
-        return YK_EXIT_WRONG;
-    }
-    if (!derived || page->failed) {
-        if (parts.stream.is_open) yk_stream_close(&parts.stream, session->problems);
-        return cannot(session, derivation);
-    }
-    if (!parts.stream.is_open) return yk_session_finish(session, YK_EXIT_DONE);
-    bool good = flush(&parts);
-    return yk_stream_close(&parts.stream, session->problems) && good ? YK_EXIT_DONE : YK_EXIT_WRONG;
+    return finish_parts(&parts, derivation, derived && ended && !page->failed);
 }
 
 static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
                       const bool *wanted)
 {
     double *values = NULL;
-    if (format == YK_PAGE_TEXT && !session->request->numbers) return write_parts(session, derivation, page, wanted);
+    if (yk_page_has_parts(format) && !session->request->numbers)
+        return write_parts(session, derivation, page, format, wanted);
     for (size_t k = 0; yk_derive_sections[k].name; k++)
         if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation);
     if (session->request->numbers) {

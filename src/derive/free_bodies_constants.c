@@ -1,6 +1,5 @@
 // Roots and quotients that forces of gears and cams need: exact where they are polynomials, otherwise symbols whose
 // meaning is told. What they are is put back before anything is proved.
-#include <string.h>
 #include "derive/free_bodies.h"
 
 // The same name with underscores behind it, where it is taken.
@@ -115,21 +114,12 @@ static void put_mesh(const YkDeriveForces *f, YkPage *page, const YkDeriveMesh *
                      YK_RING_TEXTBOOK);
 }
 
-// Has the page told it already, in an earlier section?
-static bool is_told(const YkPage *page)
-{
-    static const char *const tellers[] = {"free-bodies", "newton-euler", "lagrange"};
-    for (const YkLine *line = page->first; line; line = line->next)
-        for (int k = 0; k < 3 && line->section != page->section; k++)
-            if (strcmp(line->section, tellers[k]) == 0) return true;
-    return false;
-}
-
 void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
-    if (is_told(page)) return;
+    if (page->told_in && page->told_in != page->section) return; // by an earlier section
+    page->told_in = page->section;
     for (size_t k = 0; k < d->tie_count; k++)
         put_mesh(f, page, &f->meshes[k], yk_derive_row_name(f, f->row_count - d->tie_count + k));
     for (size_t k = 0; k < f->length_count; k++) {

@@ -83,6 +83,7 @@ typedef struct YkPage {
     YkRing *ring;
     YkLine *first, *last;
     const char *section; // given to new lines
+    const char *told_in; // the section that has told what the symbols of forces stand for
     YkPageDefine define; // or NULL
     void *define_context;
     bool failed; // out of memory

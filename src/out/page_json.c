@@ -101,32 +101,40 @@ static void put_item(YkPrinting *printing, YkJson *json, const YkLine *line)
     yk_json_end(json);
 }
 
-void yk_print_json(YkPrinting *printing, const YkPage *page)
+static void end_section(YkPrinting *printing)
 {
-    YkJson json = {.text = printing->text};
-    bool in_section = false;
-    yk_json_object(&json, NULL, YK_JSON_LINES);
-    yk_json_string(&json, "model", printing->title);
-    yk_json_list(&json, "sections", YK_JSON_LINES);
-    for (const YkLine *line = page->first; line && !printing->failed; line = line->next) {
+    for (int k = 0; k < 2 && printing->in_section; k++) yk_json_end(&printing->json);
+    printing->in_section = false;
+}
+
+void yk_print_json_head(YkPrinting *printing)
+{
+    printing->json = (YkJson){.text = printing->text};
+    yk_json_object(&printing->json, NULL, YK_JSON_LINES);
+    yk_json_string(&printing->json, "model", printing->title);
+    yk_json_list(&printing->json, "sections", YK_JSON_LINES);
+}
+
+void yk_print_json_part(YkPrinting *printing, const YkPage *part)
+{
+    YkJson *json = &printing->json;
+    for (const YkLine *line = part->first; line && !printing->failed; line = line->next) {
         if (line->kind == YK_LINE_HEADING && line->level == 1) {
-            if (in_section) {
-                yk_json_end(&json);
-                yk_json_end(&json);
-            }
-            in_section = true;
-            yk_json_object(&json, NULL, YK_JSON_LINES);
-            yk_json_string(&json, "name", line->section);
-            yk_json_string(&json, "title", line->text);
-            yk_json_list(&json, "items", YK_JSON_LINES);
-        } else if (in_section) {
-            put_item(printing, &json, line);
+            end_section(printing);
+            printing->in_section = true;
+            yk_json_object(json, NULL, YK_JSON_LINES);
+            yk_json_string(json, "name", line->section);
+            yk_json_string(json, "title", line->text);
+            yk_json_list(json, "items", YK_JSON_LINES);
+        } else if (printing->in_section) {
+            put_item(printing, json, line);
         }
     }
-    if (in_section) {
-        yk_json_end(&json);
-        yk_json_end(&json);
-    }
-    yk_json_end(&json);
-    yk_json_end(&json);
+}
+
+void yk_print_json_end(YkPrinting *printing)
+{
+    end_section(printing);
+    yk_json_end(&printing->json);
+    yk_json_end(&printing->json);
 }

@@ -266,7 +266,7 @@ static void put_line(YkPrinting *printing, const YkLine *line)
     }
 }
 
-void yk_print_latex(YkPrinting *printing, const YkPage *page)
+void yk_print_latex_head(YkPrinting *printing)
 {
     yk_text_puts(printing->text,
                  "\\documentclass{article}\n\\usepackage{amsmath}\n"
@@ -280,6 +280,14 @@ void yk_print_latex(YkPrinting *printing, const YkPage *page)
         put_words(printing->text, printing->title);
         yk_text_puts(printing->text, "\\end{center}\n");
     }
-    for (const YkLine *line = page->first; line && !printing->failed; line = line->next) put_line(printing, line);
+}
+
+void yk_print_latex_part(YkPrinting *printing, const YkPage *part)
+{
+    for (const YkLine *line = part->first; line && !printing->failed; line = line->next) put_line(printing, line);
+}
+
+void yk_print_latex_end(YkPrinting *printing)
+{
     yk_text_puts(printing->text, "\\end{document}\n");
 }

@@ -196,20 +196,20 @@ static void put_line(YkPrinting *printing, const YkLine *line)
     }
 }
 
-static void put_lines(YkPrinting *printing, const YkPage *page)
+void yk_print_mathml_part(YkPrinting *printing, const YkPage *part)
 {
-    for (const YkLine *line = page->first; line && !printing->failed; line = line->next) put_line(printing, line);
+    for (const YkLine *line = part->first; line && !printing->failed; line = line->next) put_line(printing, line);
 }
 
 bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html)
 {
     YkPrinting printing = {.ring = page->ring, .text = html, .values = values, .heading = heading};
     if (page->failed) return false;
-    put_lines(&printing, page);
+    yk_print_mathml_part(&printing, page);
     return !printing.failed && !html->failed;
 }
 
-void yk_print_mathml(YkPrinting *printing, const YkPage *page)
+void yk_print_mathml_head(YkPrinting *printing)
 {
     const char *title = printing->title ? printing->title : "Derivation";
     yk_text_puts(printing->text, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
@@ -220,6 +220,9 @@ void yk_print_mathml(YkPrinting *printing, const YkPage *page)
     put_escaped(printing->text, title);
     yk_text_puts(printing->text, "</h1>\n");
     printing->heading = 2;
-    put_lines(printing, page);
+}
+
+void yk_print_mathml_end(YkPrinting *printing)
+{
     yk_text_puts(printing->text, "</body>\n</html>\n");
 }

@@ -3,6 +3,7 @@
 #define OUT_PAGE_PRINT_H
 #include "base/text.h"
 #include "derive/page.h"
+#include "out/json.h"
 
 typedef enum YkPageFormat {
     YK_PAGE_TEXT,
@@ -19,7 +20,11 @@ typedef struct YkPrinting {
     const double *values;      // completed, to be put beside the symbols (SI, radians); NULL: none
     const char *title;         // of the whole: the machine's name
     int heading;               // HTML: level of a section's heading
+    YkPageFormat format;       // of a page that comes in parts
+    bool has_begun;            // its head is written
     struct YkTextSheet *sheet; // of text, while it comes in parts
+    YkJson json;               // of JSON likewise: what is open
+    bool in_section;
     bool failed;
 } YkPrinting;
 
@@ -29,19 +34,28 @@ typedef struct YkPrinting {
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
 // The page as a part of an HTML document, headings from the level given on. Values as above. false as above.
 bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html);
-// A page of text that comes in parts: each is added to printing->text, the first below the title. At the end
-// yk_page_end_parts gives the memory back. false when out of memory or where the ring failed.
+// A page that comes in parts, in any format but C, whose struct has to know all: each is added to printing->text, the
+// first below the page's head. At the end yk_page_end_parts adds what closes the page and gives the memory back.
+// Between parts the text may be taken away. false when out of memory or where the ring failed.
+bool yk_page_has_parts(YkPageFormat format);
 bool yk_page_add_part(YkPrinting *printing, const YkPage *part);
-void yk_page_end_parts(YkPrinting *printing);
+bool yk_page_end_parts(YkPrinting *printing);
 // "text", "latex", ...; YK_PAGE_FORMATS where there is no such format.
 YkPageFormat yk_page_format_find(const char *name);
 
-// --- Inside: one file a format.
-void yk_print_text(YkPrinting *printing, const YkPage *page);
+// --- Inside: one file a format. The head of a page, its lines, its end.
+void yk_print_text_head(YkPrinting *printing);
 void yk_print_text_part(YkPrinting *printing, const YkPage *part);
-void yk_print_latex(YkPrinting *printing, const YkPage *page);
-void yk_print_mathml(YkPrinting *printing, const YkPage *page);
-void yk_print_json(YkPrinting *printing, const YkPage *page);
+void yk_print_text_end(YkPrinting *printing);
+void yk_print_latex_head(YkPrinting *printing);
+void yk_print_latex_part(YkPrinting *printing, const YkPage *part);
+void yk_print_latex_end(YkPrinting *printing);
+void yk_print_mathml_head(YkPrinting *printing);
+void yk_print_mathml_part(YkPrinting *printing, const YkPage *part);
+void yk_print_mathml_end(YkPrinting *printing);
+void yk_print_json_head(YkPrinting *printing);
+void yk_print_json_part(YkPrinting *printing, const YkPage *part);
+void yk_print_json_end(YkPrinting *printing);
 void yk_print_c(YkPrinting *printing, const YkPage *page);
 // One formula without its value, on one line: matrices as [a, b; c, d].
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text);

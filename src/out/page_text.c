@@ -31,7 +31,7 @@ static void clear_sheet(Sheet *sheet)
     sheet->line_count = sheet->part_count = 0;
 }
 
-void yk_page_end_parts(YkPrinting *printing)
+void yk_print_text_end(YkPrinting *printing)
 {
     Sheet *sheet = printing->sheet;
     printing->sheet = NULL;
@@ -368,18 +368,19 @@ static void put_heading(YkPrinting *printing, const YkLine *line, bool first)
     yk_text_puts(printing->text, "\n");
 }
 
-static bool start(YkPrinting *printing)
+void yk_print_text_head(YkPrinting *printing)
 {
     printing->sheet = calloc(1, sizeof *printing->sheet);
-    if (!printing->sheet) return !(printing->failed = true);
+    if (!printing->sheet) {
+        printing->failed = true;
+        return;
+    }
     printing->sheet->printing = printing;
     if (printing->title) yk_text_format(printing->text, "%s\n\n", printing->title);
-    return true;
 }
 
 void yk_print_text_part(YkPrinting *printing, const YkPage *part)
 {
-    if (!printing->sheet && !start(printing)) return;
     Sheet *sheet = printing->sheet;
     for (const YkLine *line = part->first; line && !printing->failed; line = line->next) {
         if (line->kind == YK_LINE_HEADING) put_heading(printing, line, !sheet->has_lines);
@@ -388,10 +389,4 @@ void yk_print_text_part(YkPrinting *printing, const YkPage *part)
         sheet->has_lines = true;
     }
     printing->failed |= sheet->text.failed || sheet->cells.failed;
-}
-
-void yk_print_text(YkPrinting *printing, const YkPage *page)
-{
-    yk_print_text_part(printing, page);
-    yk_page_end_parts(printing);
 }

@@ -89,3 +89,14 @@ bool yk_stream_close(YkStream *stream, YkProblems *problems)
     release(stream);
     return error == 0 || yk_file_fail(stream->name, error, problems);
 }
+
+void yk_stream_drop(YkStream *stream)
+{
+    if (!stream->is_open) return;
+    stream->has_lines = false;
+    if (stream->target)
+        put_file(stream);
+    else if (stream->descriptor != STDOUT_FILENO)
+        close(stream->descriptor);
+    release(stream);
+}

@@ -26,4 +26,7 @@ bool yk_stream_write(YkStream *stream, const char *data, size_t length, YkProble
 // with a problem added.
 bool yk_stream_close(YkStream *stream, YkProblems *problems);
 
+// Ends the stream without its file, which stays as it was; what went to standard output, a device or a pipe is gone.
+void yk_stream_drop(YkStream *stream);
+
 #endif

@@ -148,28 +148,38 @@ static void put_part(void *context, YkPage *page)
     parts->count++;
 }
 
+static void write_page(const char *name, YkPageFormat format, bool in_parts, YkText *text)
+{
+    Machine m = example(name);
+    Parts parts = {.printing = {.ring = m.d->ring, .text = text, .title = "title", .format = format}};
+    if (in_parts) m.page.passing = yk_arena_new(), m.page.part_ends = put_part, m.page.context = &parts;
+    for (size_t k = 0; yk_derive_sections[k].name; k++) assert_true(yk_derive_write(m.d, k, &m.page));
+    if (in_parts) {
+        put_part(&parts, &m.page);
+        assert_true(yk_page_end_parts(&parts.printing));
+        assert_true(parts.count > 10);
+    } else {
+        assert_true(yk_page_write(&m.page, format, "title", NULL, text));
+    }
+    yk_arena_free(m.page.passing);
+    machine_end(&m);
+}
+
 static void a_page_in_parts_is_the_page(void **state)
 {
     (void)state;
-    YkText whole = {0}, text = {0};
-    for (int pass = 0; pass < 2; pass++) {
-        Machine m = example("toggle");
-        Parts parts = {.printing = {.ring = m.d->ring, .text = &text, .title = "title"}};
-        if (pass == 1) m.page.passing = yk_arena_new(), m.page.part_ends = put_part, m.page.context = &parts;
-        for (size_t k = 0; yk_derive_sections[k].name; k++)
-            assert_true(!yk_derive_sections[k].write || yk_derive_write(m.d, k, &m.page));
-        if (pass == 1)
-            put_part(&parts, &m.page);
-        else
-            assert_true(yk_page_write(&m.page, YK_PAGE_TEXT, "title", NULL, &whole));
-        assert_true(pass == 0 || parts.count > 20);
-        yk_page_end_parts(&parts.printing);
-        yk_arena_free(m.page.passing);
-        machine_end(&m);
-    }
-    assert_string_equal(yk_text_get(&text), yk_text_get(&whole));
-    yk_text_free(&text);
-    yk_text_free(&whole);
+    static const char *const names[] = {"toggle", "epicyclic", "cep-cam", "spring-slider-crank"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        for (int format = 0; format < YK_PAGE_FORMATS; format++) {
+            YkText whole = {0}, text = {0};
+            if (!yk_page_has_parts((YkPageFormat)format)) continue;
+            write_page(names[k], (YkPageFormat)format, false, &whole);
+            write_page(names[k], (YkPageFormat)format, true, &text);
+            assert_string_equal(yk_text_get(&text), yk_text_get(&whole));
+            yk_text_free(&text);
+            yk_text_free(&whole);
+        }
+    assert_false(yk_page_has_parts(YK_PAGE_C));
 }
 
 int main(void)

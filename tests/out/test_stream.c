@@ -47,6 +47,25 @@ static void put(const char *text)
     fclose(file);
 }
 
+static void a_dropped_stream_leaves_the_file_as_it_was(void **state)
+{
+    (void)state;
+    char content[64];
+    for (int had_file = 0; had_file < 2; had_file++) {
+        YkProblems *problems = yk_problems_new();
+        YkStream stream;
+        if (had_file) put("old\n");
+        assert_true(yk_stream_open(&stream, path, problems));
+        assert_true(yk_stream_write(&stream, "new\n", 4, problems));
+        yk_stream_drop(&stream);
+        yk_stream_drop(&stream); // no harm
+        assert_int_equal(yk_problems_count(problems), 0);
+        assert_int_equal(read_file(content, sizeof content), had_file ? 4 : 0);
+        if (had_file) assert_string_equal(content, "old\n");
+        yk_problems_free(problems);
+    }
+}
+
 static void a_file_appears_when_the_stream_is_closed(void **state)
 {
     (void)state;
@@ -166,9 +185,13 @@ static void devices_are_written_and_never_replaced(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(a_file_appears_when_the_stream_is_closed),  IN_FOLDER(without_lines_what_stood_there_still_stands),
-        IN_FOLDER(a_new_file_keeps_the_old_ones_permissions), IN_FOLDER(what_cannot_be_opened_has_its_code),
-        IN_FOLDER(a_full_disk_leaves_all_lines_that_fit),     cmocka_unit_test(devices_are_written_and_never_replaced),
+        IN_FOLDER(a_file_appears_when_the_stream_is_closed),
+        IN_FOLDER(a_dropped_stream_leaves_the_file_as_it_was),
+        IN_FOLDER(without_lines_what_stood_there_still_stands),
+        IN_FOLDER(a_new_file_keeps_the_old_ones_permissions),
+        IN_FOLDER(what_cannot_be_opened_has_its_code),
+        IN_FOLDER(a_full_disk_leaves_all_lines_that_fit),
+        cmocka_unit_test(devices_are_written_and_never_replaced),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
