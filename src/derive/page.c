@@ -175,9 +175,10 @@ const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line)
 // more.
 static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
-    const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2), *b = yk_ring_scale(ring, *under, 1, 2);
-    if (!a || !b || !yk_ring_is_whole_in_print(ring, b) || !yk_ring_is_whole_in_print(ring, a)) return;
-    *over = a, *under = b;
+    const YkPoisson *b = yk_ring_scale(ring, *under, 1, 2);
+    if (!yk_ring_is_whole_in_print(ring, b)) return;
+    const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2);
+    if (yk_ring_is_whole_in_print(ring, a)) *over = a, *under = b;
 }
 
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
@@ -185,8 +186,9 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
     const YkPoisson *common = yk_ring_common_content(ring, *over, *under);
     if (!common) return false;
     if (!yk_ring_is_zero(common) && !yk_ring_is_same(common, yk_ring_rational(ring, 1, 1))) {
-        *over = yk_ring_divide(ring, *over, common);
-        *under = yk_ring_divide(ring, *under, common);
+        const YkPoisson *inverse = yk_ring_power(ring, common, -1);
+        *over = yk_ring_multiply(ring, *over, inverse);
+        *under = yk_ring_multiply(ring, *under, inverse);
     }
     halve_if_whole(ring, over, under);
     return *over && *under;
@@ -195,7 +197,7 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
 // over = rate * rest where every term has the same rate (or influence coefficient): a factor beside the fraction.
 static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
 {
-    const YkPoisson *rate = yk_ring_rational(ring, 1, 1), *content = yk_ring_content(ring, *over);
+    const YkPoisson *one = yk_ring_rational(ring, 1, 1), *rate = one, *content = yk_ring_content(ring, *over);
     for (int32_t symbol = -1; (symbol = yk_ring_next_symbol(ring, content, symbol)) >= 0;) {
         int32_t lowest, highest;
         YkRingClass kind = yk_ring_symbol_class(ring, symbol);
@@ -203,7 +205,7 @@ static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
         if (!yk_ring_powers(ring, content, symbol, &lowest, &highest) || lowest < 1) continue;
         rate = yk_ring_multiply(ring, rate, yk_ring_power(ring, yk_ring_of(ring, symbol), lowest));
     }
-    *over = yk_ring_divide(ring, *over, rate);
+    if (!yk_ring_is_same(rate, one)) *over = yk_ring_divide(ring, *over, rate);
     return rate;
 }
 

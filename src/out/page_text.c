@@ -360,9 +360,16 @@ void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *tex
     }
 }
 
+static void put_words(YkText *text, const char *before, const char *words)
+{
+    yk_text_puts(text, before);
+    yk_text_puts(text, words);
+    yk_text_puts(text, "\n");
+}
+
 static void put_heading(YkPrinting *printing, const YkLine *line, bool first)
 {
-    yk_text_format(printing->text, "%s%s\n", first ? "" : "\n", line->text);
+    put_words(printing->text, first ? "" : "\n", line->text);
     if (line->level > 1) return;
     yk_text_repeat(printing->text, '=', strlen(line->text));
     yk_text_puts(printing->text, "\n");
@@ -384,7 +391,7 @@ void yk_print_text_part(YkPrinting *printing, const YkPage *part)
     Sheet *sheet = printing->sheet;
     for (const YkLine *line = part->first; line && !printing->failed; line = line->next) {
         if (line->kind == YK_LINE_HEADING) put_heading(printing, line, !sheet->has_lines);
-        if (line->kind == YK_LINE_WORDS) yk_text_format(printing->text, "  %s\n", line->text);
+        if (line->kind == YK_LINE_WORDS) put_words(printing->text, "  ", line->text);
         if (line->kind == YK_LINE_FORMULA) put_formula(sheet, line);
         sheet->has_lines = true;
     }

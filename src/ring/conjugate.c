@@ -103,6 +103,7 @@ static bool are_conjugates(const YkPoisson *a, size_t start, size_t other, size_
 // Every phase has its opposite among the phases, with the conjugates of its terms in the same order: nothing is made.
 bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
 {
+    if (a && a->count > 0 && yk_key_phase(a->terms[a->count - 1].key) == 0) return are_conjugates(a, 0, 0, a->count);
     size_t first = 0, second = 0; // terms of the phases that come first of two opposite ones, and of the others
     for (size_t start = 0, end; a && start < a->count; start = end) {
         uint32_t phase = yk_key_phase(a->terms[start].key), opposite = yk_ring_opposite(ring, phase);

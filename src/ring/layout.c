@@ -76,6 +76,7 @@ static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t
 static void brackets(YkSheet *sheet, YkShow *sum, Section section, YkRingClass kind)
 {
     bool is_rate = kind == YK_RING_RATE;
+    if (section.count == 0) return;
     yk_sort_terms(sheet, section.terms, section.count, is_rate ? YK_BY_RATE : YK_BY_ACCELERATION);
     for (size_t start = 0, end; start < section.count && !sheet->failed; start = end) {
         YkMonomial lead = yk_part_of(section.terms[start].monomial, kind, kind);
@@ -122,13 +123,10 @@ static void expanded(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t cou
 
 YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count)
 {
+    if (count == 1) return yk_show_term(sheet, terms->number, terms->monomial, &terms->atom);
     YkShow *sum = yk_show(sheet, YK_SHOW_SUM);
     if (sheet->style == YK_RING_EXPANDED) {
         expanded(sheet, sum, terms, count);
-        return sheet->failed ? NULL : sum;
-    }
-    if (count == 1) { // nothing to group
-        yk_show_append(sum, yk_show_term(sheet, terms[0].number, terms[0].monomial, &terms[0].atom));
         return sheet->failed ? NULL : sum;
     }
     Section sections[SECTIONS];

@@ -108,14 +108,14 @@ YkShow *yk_show_product(YkSheet *sheet, YkShow *part);
 // A sum with one part is that part.
 YkShow *yk_show_simplest(YkShow *sum);
 
-// The factors of a product in turn; a term is its own only one.
-static inline const YkShow *yk_show_first(const YkShow *product)
+// The parts of a sum or product in turn; a term is its own only one.
+static inline const YkShow *yk_show_first(const YkShow *whole)
 {
-    return product->kind == YK_SHOW_TERM ? product : product->first;
+    return whole->kind == YK_SHOW_TERM ? whole : whole->first;
 }
-static inline const YkShow *yk_show_next(const YkShow *product, const YkShow *factor)
+static inline const YkShow *yk_show_next(const YkShow *whole, const YkShow *part)
 {
-    return product->kind == YK_SHOW_TERM ? NULL : factor->next;
+    return whole->kind == YK_SHOW_TERM ? NULL : part->next;
 }
 // How many powers stand below the line; *high tells whether one is higher than the first.
 size_t yk_show_below(const YkShow *product, bool *high);
@@ -133,7 +133,7 @@ YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t
 void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count);
 // Adds terms grouped by their atoms, constants first.
 void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count);
-// The whole element in the sheet's style: a sum.
+// The whole element in the sheet's style: a sum or a term.
 YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count);
 
 // --- writing the tree

@@ -236,9 +236,10 @@ static void put_product(const Pen *pen, const YkShow *product)
 
 static void put_sum(const Pen *pen, const YkShow *sum)
 {
-    if (!sum->first) put_whole(pen, 0);
-    for (const YkShow *part = sum->first; part; part = part->next) {
-        if (part == sum->first)
+    const YkShow *first = yk_show_first(sum);
+    if (!first) put_whole(pen, 0);
+    for (const YkShow *part = first; part; part = yk_show_next(sum, part)) {
+        if (part == first)
             yk_text_puts(pen->text, part->negative ? "-" : "");
         else
             yk_text_puts(pen->text, part->negative ? " - " : " + ");

@@ -164,11 +164,12 @@ static void put_product(const YkSheet *sheet, const YkShow *product, YkText *tex
 static void put_sum(const YkSheet *sheet, const YkShow *sum, YkText *text)
 {
     yk_text_puts(text, "<mrow>");
-    if (!sum->first) put_whole(text, 0);
-    for (const YkShow *part = sum->first; part; part = part->next) {
+    const YkShow *first = yk_show_first(sum);
+    if (!first) put_whole(text, 0);
+    for (const YkShow *part = first; part; part = yk_show_next(sum, part)) {
         if (part->negative)
             yk_text_puts(text, "<mo>−</mo>");
-        else if (part != sum->first)
+        else if (part != first)
             yk_text_puts(text, "<mo>+</mo>");
         put_product(sheet, part, text);
     }
