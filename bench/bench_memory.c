@@ -66,7 +66,9 @@ static double count_parts(const Machine *machine, double links)
         {"unit vectors with rates", mech->slot_count, 4 * sizeof(double)},
         {"where their lanes are", mech->slot_count, sizeof(YkTurn)},
         {"nodes", mech->node_count, 6 * sizeof(double) + sizeof(YkPlane)},
-        {"bodies", f->body_count, sizeof *f->bodies},
+        {"bodies that turn about a fixed point", f->pivoted_count, sizeof *f->pivoted},
+        {"bodies that these carry", f->carried_count, sizeof *f->carried},
+        {"other bodies", f->other_count, sizeof *f->others},
     };
     double sum = 0;
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {

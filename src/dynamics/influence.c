@@ -32,29 +32,41 @@ static void put_operation(YkInfluence *f, size_t p, size_t *freed)
     f->carries[f->carry_count++] = carry;
 }
 
-static void put_body(YkInfluence *f, size_t index)
+// The kind of a body by its gradient: how many terms it has as a plain one; 0: any other.
+static uint32_t plain_terms(const YkElement *element)
 {
-    const YkElement *element = &f->e->elements[index];
-    uint32_t columns = element->gradient.columns;
-    YkInfluenceBody *b = &f->bodies[f->body_count++];
-    *b = (YkInfluenceBody){.kind = YK_BODY_OTHER,
-                           .element = (uint32_t)index,
-                           .body = element->body,
-                           .turn = YK_NONE,
-                           .rotation = YK_NONE,
-                           .mass = element->mass,
-                           .inertia = element->inertia};
+    return element->gradient.is_plain && element->gradient.columns <= 2 ? element->gradient.columns : 0;
+}
+
+static void put_other(YkInfluence *f, const YkElement *element)
+{
+    YkOtherBody b = {
+        (uint32_t)(element - f->e->elements), element->body, YK_NONE, YK_NONE, element->mass, element->inertia};
     if (element->rotation != YK_NONE) {
-        b->turn = 4 * f->e->mech->bodies[element->body].orientation;
-        b->rotation = f->e->index[element->first_index + (uint32_t)element->rotation] * (int32_t)f->width;
+        b.turn = 4 * f->e->mech->bodies[element->body].orientation;
+        b.rotation = f->e->index[element->first_index + (uint32_t)element->rotation] * (int32_t)f->width;
     }
-    if (!element->gradient.is_plain || columns > 2) return;
-    b->kind = columns == 1 ? YK_BODY_PIVOTED : YK_BODY_CARRIED;
-    for (uint32_t k = 0; k < columns; k++) {
-        YkInfluenceTerm term = term_of(f, &element->gradient, element->first_index, k);
-        b->term[k] = term;
-        b->about[k] = b->mass * yk_dot(term.v, term.v) + (term.unknown == b->rotation ? b->inertia : 0);
+    f->others[f->other_count++] = b;
+}
+
+static void put_body(YkInfluence *f, const YkElement *element)
+{
+    uint32_t count = plain_terms(element);
+    YkInfluenceTerm term[2];
+    double about[2];
+    for (uint32_t k = 0; k < count; k++) {
+        term[k] = term_of(f, &element->gradient, element->first_index, k);
+        about[k] = element->mass * yk_dot(term[k].v, term[k].v);
+        if (element->rotation == (int32_t)k) about[k] += element->inertia;
     }
+    if (count == 1)
+        f->pivoted[f->pivoted_count++] =
+            (YkPivotedBody){term[0], about[0], element->mass, element->body, element->rotation == 0};
+    else if (count == 2)
+        f->carried[f->carried_count++] =
+            (YkCarriedBody){{term[0], term[1]}, {about[0], about[1]}, element->mass, element->body, element->rotation};
+    else
+        put_other(f, element);
 }
 
 static bool allocate(YkInfluence *f)
@@ -67,10 +79,15 @@ static bool allocate(YkInfluence *f)
     }
     f->carries = calloc(e->operation_count + 1, sizeof *f->carries);
     f->terms = calloc(e->piece_count + 1, sizeof *f->terms);
-    f->bodies = calloc(e->element_count + 1, sizeof *f->bodies);
+    size_t bodies[3] = {0};
+    for (size_t k = 0; k < e->element_count; k++) bodies[plain_terms(&e->elements[k])]++;
+    f->others = calloc(bodies[0] + 1, sizeof *f->others);
+    f->pivoted = calloc(bodies[1] + 1, sizeof *f->pivoted);
+    f->carried = calloc(bodies[2] + 1, sizeof *f->carried);
     f->R = calloc(e->unknown_count * f->width + 1, sizeof *f->R);
     f->C = calloc(most, sizeof *f->C);
-    return f->carries && f->terms && f->bodies && f->R && f->C && yk_coefficients_start(&f->work, e);
+    return f->carries && f->terms && f->pivoted && f->carried && f->others && f->R && f->C &&
+           yk_coefficients_start(&f->work, e);
 }
 
 YkInfluence *yk_influence_new(const YkElimination *e, size_t free_count)
@@ -86,7 +103,7 @@ YkInfluence *yk_influence_new(const YkElimination *e, size_t free_count)
     }
     size_t freed = 0;
     for (size_t p = 0; p < e->operation_count; p++) put_operation(f, p, &freed);
-    for (size_t k = 0; k < e->element_count; k++) put_body(f, k);
+    for (size_t k = 0; k < e->element_count; k++) put_body(f, &e->elements[k]);
     return f;
 }
 
@@ -96,7 +113,9 @@ void yk_influence_free(YkInfluence *f)
     yk_coefficients_end(&f->work);
     free(f->carries);
     free(f->terms);
-    free(f->bodies);
+    free(f->pivoted);
+    free(f->carried);
+    free(f->others);
     free(f->R);
     free(f->C);
     free(f);
@@ -179,32 +198,32 @@ static inline const double *influence_of(const Look *look, int32_t turn, int32_t
 }
 
 // What acts on a body besides inertia: weight and loads.
-static inline YkLoad push_on(const Look *look, const YkInfluenceBody *b)
+static inline YkLoad push_on(const Look *look, double mass, int32_t body)
 {
-    YkLoad push = {yk_scale(b->mass, look->gravity), 0};
+    YkLoad push = {yk_scale(mass, look->gravity), 0};
     if (!look->loads) return push;
-    const YkLoad *load = &look->loads[b->body];
+    const YkLoad *load = &look->loads[body];
     return (YkLoad){yk_add(push.force, load->force), load->moment};
 }
 
 // It turns about a fixed point: one inertia, and the moments about that point.
-static inline void add_pivoted(const Look *look, const YkInfluenceBody *b, Sums *sums)
+static inline void add_pivoted(const Look *look, const YkPivotedBody *b, Sums *sums)
 {
-    const YkInfluenceTerm *term = &b->term[0];
+    const YkInfluenceTerm *term = &b->term;
     const double *t = look->space->data + term->turn, *R = influence_of(look, term->turn, term->unknown);
-    double moment = -b->about[0] * t[3];
+    double moment = -b->about * t[3];
     if (look->is_pushed) {
-        YkLoad push = push_on(look, b);
-        moment += yk_cross(yk_turned_by(t, term->v), push.force) + (b->rotation == YK_NONE ? 0 : push.moment);
+        YkLoad push = push_on(look, b->mass, b->body);
+        moment += yk_cross(yk_turned_by(t, term->v), push.force) + (b->turns ? push.moment : 0);
     }
     for (size_t i = 0; i < look->n; i++) {
         sums->g[i] += R[i] * moment;
-        for (size_t j = i; j < look->n; j++) sums->M[i][j] += b->about[0] * R[i] * R[j];
+        for (size_t j = i; j < look->n; j++) sums->M[i][j] += b->about * R[i] * R[j];
     }
 }
 
 // Two vectors u, w turn: their inertias, and m u.w between them; the centripetal parts act across, by m (u x w).
-static inline void add_carried(const Look *look, const YkInfluenceBody *b, Sums *sums)
+static inline void add_carried(const Look *look, const YkCarriedBody *b, Sums *sums)
 {
     const YkInfluenceTerm *term = b->term;
     const double *t0 = look->space->data + term[0].turn, *t1 = look->space->data + term[1].turn;
@@ -215,9 +234,9 @@ static inline void add_carried(const Look *look, const YkInfluenceBody *b, Sums 
     double moment0 = across * t1[2] * t1[2] - between * t1[3] - b->about[0] * t0[3];
     double moment1 = -across * t0[2] * t0[2] - between * t0[3] - b->about[1] * t1[3];
     if (look->is_pushed) {
-        YkLoad push = push_on(look, b);
-        moment0 += yk_cross(u, push.force) + (b->rotation == term[0].unknown ? push.moment : 0);
-        moment1 += yk_cross(w, push.force) + (b->rotation == term[1].unknown ? push.moment : 0);
+        YkLoad push = push_on(look, b->mass, b->body);
+        moment0 += yk_cross(u, push.force) + (b->own == 0 ? push.moment : 0);
+        moment1 += yk_cross(w, push.force) + (b->own == 1 ? push.moment : 0);
     }
     for (size_t i = 0; i < look->n; i++) {
         double p0 = b->about[0] * R0[i] + between * R1[i], p1 = b->about[1] * R1[i] + between * R0[i];
@@ -237,14 +256,14 @@ static double rate_of(const Look *look, int32_t unknown)
     return (unknown - first_node) % 2 == 0 ? node.vx[0] : node.vy[0];
 }
 
-static void add_other(const Look *look, const YkInfluenceBody *b, Sums *sums)
+static void add_other(const Look *look, const YkOtherBody *b, Sums *sums)
 {
     const YkInfluence *f = look->f;
     const YkElement *element = &f->e->elements[b->element];
     const int32_t *unknown = f->e->index + element->first_index;
     YkVec *c = f->work.column, J[YK_INFLUENCE_MAX];
     YkVec a = yk_gradient_acceleration(f->e, look->space, &element->gradient, c);
-    YkLoad push = push_on(look, b);
+    YkLoad push = push_on(look, b->mass, b->body);
     YkVec force = yk_sub(push.force, yk_scale(b->mass, a));
     const double none[YK_INFLUENCE_MAX] = {0}, *R = none;
     double moment = 0;
@@ -272,13 +291,10 @@ static inline void sum_up(const Look *of, bool moving, size_t n, Sums *total)
     look.moving = moving;
     look.n = n;
     Sums sums = {.g = {0}};
-    for (const YkInfluenceBody *b = look.f->bodies, *end = b + look.f->body_count; b < end; b++)
-        if (b->kind == YK_BODY_PIVOTED)
-            add_pivoted(&look, b, &sums);
-        else if (b->kind == YK_BODY_CARRIED)
-            add_carried(&look, b, &sums);
-        else
-            add_other(&look, b, &sums);
+    const YkInfluence *f = look.f;
+    for (size_t k = 0; k < f->pivoted_count; k++) add_pivoted(&look, &f->pivoted[k], &sums);
+    for (size_t k = 0; k < f->carried_count; k++) add_carried(&look, &f->carried[k], &sums);
+    for (size_t k = 0; k < f->other_count; k++) add_other(&look, &f->others[k], &sums);
     *total = sums;
 }
 

@@ -25,22 +25,25 @@ typedef struct YkInfluenceCarry {
     uint32_t operation, first_term, term_count;
 } YkInfluenceCarry;
 
-typedef enum YkInfluenceKind {
-    YK_BODY_PIVOTED, // a plain gradient of one term: it turns about a fixed point
-    YK_BODY_CARRIED, // of two: it turns about a point that turns about a fixed one
-    YK_BODY_OTHER
-} YkInfluenceKind;
+// Bodies, by how their reference points move: short rows, so that a machine streams through the cache.
+typedef struct YkPivotedBody { // a plain gradient of one term: it turns about a fixed point
+    YkInfluenceTerm term;
+    double about, mass; // inertia about that point: m v^2, and its own where it turns itself
+    int32_t body;       // of the model
+    bool turns;
+} YkPivotedBody;
 
-// One row a body, so that a machine streams through the cache.
-typedef struct YkInfluenceBody {
-    YkInfluenceKind kind;
-    uint32_t element;        // of the elimination
-    int32_t body, turn;      // of the model; place of its orientation in the space's data, or YK_NONE
-    int32_t rotation;        // that unknown's place in R, or YK_NONE
-    double mass, inertia;    // about its reference point
-    YkInfluenceTerm term[2]; // PIVOTED, CARRIED
-    double about[2];         // inertias about the terms' ends: m v^2, and its own where the term turns with it
-} YkInfluenceBody;
+typedef struct YkCarriedBody { // of two: it turns about a point that turns about a fixed one
+    YkInfluenceTerm term[2];
+    double about[2], mass; // inertias about the terms' ends, its own with the one that it turns with
+    int32_t body, own;     // of the model; that term, or YK_NONE
+} YkCarriedBody;
+
+typedef struct YkOtherBody {
+    uint32_t element;             // of the elimination
+    int32_t body, turn, rotation; // of the model; its orientation's place in the space's data and in R, or YK_NONE
+    double mass, inertia;         // about its reference point
+} YkOtherBody;
 
 typedef struct YkInfluence {
     const YkElimination *e;
@@ -51,8 +54,10 @@ typedef struct YkInfluence {
     size_t carry_count;
     YkInfluenceTerm *terms; // of the carries
     size_t term_count;
-    YkInfluenceBody *bodies;
-    size_t body_count;
+    YkPivotedBody *pivoted;
+    YkCarriedBody *carried;
+    YkOtherBody *others;
+    size_t pivoted_count, carried_count, other_count;
     double *R; // [unknown][width]
     double *C; // coefficients of the operation in work
     YkCoefficients work;
