@@ -90,8 +90,8 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
         }
         // what stands behind the pin: see tree_pins.c
         double behind = own + (has_children ? link->least[i] : 0), out = mass + (has_children ? link->mass_out[i] : 0);
-        double now = (mass > least_mass) & (inertia >= 0) ? ok[i] : -1;
-        ok[i] = (A.J > YK_LEAST_PIVOT * behind) | (now < 0) ? now : 0;
+        double now = ((mass > least_mass) & (inertia >= 0)) ? ok[i] : -1;
+        ok[i] = ((A.J > YK_LEAST_PIVOT * behind) | (now < 0)) ? now : 0;
         YkAnswer answer = yk_articulated_release_turn(&A, sense * given.torque[i]);
         link->on_x[i] = answer.on.x;
         link->on_y[i] = answer.on.y;
@@ -148,7 +148,7 @@ YK_INLINE void outward(YkTreeFound *link, const YkTreeFound *parent, bool has_pa
             own = link->by[i] - yk_dot(on, a);
         }
         double found = sense * (own - alpha), zero = found - found;
-        ok[i] = (zero == 0) | (ok[i] < 0) ? ok[i] : 0;
+        ok[i] = ((zero == 0) | (ok[i] < 0)) ? ok[i] : 0;
         out[i] = found;
         link->pin_x[i] = a.x;
         link->pin_y[i] = a.y;
