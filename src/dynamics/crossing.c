@@ -10,7 +10,7 @@
 #include "dynamics/simulation.h"
 
 #define NEAR_SINE2 0.06 // sin^2 from which a block is watched
-#define ZONE 0.02       // sine below which accelerations are interpolated
+#define ZONE 0.03       // sine below which accelerations are interpolated
 #define BLIND 1e-4      // sine below which the pose does not tell its own rates well enough
 #define NODES 8
 
