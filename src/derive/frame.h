@@ -17,8 +17,8 @@ bool yk_derive_enter_coordinates(YkDerivation *d);
 // fraction (km/h). angle: the power of angle in its dimension, for which powers of pi are looked for; 0: none.
 const YkPoisson *yk_derive_unit_size(YkDerivation *d, double size, int angle);
 // quantities.c: what an equation may speak of besides symbols: T, V, kinetic, potential, energy, T_lever; positions
-// lever.B.x and velocities lever.B.x'; efforts theta1.effort; reactions A.force.x, A.moment. ' and .rate, .accel take
-// derivatives by time. In body form; NULL where there is no such thing.
+// lever.B.x and velocities lever.B.x'; efforts theta1.effort; reactions A.force.x, A.moment, F21x as -F12x. ' and
+// .rate, .accel take derivatives by time. In body form; NULL where there is no such thing.
 const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name);
 // path.c: the body at which the branches of the tree to both bodies part.
 int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b);

@@ -254,10 +254,10 @@ bool yk_derive_enter_multipliers(YkDeriveForces *f);
 bool yk_derive_sort_contacts(YkDeriveForces *f); // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
 // A new symbol of a joint's or relation's force: letter, who on whom ("12"), part.
-const char *yk_derive_force_name(YkDeriveForces *f, const char *letter, const char *name, const char *part);
+const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part);
 // "01": by the ground on body 1; with this name behind where others join the same two bodies. index: of the joint, or
 // joint count + relation.
-const char *yk_derive_between(YkDeriveForces *f, const int32_t body[2], size_t index, const char *name);
+const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], size_t index, const char *name);
 // The positive root of a square as a symbol, exact where it is a number.
 const YkPoisson *yk_derive_root(YkDeriveForces *f, const char *name, const char *word, const YkPoisson *square);
 // over / under of constants, exact where that is a polynomial; otherwise a symbol.

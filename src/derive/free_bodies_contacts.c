@@ -65,7 +65,7 @@ static bool find_doubles(const YkDerivation *d, bool *is_double)
     return true;
 }
 
-const char *yk_derive_between(YkDeriveForces *f, const int32_t body[2], size_t index, const char *name)
+const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], size_t index, const char *name)
 {
     YkDerivation *d = f->d;
     const char *mark = d->model->body_count > 10 ? "_" : "";
@@ -73,7 +73,7 @@ const char *yk_derive_between(YkDeriveForces *f, const int32_t body[2], size_t i
     return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
 }
 
-const char *yk_derive_force_name(YkDeriveForces *f, const char *letter, const char *name, const char *part)
+const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part)
 {
     const char *mark = f->d->model->body_count > 10 ? "_" : "";
     return yk_derive_text(f->d, letter, mark, yk_derive_text(f->d, name, part, ""));

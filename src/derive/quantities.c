@@ -113,6 +113,26 @@ static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size
     return NULL;
 }
 
+// Action and reaction: what the second body exerts on the first, F21x = -F12x.
+static const YkPoisson *opposite(const YkDeriveForces *f, const char *name)
+{
+    static const char *const letters[] = {"F", "F", "N", "M"}, *const parts[] = {"x", "y", "", ""};
+    YkDerivation *d = f->d;
+    if (strchr("FNM", name[0]) == NULL) return NULL;
+    for (size_t j = 0; j < d->model->joint_count; j++) {
+        const YkJoint *joint = &d->model->joints[j];
+        const int32_t back[2] = {joint->body[1], joint->body[0]};
+        const char *pair = yk_derive_between(f, joint->body, j, joint->name);
+        const char *turned = yk_derive_between(f, back, j, joint->name);
+        for (size_t k = 0; k < sizeof letters / sizeof *letters; k++) {
+            if (strcmp(name, yk_derive_force_name(f, letters[k], turned, parts[k])) != 0) continue;
+            int32_t symbol = yk_ring_find(d->ring, yk_derive_force_name(f, letters[k], pair, parts[k]));
+            if (symbol >= 0) return yk_ring_negate(d->ring, yk_ring_of(d->ring, symbol));
+        }
+    }
+    return NULL;
+}
+
 const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name)
 {
     size_t length = strlen(name);
@@ -122,6 +142,7 @@ const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name)
     if (f && d->most_depth <= YK_DERIVE_DEPTH_MAX) a = energy(f, name, length);
     if (f && !a && order == 0) a = effort(f, name, length);
     if (f && !a && order == 0) a = reaction(f, name, length);
+    if (f && !a && order == 0) a = opposite(f, name);
     for (; a && order > 0; order--) a = yk_ring_time_derivative(d->ring, a);
     return a;
 }

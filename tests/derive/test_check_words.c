@@ -107,6 +107,9 @@ static void what_is_nothing_but_rounding_is_nothing(void **state)
     (void)state;
     CHECK_KINDS("cart-pendulum", {"M01 = 0", YK_CHECK_TRUE}, {"(N01 - F12y)/5 = 19.62/5", YK_CHECK_TRUE},
                 {"(N01 - F12y)/5 = 20/5", YK_CHECK_FALSE});
+    // action and reaction
+    CHECK_KINDS("cart-pendulum", {"F21x = -F12x", YK_CHECK_TRUE}, {"N10 + N01 = 0", YK_CHECK_TRUE},
+                {"F21y = F12y", YK_CHECK_FALSE}, {"F20x = 0", YK_CHECK_UNREADABLE});
     Machine m = machine_of("parameters: {a: 0.1, b: 0.2, c: 0.3}\n"
                            "bodies: {arm: {points: {P: [a + b + c, 0]}}}\n"
                            "joints: {O: {pin: [ground, arm], angle: q}}\n");
