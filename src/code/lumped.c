@@ -48,21 +48,12 @@ static void put(Work *w, int32_t slot, int32_t distance, YkRefVec u)
     arm->own = yk_dag_vec_add(&w->f->program->graph, arm->own, u);
 }
 
-static const YkSum *sum_of_node(const YkMechanism *mech, int32_t node)
-{
-    for (size_t k = 0; k < mech->step_count; k++)
-        if (mech->steps[k].kind == YK_STEP_NODE && mech->steps[k].target == node) return &mech->steps[k].sum;
-    return NULL;
-}
-
 static void put_sum(Work *w, const YkSum *sum, double sign)
 {
     YkProgram *p = w->f->program;
     const int32_t nodes[2] = {sum->plus, sum->minus};
-    for (int k = 0; k < 2; k++) {
-        const YkSum *inner = nodes[k] == YK_NONE ? NULL : sum_of_node(p->mech, nodes[k]);
-        if (inner) put_sum(w, inner, k == 0 ? sign : -sign);
-    }
+    for (int k = 0; k < 2; k++)
+        if (nodes[k] != YK_NONE) put_sum(w, &p->mech->node_sums[nodes[k]], k == 0 ? sign : -sign);
     for (uint32_t k = sum->first; k < sum->first + sum->count; k++) {
         const YkTerm *term = &p->mech->terms[k];
         YkRefVec u = yk_dag_vec_scale(&p->graph, yk_dag_number(&p->graph, sign), yk_program_term(p, k));

@@ -188,9 +188,11 @@ static void run_step(YkProgram *p, const YkStep *step, const YkRef *input, YkRat
     case YK_STEP_DISTANCE:
         s->slide[step->target] = input[step->input];
         break;
-    case YK_STEP_NODE:
-        s->node[step->target] = r ? yk_program_sum_accel(p, &step->sum, r, s) : yk_program_sum_rate(p, &step->sum, s);
+    case YK_STEP_NODE: {
+        const YkSum *sum = &p->mech->node_sums[step->target];
+        s->node[step->target] = r ? yk_program_sum_accel(p, sum, r, s) : yk_program_sum_rate(p, sum, s);
         break;
+    }
     case YK_STEP_BLOCK:
         yk_program_block_rates(p, (size_t)step->target, r ? r : s, r ? s : NULL);
         break;

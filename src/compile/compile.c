@@ -16,6 +16,7 @@ void yk_mechanism_free(YkMechanism *mech)
 {
     if (!mech) return;
     free(mech->steps);
+    free(mech->node_sums);
     free(mech->blocks);
     free(mech->block_members);
     free(mech->group_columns);

@@ -121,7 +121,6 @@ typedef struct YkStep {
     int32_t target; // slot, distance, node or block
     int32_t parent, other, input;
     double offset, sign;
-    YkSum sum;
 } YkStep;
 
 typedef struct YkColumn { // an unknown
@@ -192,7 +191,9 @@ struct YkMechanism {
     // groups of orientations tied by inputs
     int32_t *group_root;    // per orientation
     int32_t *relative_slot; // per orientation: slot of e^(i (Phi_o - Phi_root)); 0 at a root
-    size_t slot_count, node_count;
+    size_t slot_count;
+    YkSum *node_sums; // [node]: where it is
+    size_t node_count, node_capacity;
     // solution
     YkStep *steps;
     size_t step_count, step_capacity;

@@ -177,8 +177,13 @@ static void set_origin(YkPlan *plan, int32_t body)
     YkSum *origin = &mech->bodies[body].origin;
     if (!yk_terms_store(&plan->list, mech, origin)) plan->failed = true;
     if (origin->count <= TERMS_MAX) return;
+    if (!YK_ROOM(mech->node_sums, mech->node_count, mech->node_capacity)) {
+        plan->failed = true;
+        return;
+    }
     int32_t node = (int32_t)mech->node_count++;
-    yk_plan_step(plan, (YkStep){.kind = YK_STEP_NODE, .target = node, .sum = *origin});
+    mech->node_sums[node] = *origin;
+    yk_plan_step(plan, (YkStep){.kind = YK_STEP_NODE, .target = node});
     *origin = (YkSum){.plus = node, .minus = YK_NONE};
 }
 

@@ -68,8 +68,7 @@ static void list_patches(YkVariant *v)
         add_patch(v, &mech->terms[k].v, v->recipe.of_term[k]);
     for (size_t k = 0; k < mech->loop_count; k++) add_sum(v, &mech->loops[k].sum);
     for (size_t k = 0; k < mech->model->body_count; k++) add_sum(v, &mech->bodies[k].origin);
-    for (size_t k = 0; k < mech->step_count; k++)
-        if (mech->steps[k].kind == YK_STEP_NODE) add_sum(v, &mech->steps[k].sum);
+    for (size_t k = 0; k < mech->node_count; k++) add_sum(v, &mech->node_sums[k]);
     for (size_t k = 0; k < mech->block_count; k++) {
         YkBlock *block = &mech->blocks[k];
         if (block->kind == YK_BLOCK_GROUP) continue;

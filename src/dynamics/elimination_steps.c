@@ -66,7 +66,7 @@ static void add_node(YkOrder *o, const YkStep *step)
     yk_column(&o->columns, x);
     yk_column(&o->columns, x + 1);
     YkGradient gradient = yk_gradient_begin(e);
-    if (!yk_gradient_add_sum(e, &o->columns, &step->sum, 0, YK_NONE, 0)) o->failed = true;
+    if (!yk_gradient_add_sum(e, &o->columns, &o->mech->node_sums[step->target], 0, YK_NONE, 0)) o->failed = true;
     yk_gradient_end(e, &o->columns, &gradient);
     add_raw(o, YK_OP_NODE, 2, gradient);
 }

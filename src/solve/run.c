@@ -217,7 +217,7 @@ void yk_run_lanes(const YkRun *run, const YkStep *step)
         run_distance(run, step);
         break;
     case YK_STEP_NODE:
-        yk_run_sum(run, &step->sum, yk_space_plane(s, step->target));
+        yk_run_sum(run, &run->mech->node_sums[step->target], yk_space_plane(s, step->target));
         break;
     case YK_STEP_BLOCK:
         run_block(run, (size_t)step->target);

@@ -180,7 +180,7 @@ void yk_run_single(const YkRun *run, size_t from, size_t to)
         else if (step->kind == YK_STEP_TURN)
             turn(&p, step, run->inputs + 3 * step->input);
         else if (step->kind == YK_STEP_NODE)
-            p.node[step->target] = sum_of(&p, &step->sum);
+            p.node[step->target] = sum_of(&p, &run->mech->node_sums[step->target]);
         else
             yk_run_lanes(run, step);
     }

@@ -102,7 +102,7 @@ static void run_step(const YkMechanism *mech, Seen *seen, const YkStep *step)
         seen->distance[step->target] = true;
         break;
     case YK_STEP_NODE:
-        check_sum(mech, seen, &step->sum);
+        check_sum(mech, seen, &mech->node_sums[step->target]);
         assert_false(seen->node[step->target]);
         seen->node[step->target] = true;
         break;
