@@ -10,7 +10,9 @@
 #include "dynamics/simulation.h"
 
 #define NEAR_SINE2 0.06 // sin^2 from which a block is watched
-#define ZONE 0.03       // sine below which accelerations are interpolated
+#define ZONE 0.02       // sine below which accelerations are interpolated
+#define WIDE 0.03       // the same, where the motion is smooth enough for it
+#define SMOOTH 1e-8     // what the outermost nodes may change then, of the largest acceleration
 #define BLIND 1e-4      // sine below which the pose does not tell its own rates well enough
 #define NODES 8
 
@@ -214,7 +216,7 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t)
 {
     double sine;
     nearest(sim, t, &sine);
-    return sine < ZONE;
+    return sine < WIDE;
 }
 
 // The way along which accelerations are interpolated: on with the motion; or, where that hardly leaves the singular
@@ -273,30 +275,64 @@ static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *n
     return true;
 }
 
-bool yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt)
+// Lagrange's weights at 0 of nodes [first, last), 0 for the others.
+static void weigh(const double *node, int first, int last, double *weight)
 {
-    size_t n = sim->free_count, all = 2 * n + sim->work_count;
-    double sine;
-    const YkNear *near = nearest(sim, t, &sine);
-    Way way = find_way(sim, t, y, near);
-    double angle = predicted(near, t - sim->near_time), off = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
-    double center = -off / way.slope, h = 1.7 * ZONE / fabs(way.slope), node[NODES], weight[NODES];
-    if (!isfinite(center) || !isfinite(h)) {
-        sim->report = sim->state->report;
-        return false;
-    }
-    for (int j = 0; j < NODES; j++) node[j] = center + h * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
-    for (int j = 0; j < NODES; j++) { // Lagrange's weights at 0
-        weight[j] = 1;
-        for (int k = 0; k < NODES; k++)
+    for (int j = 0; j < NODES; j++) {
+        weight[j] = j >= first && j < last ? 1 : 0;
+        for (int k = first; k < last; k++)
             if (k != j) weight[j] *= node[k] / (node[k] - node[j]);
     }
+}
+
+// Where the nodes stand: on both sides of the singular position, `apart` from it and from each other.
+typedef struct Fit {
+    const YkNear *near;
+    Way way;
+    double center, apart;
+} Fit;
+
+// Interpolates into dydt. *off: what the outermost nodes change in an acceleration, over the largest one.
+static bool interpolate(YkSimulation *sim, double t, const double *y, const Fit *fit, double *dydt, double *off)
+{
+    size_t n = sim->free_count, all = 2 * n + sim->work_count;
+    double node[NODES], weight[NODES], inner[NODES], most = 0, change = 0;
+    for (int j = 0; j < NODES; j++)
+        node[j] = fit->center + fit->apart * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
+    weigh(node, 0, NODES, weight);
+    weigh(node, 1, NODES - 1, inner);
     memset(dydt, 0, all * sizeof *dydt);
     for (int j = 0; j < NODES; j++) {
-        if (!sample(sim, t, y, near, &way, node[j], sim->sampled)) return false;
+        if (!sample(sim, t, y, fit->near, &fit->way, node[j], sim->sampled)) return false;
         for (size_t k = n; k < all; k++) dydt[k] += weight[j] * sim->sampled[k];
+        for (size_t k = 0; k < n; k++) {
+            dydt[k] += (weight[j] - inner[j]) * sim->sampled[n + k];
+            most = fmax(most, fabs(sim->sampled[n + k]));
+        }
     }
+    for (size_t k = 0; k < n; k++) change = fmax(change, fabs(dydt[k]));
+    *off = most > 0 ? change / most : 0;
     memcpy(dydt, y + n, n * sizeof *dydt);
     dydt[all - 1] = 0;
     return true;
+}
+
+YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt)
+{
+    double sine, off;
+    Fit fit = {.near = nearest(sim, t, &sine)};
+    fit.way = find_way(sim, t, y, fit.near);
+    double angle = predicted(fit.near, t - sim->near_time), gap = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
+    fit.center = -gap / fit.way.slope;
+    fit.apart = 1.7 * WIDE / fabs(fit.way.slope);
+    bool has_way = isfinite(fit.center) && isfinite(fit.apart);
+    if (!has_way && sine < ZONE) {
+        sim->report = sim->state->report;
+        return YK_INTERPOLATION_FAILED;
+    }
+    if (has_way && interpolate(sim, t, y, &fit, dydt, &off) && off <= SMOOTH) return YK_INTERPOLATION_DONE;
+    sim->report.message[0] = 0;
+    if (sine >= ZONE) return YK_INTERPOLATION_LEFT;
+    fit.apart = 1.7 * ZONE / fabs(fit.way.slope);
+    return interpolate(sim, t, y, &fit, dydt, &off) ? YK_INTERPOLATION_DONE : YK_INTERPOLATION_FAILED;
 }

@@ -292,8 +292,8 @@ static inline void sum_up(const Look *of, bool moving, size_t n, Sums *total)
     look.n = n;
     Sums sums = {.g = {0}};
     const YkInfluence *f = look.f;
-    for (size_t k = 0; k < f->pivoted_count; k++) add_pivoted(&look, &f->pivoted[k], &sums);
     for (size_t k = 0; k < f->carried_count; k++) add_carried(&look, &f->carried[k], &sums);
+    for (size_t k = 0; k < f->pivoted_count; k++) add_pivoted(&look, &f->pivoted[k], &sums);
     for (size_t k = 0; k < f->other_count; k++) add_other(&look, &f->others[k], &sums);
     *total = sums;
 }

@@ -66,7 +66,10 @@ int yk_simulation_motion(void *context, double t, const double *y, double *dydt)
     size_t n = sim->free_count;
     if (sim->dynamics->tree && sim->contact_count == 0 && !sim->dynamics->loads->has_dry)
         return move_lean(sim, t, y, dydt);
-    if (sim->near_count > 0 && yk_simulation_in_zone(sim, t)) return yk_simulation_interpolate(sim, t, y, dydt) ? 0 : 1;
+    if (sim->near_count > 0 && yk_simulation_in_zone(sim, t)) {
+        YkInterpolation found = yk_simulation_interpolate(sim, t, y, dydt);
+        if (found != YK_INTERPOLATION_LEFT) return found == YK_INTERPOLATION_DONE ? 0 : 1;
+    }
     if (!yk_simulation_set(sim, t, y)) return 1;
     YkStatus status = yk_simulation_accelerate(sim);
     if (status < 0 || status == YK_SINGULAR) {

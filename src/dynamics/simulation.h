@@ -95,8 +95,10 @@ bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
 void yk_simulation_look_near(YkSimulation *sim, double t); // at the pose that stands: which blocks are near
 bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 void yk_simulation_set_signs(YkSimulation *sim, double t);
-// Accelerations (and powers, if wanted) next to a singular position, by interpolation along the motion.
-bool yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt);
+// Accelerations and powers next to a singular position, by interpolation along the motion. LEFT: the pose itself tells
+// them better.
+typedef enum YkInterpolation { YK_INTERPOLATION_DONE, YK_INTERPOLATION_LEFT, YK_INTERPOLATION_FAILED } YkInterpolation;
+YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt);
 // For how long, at the rates of the pose that stands, no block that is not near comes to a singular position.
 double yk_simulation_reach(YkSimulation *sim);
 double yk_simulation_margin(const YkSimulation *sim);
