@@ -30,13 +30,13 @@ static YkRef not_negative(YkDag *g, YkRef a)
     return yk_dag_binary(g, YK_VALUE_LARGEST, a, yk_dag_number(g, 0));
 }
 
-// Keeps the least margin, and what tells that the block came out finite.
+// Keeps the least margin. It is no number once a block did not come out finite.
 static void keep_margin(YkProgram *p, YkRef margin, YkRef result)
 {
     YkDag *g = &p->graph;
     bool is_first = yk_dag_is_number(g, p->margin, 1);
-    p->margin = is_first ? margin : yk_dag_binary(g, YK_VALUE_LEAST, p->margin, margin);
-    p->witness = yk_dag_add(g, p->witness, yk_dag_unary(g, YK_VALUE_WITNESS, result));
+    YkRef least = is_first ? margin : yk_dag_binary(g, YK_VALUE_LEAST, margin, p->margin);
+    p->margin = yk_dag_add(g, least, yk_dag_unary(g, YK_VALUE_WITNESS, result));
 }
 
 static void set_unit(YkProgram *p, int32_t slot, YkRefVec e)
@@ -120,7 +120,8 @@ static void place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
     placed->inverse = yk_dag_name(g, per_root, "%s_per_g", placed->name);
     set_distance(p, b->column[1].index, d);
     set_unit(p, b->column[0].index, placed->e[1]);
-    keep_margin(p, yk_dag_multiply(g, g2, inverse(g, W2)), g2);
+    YkRef margin = yk_dag_multiply(g, g2, inverse(g, W2));
+    keep_margin(p, margin, margin);
 }
 
 // RPR through the pin: where the point comes to the pin any angle would do, and the engine has no number there.
@@ -179,8 +180,7 @@ static void place_pp(YkProgram *p, size_t index, YkPlaced *placed)
 void yk_program_keep_gap(YkProgram *p, YkRef gap)
 {
     YkDag *g = &p->graph;
-    p->gap = yk_dag_binary(g, YK_VALUE_LARGEST, p->gap, gap);
-    p->witness = yk_dag_add(g, p->witness, yk_dag_unary(g, YK_VALUE_WITNESS, gap));
+    p->gap = yk_dag_add(g, yk_dag_binary(g, YK_VALUE_LARGEST, gap, p->gap), yk_dag_unary(g, YK_VALUE_WITNESS, gap));
 }
 
 static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)

@@ -54,12 +54,13 @@ static void write_status(YkFile *file, const YkRoutine *r)
     const YkProgram *p = &file->program;
     const YkDag *g = &p->graph;
     bool has_gap = !yk_dag_is_number(g, p->gap, 0), has_margin = has_gap || !yk_dag_is_number(g, p->margin, 1),
-         has_witness = !yk_dag_is_number(g, r->witness, 0);
+         has_witness = !yk_dag_is_number(g, r->witness, 0), has_angles = !yk_dag_is_number(g, p->angles, 0);
     write_witnesses(file, r, has_margin, has_witness);
     yk_text_puts(&file->text, "    return ");
+    if (has_witness) check_local(file, "witness == 0", "BAD_INPUT");
     if (!yk_dag_is_number(g, p->missed, 0)) check(file, p->missed, " <= 1", "NOT_CONVERGED");
     if (has_margin) check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
-    if (has_witness) check_local(file, "witness == 0", "BAD_INPUT");
+    if (has_angles) check(file, p->angles, " == 0", "BAD_INPUT");
     if (has_gap) check_gap(file);
     if (has_margin) check_local(file, file->single ? "margin > 1e-7f" : "margin > 1e-14", "SINGULAR");
     if (r->regular >= 0) check(file, r->regular, " > 0", "SINGULAR");
@@ -69,22 +70,18 @@ static void write_status(YkFile *file, const YkRoutine *r)
 
 // --- the kernel -----------------------------------------------------------------------------------
 
-static size_t gather_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
+size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
 {
     const YkProgram *p = &file->program;
     size_t count = 0;
     for (size_t k = 0; k < r->count; k++) roots[count++] = r->results[k].value;
     roots[count++] = p->margin;
     roots[count++] = r->witness;
+    roots[count++] = p->angles;
     roots[count++] = p->gap;
     roots[count++] = p->missed;
     if (r->regular >= 0) roots[count++] = r->regular;
     return count;
-}
-
-size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
-{
-    return gather_roots(file, r, roots);
 }
 
 static void write_kernel(YkFile *file, const YkRoutine *r)
@@ -94,7 +91,7 @@ static void write_kernel(YkFile *file, const YkRoutine *r)
         file->program.failed = true;
         return;
     }
-    size_t count = gather_roots(file, r, roots);
+    size_t count = yk_file_roots(file, r, roots);
     yk_text_format(&file->text, "/* %s */\n", r->about);
     yk_text_format(&file->text,
                    "%s_INLINE int %s_%s_of(const %s_machine *m, const %s_configuration *c, const %s_inputs *in,\n    "
@@ -109,25 +106,94 @@ static void write_kernel(YkFile *file, const YkRoutine *r)
     write_status(file, r);
 }
 
-// Does the routine use this input?
-static bool uses_leaf(const YkFile *file, const char *name)
+// --- inputs ---------------------------------------------------------------------------------------
+
+typedef struct Uses { // which inputs the routine's kernel takes; those of them that its witness has not seen: loads'
+    bool *taken, *unseen;
+    bool any_unseen;
+} Uses;
+
+static bool is_input(const YkValue *v, const char *name)
+{
+    return v->op == YK_VALUE_LEAF && strncmp(v->name, "in->", 4) == 0 && strcmp(v->name + 4, name) == 0;
+}
+
+static bool takes(const YkFile *file, const char *input)
 {
     const YkDag *g = &file->program.graph;
     for (size_t k = 0; k < g->count; k++)
-        if (g->values[k].op == YK_VALUE_LEAF && strcmp(g->values[k].name, name) == 0) return file->printer.count[k] > 0;
+        if (is_input(&g->values[k], input)) return file->printer.count[k] > 0;
     return false;
+}
+
+static bool hangs_on(const YkFile *file, YkRef value, const char *input)
+{
+    const YkDag *g = &file->program.graph;
+    const YkValue *v = &g->values[value];
+    const YkRef operands[] = {v->a, v->b, v->c}, *of = operands;
+    size_t count = v->op == YK_VALUE_SINE || v->op == YK_VALUE_COSINE ? 1 : 3; // behind the angle is the other of them
+    if (v->op == YK_VALUE_LEAF) return is_input(v, input);
+    if (v->op == YK_VALUE_RESULT) {
+        of = g->calls[v->a].arguments;
+        count = g->calls[v->a].argument_count;
+    }
+    for (size_t k = 0; k < count; k++)
+        if (of[k] >= 0 && hangs_on(file, of[k], input)) return true;
+    return false;
+}
+
+static bool find_uses(YkFile *file, const YkRoutine *r, Uses *uses)
+{
+    uses->taken = YK_NEW(file->program.arena, bool, file->input_count + 1);
+    uses->unseen = YK_NEW(file->program.arena, bool, file->input_count + 1);
+    if (!uses->taken || !uses->unseen) return false;
+    for (size_t k = 0; k < file->input_count; k++) {
+        const char *name = file->inputs[k].name;
+        uses->taken[k] = takes(file, name);
+        uses->unseen[k] = uses->taken[k] && !hangs_on(file, r->witness, name);
+        uses->any_unseen = uses->any_unseen || uses->unseen[k];
+    }
+    return true;
+}
+
+// Of inputs that the witness has not seen: they are looked at where something went wrong, which costs nothing
+// elsewhere.
+static void write_fault(YkFile *file, const Uses *uses, const char *before, const char *after)
+{
+    YkText *out = &file->text;
+    size_t from = out->length;
+    yk_text_puts(out, "            !(");
+    for (size_t k = 0, written = 0; k < file->input_count; k++)
+        if (uses->unseen[k])
+            yk_text_format(out, "%s0 * %s%s%s", written++ > 0 ? " + " : "", before, file->inputs[k].name, after);
+    yk_text_puts(out, " == 0))");
+    yk_printer_wrap(&file->printer, from);
+    yk_text_puts(out, "\n");
+}
+
+static void write_one(YkFile *file, const YkRoutine *r, const Uses *uses)
+{
+    yk_file_prototype(file, r, "\n{\n");
+    yk_text_format(&file->text,
+                   uses->any_unseen ? "    const int how = %s_%s_of(m, c, in, out);\n"
+                                    : "    return %s_%s_of(m, c, in, out);\n}\n\n",
+                   file->prefix, r->name);
+    if (!uses->any_unseen) return;
+    yk_file_template(file, "    if (how != @_OK &&\n");
+    write_fault(file, uses, "in->", "");
+    yk_file_template(file, "        return @_BAD_INPUT;\n    return how;\n}\n\n");
 }
 
 // --- loops ----------------------------------------------------------------------------------------
 
 // The arrays under names of their own: none overlaps another.
-static void write_arrays(YkFile *file, const YkRoutine *r, const bool *used, bool designs)
+static void write_arrays(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)
 {
     YkText *out = &file->text;
     YkProgram *p = &file->program;
     const char *real = yk_file_real(file);
     for (size_t k = 0; k < file->input_count; k++)
-        if (used[k])
+        if (uses->taken[k])
             yk_text_format(out, "    const %s *restrict in_%s = in->%s;\n", real, file->inputs[k].name,
                            file->inputs[k].name);
     for (size_t k = 0; designs && k < p->model->parameter_count; k++)
@@ -154,12 +220,29 @@ static void write_own_machine(YkFile *file)
     yk_file_template(file, "            const @_machine machine = @_prepared(&own);\n");
 }
 
+static void write_statuses(YkFile *file, const Uses *uses)
+{
+    if (!uses->any_unseen) {
+        yk_file_template(file, "        for (size_t k = 0; k < count; k++) status[first + k] = (signed char)how[k];\n");
+        return;
+    }
+    yk_file_template(file, "        @_status any = @_OK;\n"
+                           "        for (size_t k = 0; k < count; k++) {\n"
+                           "            status[first + k] = (signed char)how[k];\n"
+                           "            any |= how[k];\n"
+                           "        }\n"
+                           "        for (size_t i = first; i < first + count && any != @_OK; i++)\n"
+                           "            if (status[i] != @_OK &&\n");
+    write_fault(file, uses, "in_", "[i]");
+    yk_file_template(file, "                status[i] = @_BAD_INPUT;\n");
+}
+
 // Blocks of poses: the status of each as a number beside the results, then all of them as bytes.
-static void write_many(YkFile *file, const YkRoutine *r, const bool *used, bool designs)
+static void write_many(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)
 {
     YkText *out = &file->text;
     yk_file_prototype_many(file, r, designs, "\n{\n");
-    write_arrays(file, r, used, designs);
+    write_arrays(file, r, uses, designs);
     yk_file_template(file, "    for (size_t first = 0; first < n; first += @_BLOCK) {\n"
                            "        const size_t count = n - first < @_BLOCK ? n - first : @_BLOCK;\n"
                            "        @_status how[@_BLOCK];\n"
@@ -169,29 +252,26 @@ static void write_many(YkFile *file, const YkRoutine *r, const bool *used, bool 
     if (designs) write_own_machine(file);
     yk_text_format(out, "            %s_inputs pose;\n            %s_%s found;\n", file->prefix, file->prefix, r->name);
     for (size_t k = 0; k < file->input_count; k++)
-        if (used[k])
+        if (uses->taken[k])
             yk_text_format(out, "            pose.%s = in_%s[i];\n", file->inputs[k].name, file->inputs[k].name);
     yk_text_format(out, "            how[k] = (%s_status)%s_%s_of(&machine, &configuration, &pose, &found);\n",
                    file->prefix, file->prefix, r->name);
     for (size_t k = 0; k < r->count; k++)
         yk_text_format(out, "            out_%s[i] = found.%s;\n", r->results[k].name, r->results[k].name);
-    yk_text_puts(out, "        }\n"
-                      "        for (size_t k = 0; k < count; k++) status[first + k] = (signed char)how[k];\n"
-                      "    }\n}\n\n");
+    yk_text_puts(out, "        }\n");
+    write_statuses(file, uses);
+    yk_text_puts(out, "    }\n}\n\n");
 }
 
 void yk_file_write_routine(YkFile *file, const YkRoutine *r)
 {
-    bool *used = YK_NEW(file->program.arena, bool, file->input_count + 1);
+    Uses uses = {0};
     write_kernel(file, r);
-    if (!used) {
+    if (!find_uses(file, r, &uses)) {
         file->program.failed = true;
         return;
     }
-    for (size_t k = 0; k < file->input_count; k++)
-        used[k] = uses_leaf(file, yk_program_text(&file->program, "in->%s", file->inputs[k].name));
-    yk_file_prototype(file, r, "\n{\n");
-    yk_text_format(&file->text, "    return %s_%s_of(m, c, in, out);\n}\n\n", file->prefix, r->name);
-    write_many(file, r, used, false);
-    if (r->has_designs && yk_file_own_parameters(file) > 0) write_many(file, r, used, true);
+    write_one(file, r, &uses);
+    write_many(file, r, &uses, false);
+    if (r->has_designs && yk_file_own_parameters(file) > 0) write_many(file, r, &uses, true);
 }

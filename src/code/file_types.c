@@ -153,9 +153,10 @@ void yk_file_write_types(YkFile *file)
                      "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
                      "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n"
                      "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n"
-                     "    @_BAD_INPUT = -5,     /* an input is no finite number, or an angle is beyond 1e5 rad */\n"
-                     "    @_NOT_FINITE = -8     /* a load has no finite value here */\n"
-                     "};\n\n");
+                     "    @_BAD_INPUT = -5,     /* an input is no finite number");
+    yk_text_puts(&file->text, file->single ? " */\n" : ", or an angle is beyond 1e5 rad */\n");
+    yk_file_template(file, "    @_NOT_FINITE = -8     /* a load, or what it does, has no finite value here */\n"
+                           "};\n\n");
     write_parameters(file);
     write_machine_type(file);
     write_notes(file, "How the machine is assembled.", "configuration", file->configuration, file->configuration_count);

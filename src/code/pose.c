@@ -107,6 +107,23 @@ YkRef yk_program_relation(YkProgram *p, size_t index, const YkRef *unknown)
     return yk_dag_add(g, value, yk_dag_multiply(g, gain, yk_dag_result(g, call, 0)));
 }
 
+static bool are_inputs(const YkProgram *p, uint32_t first, uint32_t count)
+{
+    for (uint32_t k = first; k < first + count; k++)
+        if (p->mech->sources[k].kind != YK_SOURCE_INPUT) return false;
+    return true;
+}
+
+// An angle that is too large has no sine: the inputs' fault where it hangs on them alone.
+static void keep_angle(YkProgram *p, const YkRelation *r, YkRef sine)
+{
+    YkDag *g = &p->graph;
+    bool by_inputs = are_inputs(p, r->first_source, r->source_count) &&
+                     (!r->law || are_inputs(p, r->first_argument_source, r->argument_source_count));
+    YkRef *kept = by_inputs ? &p->witness : &p->angles;
+    *kept = yk_dag_add(g, *kept, yk_dag_unary(g, YK_VALUE_WITNESS, sine));
+}
+
 static void run_relation(YkProgram *p, size_t index)
 {
     YkDag *g = &p->graph;
@@ -118,8 +135,7 @@ static void run_relation(YkProgram *p, size_t index)
         p->distance[r->target.index] = yk_dag_name(g, value, "%s", yk_program_distance_name(p, r->target.index));
     } else {
         p->unit[r->target.index] = yk_dag_unit(g, value);
-        YkRef well = yk_dag_unary(g, YK_VALUE_WITNESS, p->unit[r->target.index].x);
-        p->witness = yk_dag_add(g, p->witness, well);
+        keep_angle(p, r, p->unit[r->target.index].x);
         name_unit(p, r->target.index);
     }
 }
@@ -176,7 +192,7 @@ void yk_program_pose(YkProgram *p)
     YkDag *g = &p->graph;
     p->unit[0] = yk_dag_vec_number(g, 1, 0);
     p->margin = yk_dag_number(g, 1);
-    p->gap = p->missed = p->witness = yk_dag_number(g, 0);
+    p->gap = p->missed = p->witness = p->angles = yk_dag_number(g, 0);
     start_inputs(p);
     for (size_t k = 0; k < p->mech->step_count && !p->failed; k++) run_step(p, &p->mech->steps[k]);
 }

@@ -62,9 +62,10 @@ typedef struct YkProgram {
     YkRef *argument, *argument_rate; // per relation with a law
     const YkRef *input_rates;        // in work: first or second derivatives of the inputs
     YkRef *slope;                    // per relation with a law: first and second derivative, two each
-    YkRef margin;                    // least sin^2 over the blocks
-    YkRef gap;                       // largest miss of loops that repeat others, over what is allowed
-    YkRef witness;                   // 0 where all is finite
+    YkRef margin;                    // least sin^2 over the blocks; NaN where one is not finite
+    YkRef gap;                       // largest miss of loops that repeat others, m; NaN likewise
+    YkRef witness;                   // 0 where the inputs are finite, and no angle by them is too large to have a sine
+    YkRef angles;                    // 0 where no other angle is, of gears and the like
     YkRef missed;                    // largest miss of a group, over what is allowed
     bool failed;                     // something cannot be printed: reported
 } YkProgram;
@@ -96,7 +97,7 @@ YkRefVec yk_program_turn(YkProgram *program, const YkStep *step); // of an input
 // What a relation says of its target or, in a group or where it repeats others, what it misses by, m. unknown: the
 // group's columns, or NULL.
 YkRef yk_program_relation(YkProgram *program, size_t relation, const YkRef *unknown);
-// How much what repeats others misses; NaN shows in the witness.
+// How much what repeats others misses.
 void yk_program_keep_gap(YkProgram *program, YkRef gap);
 int32_t yk_program_law(const YkProgram *program, const YkLaw *law); // its place in the model
 // The value of a law and its two derivatives, as a call.

@@ -140,7 +140,9 @@ def random_train(numbers):
     return "\n".join(lines)
 
 
-class Code(Case):
+class Printed(Case):
+    """What a machine is printed as, compiled without a warning."""
+
     def compile(self, text, *options, name="m"):
         source = self.write(name + ".c", text)
         program = self.path(name)
@@ -159,6 +161,8 @@ class Code(Case):
     def library(self, text):
         return ctypes.CDLL(self.compile(text, "-shared", "-fPIC"))
 
+
+class Code(Printed):
     def test_every_example_compiles_clean_and_agrees_with_the_engine(self):
         for path in EXAMPLES:
             name = name_of(path)
