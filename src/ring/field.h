@@ -40,10 +40,13 @@ int yk_field_solve(uint64_t *A, uint64_t *b, size_t rows, size_t columns, uint64
 
 // A point: a value for every symbol of a ring, and a unit vector u (its conjugate is 1/u) for every angle.
 typedef struct YkFieldPoint YkFieldPoint;
-// Random values, the same for the same seed; roots are what they must be. NULL when out of memory, or where a root's
-// square has no root at 4,096 random points. Symbols added to the ring later are not in it.
+// Random values, the same for the same seed; roots are what they must be, but for roots of numbers that are no squares
+// in this field: they are any value, and the point is *loose*. What is equal at loose points is equal; what differs
+// there may be equal. NULL when out of memory, or where the square of an expression has no root at 256 random points.
+// Symbols added to the ring later are not in it.
 YkFieldPoint *yk_field_point_new(const YkRing *ring, uint64_t seed);
 void yk_field_point_free(YkFieldPoint *point);
+bool yk_field_point_is_loose(const YkFieldPoint *point);
 uint64_t yk_field_point_get(const YkFieldPoint *point, int32_t symbol);
 void yk_field_point_set(YkFieldPoint *point, int32_t symbol, uint64_t value);    // of a symbol outside of phases
 void yk_field_point_set_unit(YkFieldPoint *point, int32_t angle, uint64_t unit); // not 0

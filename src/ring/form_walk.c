@@ -166,6 +166,7 @@ static int compare_at(YkRing *ring, const YkForm *a, const YkForm *b, uint64_t s
     uint64_t left, right;
     int verdict = -1;
     if (point && yk_form_field(ring, a, point, &left) && yk_form_field(ring, b, point, &right)) verdict = left == right;
+    if (verdict == 0 && yk_field_point_is_loose(point)) verdict = -1;
     yk_field_point_free(point);
     return verdict;
 }

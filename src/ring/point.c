@@ -1,14 +1,16 @@
 // Elements at points of the prime field.
 #include <stdlib.h>
+#include <string.h>
 #include "ring/field.h"
 #include "ring/inside.h"
 
-enum { TRIES = 4096 }; // half of all points make a square a square
+enum { TRIES = 256, DRAWS = 64 }; // half of all points make a square a square
 
 struct YkFieldPoint {
     size_t count;
     uint64_t *value, *value_inverse, *unit, *unit_inverse; // [count]; one block, `value`
     uint64_t number[YK_UNITS];                             // i, sqrt 2, sqrt 3 and their products
+    bool is_loose;
 };
 
 // splitmix64 (Steele et al. 2014), below p and not 0.
@@ -51,16 +53,62 @@ uint64_t yk_field_point_get(const YkFieldPoint *point, int32_t symbol)
     return symbol >= 0 && (size_t)symbol < point->count ? point->value[symbol] : 0;
 }
 
-// Random values for all symbols and roots for the roots; false where one of them has none here.
-static bool fill(const YkRing *ring, YkFieldPoint *point, uint64_t *seed)
+bool yk_field_point_is_loose(const YkFieldPoint *point)
 {
-    for (size_t i = 0; i < point->count; i++) {
-        const YkRingSymbol *symbol = &ring->symbols[i];
-        uint64_t value = random_value(seed);
-        if (symbol->square && !yk_field_sqrt(yk_ring_field(ring, symbol->square, point, false), &value)) return false;
-        yk_field_point_set(point, (int32_t)i, value);
-        if (symbol->is_angle) yk_field_point_set_unit(point, (int32_t)i, random_value(seed));
+    return point->is_loose;
+}
+
+static void draw(const YkRing *ring, YkFieldPoint *point, int32_t symbol, uint64_t *seed)
+{
+    yk_field_point_set(point, symbol, random_value(seed));
+    if (ring->symbols[symbol].is_angle) yk_field_point_set_unit(point, symbol, random_value(seed));
+}
+
+// A symbol of the square on which no earlier root depends; -1 where there is none.
+static int32_t free_symbol(const YkRing *ring, const YkPoisson *square, const bool *is_taken)
+{
+    int32_t symbol = yk_ring_next_symbol(ring, square, -1);
+    while (symbol >= 0 && (is_taken[symbol] || ring->symbols[symbol].square))
+        symbol = yk_ring_next_symbol(ring, square, symbol);
+    return symbol;
+}
+
+// What the root depends on stays from now on.
+static void take(const YkRing *ring, const YkPoisson *square, bool *is_taken)
+{
+    for (int32_t s = yk_ring_next_symbol(ring, square, -1); s >= 0; s = yk_ring_next_symbol(ring, square, s))
+        is_taken[s] = true;
+}
+
+// Only what the square depends on is drawn again. The square of a number, 7, may have no root at all in this field: its
+// root is any value then.
+static bool find_root(const YkRing *ring, YkFieldPoint *point, size_t root, bool *is_taken, uint64_t *seed)
+{
+    const YkPoisson *square = ring->symbols[root].square;
+    uint64_t value;
+    int draws = 0;
+    while (!yk_field_sqrt(yk_ring_field(ring, square, point, false), &value)) {
+        int32_t symbol = free_symbol(ring, square, is_taken);
+        if (symbol < 0 || draws++ == DRAWS) {
+            if (yk_ring_next_symbol(ring, square, -1) >= 0) return false;
+            draw(ring, point, (int32_t)root, seed);
+            return point->is_loose = true;
+        }
+        draw(ring, point, symbol, seed);
     }
+    take(ring, square, is_taken);
+    yk_field_point_set(point, (int32_t)root, value);
+    return true;
+}
+
+// Random values for all symbols and roots for the roots; false where one of them has none here.
+static bool fill(const YkRing *ring, YkFieldPoint *point, bool *is_taken, uint64_t *seed)
+{
+    for (size_t i = 0; i < point->count; i++)
+        if (!ring->symbols[i].square)
+            draw(ring, point, (int32_t)i, seed);
+        else if (!find_root(ring, point, i, is_taken, seed))
+            return false;
     return true;
 }
 
@@ -68,17 +116,21 @@ YkFieldPoint *yk_field_point_new(const YkRing *ring, uint64_t seed)
 {
     YkFieldPoint *point = calloc(1, sizeof *point);
     uint64_t *block = calloc(4 * ring->symbol_count + 1, sizeof *block);
-    if (!point || !block) {
-        free(point);
-        free(block);
-        return NULL;
-    }
+    bool *is_taken = calloc(ring->symbol_count + 1, sizeof *is_taken), is_filled = false;
     size_t count = ring->symbol_count;
-    *point = (YkFieldPoint){count, block, block + count, block + 2 * count, block + 3 * count, {0}};
-    set_numbers(point);
-    for (int i = 0; i < TRIES; i++)
-        if (fill(ring, point, &seed)) return point;
-    yk_field_point_free(point);
+    if (point && block && is_taken) {
+        *point = (YkFieldPoint){count, block, block + count, block + 2 * count, block + 3 * count, {0}, false};
+        set_numbers(point);
+        for (int i = 0; i < TRIES && !is_filled; i++) {
+            memset(is_taken, 0, count);
+            point->is_loose = false;
+            is_filled = fill(ring, point, is_taken, &seed);
+        }
+    }
+    free(is_taken);
+    if (is_filled) return point;
+    free(block);
+    free(point);
     return NULL;
 }
 

@@ -1,4 +1,5 @@
 // Values of elements: in doubles and modulo p, both homomorphisms.
+#include "ring/form.h"
 #include "ring/ring_check.h"
 
 static YkVec value(Fixture *f, Element a, const double *values)
@@ -156,16 +157,55 @@ static void linear_systems_are_solved_modulo_p(void **state)
     assert_int_equal(yk_field_solve(A, b, 2, 2, x), -1);
 }
 
-static void a_root_without_a_value_gives_no_point(void **state)
+static void a_root_without_a_value_may_be_anything(void **state)
 {
     (void)state;
     Fixture f = fixture_new(7);
     yk_ring_root(f.ring, "L", number(&f, 7, 1)); // 7 generates the field: it is no square
-    assert_null(yk_field_point_new(f.ring, 1));
+    YkFieldPoint *point = yk_field_point_new(f.ring, 1), *other = yk_field_point_new(f.ring, 2);
+    assert_true(yk_field_point_is_loose(point));
+    int32_t L = yk_ring_find(f.ring, "L");
+    assert_true(yk_field_point_get(point, L) != yk_field_point_get(other, L));
+    const YkPoisson *square = yk_ring_power(f.ring, yk_ring_of(f.ring, L), 2), *seven = number(&f, 7, 1);
+    // neither equal nor different is said of what hangs on it
+    assert_int_equal(yk_form_compare(f.ring, yk_form_of(f.ring, square), yk_form_of(f.ring, seven), 3, 1),
+                     YK_FORM_UNDECIDED);
+    assert_int_equal(yk_form_compare(f.ring, yk_form_of(f.ring, square), yk_form_of(f.ring, square), 3, 1),
+                     YK_FORM_EQUAL);
+    yk_field_point_free(point);
+    yk_field_point_free(other);
     double *values = random_values(&f);
     CHECK_NEAR(values[yk_ring_find(f.ring, "L")], sqrt(7), 1e-15);
     free(values);
     yk_ring_free(f.ring);
+}
+
+// Forty roots, each of a sum that shares symbols with others, and roots of roots.
+static void many_roots_have_their_values(void **state)
+{
+    (void)state;
+    enum { COUNT = 40 };
+    YkRing *r = yk_ring_new();
+    char name[16];
+    const YkPoisson *square[COUNT], *sum = yk_ring_rational(r, 0, 1);
+    int32_t root[COUNT];
+    for (int k = 0; k < COUNT; k++) {
+        snprintf(name, sizeof name, "x%d", k);
+        const YkPoisson *x = yk_ring_of(r, yk_ring_symbol(r, name, YK_RING_CONSTANT));
+        sum = yk_ring_add(r, sum, yk_ring_power(r, x, 2));
+        square[k] = k % 5 == 4 ? yk_ring_add(r, yk_ring_of(r, root[k - 1]), x) : sum;
+        snprintf(name, sizeof name, "L%d", k);
+        root[k] = yk_ring_root(r, name, square[k]);
+    }
+    YkFieldPoint *point = yk_field_point_new(r, 3);
+    assert_non_null(point);
+    assert_false(yk_field_point_is_loose(point));
+    for (int k = 0; k < COUNT; k++) {
+        uint64_t value = yk_field_point_get(point, root[k]);
+        assert_true(yk_field_multiply(value, value) == yk_ring_field(r, square[k], point, false));
+    }
+    yk_field_point_free(point);
+    yk_ring_free(r);
 }
 
 int main(void)
@@ -177,7 +217,8 @@ int main(void)
         cmocka_unit_test(field_arithmetic_is_that_of_the_integers_modulo_p),
         cmocka_unit_test(half_of_all_numbers_have_a_root_and_it_is_one),
         cmocka_unit_test(linear_systems_are_solved_modulo_p),
-        cmocka_unit_test(a_root_without_a_value_gives_no_point),
+        cmocka_unit_test(a_root_without_a_value_may_be_anything),
+        cmocka_unit_test(many_roots_have_their_values),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
