@@ -28,20 +28,53 @@ static void add_derivative(Checking *checking, YkText *text, const YkCoordinateI
     yk_add_value(checking->session, text, value, yk_quantity_of(info->is_distance, order), YK_DIGITS);
 }
 
-static void add_pose(Checking *checking, YkText *text, const YkCheckVerdict *verdict)
+static void add_pose(Checking *checking, YkText *text, const YkCheckShown *shown)
 {
     const YkMechanism *mech = checking->session->mech;
-    size_t count = yk_coordinate_count(mech);
+    size_t count = shown->positions ? yk_coordinate_count(mech) : 0;
     for (size_t k = 0; k < count && k < SHOWN_MAX; k++) {
         YkCoordinateInfo info = yk_coordinate_info(mech, k);
-        YkMotion motion = yk_state_coordinate(checking->session->state, k);
+        YkMotion motion = shown->positions[k];
         yk_text_format(text, "%s%s = ", k ? ", " : "", info.name);
         yk_add_value(checking->session, text, motion.position, yk_quantity_of(info.is_distance, 0), YK_DIGITS);
-        if (verdict->order >= 1) add_derivative(checking, text, &info, motion.velocity, 1);
-        if (verdict->order >= 2) add_derivative(checking, text, &info, motion.acceleration, 2);
+        if (shown->order >= 1) add_derivative(checking, text, &info, motion.velocity, 1);
+        if (shown->order >= 2) add_derivative(checking, text, &info, motion.acceleration, 2);
     }
     if (count > SHOWN_MAX) yk_text_puts(text, ", ...");
-    if (verdict->forces) yk_text_format(text, ", %s (SI)", verdict->forces);
+    if (shown->forces) yk_text_format(text, ", %s (SI)", shown->forces);
+}
+
+static void add_difference(Checking *checking, YkText *text, const YkCheckShown *shown)
+{
+    yk_text_format(text, "the left side is %e, the right side %e (SI) at\n  ", shown->left, shown->right);
+    add_pose(checking, text, shown);
+    yk_text_puts(text, "\n");
+}
+
+// What was shown, no more: at how many poses, of which machines.
+static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
+{
+    YkText *out = &checking->session->out;
+    if (verdict->is_false_there) {
+        yk_text_format(out,
+                       "true only with this file's numbers (at %z poses); with %s (SI) it is false: ", verdict->poses,
+                       verdict->shown.machine ? verdict->shown.machine : "others");
+        add_difference(checking, out, &verdict->shown);
+    } else if (verdict->is_refuted) {
+        yk_text_format(out,
+                       "true only with this file's numbers (at %z poses): with others it does not hold in general "
+                       "(exact arithmetic tells; what would have to change cannot vary here, so none are named)\n",
+                       verdict->poses);
+    } else if (verdict->machines > 0) {
+        yk_text_format(out, "true at %z poses of this machine, and at %z poses of %z machines with other %s",
+                       verdict->poses, verdict->machine_poses, verdict->machines,
+                       verdict->varied ? verdict->varied : "dimensions");
+        if (verdict->kept) yk_text_format(out, " (and the same %s)", verdict->kept);
+        yk_text_puts(out, "; a proof for all dimensions was not found\n");
+    } else {
+        yk_text_format(out, "true at %z poses with this file's numbers; with others it could not be tried (%s)\n",
+                       verdict->poses, "dimensions that the file gives as `parameters:` can be");
+    }
 }
 
 static void say_text(Checking *checking, const char *equation, const YkCheckVerdict *verdict, const char *why)
@@ -54,21 +87,11 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
                                                : "true for all dimensions\n");
         break;
     case YK_CHECK_TRUE_HERE:
-        if (verdict->is_for_these_numbers)
-            yk_text_format(out,
-                           "true with this file's numbers, at %z poses; for other dimensions it cannot be told here "
-                           "(lengths that the file gives as `parameters:` can be)\n",
-                           verdict->poses);
-        else
-            yk_text_format(out,
-                           "true only with this file's numbers (at %z poses): with other dimensions it does not hold\n",
-                           verdict->poses);
+        say_true_here(checking, verdict);
         break;
     case YK_CHECK_FALSE:
-        yk_text_puts(out, "false");
-        yk_text_format(out, ": the left side is %e, the right side %e (SI) at\n  ", verdict->left, verdict->right);
-        add_pose(checking, out, verdict);
-        yk_text_puts(out, "\n");
+        yk_text_puts(out, "false: ");
+        add_difference(checking, out, &verdict->shown);
         if (verdict->slip) yk_text_format(out, "  %s\n", verdict->slip);
         break;
     case YK_CHECK_UNDECIDED:
@@ -78,6 +101,40 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
         yk_text_format(out, "not understood%s%s\n", why ? ": " : "", why ? why : "");
         break;
     }
+}
+
+static void add_shown(Checking *checking, const YkCheckShown *shown)
+{
+    YkJson *json = &checking->json;
+    const YkMechanism *mech = checking->session->mech;
+    yk_json_number(json, "left", shown->left);
+    yk_json_number(json, "right", shown->right);
+    yk_json_object(json, "pose", YK_JSON_LINES);
+    for (size_t k = 0; shown->positions && k < yk_coordinate_count(mech); k++) {
+        yk_json_object(json, yk_coordinate_info(mech, k).name, YK_JSON_INLINE);
+        yk_json_number(json, "position", shown->positions[k].position);
+        yk_json_number(json, "velocity", shown->positions[k].velocity);
+        yk_json_number(json, "acceleration", shown->positions[k].acceleration);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
+static void add_other_machines(Checking *checking, const YkCheckVerdict *verdict)
+{
+    YkJson *json = &checking->json;
+    yk_json_string(json, "other_dimensions",
+                   verdict->is_false_there || verdict->is_refuted ? "false"
+                   : verdict->machines > 0                        ? "true at all poses tried"
+                                                                  : "not tried");
+    yk_json_integer(json, "machines", (long long)verdict->machines);
+    yk_json_integer(json, "machine_poses", (long long)verdict->machine_poses);
+    if (verdict->varied) yk_json_string(json, "varied", verdict->varied);
+    if (!verdict->is_false_there) return;
+    yk_json_object(json, "false_at", YK_JSON_LINES);
+    if (verdict->shown.machine) yk_json_string(json, "parameters", verdict->shown.machine);
+    add_shown(checking, &verdict->shown);
+    yk_json_end(json);
 }
 
 static void say_json(Checking *checking, const char *equation, const YkCheckVerdict *verdict, const char *why)
@@ -91,22 +148,9 @@ static void say_json(Checking *checking, const char *equation, const YkCheckVerd
         yk_json_integer(json, "poses", (long long)verdict->poses);
     }
     if (verdict->kind == YK_CHECK_UNREADABLE && why) yk_json_string(json, "message", why);
-    if (verdict->kind == YK_CHECK_TRUE_HERE)
-        yk_json_bool(json, "other_dimensions_decided", !verdict->is_for_these_numbers);
+    if (verdict->kind == YK_CHECK_TRUE_HERE) add_other_machines(checking, verdict);
     if (verdict->kind == YK_CHECK_FALSE) {
-        const YkMechanism *mech = checking->session->mech;
-        yk_json_number(json, "left", verdict->left);
-        yk_json_number(json, "right", verdict->right);
-        yk_json_object(json, "pose", YK_JSON_LINES);
-        for (size_t k = 0; k < yk_coordinate_count(mech); k++) {
-            YkMotion motion = yk_state_coordinate(checking->session->state, k);
-            yk_json_object(json, yk_coordinate_info(mech, k).name, YK_JSON_INLINE);
-            yk_json_number(json, "position", motion.position);
-            yk_json_number(json, "velocity", motion.velocity);
-            yk_json_number(json, "acceleration", motion.acceleration);
-            yk_json_end(json);
-        }
-        yk_json_end(json);
+        add_shown(checking, &verdict->shown);
         if (verdict->slip) yk_json_string(json, "hint", verdict->slip);
     }
     yk_json_end(json);

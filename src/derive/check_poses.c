@@ -1,10 +1,12 @@
 // Are both sides equal at poses of the numeric engine?
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "derive/check_inside.h"
 #include "derive/relations.h"
+#include "solve/state.h"
 
-enum { POSES = 24, TRIES = 100, STEPS = 96 };
+enum { TRIES_A_POSE = 4, STEPS = 96 };
 static const double EQUAL = 1e-9;
 
 static double uniform(YkCheck *check, double low, double high) // splitmix64 (Steele et al. 2014)
@@ -22,8 +24,7 @@ static bool solve_pose(YkCheck *check)
     return status >= 0 && yk_state_has_rates(check->state);
 }
 
-// The smallest transmission angle of the dyads: at 0 two configurations meet.
-static double margin(const YkCheck *check)
+double yk_check_margin(const YkCheck *check)
 {
     const YkMechanism *mech = check->d->mech;
     double least = YK_PI;
@@ -63,7 +64,8 @@ static bool move_to_random_pose(YkCheck *check, YkMotion *target)
     yk_state_copy(check->state, check->start);
     for (int step = 1; step <= STEPS; step++) {
         go(check, target, (double)step / STEPS);
-        if (yk_state_solve(check->state) < 0 || margin(check) < least) break;
+        if (yk_state_solve(check->state) < 0 || yk_check_margin(check) < least) break;
+        yk_state_refer(check->state); // angles go on from here, over any number of turns
         reached = (double)step / STEPS;
     }
     go(check, target, reached);
@@ -75,9 +77,9 @@ void yk_check_fill_values(YkCheck *check)
     yk_derive_values(check->d, check->state, check->dynamics, check->values);
 }
 
-static double distance_of(YkCheck *check)
+static double distance_of(YkCheck *check, const YkForm *zero)
 {
-    return yk_norm(yk_form_value(check->d->ring, check->difference, check->values));
+    return yk_norm(yk_form_value(check->d->ring, zero, check->values));
 }
 
 // Forces that are rounding alone - a moment that is 0 - are measured by those that are not.
@@ -91,7 +93,7 @@ static void disturb_forces(YkCheck *check)
 }
 
 // The size of what is compared when the coordinates are *not* on the machine: terms that are 0 there, too, have one.
-static double size_off_the_machine(YkCheck *check)
+static double size_off_the_machine(YkCheck *check, const YkForm *zero)
 {
     const YkDerivation *d = check->d;
     for (size_t k = 0; k < d->coordinate_count; k++) {
@@ -108,29 +110,106 @@ static double size_off_the_machine(YkCheck *check)
         if (d->bodies[b].angle >= 0) check->values[d->bodies[b].angle] += uniform(check, 0.2, 1);
     disturb_forces(check);
     yk_ring_complete(d->ring, check->values);
-    return distance_of(check);
+    return distance_of(check, zero);
 }
 
-// Compares at one pose; true when the sides differ there by more than rounding.
-static bool differs_here(YkCheck *check, size_t *poses)
+typedef enum Outcome { SAME, DIFFERENT, NO_NUMBER } Outcome;
+
+// Is it 0 at the values of a pose but for rounding? They are disturbed afterwards.
+static Outcome judge(YkCheck *check, const YkForm *zero)
 {
-    yk_check_fill_values(check);
-    double distance = distance_of(check), size = yk_form_magnitude(check->d->ring, check->difference, check->values),
-           elsewhere = size_off_the_machine(check);
-    if (!isfinite(distance) || !isfinite(size)) return false;
-    ++*poses;
-    return distance > EQUAL * (isfinite(elsewhere) ? fmax(size, elsewhere) : size);
+    double distance = distance_of(check, zero), size = yk_form_magnitude(check->d->ring, zero, check->values),
+           elsewhere = size_off_the_machine(check, zero);
+    if (!isfinite(distance) || !isfinite(size)) return NO_NUMBER;
+    return distance > EQUAL * (isfinite(elsewhere) ? fmax(size, elsewhere) : size) ? DIFFERENT : SAME;
 }
 
-bool yk_check_differs(YkCheck *check, size_t *poses)
+static void keep_values(YkCheck *check)
+{
+    double *kept = check->kept_count < YK_CHECK_POSES ? malloc(check->value_count * sizeof *kept) : NULL;
+    if (!kept) return;
+    memcpy(kept, check->values, check->value_count * sizeof *kept);
+    check->kept[check->kept_count++] = kept;
+}
+
+void yk_check_free_poses(YkCheck *check)
+{
+    for (size_t k = 0; k < check->kept_count; k++) free(check->kept[k]);
+    check->kept_count = 0;
+}
+
+static void note_motion(YkCheck *check)
+{
+    YkCheckSeen *seen = check->seen;
+    if (seen->count == YK_CHECK_SEEN_MAX) return;
+    size_t n = check->d->tree_count;
+    double *row = seen->motion + 2 * n * seen->count++;
+    for (size_t k = 0; k < n; k++) {
+        YkMotion motion = yk_state_coordinate(check->state, k);
+        row[k] = motion.position;
+        row[n + k] = motion.velocity;
+    }
+}
+
+// The first pose is the start.
+static bool next_pose(YkCheck *check, size_t index, YkMotion *target)
+{
+    if (index == 0 ? !solve_pose(check) : !move_to_random_pose(check, target)) return false;
+    yk_check_fill_values(check);
+    return true;
+}
+
+bool yk_check_differs(YkCheck *check, size_t most, size_t *poses)
 {
     YkMotion *target = calloc(check->d->mech->input_count + 1, sizeof *target);
     bool differs = false;
-    check->start_margin = margin(check);
-    for (int k = 0; target && k < TRIES && *poses < POSES && !differs; k++)
-        if (k == 0 ? solve_pose(check) : move_to_random_pose(check, target)) differs = differs_here(check, poses);
+    check->start_margin = yk_check_margin(check);
+    for (size_t k = 0; target && k < TRIES_A_POSE * most && *poses < most && !differs; k++) {
+        if (!next_pose(check, k, target)) continue;
+        keep_values(check);
+        note_motion(check);
+        Outcome outcome = judge(check, check->difference);
+        *poses += outcome != NO_NUMBER;
+        differs = outcome == DIFFERENT;
+    }
     free(target);
     return differs;
+}
+
+// More poses, whatever the equation says there. The state comes back as it was; forces do not.
+static void keep_more(YkCheck *check)
+{
+    YkMotion *target = calloc(check->d->mech->input_count + 1, sizeof *target);
+    YkState *here = yk_state_new(check->d->mech);
+    if (target && here && yk_state_copy(here, check->state) >= 0) {
+        for (size_t k = 1; k < TRIES_A_POSE * YK_CHECK_POSES && check->kept_count < YK_CHECK_POSES; k++)
+            if (next_pose(check, k, target)) keep_values(check);
+        yk_state_copy(check->state, here);
+    }
+    yk_state_free(here);
+    free(target);
+}
+
+bool yk_check_is_zero_at_poses(YkCheck *check, const YkForm *zero)
+{
+    size_t poses = 0;
+    if (yk_ring_symbol_count(check->d->ring) > check->value_count) return false;
+    if (check->kept_count < YK_CHECK_POSES_MIN) keep_more(check);
+    for (size_t k = 0; k < check->kept_count; k++) {
+        memcpy(check->values, check->kept[k], check->value_count * sizeof *check->values);
+        yk_ring_complete(check->d->ring, check->values); // constants that this form brought
+        Outcome outcome = judge(check, zero);
+        if (outcome == DIFFERENT) return false;
+        poses += outcome == SAME;
+    }
+    return poses >= YK_CHECK_POSES_MIN;
+}
+
+static bool holds_here(YkCheck *check)
+{
+    if (!solve_pose(check)) return false;
+    yk_check_fill_values(check);
+    return judge(check, check->difference) == SAME;
 }
 
 bool yk_check_holds_in_drive(YkCheck *check)
@@ -138,7 +217,7 @@ bool yk_check_holds_in_drive(YkCheck *check)
     static const double times[] = {0, 0.013, 0.137, 0.31};
     const YkMechanism *mech = check->d->mech;
     bool has_drive = false, holds = true;
-    size_t poses = 0, count = sizeof times / sizeof *times;
+    size_t count = sizeof times / sizeof *times;
     for (size_t i = 0; i < mech->input_count; i++) {
         const YkDeriveCoordinate *c = &check->d->coordinates[mech->inputs[i]];
         has_drive |= c->drive != YK_NONE && !c->is_held;
@@ -147,9 +226,8 @@ bool yk_check_holds_in_drive(YkCheck *check)
     if (!shown || yk_state_copy(shown, check->state) < 0) holds = false;
     yk_state_copy(check->state, check->start);
     for (size_t k = 0; k < count && holds; k++)
-        holds =
-            yk_state_set_time(check->state, times[k], NULL) >= 0 && solve_pose(check) && !differs_here(check, &poses);
+        holds = yk_state_set_time(check->state, times[k], NULL) >= 0 && holds_here(check);
     if (shown) yk_state_copy(check->state, shown);
     yk_state_free(shown);
-    return holds && poses == count;
+    return holds;
 }

@@ -2,7 +2,30 @@
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
 #include "derive/free_bodies.h"
-#include "derive/relations.h"
+
+enum { POSES_ASKED = 4 };
+
+// Points of another assembly say nothing of this machine.
+static bool is_of_machine(YkCheck *check, int rank)
+{
+    bool is = false;
+    for (size_t k = 0; k < check->kept_count && k < POSES_ASKED && !is; k++)
+        is = yk_loop_is_assembly(check->d, check->bonds, rank, check->kept[k]);
+    return is;
+}
+
+static void try_point(YkCheck *check, bool has_roots, size_t most)
+{
+    bool is_possible;
+    int rank;
+    YkFieldPoint *point =
+        yk_derive_assembly_point(check->d, check->bonds, ++check->points_tried * 7919, &rank, &is_possible);
+    if (point && check->ground == YK_GROUND_UNTRIED)
+        check->ground = is_of_machine(check, rank) ? YK_GROUND_FIRM : YK_GROUND_NONE;
+    if (point) check->points[check->point_count++] = point;
+    if (!point && !has_roots) check->points_tried = most;
+    if (check->ground == YK_GROUND_NONE) yk_check_free_points(check);
+}
 
 // Has it an e^(i angle) in it?
 static bool has_turns(YkRing *ring, const YkForm *form)
@@ -10,10 +33,9 @@ static bool has_turns(YkRing *ring, const YkForm *form)
     const YkPoisson *a = yk_form_element(form), *one = yk_ring_rational(ring, 1, 1);
     for (size_t k = 0; !a && k < yk_form_part_count(form); k++)
         if (has_turns(ring, yk_form_part(form, k))) return true;
-    for (size_t s = 0; a && s < yk_ring_symbol_count(ring); s++) {
-        if (!yk_ring_is_angle(ring, (int32_t)s) || !yk_ring_mentions(ring, a, (int32_t)s)) continue;
-        const YkRingChange change = {(int32_t)s, NULL, one};
-        if (!yk_ring_is_same(a, yk_ring_substitute(ring, a, &change, 1))) return true;
+    for (int32_t s = a ? yk_ring_next_symbol(ring, a, -1) : -1; s >= 0; s = yk_ring_next_symbol(ring, a, s)) {
+        const YkRingChange change = {s, NULL, one};
+        if (yk_ring_is_angle(ring, s) && !yk_ring_is_same(a, yk_ring_substitute(ring, a, &change, 1))) return true;
     }
     return false;
 }
@@ -33,12 +55,9 @@ static YkFieldPoint *next_point(YkCheck *check, size_t index)
     bool has_roots = forces && forces->length_count > 0; // then only some seeds lead to a point
     size_t most = has_roots ? YK_CHECK_POINTS_TRIED : YK_CHECK_POINTS_TRIED / 10;
     if (check->points_symbols != yk_ring_symbol_count(check->d->ring)) yk_check_free_points(check);
-    while (check->point_count <= index && check->points_tried < most) {
-        bool is_possible;
-        YkFieldPoint *point = yk_derive_loop_point(check->d, ++check->points_tried * 7919, &is_possible);
-        if (point) check->points[check->point_count++] = point;
-        if (!point && !has_roots) check->points_tried = most;
-    }
+    while (check->ground != YK_GROUND_NONE && check->point_count <= index && check->points_tried < most)
+        try_point(check, has_roots, most);
+    if (check->points_tried == most && check->point_count == 0) check->ground = YK_GROUND_NONE;
     check->points_symbols = yk_ring_symbol_count(check->d->ring);
     return index < check->point_count ? check->points[index] : NULL;
 }
@@ -49,6 +68,13 @@ void yk_check_free_points(YkCheck *check)
     check->point_count = check->points_tried = 0;
 }
 
+void yk_check_bind(YkCheck *check, const YkLoopBonds *bonds)
+{
+    yk_check_free_points(check);
+    check->bonds = bonds;
+    check->ground = YK_GROUND_UNTRIED;
+}
+
 YkProof yk_check_prove(YkCheck *check, const YkForm *zero)
 {
     int points = 0;
@@ -56,7 +82,8 @@ YkProof yk_check_prove(YkCheck *check, const YkForm *zero)
     for (size_t k = 0; points < YK_CHECK_POINTS && (point = next_point(check, k)) != NULL; k++) {
         uint64_t value;
         if (!yk_form_field(check->d->ring, zero, point, &value)) continue; // a division by zero
-        if (value != 0) return can_refute(check, zero) ? YK_REFUTED : YK_NO_PROOF;
+        if (value != 0 && !yk_field_point_is_loose(point) && can_refute(check, zero)) return YK_REFUTED;
+        if (value != 0) return YK_NO_PROOF;
         points++;
     }
     return points == YK_CHECK_POINTS ? YK_PROVED : YK_NO_PROOF;

@@ -4,9 +4,17 @@
 
 static const char *keep(YkCheck *check, YkText *text)
 {
+    if (check->ground != YK_GROUND_FIRM) yk_text_puts(text, " with this file's numbers");
     const char *kept = text->failed ? NULL : yk_arena_copy(check->d->arena, yk_text_get(text), text->length);
     yk_text_free(text);
     return kept;
+}
+
+// For all dimensions or, where nothing can be proved, at poses of this machine.
+static bool is_true(YkCheck *check, const YkForm *zero)
+{
+    return yk_check_prove(check, zero) == YK_PROVED ||
+           (check->ground != YK_GROUND_FIRM && yk_check_is_zero_at_poses(check, zero));
 }
 
 // --- A summand with another factor: sign, 2, 1/2, 0
@@ -29,12 +37,12 @@ static const YkForm *with_factor(YkCheck *check, const YkEquationTerm *term, con
 
 static const char *find_factor(YkCheck *check, const Factor *factor)
 {
-    const YkEquation *equation = check->equation;
+    const YkEquation *equation = &check->equation;
     // from the end: the first summand has often no sign of its own
     for (size_t k = equation->term_count; k > 0 && equation->term_count > 1; k--) {
         const YkEquationTerm *term = &equation->terms[k - 1];
         if (factor->over == 0 && equation->term_count < 3) return NULL; // nothing would be left to say
-        if (yk_check_prove(check, with_factor(check, term, factor)) != YK_PROVED) continue;
+        if (!is_true(check, with_factor(check, term, factor))) continue;
         YkText text = {0}, words = {0};
         yk_text_add(&words, check->text + term->start, term->end - term->start);
         yk_text_format(&text, factor->words, yk_text_get(&words));
@@ -54,7 +62,7 @@ static bool is_true_with(YkCheck *check, const char *text, size_t length)
     bool is_read = problems && yk_equation_read(check->d, text, length, (YkPlace){1, 1, 0}, problems, &equation);
     yk_problems_free(problems);
     if (!is_read) return false;
-    return yk_check_prove(check, yk_form_subtract(check->d->ring, equation.left, equation.right)) == YK_PROVED;
+    return is_true(check, yk_form_subtract(check->d->ring, equation.left, equation.right));
 }
 
 static bool is_word_part(char c)

@@ -51,7 +51,7 @@ static void wrong_equations_are_false_with_a_pose_that_shows_it(void **state)
     for (size_t k = 0; k < sizeof equations / sizeof *equations; k++) {
         YkCheckVerdict verdict = verdict_on(&m, equations[k]);
         assert_int_equal(verdict.kind, YK_CHECK_FALSE);
-        assert_true(fabs(verdict.left - verdict.right) > 1e-6);
+        assert_true(fabs(verdict.shown.left - verdict.shown.right) > 1e-6);
     }
     machine_end(&m);
 }
@@ -76,7 +76,10 @@ static void what_only_these_numbers_make_true_is_told_apart(void **state)
     Machine m = example("quick-return");
     YkCheckVerdict verdict = verdict_on(&m, "l1 = 3/4");
     assert_int_equal(verdict.kind, YK_CHECK_TRUE_HERE);
-    assert_false(verdict.is_for_these_numbers);
+    assert_true(verdict.is_false_there);
+    assert_int_equal(strncmp(verdict.shown.machine, "l1 = ", 5), 0); // no other parameter is named
+    CHECK_NEAR(verdict.shown.left, strtod(verdict.shown.machine + 5, NULL), 1e-15);
+    CHECK_NEAR(verdict.shown.right, 0.75, 1e-15);
     assert_true(verdict.poses >= 8);
     check_kind(&m, "a1*l1*cos(theta1) = a2*d3*cos(theta2)", YK_CHECK_TRUE_HERE); // a1 = a2 in this file
     machine_end(&m);

@@ -125,7 +125,7 @@ static void check_slip(Machine *m, YkDynamics *dynamics, const char *equation, c
 {
     YkCheckVerdict verdict = forces_verdict(m, dynamics, equation);
     assert_int_equal(verdict.kind, YK_CHECK_FALSE);
-    assert_true(verdict.left != verdict.right);
+    assert_true(verdict.shown.left != verdict.shown.right);
     if (!slip && !verdict.slip) return;
     if (!slip || !verdict.slip || strcmp(slip, verdict.slip) != 0)
         print_error("%s: %s\n", equation, verdict.slip ? verdict.slip : "no slip");
@@ -169,12 +169,12 @@ static void the_pose_tells_what_the_equation_speaks_of(void **state)
     (void)state;
     Machine m = example("toggle");
     YkDynamics *dynamics = dynamics_of(&m);
-    assert_int_equal(forces_verdict(&m, dynamics, "theta1 = theta2").order, 0);
-    assert_int_equal(forces_verdict(&m, dynamics, "theta1' = d5'/l1").order, 1);
+    assert_int_equal(forces_verdict(&m, dynamics, "theta1 = theta2").shown.order, 0);
+    assert_int_equal(forces_verdict(&m, dynamics, "theta1' = d5'/l1").shown.order, 1);
     YkCheckVerdict verdict = forces_verdict(&m, dynamics, "2 B.force.x = m5 d5''");
-    assert_int_equal(verdict.order, 2);
-    assert_non_null(strstr(verdict.forces, "F45x = "));
-    CHECK_NEAR(strtod(strstr(verdict.forces, "= ") + 2, NULL), verdict.left / 2, 1e-4);
+    assert_int_equal(verdict.shown.order, 2);
+    assert_non_null(strstr(verdict.shown.forces, "F45x = "));
+    CHECK_NEAR(strtod(strstr(verdict.shown.forces, "= ") + 2, NULL), verdict.shown.left / 2, 1e-4);
     yk_dynamics_free(dynamics);
     machine_end(&m);
 }
