@@ -21,7 +21,7 @@ static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
     YkRef A = f->mass[free[0] * n + free[0]], B = f->mass[free[1] * n + free[0]], D = f->mass[free[1] * n + free[1]];
     YkRef whole = yk_dag_multiply(g, A, D);
     YkRef determinant = yk_dag_subtract(g, whole, yk_dag_multiply(g, B, B));
-    YkRef over = yk_dag_divide(g, yk_dag_number(g, 1), determinant), first = b[0], second = b[1];
+    YkRef over = yk_dag_inverse(g, determinant), first = b[0], second = b[1];
     keep_pivot(f, A, A);
     keep_pivot(f, determinant, whole);
     b[0] = yk_dag_subtract(g, yk_dag_multiply(g, D, first), yk_dag_multiply(g, B, second));
@@ -40,7 +40,7 @@ static void solve_straight(YkForces *f, const size_t *free, YkRef *b)
         for (size_t j = 0; j < m; j++) A[i][j] = f->mass[free[i] * n + free[j]];
     for (size_t k = 0; k < m; k++) {
         keep_pivot(f, A[k][k], f->mass[free[k] * n + free[k]]);
-        inverse[k] = yk_dag_divide(g, yk_dag_number(g, 1), A[k][k]);
+        inverse[k] = yk_dag_inverse(g, A[k][k]);
         for (size_t i = k + 1; i < m; i++) {
             L[i][k] = yk_dag_multiply(g, A[i][k], inverse[k]);
             for (size_t j = k + 1; j <= i; j++) {

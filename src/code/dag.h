@@ -105,6 +105,7 @@ YkRef yk_dag_add(YkDag *graph, YkRef a, YkRef b);
 YkRef yk_dag_subtract(YkDag *graph, YkRef a, YkRef b);
 YkRef yk_dag_multiply(YkDag *graph, YkRef a, YkRef b);
 YkRef yk_dag_divide(YkDag *graph, YkRef a, YkRef b);
+YkRef yk_dag_inverse(YkDag *graph, YkRef a);
 YkRef yk_dag_minus(YkDag *graph, YkRef a);
 YkRef yk_dag_power(YkDag *graph, YkRef a, YkRef b);
 YkRef yk_dag_function(YkDag *graph, YkFunction function, YkRef a, YkRef b);

@@ -99,6 +99,11 @@ YkRef yk_dag_divide(YkDag *g, YkRef a, YkRef b)
     return operation(g, YK_VALUE_DIVIDE, a, b, NOTHING);
 }
 
+YkRef yk_dag_inverse(YkDag *g, YkRef a)
+{
+    return yk_dag_divide(g, yk_dag_number(g, 1), a);
+}
+
 // Whole powers up to this are products.
 enum { POWER_MAX = 8 };
 
@@ -111,7 +116,7 @@ YkRef yk_dag_power(YkDag *g, YkRef a, YkRef b)
         if (exponent == rint(exponent) && fabs(exponent) <= POWER_MAX) {
             YkRef product = yk_dag_number(g, 1);
             for (int k = 0; k < (int)fabs(exponent); k++) product = yk_dag_multiply(g, product, a);
-            return exponent < 0 ? yk_dag_divide(g, yk_dag_number(g, 1), product) : product;
+            return exponent < 0 ? yk_dag_inverse(g, product) : product;
         }
     }
     return operation(g, YK_VALUE_POWER, a, b, NOTHING);

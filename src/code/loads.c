@@ -156,7 +156,7 @@ static void add_spring(YkForces *f, const YkSpring *s)
     YkRefVec line = yk_dag_vec_subtract(g, at[1], at[0]);
     YkRef length = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1);
     yk_dag_name(g, length, "%s_length", yk_program_name(p, s->name));
-    YkRef per = yk_dag_divide(g, yk_dag_number(g, 1), yk_dag_unary(g, YK_VALUE_NONZERO, length));
+    YkRef per = yk_dag_inverse(g, yk_dag_unary(g, YK_VALUE_NONZERO, length));
     YkRef stretch = yk_dag_subtract(g, length, free);
     YkRef speed = yk_dag_multiply(g, yk_dag_dot(g, yk_dag_vec_subtract(g, rate[1], rate[0]), line), per);
     YkRef pull = yk_dag_add(g, yk_dag_multiply(g, stiffness, stretch), yk_dag_multiply(g, damping, speed));

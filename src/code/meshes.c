@@ -64,7 +64,7 @@ static void enter_gear(YkBalance *w, size_t column, const YkGear *gear)
     YkRefVec A = center_of(p, gear->body[0]), line = yk_dag_vec_subtract(g, center_of(p, gear->body[1]), A);
     YkRefVec out = yk_dag_vec_scale(g, yk_dag_number(g, a / (a + b)), line); // internal: beyond A
     YkRefVec pitch = yk_dag_vec_add(g, A, out);
-    YkRef per = yk_dag_divide(g, yk_dag_number(g, 1), yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1));
+    YkRef per = yk_dag_inverse(g, yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1));
     YkRefVec unit = yk_dag_vec_scale(g, per, line);
     yk_meshes_force(w, column, gear->body, pitch, yk_dag_vec_quarter(g, unit));
     if (w->columns[column].radial == 0) return;

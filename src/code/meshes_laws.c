@@ -72,7 +72,7 @@ static void roller_force(YkBalance *w, size_t column, const YkCam *cam, const Ca
     YkRefVec out = yk_dag_vec_quarter(g, yk_dag_vec_subtract(g, at, pose->center));
     YkRefVec against = yk_dag_vec_subtract(g, velocity, yk_dag_vec_scale(g, yk_dag_number(g, pose->turn), out));
     YkRef speed = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, against, against), -1);
-    YkRef per = yk_dag_divide(g, yk_dag_number(g, 1), speed);
+    YkRef per = yk_dag_inverse(g, speed);
     YkRefVec force = yk_dag_vec_scale(g, per, yk_dag_vec_quarter(g, against));
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, force);
 }

@@ -103,7 +103,7 @@ int32_t yk_program_law(const YkProgram *program, const YkLaw *law); // its place
 // The value of a law and its two derivatives, as a call.
 int32_t yk_program_call_law(YkProgram *program, int32_t law, YkRef argument);
 YkRefVec yk_program_sum(YkProgram *program, const YkSum *sum);
-// blocks.c: one block.
+// blocks.c: one block, of any kind.
 void yk_program_place(YkProgram *program, size_t block);
 
 // rates.c

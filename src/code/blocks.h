@@ -1,0 +1,24 @@
+// The positions of blocks: dyads in closed form, groups by Newton's method, what repeats constraints.
+#ifndef CODE_BLOCKS_H
+#define CODE_BLOCKS_H
+#include "code/program.h"
+
+// blocks.c: what they share.
+YkRef yk_block_branch(YkProgram *program, size_t block); // +1 or -1
+// A unit vector: the block's line `k`, along which `column` slides, as it stands.
+YkRefVec yk_block_line(YkProgram *program, const YkBlock *block, size_t column, size_t k);
+void yk_block_set_unit(YkProgram *program, int32_t slot, YkRefVec unit);
+void yk_block_set_distance(YkProgram *program, int32_t distance, YkRef value);
+void yk_block_name(YkProgram *program, YkRefVec vector, const char *block, const char *what);
+// Keeps the least margin. It is no number once a block did not come out finite.
+void yk_block_keep_margin(YkProgram *program, YkRef margin, YkRef result);
+
+// dyads.c
+void yk_block_place_rrr(YkProgram *program, size_t block, YkPlaced *placed);
+void yk_block_place_rrp(YkProgram *program, size_t block, YkPlaced *placed);
+void yk_block_place_rpr(YkProgram *program, size_t block, YkPlaced *placed);
+void yk_block_place_pp(YkProgram *program, size_t block, YkPlaced *placed);
+// groups.c
+void yk_block_place_group(YkProgram *program, size_t block, YkPlaced *placed);
+
+#endif

@@ -1,0 +1,127 @@
+// Dyads, in closed form: the formulas of solve/kernels*, where they are derived.
+#include "code/blocks.h"
+
+// 1 / a, as a complex number.
+static YkRefVec vec_inverse(YkDag *g, YkRefVec a)
+{
+    if (yk_dag_is_number(g, a.y, 0)) return (YkRefVec){yk_dag_inverse(g, a.x), a.y};
+    return yk_dag_vec_scale(g, yk_dag_inverse(g, yk_dag_dot(g, a, a)), yk_dag_vec_conjugate(g, a));
+}
+
+static YkRef not_negative(YkDag *g, YkRef a)
+{
+    return yk_dag_binary(g, YK_VALUE_LARGEST, a, yk_dag_number(g, 0));
+}
+
+// RRR: two circles meet.
+void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
+{
+    YkDag *g = &p->graph;
+    const YkBlock *b = &p->mech->blocks[index];
+    YkRefVec K = placed->known, U = yk_program_sum(p, &b->arm[0]), W = yk_program_sum(p, &b->arm[1]);
+    YkRef U2 = yk_dag_dot(g, U, U), W2 = yk_dag_dot(g, W, W), L2 = yk_dag_dot(g, K, K);
+    YkRef u = yk_dag_function(g, YK_SQRT, U2, -1), w = yk_dag_function(g, YK_SQRT, W2, -1);
+    YkRef sum = yk_dag_add(g, u, w), difference = yk_dag_subtract(g, u, w);
+    YkRef outer = yk_dag_multiply(g, sum, sum), inner = yk_dag_multiply(g, difference, difference);
+    YkRef product = yk_dag_multiply(g, sum, difference);
+    yk_dag_name(g, L2, "%s_L2", placed->name);
+    yk_dag_name(g, outer, "%s_outer", placed->name);
+    yk_dag_name(g, inner, "%s_inner", placed->name);
+    yk_dag_name(g, product, "%s_product", placed->name);
+    YkRef square = yk_dag_multiply(g, yk_dag_subtract(g, outer, L2), yk_dag_subtract(g, L2, inner));
+    yk_dag_name(g, square, "%s_square", placed->name);
+    YkRef per_root = yk_dag_multiply(g, yk_block_branch(p, index), yk_dag_unary(g, YK_VALUE_PER_ROOT, square));
+    YkRef per_L2 = yk_dag_inverse(g, L2), half = yk_dag_multiply(g, yk_dag_number(g, 0.5), per_L2);
+    YkRef root = yk_dag_multiply(g, not_negative(g, square), per_root);
+    YkRef slope = yk_dag_multiply(g, root, half);
+    YkRef first = yk_dag_minus(g, yk_dag_multiply(g, yk_dag_add(g, L2, product), half));
+    YkRef second = yk_dag_minus(g, yk_dag_multiply(g, yk_dag_subtract(g, L2, product), half));
+    placed->p = yk_dag_vec_multiply(g, K, (YkRefVec){first, slope});
+    placed->q = yk_dag_vec_multiply(g, K, (YkRefVec){second, yk_dag_minus(g, slope)});
+    yk_block_name(p, placed->p, placed->name, "p");
+    yk_block_name(p, placed->q, placed->name, "q");
+    placed->inverse = yk_dag_multiply(g, yk_dag_number(g, 2), per_root); // 1 / D
+    yk_dag_name(g, placed->inverse, "%s_per_D", placed->name);
+    placed->e[0] = yk_dag_vec_multiply(g, placed->p, vec_inverse(g, U));
+    placed->e[1] = yk_dag_vec_multiply(g, placed->q, vec_inverse(g, W));
+    yk_block_set_unit(p, b->column[0].index, placed->e[0]);
+    yk_block_set_unit(p, b->column[1].index, placed->e[1]);
+    YkRef margin = yk_dag_multiply(
+        g, square, yk_dag_inverse(g, yk_dag_multiply(g, yk_dag_number(g, 4), yk_dag_multiply(g, U2, W2))));
+    YkRef shortness = yk_dag_multiply(g, yk_dag_multiply(g, u, w), per_L2);
+    YkRef longer = yk_dag_binary(g, YK_VALUE_LARGEST, shortness, yk_dag_number(g, 1));
+    yk_block_keep_margin(p, yk_dag_choose(g, margin, yk_dag_multiply(g, margin, longer), margin), placed->e[0].x);
+}
+
+// RRP: a circle meets a line.
+void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
+{
+    YkDag *g = &p->graph;
+    const YkBlock *b = &p->mech->blocks[index];
+    YkRefVec K = placed->known, W = yk_program_sum(p, &b->arm[0]), e = yk_block_line(p, b, 1, 0);
+    YkRef W2 = yk_dag_dot(g, W, W), radius = yk_dag_function(g, YK_SQRT, W2, -1);
+    YkRef h = yk_dag_minus(g, yk_dag_cross(g, e, K)), along = yk_dag_dot(g, e, K);
+    yk_dag_name(g, h, "%s_h", placed->name);
+    YkRef g2 = yk_dag_multiply(g, yk_dag_subtract(g, radius, h), yk_dag_add(g, radius, h));
+    yk_dag_name(g, g2, "%s_g2", placed->name);
+    YkRef per_root =
+        yk_dag_minus(g, yk_dag_multiply(g, yk_block_branch(p, index), yk_dag_unary(g, YK_VALUE_PER_ROOT, g2)));
+    YkRef minus_g = yk_dag_multiply(g, not_negative(g, g2), per_root);
+    YkRef d = yk_dag_subtract(g, minus_g, along);
+    placed->q = yk_dag_vec_multiply(g, (YkRefVec){yk_dag_minus(g, minus_g), h}, e);
+    placed->e[0] = e;
+    placed->e[1] = yk_dag_vec_multiply(g, placed->q, vec_inverse(g, W));
+    placed->inverse = yk_dag_name(g, per_root, "%s_per_g", placed->name);
+    yk_block_set_distance(p, b->column[1].index, d);
+    yk_block_set_unit(p, b->column[0].index, placed->e[1]);
+    YkRef margin = yk_dag_multiply(g, g2, yk_dag_inverse(g, W2));
+    yk_block_keep_margin(p, margin, margin);
+}
+
+// RPR through the pin: where the point comes to the pin any angle would do, and the engine has no number there.
+static YkRef singular_where_tiny(YkProgram *p, YkRef K2)
+{
+    YkDag *g = &p->graph;
+    double size = yk_program_size(p);
+    YkRef of_size = yk_dag_multiply(g, yk_dag_number(g, 1 / (size * size)), K2);
+    return yk_dag_subtract(g, yk_dag_multiply(g, yk_dag_number(g, 1e34), of_size), yk_dag_number(g, 1));
+}
+
+// RPR: a line that turns about a pin passes a point.
+void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
+{
+    YkDag *g = &p->graph;
+    const YkBlock *b = &p->mech->blocks[index];
+    YkRefVec K = placed->known, C = yk_program_sum(p, &b->arm[0]), f = yk_block_line(p, b, 1, 0);
+    YkRef h = yk_dag_cross(g, f, C), along = yk_dag_dot(g, f, C), K2 = yk_dag_dot(g, K, K);
+    YkRef r2 = yk_dag_subtract(g, K2, yk_dag_multiply(g, h, h));
+    yk_dag_name(g, K2, "%s_K2", placed->name);
+    placed->passes_pin = yk_dag_is_number(g, h, 0) && yk_dag_is_number(g, along, 0);
+    YkRef per_root = yk_dag_multiply(g, yk_block_branch(p, index), yk_dag_unary(g, YK_VALUE_PER_ROOT, r2));
+    YkRef r = yk_dag_name(g, yk_dag_multiply(g, not_negative(g, r2), per_root), "%s_r", placed->name);
+    placed->inverse = yk_dag_name(g, per_root, "%s_per_r", placed->name);
+    YkRef per_K2 = placed->passes_pin ? -1 : yk_dag_inverse(g, K2);
+    YkRef across = placed->passes_pin ? h : yk_dag_multiply(g, h, per_K2);
+    YkRef down = yk_dag_minus(g, placed->passes_pin ? per_root : yk_dag_multiply(g, r, per_K2));
+    YkRefVec e = yk_dag_vec_multiply(g, K, (YkRefVec){down, across});
+    placed->e[0] = e;
+    placed->e[1] = yk_dag_vec_multiply(g, e, yk_dag_vec_conjugate(g, f));
+    yk_block_set_unit(p, b->column[0].index, placed->e[1]);
+    yk_block_set_distance(p, b->column[1].index, yk_dag_subtract(g, r, along));
+    yk_block_keep_margin(p, placed->passes_pin ? singular_where_tiny(p, K2) : yk_dag_multiply(g, r2, per_K2), e.x);
+}
+
+// PP: two lines meet.
+void yk_block_place_pp(YkProgram *p, size_t index, YkPlaced *placed)
+{
+    YkDag *g = &p->graph;
+    const YkBlock *b = &p->mech->blocks[index];
+    for (size_t k = 0; k < 2; k++) placed->e[k] = yk_block_line(p, b, k, k);
+    YkRef D = yk_dag_cross(g, placed->e[0], placed->e[1]);
+    placed->inverse = yk_dag_inverse(g, D);
+    YkRef d1 = yk_dag_minus(g, yk_dag_multiply(g, yk_dag_cross(g, placed->known, placed->e[1]), placed->inverse));
+    YkRef d2 = yk_dag_multiply(g, yk_dag_cross(g, placed->known, placed->e[0]), placed->inverse);
+    yk_block_set_distance(p, b->column[0].index, d1);
+    yk_block_set_distance(p, b->column[1].index, d2);
+    yk_block_keep_margin(p, yk_dag_multiply(g, D, D), d1);
+}
