@@ -12,20 +12,23 @@ typedef struct Build {
     bool failed;
 } Build;
 
-static void add_term(Build *b, YkRelationTerm term)
+bool yk_relation_add_term(YkMechanism *mech, size_t first, YkRelationTerm term)
 {
-    YkMechanism *mech = b->mech;
-    if (!term.is_distance && term.index == 0) return; // the ground
-    for (size_t k = b->first; k < mech->relation_term_count; k++) {
+    for (size_t k = first; k < mech->relation_term_count; k++) {
         YkRelationTerm *old = &mech->relation_terms[k];
         if (old->is_distance != term.is_distance || old->index != term.index) continue;
         old->factor += term.factor;
-        return;
+        return true;
     }
-    if (YK_ROOM(mech->relation_terms, mech->relation_term_count, mech->relation_term_capacity))
-        mech->relation_terms[mech->relation_term_count++] = term;
-    else
-        b->failed = true;
+    if (!YK_ROOM(mech->relation_terms, mech->relation_term_count, mech->relation_term_capacity)) return false;
+    mech->relation_terms[mech->relation_term_count++] = term;
+    return true;
+}
+
+static void add_term(Build *b, YkRelationTerm term)
+{
+    if (!term.is_distance && term.index == 0) return; // the ground
+    if (!yk_relation_add_term(b->mech, b->first, term)) b->failed = true;
 }
 
 // factor * (angle of the body, as the sum of joint angles along the tree); the constant part of its orientation is

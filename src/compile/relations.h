@@ -7,5 +7,7 @@
 // the coordinates that it ties, theirs; otherwise the teeth that meet when all coordinates are 0 meet. False when out
 // of memory.
 bool yk_relations_build(YkMechanism *mech);
+// Adds a term to the sum that begins at mech->relation_terms[first] and ends with the last. False when out of memory.
+bool yk_relation_add_term(YkMechanism *mech, size_t first, YkRelationTerm term);
 
 #endif

@@ -3,6 +3,7 @@
 // An angle that is a sum of inputs is kept as such a sum (a *form*), so that trains of gears stay exact over any number
 // of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "compile/plan.h"
+#include "compile/relations.h"
 #include <stdlib.h>
 
 typedef struct YkForm {
@@ -361,21 +362,6 @@ static void reduce(Rows *rows)
     }
 }
 
-static void add_to_derived(YkPlan *plan, uint32_t first, YkRelationTerm term)
-{
-    YkMechanism *mech = plan->mech;
-    for (size_t k = first; k < mech->relation_term_count; k++) {
-        YkRelationTerm *old = &mech->relation_terms[k];
-        if (old->is_distance != term.is_distance || old->index != term.index) continue;
-        old->factor += term.factor;
-        return;
-    }
-    if (YK_ROOM(mech->relation_terms, mech->relation_term_count, mech->relation_term_capacity))
-        mech->relation_terms[mech->relation_term_count++] = term;
-    else
-        plan->failed = true;
-}
-
 // The sum of relations that a row stands for, as a relation of its own behind the others.
 static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
 {
@@ -392,7 +378,7 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
         for (uint32_t t = 0; t < r->term_count; t++) {
             YkRelationTerm term = mech->relation_terms[r->first_term + t];
             term.factor *= share;
-            add_to_derived(plan, sum->first_term, term);
+            if (!yk_relation_add_term(mech, sum->first_term, term)) plan->failed = true;
         }
     }
     sum->term_count = (uint32_t)mech->relation_term_count - sum->first_term;

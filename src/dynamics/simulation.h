@@ -79,6 +79,9 @@ struct YkSimulation {
     YkStatus status;
 };
 
+// answers.c: takes account of the energy at the pose that stands.
+void yk_simulation_count_energy(YkSimulation *sim);
+
 // start.c
 // Rates of the inputs from what `start:` gives, as well as the loops allow.
 bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
@@ -91,17 +94,18 @@ bool yk_simulation_set(YkSimulation *sim, double t, const double *y);
 // The state's pose at (t, y) with its accelerations. Sets sim->status and the report on failure.
 bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
 
-// crossing.c: change points.
+// crossing.c and its neighbours: change points.
 void yk_simulation_look_near(YkSimulation *sim, double t); // at the pose that stands: which blocks are near
-bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 void yk_simulation_set_signs(YkSimulation *sim, double t);
+// For how long, at the rates of the pose that stands, no block that is not near comes to a singular position.
+double yk_simulation_reach(YkSimulation *sim);
+double yk_simulation_margin(const YkSimulation *sim);
+// interpolation.c: is the pose so near that they are interpolated?
+bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 // Accelerations and powers next to a singular position, by interpolation along the motion. LEFT: the pose itself tells
 // them better.
 typedef enum YkInterpolation { YK_INTERPOLATION_DONE, YK_INTERPOLATION_LEFT, YK_INTERPOLATION_FAILED } YkInterpolation;
 YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt);
-// For how long, at the rates of the pose that stands, no block that is not near comes to a singular position.
-double yk_simulation_reach(YkSimulation *sim);
-double yk_simulation_margin(const YkSimulation *sim);
 
 // coordinates.c: other independent coordinates.
 // Are others better here? Then takes them: everything is made anew for them, the pose stays. False on failure.

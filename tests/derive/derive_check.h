@@ -102,6 +102,17 @@ static inline const double *page_values(Machine *m)
     return m->values = values;
 }
 
+// The page can be written in every format, and every name in it is there.
+static inline void check_formats(Machine *m, const char *title, const double *values)
+{
+    for (size_t format = 0; format < YK_PAGE_FORMATS; format++) {
+        YkText text = {0};
+        assert_true(yk_page_write(&m->page, (YkPageFormat)format, title, values, &text));
+        assert_null(strstr(yk_text_get(&text), "(null)"));
+        yk_text_free(&text);
+    }
+}
+
 // Assembles at the start, then moves the inputs by random amounts with random rates; false where that does not close.
 static inline bool random_pose(Machine *m, bool start)
 {

@@ -269,12 +269,7 @@ static void visit(Machine *m, const char *name)
         for (const YkLine *line = m->page.first; line && k % 12 == 0; line = line->next) check_read(m, line);
     }
     if (!turns && random_pose(m, true)) check_lines(m, name);
-    for (size_t format = 0; format < YK_PAGE_FORMATS; format++) {
-        YkText text = {0};
-        assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, page_values(m), &text));
-        assert_null(strstr(yk_text_get(&text), "(null)"));
-        yk_text_free(&text);
-    }
+    check_formats(m, name, page_values(m));
 }
 
 static void every_line_is_true_where_it_holds(void **state)

@@ -158,17 +158,11 @@ static void visit(Machine *m, const char *name)
     bool is_possible;
     YkFieldPoint *point = yk_derive_loop_point(m->d, 2025, &is_possible);
     for (const YkLine *line = m->page.first; line && point; line = line->next)
-        if (line->left && !line->is_in_numbers && m->mech->loop_count == 0)
-            check_line_in_field(m, line, point, name);
+        if (line->left && !line->is_in_numbers && m->mech->loop_count == 0) check_line_in_field(m, line, point, name);
     yk_field_point_free(point);
     for (const YkLine *line = m->page.first; line; line = line->next)
         if (line->left) check_line_read(m, line, name);
-    for (size_t format = 0; format < YK_PAGE_FORMATS; format++) {
-        YkText text = {0};
-        assert_true(yk_page_write(&m->page, (YkPageFormat)format, name, page_values(m), &text));
-        assert_null(strstr(yk_text_get(&text), "(null)"));
-        yk_text_free(&text);
-    }
+    check_formats(m, name, page_values(m));
 }
 
 static void every_line_of_every_example_is_true_and_reads_back(void **state)

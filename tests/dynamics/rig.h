@@ -61,17 +61,23 @@ static inline YkChannel rig_channel(const YkMechanism *mech, const char *name)
     return channel;
 }
 
-// Moves every input a little from the start, with rates, and solves; false where it does not close there.
-static inline bool rig_shake(Rig *rig, uint64_t *seed)
+// Moves every input by at most this much (rad, or sizes of the machine), with rates and accelerations up to those.
+static inline void rig_move(Rig *rig, uint64_t *seed, double position, double rate, double acceleration)
 {
     for (size_t i = 0; i < rig->mech->input_count; i++) {
         YkMotion m = yk_state_input(rig->state, i);
         double scale = rig->mech->coordinates[rig->mech->inputs[i]].is_distance ? rig->mech->size : 1;
-        m.position += scale * check_uniform(seed, -0.2, 0.2);
-        m.velocity = scale * check_uniform(seed, -2, 2);
-        m.acceleration = scale * check_uniform(seed, -3, 3);
+        m.position += scale * check_uniform(seed, -position, position);
+        m.velocity = scale * check_uniform(seed, -rate, rate);
+        m.acceleration = scale * check_uniform(seed, -acceleration, acceleration);
         yk_state_set_input(rig->state, i, m);
     }
+}
+
+// Moves every input a little from the start, with rates, and solves; false where it does not close there.
+static inline bool rig_shake(Rig *rig, uint64_t *seed)
+{
+    rig_move(rig, seed, 0.2, 2, 3);
     return yk_state_solve(rig->state) >= 0 && yk_state_has_rates(rig->state) && rig->state->space.margin[0] > 1e-3;
 }
 

@@ -35,18 +35,6 @@ static bool make(Rig *rig, uint64_t number, bool dry)
     return false;
 }
 
-static void move(Rig *rig, uint64_t *seed)
-{
-    for (size_t i = 0; i < rig->mech->input_count; i++) {
-        YkMotion m = yk_state_input(rig->state, i);
-        double scale = rig->mech->coordinates[rig->mech->inputs[i]].is_distance ? rig->mech->size : 1;
-        m.position += scale * check_uniform(seed, -0.05, 0.05);
-        m.velocity = scale * check_uniform(seed, -1, 1);
-        m.acceleration = scale * check_uniform(seed, -1, 1);
-        yk_state_set_input(rig->state, i, m);
-    }
-}
-
 // What a solution says, to be compared.
 typedef struct Answer {
     double acceleration[64], effort[64];
@@ -96,7 +84,7 @@ static void reduced_equations_equal_the_free_bodies(void **unused)
         if (!make(&rig, k, true)) continue;
         for (int pose = 0; pose < 3; pose++) {
             uint64_t seed = 31 * k + (uint64_t)pose;
-            move(&rig, &seed);
+            rig_move(&rig, &seed, 0.05, 1, 1);
             if (yk_state_solve(rig.state) < 0 || rig.state->space.margin[0] < 1e-4) break;
             double loose = 1 / rig.state->space.margin[0];   // near a dead point rounding grows
             if (rig.mech->redundant_count > 0) loose *= 1e4; // repeated constraints agree to rounding only

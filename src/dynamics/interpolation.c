@@ -1,0 +1,147 @@
+// Accelerations next to a singular position, interpolated between poses before and after it along the motion.
+#include <string.h>
+#include "dynamics/crossing.h"
+
+#define ZONE 0.02   // sine below which accelerations are interpolated
+#define WIDE 0.03   // the same, where the motion is smooth enough for it
+#define SMOOTH 1e-8 // what the outermost nodes may change then, of the largest acceleration
+#define NODES 8
+
+// The near block whose sine is least at time t, and that sine.
+static const YkNear *nearest(const YkSimulation *sim, double t, double *sine)
+{
+    const YkNear *found = NULL;
+    *sine = 2;
+    for (size_t k = 0; k < sim->near_count; k++) {
+        double s = fabs(sin(yk_near_angle(&sim->near[k], t - sim->near_time)));
+        if (s >= *sine) continue;
+        *sine = s;
+        found = &sim->near[k];
+    }
+    return found;
+}
+
+bool yk_simulation_in_zone(const YkSimulation *sim, double t)
+{
+    double sine;
+    nearest(sim, t, &sine);
+    return sine < WIDE;
+}
+
+// The way along which accelerations are interpolated: on with the motion; or, where that hardly leaves the singular
+// position - at rest, or about to turn round - along one input, at the present time and rates.
+typedef struct Way {
+    int32_t input; // of the free ones; YK_NONE: with the motion
+    double slope;  // of the nearest angle, per unit of the way
+} Way;
+
+// How the angle of a block goes with each free input.
+static void look_along(YkSimulation *sim, double t, const double *y, const YkNear *near, Way *way)
+{
+    size_t n = sim->free_count;
+    YkState *s = sim->state;
+    if (!yk_simulation_set(sim, t, y)) return;
+    double most = 0;
+    for (size_t k = 0; k < n; k++) {
+        for (size_t i = 0; i < sim->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+        s->input[3 * sim->free_input[k] + 1] = 1;
+        if (yk_state_solve(s) < 0 || !s->has_rates) return;
+        YkRun run = yk_state_run(s, &s->space);
+        double slope = yk_between_columns(&run, &sim->mech->blocks[near->block]).rate;
+        double scale = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance ? sim->mech->size : 1;
+        if (!(fabs(slope) * scale > most)) continue;
+        most = fabs(slope) * scale;
+        *way = (Way){(int32_t)k, slope};
+    }
+}
+
+static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *near)
+{
+    double rate = near->rate + (t - sim->near_time) * near->acceleration;
+    Way way = {YK_NONE, rate};
+    if (rate * rate < 10 * ZONE * fabs(near->acceleration) || rate == 0) look_along(sim, t, y, near, &way);
+    return way;
+}
+
+// Accelerations at the inputs moved on by `ahead` along the way.
+static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead,
+                   double *dydt)
+{
+    size_t n = sim->free_count;
+    double *moved = sim->moved, angle = yk_near_angle(near, t - sim->near_time) + ahead * way->slope;
+    memcpy(moved, y, (2 * n + sim->work_count) * sizeof *moved);
+    for (size_t k = 0; k < n && way->input == YK_NONE; k++) moved[k] += ahead * y[n + k];
+    if (way->input != YK_NONE) moved[way->input] += ahead;
+    if (!yk_simulation_set(sim, way->input == YK_NONE ? t + ahead : t, moved)) return false;
+    sim->state->branch[near->block] = sin(angle) < 0 ? -1 : 1;
+    YkStatus status = yk_simulation_accelerate(sim);
+    if (status < 0 || status == YK_SINGULAR) {
+        sim->report = sim->dynamics->report;
+        return false;
+    }
+    for (size_t k = 0; k < n; k++) dydt[n + k] = sim->dynamics->acceleration[sim->free_input[k]];
+    yk_simulation_powers(sim, dydt + 2 * n);
+    return true;
+}
+
+// Lagrange's weights at 0 of nodes [first, last), 0 for the others.
+static void weigh(const double *node, int first, int last, double *weight)
+{
+    for (int j = 0; j < NODES; j++) {
+        weight[j] = j >= first && j < last ? 1 : 0;
+        for (int k = first; k < last; k++)
+            if (k != j) weight[j] *= node[k] / (node[k] - node[j]);
+    }
+}
+
+// Where the nodes stand: on both sides of the singular position, `apart` from it and from each other.
+typedef struct Fit {
+    const YkNear *near;
+    Way way;
+    double center, apart;
+} Fit;
+
+// Interpolates into dydt. *off: what the outermost nodes change in an acceleration, over the largest one.
+static bool interpolate(YkSimulation *sim, double t, const double *y, const Fit *fit, double *dydt, double *off)
+{
+    size_t n = sim->free_count, all = 2 * n + sim->work_count;
+    double node[NODES], weight[NODES], inner[NODES], most = 0, change = 0;
+    for (int j = 0; j < NODES; j++)
+        node[j] = fit->center + fit->apart * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
+    weigh(node, 0, NODES, weight);
+    weigh(node, 1, NODES - 1, inner);
+    memset(dydt, 0, all * sizeof *dydt);
+    for (int j = 0; j < NODES; j++) {
+        if (!sample(sim, t, y, fit->near, &fit->way, node[j], sim->sampled)) return false;
+        for (size_t k = n; k < all; k++) dydt[k] += weight[j] * sim->sampled[k];
+        for (size_t k = 0; k < n; k++) {
+            dydt[k] += (weight[j] - inner[j]) * sim->sampled[n + k];
+            most = fmax(most, fabs(sim->sampled[n + k]));
+        }
+    }
+    for (size_t k = 0; k < n; k++) change = fmax(change, fabs(dydt[k]));
+    *off = most > 0 ? change / most : 0;
+    memcpy(dydt, y + n, n * sizeof *dydt);
+    dydt[all - 1] = 0;
+    return true;
+}
+
+YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt)
+{
+    double sine, off;
+    Fit fit = {.near = nearest(sim, t, &sine)};
+    fit.way = find_way(sim, t, y, fit.near);
+    double angle = yk_near_angle(fit.near, t - sim->near_time), gap = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
+    fit.center = -gap / fit.way.slope;
+    fit.apart = 1.7 * WIDE / fabs(fit.way.slope);
+    bool has_way = isfinite(fit.center) && isfinite(fit.apart);
+    if (!has_way && sine < ZONE) {
+        sim->report = sim->state->report;
+        return YK_INTERPOLATION_FAILED;
+    }
+    if (has_way && interpolate(sim, t, y, &fit, dydt, &off) && off <= SMOOTH) return YK_INTERPOLATION_DONE;
+    sim->report.message[0] = 0;
+    if (sine >= ZONE) return YK_INTERPOLATION_LEFT;
+    fit.apart = 1.7 * ZONE / fabs(fit.way.slope);
+    return interpolate(sim, t, y, &fit, dydt, &off) ? YK_INTERPOLATION_DONE : YK_INTERPOLATION_FAILED;
+}
