@@ -1,6 +1,8 @@
 // yoke derive --check: is an equation true of this machine?
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/number.h"
 #include "derive.h"
 #include "derive_input.h"
 
@@ -17,7 +19,7 @@ typedef struct Checking {
 
 static const char *word_of(YkCheckKind kind)
 {
-    static const char *const words[] = {"true", "true-here", "false", "undecided", "unreadable"};
+    static const char *const words[] = {"true", "true-here", "true-driven", "false", "undecided", "unreadable"};
     return words[kind];
 }
 
@@ -32,6 +34,7 @@ static void add_pose(Checking *checking, YkText *text, const YkCheckShown *shown
 {
     const YkMechanism *mech = checking->session->mech;
     size_t count = shown->positions ? yk_coordinate_count(mech) : 0;
+    if (shown->has_time) yk_text_format(text, "t = %e s%s", shown->time, count ? ", " : "");
     for (size_t k = 0; k < count && k < SHOWN_MAX; k++) {
         YkCoordinateInfo info = yk_coordinate_info(mech, k);
         YkMotion motion = shown->positions[k];
@@ -44,9 +47,17 @@ static void add_pose(Checking *checking, YkText *text, const YkCheckShown *shown
     if (shown->forces) yk_text_format(text, ", %s (SI)", shown->forces);
 }
 
+// All digits where six do not tell the sides apart.
 static void add_difference(Checking *checking, YkText *text, const YkCheckShown *shown)
 {
-    yk_text_format(text, "the left side is %e, the right side %e (SI) at\n  ", shown->left, shown->right);
+    bool is_close = fabs(shown->left - shown->right) < 1e-4 * fabs(shown->left);
+    char sides[2][YK_NUMBER_SIZE];
+    yk_number_write(shown->left, sides[0]);
+    yk_number_write(shown->right, sides[1]);
+    if (is_close)
+        yk_text_format(text, "the left side is %s, the right side %s (SI) at\n  ", sides[0], sides[1]);
+    else
+        yk_text_format(text, "the left side is %e, the right side %e (SI) at\n  ", shown->left, shown->right);
     add_pose(checking, text, shown);
     yk_text_puts(text, "\n");
 }
@@ -55,6 +66,7 @@ static void add_difference(Checking *checking, YkText *text, const YkCheckShown 
 static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
 {
     YkText *out = &checking->session->out;
+    const char *segment = verdict->is_in_segment ? " in the segment of which it speaks" : "";
     if (verdict->is_false_there) {
         yk_text_format(out,
                        "true only with this file's numbers (at %z poses); with %s (SI) it is false: ", verdict->poses,
@@ -66,14 +78,14 @@ static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
                        "(exact arithmetic tells; what would have to change cannot vary here, so none are named)\n",
                        verdict->poses);
     } else if (verdict->machines > 0) {
-        yk_text_format(out, "true at %z poses of this machine, and at %z poses of %z machines with other %s",
-                       verdict->poses, verdict->machine_poses, verdict->machines,
+        yk_text_format(out, "true at %z poses of this machine%s, and at %z poses of %z machines with other %s",
+                       verdict->poses, segment, verdict->machine_poses, verdict->machines,
                        verdict->varied ? verdict->varied : "dimensions");
         if (verdict->kept) yk_text_format(out, " (and the same %s)", verdict->kept);
         yk_text_puts(out, "; a proof for all dimensions was not found\n");
     } else {
-        yk_text_format(out, "true at %z poses with this file's numbers; with others it could not be tried (%s)\n",
-                       verdict->poses, "dimensions that the file gives as `parameters:` can be");
+        yk_text_format(out, "true at %z poses with this file's numbers%s; with others it could not be tried (%s)\n",
+                       verdict->poses, segment, "dimensions that the file gives as `parameters:` can be");
     }
 }
 
@@ -88,6 +100,12 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
         break;
     case YK_CHECK_TRUE_HERE:
         say_true_here(checking, verdict);
+        break;
+    case YK_CHECK_TRUE_DRIVEN:
+        yk_text_format(out,
+                       "true as this file's drives move the machine (at %z times); not where inputs move in any "
+                       "other way\n",
+                       verdict->poses);
         break;
     case YK_CHECK_FALSE:
         yk_text_puts(out, "false: ");
@@ -182,10 +200,37 @@ static void check_one(Checking *checking, const char *equation, const Source *so
         say_text(checking, equation, &verdict, why);
     yk_print_problems(problems, session->request->quiet);
     yk_problems_free(problems);
-    int exit_code = verdict.kind == YK_CHECK_UNREADABLE  ? YK_EXIT_WRONG
-                    : verdict.kind <= YK_CHECK_TRUE_HERE ? YK_EXIT_DONE
-                                                         : YK_EXIT_NO_ANSWER;
+    int exit_code = verdict.kind == YK_CHECK_UNREADABLE    ? YK_EXIT_WRONG
+                    : verdict.kind <= YK_CHECK_TRUE_DRIVEN ? YK_EXIT_DONE
+                                                           : YK_EXIT_NO_ANSWER;
     if (exit_code > checking->exit_code) checking->exit_code = exit_code;
+}
+
+static size_t next_equals(const char *text, size_t from)
+{
+    while (text[from] != '\0' && text[from] != '=') from++;
+    return from;
+}
+
+// a = b = c, as pages and books write it: every two neighbours are an equation.
+static void check_chain(Checking *checking, const char *equation, const Source *source)
+{
+    size_t start = 0, middle = next_equals(equation, 0);
+    size_t behind = middle + strspn(equation + middle, "="), end = next_equals(equation, behind);
+    if (equation[end] == '\0') {
+        check_one(checking, equation, source);
+        return;
+    }
+    while (equation[middle] != '\0') {
+        start += strspn(equation + start, " ");
+        size_t length = end - start;
+        while (length > 0 && equation[start + length - 1] == ' ') length--;
+        const char *pair = yk_arena_copy(checking->derivation->arena, equation + start, length);
+        if (!pair) return;
+        check_one(checking, pair, &(Source){source->name, pair, strlen(pair), 1});
+        start = behind, middle = end;
+        behind = middle + strspn(equation + middle, "="), end = next_equals(equation, behind);
+    }
 }
 
 // Equations from standard input, one a line; empty lines and those that begin with # are passed over.
@@ -200,7 +245,7 @@ static void check_lines(Checking *checking)
         size_t size = stop ? (size_t)(stop - line) : (size_t)(end - line);
         if (size > 0 && line[size - 1] == '\r') size--;
         const char *copy = yk_arena_copy(checking->derivation->arena, line, size);
-        if (copy && copy[strspn(copy, " \t")] != '\0' && *copy != '#') check_one(checking, copy, &source);
+        if (copy && copy[strspn(copy, " \t")] != '\0' && *copy != '#') check_chain(checking, copy, &source);
         line = stop ? stop + 1 : end;
     }
     free(text);
@@ -226,7 +271,8 @@ int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
         if (strcmp(checks->items[k], "-") == 0)
             check_lines(&checking);
         else
-            check_one(&checking, checks->items[k], &(Source){"--check", checks->items[k], strlen(checks->items[k]), 1});
+            check_chain(&checking, checks->items[k],
+                        &(Source){"--check", checks->items[k], strlen(checks->items[k]), 1});
     }
     if (as_json) {
         yk_json_end(&checking.json);

@@ -102,17 +102,23 @@ static void put_derivative(const YkDerivePolynomial *p, int order)
 static void put_in_powers(const YkDerivePolynomial *p)
 {
     YkDeriveLaw *law = p->law;
+    YkRing *ring = law->d->ring;
     YkLine *line = yk_derive_begin_line(law, 0, "in powers");
+    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
     bool any = false;
     for (size_t k = 0; k < p->count; k++) {
         if (p->coefficients[k] && yk_ring_is_zero(p->coefficients[k])) continue;
         if (any) yk_line_sign(law->page, line, "+");
         yk_line_element(law->page, line, p->symbols[k], YK_RING_TEXTBOOK);
-        if (k > 0)
-            yk_line_element(law->page, line, yk_ring_power(law->d->ring, law->theta, (int32_t)k), YK_RING_TEXTBOOK);
+        if (k > 0) yk_line_element(law->page, line, yk_ring_power(ring, law->theta, (int32_t)k), YK_RING_TEXTBOOK);
+        sum =
+            yk_ring_add(ring, sum, yk_ring_multiply(ring, p->symbols[k], yk_ring_power(ring, law->theta, (int32_t)k)));
         any = true;
     }
     if (!any) yk_line_sign(law->page, line, "0");
+    if (!line) return;
+    line->left = law->position, line->right = sum;
+    line->within = yk_ring_divide(ring, yk_ring_subtract(ring, law->theta, p->span.from), p->span.beta);
 }
 
 // Where the follower stands then: as a condition says, or the sum of the coefficients.

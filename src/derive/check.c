@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
+#include "derive/equation.h"
 #include "derive/frame.h"
 #include "derive/free_bodies.h"
 #include "derive/gears.h"
@@ -24,8 +25,24 @@ static void refute(YkCheck *check, YkCheckVerdict *verdict)
     verdict->kind = YK_CHECK_FALSE;
     yk_check_show(check, check->d->arena, &verdict->shown);
     verdict->slip = yk_check_slip(check);
-    if (!verdict->slip && yk_check_holds_in_drive(check))
-        verdict->slip = "it holds as the drives move the machine; here inputs may move in any way";
+}
+
+// False where inputs move in any way. What the drives' motion is, and all that speaks of t, is asked of that motion.
+static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
+{
+    size_t times = 0;
+    YkCheckShown shown = {0};
+    yk_check_show(check, check->d->arena, &shown);
+    bool differs = yk_check_has_drives(check) && yk_check_differs_in_drive(check, &times);
+    if (!differs && times >= YK_CHECK_POSES_MIN) {
+        verdict->kind = YK_CHECK_TRUE_DRIVEN;
+        verdict->poses = times;
+        return;
+    }
+    if (differs && check->has_time) yk_check_show(check, check->d->arena, &shown);
+    verdict->kind = YK_CHECK_FALSE;
+    verdict->shown = shown;
+    verdict->slip = yk_check_slip(check);
 }
 
 // True with the file's numbers, and not proved for others: others are tried, and tell what binds the angles.
@@ -45,11 +62,16 @@ static void look_farther(YkCheck *check, YkProof proof, YkCheckVerdict *verdict)
 static void decide(YkCheck *check, YkCheckVerdict *verdict)
 {
     verdict->is_identity = is_identity(check);
+    verdict->is_in_segment = check->within_count > 0;
     bool differs = !verdict->is_identity && yk_check_differs(check, YK_CHECK_POSES, &verdict->poses);
     YkProof proof = verdict->is_identity ? YK_PROVED : yk_check_prove(check, check->difference);
     if (proof == YK_PROVED) {
         verdict->kind = differs ? YK_CHECK_UNDECIDED : YK_CHECK_TRUE;
     } else if (differs) {
+        ask_drives(check, verdict);
+    } else if (yk_check_exactly(check) == YK_EXACT_DIFFERENT) {
+        yk_state_copy(check->state, check->start);
+        yk_check_solve(check);
         refute(check, verdict);
     } else {
         look_farther(check, proof, verdict);
@@ -72,6 +94,9 @@ static bool prepare(YkDerivation *d, YkProblems *problems)
 static bool make_room(YkCheck *check)
 {
     YkDerivation *d = check->d;
+    check->within_count = yk_equation_segments(d, &check->equation, check->within, YK_CHECK_SEGMENTS);
+    check->has_time = yk_equation_speaks_of(d, check->equation.left, d->time) ||
+                      yk_equation_speaks_of(d, check->equation.right, d->time);
     check->difference = yk_form_subtract(d->ring, check->equation.left, check->equation.right);
     for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k);
     yk_derive_body_angle(d, 0);

@@ -13,8 +13,9 @@
 #include "ring/form.h"
 
 typedef enum YkCheckKind {
-    YK_CHECK_TRUE,      // for all dimensions
-    YK_CHECK_TRUE_HERE, // with this file's numbers; of other numbers the verdict tells what is known
+    YK_CHECK_TRUE,        // for all dimensions
+    YK_CHECK_TRUE_HERE,   // with this file's numbers; of other numbers the verdict tells what is known
+    YK_CHECK_TRUE_DRIVEN, // as the drives move the machine; not where inputs move in any other way
     YK_CHECK_FALSE,
     YK_CHECK_UNDECIDED, // no pose could be found, or the numbers do not tell
     YK_CHECK_UNREADABLE // a problem says why
@@ -23,8 +24,10 @@ typedef enum YkCheckKind {
 // Both sides at a pose at which they differ.
 typedef struct YkCheckShown {
     double left, right;
-    int order;                 // of the highest derivative of a coordinate in the equation
-    const char *forces;        // "F12x = 3.25, M03 = -0.5", the unknown forces in it there, SI; or NULL
+    int order;          // of the highest derivative of a coordinate in the equation
+    const char *forces; // "F12x = 3.25, M03 = -0.5", the unknown forces in it there, SI; or NULL
+    double time;
+    bool has_time;             // the equation speaks of it
     const char *machine;       // "a = 0.053, b = 0.21", SI: parameters that are not the file's; NULL: all are
     const YkMotion *positions; // [coordinates of the tree]
 } YkCheckShown;
@@ -32,6 +35,7 @@ typedef struct YkCheckShown {
 typedef struct YkCheckVerdict {
     YkCheckKind kind;
     bool is_identity;     // true: even if the loops were open
+    bool is_in_segment;   // poses are those in the segment of a motion program of which the equation speaks
     size_t poses;         // of the numeric engine, at which both sides were compared
     size_t machines;      // true here: others, with other dimensions, at which it was compared, too,
     size_t machine_poses; // at so many poses in all

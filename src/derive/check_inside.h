@@ -11,6 +11,7 @@ enum {
     YK_CHECK_MACHINES = 3,      // with other dimensions
     YK_CHECK_MACHINE_POSES = 8, // of each of them
     YK_CHECK_POSES_MIN = 8,     // a verdict needs so many
+    YK_CHECK_SEGMENTS = 4,
     YK_CHECK_SEEN_MAX = YK_CHECK_POSES + 2 * YK_CHECK_MACHINES * YK_CHECK_MACHINE_POSES
 };
 
@@ -38,6 +39,9 @@ typedef struct YkCheck {
     double *values; // [value_count]: of all symbols, and room for a few more
     size_t value_count;
     uint64_t seed;
+    const YkPoisson *within[YK_CHECK_SEGMENTS]; // lie in 0 to 1 where the equation is to hold
+    size_t within_count;
+    bool has_time;                // the equation speaks of t
     double *kept[YK_CHECK_POSES]; // values at poses that were compared
     size_t kept_count;
     YkCheckSeen *seen;
@@ -63,9 +67,19 @@ void yk_check_bind(YkCheck *check, const YkLoopBonds *bonds);
 // Compares both sides at the start, then at random poses, `most` of them; stops at a pose that shows a difference, with
 // the state there. poses: how many were compared.
 bool yk_check_differs(YkCheck *check, size_t most, size_t *poses);
-// Is it true as long as the drives move the inputs? The state comes back as it was.
-bool yk_check_holds_in_drive(YkCheck *check);
+// --- check_exact.c: both sides with the file's numbers, where these alone decide
+typedef enum YkCheckExact { YK_EXACT_EQUAL, YK_EXACT_DIFFERENT, YK_EXACT_UNKNOWN } YkCheckExact;
+YkCheckExact yk_check_exactly(YkCheck *check);
+
+// --- check_drives.c: as the drives move the machine, at random times
+bool yk_check_has_drives(const YkCheck *check);
+// Compares both sides; stops at a time that shows a difference, with the state there. times: how many were compared.
+bool yk_check_differs_in_drive(YkCheck *check, size_t *times);
 void yk_check_fill_values(YkCheck *check); // of the state
+bool yk_check_solve(YkCheck *check);       // the state, at its inputs, with forces
+typedef enum YkCheckOutcome { YK_CHECK_SAME, YK_CHECK_DIFFERENT, YK_CHECK_NO_NUMBER } YkCheckOutcome;
+YkCheckOutcome yk_check_judge(YkCheck *check); // both sides at the state's pose; disturbs the values
+double yk_check_uniform(YkCheck *check, double low, double high);
 // The smallest transmission angle of the dyads: at 0 two configurations meet.
 double yk_check_margin(const YkCheck *check);
 // Is this form 0 at the poses that were kept?

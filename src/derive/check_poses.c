@@ -6,10 +6,10 @@
 #include "derive/relations.h"
 #include "solve/state.h"
 
-enum { TRIES_A_POSE = 4, STEPS = 96 };
-static const double EQUAL = 1e-9;
+enum { TRIES_A_POSE = 4, TRIES_IN_SEGMENT = 40, STEPS = 96 };
+static const double EQUAL = 1e-9, TIME = 5;
 
-static double uniform(YkCheck *check, double low, double high) // splitmix64 (Steele et al. 2014)
+double yk_check_uniform(YkCheck *check, double low, double high) // splitmix64 (Steele et al. 2014)
 {
     uint64_t z = (check->seed += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -17,7 +17,7 @@ static double uniform(YkCheck *check, double low, double high) // splitmix64 (St
     return low + (high - low) * (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-static bool solve_pose(YkCheck *check)
+bool yk_check_solve(YkCheck *check)
 {
     YkStatus status = check->dynamics ? yk_dynamics_solve(check->dynamics, check->state, YK_METHOD_REDUCED)
                                       : yk_state_solve(check->state);
@@ -49,9 +49,18 @@ static YkMotion random_input(YkCheck *check, size_t input)
     bool is_distance = d->coordinates[c].is_distance;
     YkMotion from = yk_state_input(check->start, input);
     if (d->coordinates[c].is_held) return (YkMotion){.position = from.position};
-    double size = is_distance ? d->mech->size : 1, reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : YK_PI;
-    return (YkMotion){from.position + uniform(check, -reach, reach), size * uniform(check, 0.3, 2),
-                      size * uniform(check, -2, 2)};
+    double size = is_distance ? d->mech->size : 1,
+           turn = check->within_count > 0 ? 2 * YK_PI : YK_PI, // all segments of a motion program
+        reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : turn;
+    return (YkMotion){from.position + yk_check_uniform(check, -reach, reach), size * yk_check_uniform(check, 0.3, 2),
+                      size * yk_check_uniform(check, -2, 2)};
+}
+
+// Loads may hang on the time; inputs come afterwards.
+static void set_any_time(YkCheck *check)
+{
+    if (yk_state_set_time(check->state, yk_check_uniform(check, 0, TIME), NULL) >= 0) return;
+    yk_state_set_time(check->state, yk_state_time(check->start), NULL);
 }
 
 // From the start towards random inputs in small steps, and no further than to where another configuration comes near:
@@ -62,6 +71,7 @@ static bool move_to_random_pose(YkCheck *check, YkMotion *target)
     double reached = 0, least = fmin(0.1, 0.5 * check->start_margin);
     for (size_t i = 0; i < mech->input_count; i++) target[i] = random_input(check, i);
     yk_state_copy(check->state, check->start);
+    set_any_time(check);
     for (int step = 1; step <= STEPS; step++) {
         go(check, target, (double)step / STEPS);
         if (yk_state_solve(check->state) < 0 || yk_check_margin(check) < least) break;
@@ -69,7 +79,7 @@ static bool move_to_random_pose(YkCheck *check, YkMotion *target)
         reached = (double)step / STEPS;
     }
     go(check, target, reached);
-    return solve_pose(check);
+    return yk_check_solve(check);
 }
 
 void yk_check_fill_values(YkCheck *check)
@@ -89,7 +99,8 @@ static void disturb_forces(YkCheck *check)
     double most = 0;
     for (size_t k = 0; k < d->unknown_count; k++)
         if (isfinite(check->values[d->unknowns[k]])) most = fmax(most, fabs(check->values[d->unknowns[k]]));
-    for (size_t k = 0; k < d->unknown_count; k++) check->values[d->unknowns[k]] += most * uniform(check, 0.2, 1);
+    for (size_t k = 0; k < d->unknown_count; k++)
+        check->values[d->unknowns[k]] += most * yk_check_uniform(check, 0.2, 1);
 }
 
 // The size of what is compared when the coordinates are *not* on the machine: terms that are 0 there, too, have one.
@@ -99,29 +110,57 @@ static double size_off_the_machine(YkCheck *check, const YkForm *zero)
     for (size_t k = 0; k < d->coordinate_count; k++) {
         const YkDeriveCoordinate *c = &d->coordinates[k];
         double size = c->is_distance ? d->mech->size : 1;
-        check->values[c->position] += size * uniform(check, 0.2, 1);
-        check->values[c->rate] += size * uniform(check, 0.2, 1);
-        check->values[c->acceleration] += size * uniform(check, 0.2, 1);
+        check->values[c->position] += size * yk_check_uniform(check, 0.2, 1);
+        check->values[c->rate] += size * yk_check_uniform(check, 0.2, 1);
+        check->values[c->acceleration] += size * yk_check_uniform(check, 0.2, 1);
     }
     for (size_t k = 0; k < d->tie_count; k++) // laws: in a dwell their slopes are no more than rounding
         for (int32_t order = 0; d->ties[k].function >= 0 && order < YK_TIE_ORDERS; order++)
-            check->values[d->ties[k].function + order] += d->mech->size * uniform(check, 0.2, 1);
+            check->values[d->ties[k].function + order] += d->mech->size * yk_check_uniform(check, 0.2, 1);
     for (size_t b = 0; b < d->model->body_count; b++)
-        if (d->bodies[b].angle >= 0) check->values[d->bodies[b].angle] += uniform(check, 0.2, 1);
+        if (d->bodies[b].angle >= 0) check->values[d->bodies[b].angle] += yk_check_uniform(check, 0.2, 1);
     disturb_forces(check);
     yk_ring_complete(d->ring, check->values);
     return distance_of(check, zero);
 }
 
-typedef enum Outcome { SAME, DIFFERENT, NO_NUMBER } Outcome;
-
 // Is it 0 at the values of a pose but for rounding? They are disturbed afterwards.
-static Outcome judge(YkCheck *check, const YkForm *zero)
+static YkCheckOutcome judge(YkCheck *check, const YkForm *zero)
 {
     double distance = distance_of(check, zero), size = yk_form_magnitude(check->d->ring, zero, check->values),
            elsewhere = size_off_the_machine(check, zero);
-    if (!isfinite(distance) || !isfinite(size)) return NO_NUMBER;
-    return distance > EQUAL * (isfinite(elsewhere) ? fmax(size, elsewhere) : size) ? DIFFERENT : SAME;
+    if (!isfinite(distance) || !isfinite(size)) return YK_CHECK_NO_NUMBER;
+    return distance > EQUAL * (isfinite(elsewhere) ? fmax(size, elsewhere) : size) ? YK_CHECK_DIFFERENT : YK_CHECK_SAME;
+}
+
+// A motion program is printed for its first period.
+static bool is_in_first_period(const YkCheck *check)
+{
+    for (size_t k = 0; k < check->d->tie_count; k++) {
+        const YkDeriveRelation *tie = &check->d->ties[k];
+        if (tie->function < 0) continue;
+        YkLawRange range = yk_law_range(tie->law);
+        double x = check->values[tie->variable];
+        if (range.period > 0 && !(x >= range.from && x <= range.from + range.period)) return false;
+    }
+    return true;
+}
+
+// In the segment of which the equation speaks?
+static bool is_within(const YkCheck *check)
+{
+    if (check->within_count > 0 && !is_in_first_period(check)) return false;
+    for (size_t k = 0; k < check->within_count; k++) {
+        double part = yk_ring_value(check->d->ring, check->within[k], check->values).x;
+        if (!(part >= 0 && part <= 1)) return false;
+    }
+    return true;
+}
+
+YkCheckOutcome yk_check_judge(YkCheck *check)
+{
+    yk_check_fill_values(check);
+    return is_within(check) ? judge(check, check->difference) : YK_CHECK_NO_NUMBER;
 }
 
 static void keep_values(YkCheck *check)
@@ -151,12 +190,18 @@ static void note_motion(YkCheck *check)
     }
 }
 
+// Of a short segment few poses are found by chance.
+static size_t tries_for(const YkCheck *check, size_t poses)
+{
+    return (check->within_count > 0 ? TRIES_IN_SEGMENT : TRIES_A_POSE) * poses;
+}
+
 // The first pose is the start.
 static bool next_pose(YkCheck *check, size_t index, YkMotion *target)
 {
-    if (index == 0 ? !solve_pose(check) : !move_to_random_pose(check, target)) return false;
+    if (index == 0 ? !yk_check_solve(check) : !move_to_random_pose(check, target)) return false;
     yk_check_fill_values(check);
-    return true;
+    return is_within(check);
 }
 
 bool yk_check_differs(YkCheck *check, size_t most, size_t *poses)
@@ -164,13 +209,13 @@ bool yk_check_differs(YkCheck *check, size_t most, size_t *poses)
     YkMotion *target = calloc(check->d->mech->input_count + 1, sizeof *target);
     bool differs = false;
     check->start_margin = yk_check_margin(check);
-    for (size_t k = 0; target && k < TRIES_A_POSE * most && *poses < most && !differs; k++) {
+    for (size_t k = 0; target && k < tries_for(check, most) && *poses < most && !differs; k++) {
         if (!next_pose(check, k, target)) continue;
         keep_values(check);
         note_motion(check);
-        Outcome outcome = judge(check, check->difference);
-        *poses += outcome != NO_NUMBER;
-        differs = outcome == DIFFERENT;
+        YkCheckOutcome outcome = judge(check, check->difference);
+        *poses += outcome != YK_CHECK_NO_NUMBER;
+        differs = outcome == YK_CHECK_DIFFERENT;
     }
     free(target);
     return differs;
@@ -182,7 +227,7 @@ static void keep_more(YkCheck *check)
     YkMotion *target = calloc(check->d->mech->input_count + 1, sizeof *target);
     YkState *here = yk_state_new(check->d->mech);
     if (target && here && yk_state_copy(here, check->state) >= 0) {
-        for (size_t k = 1; k < TRIES_A_POSE * YK_CHECK_POSES && check->kept_count < YK_CHECK_POSES; k++)
+        for (size_t k = 1; k < tries_for(check, YK_CHECK_POSES) && check->kept_count < YK_CHECK_POSES; k++)
             if (next_pose(check, k, target)) keep_values(check);
         yk_state_copy(check->state, here);
     }
@@ -198,36 +243,9 @@ bool yk_check_is_zero_at_poses(YkCheck *check, const YkForm *zero)
     for (size_t k = 0; k < check->kept_count; k++) {
         memcpy(check->values, check->kept[k], check->value_count * sizeof *check->values);
         yk_ring_complete(check->d->ring, check->values); // constants that this form brought
-        Outcome outcome = judge(check, zero);
-        if (outcome == DIFFERENT) return false;
-        poses += outcome == SAME;
+        YkCheckOutcome outcome = judge(check, zero);
+        if (outcome == YK_CHECK_DIFFERENT) return false;
+        poses += outcome == YK_CHECK_SAME;
     }
     return poses >= YK_CHECK_POSES_MIN;
-}
-
-static bool holds_here(YkCheck *check)
-{
-    if (!solve_pose(check)) return false;
-    yk_check_fill_values(check);
-    return judge(check, check->difference) == SAME;
-}
-
-bool yk_check_holds_in_drive(YkCheck *check)
-{
-    static const double times[] = {0, 0.013, 0.137, 0.31};
-    const YkMechanism *mech = check->d->mech;
-    bool has_drive = false, holds = true;
-    size_t count = sizeof times / sizeof *times;
-    for (size_t i = 0; i < mech->input_count; i++) {
-        const YkDeriveCoordinate *c = &check->d->coordinates[mech->inputs[i]];
-        has_drive |= c->drive != YK_NONE && !c->is_held;
-    }
-    YkState *shown = has_drive ? yk_state_new(mech) : NULL;
-    if (!shown || yk_state_copy(shown, check->state) < 0) holds = false;
-    yk_state_copy(check->state, check->start);
-    for (size_t k = 0; k < count && holds; k++)
-        holds = yk_state_set_time(check->state, times[k], NULL) >= 0 && holds_here(check);
-    if (shown) yk_state_copy(check->state, shown);
-    yk_state_free(shown);
-    return holds;
 }

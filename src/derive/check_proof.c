@@ -1,6 +1,7 @@
 // Is an equation true on the machine's own motion, for all dimensions? Asked at random points over the prime field.
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
+#include "derive/equation.h"
 #include "derive/free_bodies.h"
 
 enum { POSES_ASKED = 4 };
@@ -40,11 +41,21 @@ static bool has_turns(YkRing *ring, const YkForm *form)
     return false;
 }
 
+// An angle of the equation's own, omega t, is free at the points.
+static bool has_own_angle(const YkDerivation *d, const YkForm *form)
+{
+    const YkPoisson *a = yk_form_element(form);
+    for (size_t k = 0; !a && k < yk_form_part_count(form); k++)
+        if (has_own_angle(d, yk_form_part(form, k))) return true;
+    return a && yk_equation_has_own_angle(d, a);
+}
+
 // Gears bind angles at the points of the field, but not their unit vectors: what speaks of rates alone is refuted
 // there.
 static bool can_refute(YkCheck *check, const YkForm *form)
 {
     const YkDerivation *d = check->d;
+    if (has_own_angle(d, form)) return false;
     return d->tie_count == 0 || (d->loop_count == 0 && !has_turns(d->ring, form));
 }
 

@@ -46,6 +46,8 @@ void yk_check_show(YkCheck *check, YkArena *arena, YkCheckShown *shown)
     shown->left = yk_form_value(ring, check->equation.left, check->values).x;
     shown->right = yk_form_value(ring, check->equation.right, check->values).x;
     shown->positions = list_motions(check, arena);
+    shown->time = yk_state_time(check->state);
+    shown->has_time = check->has_time;
     if (!is_named) return;
     look_into(check, check->equation.left, shown, is_named);
     look_into(check, check->equation.right, shown, is_named);

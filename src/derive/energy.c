@@ -1,4 +1,5 @@
 // Section: kinetic energy of every body and in total, potential energy, Lagrangian.
+#include <string.h>
 #include "derive/free_bodies.h"
 #include "derive/sections.h"
 
@@ -37,6 +38,17 @@ const YkPoisson *yk_derive_potential(const YkDeriveForces *f)
         if (f->loads[k].energy) parts[count++] = f->loads[k].energy;
     f->potential[0] = yk_ring_sum(f->d->ring, parts, count);
     return f->potential[0];
+}
+
+// A body and a spring may have one name: V_left is the weight's energy then, V_left_spring the spring's.
+const char *yk_derive_energy_name(const YkDeriveForces *f, size_t load)
+{
+    const YkDeriveLoad *own = &f->loads[load];
+    bool is_taken = false;
+    for (size_t k = 0; k < f->load_count && own->kind == YK_DERIVE_SPRING; k++)
+        is_taken |=
+            f->loads[k].energy && f->loads[k].kind == YK_DERIVE_GRAVITY && strcmp(f->loads[k].name, own->name) == 0;
+    return is_taken ? yk_derive_text(f->d, own->name, "_spring", "") : own->name;
 }
 
 static void put_energy(YkPage *page, const char *remark, const char *letter, const char *sub, const YkPoisson *energy,
@@ -102,7 +114,7 @@ static void put_potential(const YkDeriveForces *f, YkPage *page, const YkPoisson
     for (size_t k = 0; k < f->load_count; k++) {
         const YkDeriveLoad *load = &f->loads[k];
         if (!load->energy || yk_ring_is_zero(load->energy)) continue;
-        put_energy(page, load->kind == YK_DERIVE_SPRING ? "spring" : "weight", "V", load->name,
+        put_energy(page, load->kind == YK_DERIVE_SPRING ? "spring" : "weight", "V", yk_derive_energy_name(f, k),
                    yk_derive_shown(d, load->energy), YK_RING_TEXTBOOK);
     }
     if (!is_together(d)) return;
@@ -127,8 +139,10 @@ bool yk_derive_section_energy(YkDerivation *d, YkPage *page)
     }
     yk_page_heading(page, 2, "Lagrangian");
     YkLine *line = yk_page_formula(page, NULL);
-    yk_line_vector(page, line, "L", NULL, NULL);
-    yk_line_sign(page, line, "=");
+    if (yk_ring_find(d->ring, "L") < 0) { // otherwise a length of the file has this name
+        yk_line_vector(page, line, "L", NULL, NULL);
+        yk_line_sign(page, line, "=");
+    }
     yk_line_vector(page, line, "T", NULL, NULL);
     yk_line_sign(page, line, "-");
     yk_line_vector(page, line, "V", NULL, NULL);

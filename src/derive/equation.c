@@ -63,6 +63,7 @@ static bool takes_power(YkEquationReader *reader)
 
 const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base)
 {
+    YkEquationSize size = reader->size;
     if (!base || !takes_power(reader)) return base;
     size_t start = reader->at;
     bool negative = yk_equation_peek(reader) == '-';
@@ -74,6 +75,7 @@ const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base)
     if (!value) yk_ring_clear(reader->d->ring);
     if (!value || !yk_ring_is_rational(value, &over, &under) || under != 1 || over > POWER_MAX || over < -POWER_MAX)
         return yk_equation_refuse(reader, start, "an exponent is a whole number here, up to 32", NULL);
+    reader->size = yk_equation_size_power(size, (int)(negative ? -over : over));
     return raise(reader, base, negative ? -over : over);
 }
 
@@ -93,9 +95,11 @@ static const YkForm *read_product(YkEquationReader *reader)
     while (product) {
         char c = yk_equation_peek(reader);
         if (c != '*' && c != '/' && !begins_atom(c)) break;
+        YkEquationSize size = reader->size;
         if (c == '*' || c == '/') reader->at++;
         const YkForm *factor = read_power(reader);
         if (!factor) return NULL;
+        reader->size = yk_equation_size_times(size, reader->size, c == '/' ? -1 : 1);
         product = c == '/' ? yk_form_divide(reader->d->ring, product, factor)
                            : yk_form_multiply(reader->d->ring, product, factor);
     }
@@ -115,6 +119,7 @@ static const YkForm *read_sum(YkEquationReader *reader, bool is_side)
 {
     const YkForm *sum = yk_form_of(reader->d->ring, yk_ring_rational(reader->d->ring, 0, 1));
     char c = yk_equation_peek(reader);
+    YkEquationSize size = {.kind = YK_SIZE_BARE};
     bool first = true;
     while (sum && (first || c == '+' || c == '-')) {
         bool negative = c == '-';
@@ -123,11 +128,14 @@ static const YkForm *read_sum(YkEquationReader *reader, bool is_side)
         size_t start = reader->at;
         const YkForm *term = read_product(reader);
         if (!term) return NULL;
+        size = first ? reader->size : yk_equation_size_sum(reader, start, size, reader->size);
+        if (reader->failed) return NULL;
         if (is_side) note_term(reader, start, negative, term);
         sum = negative ? yk_form_subtract(reader->d->ring, sum, term) : yk_form_add(reader->d->ring, sum, term);
         first = false;
         c = yk_equation_peek(reader);
     }
+    reader->size = size;
     return sum;
 }
 
@@ -156,11 +164,14 @@ bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace 
     reader.at++;
     while (reader.at < length && text[reader.at] == '=') reader.at++; // == is kindly taken
     reader.is_right = true;
+    YkEquationSize left = reader.size;
+    size_t start = reader.at;
     equation->right = read_sum(&reader, true);
     if (equation->right && yk_equation_peek(&reader) != '\0')
         yk_equation_refuse(&reader, reader.at,
                            text[reader.at] == '=' ? "there is a second `=`: one equation at a time"
                                                   : "an operator is wanted here, or the equation's end",
                            NULL);
+    if (equation->right) yk_equation_compare_sides(&reader, start, left, reader.size);
     return (!reader.failed && equation->right) || fail_sides(&reader);
 }

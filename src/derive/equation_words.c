@@ -68,6 +68,7 @@ static const YkForm *read_unit(YkEquationReader *reader, const YkForm *value)
         size = more, dimension = wider, end = next;
     }
     reader->at = end;
+    reader->size = (YkEquationSize){YK_SIZE_KNOWN, dimension, true};
     const YkPoisson *unit = yk_derive_unit_size(reader->d, size, dimension.angle);
     return yk_form_multiply(reader->d->ring, value, form_of(reader, unit));
 }
@@ -99,6 +100,19 @@ static const char *dotted_name(YkEquationReader *reader, const char *name)
     return NULL;
 }
 
+// Names of vectors and of what only words define, as pages print them; NULL: none of these.
+static const char *printed_name(const YkEquationReader *reader, const char *name)
+{
+    bool is_marked = reader->at + 1 < reader->length && strncmp(reader->text + reader->at, "^{", 2) == 0;
+    bool is_force = name[0] != '\0' && strchr("FMNTWSDRQev", name[0]) && name[1] == '_';
+    if (is_marked || is_force)
+        return "pages print vectors like this; equations here are between numbers: F12x, M01, crank.A.x, crank.A.x'";
+    if (strcmp(name, "work") == 0) return "pages say this in words; T and V are known here, and theta1.effort";
+    if (reader->d->model->cam_count > 0 && (strcmp(name, "alpha") == 0 || strcmp(name, "rho") == 0))
+        return "a cam's pressure angle and radius of curvature belong to its shape: `yoke cam` gives their values";
+    return NULL;
+}
+
 static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const char *name)
 {
     static const char *const inverse[] = {"asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan"};
@@ -114,7 +128,11 @@ static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const 
         return NULL;
     }
     yk_problem(reader->problems, YK_CODE_UNKNOWN_NAME, place, "unknown name %q", name);
-    const char *near = dotted_name(reader, name);
+    const char *near = dotted_name(reader, name), *printed = near ? NULL : printed_name(reader, name);
+    if (printed) {
+        yk_problem_hint(reader->problems, "%s", printed);
+        return NULL;
+    }
     if (!near) near = nearest_name(reader->d, name);
     if (near)
         yk_problem_hint(reader->problems, "did you mean %q?", near);
@@ -125,20 +143,31 @@ static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const 
     return NULL;
 }
 
+static const YkForm *read_pi(YkEquationReader *reader)
+{
+    reader->size = (YkEquationSize){.kind = YK_SIZE_KNOWN};
+    return read_unit(reader, form_of(reader, yk_ring_pi(reader->d->ring)));
+}
+
 static const YkForm *read_name(YkEquationReader *reader)
 {
     YkRing *ring = reader->d->ring;
     size_t start = reader->at;
     reader->at = name_end(reader, start);
     const char *name = copy(reader, start, reader->at);
-    if (strcmp(name, "pi") == 0) return read_unit(reader, form_of(reader, yk_ring_pi(ring)));
+    reader->size = (YkEquationSize){.kind = YK_SIZE_OPEN};
+    if (strcmp(name, "pi") == 0) return read_pi(reader);
     int32_t symbol = yk_ring_find(ring, name);
-    if (symbol >= 0) return form_of(reader, yk_ring_of(ring, symbol));
-    if (strcmp(name, "i") == 0) return form_of(reader, yk_ring_i(ring));
-    const YkPoisson *quantity = yk_derive_quantity(reader->d, name);
+    if (symbol < 0 && strcmp(name, "i") == 0) return form_of(reader, yk_ring_i(ring));
+    const YkPoisson *quantity = symbol < 0 ? yk_derive_quantity(reader->d, name) : NULL;
+    if (quantity) reader->size = yk_equation_size_of_quantity(reader->d, name);
     if (quantity) return form_of(reader, quantity);
+    if (symbol < 0 && yk_ring_status(ring) == YK_RING_OK) symbol = yk_equation_find(reader->d, name);
     if (yk_ring_status(ring) != YK_RING_OK) return NULL;
-    return unknown_name(reader, start, name);
+    if (symbol < 0) return unknown_name(reader, start, name);
+    const YkForm *call = yk_equation_call(reader, symbol);
+    reader->size = yk_equation_size_of(reader->d, symbol);
+    return call || reader->failed ? call : yk_equation_meaning(reader->d, symbol);
 }
 
 // --- Numbers
@@ -152,6 +181,7 @@ static const YkForm *read_number(YkEquationReader *reader, size_t bytes)
         yk_ring_read(reader->d->ring, YK_RING_TEXT, reader->text + start, bytes, place, reader->problems);
     reader->at += bytes;
     if (!value) reader->failed = true;
+    reader->size = (YkEquationSize){.kind = YK_SIZE_BARE};
     return value ? read_unit(reader, form_of(reader, value)) : NULL;
 }
 
@@ -178,10 +208,22 @@ static const YkForm *root(YkEquationReader *reader, size_t start)
     if (!square) return NULL;
     if (value && yk_ring_is_rational(value, &over, &under) && under < 1000000 && over < INT64_MAX / under && over >= 0)
         of = yk_ring_sqrt(ring, over * under);
+    reader->size = yk_equation_size_root(reader->size);
     if (of) return form_of(reader, yk_ring_scale(ring, of, 1, under));
     yk_ring_clear(ring);
     return yk_equation_refuse(reader, start, "a root is no polynomial: it cannot be proved",
                               "square both sides: d^2 = ... for d = sqrt(...)");
+}
+
+// tan(x/2) = sin(x) / (1 + cos(x)): books have half angles, of which cos and sin are no polynomials.
+static const YkForm *half_tangent(YkEquationReader *reader, const YkPoisson *angle)
+{
+    YkRing *ring = reader->d->ring;
+    const YkPoisson *unit = yk_ring_exp_of(ring, yk_ring_scale(ring, angle, 2, 1));
+    yk_ring_clear(ring);
+    if (!unit) return NULL;
+    const YkPoisson *under = yk_ring_add(ring, yk_ring_rational(ring, 1, 1), yk_ring_real(ring, unit));
+    return yk_form_divide(ring, form_of(reader, yk_ring_imaginary(ring, unit)), form_of(reader, under));
 }
 
 // cos, sin, tan of an angle: a sum of whole multiples of angles and of fractions of pi, 30 deg among them.
@@ -191,11 +233,17 @@ static const YkForm *trigonometric(YkEquationReader *reader, Function function)
     size_t start = reader->at + 1;
     const YkForm *angle = yk_equation_bracket(reader);
     const YkPoisson *a = angle ? yk_form_expand(ring, angle, 1000) : NULL, *unit = yk_ring_exp_of(ring, a);
-    if (!angle) return NULL;
+    if (!angle || !yk_equation_size_is_angle(reader, start, reader->size)) return NULL;
+    reader->size = (YkEquationSize){.kind = YK_SIZE_KNOWN};
+    if (a && !unit) {
+        yk_ring_clear(ring);
+        const YkForm *half = function == TAN ? half_tangent(reader, a) : NULL;
+        if (half) return half;
+        unit = yk_equation_unit(reader->d, a);
+    }
     if (!unit) {
         yk_ring_clear(ring);
-        return yk_equation_refuse(reader, start,
-                                  "an angle here is a sum of whole multiples of angles and of fractions of pi", NULL);
+        return yk_equation_refuse(reader, start, "an angle here is a polynomial of angles, parameters and t", NULL);
     }
     const YkForm *cos = form_of(reader, yk_ring_real(ring, unit)),
                  *sin = form_of(reader, yk_ring_imaginary(ring, unit));
@@ -218,6 +266,7 @@ static const YkForm *ring_function(YkEquationReader *reader, size_t start)
     const YkPoisson *a =
         yk_ring_read(reader->d->ring, YK_RING_TEXT, reader->text + start, end - start, place, reader->problems);
     if (!a) reader->failed = true;
+    reader->size = (YkEquationSize){.kind = YK_SIZE_OPEN};
     return form_of(reader, a);
 }
 
@@ -255,6 +304,7 @@ static const YkForm *read_function(YkEquationReader *reader, Function function, 
                           : function == SQRT ? root(reader, start)
                                              : ring_function(reader, start);
     const YkForm *product = value;
+    if (exponent > 1) reader->size = yk_equation_size_power(reader->size, exponent);
     for (int k = 1; k < exponent; k++) product = yk_form_multiply(reader->d->ring, product, value);
     return product;
 }

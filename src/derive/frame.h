@@ -20,6 +20,8 @@ const YkPoisson *yk_derive_unit_size(YkDerivation *d, double size, int angle);
 // lever.B.x and velocities lever.B.x'; efforts theta1.effort; reactions A.force.x, A.moment, F21x as -F12x. ' and
 // .rate, .accel take derivatives by time. In body form; NULL where there is no such thing.
 const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name);
+// Takes ' and .rate, .accel from its end: how often to differentiate by time.
+int yk_derive_take_order(const char *name, size_t *length);
 // path.c: the body at which the branches of the tree to both bodies part.
 int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b);
 // bodies.c: the angle of a body's axes outside of cos and sin, joint form.

@@ -192,6 +192,7 @@ int yk_derive_closing_rows(const YkDeriveForces *f);
 const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body);
 const YkPoisson *yk_derive_kinetic_total(const YkDeriveForces *f);
 const YkPoisson *yk_derive_potential(const YkDeriveForces *f);
+const char *yk_derive_energy_name(const YkDeriveForces *f, size_t load); // of a load's, behind V_
 
 // --- Lagrange: equation of a coordinate of the body form, left = right: inertia, potential, dampers and multipliers on
 // the left; efforts and forces on the right.

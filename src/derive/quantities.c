@@ -3,8 +3,7 @@
 #include "derive/frame.h"
 #include "derive/free_bodies.h"
 
-// Takes ' and .rate, .accel from the end: how often to differentiate by time.
-static int take_order(const char *name, size_t *length)
+int yk_derive_take_order(const char *name, size_t *length)
 {
     int order = 0;
     while (*length > 0 && name[*length - 1] == '\'') --*length, order++;
@@ -31,15 +30,28 @@ static const YkPoisson *energy(const YkDeriveForces *f, const char *name, size_t
     YkDerivation *d = f->d;
     bool is_kinetic = is_word(name, length, "T") || is_word(name, length, "kinetic");
     bool is_potential = is_word(name, length, "V") || is_word(name, length, "potential");
-    bool is_sum = is_word(name, length, "energy");
-    const YkPoisson *T = is_kinetic || is_sum ? yk_derive_kinetic_total(f) : NULL;
-    const YkPoisson *V = is_potential || is_sum ? yk_derive_potential(f) : NULL;
+    bool is_sum = is_word(name, length, "energy"), is_lagrangian = is_word(name, length, "L");
+    const YkPoisson *T = is_kinetic || is_sum || is_lagrangian ? yk_derive_kinetic_total(f) : NULL;
+    const YkPoisson *V = is_potential || is_sum || is_lagrangian ? yk_derive_potential(f) : NULL;
     if (is_sum) return yk_ring_add(d->ring, T, V);
+    if (is_lagrangian) return yk_ring_subtract(d->ring, T, V);
     if (T || V) return T ? T : V;
     for (size_t b = 1; b < d->model->body_count && length > 2 && strncmp(name, "T_", 2) == 0; b++)
         if (is_word(name + 2, length - 2, d->bodies[b].name)) return yk_derive_kinetic(f, (int32_t)b);
     for (size_t k = 0; k < f->load_count && length > 2 && strncmp(name, "V_", 2) == 0; k++)
-        if (is_word(name + 2, length - 2, f->loads[k].name)) return f->loads[k].energy;
+        if (f->loads[k].energy && is_word(name + 2, length - 2, yk_derive_energy_name(f, k))) return f->loads[k].energy;
+    return NULL;
+}
+
+// --- Angular velocities and accelerations of bodies: omega_lever, alpha_lever
+
+static const YkPoisson *turning(YkDerivation *d, const char *name, size_t length)
+{
+    bool is_speed = length > 6 && strncmp(name, "omega_", 6) == 0;
+    bool is_acceleration = !is_speed && length > 6 && strncmp(name, "alpha_", 6) == 0;
+    for (size_t b = 0; b < d->model->body_count && (is_speed || is_acceleration); b++)
+        if (is_word(name + 6, length - 6, d->bodies[b].name))
+            return is_speed ? d->bodies[b].spin : d->bodies[b].spin_rate;
     return NULL;
 }
 
@@ -136,8 +148,9 @@ static const YkPoisson *opposite(const YkDeriveForces *f, const char *name)
 const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name)
 {
     size_t length = strlen(name);
-    int order = take_order(name, &length);
+    int order = yk_derive_take_order(name, &length);
     const YkPoisson *a = d->most_depth > YK_DERIVE_DEPTH_MAX ? NULL : coordinate_of_point(d, name, length);
+    if (!a) a = turning(d, name, length);
     const YkDeriveForces *f = a ? NULL : yk_derive_forces(d);
     if (f && d->most_depth <= YK_DERIVE_DEPTH_MAX) a = energy(f, name, length);
     if (f && !a && order == 0) a = effort(f, name, length);

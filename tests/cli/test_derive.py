@@ -193,6 +193,70 @@ class Check(Case):
         self.assertEqual(self.verdict("N1*(theta1' - thetaC') = -N2*theta2'", file=train)[0]["verdict"], "true")
         self.assertEqual(self.verdict("N1*(theta1' - thetaC') = N2*theta2'", file=train, code=1)[0]["verdict"], "false")
 
+    def test_a_chain_is_taken_pair_by_pair(self):
+        answers = self.verdict("l1 = 3/4 = 750 mm", "l1 == 3/4")
+        self.assertEqual([answer["equation"] for answer in answers], ["l1 = 3/4", "3/4 = 750 mm", "l1 == 3/4"])
+        self.assertEqual([answer["verdict"] for answer in answers], ["true-here", "true", "true-here"])
+
+    def test_a_machine_is_named_at_which_it_does_not_hold(self):
+        answer = self.verdict("l1 = 3/4")[0]
+        self.assertEqual(answer["other_dimensions"], "false")
+        named = re.fullmatch(r"l1 = ([0-9.]+)", answer["false_at"]["parameters"])
+        self.assertEqual(float(named[1]), answer["false_at"]["left"])
+        self.assertEqual(Run("derive", QUICK, "--param", "l1=" + named[1], "--check", "l1 = 3/4").code, 1)
+        run = Run("derive", QUICK, "--check", "l1 = 3/4")
+        self.assertIn("true only with this file's numbers (at 24 poses); with l1 = %s (SI) it is false" % named[1], run.out)
+
+    def test_what_drives_do_is_told_apart(self):
+        self.assertEqual(self.verdict("theta1' = -0.5 rad/s")[0]["verdict"], "true-driven")
+        self.assertIn("as this file's drives move", Run("derive", QUICK, "--check", "theta1' = -0.5 rad/s").out)
+
+
+# What a page prints must not be called false on its own machine.
+class Printed(Case):
+    CONTEXT = re.compile(r"\^\{|\b[FMNTWSDRQev]_|work of the|tan\(alpha\)|^rho = |^x = lift_v$")
+
+    def equations(self, path, *options):
+        for section in self.good("derive", path, "--format", "json", *options).json()["sections"]:
+            for item in section["items"]:
+                if item["kind"] != "formula" or item.get("matrices"):
+                    continue
+                sides = item["text"].split("=")
+                for left, right in zip(sides, sides[1:]):
+                    yield section["name"], item.get("remark", ""), "%s = %s" % (left.strip(), right.strip())
+
+    def lock_of(self, path, section, remark):
+        with open(path) as file:
+            has_lock = re.search(r"^\s+%s:\s+\{(hold|join)" % re.escape(remark), file.read(), re.M) if remark else None
+        return remark if section == "gears" and has_lock else None
+
+    def test_every_printed_equation_is_true_or_says_what_it_needs(self):
+        proved = tried = driven = 0
+        for name in sorted(os.listdir(EXAMPLES)):
+            path = os.path.join(EXAMPLES, name)
+            if not name.endswith(".yaml"):
+                continue
+            by_lock = {}
+            for section, remark, equation in self.equations(path):
+                by_lock.setdefault(self.lock_of(path, section, remark), []).append(equation)
+            for lock, equations in by_lock.items():
+                locked = ("--lock", lock) if lock else ()
+                run = Run("derive", path, "--check", "-", "--format", "json", *locked, stdin="\n".join(equations))
+                answers = run.json()["checks"]
+                self.assertEqual([answer["equation"] for answer in answers], equations, name)
+                for answer in answers:
+                    word = answer["verdict"]
+                    if word == "unreadable":
+                        self.assertRegex(answer["equation"], self.CONTEXT, "%s: %s" % (name, answer["message"]))
+                        continue
+                    self.assertIn(word, ("true", "true-here", "true-driven"), "%s: %s" % (name, answer["equation"]))
+                    proved += word == "true"
+                    tried += word == "true-here"
+                    driven += word == "true-driven"
+        self.assertGreater(proved, 2000)
+        self.assertGreater(tried, 500)
+        self.assertGreater(driven, 100)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv)

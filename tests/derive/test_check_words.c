@@ -67,6 +67,51 @@ static void names_of_the_machine_come_before_units(void **state)
     machine_end(&m);
 }
 
+// Bare numbers take any dimension, as in a file; parameters of which the file does not tell one, too; radians are
+// numbers.
+static void dimensions_are_compared_where_they_are_known(void **state)
+{
+    (void)state;
+    Machine m = machine_of("parameters: {a: 0.3 m, mw: 3 kg, L: 1.2 m, k: 2, J: 0.1, q0: 30 deg}\n"
+                           "gravity: [0, -9.81]\n"
+                           "bodies: {arm: {points: {P: [L, 0]}, mass: mw, center: [a, 0], inertia: J}}\n"
+                           "joints: {O: {pin: [ground, arm], angle: th}}\n");
+    static const struct {
+        const char *equation;
+        YkCheckKind kind;
+    } cases[] = {{"mw = 3 m", YK_CHECK_UNREADABLE},
+                 {"a = 0.3 kg + 0 s", YK_CHECK_UNREADABLE},
+                 {"arm.P.x = 1.2 s cos(th)", YK_CHECK_UNREADABLE},
+                 {"th'' = 2 rad/s", YK_CHECK_UNREADABLE},
+                 {"a = 0.3", YK_CHECK_TRUE_HERE},
+                 {"a = 300 mm", YK_CHECK_TRUE_HERE},
+                 {"a = 0.4", YK_CHECK_FALSE},
+                 {"k = 2 m", YK_CHECK_TRUE_HERE},
+                 {"J = 0.1 kg*m^2", YK_CHECK_TRUE_HERE},
+                 {"J = 0.1 kg*m", YK_CHECK_UNREADABLE},
+                 {"q0 = 30 deg", YK_CHECK_TRUE_HERE},
+                 {"q0 = 1/6 pi", YK_CHECK_TRUE_HERE},
+                 {"1 N*m = 1 kg*m^2/s^2", YK_CHECK_TRUE},
+                 {"sqrt(4) a = 0.6 m", YK_CHECK_TRUE_HERE},
+                 {"arm.P.x = 1.2 cos(th)", YK_CHECK_TRUE_HERE},
+                 {"T = 1/2 (J + mw a^2) th'^2", YK_CHECK_TRUE},
+                 {"T = 1/2 (0.1 kg*m^2 + mw a^2) th'^2", YK_CHECK_TRUE_HERE},
+                 {"T = 1/2 (0.1 kg*m + mw a^2) th'^2", YK_CHECK_UNREADABLE},
+                 // exactly, where both sides are numbers
+                 {"L = 1.2000000000001 m", YK_CHECK_FALSE},
+                 {"1.2 m = 1.2000000000001 m", YK_CHECK_FALSE},
+                 {"q0 = 0.523598775598299", YK_CHECK_FALSE},
+                 {"arm.P.x = 1.2000000000001 m cos(th)", YK_CHECK_FALSE},
+                 {"L a = 0.36 m^2", YK_CHECK_TRUE_HERE},
+                 {"L a = 0.36000000000001 m^2", YK_CHECK_FALSE}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        YkCheckVerdict verdict = verdict_on(&m, cases[k].equation);
+        if (verdict.kind != cases[k].kind) print_error("%s: %d\n", cases[k].equation, (int)verdict.kind);
+        assert_int_equal(verdict.kind, cases[k].kind);
+    }
+    machine_end(&m);
+}
+
 static void books_ways_of_writing_are_read(void **state)
 {
     (void)state;
@@ -155,12 +200,37 @@ static void slips_of_the_hand_are_named(void **state)
 static void what_only_drives_make_true_is_told_so(void **state)
 {
     (void)state;
-    static const char drives[] = "it holds as the drives move the machine; here inputs may move in any way";
+    CHECK_KINDS("quick-return", {"theta1' = -0.5 rad/s", YK_CHECK_TRUE_DRIVEN}, {"theta1'' = 0", YK_CHECK_TRUE_DRIVEN},
+                {"theta1 = 30 deg - 0.5 rad/s*t", YK_CHECK_TRUE_DRIVEN},
+                {"d3^2 = a1^2 + l1^2 + 2 a1 l1 sin(30 deg - 0.5 rad/s*t)", YK_CHECK_TRUE_DRIVEN},
+                {"d3^2 = a1^2 + l1^2 + 2 a1 l1 sin(30 deg + 0.5 rad/s*t)", YK_CHECK_FALSE},
+                {"crank.A.x' = 0.5 rad/s l1 sin(theta1)", YK_CHECK_TRUE_DRIVEN},
+                {"d3 theta2' = -0.5 rad/s l1 cos(theta1 - theta2)", YK_CHECK_TRUE_DRIVEN},
+                {"d3 theta2' = 0.5 rad/s l1 cos(theta1 - theta2)", YK_CHECK_FALSE});
     Machine m = example("quick-return");
-    check_slip(&m, NULL, "theta1' = -0.5 rad/s", drives);
-    check_slip(&m, NULL, "theta1'' = 0", drives);
-    check_slip(&m, NULL, "theta1 = 30 deg - 0.5 rad/s*t", drives);
     check_slip(&m, NULL, "theta1' = 0.5 rad/s", NULL);
+    // an equation that speaks of t is shown false at a time
+    YkCheckVerdict verdict = verdict_on(&m, "theta1 = 30 deg - 0.4 rad/s*t");
+    assert_int_equal(verdict.kind, YK_CHECK_FALSE);
+    assert_true(verdict.shown.has_time && verdict.shown.time > 0);
+    CHECK_NEAR(verdict.shown.left, YK_PI / 6 - 0.5 * verdict.shown.time, 1e-12);
+    CHECK_NEAR(verdict.shown.right, YK_PI / 6 - 0.4 * verdict.shown.time, 1e-12);
+    machine_end(&m);
+}
+
+// A load that hangs on the time is not what it is at t = 0.
+static void loads_of_the_time_are_asked_at_any_time(void **state)
+{
+    (void)state;
+    Machine m = machine_of("parameters: {I: 2 kg*m^2, M: 3 N*m, w: 5 rad/s}\n"
+                           "bodies: {disk: {inertia: I}}\n"
+                           "joints: {O: {pin: [ground, disk], angle: q}}\n"
+                           "efforts: {q: M*(1 + w*t)}\n");
+    YkDynamics *dynamics = dynamics_of(&m);
+    assert_int_equal(forces_verdict(&m, dynamics, "I q'' = M").kind, YK_CHECK_FALSE);
+    assert_int_equal(forces_verdict(&m, dynamics, "q.effort = M").kind, YK_CHECK_FALSE);
+    assert_int_equal(forces_verdict(&m, dynamics, "I q'' = M (1 + w t)").kind, YK_CHECK_TRUE);
+    yk_dynamics_free(dynamics);
     machine_end(&m);
 }
 
@@ -197,7 +267,16 @@ static void what_cannot_be_read_has_a_hint(void **state)
                  {"l1 = 2 \xc2\xb7 3", "this sign is not read in equations", "products `*`"},
                  {"omega = 2", "unknown name `omega`", "theta1.rate"},
                  {"l1 = l2 = 1", "there is a second `=`: one equation at a time", NULL},
-                 {"sin(l1) = 0", "an angle here is a sum of whole multiples", NULL}};
+                 {"sin(l1) = 0", "an angle is wanted here, this is a length", NULL},
+                 {"l1 = 2 kg", "the left side is a length, the right side a mass", NULL},
+                 {"d5 = 3 m + 2 s", "what stands before is a length, this is a time", NULL},
+                 {"theta1' = 2 m/s", "the left side is an angular speed, the right side a speed", NULL},
+                 {"F01x = 3 N*m", "the left side is a force, the right side a torque or energy", NULL},
+                 {"M05 = 3 N", "the left side is a torque or energy, the right side a force", NULL},
+                 {"crank.A.x' = 2 m", "the left side is a speed, the right side a length", NULL},
+                 {"T' = 2 J", "the left side is a power, the right side a torque or energy", NULL},
+                 {"F_12 = 0", "unknown name `F_12`", "pages print vectors"},
+                 {"p^{A/O} = 0", "unknown name `p`", "pages print vectors"}};
     Machine m = example("quick-return");
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         YkProblems *problems = yk_problems_new();
@@ -220,12 +299,14 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_take_units),
         cmocka_unit_test(names_of_the_machine_come_before_units),
+        cmocka_unit_test(dimensions_are_compared_where_they_are_known),
         cmocka_unit_test(books_ways_of_writing_are_read),
         cmocka_unit_test(points_are_spoken_of_by_their_names),
         cmocka_unit_test(energies_balance_what_efforts_do),
         cmocka_unit_test(what_is_nothing_but_rounding_is_nothing),
         cmocka_unit_test(slips_of_the_hand_are_named),
         cmocka_unit_test(what_only_drives_make_true_is_told_so),
+        cmocka_unit_test(loads_of_the_time_are_asked_at_any_time),
         cmocka_unit_test(the_pose_tells_what_the_equation_speaks_of),
         cmocka_unit_test(what_cannot_be_read_has_a_hint),
     };

@@ -1,0 +1,157 @@
+// Equations as pages print them: values of laws, names of a motion program, influence coefficients, lumped constants,
+// what drives do; and angles that are no multiples of the machine's.
+#include "derive_check.h"
+
+typedef struct Case {
+    const char *equation;
+    YkCheckKind kind;
+} Case;
+
+static void check_cases(Machine *m, const Case *cases, size_t count)
+{
+    YkDynamics *dynamics = yk_dynamics_new(m->mech, m->problems);
+    assert_non_null(dynamics);
+    for (size_t k = 0; k < count; k++) {
+        yk_state_set_time(m->state, 0, NULL);
+        assert_true(yk_state_assemble(m->state) >= 0);
+        YkCheckVerdict verdict = yk_derive_check(m->d, m->state, dynamics, cases[k].equation, strlen(cases[k].equation),
+                                                 (YkPlace){1, 1, 0}, m->problems);
+        if (verdict.kind == cases[k].kind) continue;
+        print_error("%s: verdict %d, expected %d\n%s", cases[k].equation, (int)verdict.kind, (int)cases[k].kind,
+                    yk_problems_text(m->problems, 0));
+        fail();
+    }
+    yk_dynamics_free(dynamics);
+}
+#define CHECK_CASES(m, ...)                                                                                            \
+    check_cases(m, (const Case[]){__VA_ARGS__}, sizeof((const Case[]){__VA_ARGS__}) / sizeof(Case))
+#define IS(equation)                                                                                                   \
+    {                                                                                                                  \
+        equation, YK_CHECK_TRUE                                                                                        \
+    }
+#define IS_HERE(equation)                                                                                              \
+    {                                                                                                                  \
+        equation, YK_CHECK_TRUE_HERE                                                                                   \
+    }
+#define IS_DRIVEN(equation)                                                                                            \
+    {                                                                                                                  \
+        equation, YK_CHECK_TRUE_DRIVEN                                                                                 \
+    }
+#define IS_NOT(equation)                                                                                               \
+    {                                                                                                                  \
+        equation, YK_CHECK_FALSE                                                                                       \
+    }
+#define CANNOT(equation)                                                                                               \
+    {                                                                                                                  \
+        equation, YK_CHECK_UNREADABLE                                                                                  \
+    }
+
+static const char cam[] = "laws:\n"
+                          "  lift:\n"
+                          "    period: 2*pi\n"
+                          "    segments:\n"
+                          "      - {rise: {to: 120 deg, by: 20 mm, law: cycloidal}}\n"
+                          "      - {dwell: {to: 180 deg}}\n"
+                          "      - {polynomial: [{at: pi, s: 20 mm, v: 0, a: 0}, {at: 2*pi, s: 0, v: 0, a: 0}]}\n"
+                          "cams:\n"
+                          "  cc: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 60 mm, offset: 5 mm}\n"
+                          "bodies: {shaft: {inertia: 0.01}, tappet: {mass: 0.2 kg}}\n"
+                          "gravity: [0, -9.81]\n"
+                          "joints:\n"
+                          "  K: {pin: [ground, shaft], angle: theta}\n"
+                          "  T: {slide: [ground, tappet], along: y, distance: s}\n"
+                          "springs: {sp: {along: s, stiffness: 800 N/m, length: -10 mm}}\n"
+                          "drives: {theta: 10 rad/s * t}\n";
+
+// A cycloidal rise of 20 mm over 120 deg, a dwell to 180 deg, back by 3-4-5. A bracket of anything but a place is a
+// factor.
+static void laws_are_asked_at_a_place(void **state)
+{
+    (void)state;
+    Machine m = machine_of(cam);
+    CHECK_CASES(&m, IS_HERE("lift (pi) = 1/50"), IS_HERE("lift(2/3 pi) = 20 mm"), IS_HERE("lift (60 deg) = 10 mm"),
+                IS_HERE("lift_v (pi/3) = 0.04/(2/3 pi)"), IS_HERE("lift_v (pi) = 0"), IS_HERE("lift_a (pi) = 0"),
+                IS_HERE("lift (3/2 pi) = 1/100"), IS("s = lift(theta)"), IS("s' = lift_v(theta) theta'"),
+                IS("lift (theta + s) = theta s + s^2"), IS_NOT("lift (pi) = 1/40"), IS_NOT("lift_v (pi/3) = 0"),
+                IS_NOT("s = lift(2/3 pi)"));
+    machine_end(&m);
+}
+
+static void names_of_a_motion_program_hold_in_their_segment(void **state)
+{
+    (void)state;
+    Machine m = machine_of(cam);
+    CHECK_CASES(&m, IS("h1 = 20 mm"), IS("beta1 = 120 deg"), IS_HERE("s = h1 (u1 - sin(2 pi u1)/(2 pi))"),
+                IS_HERE("u1 = theta/beta1"), IS_HERE("lift_v = h1/beta1 (1 - cos(2 pi u1))"),
+                IS_HERE("s = h2 (1 - 10 u2^3 + 15 u2^4 - 6 u2^5)"), IS_HERE("u2 = (theta - pi)/pi"),
+                IS_NOT("s = h1 u1"), IS_NOT("s = h2 (10 u2^3 - 15 u2^4 + 6 u2^5)"), IS_NOT("u1 = theta/pi"),
+                IS("k_s = lift_v"), IS_NOT("k_s = lift_a"), CANNOT("tan(alpha) = 1"));
+    YkCheckVerdict verdict = verdict_on(&m, "s = h1 (u1 - sin(2 pi u1)/(2 pi))");
+    assert_true(verdict.is_in_segment && verdict.poses >= 8);
+    machine_end(&m);
+}
+
+// Where no page is asked for them, a machine has no such names; its own come first.
+static void a_machines_own_names_come_first(void **state)
+{
+    (void)state;
+    Machine m =
+        machine_of("parameters: {p1: 2 m, mu: 3 kg, k_q: 5}\n"
+                   "bodies: {arm: {points: {P: [p1, 0]}, mass: mu, center: [p1, 0], inertia: 0}, cart: {mass: mu}}\n"
+                   "joints:\n"
+                   "  W: {slide: [ground, cart], along: x, distance: x}\n"
+                   "  O: {pin: [cart, arm], angle: q}\n");
+    CHECK_CASES(&m, IS_HERE("p1 = 2 m"), IS_HERE("k_q = 5"), IS("L = T - V"), IS("omega_arm = q'"),
+                IS("alpha_arm = q''"), IS("T = mu x'^2 + 1/2 mu p1^2 omega_arm^2 - mu p1 sin(q) x' q'"),
+                CANNOT("k_x = 1"), CANNOT("h1 = 1"));
+    machine_end(&m);
+}
+
+static const char crank[] = "parameters: {r: 0.1 m, l: 0.3 m, w: 5 rad/s}\n"
+                            "bodies:\n"
+                            "  ground: {points: {O: [0, 0]}}\n"
+                            "  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+                            "  rod: {points: {A: [0, 0], B: [l, 0]}}\n"
+                            "  piston: {points: {B: [0, 0]}}\n"
+                            "joints:\n"
+                            "  O: {pin: [ground, crank], angle: th}\n"
+                            "  A: {pin: [crank, rod], angle: ph}\n"
+                            "  B: {pin: [rod, piston]}\n"
+                            "  S: {slide: [ground, piston], along: x, distance: s}\n"
+                            "drives: {th: 30 deg + w * t}\n"
+                            "start: {ph: -60 deg, s: 0.3}\n";
+
+static void what_speaks_of_the_time_is_asked_of_the_drives(void **state)
+{
+    (void)state;
+    Machine m = machine_of(crank);
+    CHECK_CASES(&m, IS_DRIVEN("th = pi/6 + w t"), IS_DRIVEN("th' = w"), IS_DRIVEN("th'' = 0"),
+                IS_DRIVEN("crank.A.x = r cos(pi/6 + w t)"),
+                IS_DRIVEN("(s - r cos(w t + 30 deg))^2 = l^2 - r^2 sin(30 deg + w t)^2"),
+                IS_DRIVEN("crank.A.x'' = -w^2 crank.A.x"), IS_NOT("th = w t"), IS_NOT("th' = 2 w"),
+                IS_NOT("crank.A.x = r cos(w t)"), IS("s' = -r sin(th) th' - l sin(th + ph) (th' + ph')"));
+    machine_end(&m);
+}
+
+static void half_angles_are_read(void **state)
+{
+    (void)state;
+    Machine m = machine_of(crank);
+    CHECK_CASES(&m, IS("tan(th/2) = sin(th)/(1 + cos(th))"), IS("tan(th/2)^2 = (1 - cos(th))/(1 + cos(th))"),
+                IS_HERE("2 sin(th/2) cos(th/2) = sin(th)"), IS_HERE("cos(th/2)^2 = (1 + cos(th))/2"),
+                IS_NOT("tan(th/2) = sin(th)/(1 - cos(th))"), IS_NOT("sin(th/2) = sin(th)/2"), CANNOT("sin(r) = 0"),
+                CANNOT("sin(w) = 0"));
+    machine_end(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(laws_are_asked_at_a_place),
+        cmocka_unit_test(names_of_a_motion_program_hold_in_their_segment),
+        cmocka_unit_test(a_machines_own_names_come_first),
+        cmocka_unit_test(what_speaks_of_the_time_is_asked_of_the_drives),
+        cmocka_unit_test(half_angles_are_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
