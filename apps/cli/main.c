@@ -1,4 +1,5 @@
 // yoke VERB FILE [options]: one verb, one question.
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,8 +41,17 @@ static int run(YkSession *session)
     return request->verb->run(session);
 }
 
+// A file that may not grow any more is a failed write, which is told, and whose rest is removed.
+static void ignore_file_limit(void)
+{
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
 int main(int argc, char **argv)
 {
+    ignore_file_limit();
     YkRequest request = {.arena = yk_arena_new()};
     YkSession session = {.request = &request, .problems = yk_problems_new()};
     int exit_code = YK_EXIT_WRONG;

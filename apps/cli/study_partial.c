@@ -1,8 +1,10 @@
 // What an interrupted study leaves: OUTPUT.partial, a line that tells which study, then rows of doubles as they were
 // computed. The same study goes on behind its last whole row.
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+#include "out/file.h"
 #include "session.h"
 #include "study.h"
 
@@ -77,11 +79,14 @@ static void write_head(const YkStudyAnswer *answer, char *head)
 // --- the file
 // -----------------------------------------------------------------------------------------------------------
 
+// Rows that were written stay: with more room the study goes on from them.
 static bool fail(const YkStudyAnswer *answer)
 {
+    int error = errno;
     if (partial.file) fclose(partial.file);
     partial.file = NULL;
-    return yk_session_refuse(answer->session, YK_CODE_OUTPUT_FAILED, "%q cannot be written", partial.path);
+    if (answer->done == 0) remove(partial.path);
+    return yk_file_fail(partial.path, error, answer->session->problems);
 }
 
 // A name of its own for what is no regular place: then nothing is kept.

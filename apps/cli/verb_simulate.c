@@ -27,9 +27,6 @@ static void catch_signals(void)
     sigaction(SIGINT, &once, NULL);
     sigaction(SIGTERM, &once, NULL);
     sigaction(SIGPIPE, &ignore, NULL); // a closed pipe is a failed write, which is told
-#ifdef SIGXFSZ
-    sigaction(SIGXFSZ, &ignore, NULL); // so is a file that may not grow
-#endif
 }
 
 static double now(void)

@@ -36,7 +36,10 @@ bool yk_file_fail(const char *path, int error, YkProblems *problems)
         yk_problem(problems, YK_CODE_OUTPUT_DENIED, nowhere, "cannot write %q: permission denied", path);
     } else if (error == EISDIR) {
         yk_problem(problems, YK_CODE_OUTPUT_IS_FOLDER, nowhere, "cannot write %q: it is a folder", path);
-    } else if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
+    } else if (error == EFBIG) {
+        yk_problem(problems, YK_CODE_OUTPUT_FULL, nowhere,
+                   "cannot write %q: it would be larger than a file may be here", path);
+    } else if (error == ENOSPC || error == EDQUOT) {
         yk_problem(problems, YK_CODE_OUTPUT_FULL, nowhere, "cannot write %q: no space left", path);
     } else {
         (void)strerror_r(error, words, sizeof words);

@@ -15,5 +15,7 @@ const char *yk_file_kind_name(YkFileKind kind); // "svg", "pdf", "png", "other"
 bool yk_file_write(const char *path, const char *data, size_t length, YkProblems *problems);
 // Writes everything to an open descriptor, `name` standing for it in messages. False with a problem added.
 bool yk_file_write_to(int descriptor, const char *name, const char *data, size_t length, YkProblems *problems);
+// Adds the problem that an error number stands for, when a file could not be written; returns false.
+bool yk_file_fail(const char *path, int error, YkProblems *problems);
 
 #endif

@@ -6,8 +6,6 @@
 #include "base/text.h"
 #include "out/file.h"
 
-// Adds the problem that an error number stands for; returns false.
-bool yk_file_fail(const char *path, int error, YkProblems *problems);
 // Writes everything; *written (may be NULL) says how much of it. Returns 0, or the error. A write of nothing finds no
 // fault, so an empty output is fine everywhere.
 int yk_file_write_all(int descriptor, const char *data, size_t length, size_t *written);

@@ -1,5 +1,6 @@
 #include "out/process.h"
 #include <errno.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <string.h>
@@ -30,7 +31,20 @@ static void close_streams(Streams *streams)
     if (streams->error) fclose(streams->error);
 }
 
-static int spawn(const char *const *argv, const Streams *streams, pid_t *child)
+// What the command ignores, to be told of it, ends the program: it may not look at what its writes say.
+static int take_signals(posix_spawnattr_t *attributes)
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGPIPE);
+#ifdef SIGXFSZ
+    sigaddset(&signals, SIGXFSZ);
+#endif
+    int error = posix_spawnattr_setsigdefault(attributes, &signals);
+    return error ? error : posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);
+}
+
+static int start(const char *const *argv, const Streams *streams, const posix_spawnattr_t *attributes, pid_t *child)
 {
     posix_spawn_file_actions_t actions;
     int error = posix_spawn_file_actions_init(&actions);
@@ -39,8 +53,19 @@ static int spawn(const char *const *argv, const Streams *streams, pid_t *child)
     if (!error) error = posix_spawn_file_actions_adddup2(&actions, fileno(streams->output), STDOUT_FILENO);
     if (!error) error = posix_spawn_file_actions_adddup2(&actions, fileno(streams->error), STDERR_FILENO);
     // posix_spawnp promises not to change the strings; its type is older than const.
-    if (!error) error = posix_spawnp(child, argv[0], &actions, NULL, (char *const *)(const void *)argv, environ);
+    if (!error) error = posix_spawnp(child, argv[0], &actions, attributes, (char *const *)(const void *)argv, environ);
     posix_spawn_file_actions_destroy(&actions);
+    return error;
+}
+
+static int spawn(const char *const *argv, const Streams *streams, pid_t *child)
+{
+    posix_spawnattr_t attributes;
+    int error = posix_spawnattr_init(&attributes);
+    if (error) return error;
+    error = take_signals(&attributes);
+    if (!error) error = start(argv, streams, &attributes, child);
+    posix_spawnattr_destroy(&attributes);
     return error;
 }
 
@@ -63,7 +88,7 @@ static int wait_for(pid_t child)
 }
 
 // Adds the last line of what the program said to the problem's text.
-static bool fail_with(const char *program, const char *purpose, FILE *error, YkProblems *problems)
+static bool fail_with(const char *program, const char *purpose, int status, FILE *error, YkProblems *problems)
 {
     char words[WORDS_MAX + 1];
     YkText said = {0};
@@ -75,7 +100,9 @@ static bool fail_with(const char *program, const char *purpose, FILE *error, YkP
     memcpy(words, line, length);
     words[length] = '\0';
     yk_problem(problems, YK_CODE_PROGRAM_FAILED, (YkPlace){0}, "%s failed while %s: %s", program, purpose,
-               length > 0 ? words : "it said nothing");
+               length > 0   ? words
+               : status < 0 ? "a signal ended it"
+                            : "it said nothing");
     yk_text_free(&said);
     return false;
 }
@@ -97,7 +124,7 @@ bool yk_process_filter(const char *const *argv, const char *purpose, const YkTex
             yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0},
                        "%s needs the program %q, which could not be run", purpose, argv[0]);
         } else if (status != 0 || !read_all(streams.output, output)) {
-            fail_with(argv[0], purpose, streams.error, problems);
+            fail_with(argv[0], purpose, status, streams.error, problems);
         } else {
             good = true;
         }

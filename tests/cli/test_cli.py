@@ -1,10 +1,12 @@
 """The command's front: verbs, options, help, explanations, where answers go. Run: YOKE=path/of/yoke python3 test_cli.py"""
 import os
+import resource
 import re
 import stat
+import subprocess
 import unittest
 
-from harness import Case, FOUR_BAR, ROOT, Run
+from harness import Case, FOUR_BAR, ROOT, YOKE, Run
 
 VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "report", "code", "new", "explain"]
 
@@ -195,12 +197,50 @@ class Output(Case):
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
     def test_a_full_standard_output_is_told(self):
-        import subprocess
-        from harness import YOKE
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = subprocess.run([YOKE, "check", self.four_bar], stdout=full, stderr=subprocess.PIPE, encoding="utf-8", check=False)
         self.assertEqual(done.returncode, 2)
         self.assertIn("[E0704]", done.stderr)
+
+    def test_a_limit_of_the_file_size_is_told_and_leaves_nothing(self):
+        """Every kind of output, cut off at 4096 bytes: the old file stands, nothing lies beside it."""
+        calls = {"code.c": ["code", self.four_bar], "table.csv": ["sweep", self.four_bar, "--over", "theta1=0:360deg", "--steps", "400", "--format", "csv"],
+                 "times.csv": ["simulate", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--to", "9s", "--steps", "900", "--format", "csv"],
+                 "report.html": ["report", self.four_bar], "study.csv": ["study", self.four_bar, "--vary", "a=39mm:41mm:500", "--of", "theta3", "--format", "csv"]}
+        for name, words in calls.items():
+            with self.subTest(name):
+                folder = self.path("limit-" + words[0])
+                os.mkdir(folder)
+                target = os.path.join(folder, name)
+                self.good(*words, "-o", target)
+                self.assertGreater(os.path.getsize(target), 4096)
+                with open(target, "rb") as file:
+                    before = file.read()
+                done = subprocess.run([YOKE, *words, "-o", target], stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
+                                      preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(b"[E0704]", done.stderr)
+                self.assertIn(b"larger than a file may be", done.stderr)
+                self.assertEqual(set(os.listdir(folder)) - {"study.csv.partial"}, {name})  # which the study goes on from
+                with open(target, "rb") as file:
+                    after = file.read()
+                if words[0] == "simulate":  # its lines stay, as many as there is room for
+                    self.assertTrue(before.startswith(after) and after.endswith(b"\n") and len(after) > 4000)
+                else:
+                    self.assertEqual(after, before)
+
+    def test_programs_that_hit_the_limit_are_told(self):
+        """gnuplot and rsvg-convert end by the signal, which says so: a picture that is cut off is none."""
+        for words in (["sweep", self.four_bar, "--over", "theta1=0:360deg", "--plot"], ["draw", self.four_bar, "-o"]):
+            target = self.path(words[0] + ".pdf")
+            if Run(*words, target).code != 0:  # not installed
+                continue
+            os.remove(target)
+            done = subprocess.run([YOKE, *words, target], stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048)))
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, b"E07(05|11)")
+            self.assertFalse(os.path.exists(target))
 
     def test_a_failed_run_leaves_the_old_output_alone(self):
         self.write("out.txt", "what stood before")
