@@ -61,12 +61,20 @@ static void sort_terms(const YkPlan *plan, Parts *p)
     p->known.constant_node = list->constant_node;
     p->known.plus = list->plus;
     p->known.minus = list->minus;
-    for (size_t k = 0; k < list->count; k++) sort_term(plan, p, k);
+    for (size_t k = 0; k < list->count; k++)
+        if (yk_terms_is_there(list, k)) sort_term(plan, p, k);
+}
+
+static bool is_constant(const YkTermList *arm)
+{
+    for (size_t k = 0; k < arm->count; k++)
+        if (yk_terms_is_there(arm, k)) return false;
+    return true;
 }
 
 static bool is_zero_arm(const YkTermList *arm)
 {
-    return arm->count == 0 && yk_norm(arm->constant) == 0;
+    return is_constant(arm) && yk_norm(arm->constant) == 0;
 }
 
 static bool are_parallel(const YkTerm *a, const YkTerm *b)
@@ -188,7 +196,7 @@ static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
     bool ok = yk_terms_store(&p->known, mech, &block->known);
     for (size_t k = 0; k < p->angles; k++) {
         ok = ok && yk_terms_store(&p->arm[k], mech, &block->arm[k]);
-        block->arm_is_constant[k] = p->arm[k].count == 0;
+        block->arm_is_constant[k] = is_constant(&p->arm[k]);
         block->column[columns++] = (YkColumn){false, p->root[k]};
     }
     for (size_t k = 0; k < p->lines; k++) {

@@ -150,6 +150,7 @@ static bool loop_columns(Rest *r)
     size_t from = r->column_total;
     for (size_t k = 0; k < plan->list.count; k++) {
         YkTerm term = plan->list.items[k];
+        if (!yk_terms_is_there(&plan->list, k)) continue;
         int32_t root = mech->group_root[term.slot], d = term.distance;
         if (!plan->root_known[root] && !add_column(r, from, column_id(mech, (YkColumn){false, root}))) return false;
         if (d != YK_NONE && !plan->distance_known[d] && !add_column(r, from, column_id(mech, (YkColumn){true, d})))

@@ -104,6 +104,7 @@ typedef struct YkRelation {
     YkRelationTerm target;
     uint32_t first_source, source_count, first_argument_source, argument_source_count; // in sources
     double offset, argument_offset, gain;                                              // gain of the law
+    double weight; // by which all of them are multiplied, of the argument's nothing; 0: a target's own
 } YkRelation;
 
 typedef enum YkStepKind {
@@ -237,7 +238,7 @@ static inline size_t yk_contact_count(const YkMechanism *mech)
 // The tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
 // What makes a relation's value a length: gears and the like are equations of angles, times teeth. Over the machine's
-// size, a relation then weighs as much as a loop.
+// size, a relation then weighs about as much as a loop: a power of two, so that it costs no rounding.
 double yk_relation_weight(const YkMechanism *mech, const YkRelation *relation);
 // A body's point as a sum, appended to nothing: origin plus one term. The term is returned apart.
 YkTerm yk_body_term(const YkMechanism *mech, int32_t body, YkVec at);

@@ -203,7 +203,7 @@ double yk_relation_weight(const YkMechanism *mech, const YkRelation *r)
         YkRelationTerm term = mech->relation_terms[r->first_term + k];
         most = fmax(most, fabs(term.factor) * (term.is_distance ? mech->size : 1));
     }
-    return most > 0 ? mech->size / most : 1;
+    return most > 0 ? exp2(rint(log2(mech->size / most))) : 1;
 }
 
 bool yk_relations_build(YkMechanism *mech)
@@ -225,4 +225,18 @@ bool yk_relations_build(YkMechanism *mech)
     mech->gruebler -= (int)count;
     mech->own_term_count = mech->relation_term_count;
     return !b.failed;
+}
+
+bool yk_relations_constants(const YkMechanism *mech, double *constants)
+{
+    YkMechanism again = *mech;
+    again.arena = yk_arena_new();
+    again.relations = NULL;
+    again.relation_terms = NULL;
+    again.relation_count = again.relation_term_count = again.relation_term_capacity = 0;
+    bool good = again.arena && yk_relations_build(&again);
+    for (size_t k = 0; good && k < again.relation_count; k++) constants[k] = again.relations[k].constant;
+    free(again.relation_terms);
+    yk_arena_free(again.arena);
+    return good;
 }

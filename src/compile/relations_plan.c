@@ -222,7 +222,8 @@ static void check(YkPlan *plan, size_t index)
 {
     YkRelation *r = &plan->mech->relations[index];
     r->is_redundant = true;
-    write_sources(plan, r, yk_relation_weight(plan->mech, r), &(Columns){0});
+    r->weight = yk_relation_weight(plan->mech, r);
+    write_sources(plan, r, r->weight, &(Columns){0});
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_CHECK, .target = (int32_t)index});
     plan->mech->redundant_relation_count++;
 }
@@ -255,7 +256,8 @@ void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *colum
     }
     mech->group_relations[mech->group_relation_count++] = (int32_t)relation;
     r->is_solved = true;
-    write_sources(plan, r, yk_relation_weight(mech, r), &(Columns){columns, count});
+    r->weight = yk_relation_weight(mech, r);
+    write_sources(plan, r, r->weight, &(Columns){columns, count});
 }
 
 // --- several at once

@@ -16,13 +16,6 @@ void yk_terms_clear(YkTermList *list)
     list->constant_node = 0;
 }
 
-static void drop_if_zero(YkTermList *list, size_t k)
-{
-    if (list->items[k].v.x != 0 || list->items[k].v.y != 0) return;
-    list->items[k] = list->items[--list->count];
-    if (list->recipe) list->nodes[k] = list->nodes[list->count];
-}
-
 static bool has_room(YkTermList *list)
 {
     return YK_ROOM(list->items, list->count, list->capacity) &&
@@ -43,12 +36,10 @@ void yk_terms_add_node(YkTermList *list, YkTerm term, int32_t node, double sign)
         add_constant(list, term.v, node);
         return;
     }
-    if (term.v.x == 0 && term.v.y == 0) return;
     for (size_t k = 0; k < list->count; k++) {
         if (list->items[k].slot != term.slot || list->items[k].distance != term.distance) continue;
         list->items[k].v = yk_add(list->items[k].v, term.v);
         if (list->recipe) list->nodes[k] = yk_recipe_add(list->recipe, list->nodes[k], node, list->items[k].v);
-        drop_if_zero(list, k);
         return;
     }
     if (!has_room(list)) {
@@ -132,12 +123,13 @@ bool yk_terms_store(const YkTermList *list, YkMechanism *mech, YkSum *sum)
                    0}; // counts what is stored, also on failure
     yk_recipe_note_constant(list->recipe, mech->term_count, list->constant_node);
     for (size_t k = 0; k < list->count; k++) {
+        if (!yk_terms_is_there(list, k)) continue;
         if (!YK_ROOM(mech->terms, mech->term_count, mech->term_capacity)) return false;
         yk_recipe_note_term(list->recipe, mech->term_count, yk_terms_node(list, k));
         mech->terms[mech->term_count++] = list->items[k];
         sum->count++;
     }
-    if (list->recipe && list->count == 0) { // no other sum may begin here: the recipe knows it by its first term
+    if (list->recipe && sum->count == 0) { // no other sum may begin here: the recipe knows it by its first term
         if (!YK_ROOM(mech->terms, mech->term_count, mech->term_capacity)) return false;
         yk_recipe_note_term(list->recipe, mech->term_count, 0);
         mech->terms[mech->term_count++] = (YkTerm){.distance = YK_NONE};

@@ -4,7 +4,8 @@
 #include "compile/mechanism.h"
 #include "compile/recipe.h"
 
-// A sum under construction: like terms merge, what cancels exactly vanishes.
+// A sum under construction: like terms merge. What is 0 or cancels exactly keeps its place until the sum is stored, so
+// that the order of all others does not hang on values.
 typedef struct YkTermList {
     YkVec constant;
     int32_t plus, minus;
@@ -22,6 +23,10 @@ void yk_terms_clear(YkTermList *list);
 void yk_terms_add(YkTermList *list, YkTerm term, double sign);
 // The same for a vector that the recipe knows as `node`.
 void yk_terms_add_node(YkTermList *list, YkTerm term, int32_t node, double sign);
+static inline bool yk_terms_is_there(const YkTermList *list, size_t k)
+{
+    return list->items[k].v.x != 0 || list->items[k].v.y != 0;
+}
 static inline int32_t yk_terms_node(const YkTermList *list, size_t k)
 {
     return list->recipe ? list->nodes[k] : 0;

@@ -1,6 +1,7 @@
 // Variants: a second mechanism, compiled from a copy of the model at values a little beside the file's - so that what
 // is 0 or cancels there by chance is kept - with the recipe of all its vectors.
 #include "compile/variant.h"
+#include "compile/relations.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,9 @@ static bool same_plan(const YkMechanism *a, const YkMechanism *b)
                 a->column_count == b->column_count && a->reference_count == b->reference_count;
     for (size_t k = 0; same && k < a->block_count; k++) same = a->blocks[k].kind == b->blocks[k].kind;
     for (size_t k = 0; same && k < a->input_count; k++) same = a->inputs[k] == b->inputs[k];
+    for (size_t k = 0; same && k < a->column_count; k++) // their order is in the sign of a group's branch
+        same = a->group_columns[k].is_distance == b->group_columns[k].is_distance &&
+               a->group_columns[k].index == b->group_columns[k].index;
     return same;
 }
 
@@ -94,6 +98,34 @@ static void list_active(YkVariant *v)
 // --- making
 // -------------------------------------------------------------------------------------------------------------
 
+// Of those that have a phase.
+static YkPlace place_of(const YkModel *model, const YkRelation *r)
+{
+    return r->kind == YK_RELATION_GEAR   ? model->gears[r->index].place
+           : r->kind == YK_RELATION_BELT ? model->belts[r->index].place
+                                         : model->racks[r->index].place;
+}
+
+// A phase that follows a parameter would change what the order of solution was made for. Asked while the copy has the
+// probe's values.
+static bool check_phases(const YkVariant *v, const YkMechanism *mech, YkProblems *problems)
+{
+    double *constants = calloc(mech->relation_count + 1, sizeof *constants);
+    YkMechanism probed = *mech;
+    probed.model = yk_redesign_model(v->redesign);
+    bool good = constants && yk_relations_constants(&probed, constants);
+    for (size_t k = 0; good && k < mech->relation_count; k++) {
+        if (constants[k] == mech->relations[k].constant) continue;
+        yk_problem(problems, YK_CODE_CANNOT_VARY, place_of(mech->model, &mech->relations[k]),
+                   "a parameter that varies enters the phase of %q, by what `start:` and drives give",
+                   mech->relations[k].name);
+        yk_redesign_hint(problems);
+        good = false;
+    }
+    free(constants);
+    return good;
+}
+
 static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names, size_t count, YkProblems *problems)
 {
     v->redesign = yk_redesign_new(mech->model, names, count, problems);
@@ -102,7 +134,13 @@ static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names
     double *own = values + count;
     for (size_t k = 0; k < count; k++) own[k] = mech->model->parameters[yk_redesign_parameter(v->redesign, k)].value;
     choose_probe(v, mech->model, count, values);
-    if (yk_redesign_set(v->redesign, values) == YK_OK) v->mech = compile(v, mech, NULL);
+    if (yk_redesign_set(v->redesign, values) == YK_OK) {
+        if (!check_phases(v, mech, problems)) {
+            free(values);
+            return false;
+        }
+        v->mech = compile(v, mech, NULL);
+    }
     v->is_of_file = !v->mech && count > 0;
     if (!v->mech && yk_redesign_set(v->redesign, own) == YK_OK) v->mech = compile(v, mech, problems);
     if (v->mech) {
@@ -173,10 +211,29 @@ static YkVec value_of(const YkVariant *v, const YkRecipeNode *node)
     return node->value;
 }
 
+// The weights of relations follow the machine's size, by powers of two: every product of them is exact.
+static void weigh_relation(YkMechanism *mech, YkRelation *r)
+{
+    if (r->weight == 0) return;
+    double weight = yk_relation_weight(mech, r), by = weight / r->weight;
+    r->weight = weight;
+    r->gain *= by;
+    r->offset *= by;
+    for (uint32_t k = 0; k < r->source_count; k++) mech->sources[r->first_source + k].factor *= by;
+}
+
+static void set_size(YkMechanism *mech, double size)
+{
+    if (size == mech->size) return;
+    mech->size = size;
+    for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++) weigh_relation(mech, &mech->relations[k]);
+}
+
 YkStatus yk_variant_set(YkVariant *v, const double *values)
 {
     YkStatus status = yk_redesign_set(v->redesign, values);
     if (status < 0) return status;
+    set_size(v->mech, v->mech->model->size);
     for (size_t k = 0; k < v->active_count; k++) {
         YkRecipeNode *node = &v->recipe.nodes[v->active[k]];
         node->value = value_of(v, node);

@@ -2,9 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/number.h"
+#include "model/cam_place.h"
 #include "model/load.h"
-
-enum { LIFT_SAMPLES = 720 };
 
 // A length as the file would give it.
 static const char *length_text(YkLoader *loader, double value)
@@ -24,48 +23,17 @@ static YkPlace place_of(const YkCam *cam, const YkExpr *expr)
     return expr ? expr->place : cam->place;
 }
 
-static bool refuse_size(YkLoader *loader, const YkCam *cam, const YkExpr *expr, const char *what)
+static void refuse_size(YkLoader *loader, const YkCam *cam, const YkExpr *expr, const char *what)
 {
     yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, expr), "cam %q: %s", cam->name, what);
-    return false;
 }
 
-// The joints as seen from the carrier.
-static void place_joints(YkLoader *loader, YkCam *cam)
+static void check_centers(YkLoader *loader, const YkCam *cam)
 {
-    const YkModel *model = loader->model;
-    const YkJoint *pin = &model->joints[cam->cam_joint], *guide = &model->joints[cam->follower_joint];
-    int pin_side = pin->body[0] == cam->carrier ? 0 : 1, guide_side = guide->body[0] == cam->carrier ? 0 : 1;
-    YkVec apart = yk_sub(guide->at[guide_side], pin->at[pin_side]);
-    cam->turn = pin_side == 0 ? 1 : -1;
-    cam->swing = guide_side == 0 ? 1 : -1;
-    if (cam->oscillates) {
-        cam->pivot = apart;
-        return;
-    }
-    cam->along = guide_side == 0 ? guide->along : yk_scale(-1, yk_mul(guide->along, yk_unit(-guide->turned)));
-    if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along))); // of the guide's line
-}
-
-// Arm and centres of an oscillating follower, from points or keys.
-static void place_pivot(YkLoader *loader, YkCam *cam)
-{
-    const YkModel *model = loader->model;
-    const YkJoint *pin = &model->joints[cam->follower_joint];
-    double apart = yk_norm(cam->pivot), size = cam->base + cam->roller;
-    if (cam->point != YK_NONE) {
-        int side = pin->body[0] == cam->follower ? 0 : 1;
-        cam->arm = yk_norm(yk_sub(model->points[cam->point].at, pin->at[side]));
-    }
-    if (!cam->centers_expr) {
-        cam->centers = apart;
-    } else if (apart <= 1e-12 * size) {
-        cam->pivot = yk_vec(cam->centers, 0);
-    } else if (fabs(cam->centers - apart) > 1e-9 * apart) {
-        yk_problem(loader->problems, YK_CODE_CAM_SIZE, cam->centers_expr->place,
-                   "cam %q: `centers` disagrees with the points of the two pins, which are %s apart", cam->name,
-                   length_text(loader, apart));
-    }
+    if (!cam->centers_expr || yk_cam_centers_agree(cam)) return;
+    yk_problem(loader->problems, YK_CODE_CAM_SIZE, cam->centers_expr->place,
+               "cam %q: `centers` disagrees with the points of the two pins, which are %s apart", cam->name,
+               length_text(loader, yk_norm(cam->pivot)));
 }
 
 static bool check_positive(YkLoader *loader, const YkCam *cam, const YkExpr *expr, double value, const char *key)
@@ -86,33 +54,6 @@ static bool check_signs(YkLoader *loader, const YkCam *cam)
     good &= check_positive(loader, cam, cam->other_arm_expr, cam->other_arm, "arm");
     good &= check_positive(loader, cam, cam->other_span_expr, cam->other_span, "span");
     return good;
-}
-
-// Lowest value of the law, by samples.
-static double lowest_lift(const YkLaw *law)
-{
-    YkLawRange range = yk_law_range(law);
-    double low = INFINITY, d[YK_LAW_ORDER + 1];
-    for (int i = 0; i <= LIFT_SAMPLES; i++) {
-        yk_law_eval(law, range.from + (range.to - range.from) * i / LIFT_SAMPLES, d);
-        low = fmin(low, d[0]);
-    }
-    return low;
-}
-
-static bool check_slide(YkLoader *loader, const YkCam *cam, const YkLaw *law)
-{
-    double size = cam->base + cam->roller, low = law ? lowest_lift(law) : 0;
-    double start = cam->face == YK_CAM_FLAT ? cam->base : sqrt(fmax(size * size - cam->offset * cam->offset, 0));
-    if (cam->face != YK_CAM_FLAT && !(fabs(cam->offset) < size)) {
-        yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->offset_expr),
-                   "cam %q: the offset must be less than base and roller together, %s", cam->name,
-                   length_text(loader, size));
-        return false;
-    }
-    if (start + low > 0) return true;
-    return refuse_size(loader, cam, cam->base_expr,
-                       "where the lift is lowest the follower would reach the cam's centre");
 }
 
 // Where the file's own geometry puts the roller or edge while the follower's angle is 0.
@@ -140,28 +81,38 @@ static void warn_of_place(YkLoader *loader, const YkCam *cam)
         "`solve` and `simulate` act where the points say");
 }
 
-static bool check_pin(YkLoader *loader, const YkCam *cam)
+static void check_fit(YkLoader *loader, const YkCam *cam)
 {
+    const YkLaw *law = cam->law == YK_NONE ? NULL : loader->model->laws[cam->law].law;
     double size = cam->base + cam->roller;
-    if (!(cam->centers > 0)) {
+    switch (yk_cam_fault(cam, law && !cam->oscillates ? yk_cam_lowest_lift(law) : 0)) {
+    case YK_CAM_FITS:
+        if (cam->oscillates) warn_of_place(loader, cam);
+        break;
+    case YK_CAM_OFFSET:
+        yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->offset_expr),
+                   "cam %q: the offset must be less than base and roller together, %s", cam->name,
+                   length_text(loader, size));
+        break;
+    case YK_CAM_LIFT:
+        refuse_size(loader, cam, cam->base_expr, "where the lift is lowest the follower would reach the cam's centre");
+        break;
+    case YK_CAM_CENTERS:
         refuse_size(loader, cam, NULL,
                     "cam and follower turn about the same place; `centers` says how far they are apart");
-        return false;
+        break;
+    case YK_CAM_FLAT_LARGE:
+        refuse_size(loader, cam, cam->base_expr, "the flat face cannot touch the base circle: it is too large");
+        break;
+    case YK_CAM_ARM:
+        refuse_size(loader, cam, NULL, "a follower that turns needs its `arm`, or a point by `at`");
+        break;
+    case YK_CAM_REACH:
+        yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->base_expr),
+                   "cam %q: with this arm the roller or edge cannot lie %s from the cam's centre", cam->name,
+                   length_text(loader, size));
+        break;
     }
-    if (cam->face == YK_CAM_FLAT) {
-        if (fabs(cam->base + cam->offset) < cam->centers) return true;
-        return refuse_size(loader, cam, cam->base_expr, "the flat face cannot touch the base circle: it is too large");
-    }
-    if (!(cam->arm > 0))
-        return refuse_size(loader, cam, NULL, "a follower that turns needs its `arm`, or a point by `at`");
-    if (size > fabs(cam->centers - cam->arm) && size < cam->centers + cam->arm) {
-        warn_of_place(loader, cam);
-        return true;
-    }
-    yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->base_expr),
-               "cam %q: with this arm the roller or edge cannot lie %s from the cam's centre", cam->name,
-               length_text(loader, size));
-    return false;
 }
 
 // The law is over an angle, gives what the follower does, and repeats itself once or more in a turn.
@@ -204,15 +155,11 @@ static void finish(YkLoader *loader, YkCam *cam)
     bool good = check_signs(loader, cam) && is_known(cam);
     if (cam->carrier == YK_NONE) return;
     if (cam->law != YK_NONE) check_law(loader, cam);
-    place_joints(loader, cam);
+    yk_cam_place(loader->model, cam);
     if (!good) return;
-    if (cam->oscillates) place_pivot(loader, cam);
     if (cam->is_conjugate && !cam->other_roller_expr) cam->other_roller = cam->roller;
-    if (cam->is_conjugate && !cam->other_arm_expr) cam->other_arm = cam->arm;
-    if (cam->oscillates)
-        check_pin(loader, cam);
-    else
-        check_slide(loader, cam, cam->law == YK_NONE ? NULL : loader->model->laws[cam->law].law);
+    check_centers(loader, cam);
+    check_fit(loader, cam);
 }
 
 void yk_load_finish_cams(YkLoader *loader)

@@ -2,7 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
+#include "model/cam_place.h"
 #include "model/load.h"
+#include "model/size.h"
 
 // An array of the model and its copy.
 typedef struct Span {
@@ -37,6 +39,14 @@ struct YkRedesign {
     Follower *follower; // by target
     size_t follower_count;
     bool *point_varies, *along_varies;
+    // The size follows too: of bodies with points that vary, beside the largest of all others.
+    int32_t *extended;
+    size_t extended_count;
+    bool *has_origin; // [body]
+    YkVec *room;
+    double fixed_size;
+    YkCam *cam;     // the copy's: their places follow
+    double *lowest; // [cam] of its law
     bool failed;
 };
 
@@ -178,12 +188,16 @@ static void order_derived(YkRedesign *r)
 // --- what cannot follow
 // -------------------------------------------------------------------------------------------------
 
-static void refuse(const YkRedesign *r, const YkExpr *expr, const char *what, YkProblems *problems)
+static void refuse(const YkExpr *expr, const char *what, YkProblems *problems)
 {
     yk_problem(problems, YK_CODE_CANNOT_VARY, expr->place, "a parameter that varies enters %s here", what);
+    yk_redesign_hint(problems);
+}
+
+void yk_redesign_hint(YkProblems *problems)
+{
     yk_problem_hint(problems, "points, masses, gravity, springs and directions can vary; each value by a file of its "
                               "own (--param) can vary all");
-    (void)r;
 }
 
 static bool is_turned(const YkModel *model, const double *target)
@@ -210,7 +224,7 @@ static bool list_followers(YkRedesign *r, YkProblems *problems)
         if (!yk_redesign_expression_varies(r, use->expr)) continue;
         double *target = moved(r, use->target);
         if (!target || is_turned(model, use->target)) {
-            refuse(r, use->expr, target ? "the constant angle of a joint" : "a wheel, a cam or a law", problems);
+            refuse(use->expr, target ? "the constant angle of a joint" : "a wheel, a cam or a law", problems);
             can = false;
             continue;
         }
@@ -238,6 +252,44 @@ static void mark(YkRedesign *r)
             yk_redesign_formula(r, &model->points[p].at.x) || yk_redesign_formula(r, &model->points[p].at.y);
     for (size_t j = 0; j < model->joint_count; j++)
         r->along_varies[j] = yk_redesign_formula(r, &model->joints[j].along_angle) != NULL;
+}
+
+static bool body_varies(const YkRedesign *r, const YkBody *body)
+{
+    for (int32_t k = 0; k < body->point_count; k++)
+        if (r->point_varies[body->first_point + k]) return true;
+    return false;
+}
+
+static void prepare_cams(YkRedesign *r)
+{
+    YkModel *model = r->model;
+    r->cam = YK_NEW(r->arena, YkCam, model->cam_count + 1);
+    r->lowest = YK_NEW(r->arena, double, model->cam_count + 1);
+    if (yk_arena_failed(r->arena)) return;
+    for (size_t k = 0; k < model->cam_count; k++) {
+        const YkCam *cam = &model->cams[k];
+        const YkLaw *law = cam->law == YK_NONE ? NULL : model->laws[cam->law].law;
+        r->cam[k] = *cam;
+        r->lowest[k] = law && !cam->oscillates ? yk_cam_lowest_lift(law) : 0;
+    }
+    model->cams = r->cam;
+}
+
+static void prepare_size(YkRedesign *r)
+{
+    const YkModel *model = r->model;
+    r->extended = YK_NEW(r->arena, int32_t, model->body_count + 1);
+    r->has_origin = YK_NEW(r->arena, bool, model->body_count + 1);
+    r->room = YK_NEW(r->arena, YkVec, yk_size_room(model));
+    if (yk_arena_failed(r->arena)) return;
+    yk_size_origins(model, r->has_origin);
+    for (size_t b = 0; b < model->body_count; b++) {
+        if (body_varies(r, &model->bodies[b]))
+            r->extended[r->extended_count++] = (int32_t)b;
+        else
+            r->fixed_size = fmax(r->fixed_size, yk_size_of_body(model, b, r->has_origin[b], r->room));
+    }
 }
 
 // --- making
@@ -285,6 +337,10 @@ YkRedesign *yk_redesign_new(const YkModel *model, const char *const *names, size
         good = !yk_arena_failed(r->arena) && list_followers(r, problems);
     }
     if (good) mark(r);
+    if (good && !yk_arena_failed(r->arena)) {
+        prepare_cams(r);
+        prepare_size(r);
+    }
     if (!r || !r->arena || r->failed || yk_arena_failed(r->arena)) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing what varies");
         good = false;
@@ -404,6 +460,28 @@ static bool finish_loads(YkModel *model)
     return good;
 }
 
+static bool finish_cams(YkRedesign *r)
+{
+    bool good = true;
+    for (size_t k = 0; k < r->model->cam_count; k++) {
+        YkCam *cam = &r->cam[k];
+        yk_cam_place(r->model, cam);
+        good =
+            good && (!cam->centers_expr || yk_cam_centers_agree(cam)) && yk_cam_fault(cam, r->lowest[k]) == YK_CAM_FITS;
+    }
+    return good;
+}
+
+static void finish_size(YkRedesign *r)
+{
+    double size = fmax(r->fixed_size, yk_size_of_start(r->model));
+    for (size_t k = 0; k < r->extended_count; k++) {
+        size_t body = (size_t)r->extended[k];
+        size = fmax(size, yk_size_of_body(r->model, body, r->has_origin[body], r->room));
+    }
+    r->model->size = size > 0 ? size : 1;
+}
+
 YkStatus yk_redesign_set(YkRedesign *r, const double *values)
 {
     if (!set_parameters(r, values)) return YK_BAD_MODEL;
@@ -416,5 +494,7 @@ YkStatus yk_redesign_set(YkRedesign *r, const double *values)
     good = finish_joints(r->model) && good;
     good = finish_bodies(r->model) && good;
     good = finish_loads(r->model) && good;
+    good = finish_cams(r) && good;
+    finish_size(r);
     return good ? YK_OK : YK_BAD_MODEL;
 }

@@ -2,13 +2,35 @@
 // with rotating calipers (Shamos 1978), since a frame may have as many points as the machine has links: n log n.
 #include <math.h>
 #include <stdlib.h>
+#include "model/size.h"
 #include "model/load.h"
 
-static int by_x_then_y(const void *a, const void *b)
+static bool is_before(YkVec p, YkVec q)
 {
-    const YkVec *p = a, *q = b;
-    if (p->x != q->x) return p->x < q->x ? -1 : 1;
-    return (p->y > q->y) - (p->y < q->y);
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+}
+
+static void sink(YkVec *heap, size_t at, size_t count)
+{
+    YkVec p = heap[at];
+    for (size_t child; (child = 2 * at + 1) < count; at = child) {
+        if (child + 1 < count && is_before(heap[child], heap[child + 1])) child++;
+        if (!is_before(p, heap[child])) break;
+        heap[at] = heap[child];
+    }
+    heap[at] = p;
+}
+
+// By x, then y. A heap in place: qsort may allocate, and variants must not.
+static void sort(YkVec *points, size_t count)
+{
+    for (size_t k = count / 2; k-- > 0;) sink(points, k, count);
+    for (size_t k = count; k-- > 1;) {
+        YkVec last = points[0];
+        points[0] = points[k];
+        points[k] = last;
+        sink(points, 0, k);
+    }
 }
 
 static double cross(YkVec o, YkVec a, YkVec b)
@@ -50,15 +72,36 @@ static double diameter(const YkVec *hull, size_t n)
     return largest;
 }
 
+// Of few points: all pairs.
+static double widest_pair(const YkVec *points, size_t count)
+{
+    YkVec widest = {0, 0};
+    for (size_t i = 1; i < count; i++)
+        for (size_t j = 0; j < i; j++) {
+            YkVec apart = yk_sub(points[i], points[j]);
+            if (yk_dot(apart, apart) > yk_dot(widest, widest)) widest = apart;
+        }
+    return hypot(widest.x, widest.y);
+}
+
 static double spread(YkVec *points, size_t count, YkVec *hull)
 {
-    if (count < 2) return 0;
-    if (count == 2) return distance(points[0], points[1]);
-    qsort(points, count, sizeof *points, by_x_then_y);
+    enum { FEW = 8 };
+    if (count <= FEW) return widest_pair(points, count);
+    sort(points, count);
     return diameter(hull, convex_hull(points, count, hull));
 }
 
-static double largest_start(const YkModel *model)
+double yk_size_of_body(const YkModel *model, size_t body, bool has_origin, YkVec *room)
+{
+    const YkBody *b = &model->bodies[body];
+    size_t count = 0;
+    for (int32_t k = 0; k < b->point_count; k++) room[count++] = model->points[b->first_point + k].at;
+    if (has_origin) room[count++] = yk_vec(0, 0);
+    return spread(room, count, room + count);
+}
+
+double yk_size_of_start(const YkModel *model)
 {
     double largest = 0;
     for (size_t i = 0; i < model->start_count; i++) {
@@ -69,27 +112,23 @@ static double largest_start(const YkModel *model)
     return largest;
 }
 
+void yk_size_origins(const YkModel *model, bool *has_origin)
+{
+    for (size_t i = 0; i < model->joint_count; i++)
+        for (int k = 0; k < 2; k++)
+            if (model->joints[i].point[k] == YK_NONE) has_origin[model->joints[i].body[k]] = true;
+}
+
 bool yk_load_size(YkModel *model)
 {
-    YkVec *points = malloc((model->point_count + 1) * 3 * sizeof *points);
-    bool *has_origin = calloc(model->body_count, sizeof *has_origin);
-    double size = 0;
-    for (size_t i = 0; points && has_origin && i < model->joint_count; i++) {
-        for (int k = 0; k < 2; k++) {
-            if (model->joints[i].point[k] == YK_NONE) has_origin[model->joints[i].body[k]] = true;
-        }
-    }
-    for (size_t i = 0; points && has_origin && i < model->body_count; i++) {
-        const YkBody *body = &model->bodies[i];
-        size_t count = 0;
-        for (int32_t k = 0; k < body->point_count; k++) points[count++] = model->points[body->first_point + k].at;
-        if (has_origin[i]) points[count++] = yk_vec(0, 0);
-        size = fmax(size, spread(points, count, points + model->point_count + 1));
-    }
-    size = fmax(size, largest_start(model));
+    YkVec *room = malloc(yk_size_room(model) * sizeof *room);
+    bool *has_origin = calloc(model->body_count, sizeof *has_origin), done = room && has_origin;
+    double size = yk_size_of_start(model);
+    if (done) yk_size_origins(model, has_origin);
+    for (size_t i = 0; done && i < model->body_count; i++)
+        size = fmax(size, yk_size_of_body(model, i, has_origin[i], room));
     model->size = size > 0 ? size : 1;
-    bool done = points && has_origin;
-    free(points);
+    free(room);
     free(has_origin);
     return done;
 }

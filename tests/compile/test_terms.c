@@ -16,6 +16,14 @@ static YkVec value_of(const YkMechanism *mech, const YkTermList *list, const dou
     return total;
 }
 
+// How many of its terms are not 0.
+static size_t count_of(const YkTermList *list)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < list->count; k++) count += yk_terms_is_there(list, k);
+    return count;
+}
+
 static void like_terms_merge_and_what_cancels_vanishes(void **state)
 {
     (void)state;
@@ -25,12 +33,13 @@ static void like_terms_merge_and_what_cancels_vanishes(void **state)
     yk_terms_add(&list, (YkTerm){2, YK_NONE, {3, 0}}, 1);
     yk_terms_add(&list, (YkTerm){1, 0, {1, 2}}, 1); // with a distance it is another term
     yk_terms_add(&list, (YkTerm){1, YK_NONE, {4, 4}}, 2);
-    assert_int_equal(list.count, 3);
+    assert_int_equal(count_of(&list), 3);
     CHECK_NEAR(list.items[0].v.x, 9, 0);
     CHECK_NEAR(list.items[0].v.y, 10, 0);
     yk_terms_add(&list, (YkTerm){1, YK_NONE, {9, 10}}, -1);
-    assert_int_equal(list.count, 2);
-    for (size_t k = 0; k < 2; k++) assert_true(list.items[k].slot == 2 || list.items[k].distance == 0);
+    assert_int_equal(count_of(&list), 2);
+    assert_false(yk_terms_is_there(&list, 0)); // its place is kept: the order of all others does not hang on values
+    assert_true(list.items[1].slot == 2 && list.items[2].distance == 0);
     yk_terms_free(&list);
 }
 
@@ -43,7 +52,7 @@ static void what_the_ground_holds_goes_into_the_constant(void **state)
     yk_terms_add(&list, (YkTerm){0, YK_NONE, {1, 1}}, -1);
     yk_terms_add(&list, (YkTerm){0, 4, {1, 0}}, 1);       // unless it slides
     yk_terms_add(&list, (YkTerm){5, YK_NONE, {0, 0}}, 1); // nothing is nothing
-    assert_int_equal(list.count, 1);
+    assert_int_equal(count_of(&list), 1);
     assert_int_equal(list.items[0].distance, 4);
     CHECK_NEAR(list.constant.x, 2, 0);
     CHECK_NEAR(list.constant.y, 5, 0);
@@ -92,7 +101,7 @@ static void crossing_there_and_back_leaves_nothing(void **state)
             yk_terms_clear(&list);
             yk_terms_cross(&list, m.mech, (int32_t)j, joint->body[0], 1);
             yk_terms_cross(&list, m.mech, (int32_t)j, joint->body[1], 1);
-            assert_int_equal(list.count, 0);
+            assert_int_equal(count_of(&list), 0);
             CHECK_NEAR(list.constant.x, 0, 0);
             CHECK_NEAR(list.constant.y, 0, 0);
         }

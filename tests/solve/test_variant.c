@@ -205,6 +205,20 @@ static void test_what_cannot_follow_is_refused_with_its_place(void **unused)
                        "  S: {slide: [a, b], along: x, turned: tilt, distance: d}\n";
     check_refused(text, "tilt", 508);
     check_refused(text, "no_such", 412);
+    // where gears mesh hangs on what `start:` gives; a drive's speed does not
+    text = "parameters: {tilt: 0.1, speed: 2}\n"
+           "bodies: {ground: {points: {A: [0, 0], B: [3, 0]}}, a: {points: {A: [0, 0]}}, b: {points: {B: [0, 0]}}}\n"
+           "joints: {A: {pin: [ground, a], angle: p}, B: {pin: [ground, b], angle: q}}\n"
+           "gears: {g: {mesh: [a, b], teeth: [10, 20]}}\n"
+           "drives: {p: 0.2 rad + speed * 1 rad/s * t}\n"
+           "start: {q: tilt}\n";
+    check_refused(text, "tilt", 508);
+    const char *speed = "speed";
+    Machine m = machine_parse(text, false);
+    YkVariant *variant = yk_variant_new(m.mech, &speed, 1, m.problems);
+    assert_non_null(variant);
+    yk_variant_free(variant);
+    machine_free(&m);
 }
 
 int main(void)

@@ -1,0 +1,16 @@
+// The size of a machine: the largest extent of a body, or distance of a slide at the start; for tolerances and scales.
+#ifndef MODEL_SIZE_H
+#define MODEL_SIZE_H
+#include "model/model.h"
+
+// has_origin[body], all false before: those of which a joint takes the origin.
+void yk_size_origins(const YkModel *model, bool *has_origin);
+// How many vectors yk_size_of_body needs room for, for any body.
+static inline size_t yk_size_room(const YkModel *model)
+{
+    return 3 * (model->point_count + 1);
+}
+double yk_size_of_body(const YkModel *model, size_t body, bool has_origin, YkVec *room);
+double yk_size_of_start(const YkModel *model);
+
+#endif
