@@ -99,7 +99,7 @@ char *yk_arena_copy(YkArena *arena, const char *text, size_t length)
 bool yk_grow(void **items, size_t count, size_t *capacity, size_t size)
 {
     if (count < *capacity) return true;
-    size_t wanted = *capacity < 8 ? 8 : 2 * *capacity;
+    size_t wanted = *capacity < 16 ? 16 : 2 * *capacity;
     if (wanted <= *capacity || wanted > PTRDIFF_MAX / size) return false;
     // The caller's variable is a T *, not a void *: its bytes are copied, which is allowed for every type.
     void *old;

@@ -2,6 +2,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+enum { SIZE_MIN = 256 };
+
 void yk_text_free(YkText *text)
 {
     free(text->data);
@@ -28,7 +30,7 @@ bool yk_text_reserve(YkText *text, size_t extra)
     char *grown = NULL;
     if (needed > extra && needed <= PTRDIFF_MAX) {
         if (needed < doubled) needed = doubled;
-        if (needed < 64) needed = 64;
+        if (needed < SIZE_MIN) needed = SIZE_MIN;
         grown = realloc(text->data, needed);
     }
     if (!grown) {

@@ -25,6 +25,18 @@ static inline void yk_text_add(YkText *text, const char *data, size_t length)
     text->length += length;
     text->data[text->length] = '\0';
 }
+// The same where 16 bytes of data can be read whatever its length: short ones are copied in one go.
+static inline void yk_text_add_padded(YkText *text, const char *data, size_t length)
+{
+    enum { ROW = 16 };
+    if (length > ROW || text->capacity - text->length <= ROW) {
+        yk_text_add(text, data, length);
+        return;
+    }
+    memcpy(text->data + text->length, data, ROW);
+    text->length += length;
+    text->data[text->length] = '\0';
+}
 static inline void yk_text_puts(YkText *text, const char *string)
 {
     yk_text_add(text, string, strlen(string));

@@ -175,10 +175,8 @@ const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line)
 // more.
 static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
-    const YkPoisson *b = yk_ring_scale(ring, *under, 1, 2);
-    if (!yk_ring_is_whole_in_print(ring, b)) return;
-    const YkPoisson *a = yk_ring_scale(ring, *over, 1, 2);
-    if (yk_ring_is_whole_in_print(ring, a)) *over = a, *under = b;
+    const YkPoisson *b = yk_ring_half_if_whole(ring, *under), *a = b ? yk_ring_half_if_whole(ring, *over) : NULL;
+    if (a) *over = a, *under = b;
 }
 
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)

@@ -2,20 +2,18 @@
 #include <string.h>
 #include "ring/shown.h"
 
-YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to)
+YkMonomial yk_piece_of(YkMonomial monomial, YkRingClass from, YkRingClass to)
 {
     uint32_t wanted = ((uint32_t)2 << to) - ((uint32_t)1 << from), first = 0, end = monomial.count;
-    if (!(monomial.classes & ~wanted)) return monomial;
-    if (!(monomial.classes & wanted)) return (YkMonomial){NULL, 0, 0};
     while (yk_rank_class(monomial.powers[end - 1].rank) > to) end--;
     while (yk_rank_class(monomial.powers[first].rank) < from) first++;
-    return (YkMonomial){monomial.powers + first, end - first, monomial.classes & wanted};
+    return (YkMonomial){monomial.powers + first, end - first, monomial.classes & (wanted | YK_MAY_BE_BELOW)};
 }
 
 static YkMonomial with_classes(const YkShownPower *powers, uint32_t count)
 {
     YkMonomial monomial = {powers, count, 0};
-    for (uint32_t i = 0; i < count; i++) monomial.classes |= (uint32_t)1 << yk_rank_class(powers[i].rank);
+    for (uint32_t i = 0; i < count; i++) monomial.classes |= yk_shown_class(powers[i]);
     return monomial;
 }
 

@@ -19,53 +19,6 @@ static const YkPoisson *half_of_constant(YkRing *ring, const YkPoisson *a, bool 
     return count == a->count && !imaginary ? a : yk_poisson_make(ring, out, count, a->denominator);
 }
 
-// Gathers (sign a + conjugate a) * i^turns / 2, turns 0 or 1, a without i and with it turned.
-static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
-{
-    int64_t denominator;
-    if (has_no_phase(a)) return half_of_constant(ring, a, imaginary);
-    if (!yk_exact_multiply(a->denominator, 2, &denominator)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
-    yk_gather_begin(ring, denominator);
-    for (size_t i = 0; i < a->count; i++) {
-        uint64_t key = a->terms[i].key;
-        int64_t number = a->terms[i].number;
-        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
-        if (phase == YK_NO_PRODUCT) ring->gather.failed = true;
-        bool has_i = yk_key_unit(key) & YK_UNIT_I;
-        unsigned unit = yk_key_unit(key) ^ (imaginary ? YK_UNIT_I : 0);
-        // real: a + conj a. imaginary: -i a + i conj a; -i times i is 1, -i times 1 is -i, i times -i is 1.
-        int64_t direct = imaginary && !has_i ? -number : number, mirrored = has_i && !imaginary ? -number : number;
-        yk_gather_add(ring, yk_key(yk_key_phase(key), yk_key_monomial(key), unit), direct);
-        yk_gather_add(ring, yk_key(phase, yk_key_monomial(key), unit), mirrored);
-    }
-    return yk_gather_end(ring);
-}
-
-const YkPoisson *yk_ring_conjugate(YkRing *ring, const YkPoisson *a)
-{
-    if (!a) return NULL;
-    yk_gather_begin_distinct(ring, a->denominator);
-    for (size_t i = 0; i < a->count; i++) {
-        uint64_t key = a->terms[i].key;
-        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
-        if (phase == YK_NO_PRODUCT) ring->gather.failed = true;
-        bool negative = yk_key_unit(key) & YK_UNIT_I;
-        yk_gather_add(ring, yk_key(phase, yk_key_monomial(key), yk_key_unit(key)),
-                      negative ? -a->terms[i].number : a->terms[i].number);
-    }
-    return yk_gather_end(ring);
-}
-
-const YkPoisson *yk_ring_real(YkRing *ring, const YkPoisson *a)
-{
-    return a ? half(ring, a, false) : NULL;
-}
-
-const YkPoisson *yk_ring_imaginary(YkRing *ring, const YkPoisson *a)
-{
-    return a ? half(ring, a, true) : NULL;
-}
-
 // The first term whose key is not below.
 static size_t find_key(const YkPoisson *a, size_t from, uint64_t key)
 {
@@ -113,7 +66,8 @@ bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
             second += end - start;
             continue;
         }
-        size_t other = opposite == phase ? start : find_key(a, end, yk_key(opposite, 0, 0));
+        bool is_next = end < a->count && yk_key_phase(a->terms[end].key) == opposite; // made one after the other
+        size_t other = opposite == phase ? start : is_next ? end : find_key(a, end, yk_key(opposite, 0, 0));
         if (a->count - other < end - start || !are_conjugates(a, start, other, end - start)) return false;
         if (opposite == phase) continue;
         if (yk_key_phase(a->terms[other].key) != opposite) return false;
@@ -121,6 +75,74 @@ bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
         first += end - start;
     }
     return a && first == second;
+}
+
+// Stands the opposite of a phase among the phases, too?
+static bool has_opposites(YkRing *ring, const YkPoisson *a)
+{
+    for (size_t start = 0, end; start < a->count; start = end) {
+        uint32_t phase = yk_key_phase(a->terms[start].key), opposite = yk_ring_opposite(ring, phase);
+        end = end_of_phase(a, start);
+        if (opposite <= phase) continue; // itself, or found from the other side
+        size_t other = find_key(a, end, yk_key(opposite, 0, 0));
+        if (other < a->count && yk_key_phase(a->terms[other].key) == opposite) return true;
+    }
+    return false;
+}
+
+// Gathers (sign a + conjugate a) * i^turns / 2, turns 0 or 1, a without i and with it turned.
+static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
+{
+    int64_t denominator;
+    if (has_no_phase(a)) return half_of_constant(ring, a, imaginary);
+    if (yk_ring_is_real(ring, a)) return imaginary ? ring->zero : a;
+    if (!yk_exact_multiply(a->denominator, 2, &denominator)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    yk_gather_begin(ring, denominator);
+    ring->gather.is_distinct = !has_opposites(ring, a);
+    for (size_t i = 0; i < a->count; i++) {
+        uint64_t key = a->terms[i].key;
+        int64_t number = a->terms[i].number;
+        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
+        if (phase == YK_NO_PRODUCT) ring->gather.failed = true;
+        bool has_i = yk_key_unit(key) & YK_UNIT_I;
+        unsigned unit = yk_key_unit(key) ^ (imaginary ? YK_UNIT_I : 0);
+        // real: a + conj a. imaginary: -i a + i conj a; -i times i is 1, -i times 1 is -i, i times -i is 1.
+        int64_t direct = imaginary && !has_i ? -number : number, mirrored = has_i && !imaginary ? -number : number;
+        if (phase != 0) {
+            yk_gather_add(ring, yk_key(yk_key_phase(key), yk_key_monomial(key), unit), direct);
+            yk_gather_add(ring, yk_key(phase, yk_key_monomial(key), unit), mirrored);
+        } else if (has_i == imaginary) { // both are one
+            if (!yk_exact_add(direct, mirrored, &direct))
+                ring->gather.failed = yk_ring_fail(ring, YK_RING_OVERFLOW) == NULL;
+            yk_gather_add(ring, yk_key(0, yk_key_monomial(key), unit), direct);
+        }
+    }
+    return yk_gather_end(ring);
+}
+
+const YkPoisson *yk_ring_conjugate(YkRing *ring, const YkPoisson *a)
+{
+    if (!a) return NULL;
+    yk_gather_begin_distinct(ring, a->denominator);
+    for (size_t i = 0; i < a->count; i++) {
+        uint64_t key = a->terms[i].key;
+        uint32_t phase = yk_ring_opposite(ring, yk_key_phase(key));
+        if (phase == YK_NO_PRODUCT) ring->gather.failed = true;
+        bool negative = yk_key_unit(key) & YK_UNIT_I;
+        yk_gather_add(ring, yk_key(phase, yk_key_monomial(key), yk_key_unit(key)),
+                      negative ? -a->terms[i].number : a->terms[i].number);
+    }
+    return yk_gather_end(ring);
+}
+
+const YkPoisson *yk_ring_real(YkRing *ring, const YkPoisson *a)
+{
+    return a ? half(ring, a, false) : NULL;
+}
+
+const YkPoisson *yk_ring_imaginary(YkRing *ring, const YkPoisson *a)
+{
+    return a ? half(ring, a, true) : NULL;
 }
 
 const YkPoisson *yk_ring_dot(YkRing *ring, const YkPoisson *u, const YkPoisson *v)

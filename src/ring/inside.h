@@ -131,8 +131,8 @@ static inline uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32
     return at_hand ? product : yk_ring_make_phase(ring, a, b, times);
 }
 uint32_t yk_ring_common_monomial(YkRing *ring, uint32_t a, uint32_t b); // of each symbol the lower exponent
-uint32_t yk_ring_opposite(YkRing *ring, uint32_t phase);   // -phase
-unsigned yk_ring_classes(YkRing *ring, uint32_t monomial); // of its symbols: a mask of 1 << class
+uint32_t yk_ring_opposite(YkRing *ring, uint32_t phase);                // -phase
+unsigned yk_ring_classes(YkRing *ring, uint32_t monomial);              // of its symbols: a mask of 1 << class
 uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent);
 // The part of a monomial whose symbols are wanted.
 uint32_t yk_ring_part(YkRing *ring, uint32_t monomial, bool (*is_wanted)(const void *context, int32_t symbol),

@@ -14,6 +14,14 @@ static SectionKind section_of(YkMonomial monomial)
     return yk_holds(monomial, YK_RING_GRAVITY) ? GRAVITY : REST;
 }
 
+// Is there more than the rest?
+static bool has_sections(const YkShownTerm *terms, size_t count)
+{
+    uint32_t classes = 0;
+    for (size_t i = 0; i < count; i++) classes |= terms[i].monomial.classes;
+    return classes & (1u << YK_RING_ACCELERATION | 1u << YK_RING_RATE | 1u << YK_RING_GRAVITY);
+}
+
 static void take_sections(YkSheet *sheet, const YkShownTerm *terms, size_t count, Section sections[SECTIONS])
 {
     YkShownTerm *sorted = yk_arena_take(sheet->arena, count * sizeof *sorted);
@@ -127,6 +135,10 @@ YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count)
     YkShow *sum = yk_show(sheet, YK_SHOW_SUM);
     if (sheet->style == YK_RING_EXPANDED) {
         expanded(sheet, sum, terms, count);
+        return sheet->failed ? NULL : sum;
+    }
+    if (!has_sections(terms, count)) {
+        yk_show_by_atom(sheet, sum, terms, count);
         return sheet->failed ? NULL : sum;
     }
     Section sections[SECTIONS];

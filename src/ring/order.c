@@ -14,7 +14,7 @@ YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial)
     for (uint32_t i = 0; powers && i < count; i++) {
         uint32_t kind = ring->symbols[of[i].symbol].kind;
         YkShownPower power = {kind << YK_RANK_BITS | (uint32_t)of[i].symbol, of[i].exponent};
-        classes |= (uint32_t)1 << kind;
+        classes |= yk_shown_class(power);
         uint32_t k = i;
         for (; k > 0 && powers[k - 1].rank > power.rank; k--) powers[k] = powers[k - 1];
         powers[k] = power;

@@ -128,20 +128,20 @@ uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, u
     return find_or_add(table, powers, count, hash, limit, fault);
 }
 
-// Merges a * b^times into out, which has room for all; returns the count, or SIZE_MAX when an exponent is too large.
+// Merges a * b^times, times not 0, into out, which has room for all; returns the count, or SIZE_MAX when an exponent is
+// too large.
 static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b_count, int32_t times, YkPower *out)
 {
-    size_t i = 0, k = 0, count = 0;
-    while (i < a_count || k < b_count) {
-        bool from_a = i < a_count && (k == b_count || a[i].symbol <= b[k].symbol);
-        bool from_b = k < b_count && (i == a_count || b[k].symbol <= a[i].symbol);
-        int32_t symbol = from_a ? a[i].symbol : b[k].symbol;
-        int64_t exponent = 0;
-        if (from_a) exponent += a[i++].exponent;
-        if (from_b) exponent += (int64_t)times * b[k++].exponent;
+    const YkPower *a_end = a + a_count, *b_end = b + b_count;
+    size_t count = 0;
+    for (; b < b_end; b++) {
+        int64_t exponent = (int64_t)times * b->exponent;
+        for (; a < a_end && a->symbol < b->symbol; a++) out[count++] = *a;
+        if (a < a_end && a->symbol == b->symbol) exponent += a++->exponent;
         if (exponent > YK_POWER_MAX || exponent < -YK_POWER_MAX) return SIZE_MAX;
-        if (exponent != 0) out[count++] = (YkPower){symbol, (int32_t)exponent};
+        if (exponent != 0) out[count++] = (YkPower){b->symbol, (int32_t)exponent};
     }
+    for (; a < a_end; a++) out[count++] = *a;
     return count;
 }
 

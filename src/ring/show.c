@@ -79,6 +79,7 @@ size_t yk_show_below(const YkShow *product, bool *high)
     *high = false;
     for (const YkShow *factor = yk_show_first(product); factor; factor = yk_show_next(product, factor)) {
         YkMonomial monomial = factor->term.monomial;
+        if (!(monomial.classes & YK_MAY_BE_BELOW)) continue;
         for (size_t i = 0; i < monomial.count; i++) {
             if (monomial.powers[i].exponent > 0) continue;
             *high |= monomial.powers[i].exponent < -1;

@@ -26,8 +26,10 @@ typedef struct YkShownPower {
 // shared.
 typedef struct YkMonomial {
     const YkShownPower *powers;
-    uint32_t count, classes; // a mask of 1 << class
+    uint32_t count, classes; // a mask of 1 << class, and YK_MAY_BE_BELOW
 } YkMonomial;
+
+#define YK_MAY_BE_BELOW ((uint32_t)1 << 31) // where it is not set no exponent is negative
 
 enum { YK_RANK_BITS = 28 }; // of the symbol
 
@@ -38,6 +40,12 @@ static inline YkRingClass yk_rank_class(uint32_t rank)
 static inline int32_t yk_rank_symbol(uint32_t rank)
 {
     return (int32_t)(rank & (((uint32_t)1 << YK_RANK_BITS) - 1));
+}
+
+// What a power adds to a monomial's classes.
+static inline uint32_t yk_shown_class(YkShownPower power)
+{
+    return (uint32_t)1 << yk_rank_class(power.rank) | (power.exponent < 0 ? YK_MAY_BE_BELOW : 0);
 }
 
 typedef struct YkShownTerm {
@@ -74,7 +82,13 @@ static inline bool yk_holds(YkMonomial monomial, YkRingClass kind)
     return monomial.classes >> kind & 1;
 }
 // The piece of the classes `from` to `to`, within the same memory.
-YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to);
+YkMonomial yk_piece_of(YkMonomial monomial, YkRingClass from, YkRingClass to);
+static inline YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to)
+{
+    uint32_t classes = monomial.classes & ~YK_MAY_BE_BELOW, wanted = ((uint32_t)2 << to) - ((uint32_t)1 << from);
+    if (!(classes & ~wanted)) return monomial;
+    return classes & wanted ? yk_piece_of(monomial, from, to) : (YkMonomial){NULL, 0, 0};
+}
 YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor);
 // Of all terms: the greatest common monomial with positive powers, and the greatest common rational divisor (> 0).
 YkMonomial yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count);

@@ -51,9 +51,11 @@ typedef struct Writer {
 // A term of number / divisor.
 static void put(Writer *writer, YkMonomial monomial, int64_t number, int64_t divisor, YkAtom atom)
 {
-    YkRatio ratio, scale = writer->is_real && atom.phase != 0 ? writer->paired : writer->scale;
-    if ((divisor != 1 && !yk_ratio_divide(scale, (YkRatio){divisor, 1}, &scale)) ||
-        !yk_ratio_multiply((YkRatio){number, 1}, scale, &ratio)) {
+    YkRatio ratio = {0, 1}, scale = writer->is_real && atom.phase != 0 ? writer->paired : writer->scale;
+    bool is_whole = divisor == 1 && scale.under == 1; // most are
+    if (is_whole ? !yk_exact_multiply(number, scale.over, &ratio.over)
+                 : !yk_ratio_divide(scale, (YkRatio){divisor, 1}, &scale) ||
+                       !yk_ratio_multiply((YkRatio){number, 1}, scale, &ratio)) {
         yk_ring_fail(writer->sheet->ring, YK_RING_OVERFLOW);
         writer->sheet->failed = true;
         return;

@@ -17,7 +17,7 @@ typedef struct Part {
     bool is_new; // `kept` is what goes; what stays is found when terms are gathered
 } Part;
 
-enum { TERMS_MADE = 256 };
+enum { TERMS_MADE_MIN = 64, TERMS_MADE_MAX = 1024 };
 
 struct YkRingChanges {
     YkRingChanges *older;    // of the same ring
@@ -26,8 +26,9 @@ struct YkRingChanges {
     uint64_t marks; // of the symbols that change
     Image *images;  // open addressing
     size_t image_count, slot_count;
-    Part *made;  // [TERMS_MADE], terms that came before: of two at one place the later; NULL: none are kept
-    Part *parts; // of each term of the element at hand
+    Part *made;        // [made_count], terms that came before: of two at one place the later; NULL: none are kept
+    size_t made_count; // a power of two
+    Part *parts;       // of each term of the element at hand
     size_t part_capacity;
     YkRingChange changes[]; // a copy
 };
@@ -131,7 +132,7 @@ static bool find_replaced(YkRing *ring, const YkRingChanges *changes, uint64_t k
 
 static Part *place_of(const YkRingChanges *changes, uint64_t key)
 {
-    return &changes->made[(key * 0x9e3779b97f4a7c15u) >> 40 & (TERMS_MADE - 1)];
+    return &changes->made[(key * 0x9e3779b97f4a7c15u) >> 40 & (changes->made_count - 1)];
 }
 
 static bool is_touched(const YkRing *ring, const YkRingChanges *changes, uint64_t key)
@@ -251,7 +252,10 @@ YkRingChanges *yk_ring_changes(YkRing *ring, const YkRingChange *list, size_t co
 {
     YkRingChanges *changes = new_changes(ring, list, count);
     if (!changes) return NULL;
-    changes->made = calloc(TERMS_MADE, sizeof *changes->made); // without, all is as slow as the first time
+    changes->made_count = TERMS_MADE_MIN;
+    while (changes->made_count < TERMS_MADE_MAX && changes->made_count < 2 * changes->symbol_count)
+        changes->made_count *= 2;
+    changes->made = calloc(changes->made_count, sizeof *changes->made); // without, all is as slow as the first time
     changes->older = ring->changes;
     ring->changes = changes;
     return changes;

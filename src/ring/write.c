@@ -35,7 +35,7 @@ static void put_name(const Pen *pen, int32_t symbol)
 {
     const YkRingSymbol *named = &pen->sheet->ring->symbols[symbol];
     if (pen->is_plain)
-        yk_text_add(pen->text, named->name, named->name_length);
+        yk_text_add_padded(pen->text, named->name, named->name_length); // an arena's memory comes in sixteens
     else
         yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, symbol, pen->format));
 }
@@ -153,10 +153,13 @@ static void put_base(const Pen *pen, const YkShow *sum, int32_t symbol)
 static void put_power(const Pen *pen, const YkShow *sum, int32_t symbol, int32_t exponent)
 {
     enum { WRITTEN_OUT_MAX = 4 };
+    if (exponent == 1) {
+        put_base(pen, sum, symbol);
+        return;
+    }
     bool in_c = pen->format == YK_RING_C, call = in_c && exponent > WRITTEN_OUT_MAX;
     if (call) yk_text_puts(pen->text, "pow(");
     put_base(pen, sum, symbol);
-    if (exponent == 1) return;
     for (int32_t i = 1; in_c && !call && i < exponent; i++) {
         yk_text_puts(pen->text, "*");
         put_base(pen, sum, symbol);
@@ -239,10 +242,10 @@ static void put_sum(const Pen *pen, const YkShow *sum)
     const YkShow *first = yk_show_first(sum);
     if (!first) put_whole(pen, 0);
     for (const YkShow *part = first; part; part = yk_show_next(sum, part)) {
-        if (part == first)
-            yk_text_puts(pen->text, part->negative ? "-" : "");
-        else
-            yk_text_puts(pen->text, part->negative ? " - " : " + ");
+        if (part != first)
+            yk_text_add(pen->text, part->negative ? " - " : " + ", 3);
+        else if (part->negative)
+            yk_text_add(pen->text, "-", 1);
         put_product(pen, part);
     }
 }
@@ -297,13 +300,14 @@ static bool is_whole(const YkSheet *sheet, const YkShownTerm *term)
     return true;
 }
 
-bool yk_ring_is_whole_in_print(YkRing *ring, const YkPoisson *a)
+const YkPoisson *yk_ring_half_if_whole(YkRing *ring, const YkPoisson *a)
 {
     YkSheet sheet = {ring, ring->sheet, YK_RING_TEXT, YK_RING_EXPANDED, false};
     size_t count = 0;
+    const YkPoisson *half = yk_ring_scale(ring, a, 1, 2);
     yk_arena_clear(ring->sheet);
-    const YkShownTerm *terms = a ? yk_shown_terms(&sheet, a, &count) : NULL;
+    const YkShownTerm *terms = half ? yk_shown_terms(&sheet, half, &count) : NULL;
     for (size_t k = 0; k < count && terms; k++)
-        if (!is_whole(&sheet, &terms[k])) return false;
-    return terms != NULL;
+        if (!is_whole(&sheet, &terms[k])) return NULL;
+    return terms ? half : NULL;
 }
