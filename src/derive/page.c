@@ -211,8 +211,9 @@ static void put_fraction(YkPage *page, YkLine *line, const YkPoisson *over, cons
 {
     YkRing *ring = page->ring;
     int64_t p, q;
-    if (yk_ring_is_rational(under, &p, &q) || yk_ring_is_zero(over)) {
-        yk_line_element(page, line, yk_ring_divide(ring, over, under), YK_RING_TEXTBOOK);
+    if (yk_ring_is_rational(under, &p, &q) || yk_ring_is_zero(over)) { // a sum cannot divide, not even 0
+        const YkPoisson *quotient = yk_ring_is_zero(over) ? over : yk_ring_divide(ring, over, under);
+        yk_line_element(page, line, quotient, YK_RING_TEXTBOOK);
         return;
     }
     const YkPoisson *one = yk_ring_rational(ring, 1, 1), *rate = take_rate(ring, &over);
