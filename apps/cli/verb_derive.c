@@ -79,11 +79,21 @@ bool yk_derive_pose(YkSession *session)
     return status >= 0;
 }
 
-static int cannot(YkSession *session, const YkDerivation *derivation)
+// The section at which it came to an end, and why.
+static int cannot(YkSession *session, const YkDerivation *derivation, const YkPage *page)
 {
     YkRingStatus why = yk_ring_status(derivation->ring);
+    size_t k = page->section ? find_section(page->section, strlen(page->section)) : section_count();
     if (why == YK_RING_OK) why = YK_RING_MEMORY; // of the page
-    yk_session_refuse(session, YK_CODE_DERIVATION, "%s", yk_ring_status_text(why));
+    if (k == section_count()) {
+        yk_session_refuse(session, YK_CODE_DERIVATION, "%s", yk_ring_status_text(why));
+        return YK_EXIT_NO_ANSWER;
+    }
+    yk_problem(session->problems, YK_CODE_DERIVATION, (YkPlace){0}, "%s (--what %s): %s", yk_derive_sections[k].title,
+               page->section, yk_ring_status_text(why));
+    if (why == YK_RING_OVERFLOW)
+        yk_problem_hint(session->problems, "numbers of many digits can be given as `parameters:`, which are symbols; "
+                                           "other parts may be asked for with --what");
     return YK_EXIT_NO_ANSWER;
 }
 
@@ -119,12 +129,12 @@ static void put_part(void *context, YkPage *page)
     page->failed |= !parts->good;
 }
 
-static int finish_parts(Parts *parts, YkDerivation *derivation, bool derived)
+static int finish_parts(Parts *parts, YkDerivation *derivation, const YkPage *page, bool derived)
 {
     YkSession *session = parts->session;
     if (!derived || !parts->good) { // the latter has been said
         yk_stream_drop(&parts->stream);
-        return parts->good ? cannot(session, derivation) : YK_EXIT_WRONG;
+        return parts->good ? cannot(session, derivation, page) : YK_EXIT_WRONG;
     }
     if (!parts->stream.is_open) return yk_session_finish(session, YK_EXIT_DONE);
     if (!flush(parts)) {
@@ -148,7 +158,7 @@ static int write_parts(YkSession *session, YkDerivation *derivation, YkPage *pag
     if (derived) put_part(&parts, page);
     bool ended = yk_page_end_parts(&parts.printing);
     yk_arena_free(page->passing);
-    return finish_parts(&parts, derivation, derived && ended && !page->failed);
+    return finish_parts(&parts, derivation, page, derived && ended && !page->failed);
 }
 
 static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
@@ -158,7 +168,7 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page
     if (yk_page_has_parts(format) && !session->request->numbers)
         return write_parts(session, derivation, page, format, wanted);
     for (size_t k = 0; yk_derive_sections[k].name; k++)
-        if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation);
+        if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation, page);
     if (session->request->numbers) {
         if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
         // what is printed may enter a few more symbols, none of which stands in a formula
@@ -167,7 +177,7 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page
     }
     bool good = yk_page_write(page, format, yk_model_name(session->model), values, &session->out);
     free(values);
-    if (!good) return cannot(session, derivation);
+    if (!good) return cannot(session, derivation, page);
     return yk_session_finish(session, YK_EXIT_DONE);
 }
 
@@ -182,7 +192,8 @@ static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat for
     int drawn = session->request->svg ? yk_derive_drawings(session, derivation) : YK_EXIT_DONE;
     if (drawn != YK_EXIT_DONE) return drawn;
     YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring, .has_numbers = session->request->numbers};
-    int exit_code = page.arena ? write_page(session, derivation, &page, format, wanted) : cannot(session, derivation);
+    int exit_code =
+        page.arena ? write_page(session, derivation, &page, format, wanted) : cannot(session, derivation, &page);
     yk_arena_free(page.arena);
     return exit_code;
 }

@@ -43,6 +43,7 @@ typedef struct YkDeriveBody {
     const YkPoisson *unit;             // e^(i angle of the body's axes), body form
     const YkPoisson *turn;             // the same by the angle of its orientation: constant
     const YkPoisson *spin, *spin_rate; // angular velocity and acceleration, body form: a symbol, or 0
+    const YkPoisson *mass, *inertia;   // memo: yk_derive_mass, yk_derive_inertia
 } YkDeriveBody;
 
 // A vector from one named point to another: p^{head/tail}, times -1 where it is walked backwards.
@@ -71,11 +72,13 @@ typedef struct YkDeriveLoop {
     const YkPoisson *angle; // joint form; NULL where the joint turns, or where the angle holds by itself
 } YkDeriveLoop;
 
-// A constant that is no polynomial of parameters (sqrt(l1^2 + 4 l2), atan(h/l)): a symbol of its own.
+// A constant that is no polynomial of parameters (sqrt(l1^2 + 4 l2), atan(h/l)), or a number of many digits: a symbol
+// of its own.
 typedef struct YkDeriveConstant {
     int32_t symbol;
     const YkExpr *expr; // what it stands for (in SI; an angle in radians)
     double value;
+    const YkPoisson *exact; // of a number; NULL where the ring has none
 } YkDeriveConstant;
 
 typedef struct YkDerivation YkDerivation;
@@ -109,8 +112,8 @@ struct YkDerivation {
     YkDeriveRelation *ties;      // gears, racks, belts, cams, laws (relations.h); made at first use
     size_t tie_count;
     YkDeriveConstant *constants;
-    size_t constant_count, constant_capacity;
-    const YkPoisson **points; // memo: of each model point in its body's axes
+    size_t constant_count, constant_capacity, opaque_count; // of all; of those without an exact value
+    const YkPoisson **points;                               // memo: of each model point in its body's axes
     struct YkDeriveSourceEntry {
         YkDeriveSource fill;
         void *context;
@@ -145,6 +148,15 @@ bool yk_derivation_is_well(const YkDerivation *derivation);
 // is no polynomial becomes a constant symbol where it is constant; otherwise NULL with the status YK_RING_DIVISOR. NULL
 // expression: 0.
 const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr);
+// The same of a mass or an inertia: a number of many digits becomes a constant symbol, letter_body (m_crank). To be
+// asked for once: each call makes another.
+const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingClass kind, const char *letter,
+                                   const char *body);
+// The symbol of a constant that the ring cannot hold, k_1 or alpha_1: one for each expression. NULL where it is no
+// constant.
+const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol);
+// What constants stand for, of those that the page has not told yet.
+void yk_derive_put_constants(YkDerivation *d, YkPage *page);
 // e^(i expr) of an angle. NULL expression: 1.
 const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
 // A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on

@@ -62,6 +62,9 @@ YkEquationSize yk_equation_size_of(const YkDerivation *d, int32_t symbol)
         for (int order = 0; order < 3; order++)
             if (symbols[order] == symbol) return angular(-order);
     }
+    for (size_t k = 0; k < d->constant_count; k++)
+        if (d->constants[k].symbol == symbol && d->constants[k].exact) // a mass or an inertia
+            return yk_ring_symbol_class(d->ring, symbol) == YK_RING_MASS ? known(0, 1, 0) : known(2, 1, 0);
     return symbol == d->time ? known(0, 0, 1) : of_force(d, symbol);
 }
 

@@ -74,55 +74,10 @@ static const YkPoisson *name(YkDerivation *d, const YkExpr *expr)
     return symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
 }
 
-static bool is_constant_name(void *context, const YkExpr *expr)
-{
-    const YkDerivation *d = context;
-    return strcmp(expr->name, "pi") == 0 || yk_names_find(&d->model->parameter_names, expr->name) != YK_NONE;
-}
-
-static void look_for_variable(void *context, const YkExpr *expr)
-{
-    void **pair = context;
-    if (!is_constant_name(pair[0], expr)) *(bool *)pair[1] = false;
-}
-
-static bool is_constant(YkDerivation *d, const YkExpr *expr)
-{
-    bool constant = true;
-    void *pair[] = {d, &constant};
-    yk_expr_names(expr, look_for_variable, pair);
-    return constant;
-}
-
-// A symbol for a constant that the ring cannot hold.
-static const YkPoisson *opaque(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol)
-{
-    YkJet jet;
-    *symbol = -1;
-    if (!is_constant(d, expr) || yk_model_eval(d->model, expr, 0, &jet, NULL) != YK_OK) return NULL;
-    for (size_t i = 0; i < d->constant_count; i++)
-        if (d->constants[i].expr == expr && yk_ring_is_angle(d->ring, d->constants[i].symbol) == is_angle)
-            *symbol = d->constants[i].symbol;
-    if (*symbol < 0) {
-        YkText text = {0};
-        yk_text_format(&text, "%s%z", is_angle ? "alpha_" : "k_", d->constant_count + 1);
-        *symbol = is_angle ? yk_derive_angle(d, yk_text_get(&text))
-                           : yk_derive_symbol(d, yk_text_get(&text), YK_RING_CONSTANT);
-        yk_text_free(&text);
-        if (*symbol < 0) return NULL;
-        if (!YK_ROOM(d->constants, d->constant_count, d->constant_capacity)) {
-            d->failed = true;
-            return NULL;
-        }
-        d->constants[d->constant_count++] = (YkDeriveConstant){*symbol, expr, jet.d[0]};
-    }
-    return yk_ring_of(d->ring, *symbol);
-}
-
 static const YkPoisson *constant_or_none(YkDerivation *d, const YkExpr *expr)
 {
     int32_t symbol;
-    return opaque(d, expr, false, &symbol);
+    return yk_derive_constant(d, expr, false, &symbol);
 }
 
 static const YkPoisson *power(YkDerivation *d, const YkExpr *expr)
@@ -224,7 +179,7 @@ const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr)
     if (!expr) return yk_ring_rational(d->ring, 1, 1);
     const YkPoisson *angle = yk_derive_expression(d, expr), *unit = angle ? unit_of(d, angle) : NULL;
     if (unit || yk_ring_status(d->ring) != YK_RING_OK) return unit;
-    if (!opaque(d, expr, true, &symbol)) return NULL;
+    if (!yk_derive_constant(d, expr, true, &symbol)) return NULL;
     return yk_ring_unit(d->ring, symbol);
 }
 

@@ -71,7 +71,10 @@ const YkPoisson *yk_derive_origin(YkDerivation *d, int32_t body)
 
 const YkPoisson *yk_derive_mass(YkDerivation *d, int32_t body)
 {
-    return yk_derive_expression(d, d->model->bodies[body].mass_expr);
+    const YkBody *b = &d->model->bodies[body];
+    const YkPoisson **mass = &d->bodies[body].mass;
+    if (!*mass) *mass = yk_derive_measure(d, b->mass_expr, YK_RING_MASS, "m", b->name);
+    return *mass;
 }
 
 static bool is_rod(const YkBody *body)
@@ -88,14 +91,23 @@ const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
 }
 
 // A uniform rod of length L: m L^2 / 12.
-const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)
+static const YkPoisson *inertia_of_rod(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
-    if (!is_rod(b)) return yk_derive_expression(d, b->inertia_expr);
     const YkPoisson *rod =
         yk_ring_subtract(d->ring, yk_derive_at(d, body, b->rod[1]), yk_derive_at(d, body, b->rod[0]));
     const YkPoisson *square = yk_ring_dot(d->ring, rod, rod);
     return yk_ring_scale(d->ring, yk_ring_multiply(d->ring, yk_derive_mass(d, body), square), 1, 12);
+}
+
+const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)
+{
+    const YkBody *b = &d->model->bodies[body];
+    const YkPoisson **inertia = &d->bodies[body].inertia;
+    if (!*inertia)
+        *inertia =
+            is_rod(b) ? inertia_of_rod(d, body) : yk_derive_measure(d, b->inertia_expr, YK_RING_INERTIA, "I", b->name);
+    return *inertia;
 }
 
 const YkPoisson *yk_derive_gravity(YkDerivation *d)

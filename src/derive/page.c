@@ -179,6 +179,33 @@ static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson
     if (a) *over = a, *under = b;
 }
 
+static bool is_motion(YkRing *ring, int32_t symbol)
+{
+    YkRingClass kind = yk_ring_symbol_class(ring, symbol);
+    return kind == YK_RING_RATE || kind == YK_RING_ACCELERATION || kind == YK_RING_FUNCTION;
+}
+
+// over / under where that is a combination of rates with numbers: of what turns with another body, or not at all.
+static void divide_out(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
+{
+    const YkPoisson *rest = *over, *quotient = yk_ring_rational(ring, 0, 1);
+    int64_t p, q;
+    if (yk_ring_terms(*under) < 2) return;
+    for (int32_t symbol = -1; (symbol = yk_ring_next_symbol(ring, *over, symbol)) >= 0;) {
+        if (!is_motion(ring, symbol)) continue;
+        const YkPoisson *slope = yk_ring_coefficient(ring, rest, symbol, 1), *rate = yk_ring_of(ring, symbol);
+        if (!yk_ring_is_multiple(slope, *under, &p, &q)) return;
+        quotient = yk_ring_add(ring, quotient, yk_ring_scale(ring, rate, p, q));
+        rest = yk_ring_subtract(ring, rest, yk_ring_multiply(ring, slope, rate));
+    }
+    if (yk_ring_is_multiple(rest, *under, &p, &q))
+        quotient = yk_ring_add(ring, quotient, yk_ring_rational(ring, p, q));
+    else if (!yk_ring_is_zero(rest))
+        return;
+    *over = quotient;
+    *under = yk_ring_rational(ring, 1, 1);
+}
+
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
     const YkPoisson *common = yk_ring_common_content(ring, *over, *under);
@@ -189,6 +216,7 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
         *under = yk_ring_multiply(ring, *under, inverse);
     }
     halve_if_whole(ring, over, under);
+    divide_out(ring, over, under);
     return *over && *under;
 }
 
@@ -198,8 +226,7 @@ static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
     const YkPoisson *one = yk_ring_rational(ring, 1, 1), *rate = one, *content = yk_ring_content(ring, *over);
     for (int32_t symbol = -1; (symbol = yk_ring_next_symbol(ring, content, symbol)) >= 0;) {
         int32_t lowest, highest;
-        YkRingClass kind = yk_ring_symbol_class(ring, symbol);
-        if (kind != YK_RING_RATE && kind != YK_RING_ACCELERATION && kind != YK_RING_FUNCTION) continue;
+        if (!is_motion(ring, symbol)) continue;
         if (!yk_ring_powers(ring, content, symbol, &lowest, &highest) || lowest < 1) continue;
         rate = yk_ring_multiply(ring, rate, yk_ring_power(ring, yk_ring_of(ring, symbol), lowest));
     }

@@ -60,8 +60,8 @@ struct YkLine {
     const char *text;    // heading, words; of a formula a name or remark, or NULL
     const char *section; // to which section it belongs
     YkPagePiece *first, *last;
-    // factor * left = right wherever the formula holds, on the machine's own motion; right NULL: 0; factor NULL: 1; left
-    // NULL where it is no equation between scalars or vectors.
+    // factor * left = right wherever the formula holds, on the machine's own motion; right NULL: 0; factor NULL: 1;
+    // left NULL where it is no equation between scalars or vectors.
     const YkPoisson *left, *right, *factor;
     bool is_identity;   // it holds by itself, coordinates being free
     bool is_in_numbers; // it holds with the file's numbers only
@@ -82,9 +82,10 @@ typedef struct YkPage {
     YkArena *arena;   // of all that follows
     YkRing *ring;
     YkLine *first, *last;
-    const char *section; // given to new lines
-    const char *told_in; // the section that has told what the symbols of forces stand for
-    YkPageDefine define; // or NULL
+    const char *section;   // given to new lines
+    const char *told_in;   // the section that has told what the symbols of forces stand for
+    size_t constants_told; // so many of the derivation's constants
+    YkPageDefine define;   // or NULL
     void *define_context;
     bool failed; // out of memory
     // A page that comes in parts: called where one ends, to print its lines and forget them. NULL: it is kept whole.

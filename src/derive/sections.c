@@ -34,5 +34,7 @@ bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
     page->define = yk_derive_define_bodies;
     page->define_context = d;
     yk_page_heading(page, 1, entry->title);
-    return entry->write(d, page) && !page->failed && yk_derivation_is_well(d);
+    bool is_written = entry->write(d, page);
+    yk_derive_put_constants(d, page);
+    return is_written && !page->failed && yk_derivation_is_well(d);
 }

@@ -101,6 +101,10 @@ static double push_force(const Pose *p, const YkLoadItem *item)
     return yk_dot(force, at.velocity) + moment * at.w;
 }
 
+// Of the machine's size: between ends that a joint holds together there is no more than rounding leaves, and no
+// direction.
+static const double NO_LENGTH = 1e-14;
+
 // Pulls its ends together by stiffness * (length - free length) + damping * d(length)/dt. The damper's power is
 // returned.
 static double push_spring(const Pose *p, const YkLoadItem *item)
@@ -109,7 +113,7 @@ static double push_spring(const Pose *p, const YkLoadItem *item)
     YkVec line = yk_sub(b.at, a.at);
     double length = sqrt(yk_dot(line, line)), rate = 0;
     YkVec pull = yk_scale(item->stiffness, line); // a free length of 0 needs no direction
-    if (length > 0) {
+    if (length > NO_LENGTH * p->mech->size) {
         YkVec along = yk_scale(1 / length, line);
         rate = yk_dot(yk_sub(b.velocity, a.velocity), along);
         pull = yk_scale(item->stiffness * (length - item->length) + item->damping * rate, along);

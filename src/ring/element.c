@@ -73,3 +73,21 @@ bool yk_ring_is_rational(const YkPoisson *a, int64_t *numerator, int64_t *denomi
     *denominator = a->denominator;
     return true;
 }
+
+// Both without their contents, a sign apart.
+bool yk_ring_is_multiple(const YkPoisson *a, const YkPoisson *b, int64_t *over, int64_t *under)
+{
+    if (!a || !b || a->count != b->count || a->count == 0) return false;
+    int64_t left = (int64_t)yk_poisson_content(a), right = (int64_t)yk_poisson_content(b);
+    int64_t sign = (a->terms[0].number < 0) != (b->terms[0].number < 0) ? -1 : 1;
+    for (size_t i = 0; i < a->count; i++)
+        if (a->terms[i].key != b->terms[i].key || a->terms[i].number / left != sign * (b->terms[i].number / right))
+            return false;
+    YkRatio ratio;
+    if (!yk_ratio_multiply((YkRatio){sign * left, 1}, (YkRatio){b->denominator, 1}, &ratio) ||
+        !yk_ratio_divide(ratio, (YkRatio){right, 1}, &ratio) ||
+        !yk_ratio_divide(ratio, (YkRatio){a->denominator, 1}, &ratio))
+        return false;
+    *over = ratio.over, *under = ratio.under;
+    return true;
+}

@@ -118,6 +118,8 @@ bool yk_ring_is_same(const YkPoisson *a, const YkPoisson *b); // of one ring; fa
 bool yk_ring_is_equal(YkRing *ring, const YkPoisson *a, const YkPoisson *b);
 bool yk_ring_is_real(YkRing *ring, const YkPoisson *a);
 bool yk_ring_is_rational(const YkPoisson *a, int64_t *numerator, int64_t *denominator); // a rational number, and which
+// Is a = over / under * b, with a rational number? b not 0.
+bool yk_ring_is_multiple(const YkPoisson *a, const YkPoisson *b, int64_t *over, int64_t *under);
 
 // --- Operations. Cost: O(terms) or O(products of terms) hash steps, then a sort.
 // ------------------------------------------

@@ -29,6 +29,7 @@ def named_in_section(answer):
                 heading += ["-" + plain(term) for term in left.split(" + ")]
             else:
                 heading.append(plain(left))
+    found.pop("Constants of the file", None)
     return found
 
 

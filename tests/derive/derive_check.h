@@ -134,6 +134,22 @@ static inline bool random_pose(Machine *m, bool start)
     return true;
 }
 
+// What the element comes to off the machine: the measure for rounding.
+static inline double off_machine(const Machine *m, const YkPoisson *a)
+{
+    double *values = calloc(yk_ring_symbol_count(m->d->ring) + 64, sizeof *values);
+    memcpy(values, m->values, yk_ring_symbol_count(m->d->ring) * sizeof *values);
+    for (size_t k = 0; k < m->d->coordinate_count; k++) {
+        values[m->d->coordinates[k].position] += 0.7;
+        values[m->d->coordinates[k].rate] += 0.9;
+        values[m->d->coordinates[k].acceleration] += 1.1;
+    }
+    yk_ring_complete(m->d->ring, values);
+    YkVec value = yk_ring_value(m->d->ring, a, values);
+    free(values);
+    return fmax(1, hypot(value.x, value.y));
+}
+
 static inline const YkPoisson *read_in(Machine *m, const char *text)
 {
     YkProblems *problems = yk_problems_new();

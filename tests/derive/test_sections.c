@@ -14,22 +14,6 @@ static void write_all(Machine *m, const char *name)
         }
 }
 
-static double size_of(const Machine *m, const YkPoisson *a)
-{
-    // What the element comes to off the machine: the measure for rounding.
-    double *values = calloc(yk_ring_symbol_count(m->d->ring) + 64, sizeof *values);
-    memcpy(values, m->values, yk_ring_symbol_count(m->d->ring) * sizeof *values);
-    for (size_t k = 0; k < m->d->coordinate_count; k++) {
-        values[m->d->coordinates[k].position] += 0.7;
-        values[m->d->coordinates[k].rate] += 0.9;
-        values[m->d->coordinates[k].acceleration] += 1.1;
-    }
-    yk_ring_complete(m->d->ring, values);
-    YkVec value = yk_ring_value(m->d->ring, a, values);
-    free(values);
-    return fmax(1, hypot(value.x, value.y));
-}
-
 static bool is_an_angle_row(const Machine *m, const YkLine *line)
 {
     (void)m;
@@ -42,7 +26,7 @@ static void check_formulas(Machine *m, const char *name)
         if (!line->left || is_an_angle_row(m, line)) continue;
         const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
         YkVec value = yk_ring_value(m->d->ring, zero, m->values);
-        double size = hypot(value.x, value.y), allowed = 1e-12 * size_of(m, zero);
+        double size = hypot(value.x, value.y), allowed = 1e-12 * off_machine(m, zero);
         if (!(size <= allowed)) {
             YkText text = {0};
             yk_ring_write(m->d->ring, zero, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);

@@ -8,6 +8,11 @@
 
 enum { RANDOM_BODIES = 40, RANDOM_POINTS = 200, RANDOM_TEXT = 60000 };
 
+// For machines in symbols: points with three digits, or with parameters for coordinates. What cannot move any more then
+// (parallelograms that are none) is refused.
+typedef enum RandomNumbers { RANDOM_EXACT, RANDOM_SHORT, RANDOM_NAMED } RandomNumbers;
+static RandomNumbers random_numbers = RANDOM_EXACT;
+
 typedef struct RandomPoint {
     int body;
     char name[8];
@@ -261,16 +266,47 @@ static inline void random_efforts(RandomMachine *m)
     }
 }
 
+// The first point with this coordinate: its number is the parameter's.
+static inline int random_parameter(const RandomMachine *m, double value)
+{
+    int k = 0;
+    while (fabs(k % 2 ? m->point[k / 2].y : m->point[k / 2].x) != fabs(value)) k++;
+    return k;
+}
+
+static inline void random_parameters(RandomMachine *m)
+{
+    RANDOM_ADD(m->text, "parameters:\n");
+    for (int k = 0; k < 2 * m->points; k++) {
+        double value = k % 2 ? m->point[k / 2].y : m->point[k / 2].x;
+        if (random_parameter(m, value) == k) RANDOM_ADD(m->text, "  a%d: %.3g m\n", k, fabs(value));
+    }
+}
+
+static inline void random_coordinate(RandomMachine *m, double value)
+{
+    if (random_numbers == RANDOM_NAMED)
+        RANDOM_ADD(m->text, "%sa%d", value < 0 ? "-" : "", random_parameter(m, value));
+    else
+        RANDOM_ADD(m->text, random_numbers == RANDOM_SHORT ? "%.3g" : "%.17g", value);
+}
+
 static inline void random_write(RandomMachine *m)
 {
+    if (random_numbers == RANDOM_NAMED && m->points > 0) random_parameters(m);
     if (random_chance(m, 0.8))
         RANDOM_ADD(m->text, "gravity: [%.3g, %.3g]\n", random_draw(m, -2, 2), random_draw(m, -10, 0));
     RANDOM_ADD(m->text, "bodies:\n");
     for (int b = 0; b < m->bodies; b++) {
         RANDOM_ADD(m->text, "  %s: {points: {Z: [0, 0]", random_name(b));
         for (int k = 0; k < m->points; k++)
-            if (m->point[k].body == b)
-                RANDOM_ADD(m->text, ", %s: [%.17g, %.17g]", m->point[k].name, m->point[k].x, m->point[k].y);
+            if (m->point[k].body == b) {
+                RANDOM_ADD(m->text, ", %s: [", m->point[k].name);
+                random_coordinate(m, m->point[k].x);
+                RANDOM_ADD(m->text, ", ");
+                random_coordinate(m, m->point[k].y);
+                RANDOM_ADD(m->text, "]");
+            }
         RANDOM_ADD(m->text, "}");
         if (b > 0 && m->has_mass[b])
             RANDOM_ADD(m->text, ", mass: %.4g, center: [%.4g, %.4g], inertia: %.4g", random_draw(m, 0.2, 4),

@@ -1,0 +1,103 @@
+// Constants under names of their own: what is no polynomial of parameters, and numbers of many digits. Formulas with
+// those would be hard to read, and products of a few of them too large to be exact.
+#include <string.h>
+#include "base/number.h"
+#include "derive/frame.h"
+#include "model/formulas.h"
+
+// --- What the ring cannot hold
+
+static bool is_constant_name(void *context, const YkExpr *expr)
+{
+    const YkDerivation *d = context;
+    return strcmp(expr->name, "pi") == 0 || yk_names_find(&d->model->parameter_names, expr->name) != YK_NONE;
+}
+
+static void look_for_variable(void *context, const YkExpr *expr)
+{
+    void **pair = context;
+    if (!is_constant_name(pair[0], expr)) *(bool *)pair[1] = false;
+}
+
+static bool is_constant(YkDerivation *d, const YkExpr *expr)
+{
+    bool constant = true;
+    void *pair[] = {d, &constant};
+    yk_expr_names(expr, look_for_variable, pair);
+    return constant;
+}
+
+static bool add(YkDerivation *d, YkDeriveConstant constant)
+{
+    if (!YK_ROOM(d->constants, d->constant_count, d->constant_capacity)) return !(d->failed = true);
+    d->constants[d->constant_count++] = constant;
+    return true;
+}
+
+const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol)
+{
+    YkJet jet;
+    *symbol = -1;
+    if (!is_constant(d, expr) || yk_model_eval(d->model, expr, 0, &jet, NULL) != YK_OK) return NULL;
+    for (size_t i = 0; i < d->constant_count; i++)
+        if (d->constants[i].expr == expr && yk_ring_is_angle(d->ring, d->constants[i].symbol) == is_angle)
+            *symbol = d->constants[i].symbol;
+    if (*symbol < 0) {
+        YkText text = {0};
+        yk_text_format(&text, "%s%z", is_angle ? "alpha_" : "k_", ++d->opaque_count);
+        *symbol = is_angle ? yk_derive_angle(d, yk_text_get(&text))
+                           : yk_derive_symbol(d, yk_text_get(&text), YK_RING_CONSTANT);
+        yk_text_free(&text);
+        if (*symbol < 0 || !add(d, (YkDeriveConstant){*symbol, expr, jet.d[0], NULL})) return NULL;
+    }
+    return yk_ring_of(d->ring, *symbol);
+}
+
+// --- Masses and inertias of many digits
+
+static bool is_short(const YkPoisson *a)
+{
+    enum { OVER_MAX = 1000, UNDER_MAX = 100 }; // of a fraction that stands in formulas itself
+    int64_t over, under;
+    return !yk_ring_is_rational(a, &over, &under) || (over <= OVER_MAX && over >= -OVER_MAX && under <= UNDER_MAX);
+}
+
+const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingClass kind, const char *letter,
+                                   const char *body)
+{
+    YkJet jet;
+    YkText name = {0};
+    const YkPoisson *exact = yk_derive_expression(d, expr);
+    if (!exact || is_short(exact) || yk_model_eval(d->model, expr, 0, &jet, NULL) != YK_OK) return exact;
+    yk_text_format(&name, "%s_%s", letter, body);
+    int32_t symbol = yk_derive_symbol(d, yk_text_get(&name), kind);
+    yk_text_free(&name);
+    if (symbol < 0 || !add(d, (YkDeriveConstant){symbol, expr, jet.d[0], exact})) return NULL;
+    return yk_ring_of(d->ring, symbol);
+}
+
+// --- What the names stand for
+
+static const char *unit_of(const YkDerivation *d, const YkDeriveConstant *c)
+{
+    YkRingClass kind = yk_ring_symbol_class(d->ring, c->symbol);
+    return kind == YK_RING_MASS ? " kg" : kind == YK_RING_INERTIA ? " kg*m^2" : "";
+}
+
+void yk_derive_put_constants(YkDerivation *d, YkPage *page)
+{
+    if (page->constants_told < d->constant_count) yk_page_heading(page, 2, "Constants of the file");
+    for (; page->constants_told < d->constant_count; page->constants_told++) {
+        const YkDeriveConstant *c = &d->constants[page->constants_told];
+        YkText place = {0}, value = {0};
+        yk_text_format(&place, "line %d, column %d", c->expr->place.line, c->expr->place.column);
+        yk_text_format(&value, "%g%s", c->value, unit_of(d, c));
+        YkLine *line = yk_page_formula(page, yk_text_get(&place));
+        yk_line_element(page, line, yk_ring_of(d->ring, c->symbol), YK_RING_TEXTBOOK);
+        yk_line_sign(page, line, "=");
+        yk_line_words(page, line, yk_text_get(&value));
+        page->failed |= place.failed || value.failed;
+        yk_text_free(&place);
+        yk_text_free(&value);
+    }
+}
