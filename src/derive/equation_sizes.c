@@ -96,6 +96,7 @@ YkEquationSize yk_equation_size_of_quantity(const YkDerivation *d, const char *n
     if (strncmp(name, "alpha_", 6) == 0) return angular(-2 - order);
     if (ends_with(name, length, ".force.x") || ends_with(name, length, ".force.y")) return known(1, 1, -2);
     if (ends_with(name, length, ".moment")) return known(2, 1, -2);
+    if (strcmp(name, "shaking.x") == 0 || strcmp(name, "shaking.y") == 0) return known(1, 1, -2);
     if (ends_with(name, length, ".effort")) return of_effort(d, name, length);
     if (ends_with(name, length, ".x") || ends_with(name, length, ".y")) return per_time(known(1, 0, 0), order);
     return open;

@@ -113,6 +113,22 @@ static const char *printed_name(const YkEquationReader *reader, const char *name
     return NULL;
 }
 
+static bool ends_with(const char *name, const char *ending)
+{
+    size_t length = strlen(name), size = strlen(ending);
+    return length > size && strcmp(name + length - size, ending) == 0;
+}
+
+// Answers of `solve` that are no polynomials of what is known here; NULL: none of these.
+static const char *other_answer(const char *name)
+{
+    if (ends_with(name, ".force")) return "its size is a root: write A.force.x^2 + A.force.y^2 for its square";
+    if (ends_with(name, ".speed")) return "its size is a root: write crank.A.x'^2 + crank.A.y'^2 for its square";
+    if (ends_with(name, ".transmission"))
+        return "write it as the angle between two links: sin(coupler.angle - rocker.angle)";
+    return NULL;
+}
+
 static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const char *name)
 {
     static const char *const inverse[] = {"asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan"};
@@ -129,6 +145,7 @@ static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const 
     }
     yk_problem(reader->problems, YK_CODE_UNKNOWN_NAME, place, "unknown name %q", name);
     const char *near = dotted_name(reader, name), *printed = near ? NULL : printed_name(reader, name);
+    if (!near && !printed) printed = other_answer(name);
     if (printed) {
         yk_problem_hint(reader->problems, "%s", printed);
         return NULL;

@@ -194,6 +194,10 @@ const YkPoisson *yk_derive_kinetic_total(const YkDeriveForces *f);
 const YkPoisson *yk_derive_potential(const YkDeriveForces *f);
 const char *yk_derive_energy_name(const YkDeriveForces *f, size_t load); // of a load's, behind V_
 
+// quantities_forces.c: what an equation calls theta1.effort, A.force.x, mesh.force.x, A.moment, shaking.x, F21x (as
+// -F12x); NULL where there is no such thing.
+const YkPoisson *yk_derive_force_quantity(const YkDeriveForces *f, const char *name);
+
 // --- Lagrange: equation of a coordinate of the body form, left = right: inertia, potential, dampers and multipliers on
 // the left; efforts and forces on the right.
 typedef struct YkDeriveLagrange {

@@ -73,78 +73,6 @@ static const YkPoisson *coordinate_of_point(YkDerivation *d, const char *name, s
     return NULL;
 }
 
-// --- Forces
-
-static bool takes_ending(const char *name, size_t *length, const char *ending)
-{
-    size_t size = strlen(ending);
-    if (*length <= size || strncmp(name + *length - size, ending, size) != 0) return false;
-    *length -= size;
-    return true;
-}
-
-// The moment of a load along a joint on its second body; the ground takes none.
-static const YkPoisson *moment_on_second(const YkDeriveForces *f, const YkDeriveLoad *load)
-{
-    const int32_t *body = f->d->model->joints[load->joint].body;
-    for (size_t k = 0; k < load->push_count; k++)
-        if (load->push[k].body == body[1]) return load->push[k].moment;
-    return load->push_count > 0 ? yk_ring_negate(f->d->ring, load->push[0].moment) : NULL;
-}
-
-// The unknown effort of a drive, or what `efforts:` says of an angle.
-static const YkPoisson *effort(const YkDeriveForces *f, const char *name, size_t length)
-{
-    YkDerivation *d = f->d;
-    if (!takes_ending(name, &length, ".effort")) return NULL;
-    for (size_t c = 0; c < d->tree_count; c++) {
-        const YkDeriveCoordinate *of = &d->coordinates[c];
-        if (!is_word(name, length, of->name)) continue;
-        for (size_t k = 0; k < f->effort_count; k++)
-            if (f->effort_coordinate[k] == (int32_t)c) return yk_ring_of(d->ring, f->efforts[k]);
-        for (size_t k = 0; k < f->load_count && !of->is_distance; k++)
-            if (f->loads[k].kind == YK_DERIVE_EFFORT && f->loads[k].joint == of->joint)
-                return moment_on_second(f, &f->loads[k]);
-        return NULL;
-    }
-    return NULL;
-}
-
-// Of a joint, on its second body by its first.
-static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size_t length)
-{
-    YkDerivation *d = f->d;
-    bool is_x = takes_ending(name, &length, ".force.x"), is_y = !is_x && takes_ending(name, &length, ".force.y");
-    bool is_moment = !is_x && !is_y && takes_ending(name, &length, ".moment");
-    if (!is_x && !is_y && !is_moment) return NULL;
-    for (size_t j = 0; j < d->model->joint_count; j++) {
-        if (!is_word(name, length, d->model->joints[j].name)) continue;
-        if (is_moment) return f->joint_moment[j];
-        return is_x ? yk_ring_real(d->ring, f->joint_force[j]) : yk_ring_imaginary(d->ring, f->joint_force[j]);
-    }
-    return NULL;
-}
-
-// Action and reaction: what the second body exerts on the first, F21x = -F12x.
-static const YkPoisson *opposite(const YkDeriveForces *f, const char *name)
-{
-    static const char *const letters[] = {"F", "F", "N", "M"}, *const parts[] = {"x", "y", "", ""};
-    YkDerivation *d = f->d;
-    if (strchr("FNM", name[0]) == NULL) return NULL;
-    for (size_t j = 0; j < d->model->joint_count; j++) {
-        const YkJoint *joint = &d->model->joints[j];
-        const int32_t back[2] = {joint->body[1], joint->body[0]};
-        const char *pair = yk_derive_between(f, joint->body, j, joint->name);
-        const char *turned = yk_derive_between(f, back, j, joint->name);
-        for (size_t k = 0; k < sizeof letters / sizeof *letters; k++) {
-            if (strcmp(name, yk_derive_force_name(f, letters[k], turned, parts[k])) != 0) continue;
-            int32_t symbol = yk_ring_find(d->ring, yk_derive_force_name(f, letters[k], pair, parts[k]));
-            if (symbol >= 0) return yk_ring_negate(d->ring, yk_ring_of(d->ring, symbol));
-        }
-    }
-    return NULL;
-}
-
 const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name)
 {
     size_t length = strlen(name);
@@ -153,9 +81,7 @@ const YkPoisson *yk_derive_quantity(YkDerivation *d, const char *name)
     if (!a) a = turning(d, name, length);
     const YkDeriveForces *f = a ? NULL : yk_derive_forces(d);
     if (f && d->most_depth <= YK_DERIVE_DEPTH_MAX) a = energy(f, name, length);
-    if (f && !a && order == 0) a = effort(f, name, length);
-    if (f && !a && order == 0) a = reaction(f, name, length);
-    if (f && !a && order == 0) a = opposite(f, name);
+    if (f && !a && order == 0) a = yk_derive_force_quantity(f, name);
     for (; a && order > 0; order--) a = yk_ring_time_derivative(d->ring, a);
     return a;
 }
