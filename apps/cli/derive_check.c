@@ -75,7 +75,7 @@ static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
     } else if (verdict->is_refuted) {
         yk_text_format(out,
                        "true only with this file's numbers (at %z poses): with others it does not hold in general "
-                       "(exact arithmetic tells; what would have to change cannot vary here, so none are named)\n",
+                       "(exact arithmetic tells; none was found to be named)\n",
                        verdict->poses);
     } else if (verdict->machines > 0) {
         yk_text_format(out, "true at %z poses of this machine%s, and at %z poses of %z machines with other %s",

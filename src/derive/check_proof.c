@@ -28,35 +28,20 @@ static void try_point(YkCheck *check, bool has_roots, size_t most)
     if (check->ground == YK_GROUND_NONE) yk_check_free_points(check);
 }
 
-// Has it an e^(i angle) in it?
-static bool has_turns(YkRing *ring, const YkForm *form)
-{
-    const YkPoisson *a = yk_form_element(form), *one = yk_ring_rational(ring, 1, 1);
-    for (size_t k = 0; !a && k < yk_form_part_count(form); k++)
-        if (has_turns(ring, yk_form_part(form, k))) return true;
-    for (int32_t s = a ? yk_ring_next_symbol(ring, a, -1) : -1; s >= 0; s = yk_ring_next_symbol(ring, a, s)) {
-        const YkRingChange change = {s, NULL, one};
-        if (yk_ring_is_angle(ring, s) && !yk_ring_is_same(a, yk_ring_substitute(ring, a, &change, 1))) return true;
-    }
-    return false;
-}
-
-// An angle of the equation's own, omega t, is free at the points.
-static bool has_own_angle(const YkDerivation *d, const YkForm *form)
+// Angles and roots of the equation's own, omega t, are free at the points.
+static bool has_own(const YkDerivation *d, const YkForm *form)
 {
     const YkPoisson *a = yk_form_element(form);
     for (size_t k = 0; !a && k < yk_form_part_count(form); k++)
-        if (has_own_angle(d, yk_form_part(form, k))) return true;
-    return a && yk_equation_has_own_angle(d, a);
+        if (has_own(d, yk_form_part(form, k))) return true;
+    return a && yk_equation_has_own(d, a);
 }
 
-// Gears bind angles at the points of the field, but not their unit vectors: what speaks of rates alone is refuted
-// there.
+// Gears bind angles at the points of the field, but not their unit vectors; and that numbers of teeth must fit, so that
+// centres meet, is not known there: a planetary set with Zr = Zs + 2 Zp obeys equations that others do not.
 static bool can_refute(YkCheck *check, const YkForm *form)
 {
-    const YkDerivation *d = check->d;
-    if (has_own_angle(d, form)) return false;
-    return d->tie_count == 0 || (d->loop_count == 0 && !has_turns(d->ring, form));
+    return check->d->tie_count == 0 && !has_own(check->d, form);
 }
 
 // The next point of the machine's motion; NULL where no more can be had. New symbols: the old points are of no use.

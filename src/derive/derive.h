@@ -131,6 +131,7 @@ struct YkDerivation {
     size_t unknown_count, unknown_capacity;
     struct YkDerivePages *pages; // names that sections alone have, for --check; made at first use: equation_pages.c
     struct YkEquationAngle *angles; // of equations: equation_angles.c
+    struct YkEquationRoot *roots;
     bool has_names; // JOINT.angle, BODY.rate, ... are entered as other names of symbols
     bool failed;    // out of memory outside of the ring
 };

@@ -50,9 +50,11 @@ YkEquationSize yk_equation_size_sum(YkEquationReader *reader, size_t start, YkEq
 void yk_equation_compare_sides(YkEquationReader *reader, size_t start, YkEquationSize left, YkEquationSize right);
 bool yk_equation_size_is_angle(YkEquationReader *reader, size_t start, YkEquationSize size); // or reported
 
-// --- equation_angles.c: e^(i angle) of any angle; and does an element speak of one of which nothing can be proved?
+// --- equation_angles.c: e^(i angle) of any angle; and does an element speak of an angle or root of
+// which nothing can be proved?
 const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle);
-bool yk_equation_has_own_angle(const YkDerivation *d, const YkPoisson *a);
+bool yk_equation_has_own(const YkDerivation *d, const YkPoisson *a);
+const YkPoisson *yk_equation_root(YkDerivation *d, const YkPoisson *square); // positive
 // Does the element speak of a symbol, in such angles, too?
 bool yk_equation_mentions(const YkDerivation *d, const YkPoisson *a, int32_t symbol);
 

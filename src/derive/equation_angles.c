@@ -62,9 +62,35 @@ const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle)
     return symbol < 0 ? NULL : yk_ring_multiply(ring, unit, yk_ring_unit(ring, symbol));
 }
 
-bool yk_equation_has_own_angle(const YkDerivation *d, const YkPoisson *a)
+typedef struct YkEquationRoot {
+    int32_t symbol;
+    const YkPoisson *square;
+    struct YkEquationRoot *next;
+} YkEquationRoot;
+
+const YkPoisson *yk_equation_root(YkDerivation *d, const YkPoisson *square)
+{
+    if (!square || !yk_ring_is_real(d->ring, square)) return NULL;
+    for (const YkEquationRoot *known = d->roots; known; known = known->next)
+        if (yk_ring_is_same(known->square, square)) return yk_ring_of(d->ring, known->symbol);
+    YkText name = {0};
+    size_t count = 1;
+    for (const YkEquationRoot *known = d->roots; known; known = known->next) count++;
+    yk_text_format(&name, "root_in_equation_%z", count);
+    YkEquationRoot *root = YK_NEW(d->arena, YkEquationRoot, 1);
+    int32_t symbol = root && !name.failed ? yk_ring_root(d->ring, yk_text_get(&name), square) : -1;
+    yk_text_free(&name);
+    if (symbol < 0) return NULL;
+    *root = (YkEquationRoot){symbol, square, d->roots};
+    d->roots = root;
+    return yk_ring_of(d->ring, symbol);
+}
+
+bool yk_equation_has_own(const YkDerivation *d, const YkPoisson *a)
 {
     for (const YkEquationAngle *known = d->angles; known; known = known->next)
+        if (yk_ring_mentions(d->ring, a, known->symbol)) return true;
+    for (const YkEquationRoot *known = d->roots; known; known = known->next)
         if (yk_ring_mentions(d->ring, a, known->symbol)) return true;
     return false;
 }
@@ -74,5 +100,7 @@ bool yk_equation_mentions(const YkDerivation *d, const YkPoisson *a, int32_t sym
     if (yk_ring_mentions(d->ring, a, symbol)) return true;
     for (const YkEquationAngle *known = d->angles; known; known = known->next)
         if (yk_ring_mentions(d->ring, a, known->symbol) && yk_ring_mentions(d->ring, known->value, symbol)) return true;
+    for (const YkEquationRoot *known = d->roots; known; known = known->next)
+        if (yk_ring_mentions(d->ring, a, known->symbol) && yk_equation_mentions(d, known->square, symbol)) return true;
     return false;
 }

@@ -129,6 +129,24 @@ static const char *other_answer(const char *name)
     return NULL;
 }
 
+// dx/dt is x'; x_B is rod.B.x. NULL where it is nothing of the kind.
+static const char *books_name(YkEquationReader *reader, const char *name)
+{
+    const YkDerivation *d = reader->d;
+    size_t left = reader->length - reader->at;
+    bool is_rate = left >= 3 && strncmp(reader->text + reader->at, "/dt", 3) == 0;
+    if (is_rate && name[0] == 'd' && yk_ring_find(d->ring, name + 1) >= 0)
+        return yk_derive_text(reader->d, name + 1, "'", "");
+    bool is_place = (name[0] == 'x' || name[0] == 'y') && name[1] == '_';
+    for (size_t p = 0; is_place && p < d->model->point_count; p++) {
+        const YkPoint *point = &d->model->points[p];
+        if (point->body == 0 || strcmp(point->name, name + 2) != 0) continue;
+        const char *of = yk_derive_text(reader->d, d->model->bodies[point->body].name, ".", point->name);
+        return yk_derive_text(reader->d, of, name[0] == 'x' ? ".x" : ".y", "");
+    }
+    return NULL;
+}
+
 static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const char *name)
 {
     static const char *const inverse[] = {"asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan"};
@@ -144,7 +162,9 @@ static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const 
         return NULL;
     }
     yk_problem(reader->problems, YK_CODE_UNKNOWN_NAME, place, "unknown name %q", name);
-    const char *near = dotted_name(reader, name), *printed = near ? NULL : printed_name(reader, name);
+    const char *near = dotted_name(reader, name);
+    if (!near) near = books_name(reader, name);
+    const char *printed = near ? NULL : printed_name(reader, name);
     if (!near && !printed) printed = other_answer(name);
     if (printed) {
         yk_problem_hint(reader->problems, "%s", printed);
@@ -166,6 +186,32 @@ static const YkForm *read_pi(YkEquationReader *reader)
     return read_unit(reader, form_of(reader, yk_ring_pi(reader->d->ring)));
 }
 
+static bool is_coordinate(const YkDerivation *d, int32_t symbol)
+{
+    for (size_t k = 0; k < d->coordinate_count; k++)
+        if (symbol == d->coordinates[k].position || symbol == d->coordinates[k].rate ||
+            symbol == d->coordinates[k].acceleration)
+            return true;
+    return false;
+}
+
+// x(t) is x. What x is at t = 0, no equation here is about; with a blank it is a product.
+static bool take_time(YkEquationReader *reader, int32_t symbol)
+{
+    const char *at = reader->text + reader->at;
+    size_t left = reader->length - reader->at, inside = 1;
+    if (left < 3 || *at != '(' || !is_coordinate(reader->d, symbol)) return true;
+    if (strncmp(at, "(t)", 3) == 0) {
+        reader->at += 3;
+        return true;
+    }
+    while (inside < left && (yk_is_digit(at[inside]) || at[inside] == '.')) inside++;
+    if (inside == 1 || inside == left || at[inside] != ')') return true;
+    yk_equation_refuse(reader, reader->at, "an equation here is about any pose, not about one time",
+                       "`yoke solve --time` tells what is then; for a product write *");
+    return false;
+}
+
 static const YkForm *read_name(YkEquationReader *reader)
 {
     YkRing *ring = reader->d->ring;
@@ -182,6 +228,7 @@ static const YkForm *read_name(YkEquationReader *reader)
     if (symbol < 0 && yk_ring_status(ring) == YK_RING_OK) symbol = yk_equation_find(reader->d, name);
     if (yk_ring_status(ring) != YK_RING_OK) return NULL;
     if (symbol < 0) return unknown_name(reader, start, name);
+    if (!take_time(reader, symbol)) return NULL;
     const YkForm *call = yk_equation_call(reader, symbol);
     reader->size = yk_equation_size_of(reader->d, symbol);
     return call || reader->failed ? call : yk_equation_meaning(reader->d, symbol);
@@ -228,7 +275,10 @@ static const YkForm *root(YkEquationReader *reader, size_t start)
     reader->size = yk_equation_size_root(reader->size);
     if (of) return form_of(reader, yk_ring_scale(ring, of, 1, under));
     yk_ring_clear(ring);
-    return yk_equation_refuse(reader, start, "a root is no polynomial: it cannot be proved",
+    of = yk_equation_root(reader->d, value);
+    if (of) return form_of(reader, of);
+    yk_ring_clear(ring);
+    return yk_equation_refuse(reader, start, "the root of a quotient by a sum is not read",
                               "square both sides: d^2 = ... for d = sqrt(...)");
 }
 

@@ -133,6 +133,19 @@ static void what_speaks_of_the_time_is_asked_of_the_drives(void **state)
     machine_end(&m);
 }
 
+// The field knows no sign of a root: poses do.
+static void roots_are_tried_at_poses(void **state)
+{
+    (void)state;
+    Machine m = machine_of(crank);
+    CHECK_CASES(&m, IS_HERE("s = r cos(th) + sqrt(l^2 - r^2 sin(th)^2)"),
+                IS_NOT("s = r cos(th) - sqrt(l^2 - r^2 sin(th)^2)"), IS_HERE("sqrt(s^2) = s"), IS_NOT("sqrt(s^2) = -s"),
+                IS_HERE("sqrt(crank.A.x'^2 + crank.A.y'^2) = r sqrt(th'^2)"),
+                IS_NOT("sqrt(crank.A.x'^2 + crank.A.y'^2) = r th' cos(th)"),
+                IS("s(t) = r cos(th(t)) + l cos(th(t) + ph(t))"), IS_HERE("cos(th) sqrt(r^2) = r cos(th)"));
+    machine_end(&m);
+}
+
 static void half_angles_are_read(void **state)
 {
     (void)state;
@@ -151,6 +164,7 @@ int main(void)
         cmocka_unit_test(names_of_a_motion_program_hold_in_their_segment),
         cmocka_unit_test(a_machines_own_names_come_first),
         cmocka_unit_test(what_speaks_of_the_time_is_asked_of_the_drives),
+        cmocka_unit_test(roots_are_tried_at_poses),
         cmocka_unit_test(half_angles_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

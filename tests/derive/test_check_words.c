@@ -258,7 +258,10 @@ static void what_cannot_be_read_has_a_hint(void **state)
                  {"theta1dot = 1", "unknown name `theta1dot`", "did you mean `theta1'`?"},
                  {"theta1_ddot = 1", "unknown name `theta1_ddot`", "did you mean `theta1''`?"},
                  {"l_1 = 2", "unknown name `l_1`", "did you mean `l1`?"},
-                 {"d3 = sqrt(l1^2)", "a root is no polynomial: it cannot be proved", "square both sides"},
+                 {"d3 = sqrt(l1/(a1 + a2))", "the root of a quotient by a sum", "square both sides"},
+                 {"d3(0) = 1.5 m", "an equation here is about any pose", "yoke solve --time"},
+                 {"dtheta2/dt = 3", "unknown name `dtheta2`", "did you mean `theta2'`?"},
+                 {"x_A = l1 cos(theta1)", "unknown name `x_A`", "did you mean `crank.A.x`?"},
                  {"theta2 = atan2(1, 2)", "`atan2` has many values: it cannot be proved", "tangents"},
                  {"sin^-1(theta1) = 1", "a negative power here could be the inverse function", "1/sin(x)"},
                  {"\xce\xb8"
