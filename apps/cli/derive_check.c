@@ -77,12 +77,18 @@ static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
                        "true only with this file's numbers (at %z poses): with others it does not hold in general "
                        "(exact arithmetic tells; none was found to be named)\n",
                        verdict->poses);
+    } else if (verdict->machines > 0 && verdict->kept) {
+        yk_text_format(out,
+                       "true at %z poses of this machine%s; other %s could not be tried (with other %s it is true at "
+                       "%z poses of %z machines); a proof for all dimensions was not found\n",
+                       verdict->poses, segment, verdict->kept, verdict->varied ? verdict->varied : "numbers",
+                       verdict->machine_poses, verdict->machines);
     } else if (verdict->machines > 0) {
-        yk_text_format(out, "true at %z poses of this machine%s, and at %z poses of %z machines with other %s",
+        yk_text_format(out,
+                       "true at %z poses of this machine%s, and at %z poses of %z machines with other %s; a proof for "
+                       "all dimensions was not found\n",
                        verdict->poses, segment, verdict->machine_poses, verdict->machines,
                        verdict->varied ? verdict->varied : "dimensions");
-        if (verdict->kept) yk_text_format(out, " (and the same %s)", verdict->kept);
-        yk_text_puts(out, "; a proof for all dimensions was not found\n");
     } else {
         yk_text_format(out, "true at %z poses with this file's numbers%s; with others it could not be tried (%s)\n",
                        verdict->poses, segment, "dimensions that the file gives as `parameters:` can be");
@@ -96,7 +102,9 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
     switch (verdict->kind) {
     case YK_CHECK_TRUE:
         yk_text_puts(out, verdict->is_identity ? "true for all dimensions (an identity: it needs no loop)\n"
-                                               : "true for all dimensions\n");
+                          : checking->derivation->model->parameter_count > 0
+                              ? "true for all dimensions\n"
+                              : "true: proved for this machine, whose dimensions are numbers in the file\n");
         break;
     case YK_CHECK_TRUE_HERE:
         say_true_here(checking, verdict);

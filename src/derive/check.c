@@ -11,7 +11,10 @@ static bool is_identity(YkCheck *check)
 {
     enum { TERMS_MAX = 2000 };
     YkRing *ring = check->d->ring;
-    YkFormVerdict verdict = yk_form_compare(ring, check->equation.left, check->equation.right, YK_CHECK_POINTS, 17);
+    const YkDeriveForces *forces = yk_derive_forces(check->d);
+    bool has_roots = forces && forces->length_count > 0;
+    int points = has_roots ? YK_CHECK_POINTS_OF_ROOTS : YK_CHECK_POINTS;
+    YkFormVerdict verdict = yk_form_compare(ring, check->equation.left, check->equation.right, points, 17);
     if (verdict != YK_FORM_UNDECIDED) return verdict == YK_FORM_EQUAL;
     // roots that the field has not: they are what they are
     const YkPoisson *difference = yk_form_expand(ring, check->difference, TERMS_MAX);
@@ -132,6 +135,7 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
     YkCheckOpened opened = yk_check_open(&check, place, problems);
     if (opened != YK_CHECK_NOT_READ) verdict.kind = YK_CHECK_UNDECIDED;
     if (opened == YK_CHECK_OPEN && seen.motion) decide(&check, &verdict);
+    if (check.failed) verdict.kind = YK_CHECK_UNDECIDED;
     yk_check_close(&check);
     free(seen.motion);
     return verdict;

@@ -6,7 +6,8 @@
 
 enum {
     YK_CHECK_POINTS = 4,
-    YK_CHECK_POINTS_TRIED = 40 * YK_CHECK_POINTS,
+    YK_CHECK_POINTS_OF_ROOTS = 8, // roots have a random sign at each: what hangs on it must not pass
+    YK_CHECK_POINTS_TRIED = 20 * YK_CHECK_POINTS_OF_ROOTS,
     YK_CHECK_POSES = 24,        // of this machine
     YK_CHECK_MACHINES = 3,      // with other dimensions
     YK_CHECK_MACHINE_POSES = 8, // of each of them
@@ -41,7 +42,9 @@ typedef struct YkCheck {
     uint64_t seed;
     const YkPoisson *within[YK_CHECK_SEGMENTS]; // lie in 0 to 1 where the equation is to hold
     size_t within_count;
-    bool has_time;                // the equation speaks of t
+    bool has_time; // the equation speaks of t
+    size_t kept_size[YK_CHECK_POSES];
+    bool failed;                  // out of memory
     double *kept[YK_CHECK_POSES]; // values at poses that were compared
     size_t kept_count;
     YkCheckSeen *seen;

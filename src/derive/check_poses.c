@@ -82,8 +82,23 @@ static bool move_to_random_pose(YkCheck *check, YkMotion *target)
     return yk_check_solve(check);
 }
 
+// Reading brings symbols: constants, angles and roots of an equation's own, also of those that slips are looked for in.
+static bool make_room(YkCheck *check)
+{
+    size_t count = yk_ring_symbol_count(check->d->ring), room = count + 64;
+    if (count <= check->value_count) return true;
+    double *values = realloc(check->values, room * sizeof *values);
+    check->failed |= !values;
+    if (!values) return false;
+    memset(values + check->value_count, 0, (room - check->value_count) * sizeof *values);
+    check->values = values;
+    check->value_count = room;
+    return true;
+}
+
 void yk_check_fill_values(YkCheck *check)
 {
+    if (!make_room(check)) return;
     yk_derive_values(check->d, check->state, check->dynamics, check->values);
 }
 
@@ -165,9 +180,11 @@ YkCheckOutcome yk_check_judge(YkCheck *check)
 
 static void keep_values(YkCheck *check)
 {
-    double *kept = check->kept_count < YK_CHECK_POSES ? malloc(check->value_count * sizeof *kept) : NULL;
+    size_t count = yk_ring_symbol_count(check->d->ring);
+    double *kept = check->kept_count < YK_CHECK_POSES ? malloc(count * sizeof *kept) : NULL;
     if (!kept) return;
-    memcpy(kept, check->values, check->value_count * sizeof *kept);
+    memcpy(kept, check->values, count * sizeof *kept);
+    check->kept_size[check->kept_count] = count;
     check->kept[check->kept_count++] = kept;
 }
 
@@ -235,14 +252,24 @@ static void keep_more(YkCheck *check)
     free(target);
 }
 
+// Has it symbols from this one on?
+static bool is_newer(YkRing *ring, const YkForm *form, size_t first)
+{
+    const YkPoisson *a = yk_form_element(form);
+    for (size_t k = 0; !a && k < yk_form_part_count(form); k++)
+        if (is_newer(ring, yk_form_part(form, k), first)) return true;
+    return a && yk_ring_next_symbol(ring, a, (int32_t)first - 1) >= 0;
+}
+
 bool yk_check_is_zero_at_poses(YkCheck *check, const YkForm *zero)
 {
     size_t poses = 0;
-    if (yk_ring_symbol_count(check->d->ring) > check->value_count) return false;
     if (check->kept_count < YK_CHECK_POSES_MIN) keep_more(check);
+    if (!make_room(check)) return false;
     for (size_t k = 0; k < check->kept_count; k++) {
-        memcpy(check->values, check->kept[k], check->value_count * sizeof *check->values);
-        yk_ring_complete(check->d->ring, check->values); // constants that this form brought
+        if (is_newer(check->d->ring, zero, check->kept_size[k])) return false; // of no known value
+        memset(check->values, 0, check->value_count * sizeof *check->values);
+        memcpy(check->values, check->kept[k], check->kept_size[k] * sizeof *check->values);
         YkCheckOutcome outcome = judge(check, zero);
         if (outcome == YK_CHECK_DIFFERENT) return false;
         poses += outcome == YK_CHECK_SAME;

@@ -71,16 +71,22 @@ void yk_check_bind(YkCheck *check, const YkLoopBonds *bonds)
     check->ground = YK_GROUND_UNTRIED;
 }
 
+static int points_wanted(YkCheck *check)
+{
+    const YkDeriveForces *forces = yk_derive_forces(check->d);
+    return forces && forces->length_count > 0 ? YK_CHECK_POINTS_OF_ROOTS : YK_CHECK_POINTS;
+}
+
 YkProof yk_check_prove(YkCheck *check, const YkForm *zero)
 {
-    int points = 0;
+    int points = 0, wanted = points_wanted(check);
     YkFieldPoint *point;
-    for (size_t k = 0; points < YK_CHECK_POINTS && (point = next_point(check, k)) != NULL; k++) {
+    for (size_t k = 0; points < wanted && (point = next_point(check, k)) != NULL; k++) {
         uint64_t value;
         if (!yk_form_field(check->d->ring, zero, point, &value)) continue; // a division by zero
         if (value != 0 && !yk_field_point_is_loose(point) && can_refute(check, zero)) return YK_REFUTED;
         if (value != 0) return YK_NO_PROOF;
         points++;
     }
-    return points == YK_CHECK_POINTS ? YK_PROVED : YK_NO_PROOF;
+    return points == wanted ? YK_PROVED : YK_NO_PROOF;
 }

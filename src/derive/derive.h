@@ -130,8 +130,7 @@ struct YkDerivation {
     int32_t *unknowns;
     size_t unknown_count, unknown_capacity;
     struct YkDerivePages *pages; // names that sections alone have, for --check; made at first use: equation_pages.c
-    struct YkEquationAngle *angles; // of equations: equation_angles.c
-    struct YkEquationRoot *roots;
+    struct YkEquationOwn *own_of_equations; // angles, roots: equation_angles.c
     bool has_names; // JOINT.angle, BODY.rate, ... are entered as other names of symbols
     bool failed;    // out of memory outside of the ring
 };

@@ -1,20 +1,43 @@
-// Angles in cos, sin and tan that are no whole multiples of the machine's: omega t, theta/2. What is left of them
-// beside such multiples is an angle of its own, with its value; nothing is proved of it but what holds for any angle.
+// What equations have of their own. Angles in cos, sin and tan that are no whole multiples of the machine's: omega t,
+// theta/2; what is left of them beside such multiples is an angle with its value. Roots: positive ones. Nothing is
+// proved of them but what holds for any angle and any number.
+#include <math.h>
 #include "derive/equation.h"
 
-typedef struct YkEquationAngle {
+typedef struct YkEquationOwn {
     int32_t symbol;
-    const YkPoisson *value; // joint form
-    struct YkEquationAngle *next;
-} YkEquationAngle;
+    bool is_root;
+    const YkPoisson *value; // the angle, or the root's square
+    struct YkEquationOwn *next;
+} YkEquationOwn;
 
+// In their order: later ones may speak of those before.
 static void fill(void *context, const YkState *state, YkDynamics *dynamics, double *values)
 {
     const YkDerivation *d = context;
     (void)state, (void)dynamics;
     yk_ring_complete(d->ring, values);
-    for (const YkEquationAngle *angle = d->angles; angle; angle = angle->next)
-        values[angle->symbol] = yk_ring_value(d->ring, angle->value, values).x;
+    for (const YkEquationOwn *own = d->own_of_equations; own; own = own->next) {
+        double value = yk_ring_value(d->ring, own->value, values).x;
+        values[own->symbol] = own->is_root ? sqrt(value) : value;
+    }
+}
+
+static int32_t enter(YkDerivation *d, const YkPoisson *value, bool is_root)
+{
+    YkText name = {0};
+    size_t count = 1;
+    YkEquationOwn **last = &d->own_of_equations, *own = YK_NEW(d->arena, YkEquationOwn, 1);
+    for (; *last; last = &(*last)->next) count++;
+    yk_text_format(&name, is_root ? "root_in_equation_%z" : "angle_in_equation_%z", count);
+    int32_t symbol = !own || name.failed ? -1
+                     : is_root           ? yk_derive_symbol(d, yk_text_get(&name), YK_RING_CONSTANT)
+                                         : yk_derive_angle(d, yk_text_get(&name));
+    yk_text_free(&name);
+    if (symbol < 0 || (count == 1 && !yk_derive_add_source(d, fill, d))) return -1;
+    *own = (YkEquationOwn){symbol, is_root, value, NULL};
+    *last = own;
+    return symbol;
 }
 
 // Takes whole multiples of angles and fractions of pi off, and multiplies the unit by theirs.
@@ -37,15 +60,6 @@ static const YkPoisson *take_multiples(YkRing *ring, const YkPoisson *angle, con
     return rest;
 }
 
-static int32_t enter(YkDerivation *d, const YkPoisson *value)
-{
-    YkEquationAngle *angle = YK_NEW(d->arena, YkEquationAngle, 1);
-    if (!angle || (!d->angles && !yk_derive_add_source(d, fill, d))) return -1;
-    *angle = (YkEquationAngle){yk_derive_angle(d, "angle_in_equation"), value, d->angles};
-    d->angles = angle;
-    return angle->symbol;
-}
-
 const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle)
 {
     YkRing *ring = d->ring;
@@ -54,53 +68,35 @@ const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle)
     if (!rest || yk_ring_is_zero(rest)) return rest ? unit : NULL;
     if (!yk_ring_is_real(ring, rest)) return NULL;
     const YkPoisson *turned = yk_ring_negate(ring, rest);
-    for (const YkEquationAngle *known = d->angles; known; known = known->next) {
-        if (yk_ring_is_same(known->value, rest)) return yk_ring_multiply(ring, unit, yk_ring_unit(ring, known->symbol));
-        if (yk_ring_is_same(known->value, turned)) return yk_ring_divide(ring, unit, yk_ring_unit(ring, known->symbol));
+    for (const YkEquationOwn *own = d->own_of_equations; own; own = own->next) {
+        const YkPoisson *known = own->is_root ? NULL : yk_ring_unit(ring, own->symbol);
+        if (known && yk_ring_is_same(own->value, rest)) return yk_ring_multiply(ring, unit, known);
+        if (known && yk_ring_is_same(own->value, turned)) return yk_ring_divide(ring, unit, known);
     }
-    int32_t symbol = enter(d, rest);
+    int32_t symbol = enter(d, rest, false);
     return symbol < 0 ? NULL : yk_ring_multiply(ring, unit, yk_ring_unit(ring, symbol));
 }
-
-typedef struct YkEquationRoot {
-    int32_t symbol;
-    const YkPoisson *square;
-    struct YkEquationRoot *next;
-} YkEquationRoot;
 
 const YkPoisson *yk_equation_root(YkDerivation *d, const YkPoisson *square)
 {
     if (!square || !yk_ring_is_real(d->ring, square)) return NULL;
-    for (const YkEquationRoot *known = d->roots; known; known = known->next)
-        if (yk_ring_is_same(known->square, square)) return yk_ring_of(d->ring, known->symbol);
-    YkText name = {0};
-    size_t count = 1;
-    for (const YkEquationRoot *known = d->roots; known; known = known->next) count++;
-    yk_text_format(&name, "root_in_equation_%z", count);
-    YkEquationRoot *root = YK_NEW(d->arena, YkEquationRoot, 1);
-    int32_t symbol = root && !name.failed ? yk_ring_root(d->ring, yk_text_get(&name), square) : -1;
-    yk_text_free(&name);
-    if (symbol < 0) return NULL;
-    *root = (YkEquationRoot){symbol, square, d->roots};
-    d->roots = root;
-    return yk_ring_of(d->ring, symbol);
+    for (const YkEquationOwn *own = d->own_of_equations; own; own = own->next)
+        if (own->is_root && yk_ring_is_same(own->value, square)) return yk_ring_of(d->ring, own->symbol);
+    int32_t symbol = enter(d, square, true);
+    return symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
 }
 
 bool yk_equation_has_own(const YkDerivation *d, const YkPoisson *a)
 {
-    for (const YkEquationAngle *known = d->angles; known; known = known->next)
-        if (yk_ring_mentions(d->ring, a, known->symbol)) return true;
-    for (const YkEquationRoot *known = d->roots; known; known = known->next)
-        if (yk_ring_mentions(d->ring, a, known->symbol)) return true;
+    for (const YkEquationOwn *own = d->own_of_equations; own; own = own->next)
+        if (yk_ring_mentions(d->ring, a, own->symbol)) return true;
     return false;
 }
 
 bool yk_equation_mentions(const YkDerivation *d, const YkPoisson *a, int32_t symbol)
 {
     if (yk_ring_mentions(d->ring, a, symbol)) return true;
-    for (const YkEquationAngle *known = d->angles; known; known = known->next)
-        if (yk_ring_mentions(d->ring, a, known->symbol) && yk_ring_mentions(d->ring, known->value, symbol)) return true;
-    for (const YkEquationRoot *known = d->roots; known; known = known->next)
-        if (yk_ring_mentions(d->ring, a, known->symbol) && yk_equation_mentions(d, known->square, symbol)) return true;
+    for (const YkEquationOwn *own = d->own_of_equations; own; own = own->next)
+        if (yk_ring_mentions(d->ring, a, own->symbol) && yk_equation_mentions(d, own->value, symbol)) return true;
     return false;
 }

@@ -52,6 +52,14 @@ bool yk_loop_solve(YkLoopMaking *making, const YkPoisson *const *zeros, size_t r
     return *rank >= 0;
 }
 
+// The sign that the point had for the root, before the loops changed its square, was drawn by chance.
+static uint64_t with_any_sign(const YkLoopMaking *making, size_t length, uint64_t root)
+{
+    const YkDeriveForces *forces = yk_derive_forces(making->d);
+    uint64_t drawn = yk_field_point_get(making->point, forces->lengths[length].symbol);
+    return drawn & 1 ? yk_field_negate(root) : root;
+}
+
 // Lengths of springs and other roots of squares, where there are any; lines of action by them; quotients.
 static void take_roots(YkLoopMaking *making)
 {
@@ -60,7 +68,7 @@ static void take_roots(YkLoopMaking *making)
         uint64_t root;
         if (yk_ring_next_symbol(making->d->ring, forces->lengths[k].square, -1) < 0) continue; // as it was made
         if (yk_field_sqrt(yk_loop_field(making, forces->lengths[k].square), &root) && root != 0)
-            yk_field_point_set(making->point, forces->lengths[k].symbol, root);
+            yk_field_point_set(making->point, forces->lengths[k].symbol, with_any_sign(making, k, root));
         else
             making->is_possible = false;
     }

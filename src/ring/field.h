@@ -40,7 +40,8 @@ int yk_field_solve(uint64_t *A, uint64_t *b, size_t rows, size_t columns, uint64
 
 // A point: a value for every symbol of a ring, and a unit vector u (its conjugate is 1/u) for every angle.
 typedef struct YkFieldPoint YkFieldPoint;
-// Random values, the same for the same seed; roots are what they must be, but for roots of numbers that are no squares
+// Random values, the same for the same seed; roots are what they must be, of either sign - so what depends on the sign
+// fails at half of all points -, but for roots of numbers that are no squares
 // in this field: they are any value, and the point is *loose*. What is equal at loose points is equal; what differs
 // there may be equal. NULL when out of memory, or where the square of an expression has no root at 256 random points.
 // Symbols added to the ring later are not in it.

@@ -97,7 +97,8 @@ static bool find_root(const YkRing *ring, YkFieldPoint *point, size_t root, bool
         draw(ring, point, symbol, seed);
     }
     take(ring, square, is_taken);
-    yk_field_point_set(point, (int32_t)root, value);
+    bool is_turned = random_value(seed) & 1; // which of the two is positive, the field does not know
+    yk_field_point_set(point, (int32_t)root, is_turned ? yk_field_negate(value) : value);
     return true;
 }
 

@@ -157,6 +157,24 @@ static void half_angles_are_read(void **state)
     machine_end(&m);
 }
 
+// A session asks for many: each brings symbols of its own.
+static void many_equations_bring_many_angles_and_roots(void **state)
+{
+    (void)state;
+    Machine m = machine_of(crank);
+    for (int k = 2; k < 60; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "cos(th/%d)^2 + sin(th/%d)^2 = 1", k, k);
+        assert_int_equal(verdict_on(&m, text).kind, YK_CHECK_TRUE);
+        snprintf(text, sizeof text, "sqrt(s^2 + %d) = %d sin(th/%d) + cos(th)", k, k, k + 60);
+        assert_int_equal(verdict_on(&m, text).kind, YK_CHECK_FALSE);
+        snprintf(text, sizeof text, "sqrt((s + %d)^2) = s + %d", k, k);
+        assert_int_equal(verdict_on(&m, text).kind, YK_CHECK_TRUE_HERE);
+    }
+    assert_int_equal(verdict_on(&m, "s' = -r sin(th) th' - l sin(th + ph) (th' + ph')").kind, YK_CHECK_TRUE);
+    machine_end(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -166,6 +184,7 @@ int main(void)
         cmocka_unit_test(what_speaks_of_the_time_is_asked_of_the_drives),
         cmocka_unit_test(roots_are_tried_at_poses),
         cmocka_unit_test(half_angles_are_read),
+        cmocka_unit_test(many_equations_bring_many_angles_and_roots),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
