@@ -158,6 +158,77 @@ static void test_what_has_no_answer_has_a_status_and_zeros(void **unused)
     machine_free(&m);
 }
 
+// The largest number that a parameter may be: as alone (yk_variant_set), on both sides of it.
+static void test_a_value_beyond_all_measure_is_none(void **unused)
+{
+    (void)unused;
+    const double more = nextafter(1e100, INFINITY), tried[] = {1e100, more, -1e100, -more, 1, 1e200, -INFINITY};
+    const size_t count = sizeof tried / sizeof *tried;
+    Machine m = machine_load("double-pendulum");
+    const char *const name = "tau1", *const *names = &name;
+    YkVariant *variant = yk_variant_new(m.mech, names, 1, m.problems);
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, names, 1, 1, m.problems);
+    for (size_t k = 0; k < count; k++) q[0][k] = q[1][k] = v[0][k] = v[1][k] = 0.3;
+    YkMotionCase asked = {(const double *const[]){tried}, positions, rates, NULL, count};
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_BAD_MODEL);
+    for (size_t k = 0; k < count; k++) {
+        assert_int_equal(status[k], yk_variant_set(variant, &tried[k]));
+        assert_int_equal(status[k] == YK_OK, fabs(tried[k]) <= 1e100);
+        assert_true((a[0][k] != 0) == (status[k] == YK_OK));
+        YkMotionCase one = {(const double *const[]){&tried[k]}, positions, rates, NULL, 1}; // beside no worse ones
+        assert_int_equal(yk_motion_batch_run(batch, &one, (double *const[]){again[0], again[1]}, NULL), status[k]);
+    }
+    yk_motion_batch_free(batch);
+    yk_variant_free(variant);
+    machine_free(&m);
+}
+
+// All links lie on a line, and the point masses at the ends of the last three show nothing across it: what resists the
+// hub is its own inertia alone. Whether that is more than rounding is measured by all masses further out, 3 kg at 1 m.
+static const char *const LINE = "parameters: {I: 1}\n"
+                                "gravity: [1, 0]\n"
+                                "bodies:\n"
+                                "  ground: {points: {O: [0, 0]}}\n"
+                                "  hub: {points: {O: [0, 0], A: [1, 0]}, mass: 1, inertia: I}\n"
+                                "  arm: {points: {A: [0, 0], B: [1, 0]}, mass: 1e-16, inertia: 1}\n"
+                                "  one: {points: {B: [0, 0]}, mass: 1, center: [1, 0], inertia: 0}\n"
+                                "  two: {points: {B: [0, 0]}, mass: 1, center: [1, 0], inertia: 0}\n"
+                                "  three: {points: {A: [0, 0]}, mass: 1, center: [1, 0], inertia: 0}\n"
+                                "joints:\n"
+                                "  O: {pin: [ground, hub], angle: p}\n"
+                                "  A: {pin: [hub, arm], angle: q}\n"
+                                "  B: {pin: [arm, one], angle: r}\n"
+                                "  C: {pin: [arm, two], at: B, angle: s}\n"
+                                "  D: {pin: [hub, three], at: A, angle: u}\n";
+
+static void test_inertia_below_the_rounding_of_all_that_stands_behind_is_none(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 40 };
+    double inertia[COUNT], found[5][COUNT], alone[5];
+    const char *const name = "I", *const *names = &name;
+    Machine m = machine_parse(LINE, true);
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, names, 1, 1, m.problems);
+    YkVariant *variant = yk_variant_new(m.mech, names, 1, m.problems);
+    YkState *state = yk_state_new(yk_variant_mechanism(variant));
+    assert_true(yk_state_assemble(state) >= 0);
+    for (size_t k = 0; k < COUNT; k++) inertia[k] = 1e-15 * (0.5 + (double)k); // 3e-14 is the rounding
+    YkMotionCase asked = {.parameters = (const double *const[]){inertia}, .count = COUNT};
+    yk_motion_batch_run(batch, &asked, (double *const[]){found[0], found[1], found[2], found[3], found[4]}, status);
+    for (size_t k = 0; k < COUNT; k++) {
+        assert_int_equal(status[k], inertia[k] > 3e-14 ? YK_OK : YK_SINGULAR);
+        assert_int_equal(yk_variant_set(variant, &inertia[k]), YK_OK);
+        YkDynamics *d = yk_dynamics_new(yk_variant_mechanism(variant), m.problems);
+        assert_int_equal(yk_dynamics_accelerate(d, state, alone), status[k]); // one by one: another program
+        yk_dynamics_free(d);
+        for (int i = 0; i < 5; i++) assert_true(found[i][k] == 0); // on the line nothing turns
+    }
+    yk_state_free(state);
+    yk_variant_free(variant);
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
 static void test_what_is_left_out_is_the_files_own(void **unused)
 {
     (void)unused;
@@ -185,6 +256,8 @@ int main(void)
         cmocka_unit_test(test_the_double_pendulum_is_its_textbook_equation),
         cmocka_unit_test(test_trees_and_loops_are_the_file_with_these_values),
         cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
+        cmocka_unit_test(test_a_value_beyond_all_measure_is_none),
+        cmocka_unit_test(test_inertia_below_the_rounding_of_all_that_stands_behind_is_none),
         cmocka_unit_test(test_what_is_left_out_is_the_files_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
