@@ -2,10 +2,11 @@
 #include <string.h>
 #include "dynamics/crossing.h"
 
-#define ZONE 0.02   // sine below which accelerations are interpolated
-#define WIDE 0.03   // the same, where the motion is smooth enough for it
-#define SMOOTH 1e-8 // what the outermost nodes may change then, of the largest acceleration
+#define SMOOTH 1e-8 // what the outermost nodes may change, of the largest acceleration, where the motion is smooth
 #define NODES 8
+
+// Sines below which accelerations are interpolated, by nodes about as far away: the wider, the less rounding.
+static const double ZONES[] = {0.03, 0.02, 0.01};
 
 // The near block whose sine is least at time t, and that sine.
 static const YkNear *nearest(const YkSimulation *sim, double t, double *sine)
@@ -25,7 +26,7 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t)
 {
     double sine;
     nearest(sim, t, &sine);
-    return sine < WIDE;
+    return sine < ZONES[0];
 }
 
 // The way along which accelerations are interpolated: on with the motion; or, where that hardly leaves the singular
@@ -59,7 +60,8 @@ static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *
 {
     double rate = near->rate + (t - sim->near_time) * near->acceleration;
     Way way = {YK_NONE, rate};
-    if (rate * rate < 10 * ZONE * fabs(near->acceleration) || rate == 0) look_along(sim, t, y, near, &way);
+    bool turns_round = rate * rate < 2 * 0.1 * fabs(near->acceleration); // within 0.1 rad
+    if (turns_round || rate == 0) look_along(sim, t, y, near, &way);
     return way;
 }
 
@@ -101,8 +103,9 @@ typedef struct Fit {
     double center, apart;
 } Fit;
 
-// Interpolates into dydt. *off: what the outermost nodes change in an acceleration, over the largest one.
-static bool interpolate(YkSimulation *sim, double t, const double *y, const Fit *fit, double *dydt, double *off)
+// Interpolates into dydt. Returns what the outermost nodes change in an acceleration, over the largest one; INFINITY
+// where a node has none.
+static double interpolate(YkSimulation *sim, double t, const double *y, const Fit *fit, double *dydt)
 {
     size_t n = sim->free_count, all = 2 * n + sim->work_count;
     double node[NODES], weight[NODES], inner[NODES], most = 0, change = 0;
@@ -112,7 +115,7 @@ static bool interpolate(YkSimulation *sim, double t, const double *y, const Fit 
     weigh(node, 1, NODES - 1, inner);
     memset(dydt, 0, all * sizeof *dydt);
     for (int j = 0; j < NODES; j++) {
-        if (!sample(sim, t, y, fit->near, &fit->way, node[j], sim->sampled)) return false;
+        if (!sample(sim, t, y, fit->near, &fit->way, node[j], sim->sampled)) return INFINITY;
         for (size_t k = n; k < all; k++) dydt[k] += weight[j] * sim->sampled[k];
         for (size_t k = 0; k < n; k++) {
             dydt[k] += (weight[j] - inner[j]) * sim->sampled[n + k];
@@ -120,28 +123,34 @@ static bool interpolate(YkSimulation *sim, double t, const double *y, const Fit 
         }
     }
     for (size_t k = 0; k < n; k++) change = fmax(change, fabs(dydt[k]));
-    *off = most > 0 ? change / most : 0;
     memcpy(dydt, y + n, n * sizeof *dydt);
     dydt[all - 1] = 0;
-    return true;
+    return most > 0 ? change / most : 0;
 }
 
+// By nodes nearer and nearer, until the motion is smooth enough there; otherwise by those that fitted best.
 YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt)
 {
-    double sine, off;
-    Fit fit = {.near = nearest(sim, t, &sine)};
+    double sine, off = INFINITY, least = INFINITY;
+    Fit fit = {.near = nearest(sim, t, &sine)}, best = fit;
     fit.way = find_way(sim, t, y, fit.near);
     double angle = yk_near_angle(fit.near, t - sim->near_time), gap = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
     fit.center = -gap / fit.way.slope;
-    fit.apart = 1.7 * WIDE / fabs(fit.way.slope);
-    bool has_way = isfinite(fit.center) && isfinite(fit.apart);
-    if (!has_way && sine < ZONE) {
-        sim->report = sim->state->report;
-        return YK_INTERPOLATION_FAILED;
+    bool has_way = isfinite(fit.center) && isfinite(1 / fit.way.slope);
+    if (!has_way) sim->report = sim->state->report;
+    for (size_t k = 0; k < sizeof ZONES / sizeof *ZONES && !(off <= SMOOTH); k++) {
+        if (sine >= ZONES[k]) {
+            sim->report.message[0] = 0;
+            return YK_INTERPOLATION_LEFT;
+        }
+        fit.apart = 1.7 * ZONES[k] / fabs(fit.way.slope);
+        off = has_way ? interpolate(sim, t, y, &fit, dydt) : INFINITY;
+        if (!(off < least)) continue;
+        least = off;
+        best = fit;
     }
-    if (has_way && interpolate(sim, t, y, &fit, dydt, &off) && off <= SMOOTH) return YK_INTERPOLATION_DONE;
+    if (least == INFINITY) return YK_INTERPOLATION_FAILED;
     sim->report.message[0] = 0;
-    if (sine >= ZONE) return YK_INTERPOLATION_LEFT;
-    fit.apart = 1.7 * ZONE / fabs(fit.way.slope);
-    return interpolate(sim, t, y, &fit, dydt, &off) ? YK_INTERPOLATION_DONE : YK_INTERPOLATION_FAILED;
+    if (off > least) interpolate(sim, t, y, &best, dydt);
+    return YK_INTERPOLATION_DONE;
 }

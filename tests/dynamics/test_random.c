@@ -262,7 +262,7 @@ static void singular_positions_are_sampled_from_near(void **unused)
     const struct {
         uint64_t number;
         double energy_error;
-    } cases[] = {{2766, 1e-6}, {2840, 1e-4}};
+    } cases[] = {{2766, 1e-8}, {2840, 1e-6}, {979, 1e-7}, {1597, 1e-6}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         Rig rig;
         assert_true(make(&rig, cases[k].number, false));
