@@ -76,6 +76,38 @@ const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingCl
     return yk_ring_of(d->ring, symbol);
 }
 
+// --- In the file's order, so that they have the same names whatever is asked for
+
+static bool has_call(const YkExpr *expr)
+{
+    if (!expr || expr->kind == YK_EXPR_NUMBER || expr->kind == YK_EXPR_NAME) return false;
+    return expr->kind > YK_EXPR_MULTIPLY || has_call(expr->a) || has_call(expr->b);
+}
+
+static void enter_expression(YkDerivation *d, const YkExpr *expr)
+{
+    if (has_call(expr)) yk_derive_expression(d, expr);
+}
+
+void yk_derive_enter_constants(YkDerivation *d)
+{
+    const YkModel *model = d->model;
+    for (size_t p = 0; p < model->point_count; p++) {
+        enter_expression(d, model->points[p].x);
+        enter_expression(d, model->points[p].y);
+    }
+    for (size_t b = 1; b < model->body_count; b++) {
+        enter_expression(d, model->bodies[b].center_x);
+        enter_expression(d, model->bodies[b].center_y);
+        yk_derive_mass(d, (int32_t)b);
+        if (!yk_derive_is_rod(&model->bodies[b])) yk_derive_inertia(d, (int32_t)b);
+    }
+    for (size_t j = 0; j < model->joint_count; j++) {
+        yk_derive_turn(d, model->joints[j].along_expr);
+        yk_derive_turn(d, model->joints[j].turned_expr);
+    }
+}
+
 // --- What the names stand for
 
 static const char *unit_of(const YkDerivation *d, const YkDeriveConstant *c)
@@ -84,20 +116,29 @@ static const char *unit_of(const YkDerivation *d, const YkDeriveConstant *c)
     return kind == YK_RING_MASS ? " kg" : kind == YK_RING_INERTIA ? " kg*m^2" : "";
 }
 
-void yk_derive_put_constants(YkDerivation *d, YkPage *page)
+static void put_constant(YkDerivation *d, YkPage *page, const YkDeriveConstant *c)
 {
-    if (page->constants_told < d->constant_count) yk_page_heading(page, 2, "Constants of the file");
-    for (; page->constants_told < d->constant_count; page->constants_told++) {
-        const YkDeriveConstant *c = &d->constants[page->constants_told];
-        YkText place = {0}, value = {0};
-        yk_text_format(&place, "line %d, column %d", c->expr->place.line, c->expr->place.column);
-        yk_text_format(&value, "%g%s", c->value, unit_of(d, c));
-        YkLine *line = yk_page_formula(page, yk_text_get(&place));
-        yk_line_element(page, line, yk_ring_of(d->ring, c->symbol), YK_RING_TEXTBOOK);
-        yk_line_sign(page, line, "=");
-        yk_line_words(page, line, yk_text_get(&value));
-        page->failed |= place.failed || value.failed;
-        yk_text_free(&place);
-        yk_text_free(&value);
+    YkText place = {0}, value = {0};
+    yk_text_format(&place, "line %d, column %d", c->expr->place.line, c->expr->place.column);
+    yk_text_format(&value, "%g%s", c->value, unit_of(d, c));
+    YkLine *line = yk_page_formula(page, yk_text_get(&place));
+    yk_line_element(page, line, yk_ring_of(d->ring, c->symbol), YK_RING_TEXTBOOK);
+    yk_line_sign(page, line, "=");
+    yk_line_words(page, line, yk_text_get(&value));
+    page->failed |= place.failed || value.failed;
+    yk_text_free(&place);
+    yk_text_free(&value);
+}
+
+void yk_derive_put_constants(YkDerivation *d, YkPage *page, bool of_masses)
+{
+    size_t *told = &page->constants_told[of_masses];
+    bool has_heading = false;
+    for (; *told < d->constant_count; ++*told) {
+        const YkDeriveConstant *c = &d->constants[*told];
+        if ((c->exact != NULL) != of_masses) continue;
+        if (!has_heading) yk_page_heading(page, 2, "Constants of the file");
+        has_heading = true;
+        put_constant(d, page, c);
     }
 }

@@ -7,7 +7,10 @@
 static bool enter_all(YkDerivation *d)
 {
     d->points = YK_NEW(d->arena, const YkPoisson *, d->model->point_count + 1);
-    return d->points && yk_derive_enter_parameters(d) && yk_derive_enter_coordinates(d) && yk_derive_enter_bodies(d);
+    if (!d->points || !yk_derive_enter_parameters(d) || !yk_derive_enter_coordinates(d) || !yk_derive_enter_bodies(d))
+        return false;
+    yk_derive_enter_constants(d);
+    return yk_derivation_is_well(d);
 }
 
 YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems)

@@ -131,8 +131,8 @@ struct YkDerivation {
     size_t unknown_count, unknown_capacity;
     struct YkDerivePages *pages; // names that sections alone have, for --check; made at first use: equation_pages.c
     struct YkEquationOwn *own_of_equations; // angles, roots: equation_angles.c
-    bool has_names; // JOINT.angle, BODY.rate, ... are entered as other names of symbols
-    bool failed;    // out of memory outside of the ring
+    bool has_names;                         // JOINT.angle, BODY.rate, ... are entered as other names of symbols
+    bool failed;                            // out of memory outside of the ring
 };
 
 // Builds the frame: symbols and angles. The model and the mechanism must outlive it. NULL with a problem added when out
@@ -155,8 +155,10 @@ const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingCl
 // The symbol of a constant that the ring cannot hold, k_1 or alpha_1: one for each expression. NULL where it is no
 // constant.
 const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol);
-// What constants stand for, of those that the page has not told yet.
-void yk_derive_put_constants(YkDerivation *d, YkPage *page);
+// All of those in the file's order: then they have the same names whatever is derived. Cost O(file).
+void yk_derive_enter_constants(YkDerivation *d);
+// What masses and inertias, or other constants, stand for: those that the page has not told yet.
+void yk_derive_put_constants(YkDerivation *d, YkPage *page, bool of_masses);
 // e^(i expr) of an angle. NULL expression: 1.
 const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
 // A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on
@@ -183,6 +185,7 @@ const YkPoisson *yk_derive_origin(YkDerivation *d, int32_t body);
 const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoisson *at);
 // Of a body with mass: centre of mass in its axes, mass, inertia about the centre (a rod's follow); 0 where not given.
 const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body);
+bool yk_derive_is_rod(const YkBody *body);
 const YkPoisson *yk_derive_mass(YkDerivation *d, int32_t body);
 const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body);
 const YkPoisson *yk_derive_gravity(YkDerivation *d); // complex; 0 where there is none
@@ -229,6 +232,7 @@ typedef struct YkDeriveSectionEntry {
     const char *title; // heading
     YkDeriveSection write;
     bool (*is_of)(const YkModel *model); // has the model what it is about? NULL: always; `all` leaves out the others
+    bool has_masses;                     // masses and inertias stand in it
 } YkDeriveSectionEntry;
 extern const YkDeriveSectionEntry yk_derive_sections[]; // in the order of `all`; ends at name NULL
 // Writes a section by its index, heading included.

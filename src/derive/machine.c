@@ -77,7 +77,7 @@ const YkPoisson *yk_derive_mass(YkDerivation *d, int32_t body)
     return *mass;
 }
 
-static bool is_rod(const YkBody *body)
+bool yk_derive_is_rod(const YkBody *body)
 {
     return body->has_mass && body->rod[0] != YK_NONE && body->rod[1] != YK_NONE && body->rod[0] != body->rod[1];
 }
@@ -85,7 +85,7 @@ static bool is_rod(const YkBody *body)
 const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
-    if (!is_rod(b)) return vector(d, b->center_x, b->center_y);
+    if (!yk_derive_is_rod(b)) return vector(d, b->center_x, b->center_y);
     const YkPoisson *ends = yk_ring_add(d->ring, yk_derive_at(d, body, b->rod[0]), yk_derive_at(d, body, b->rod[1]));
     return yk_ring_scale(d->ring, ends, 1, 2);
 }
@@ -105,8 +105,8 @@ const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)
     const YkBody *b = &d->model->bodies[body];
     const YkPoisson **inertia = &d->bodies[body].inertia;
     if (!*inertia)
-        *inertia =
-            is_rod(b) ? inertia_of_rod(d, body) : yk_derive_measure(d, b->inertia_expr, YK_RING_INERTIA, "I", b->name);
+        *inertia = yk_derive_is_rod(b) ? inertia_of_rod(d, body)
+                                       : yk_derive_measure(d, b->inertia_expr, YK_RING_INERTIA, "I", b->name);
     return *inertia;
 }
 

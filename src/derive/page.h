@@ -82,10 +82,10 @@ typedef struct YkPage {
     YkArena *arena;   // of all that follows
     YkRing *ring;
     YkLine *first, *last;
-    const char *section;   // given to new lines
-    const char *told_in;   // the section that has told what the symbols of forces stand for
-    size_t constants_told; // so many of the derivation's constants
-    YkPageDefine define;   // or NULL
+    const char *section;      // given to new lines
+    const char *told_in;      // the section that has told what the symbols of forces stand for
+    size_t constants_told[2]; // of the derivation's constants: so many were looked through for others, for masses
+    YkPageDefine define;      // or NULL
     void *define_context;
     bool failed; // out of memory
     // A page that comes in parts: called where one ends, to print its lines and forget them. NULL: it is kept whole.

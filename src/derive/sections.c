@@ -13,18 +13,18 @@ static bool has_laws(const YkModel *model)
 }
 
 const YkDeriveSectionEntry yk_derive_sections[] = {
-    {"loops", "Loop equations", yk_derive_section_loops, NULL},
-    {"jacobian", "Jacobian", yk_derive_section_jacobian, NULL},
-    {"velocity", "Velocities", yk_derive_section_velocity, NULL},
-    {"acceleration", "Accelerations", yk_derive_section_acceleration, NULL},
-    {"points", "Points and centres of mass", yk_derive_section_points, NULL},
-    {"free-bodies", "Free bodies", yk_derive_section_free_bodies, NULL},
-    {"newton-euler", "Newton-Euler equations", yk_derive_section_newton_euler, NULL},
-    {"energy", "Energies", yk_derive_section_energy, NULL},
-    {"lagrange", "Lagrange's equations", yk_derive_section_lagrange, NULL},
-    {"gears", "Gear trains", yk_derive_section_gears, has_train},
-    {"cam", "Motion programs and cams", yk_derive_section_cam, has_laws},
-    {NULL, NULL, NULL, NULL},
+    {"loops", "Loop equations", yk_derive_section_loops, NULL, false},
+    {"jacobian", "Jacobian", yk_derive_section_jacobian, NULL, false},
+    {"velocity", "Velocities", yk_derive_section_velocity, NULL, false},
+    {"acceleration", "Accelerations", yk_derive_section_acceleration, NULL, false},
+    {"points", "Points and centres of mass", yk_derive_section_points, NULL, false},
+    {"free-bodies", "Free bodies", yk_derive_section_free_bodies, NULL, true},
+    {"newton-euler", "Newton-Euler equations", yk_derive_section_newton_euler, NULL, true},
+    {"energy", "Energies", yk_derive_section_energy, NULL, true},
+    {"lagrange", "Lagrange's equations", yk_derive_section_lagrange, NULL, true},
+    {"gears", "Gear trains", yk_derive_section_gears, has_train, false},
+    {"cam", "Motion programs and cams", yk_derive_section_cam, has_laws, false},
+    {NULL, NULL, NULL, NULL, false},
 };
 
 bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
@@ -35,6 +35,7 @@ bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
     page->define_context = d;
     yk_page_heading(page, 1, entry->title);
     bool is_written = entry->write(d, page);
-    yk_derive_put_constants(d, page);
+    yk_derive_put_constants(d, page, false);
+    if (entry->has_masses) yk_derive_put_constants(d, page, true);
     return is_written && !page->failed && yk_derivation_is_well(d);
 }

@@ -1,5 +1,6 @@
 // Lumped constants: every polynomial in constants alone, under one name.
 #include <stdlib.h>
+#include <string.h>
 #include "ring/inside.h"
 
 enum { CONSTANTS = 1 << YK_RING_INERTIA | 1 << YK_RING_MASS | 1 << YK_RING_CONSTANT | 1 << YK_RING_GRAVITY };
@@ -46,13 +47,46 @@ static int by_rest(const void *a, const void *b)
     return p->constant.key < q->constant.key ? -1 : p->constant.key > q->constant.key;
 }
 
-// What the pieces of one rest have in common, with the sign of the first.
-static int64_t content_of(const Piece *pieces, size_t count)
+// The pieces of one rest: terms[first ... end).
+typedef struct Group {
+    size_t first, end;
+} Group;
+
+// By phase, then by monomial and unit of the rest: the order in which lumps get their names does not depend on what the
+// ring has made before.
+static int compare_rests(const YkRing *ring, uint64_t a, uint64_t b)
+{
+    int order = yk_powers_compare(&ring->phases, yk_key_phase(a), yk_key_phase(b));
+    if (order == 0) order = yk_powers_compare(&ring->monomials, yk_key_monomial(a), yk_key_monomial(b));
+    return order != 0 ? order : (int)yk_key_unit(a) - (int)yk_key_unit(b);
+}
+
+// By merging; room[count].
+static void sort_groups(const YkRing *ring, const Piece *pieces, Group *groups, Group *room, size_t count)
+{
+    size_t half = count / 2, i = 0, k = half;
+    if (count < 2) return;
+    sort_groups(ring, pieces, groups, room, half);
+    sort_groups(ring, pieces, groups + half, room, count - half);
+    memcpy(room, groups, half * sizeof *groups);
+    for (size_t at = 0; i < half; at++) {
+        bool is_left = k == count || compare_rests(ring, pieces[room[i].first].rest, pieces[groups[k].first].rest) <= 0;
+        groups[at] = is_left ? room[i++] : groups[k++];
+    }
+}
+
+// What the pieces of one rest have in common, with the sign of that whose constants come first.
+static int64_t content_of(const YkRing *ring, const Piece *pieces, size_t count)
 {
     uint64_t content = 0;
-    for (size_t i = 0; i < count && content != 1; i++)
-        content = yk_gcd(yk_magnitude(pieces[i].constant.number), content);
-    return pieces[0].constant.number < 0 ? -(int64_t)content : (int64_t)content;
+    const YkRingTerm *first = &pieces[0].constant;
+    for (size_t i = 0; i < count; i++) {
+        const YkRingTerm *term = &pieces[i].constant;
+        if (content != 1) content = yk_gcd(yk_magnitude(term->number), content);
+        if (yk_powers_compare(&ring->monomials, yk_key_monomial(term->key), yk_key_monomial(first->key)) < 0)
+            first = term;
+    }
+    return first->number < 0 ? -(int64_t)content : (int64_t)content;
 }
 
 // Puts the terms that one rest becomes: a number times the lump's symbol, or what was there. Returns how many there
@@ -61,7 +95,7 @@ static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLump
                          YkRingTerm *out)
 {
     bool is_number = count == 1 && yk_key_monomial(pieces[0].constant.key) == 0;
-    int64_t content = content_of(pieces, count);
+    int64_t content = content_of(ring, pieces, count);
     int32_t symbol = -1;
     if (!is_number) {
         if (!yk_gather_room(ring, count)) return 0;
@@ -79,19 +113,34 @@ static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLump
     return monomial != YK_NO_PRODUCT;
 }
 
+// The pieces of each rest, in order; returns how many rests there are.
+static size_t find_groups(const YkRing *ring, Piece *pieces, size_t count, Group *groups)
+{
+    size_t found = 0;
+    qsort(pieces, count, sizeof *pieces, by_rest);
+    for (size_t start = 0, end; start < count; start = end) {
+        for (end = start; end < count && pieces[end].rest == pieces[start].rest; end++) {}
+        groups[found++] = (Group){start, end};
+    }
+    sort_groups(ring, pieces, groups, groups + found, found);
+    return found;
+}
+
 const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol symbol_of, void *context)
 {
     if (!a) return NULL;
     Piece *pieces = calloc(a->count + 1, sizeof *pieces);
     YkRingTerm *terms = calloc(a->count + 1, sizeof *terms);
-    size_t count = 0;
-    bool well = pieces && terms;
+    Group *groups = calloc(2 * a->count + 1, sizeof *groups);
+    size_t count = 0, group_count = 0;
+    bool well = pieces && terms && groups;
     if (!well) yk_ring_fail(ring, YK_RING_MEMORY);
     for (size_t i = 0; well && i < a->count; i++) well = take_apart(ring, a->terms[i], &pieces[i]);
-    if (well) qsort(pieces, a->count, sizeof *pieces, by_rest);
-    for (size_t start = 0, end; well && start < a->count; start = end) {
-        for (end = start; end < a->count && pieces[end].rest == pieces[start].rest; end++) {}
-        size_t made = put_lumped(ring, pieces + start, end - start, symbol_of, context, terms + count);
+    if (well) group_count = find_groups(ring, pieces, a->count, groups);
+    for (size_t k = 0; well && k < group_count; k++) {
+        const Group *group = &groups[k];
+        size_t made =
+            put_lumped(ring, pieces + group->first, group->end - group->first, symbol_of, context, terms + count);
         well = made > 0;
         count += made;
     }
@@ -99,5 +148,6 @@ const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol sym
     for (size_t i = 0; well && i < count; i++) well = yk_gather_add(ring, terms[i].key, terms[i].number);
     free(pieces);
     free(terms);
+    free(groups);
     return well ? yk_gather_end(ring) : NULL;
 }

@@ -37,22 +37,9 @@ bool yk_is_same_monomial(YkMonomial a, YkMonomial b)
     return a.count == b.count && yk_compare_monomials(a, b) == 0;
 }
 
-static int compare_phases(const YkRing *ring, uint32_t a, uint32_t b)
-{
-    uint32_t left_count, right_count;
-    const YkPower *left = yk_powers_of(&ring->phases, a, &left_count),
-                  *right = yk_powers_of(&ring->phases, b, &right_count);
-    if (left_count != right_count) return left_count < right_count ? -1 : 1;
-    for (uint32_t i = 0; i < left_count; i++) {
-        if (left[i].symbol != right[i].symbol) return left[i].symbol < right[i].symbol ? -1 : 1;
-        if (left[i].exponent != right[i].exponent) return left[i].exponent < right[i].exponent ? -1 : 1;
-    }
-    return 0;
-}
-
 int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b)
 {
-    int order = a->phase == b->phase ? 0 : compare_phases(ring, a->phase, b->phase);
+    int order = yk_powers_compare(&ring->phases, a->phase, b->phase);
     if (order == 0) order = a->shift - b->shift;
     if (order == 0) order = (int)a->function - (int)b->function;
     if (order == 0) order = (int)a->is_imaginary - (int)b->is_imaginary;

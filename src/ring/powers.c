@@ -49,6 +49,19 @@ int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol)
     return 0;
 }
 
+int yk_powers_compare(const YkPowers *table, uint32_t a, uint32_t b)
+{
+    if (a == b) return 0;
+    uint32_t left_count, right_count;
+    const YkPower *left = yk_powers_of(table, a, &left_count), *right = yk_powers_of(table, b, &right_count);
+    if (left_count != right_count) return left_count < right_count ? -1 : 1;
+    for (uint32_t i = 0; i < left_count; i++) {
+        if (left[i].symbol != right[i].symbol) return left[i].symbol < right[i].symbol ? -1 : 1;
+        if (left[i].exponent != right[i].exponent) return left[i].exponent < right[i].exponent ? -1 : 1;
+    }
+    return 0;
+}
+
 static bool more_slots(YkPowers *table)
 {
     size_t slot_count = 2 * table->slot_count;

@@ -56,6 +56,8 @@ static inline const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, 
     *count = table->items[item].count;
     return *count > 0 ? table->pool + table->items[item].first : NULL;
 }
+// An order that does not depend on what was made first: fewer symbols, lower symbols, lower exponents.
+int yk_powers_compare(const YkPowers *table, uint32_t a, uint32_t b);
 int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol); // 0 where it does not occur
 // The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
 uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
