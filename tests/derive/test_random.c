@@ -116,11 +116,53 @@ static void what_is_printed_of_random_machines_reads_back(void **state)
     assert_true(elements > 50 * count);
 }
 
+static bool is_lump(const Machine *m, const YkLine *line)
+{
+    const char *name = line->solved >= 0 ? yk_ring_symbol_name(m->d->ring, line->solved) : "";
+    return name[0] == 'p' && name[1] >= '0' && name[1] <= '9';
+}
+
+// The lumped constants, a line each; freed by the caller.
+static YkText lumps_of(Machine *m)
+{
+    YkText text = {0};
+    YkPrinting printing = {.ring = m->d->ring, .text = &text};
+    for (const YkLine *line = m->page.first; line; line = line->next) {
+        if (line->kind != YK_LINE_FORMULA || !line->over || !is_lump(m, line)) continue;
+        yk_print_formula_text(&printing, line, &text);
+        yk_text_puts(&text, "\n");
+    }
+    assert_false(text.failed || printing.failed);
+    return text;
+}
+
+static void lumps_have_the_same_names_whatever_is_asked_for(void **state)
+{
+    (void)state;
+    size_t seen = 0, count = machine_count() / 4;
+    for (uint64_t number = 0; number < count; number++) {
+        Machine all, alone;
+        if (!make(&all, number)) continue;
+        assert_true(make(&alone, number));
+        write_all(&all, number);
+        write_section(&alone, "lagrange");
+        YkText first = lumps_of(&all), second = lumps_of(&alone);
+        assert_string_equal(yk_text_get(&first), yk_text_get(&second));
+        seen += first.length > 0;
+        yk_text_free(&first);
+        yk_text_free(&second);
+        machine_end(&all);
+        machine_end(&alone);
+    }
+    assert_true(seen > count / 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_equation_of_random_machines_holds),
         cmocka_unit_test(what_is_printed_of_random_machines_reads_back),
+        cmocka_unit_test(lumps_have_the_same_names_whatever_is_asked_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
