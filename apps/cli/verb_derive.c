@@ -73,9 +73,12 @@ bool yk_derive_pose(YkSession *session)
 {
     if ((!session->state && !yk_session_inputs(session)) || !yk_session_forces(session, false)) return false;
     YkStatus status = yk_state_assemble(session->state);
-    if (status >= 0 && session->dynamics)
+    const char *message = yk_state_report(session->state)->message;
+    if (status >= 0 && session->dynamics) {
         status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
-    yk_tell_status(session, status, yk_state_report(session->state)->message);
+        if (status < 0) message = yk_dynamics_report(session->dynamics)->message;
+    }
+    yk_tell_status(session, status, message);
     return status >= 0;
 }
 
