@@ -35,34 +35,54 @@ static size_t step(Walk *walk, const char *text, size_t at)
     return 1;
 }
 
-static bool may_break(const Walk *walk, const char *c)
+// Where a sum may break: outside of brackets and in those of the first depth, or further inside.
+typedef enum Break { BREAK_NONE, BREAK_DEEP, BREAK_SHALLOW } Break;
+
+static Break break_at(const Walk *walk, const char *c)
 {
-    if (c[0] != ' ' || !strchr("+-=", c[1]) || c[1] == '\0' || c[2] != ' ') return false;
-    return walk->depth == 0 || (walk->depth == 1 && walk->open[0] == '(');
+    if (c[0] != ' ' || !strchr("+-=", c[1]) || c[1] == '\0' || c[2] != ' ') return BREAK_NONE;
+    for (size_t k = 0; k < walk->depth; k++)
+        if (walk->open[k] != '(') return BREAK_NONE;
+    return walk->depth <= 1 ? BREAK_SHALLOW : BREAK_DEEP;
+}
+
+// A formula on its way into lines: the line begun, and the last places where it may break, in sums of sums only where
+// nothing else helps.
+typedef struct Lines {
+    const char *formula;
+    size_t begin, shallow, deep;
+    YkText *text;
+} Lines;
+
+// Ends lines until what is left up to `at` has room in one, or cannot break.
+static void fill_lines(Lines *lines, size_t at)
+{
+    while (yk_latex_width(lines->formula + lines->begin, at - lines->begin) > YK_LATEX_LINE) {
+        size_t cut = lines->shallow > lines->begin ? lines->shallow : lines->deep;
+        if (cut <= lines->begin) return;
+        yk_text_add(lines->text, lines->formula + lines->begin, cut - lines->begin);
+        yk_text_puts(lines->text, " \\\\\n");
+        lines->begin = cut + 1; // its blank
+    }
 }
 
 static void put_lines(const char *formula, YkText *text)
 {
     Walk walk = {.depth = 0};
-    size_t begin = 0, last = 0, at = 0, length = strlen(formula); // last: the last place for a break
+    Lines lines = {.formula = formula, .text = text};
+    size_t at = 0, length = strlen(formula);
     yk_text_puts(text, "\\begin{multline*}\n");
     while (at < length) {
-        if (may_break(&walk, formula + at)) {
-            if (last > begin && yk_latex_width(formula + begin, at - begin) > YK_LATEX_LINE) {
-                yk_text_add(text, formula + begin, last - begin);
-                yk_text_puts(text, " \\\\\n");
-                begin = last + 1; // its blank
-            }
-            last = at;
+        Break here = break_at(&walk, formula + at);
+        if (here != BREAK_NONE) {
+            fill_lines(&lines, at);
+            lines.deep = at;
+            if (here == BREAK_SHALLOW) lines.shallow = at;
         }
         at += step(&walk, formula, at);
     }
-    if (last > begin && yk_latex_width(formula + begin, length - begin) > YK_LATEX_LINE) {
-        yk_text_add(text, formula + begin, last - begin);
-        yk_text_puts(text, " \\\\\n");
-        begin = last + 1;
-    }
-    yk_text_add(text, formula + begin, length - begin);
+    fill_lines(&lines, length);
+    yk_text_add(text, formula + lines.begin, length - lines.begin);
     yk_text_puts(text, "\n\\end{multline*}\n");
 }
 

@@ -274,6 +274,7 @@ void yk_print_latex_head(YkPrinting *printing)
                  "\\oddsidemargin -10.4mm \\topmargin -15.4mm \\headheight 0pt \\headsep 0pt\n"
                  "\\ifdefined\\pdfpagewidth \\pdfpagewidth\\paperwidth \\pdfpageheight\\paperheight \\fi\n"
                  "\\ifdefined\\pagewidth \\pagewidth\\paperwidth \\pageheight\\paperheight \\fi\n"
+                 "\\allowdisplaybreaks\n"
                  "\\begin{document}\n");
     if (printing->title) {
         yk_text_puts(printing->text, "\\begin{center}\\Large ");

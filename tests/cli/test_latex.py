@@ -50,6 +50,20 @@ class Latex(Case):
         self.assertEqual(wide, [])
 
     @unittest.skipUnless(LATEX, "no pdflatex")
+    def test_long_formulas_break_inside_of_brackets_and_over_pages(self):
+        count, bodies, joints = 14, [], []
+        for k in range(1, count + 1):
+            bodies.append("  b%d: {points: {P%d: [0, 0], P%d: [l%d, 0]}, mass: m%d, center: [x%d, y%d], inertia: I%d}"
+                          % (k, k, k + 1, k, k, k, k, k))
+            joints.append("  P%d: {pin: [%s, b%d], angle: q%d}" % (k, "b%d" % (k - 1) if k > 1 else "ground", k, k))
+        values = ", ".join("l%d: 1 m, m%d: 2 kg, x%d: 0.4 m, y%d: 0.1 m, I%d: 0.2" % (k, k, k, k, k)
+                           for k in range(1, count + 1))
+        name = self.write("arm.yaml", "parameters: {%s, g: 9.81}\ngravity: [0, -g]\nbodies:\n  ground: {points: {P1: [0, 0]}}\n"
+                          "%s\njoints:\n%s\n" % (values, "\n".join(bodies), "\n".join(joints)))
+        log = self.compile(self.document(name, "--what", "energy,lagrange"))
+        self.assertEqual(re.findall(r"Overfull \\[hv]box \(([0-9.]+)pt", log), [])
+
+    @unittest.skipUnless(LATEX, "no pdflatex")
     def test_names_with_signs_of_latex_and_other_letters(self):
         name = self.write("odd.yaml", self.read("four-bar.yaml").decode("utf-8").replace(
             "Test four-bar", "'100% _#$&{}~^\\\\ <Krümmer> \"θ日\" |'"))
