@@ -44,7 +44,7 @@ const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is
             *symbol = d->constants[i].symbol;
     if (*symbol < 0) {
         YkText text = {0};
-        yk_text_format(&text, "%s%z", is_angle ? "alpha_" : "k_", ++d->opaque_count);
+        yk_text_format(&text, "%s%z", is_angle ? "alpha_" : "k_", ++d->opaque_count[is_angle]);
         *symbol = is_angle ? yk_derive_angle(d, yk_text_get(&text))
                            : yk_derive_symbol(d, yk_text_get(&text), YK_RING_CONSTANT);
         yk_text_free(&text);

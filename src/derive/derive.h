@@ -112,8 +112,8 @@ struct YkDerivation {
     YkDeriveRelation *ties;      // gears, racks, belts, cams, laws (relations.h); made at first use
     size_t tie_count;
     YkDeriveConstant *constants;
-    size_t constant_count, constant_capacity, opaque_count; // of all; of those without an exact value
-    const YkPoisson **points;                               // memo: of each model point in its body's axes
+    size_t constant_count, constant_capacity, opaque_count[2]; // of all; of those without an exact value: k_1, alpha_1
+    const YkPoisson **points;                                  // memo: of each model point in its body's axes
     struct YkDeriveSourceEntry {
         YkDeriveSource fill;
         void *context;

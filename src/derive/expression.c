@@ -173,10 +173,18 @@ static const YkPoisson *unit_of(YkDerivation *d, const YkPoisson *angle)
     return yk_ring_multiply(ring, unit, yk_ring_turn(ring, over, under));
 }
 
+// A function whose values the ring has not: atan(h/l).
+static bool is_foreign(const YkExpr *expr)
+{
+    return expr->kind == YK_EXPR_CALL && expr->function != YK_SIN && expr->function != YK_COS &&
+           expr->function != YK_SQRT;
+}
+
 const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr)
 {
     int32_t symbol;
     if (!expr) return yk_ring_rational(d->ring, 1, 1);
+    if (is_foreign(expr) && yk_derive_constant(d, expr, true, &symbol)) return yk_ring_unit(d->ring, symbol);
     const YkPoisson *angle = yk_derive_expression(d, expr), *unit = angle ? unit_of(d, angle) : NULL;
     if (unit || yk_ring_status(d->ring) != YK_RING_OK) return unit;
     if (!yk_derive_constant(d, expr, true, &symbol)) return NULL;

@@ -171,12 +171,16 @@ const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line)
     return left && line->right ? yk_ring_subtract(ring, left, line->right) : left;
 }
 
-// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix): where it finds no common divisor, print may have a 2, no
-// more.
-static void halve_if_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
+// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix), and turns by 45 deg in roots of 2: where it finds no
+// common divisor, print may have a 2, or a few.
+static void halve_while_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
-    const YkPoisson *b = yk_ring_half_if_whole(ring, *under), *a = b ? yk_ring_half_if_whole(ring, *over) : NULL;
-    if (a) *over = a, *under = b;
+    enum { TIMES_MAX = 4 };
+    for (int k = 0; k < TIMES_MAX; k++) {
+        const YkPoisson *b = yk_ring_half_if_whole(ring, *under), *a = b ? yk_ring_half_if_whole(ring, *over) : NULL;
+        if (!a) return;
+        *over = a, *under = b;
+    }
 }
 
 static bool is_motion(YkRing *ring, int32_t symbol)
@@ -215,7 +219,7 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
         *over = yk_ring_multiply(ring, *over, inverse);
         *under = yk_ring_multiply(ring, *under, inverse);
     }
-    halve_if_whole(ring, over, under);
+    halve_while_whole(ring, over, under);
     divide_out(ring, over, under);
     return *over && *under;
 }

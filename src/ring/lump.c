@@ -75,18 +75,49 @@ static void sort_groups(const YkRing *ring, const Piece *pieces, Group *groups, 
     }
 }
 
-// What the pieces of one rest have in common, with the sign of that whose constants come first.
-static int64_t content_of(const YkRing *ring, const Piece *pieces, size_t count)
+// By the first class - inertias, masses, numbers last - then as above.
+static int compare_constants(YkRing *ring, uint64_t a, uint64_t b)
+{
+    unsigned left = yk_ring_classes(ring, yk_key_monomial(a)), right = yk_ring_classes(ring, yk_key_monomial(b));
+    left &= 0u - left, right &= 0u - right; // the lowest bit
+    if (left != right) return left - 1 < right - 1 ? -1 : 1;
+    return yk_powers_compare(&ring->monomials, yk_key_monomial(a), yk_key_monomial(b));
+}
+
+// The piece whose constants come first.
+static const YkRingTerm *first_of(YkRing *ring, const Piece *pieces, size_t count)
+{
+    const YkRingTerm *first = &pieces[0].constant;
+    for (size_t i = 1; i < count; i++)
+        if (compare_constants(ring, pieces[i].constant.key, first->key) < 0) first = &pieces[i].constant;
+    return first;
+}
+
+// What the pieces of one rest have in common, with the sign of the first.
+static int64_t content_of(YkRing *ring, const Piece *pieces, size_t count)
 {
     uint64_t content = 0;
-    const YkRingTerm *first = &pieces[0].constant;
+    for (size_t i = 0; i < count && content != 1; i++)
+        content = yk_gcd(yk_magnitude(pieces[i].constant.number), content);
+    return first_of(ring, pieces, count)->number < 0 ? -(int64_t)content : (int64_t)content;
+}
+
+// The lump of pieces over their content. Where its numbers are large, decimals among them, the first is 1 instead: the
+// number by which the lump is multiplied grows with it. NULL on failure.
+static const YkPoisson *lump_of(YkRing *ring, const Piece *pieces, size_t count, int64_t *content)
+{
+    enum { NUMBER_MAX = 1000 }; // of a lump in whole numbers
+    int64_t most = 0, first = 1;
+    if (!yk_gather_room(ring, count)) return NULL;
+    const YkRingTerm *lead = first_of(ring, pieces, count);
     for (size_t i = 0; i < count; i++) {
-        const YkRingTerm *term = &pieces[i].constant;
-        if (content != 1) content = yk_gcd(yk_magnitude(term->number), content);
-        if (yk_powers_compare(&ring->monomials, yk_key_monomial(term->key), yk_key_monomial(first->key)) < 0)
-            first = term;
+        int64_t number = pieces[i].constant.number / *content;
+        ring->gather.terms[i] = (YkRingTerm){pieces[i].constant.key, number};
+        if ((int64_t)yk_magnitude(number) > most) most = (int64_t)yk_magnitude(number);
     }
-    return first->number < 0 ? -(int64_t)content : (int64_t)content;
+    if (most > NUMBER_MAX) first = lead->number / *content;
+    if (!yk_exact_multiply(*content, first, content)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    return yk_poisson_make(ring, ring->gather.terms, count, first);
 }
 
 // Puts the terms that one rest becomes: a number times the lump's symbol, or what was there. Returns how many there
@@ -98,10 +129,7 @@ static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLump
     int64_t content = content_of(ring, pieces, count);
     int32_t symbol = -1;
     if (!is_number) {
-        if (!yk_gather_room(ring, count)) return 0;
-        for (size_t i = 0; i < count; i++)
-            ring->gather.terms[i] = (YkRingTerm){pieces[i].constant.key, pieces[i].constant.number / content};
-        const YkPoisson *lump = yk_poisson_make(ring, ring->gather.terms, count, 1);
+        const YkPoisson *lump = lump_of(ring, pieces, count, &content);
         symbol = lump ? symbol_of(context, lump) : -1;
         if (ring->status != YK_RING_OK) return 0;
     }

@@ -289,14 +289,11 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
     return well;
 }
 
-static bool is_whole(const YkSheet *sheet, const YkShownTerm *term)
+static bool is_whole(const YkShownTerm *term)
 {
-    YkAngleShown shown;
     if (term->number.under != 1) return false;
     for (size_t i = 0; i < term->monomial.count; i++)
         if (term->monomial.powers[i].exponent < 0) return false;
-    for (uint32_t k = 0; yk_angle_shown(sheet, &term->atom, k, &shown); k++)
-        if (shown.symbol < 0 && shown.pi_over != 1) return false;
     return true;
 }
 
@@ -308,6 +305,6 @@ const YkPoisson *yk_ring_half_if_whole(YkRing *ring, const YkPoisson *a)
     yk_arena_clear(ring->sheet);
     const YkShownTerm *terms = half ? yk_shown_terms(&sheet, half, &count) : NULL;
     for (size_t k = 0; k < count && terms; k++)
-        if (!is_whole(&sheet, &terms[k])) return NULL;
+        if (!is_whole(&terms[k])) return NULL;
     return terms ? half : NULL;
 }

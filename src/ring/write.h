@@ -26,7 +26,8 @@ typedef enum YkRingStyle {
 // status tells. Every term is there with its exact coefficient: what is written reads back as the identical element.
 // The order depends on the order of the symbols alone.
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
-// Half of it, where that has no fraction and no denominator when it is written term by term; else NULL.
+// Half of it, where that has no fraction and no denominator, but for those of pi, when it is written term by term; else
+// NULL.
 const YkPoisson *yk_ring_half_if_whole(YkRing *ring, const YkPoisson *a);
 // A symbol as it is named in a format; the C name is an identifier of its own, MathML an element. As in text where
 // memory is short, with the ring's status.

@@ -110,6 +110,13 @@ static void derivatives_obey_leibniz(Fixture *f)
 
 // --- Print
 
+static bool has_fraction(const char *text) // other than pi/4
+{
+    for (const char *at = strchr(text, '/'); at; at = strchr(at + 1, '/'))
+        if (at - text < 2 || strncmp(at - 2, "pi", 2) != 0) return true;
+    return false;
+}
+
 static void print_reads_back(Fixture *f)
 {
     static const YkRingFormat formats[] = {YK_RING_TEXT, YK_RING_BOOK, YK_RING_LATEX, YK_RING_C};
@@ -126,7 +133,7 @@ static void print_reads_back(Fixture *f)
     yk_text_clear(&text);
     assert_true(yk_ring_write(r, a, YK_RING_TEXT, YK_RING_EXPANDED, &text));
     Element half = yk_ring_half_if_whole(r, yk_ring_scale(r, a, 2, 1));
-    assert_true((half != NULL) == !strchr(yk_text_get(&text), '/'));
+    assert_true((half != NULL) == !has_fraction(yk_text_get(&text)));
     if (half) check_same(r, half, a);
     yk_text_free(&text);
 }
