@@ -102,15 +102,6 @@ double yk_derive_fixed(YkDerivation *d, const YkPoisson *a)
     return value;
 }
 
-const YkPoisson *yk_derive_given(YkDerivation *d, const YkExpr *expr)
-{
-    const YkPoisson *a = expr ? yk_derive_expression(d, expr) : NULL;
-    YkRingStatus status = yk_ring_status(d->ring);
-    if (!a && (status == YK_RING_DIVISOR || status == YK_RING_OVERFLOW || status == YK_RING_SIZE))
-        yk_ring_clear(d->ring);
-    return a;
-}
-
 // --- A segment's own variable ----------------------------------------------------------------------------------------
 
 typedef struct Local {

@@ -40,8 +40,6 @@ bool yk_derive_span(YkDeriveLaw *law, const YkPoisson *from, const YkPoisson *to
 bool yk_derive_fix(YkDerivation *d, int32_t symbol, double value);
 // The value of an element of parameters and constants alone.
 double yk_derive_fixed(YkDerivation *d, const YkPoisson *a);
-// An expression of the file, or NULL where the ring cannot hold it.
-const YkPoisson *yk_derive_given(YkDerivation *d, const YkExpr *expr);
 // factor [...], the inside by ascending powers of u where it is a polynomial in it.
 void yk_derive_put_bracket(YkPage *page, YkLine *line, const YkPoisson *factor, const YkPoisson *inside,
                            const YkPoisson *u);

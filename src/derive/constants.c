@@ -67,16 +67,19 @@ const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingCl
 {
     YkJet jet;
     YkText name = {0};
-    const YkPoisson *exact = yk_derive_expression(d, expr);
-    if (!exact || is_short(exact) || yk_model_eval(d->model, expr, 0, &jet, NULL) != YK_OK) return exact;
+    const YkPoisson *exact = expr ? yk_derive_given(d, expr) : yk_ring_rational(d->ring, 0, 1);
+    if (yk_ring_status(d->ring) != YK_RING_OK || (exact && is_short(exact))) return exact;
+    if (yk_model_eval(d->model, expr, 0, &jet, NULL) != YK_OK) return exact;
     yk_text_format(&name, "%s_%s", letter, body);
     int32_t symbol = yk_derive_symbol(d, yk_text_get(&name), kind);
     yk_text_free(&name);
-    if (symbol < 0 || !add(d, (YkDeriveConstant){symbol, expr, jet.d[0], exact})) return NULL;
-    return yk_ring_of(d->ring, symbol);
+    const YkPoisson *named = symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
+    if (!named || !add(d, (YkDeriveConstant){symbol, expr, jet.d[0], exact ? exact : named})) return NULL;
+    return named;
 }
 
-// --- In the file's order, so that they have the same names whatever is asked for
+// --- In the file's order, so that they have the same names whatever is asked for; what the ring cannot hold fails
+// where it is needed
 
 static bool has_call(const YkExpr *expr)
 {
@@ -86,7 +89,7 @@ static bool has_call(const YkExpr *expr)
 
 static void enter_expression(YkDerivation *d, const YkExpr *expr)
 {
-    if (has_call(expr)) yk_derive_expression(d, expr);
+    if (has_call(expr)) yk_derive_given(d, expr);
 }
 
 void yk_derive_enter_constants(YkDerivation *d)
@@ -104,7 +107,9 @@ void yk_derive_enter_constants(YkDerivation *d)
     }
     for (size_t j = 0; j < model->joint_count; j++) {
         yk_derive_turn(d, model->joints[j].along_expr);
+        yk_derive_forgive(d);
         yk_derive_turn(d, model->joints[j].turned_expr);
+        yk_derive_forgive(d);
     }
 }
 

@@ -78,7 +78,7 @@ typedef struct YkDeriveConstant {
     int32_t symbol;
     const YkExpr *expr; // what it stands for (in SI; an angle in radians)
     double value;
-    const YkPoisson *exact; // of a number; NULL where the ring has none
+    const YkPoisson *exact; // of a mass or an inertia: the number, or the symbol where the ring cannot hold it
 } YkDeriveConstant;
 
 typedef struct YkDerivation YkDerivation;
@@ -148,6 +148,9 @@ bool yk_derivation_is_well(const YkDerivation *derivation);
 // is no polynomial becomes a constant symbol where it is constant; otherwise NULL with the status YK_RING_DIVISOR. NULL
 // expression: 0.
 const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr);
+// The same, but NULL of NULL, and where the ring cannot hold it there is no failure.
+const YkPoisson *yk_derive_given(YkDerivation *d, const YkExpr *expr);
+void yk_derive_forgive(YkDerivation *d); // that the ring cannot hold a value
 // The same of a mass or an inertia: a number of many digits becomes a constant symbol, letter_body (m_crank). To be
 // asked for once: each call makes another.
 const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingClass kind, const char *letter,

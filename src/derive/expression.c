@@ -146,6 +146,19 @@ const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr)
     return NULL;
 }
 
+void yk_derive_forgive(YkDerivation *d)
+{
+    YkRingStatus status = yk_ring_status(d->ring);
+    if (status == YK_RING_DIVISOR || status == YK_RING_OVERFLOW || status == YK_RING_SIZE) yk_ring_clear(d->ring);
+}
+
+const YkPoisson *yk_derive_given(YkDerivation *d, const YkExpr *expr)
+{
+    const YkPoisson *a = expr ? yk_derive_expression(d, expr) : NULL;
+    if (!a) yk_derive_forgive(d);
+    return a;
+}
+
 // Takes factor * symbol out of *rest, whole factors only; multiplies *unit by e^(i factor symbol).
 static bool take_angle(YkRing *ring, const YkPoisson **rest, int32_t symbol, const YkPoisson **unit)
 {

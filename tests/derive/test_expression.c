@@ -66,6 +66,25 @@ static void what_is_no_polynomial_becomes_a_constant_with_its_value(void **state
     machine_end(&m);
 }
 
+// An inertia in kg*mm^2 to the last digit of a double has a name; the centre is nothing that loops ask for.
+static void numbers_that_the_ring_cannot_hold_fail_where_they_are_needed(void **state)
+{
+    (void)state;
+    Machine m =
+        machine_of("bodies: {arm: {points: {P: [1, 0]}, mass: 2 kg, center: [sqrt(2)*1.2345678901234567 mm, 0],\n"
+                   "               inertia: 1.234567890123456 kg*mm^2}}\n"
+                   "joints: {O: {pin: [ground, arm], angle: q}}\n");
+    const YkPoisson *inertia = yk_derive_inertia(m.d, 1);
+    assert_non_null(inertia);
+    take_values(&m);
+    CHECK_NEAR(yk_ring_value(m.d->ring, inertia, m.values).x, 1.234567890123456e-6, 1e-21);
+    check_element(&m, yk_ring_real(m.d->ring, yk_derive_at(m.d, 1, 0)), "1");
+    assert_int_equal(yk_ring_status(m.d->ring), YK_RING_OK);
+    assert_null(yk_derive_center(m.d, 1));
+    assert_int_equal(yk_ring_status(m.d->ring), YK_RING_OVERFLOW);
+    machine_end(&m);
+}
+
 static void units_of_the_file_count(void **state)
 {
     (void)state;
@@ -159,6 +178,7 @@ int main(void)
         cmocka_unit_test(decimals_and_units_are_exact),
         cmocka_unit_test(parameters_stay_symbols),
         cmocka_unit_test(what_is_no_polynomial_becomes_a_constant_with_its_value),
+        cmocka_unit_test(numbers_that_the_ring_cannot_hold_fail_where_they_are_needed),
         cmocka_unit_test(units_of_the_file_count),
         cmocka_unit_test(parameters_have_the_class_of_their_dimension),
         cmocka_unit_test(bodies_and_points_are_where_the_engine_has_them),
