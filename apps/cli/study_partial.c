@@ -83,9 +83,10 @@ static void write_head(const YkStudyAnswer *answer, char *head)
 static bool fail(const YkStudyAnswer *answer)
 {
     int error = errno;
-    if (partial.file) fclose(partial.file);
+    bool is_ours = partial.file != NULL;
+    if (is_ours) fclose(partial.file);
     partial.file = NULL;
-    if (answer->done == 0) remove(partial.path);
+    if (is_ours && answer->done == 0) remove(partial.path);
     return yk_file_fail(partial.path, error, answer->session->problems);
 }
 

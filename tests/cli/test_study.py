@@ -149,6 +149,15 @@ class Study(Case):
             self.assertEqual(a.read(), b.read())
         self.assertFalse(os.path.exists(path + ".partial"))
 
+    def test_what_is_not_the_study_s_stays(self):
+        """An empty folder in the way is refused, not removed."""
+        path = os.path.join(self.folder, "in-the-way.csv")
+        os.mkdir(path + ".partial")
+        done = Run("study", self.four_bar, "--vary", "a=39mm:41mm:3", "--of", "theta3", "-o", path)
+        self.assertEqual(done.code, 2)
+        self.assertIn("E0703", done.err)
+        self.assertTrue(os.path.isdir(path + ".partial"))
+
     def test_a_killed_study_goes_on_too(self):
         path = os.path.join(self.folder, "out.csv")
         words = ["study", self.four_bar, "--vary", "a=20:60:60000", "--over", "theta1=0:360deg", "--steps", "720", "--of",
