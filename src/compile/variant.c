@@ -7,14 +7,33 @@
 #include <string.h>
 #include "base/problems.h"
 
-// Values beside the file's: 0.1 % off, by parts that no sum or difference of a few makes 0 again.
-static void choose_probe(const YkVariant *v, const YkModel *model, size_t count, double *values)
+// Beside the file's value of parameter k: 0.1 % off, by parts that no sum or difference of a few makes 0 again.
+static double beside(double own, size_t k, double sign)
 {
+    double part = sign * 1e-3 * (0.5 + fmod((double)(k + 1) * 0.6180339887498949, 1));
+    return own != 0 ? own * (1 + part) : part;
+}
+
+// Where a value beside the file's makes no machine - a restitution above 1 - it is looked for on the other side; where
+// there is none either, the file's stays.
+static bool set_one_by_one(const YkVariant *v, size_t count, const double *own, double *values)
+{
+    memcpy(values, own, count * sizeof *values);
     for (size_t k = 0; k < count; k++) {
-        double own = model->parameters[yk_redesign_parameter(v->redesign, k)].value;
-        double part = 1e-3 * (0.5 + fmod((double)(k + 1) * 0.6180339887498949, 1));
-        values[k] = own != 0 ? own * (1 + part) : part;
+        for (int side = 1; side >= -1; side -= 2) {
+            values[k] = beside(own[k], k, side);
+            if (yk_redesign_set(v->redesign, values) == YK_OK) break;
+            values[k] = own[k];
+        }
     }
+    return yk_redesign_set(v->redesign, values) == YK_OK;
+}
+
+// Values beside the file's, into the copy. values[count]: room.
+static bool set_beside(const YkVariant *v, size_t count, const double *own, double *values)
+{
+    for (size_t k = 0; k < count; k++) values[k] = beside(own[k], k, 1);
+    return yk_redesign_set(v->redesign, values) == YK_OK || set_one_by_one(v, count, own, values);
 }
 
 static bool same_plan(const YkMechanism *a, const YkMechanism *b)
@@ -129,14 +148,12 @@ static bool check_phases(const YkVariant *v, const YkMechanism *mech, YkProblems
 static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names, size_t count, YkProblems *problems)
 {
     v->redesign = yk_redesign_new(mech->model, names, count, problems);
-    double *values = v->redesign ? calloc(2 * count + 2, sizeof *values) : NULL;
-    if (!values) return false;
-    double *own = values + count;
+    double *own = v->redesign ? calloc(2 * count + 2, sizeof *own) : NULL;
+    if (!own) return false;
     for (size_t k = 0; k < count; k++) own[k] = mech->model->parameters[yk_redesign_parameter(v->redesign, k)].value;
-    choose_probe(v, mech->model, count, values);
-    if (yk_redesign_set(v->redesign, values) == YK_OK) {
+    if (set_beside(v, count, own, own + count)) {
         if (!check_phases(v, mech, problems)) {
-            free(values);
+            free(own);
             return false;
         }
         v->mech = compile(v, mech, NULL);
@@ -149,7 +166,7 @@ static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names
         list_active(v);
         if (!v->failed) yk_variant_set(v, own);
     }
-    free(values);
+    free(own);
     return v->mech && !v->failed;
 }
 

@@ -184,15 +184,20 @@ static void test_values_that_make_no_machine_are_refused(void **unused)
     machine_free(&m);
 }
 
-static void check_refused(const char *text, const char *name, int code)
+static void check_all_refused(const char *text, const char *const *names, size_t count, int code)
 {
     Machine m = machine_parse(text, false);
-    assert_null(yk_variant_new(m.mech, &name, 1, m.problems));
+    assert_null(yk_variant_new(m.mech, names, count, m.problems));
     bool found = false;
     for (size_t k = 0; k < yk_problems_count(m.problems); k++) found |= yk_problems_get(m.problems, k)->code == code;
     if (!found) print_error("%s", yk_problems_text(m.problems, 0));
     assert_true(found);
     machine_free(&m);
+}
+
+static void check_refused(const char *text, const char *name, int code)
+{
+    check_all_refused(text, &name, 1, code);
 }
 
 static void test_what_cannot_follow_is_refused_with_its_place(void **unused)
@@ -221,6 +226,31 @@ static void test_what_cannot_follow_is_refused_with_its_place(void **unused)
     machine_free(&m);
 }
 
+// A restitution is not more than 1, a friction not less than 0: values beside these are on one side only.
+static void test_values_at_a_limit_are_as_good_as_others(void **unused)
+{
+    (void)unused;
+    const char *text = "parameters: {tilt: 0.1, e: 1, mu: 0}\n"
+                       "bodies: {ground: {points: {A: [0, 0], B: [3, 0]}}, a: {points: {A: [0, 0]}}, b: {points: {B: "
+                       "[0, 0]}}}\n"
+                       "joints:\n"
+                       "  A: {pin: [ground, a], angle: p, friction: {viscous: mu * 1 N*m*s}}\n"
+                       "  B: {pin: [ground, b], angle: q}\n"
+                       "gears: {g: {mesh: [a, b], teeth: [10, 20]}}\n"
+                       "stops: {p: {between: [-1, 1], restitution: e}}\n"
+                       "start: {p: 0.2, q: tilt}\n";
+    const char *const all[] = {"e", "mu", "tilt"};
+    check_all_refused(text, all, 3, 508); // where the gears mesh is asked for all the same
+    Machine m = machine_parse(text, false);
+    YkProblems *problems = yk_problems_new();
+    YkVariant *variant = yk_variant_new(m.mech, all, 2, problems);
+    assert_non_null(variant);
+    assert_int_equal(yk_problems_count(problems), 0);
+    yk_variant_free(variant);
+    yk_problems_free(problems);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +259,7 @@ int main(void)
         cmocka_unit_test(test_derived_parameters_follow),
         cmocka_unit_test(test_values_that_make_no_machine_are_refused),
         cmocka_unit_test(test_what_cannot_follow_is_refused_with_its_place),
+        cmocka_unit_test(test_values_at_a_limit_are_as_good_as_others),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
