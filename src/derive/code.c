@@ -5,6 +5,7 @@
 // after it: n^2 additions instead of the n^4 terms of the expanded form (Featherstone 2008, composite bodies, is kin).
 #include "derive/code.h"
 #include <stdlib.h>
+#include <string.h>
 #include "derive/free_bodies.h"
 #include "ring/graph.h"
 
@@ -45,6 +46,21 @@ static void define_lengths(YkDerivation *d, YkGraph *graph)
             yk_graph_define(graph, f->lengths[k].rate_symbol, yk_graph_of(graph, f->lengths[k].rate));
 }
 
+static void look_for_name(void *context, const YkExpr *expr)
+{
+    *(bool *)context |= strcmp(expr->name, "pi") != 0;
+}
+
+// Constants that no parameter changes are numbers.
+static void define_numbers(YkDerivation *d, YkGraph *graph)
+{
+    for (size_t k = 0; k < d->constant_count; k++) {
+        bool has_names = false;
+        yk_expr_names(d->constants[k].expr, look_for_name, &has_names);
+        if (!has_names) yk_graph_define(graph, d->constants[k].symbol, yk_graph_number(graph, d->constants[k].value));
+    }
+}
+
 bool yk_derive_define_bodies(void *derivation, YkGraph *graph)
 {
     YkDerivation *d = derivation;
@@ -58,6 +74,7 @@ bool yk_derive_define_bodies(void *derivation, YkGraph *graph)
     }
     free(motions);
     define_lengths(d, graph);
+    define_numbers(d, graph);
     return !yk_graph_failed(graph);
 }
 

@@ -211,7 +211,8 @@ size_t yk_graph_constants(const YkGraph *graph)
 
 bool yk_graph_reads(const YkGraph *graph, int32_t symbol)
 {
-    return (size_t)symbol < graph->defined_count && graph->is_read[symbol];
+    bool is_pi = graph->ring->symbols[symbol].pi_over > 0; // a number in C
+    return (size_t)symbol < graph->defined_count && graph->is_read[symbol] && !is_pi;
 }
 
 size_t yk_graph_operations(const YkGraph *graph)

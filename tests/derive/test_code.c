@@ -41,6 +41,10 @@ static void complete(Machine *m, const Built *built, Sample *sample)
             if (own[k] != YK_NONE)
                 sample->symbols[own[k]] = yk_graph_number_of(yk_graph_symbol(built->graph, own[k]), sample->numbers);
     }
+    for (size_t k = 0; k < m->d->constant_count; k++) { // numbers of the file
+        int32_t symbol = m->d->constants[k].symbol;
+        sample->symbols[symbol] = yk_graph_number_of(yk_graph_symbol(built->graph, symbol), sample->numbers);
+    }
     yk_ring_complete(m->d->ring, sample->symbols);
     for (size_t k = 0; k < f->length_count; k++)
         if (f->lengths[k].rate_symbol != YK_NONE)
