@@ -49,6 +49,14 @@ static bool same_plan(const YkMechanism *a, const YkMechanism *b)
     return same;
 }
 
+static bool lacks_memory(const YkProblems *problems)
+{
+    for (size_t k = 0; k < yk_problems_count(problems); k++)
+        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) return true;
+    return false;
+}
+
+// NULL where the copy is another machine; sets v->failed for want of memory, of which `problems` tell.
 static YkMechanism *compile(YkVariant *v, const YkMechanism *mech, YkProblems *problems)
 {
     const char **inputs = calloc(mech->input_count + 1, sizeof *inputs);
@@ -59,10 +67,21 @@ static YkMechanism *compile(YkVariant *v, const YkMechanism *mech, YkProblems *p
         YkCompileOptions options = {inputs, mech->input_count};
         made = yk_compile_with(yk_redesign_model(v->redesign), &options, &v->recipe, problems);
     }
+    v->failed |= !inputs || v->recipe.failed || (!made && lacks_memory(problems));
     free((void *)inputs);
-    if (!made || same_plan(mech, made)) return made;
+    if (made && !v->failed && same_plan(mech, made)) return made;
     yk_mechanism_free(made);
     return NULL;
+}
+
+// At values beside the file's, of which nobody wants to hear why they make another machine.
+static YkMechanism *compile_beside(YkVariant *v, const YkMechanism *mech)
+{
+    YkProblems *unheard = yk_problems_new();
+    YkMechanism *made = unheard ? compile(v, mech, unheard) : NULL;
+    v->failed |= !unheard;
+    yk_problems_free(unheard);
+    return made;
 }
 
 // --- what is to be set
@@ -156,10 +175,10 @@ static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names
             free(own);
             return false;
         }
-        v->mech = compile(v, mech, NULL);
+        v->mech = compile_beside(v, mech);
     }
-    v->is_of_file = !v->mech && count > 0;
-    if (!v->mech && yk_redesign_set(v->redesign, own) == YK_OK) v->mech = compile(v, mech, problems);
+    v->is_of_file = !v->mech && !v->failed && count > 0;
+    if (!v->mech && !v->failed && yk_redesign_set(v->redesign, own) == YK_OK) v->mech = compile(v, mech, problems);
     if (v->mech) {
         v->mech->recipe = NULL;
         list_patches(v);
