@@ -1,4 +1,4 @@
-// Closing the loops at a point of the field: angles first, then what enters linearly.
+// Closing the loops at a point of the field: angles first; then what enters linearly, and which symbols these are.
 #include <stdlib.h>
 #include "derive/frame.h"
 #include "derive/loop_point.h"
@@ -122,22 +122,4 @@ size_t yk_loop_linear(YkDerivation *d, const YkDeriveBlocks *blocks, int32_t *un
             is_linear(d->ring, blocks, d->parameters[k], unknowns, count))
             unknowns[count++] = d->parameters[k];
     return count;
-}
-
-void yk_loop_close(YkLoopMaking *making)
-{
-    YkDerivation *d = making->d;
-    const YkDeriveBlocks *blocks = making->blocks;
-    int32_t *unknowns = calloc(d->coordinate_count + d->model->parameter_count + 1, sizeof *unknowns);
-    const YkPoisson **zeros = (const YkPoisson **)calloc(blocks->row_count + 1, sizeof *zeros);
-    if (unknowns && zeros) {
-        for (size_t r = 0; r < blocks->row_count; r++) zeros[r] = blocks->rows[r].value;
-        size_t count = yk_loop_linear(d, blocks, unknowns);
-        making->is_possible =
-            making->is_possible && yk_loop_solve(making, zeros, blocks->row_count, unknowns, count, &making->rank);
-    } else {
-        making->failed = true;
-    }
-    free(unknowns);
-    free((void *)zeros);
 }

@@ -25,29 +25,35 @@ static void follow_definitions(YkLoopMaking *making)
         }
 }
 
-// --- Linear systems over the field: rows `zero` of the ring, affine in the unknown symbols.
-bool yk_loop_solve(YkLoopMaking *making, const YkPoisson *const *zeros, size_t rows, const int32_t *unknowns,
-                   size_t count, int *rank)
+// --- Linear systems over the field
+
+// A row's numbers at the point; b is what the sum of slope * unknown must be.
+static void put_row(const YkLoopMaking *making, const YkLoopSystem *system, size_t row, uint64_t *A, uint64_t *b)
 {
-    YkRing *ring = making->d->ring;
+    const YkLoopRow *own = &system->rows[row];
+    uint64_t sum = yk_loop_field(making, own->rest);
+    for (size_t k = own[0].first; k < own[1].first; k++) {
+        const YkLoopEntry *entry = &system->entries[k];
+        uint64_t slope = A[entry->unknown] = yk_loop_field(making, entry->slope),
+                 now = own->is_split ? 0 : yk_field_point_get(making->point, system->unknowns[entry->unknown]);
+        sum = yk_field_subtract(sum, yk_field_multiply(slope, now));
+    }
+    *b = yk_field_negate(sum);
+}
+
+bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
+{
+    size_t rows = system->row_count, count = system->unknown_count;
     uint64_t *block = calloc(rows * count + rows + count + 1, sizeof *block);
     if (!block) {
         making->failed = true;
         return false;
     }
     uint64_t *A = block, *b = block + rows * count, *x = b + rows;
-    for (size_t k = 0; k < count; k++) x[k] = yk_field_point_get(making->point, unknowns[k]);
-    for (size_t r = 0; r < rows; r++) {
-        uint64_t sum = yk_loop_field(making, zeros[r]);
-        for (size_t k = 0; k < count; k++) {
-            const YkPoisson *slope = yk_ring_coefficient(ring, zeros[r], unknowns[k], 1);
-            A[r * count + k] = yk_loop_field(making, slope);
-            sum = yk_field_subtract(sum, yk_field_multiply(A[r * count + k], x[k]));
-        }
-        b[r] = yk_field_negate(sum);
-    }
+    for (size_t k = 0; k < count; k++) x[k] = yk_field_point_get(making->point, system->unknowns[k]);
+    for (size_t r = 0; r < rows; r++) put_row(making, system, r, A + r * count, b + r);
     *rank = yk_field_solve(A, b, rows, count, x);
-    for (size_t k = 0; k < count && *rank >= 0; k++) yk_field_point_set(making->point, unknowns[k], x[k]);
+    for (size_t k = 0; k < count && *rank >= 0; k++) yk_field_point_set(making->point, system->unknowns[k], x[k]);
     free(block);
     return *rank >= 0;
 }
@@ -89,47 +95,20 @@ static void take_roots(YkLoopMaking *making)
     }
 }
 
-// Rows of their own: what a lock holds neither moves nor starts to.
-static size_t hold(const YkLoopMaking *making, bool accelerations, const YkPoisson **zeros)
+// Rates: J q' = 0. A machine that moves only with special dimensions has too little freedom here.
+static void move(YkLoopMaking *making)
 {
     const YkDerivation *d = making->d;
-    size_t count = 0;
-    for (size_t k = 0; k < d->coordinate_count; k++)
-        if (d->coordinates[k].is_held)
-            zeros[count++] =
-                yk_ring_of(d->ring, accelerations ? d->coordinates[k].acceleration : d->coordinates[k].rate);
-    return count;
+    const YkLoopSystem *rates = &making->plan->rates;
+    int rank = 0;
+    making->is_possible =
+        yk_loop_solve(making, rates, &rank) && (size_t)rank + d->mech->input_count <= d->coordinate_count + rates->held;
 }
 
-// Rates: J q' = 0. A machine that moves only with special dimensions has too little freedom here.
-static void move(YkLoopMaking *making, bool accelerations)
+static void accelerate(YkLoopMaking *making)
 {
-    YkDerivation *d = making->d;
-    const YkDeriveBlocks *blocks = making->blocks;
     int rank = 0;
-    size_t more = accelerations ? d->relation_count : 0,
-           n = d->coordinate_count + (accelerations ? d->unknown_count : 0);
-    int32_t *unknowns = calloc(n + 1, sizeof *unknowns);
-    const YkPoisson **zeros =
-        (const YkPoisson **)calloc(blocks->row_count + more + d->coordinate_count + 1, sizeof *zeros);
-    making->failed |= !unknowns || !zeros;
-    for (size_t r = 0; r < blocks->row_count && !making->failed; r++) {
-        zeros[r] = yk_ring_time_derivative(d->ring, blocks->rows[r].value);
-        if (accelerations) zeros[r] = yk_ring_time_derivative(d->ring, zeros[r]);
-    }
-    for (size_t r = 0; r < more && !making->failed; r++) zeros[blocks->row_count + r] = d->relations[r];
-    for (size_t k = 0; k < d->coordinate_count && !making->failed;
-         k++) // unknown ones first: given ones stay as they are
-        unknowns[k] = accelerations ? d->coordinates[blocks->column_order[d->coordinate_count - 1 - k]].acceleration
-                                    : d->coordinates[blocks->column_order[d->coordinate_count - 1 - k]].rate;
-    for (size_t k = d->coordinate_count; k < n && !making->failed; k++)
-        unknowns[k] = d->unknowns[k - d->coordinate_count];
-    size_t held = making->failed ? 0 : hold(making, accelerations, zeros + blocks->row_count + more);
-    if (!making->failed && !yk_loop_solve(making, zeros, blocks->row_count + more + held, unknowns, n, &rank))
-        making->is_possible = false;
-    if (!accelerations && (size_t)rank + d->mech->input_count > d->coordinate_count + held) making->is_possible = false;
-    free(unknowns);
-    free((void *)zeros);
+    making->is_possible = yk_loop_solve(making, &making->plan->accelerations, &rank);
 }
 
 // Symbols of the bodies' own angles, from the coordinates.
@@ -144,6 +123,20 @@ static void set_bodies(YkLoopMaking *making)
     }
 }
 
+// Positions, rates, accelerations; whatever cannot be had ends it.
+static void make(YkLoopMaking *making)
+{
+    follow_definitions(making);
+    yk_loop_close_angles(making);
+    if (making->is_possible) making->is_possible = yk_loop_solve(making, &making->plan->closing, &making->rank);
+    if (making->is_possible) set_bodies(making);
+    if (making->is_possible) take_roots(making);
+    if (making->is_possible) move(making);
+    if (making->is_possible) set_bodies(making);
+    if (making->is_possible) accelerate(making);
+    if (making->is_possible) set_bodies(making);
+}
+
 YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
                                        bool *is_possible)
 {
@@ -151,17 +144,10 @@ YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds
     *is_possible = false;
     for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k); // enters the symbols they need
     yk_derive_enter_forces(d);
-    making.point = making.blocks ? yk_field_point_new(d->ring, seed) : NULL;
+    making.plan = making.blocks ? yk_loop_plan(d) : NULL;
+    making.point = making.plan ? yk_field_point_new(d->ring, seed) : NULL;
     if (!making.point) return NULL;
-    follow_definitions(&making);
-    yk_loop_close_angles(&making);
-    yk_loop_close(&making);
-    set_bodies(&making);
-    take_roots(&making);
-    move(&making, false);
-    set_bodies(&making);
-    move(&making, true);
-    set_bodies(&making);
+    make(&making);
     *rank = making.rank;
     *is_possible = making.is_possible && !making.failed;
     if (*is_possible) return making.point;

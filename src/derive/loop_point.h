@@ -23,10 +23,37 @@ typedef struct YkLoopBonds {
 YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
                                        bool *is_possible);
 
+// Linear equations for symbols: in row r, rest + sum of slope * symbol = 0.
+typedef struct YkLoopEntry {
+    int32_t unknown; // in the list of these
+    const YkPoisson *slope;
+} YkLoopEntry;
+typedef struct YkLoopRow {
+    const YkPoisson *rest; // without the unknowns, but for a row that is not split
+    size_t first;          // its entries; they end where those of the next row begin
+    bool is_split;
+} YkLoopRow;
+typedef struct YkLoopSystem {
+    const int32_t *unknowns; // symbols
+    size_t unknown_count, row_count;
+    YkLoopRow *rows; // [row_count + 1]
+    YkLoopEntry *entries;
+    size_t held; // rows of what locks hold
+} YkLoopSystem;
+
+// loop_plan.c: what closes the loops, what moves them, what accelerates them and acts on them. In the derivation's
+// arena, made at first use and again where sections have added relations; NULL when out of memory.
+typedef struct YkLoopPlan {
+    YkLoopSystem closing, rates, accelerations;
+    size_t relations, unknowns;
+} YkLoopPlan;
+const YkLoopPlan *yk_loop_plan(YkDerivation *d);
+
 typedef struct YkLoopMaking {
     YkDerivation *d;
     YkFieldPoint *point;
     const YkDeriveBlocks *blocks;
+    const YkLoopPlan *plan;
     const YkLoopBonds *bonds;
     int rank;
     bool is_possible, failed;
@@ -37,15 +64,12 @@ static inline uint64_t yk_loop_field(const YkLoopMaking *making, const YkPoisson
     return yk_ring_field(making->d->ring, a, making->point, false);
 }
 
-// Solves rows `zero` of the ring, affine in the unknown symbols, over the field; false where they contradict each
-// other.
-bool yk_loop_solve(YkLoopMaking *making, const YkPoisson *const *zeros, size_t rows, const int32_t *unknowns,
-                   size_t count, int *rank);
+// Solves it over the field; false where rows contradict each other.
+bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank);
 
 // --- loop_close.c
 bool yk_loop_is_defined(YkDerivation *d, size_t parameter); // by others, or in a definition
 void yk_loop_close_angles(YkLoopMaking *making);            // by bonds, or by slides and welds that close loops
-void yk_loop_close(YkLoopMaking *making);                   // all rows, for what enters them linearly
 // The symbols for which they are solved: all that enter them linearly. Returns the count; unknowns has room for all
 // coordinates and parameters.
 size_t yk_loop_linear(YkDerivation *d, const YkDeriveBlocks *blocks, int32_t *unknowns);

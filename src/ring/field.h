@@ -35,7 +35,7 @@ uint64_t yk_field_invert(uint64_t a);           // of 0 it is 0
 uint64_t yk_field_of(int64_t value);            // a whole number
 bool yk_field_sqrt(uint64_t a, uint64_t *root); // false where there is none
 // Solves A x = b by elimination. A is rows x columns, row after row, and b has `rows` entries; both are overwritten.
-// Free unknowns keep what stands in x. Returns the rank, or -1 where there is no solution.
+// Free unknowns keep what stands in x. Returns the rank, or -1 where there is no solution (or no memory).
 int yk_field_solve(uint64_t *A, uint64_t *b, size_t rows, size_t columns, uint64_t *x);
 
 // A point: a value for every symbol of a ring, and a unit vector u (its conjugate is 1/u) for every angle.

@@ -4,12 +4,19 @@
 #include "ring/field.h"
 #include "ring/inside.h"
 
-enum { TRIES = 256, DRAWS = 64 }; // half of all points make a square a square
+enum { DENOMINATORS = 64, /* 2^6 */ TRIES = 256, DRAWS = 64 }; // half of all points make a square a square
+
+// Inverses are made when they are asked for: most never are. 0: not made yet.
+typedef struct Denominator {
+    int64_t of;
+    uint64_t inverse;
+} Denominator;
 
 struct YkFieldPoint {
     size_t count;
     uint64_t *value, *value_inverse, *unit, *unit_inverse; // [count]; one block, `value`
     uint64_t number[YK_UNITS];                             // i, sqrt 2, sqrt 3 and their products
+    Denominator *denominators;                             // [DENOMINATORS]: met last, by a hash
     bool is_loose;
 };
 
@@ -38,14 +45,14 @@ void yk_field_point_set(YkFieldPoint *point, int32_t symbol, uint64_t value)
 {
     if (symbol < 0 || (size_t)symbol >= point->count) return;
     point->value[symbol] = value;
-    point->value_inverse[symbol] = yk_field_invert(value);
+    point->value_inverse[symbol] = 0;
 }
 
 void yk_field_point_set_unit(YkFieldPoint *point, int32_t angle, uint64_t unit)
 {
     if (angle < 0 || (size_t)angle >= point->count) return;
     point->unit[angle] = unit;
-    point->unit_inverse[angle] = yk_field_invert(unit);
+    point->unit_inverse[angle] = 0;
 }
 
 uint64_t yk_field_point_get(const YkFieldPoint *point, int32_t symbol)
@@ -117,10 +124,16 @@ YkFieldPoint *yk_field_point_new(const YkRing *ring, uint64_t seed)
 {
     YkFieldPoint *point = calloc(1, sizeof *point);
     uint64_t *block = calloc(4 * ring->symbol_count + 1, sizeof *block);
+    Denominator *denominators = calloc(DENOMINATORS, sizeof *denominators);
     bool *is_taken = calloc(ring->symbol_count + 1, sizeof *is_taken), is_filled = false;
     size_t count = ring->symbol_count;
-    if (point && block && is_taken) {
-        *point = (YkFieldPoint){count, block, block + count, block + 2 * count, block + 3 * count, {0}, false};
+    if (point && block && denominators && is_taken) {
+        *point = (YkFieldPoint){.count = count,
+                                .value = block,
+                                .value_inverse = block + count,
+                                .unit = block + 2 * count,
+                                .unit_inverse = block + 3 * count,
+                                .denominators = denominators};
         set_numbers(point);
         for (int i = 0; i < TRIES && !is_filled; i++) {
             memset(is_taken, 0, count);
@@ -131,6 +144,7 @@ YkFieldPoint *yk_field_point_new(const YkRing *ring, uint64_t seed)
     free(is_taken);
     if (is_filled) return point;
     free(block);
+    free(denominators);
     free(point);
     return NULL;
 }
@@ -139,42 +153,67 @@ void yk_field_point_free(YkFieldPoint *point)
 {
     if (!point) return;
     free(point->value);
+    free(point->denominators);
     free(point);
 }
 
-static uint64_t powers_value(const YkPowers *table, uint32_t item, const uint64_t *values, const uint64_t *inverses,
-                             size_t known)
+// Values of symbols, or units of angles, and their inverses.
+typedef struct Bases {
+    const uint64_t *value;
+    uint64_t *inverse;
+    size_t known;
+} Bases;
+
+static uint64_t inverse_at(const Bases *bases, int32_t symbol)
+{
+    uint64_t *inverse = &bases->inverse[symbol];
+    if (*inverse == 0) *inverse = yk_field_invert(bases->value[symbol]);
+    return *inverse;
+}
+
+static uint64_t power_of(uint64_t base, int64_t exponent)
+{
+    if (exponent == 1) return base;
+    return exponent == 2 ? yk_field_multiply(base, base) : yk_field_power(base, (uint64_t)exponent);
+}
+
+// Of the conjugate: with each power's inverse.
+static uint64_t powers_value(const YkPowers *table, uint32_t item, const Bases *bases, bool conjugate)
 {
     uint32_t count;
     const YkPower *powers = yk_powers_of(table, item, &count);
     uint64_t value = 1;
     for (uint32_t i = 0; i < count; i++) {
-        int32_t exponent = powers[i].exponent;
-        if ((size_t)powers[i].symbol >= known) return 0;
-        const uint64_t *base = exponent < 0 ? inverses : values;
-        uint64_t power = base[powers[i].symbol];
-        if (exponent != 1 && exponent != -1)
-            power = yk_field_power(power, (uint64_t)(exponent < 0 ? -(int64_t)exponent : exponent));
-        value = yk_field_multiply(value, power);
+        int32_t symbol = powers[i].symbol;
+        int64_t exponent = conjugate ? -(int64_t)powers[i].exponent : powers[i].exponent;
+        if ((size_t)symbol >= bases->known) return 0;
+        uint64_t base = exponent < 0 ? inverse_at(bases, symbol) : bases->value[symbol];
+        value = yk_field_multiply(value, power_of(base, exponent < 0 ? -exponent : exponent));
     }
     return value;
+}
+
+static uint64_t inverse_of(const YkFieldPoint *point, int64_t denominator)
+{
+    Denominator *known = &point->denominators[(uint64_t)denominator * 0x9e3779b97f4a7c15u >> 58];
+    if (known->of != denominator) *known = (Denominator){denominator, yk_field_invert(yk_field_of(denominator))};
+    return known->inverse;
 }
 
 uint64_t yk_ring_field(const YkRing *ring, const YkPoisson *a, const YkFieldPoint *point, bool conjugate)
 {
     uint64_t sum = 0, phase = 1;
-    const uint64_t *unit = conjugate ? point->unit_inverse : point->unit;
-    const uint64_t *inverse = conjugate ? point->unit : point->unit_inverse;
+    Bases values = {point->value, point->value_inverse, point->count},
+          units = {point->unit, point->unit_inverse, point->count};
     for (size_t i = 0; a && i < a->count; i++) {
         uint64_t key = a->terms[i].key;
         if (i == 0 || yk_key_phase(key) != yk_key_phase(a->terms[i - 1].key))
-            phase = powers_value(&ring->phases, yk_key_phase(key), unit, inverse, point->count);
-        uint64_t term =
-            powers_value(&ring->monomials, yk_key_monomial(key), point->value, point->value_inverse, point->count);
+            phase = powers_value(&ring->phases, yk_key_phase(key), &units, conjugate);
+        uint64_t term = powers_value(&ring->monomials, yk_key_monomial(key), &values, false);
         term = yk_field_multiply(yk_field_multiply(term, phase), point->number[yk_key_unit(key)]);
         term = yk_field_multiply(term, yk_field_of(a->terms[i].number));
         bool negative = conjugate && (yk_key_unit(key) & YK_UNIT_I);
         sum = negative ? yk_field_subtract(sum, term) : yk_field_add(sum, term);
     }
-    return a && a->denominator != 1 ? yk_field_multiply(sum, yk_field_invert(yk_field_of(a->denominator))) : sum;
+    return a && a->denominator != 1 ? yk_field_multiply(sum, inverse_of(point, a->denominator)) : sum;
 }

@@ -128,24 +128,44 @@ static void half_of_all_numbers_have_a_root_and_it_is_one(void **state)
     assert_true(yk_field_sqrt(0, &root) && root == 0);
 }
 
+enum { SIDE = 24 };
+
+// Dense ones, ones of few different numbers, ones of few entries.
+static uint64_t entry_of(int i, uint64_t *seed)
+{
+    if (i % 3 == 2 && check_random(seed) % 8 > 0) return 0;
+    return check_random(seed) % (i % 3 == 1 ? 3 : YK_PRIME);
+}
+
+// Rows and columns have one rank. A and b are lost.
+static int rank_of_transpose(const uint64_t *A, size_t rows, size_t columns)
+{
+    uint64_t turned[SIDE * SIDE], b[SIDE] = {0}, x[SIDE] = {0};
+    for (size_t k = 0; k < rows * columns; k++) turned[k % columns * rows + k / columns] = A[k];
+    return yk_field_solve(turned, b, columns, rows, x);
+}
+
 static void linear_systems_are_solved_modulo_p(void **state)
 {
     (void)state;
     uint64_t seed = 6;
     for (int i = 0; i < 300; i++) {
-        size_t rows = 1 + check_random(&seed) % 6, columns = 1 + check_random(&seed) % 6;
-        uint64_t A[36], b[6], x[6], A_copy[36], b_copy[6];
+        size_t rows = 1 + check_random(&seed) % SIDE, columns = 1 + check_random(&seed) % SIDE;
+        uint64_t A[SIDE * SIDE], b[SIDE], x[SIDE], A_copy[SIDE * SIDE], b_copy[SIDE], free_value = 77;
         for (size_t k = 0; k < columns; k++) x[k] = check_random(&seed) % YK_PRIME;
-        for (size_t k = 0; k < rows * columns; k++) A[k] = check_random(&seed) % (i % 2 ? 3 : YK_PRIME);
+        for (size_t k = 0; k < rows * columns; k++) A[k] = entry_of(i, &seed);
         for (size_t k = 0; k < rows; k++) {
             b[k] = 0;
             for (size_t j = 0; j < columns; j++) b[k] = yk_field_add(b[k], yk_field_multiply(A[k * columns + j], x[j]));
         }
         memcpy(A_copy, A, sizeof A);
         memcpy(b_copy, b, sizeof b);
-        for (size_t k = 0; k < columns; k++) x[k] = check_random(&seed) % YK_PRIME; // free unknowns anywhere
+        for (size_t k = 0; k < columns; k++) x[k] = free_value; // of free unknowns
         int rank = yk_field_solve(A, b, rows, columns, x);
-        assert_true(rank >= 0 && (size_t)rank <= rows && (size_t)rank <= columns);
+        assert_int_equal(rank, rank_of_transpose(A_copy, rows, columns));
+        size_t kept = 0;
+        for (size_t k = 0; k < columns; k++) kept += x[k] == free_value;
+        assert_true(kept >= columns - (size_t)rank);
         for (size_t k = 0; k < rows; k++) {
             uint64_t sum = 0;
             for (size_t j = 0; j < columns; j++)
