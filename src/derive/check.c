@@ -14,7 +14,8 @@ static bool is_identity(YkCheck *check)
     const YkDeriveForces *forces = yk_derive_forces(check->d);
     bool has_roots = forces && forces->length_count > 0;
     int points = has_roots ? YK_CHECK_POINTS_OF_ROOTS : YK_CHECK_POINTS;
-    YkFormVerdict verdict = yk_form_compare(ring, check->equation.left, check->equation.right, points, 17);
+    YkFormVerdict verdict =
+        yk_form_compare_at(ring, check->equation.left, check->equation.right, points, check->shared->anywhere);
     if (verdict != YK_FORM_UNDECIDED) return verdict == YK_FORM_EQUAL;
     // roots that the field has not: they are what they are
     const YkPoisson *difference = yk_form_expand(ring, check->difference, TERMS_MAX);
@@ -53,7 +54,7 @@ static void look_farther(YkCheck *check, YkProof proof, YkCheckVerdict *verdict)
 {
     verdict->kind = verdict->poses >= YK_CHECK_POSES_MIN ? YK_CHECK_TRUE_HERE : YK_CHECK_UNDECIDED;
     yk_check_machines(check, verdict);
-    if (!verdict->is_false_there && check->ground != YK_GROUND_FIRM) {
+    if (!verdict->is_false_there && check->points->ground != YK_GROUND_FIRM) {
         const YkLoopBonds *bonds = yk_check_find_bonds(check);
         if (bonds) yk_check_bind(check, bonds);
         if (bonds) proof = yk_check_prove(check, check->difference);
@@ -75,6 +76,7 @@ static void decide(YkCheck *check, YkCheckVerdict *verdict)
     } else if (yk_check_exactly(check) == YK_EXACT_DIFFERENT) {
         yk_state_copy(check->state, check->start);
         yk_check_solve(check);
+        yk_check_fill_values(check);
         refute(check, verdict);
     } else {
         look_farther(check, proof, verdict);
@@ -105,24 +107,27 @@ static bool make_room(YkCheck *check)
     yk_derive_body_angle(d, 0);
     check->value_count = yk_ring_symbol_count(d->ring) + 64;
     check->values = calloc(check->value_count, sizeof *check->values);
-    check->start = yk_state_new(d->mech);
-    return check->values && check->difference && check->start && yk_state_copy(check->start, check->state) >= 0;
+    check->elsewhere = calloc(check->value_count, sizeof *check->elsewhere);
+    return check->values && check->elsewhere && check->difference;
 }
 
-YkCheckOpened yk_check_open(YkCheck *check, YkPlace place, YkProblems *problems)
+YkCheckOpened yk_check_open(YkCheck *check, YkCheckPoses *poses, YkPlace place, YkProblems *problems)
 {
     if (!prepare(check->d, problems) ||
         !yk_equation_read(check->d, check->text, check->length, place, problems, &check->equation))
         return YK_CHECK_NOT_READ;
-    return make_room(check) ? YK_CHECK_OPEN : YK_CHECK_NO_ROOM;
+    if (!make_room(check)) return YK_CHECK_NO_ROOM;
+    check->poses = check->within_count > 0 ? &check->own_poses : poses;
+    check->own_poses.is_of_segment = true;
+    check->own_poses.seed = check->seed;
+    return YK_CHECK_OPEN;
 }
 
 void yk_check_close(YkCheck *check)
 {
-    yk_check_free_points(check);
-    yk_check_free_poses(check);
-    yk_state_free(check->start);
+    yk_check_free_poses(&check->own_poses);
     free(check->values);
+    free(check->elsewhere);
 }
 
 YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
@@ -130,11 +135,20 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
 {
     YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
     YkCheckSeen seen = {.motion = calloc(2 * d->tree_count * YK_CHECK_SEEN_MAX + 1, sizeof *seen.motion)};
-    YkCheck check = {
-        .d = d, .state = state, .dynamics = dynamics, .text = text, .length = length, .seed = 2024, .seen = &seen};
-    YkCheckOpened opened = yk_check_open(&check, place, problems);
+    YkCheckShared *shared = yk_check_share(d, state, dynamics);
+    YkCheck check = {.d = d,
+                     .state = state,
+                     .dynamics = dynamics,
+                     .text = text,
+                     .length = length,
+                     .seed = 2024,
+                     .seen = &seen,
+                     .shared = shared};
+    YkCheckOpened opened =
+        shared && seen.motion ? yk_check_open(&check, &shared->poses, place, problems) : YK_CHECK_NO_ROOM;
+    if (shared) check.start = shared->start, check.points = &shared->points;
     if (opened != YK_CHECK_NOT_READ) verdict.kind = YK_CHECK_UNDECIDED;
-    if (opened == YK_CHECK_OPEN && seen.motion) decide(&check, &verdict);
+    if (opened == YK_CHECK_OPEN) decide(&check, &verdict);
     if (check.failed) verdict.kind = YK_CHECK_UNDECIDED;
     yk_check_close(&check);
     free(seen.motion);

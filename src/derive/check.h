@@ -53,6 +53,9 @@ typedef struct YkCheckVerdict {
 YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
                                YkPlace place, YkProblems *problems);
 
+// What checks have found out about the machine and keep for others; yk_derivation_free calls it.
+void yk_check_forget(YkDerivation *d);
+
 // --- equation.c
 typedef struct YkEquationTerm { // a summand of a side: its sign, and where it stands
     bool is_right, is_negative;

@@ -1,31 +1,55 @@
 // Is an equation true on the machine's own motion, for all dimensions? Asked at random points over the prime field.
+#include <string.h>
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
 #include "derive/equation.h"
 #include "derive/free_bodies.h"
 
-enum { POSES_ASKED = 4 };
+enum { POSES_ASKED = 4, OPEN_MAX = 8 };
 
 // Points of another assembly say nothing of this machine.
 static bool is_of_machine(YkCheck *check, int rank)
 {
+    const YkCheckPose *pose;
     bool is = false;
-    for (size_t k = 0; k < check->kept_count && k < POSES_ASKED && !is; k++)
-        is = yk_loop_is_assembly(check->d, check->bonds, rank, check->kept[k]);
+    for (size_t k = 0; k < POSES_ASKED && !is && (pose = yk_check_pose(check, &check->shared->poses, k, POSES_ASKED));
+         k++)
+        is = yk_loop_is_assembly(check->d, check->points->bonds, rank, pose->values);
     return is;
 }
 
+static void forget_points(YkCheckPoints *points)
+{
+    for (size_t k = 0; k < points->count; k++) yk_field_point_free(points->point[k]);
+    points->count = points->tried = points->open = 0;
+}
+
+void yk_check_free_points(YkCheckPoints *points)
+{
+    forget_points(points);
+    *points = (YkCheckPoints){0};
+}
+
+// Roots lead to points with some seeds alone, and may with other symbols; loops that do not close at several points
+// never do.
 static void try_point(YkCheck *check, bool has_roots, size_t most)
 {
+    YkCheckPoints *points = check->points;
     bool is_possible;
     int rank;
     YkFieldPoint *point =
-        yk_derive_assembly_point(check->d, check->bonds, ++check->points_tried * 7919, &rank, &is_possible);
-    if (point && check->ground == YK_GROUND_UNTRIED)
-        check->ground = is_of_machine(check, rank) ? YK_GROUND_FIRM : YK_GROUND_NONE;
-    if (point) check->points[check->point_count++] = point;
-    if (!point && !has_roots) check->points_tried = most;
-    if (check->ground == YK_GROUND_NONE) yk_check_free_points(check);
+        yk_derive_assembly_point(check->d, points->bonds, ++points->tried * 7919, &rank, &is_possible);
+    points->open += !point && rank < 0;
+    if (point && points->ground == YK_GROUND_UNTRIED)
+        points->ground = is_of_machine(check, rank) ? YK_GROUND_FIRM : YK_GROUND_NONE;
+    if (point) points->point[points->count++] = point;
+    if (!point && !has_roots) points->tried = most;
+    bool is_hopeless = points->open == OPEN_MAX || !has_roots;
+    if (points->count == 0 && (is_hopeless || points->tried == most)) {
+        points->ground = YK_GROUND_NONE;
+        points->is_exhausted = !is_hopeless;
+    }
+    if (points->ground == YK_GROUND_NONE) forget_points(points);
 }
 
 // Angles and roots of the equation's own, omega t, are free at the points.
@@ -44,37 +68,57 @@ static bool can_refute(YkCheck *check, const YkForm *form)
     return check->d->tie_count == 0 && !has_own(check->d, form);
 }
 
+// With roots only some seeds lead to a point.
+static bool has_roots(const YkCheck *check)
+{
+    const YkDeriveForces *forces = yk_derive_forces(check->d);
+    return forces && forces->length_count > 0;
+}
+
+static void begin_again(YkCheckPoints *points)
+{
+    forget_points(points);
+    if (points->is_exhausted) points->ground = YK_GROUND_UNTRIED;
+    points->is_exhausted = false;
+}
+
 // The next point of the machine's motion; NULL where no more can be had. New symbols: the old points are of no use.
 static YkFieldPoint *next_point(YkCheck *check, size_t index)
 {
-    const YkDeriveForces *forces = yk_derive_forces(check->d);
-    bool has_roots = forces && forces->length_count > 0; // then only some seeds lead to a point
-    size_t most = has_roots ? YK_CHECK_POINTS_TRIED : YK_CHECK_POINTS_TRIED / 10;
-    if (check->points_symbols != yk_ring_symbol_count(check->d->ring)) yk_check_free_points(check);
-    while (check->ground != YK_GROUND_NONE && check->point_count <= index && check->points_tried < most)
-        try_point(check, has_roots, most);
-    if (check->points_tried == most && check->point_count == 0) check->ground = YK_GROUND_NONE;
-    check->points_symbols = yk_ring_symbol_count(check->d->ring);
-    return index < check->point_count ? check->points[index] : NULL;
+    YkCheckPoints *points = check->points;
+    bool rooted = has_roots(check);
+    size_t most = rooted ? YK_CHECK_POINTS_TRIED : YK_CHECK_POINTS_TRIED / 10;
+    if (points->symbols != yk_ring_symbol_count(check->d->ring)) begin_again(points);
+    while (points->ground != YK_GROUND_NONE && points->count <= index && points->tried < most)
+        try_point(check, rooted, most);
+    points->symbols = yk_ring_symbol_count(check->d->ring);
+    return index < points->count ? points->point[index] : NULL;
 }
 
-void yk_check_free_points(YkCheck *check)
+static bool is_same_bond(const YkLoopBond *a, const YkLoopBond *b, size_t coordinates)
 {
-    for (size_t k = 0; k < check->point_count; k++) yk_field_point_free(check->points[k]);
-    check->point_count = check->points_tried = 0;
+    return a->pivot == b->pivot && a->turns == b->turns &&
+           memcmp(a->factor, b->factor, coordinates * sizeof *a->factor) == 0;
+}
+
+static bool are_same_bonds(const YkLoopBonds *a, const YkLoopBonds *b, size_t coordinates)
+{
+    bool are = a && b && a->count == b->count;
+    for (size_t k = 0; are && k < a->count; k++) are = is_same_bond(&a->bond[k], &b->bond[k], coordinates);
+    return are;
 }
 
 void yk_check_bind(YkCheck *check, const YkLoopBonds *bonds)
 {
-    yk_check_free_points(check);
-    check->bonds = bonds;
-    check->ground = YK_GROUND_UNTRIED;
+    check->points = &check->shared->bound;
+    if (are_same_bonds(check->points->bonds, bonds, check->d->tree_count)) return;
+    yk_check_free_points(check->points);
+    check->points->bonds = bonds;
 }
 
 static int points_wanted(YkCheck *check)
 {
-    const YkDeriveForces *forces = yk_derive_forces(check->d);
-    return forces && forces->length_count > 0 ? YK_CHECK_POINTS_OF_ROOTS : YK_CHECK_POINTS;
+    return has_roots(check) ? YK_CHECK_POINTS_OF_ROOTS : YK_CHECK_POINTS;
 }
 
 YkProof yk_check_prove(YkCheck *check, const YkForm *zero)

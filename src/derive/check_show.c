@@ -42,7 +42,6 @@ void yk_check_show(YkCheck *check, YkArena *arena, YkCheckShown *shown)
 {
     YkRing *ring = check->d->ring;
     bool *is_named = calloc(yk_ring_symbol_count(ring) + 1, sizeof *is_named);
-    yk_check_fill_values(check);
     shown->left = yk_form_value(ring, check->equation.left, check->values).x;
     shown->right = yk_form_value(ring, check->equation.right, check->values).x;
     shown->positions = list_motions(check, arena);

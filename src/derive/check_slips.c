@@ -4,7 +4,7 @@
 
 static const char *keep(YkCheck *check, YkText *text)
 {
-    if (check->ground != YK_GROUND_FIRM) yk_text_puts(text, " with this file's numbers");
+    if (check->points->ground != YK_GROUND_FIRM) yk_text_puts(text, " with this file's numbers");
     const char *kept = text->failed ? NULL : yk_arena_copy(check->d->arena, yk_text_get(text), text->length);
     yk_text_free(text);
     return kept;
@@ -14,7 +14,7 @@ static const char *keep(YkCheck *check, YkText *text)
 static bool is_true(YkCheck *check, const YkForm *zero)
 {
     return yk_check_prove(check, zero) == YK_PROVED ||
-           (check->ground != YK_GROUND_FIRM && yk_check_is_zero_at_poses(check, zero));
+           (check->points->ground != YK_GROUND_FIRM && yk_check_is_zero_at_poses(check, zero));
 }
 
 // --- A summand with another factor: sign, 2, 1/2, 0

@@ -1,6 +1,7 @@
 // A derivation from its beginning to its end.
 #include <stdlib.h>
 #include "base/problems.h"
+#include "derive/check.h"
 #include "derive/frame.h"
 #include "derive/gears.h"
 
@@ -30,6 +31,7 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
 void yk_derivation_free(YkDerivation *d)
 {
     if (!d) return;
+    yk_check_forget(d);
     yk_derive_train_free(d->train);
     free(d->constants);
     free(d->sources);

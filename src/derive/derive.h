@@ -119,11 +119,12 @@ struct YkDerivation {
         void *context;
     } * sources;
     size_t source_count, source_capacity;
-    YkDeriveBlocks *blocks;       // made at first use
-    struct YkLoopPlan *loop_plan; // of random points, made at first use: loop_plan.c
-    struct YkDeriveTrain *train;  // gears, made at first use: gears.h
-    int32_t *speeds;              // per body: the symbol of its angular speed, omega1; made with the train
-    struct YkDeriveOwn *own;      // symbols of the section of cams: cam.c
+    YkDeriveBlocks *blocks;        // made at first use
+    struct YkCheckShared *checked; // what equations share that are checked: check_shared.c
+    struct YkLoopPlan *loop_plan;  // of random points, made at first use: loop_plan.c
+    struct YkDeriveTrain *train;   // gears, made at first use: gears.h
+    int32_t *speeds;               // per body: the symbol of its angular speed, omega1; made with the train
+    struct YkDeriveOwn *own;       // symbols of the section of cams: cam.c
     int32_t *influence; // per coordinate: the symbol of its influence coefficient; made by the section of velocities
     // What sections add for proofs: elements that are 0 on the machine, linear in accelerations and in these symbols.
     const YkPoisson **relations;

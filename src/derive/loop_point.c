@@ -140,7 +140,7 @@ static void make(YkLoopMaking *making)
 YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
                                        bool *is_possible)
 {
-    YkLoopMaking making = {.d = d, .blocks = yk_derive_blocks(d), .bonds = bonds, .is_possible = true};
+    YkLoopMaking making = {.d = d, .blocks = yk_derive_blocks(d), .bonds = bonds, .rank = -1, .is_possible = true};
     *is_possible = false;
     for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k); // enters the symbols they need
     yk_derive_enter_forces(d);

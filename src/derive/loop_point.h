@@ -19,7 +19,7 @@ typedef struct YkLoopBonds {
 } YkLoopBonds;
 
 // yk_derive_loop_point on such an assembly (NULL: no bonds). *rank: of the equations for what enters the loops
-// linearly.
+// linearly; -1 where these do not close.
 YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
                                        bool *is_possible);
 

@@ -51,6 +51,12 @@ bool yk_field_point_is_loose(const YkFieldPoint *point);
 uint64_t yk_field_point_get(const YkFieldPoint *point, int32_t symbol);
 void yk_field_point_set(YkFieldPoint *point, int32_t symbol, uint64_t value);    // of a symbol outside of phases
 void yk_field_point_set_unit(YkFieldPoint *point, int32_t angle, uint64_t unit); // not 0
+// Points of seeds of their own, made at first use and kept until the ring has more symbols; at most 16.
+typedef struct YkFieldPoints YkFieldPoints;
+YkFieldPoints *yk_field_points_new(const YkRing *ring, uint64_t seed); // NULL when out of memory
+void yk_field_points_free(YkFieldPoints *points);
+const YkFieldPoint *yk_field_points_get(YkFieldPoints *points, size_t index); // NULL where it cannot be made
+
 // The value of an element (NULL is 0, as is one that mentions symbols younger than the point); `conjugate`: of its
 // conjugate.
 uint64_t yk_ring_field(const YkRing *ring, const YkPoisson *a, const YkFieldPoint *point, bool conjugate);

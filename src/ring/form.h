@@ -48,5 +48,7 @@ typedef enum YkFormVerdict { YK_FORM_DIFFERENT, YK_FORM_EQUAL, YK_FORM_UNDECIDED
 // Compares at `points` random points (3 are plenty). Different is certain; equal is false with probability below
 // (degree / 2^64)^points; undecided when out of memory or where no point avoids a division by zero.
 YkFormVerdict yk_form_compare(YkRing *ring, const YkForm *a, const YkForm *b, int points, uint64_t seed);
+// The same at points that are kept, for many comparisons.
+YkFormVerdict yk_form_compare_at(YkRing *ring, const YkForm *a, const YkForm *b, int points, YkFieldPoints *kept);
 
 #endif

@@ -160,25 +160,30 @@ double yk_form_magnitude(YkRing *ring, const YkForm *form, const double *values)
 }
 
 // One point: 1 equal, 0 different, -1 no value there.
-static int compare_at(YkRing *ring, const YkForm *a, const YkForm *b, uint64_t seed)
+static int compare_at(YkRing *ring, const YkForm *a, const YkForm *b, const YkFieldPoint *point)
 {
-    YkFieldPoint *point = yk_field_point_new(ring, seed);
     uint64_t left, right;
     int verdict = -1;
     if (point && yk_form_field(ring, a, point, &left) && yk_form_field(ring, b, point, &right)) verdict = left == right;
-    if (verdict == 0 && yk_field_point_is_loose(point)) verdict = -1;
-    yk_field_point_free(point);
-    return verdict;
+    return verdict == 0 && yk_field_point_is_loose(point) ? -1 : verdict;
 }
 
-YkFormVerdict yk_form_compare(YkRing *ring, const YkForm *a, const YkForm *b, int points, uint64_t seed)
+YkFormVerdict yk_form_compare_at(YkRing *ring, const YkForm *a, const YkForm *b, int points, YkFieldPoints *kept)
 {
     enum { SPARE = 4 };
     int agreed = 0;
     for (int i = 0; i < points + SPARE && agreed < points; i++) {
-        int verdict = a && b ? compare_at(ring, a, b, seed + (uint64_t)i * 0x632be59bd9b4e019u) : -1;
+        int verdict = a && b ? compare_at(ring, a, b, yk_field_points_get(kept, (size_t)i)) : -1;
         if (verdict == 0) return YK_FORM_DIFFERENT;
         agreed += verdict == 1;
     }
     return agreed == points ? YK_FORM_EQUAL : YK_FORM_UNDECIDED;
+}
+
+YkFormVerdict yk_form_compare(YkRing *ring, const YkForm *a, const YkForm *b, int points, uint64_t seed)
+{
+    YkFieldPoints *kept = yk_field_points_new(ring, seed);
+    YkFormVerdict verdict = yk_form_compare_at(ring, a, b, points, kept);
+    yk_field_points_free(kept);
+    return verdict;
 }

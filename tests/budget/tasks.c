@@ -6,6 +6,7 @@
 #include <yoke/yoke.h>
 #include "../../bench/machine.h"
 #include "base/text.h"
+#include "derive/check.h"
 #include "derive/derive.h"
 #include "out/page_print.h"
 
@@ -86,6 +87,24 @@ static void run_derive(Machine *m)
     yk_text_free(&text);
 }
 
+// Twenty equations of one derivation: what the first finds out serves the others.
+static void run_check(Machine *m)
+{
+    static const char *const equations[] = {"rr*cos(beta) - d*cos(beta + Theta) = xb + ss*sin(gamma)",
+                                            "gamma' = rr*sin(Theta)/(ss*cos(beta + Theta - gamma))*beta'",
+                                            "delta'' = gamma''", "K2.rate = beta' + Theta'"};
+    YkDerivation *d = yk_derivation_new(m->model, m->mech, m->problems);
+    YkState *state = yk_state_new(m->mech);
+    if (!d || !state) die("no derivation");
+    for (int k = 0; k < 20; k++) {
+        const char *equation = equations[k % 4];
+        yk_state_copy(state, m->state);
+        yk_derive_check(d, state, m->dynamics, equation, strlen(equation), (YkPlace){1, 1, 0}, NULL);
+    }
+    yk_state_free(state);
+    yk_derivation_free(d);
+}
+
 static const Task tasks[] = {
     {"quick-return-batch", "quick-return", NULL, 0, run_batch},
     {"quick-return-pose", "quick-return", NULL, 0, run_pose},
@@ -93,6 +112,7 @@ static const Task tasks[] = {
     {"n-four-bar-rhs", NULL, n_four_bar_text, LOOPS, run_accelerate},
     {"chain-rhs", NULL, chain_text, LINKS, run_accelerate},
     {"four-bar-study", "four-bar", NULL, 0, run_study},
+    {"check-andrews", "andrews", NULL, 0, run_check},
     {"derive-double-pendulum", "double-pendulum", NULL, 0, run_derive},
 };
 

@@ -1,0 +1,273 @@
+// Machines with other numbers: parameters of the file go a little beside their values, in small steps, so that the
+// machine stays assembled as it is.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "compile/variant.h"
+#include "derive/blocks.h"
+#include "derive/check_inside.h"
+#include "derive/frame.h"
+#include "model/redesign.h"
+#include "solve/state.h"
+
+enum { STEPS = 8 };
+static const double BESIDE = 0.12, CLOSED = 1e-7;
+
+// --- Which parameters can vary
+
+static void note_name(void *context, const YkExpr *name)
+{
+    (void)name;
+    *(bool *)context = true;
+}
+
+static bool is_free(const YkModel *model, size_t parameter)
+{
+    bool follows = false;
+    yk_expr_names(model->parameters[parameter].expr, note_name, &follows);
+    return !follows && isfinite(model->parameters[parameter].value);
+}
+
+static bool can_vary(const YkMechanism *mech, const char *name)
+{
+    YkRedesign *redesign = yk_redesign_new(mech->model, &name, 1, NULL);
+    yk_redesign_free(redesign);
+    return redesign != NULL;
+}
+
+// Where what is 0 or cancels in the file is taken to stay so, a variant is no machine of these numbers.
+// Where what is 0 or cancels in the file is taken to stay so, a variant is no machine of these numbers.
+static bool is_faithful(const YkVariant *variant)
+{
+    return variant && !variant->is_of_file;
+}
+
+static bool is_faithful_alone(const YkMechanism *mech, const char *name)
+{
+    YkVariant *variant = yk_variant_new(mech, &name, 1, NULL);
+    bool is = is_faithful(variant);
+    yk_variant_free(variant);
+    return is;
+}
+
+static YkVariant *new_variant(const YkCheckVariants *v)
+{
+    YkVariant *variant = v->count > 0 ? yk_variant_new(v->check->d->mech, v->name, v->count, NULL) : NULL;
+    if (is_faithful(variant)) return variant;
+    yk_variant_free(variant);
+    return NULL;
+}
+
+static void keep_faithful(YkCheckVariants *v)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < v->count; k++)
+        if (is_faithful_alone(v->check->d->mech, v->name[k])) v->name[kept++] = v->name[k];
+    v->count = kept;
+}
+
+static bool is_among(const YkCheckVariants *v, const char *name)
+{
+    for (size_t k = 0; k < v->count; k++)
+        if (v->name[k] == name) return true;
+    return false;
+}
+
+const char *yk_check_list_names(const YkCheckVariants *v, YkArena *arena, bool varied)
+{
+    const YkModel *model = v->check->d->model;
+    YkText text = {0};
+    for (size_t k = 0; k < model->parameter_count; k++)
+        if (is_free(model, k) && is_among(v, model->parameters[k].name) == varied)
+            yk_text_format(&text, "%s%s", text.length ? ", " : "", model->parameters[k].name);
+    const char *list = text.length && !text.failed ? yk_arena_copy(arena, yk_text_get(&text), text.length) : NULL;
+    yk_text_free(&text);
+    return list;
+}
+
+// --- A machine
+
+static double uniform(uint64_t *seed) // splitmix64 (Steele et al. 2014), in [-1, 1)
+{
+    uint64_t z = (*seed += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
+}
+
+// To three digits: whoever wants to see it can write it.
+static double short_number(double value)
+{
+    if (value == 0) return 0;
+    double digit = pow(10, floor(log10(fabs(value))) - 2);
+    return round(value / digit) * digit;
+}
+
+static double size_of(const YkCheckVariants *v, const char *name)
+{
+    const YkModel *model = v->check->d->model;
+    int32_t index = yk_names_find(&model->parameter_names, name);
+    YkDimension of = model->parameters[index].dimension;
+    bool is_length = of.length == 1 && of.mass == 0 && of.time == 0;
+    return is_length ? 0.5 * v->check->d->mech->size : 1;
+}
+
+static void choose_target(YkCheckVariants *v, double *target)
+{
+    for (size_t k = 0; k < v->count; k++) {
+        double by = v->reach * uniform(&v->seed), own = v->own[k];
+        by += by < 0 ? -0.2 * v->reach : 0.2 * v->reach;
+        target[k] = short_number(own != 0 ? own * (1 + by) : size_of(v, v->name[k]) * by);
+    }
+}
+
+// From the file's machine to that of the target, with the inputs of the start.
+static bool walk(const YkCheckVariants *v, YkCheckMachine *m)
+{
+    yk_state_take(m->state, v->check->start);
+    for (int step = 0; step <= STEPS; step++) {
+        for (size_t k = 0; k < v->count; k++)
+            v->value[k] = step == STEPS ? m->target[k] : v->own[k] + (m->target[k] - v->own[k]) * step / STEPS;
+        if (yk_variant_set(m->variant, v->value) < 0 || yk_state_solve(m->state) < 0) return false;
+        yk_state_refer(m->state);
+    }
+    return true;
+}
+
+// Is its start a pose of the machine that the symbols describe?
+static bool closes(const YkCheckMachine *m)
+{
+    const YkDeriveBlocks *blocks = yk_derive_blocks(m->d);
+    yk_derive_body_angle(m->d, 0);
+    double *values = calloc(yk_ring_symbol_count(m->d->ring) + 1, sizeof *values);
+    bool does = blocks && values;
+    if (does) yk_derive_values(m->d, m->state, m->dynamics, values);
+    for (size_t r = 0; does && r < blocks->row_count; r++) {
+        double size = yk_ring_magnitude(m->d->ring, blocks->rows[r].value, values);
+        does = yk_norm(yk_ring_value(m->d->ring, blocks->rows[r].value, values)) <= CLOSED * fmax(size, 1e-9);
+    }
+    free(values);
+    return does;
+}
+
+static YkDynamics *dynamics_like(const YkDynamics *own, const YkMechanism *mech)
+{
+    YkDynamics *dynamics = own ? yk_dynamics_new(mech, NULL) : NULL;
+    for (size_t i = 0; dynamics && i < mech->input_count; i++)
+        yk_dynamics_prescribe(dynamics, i, yk_dynamics_is_prescribed(own, i));
+    return dynamics;
+}
+
+// Whatever stood there is forgotten, but for the variant.
+static void clear(YkCheckMachine *m)
+{
+    yk_check_free_poses(&m->poses);
+    yk_derivation_free(m->d);
+    yk_dynamics_free(m->dynamics);
+    m->d = NULL, m->dynamics = NULL;
+    m->is_machine = false;
+}
+
+static bool make_room_for(const YkCheckVariants *v, YkCheckMachine *m)
+{
+    if (!m->target) m->target = calloc(v->count + 1, sizeof *m->target);
+    if (!m->variant) m->variant = new_variant(v);
+    const YkMechanism *mech = m->variant ? yk_variant_mechanism(m->variant) : NULL;
+    if (!m->state && mech) m->state = yk_state_new(mech);
+    if (!m->here && mech) m->here = yk_state_new(mech);
+    return m->target && m->state && m->here;
+}
+
+// Makes the machine of the target stand.
+static void stand(const YkCheckVariants *v, YkCheckMachine *m)
+{
+    const YkMechanism *mech = yk_variant_mechanism(m->variant);
+    if (!walk(v, m)) return;
+    m->dynamics = dynamics_like(v->check->dynamics, mech);
+    m->d = yk_derivation_new(mech->model, mech, NULL);
+    m->poses.seed = m->seed;
+    m->is_machine = m->d && (m->dynamics || !v->check->dynamics) && closes(m);
+}
+
+// --- For all equations
+
+static void free_machine(YkCheckMachine *m)
+{
+    clear(m);
+    yk_state_free(m->state);
+    yk_state_free(m->here);
+    yk_variant_free(m->variant);
+    free(m->target);
+}
+
+void yk_check_free_variants(YkCheckVariants *v)
+{
+    if (!v) return;
+    for (size_t k = 0; k < v->machine_count; k++) free_machine(&v->machine[k]);
+    free_machine(&v->other);
+    free((void *)v->name);
+    free(v->own);
+    free(v);
+}
+
+static void choose_names(YkCheckVariants *v)
+{
+    const YkModel *model = v->check->d->model;
+    for (size_t k = 0; k < model->parameter_count; k++)
+        if (is_free(model, k) && can_vary(v->check->d->mech, model->parameters[k].name))
+            v->name[v->count++] = model->parameters[k].name;
+}
+
+static YkCheckVariants *begin(YkCheck *check)
+{
+    enum { SEED = 77 };
+    size_t n = check->d->model->parameter_count;
+    YkCheckVariants *v = calloc(1, sizeof *v);
+    if (!v) return NULL;
+    *v = (YkCheckVariants){.check = check, .seed = SEED, .reach = BESIDE};
+    v->name = (const char **)calloc(n + 1, sizeof *v->name);
+    v->own = calloc(2 * n + 1, sizeof *v->own);
+    if (!v->name || !v->own) return v;
+    v->value = v->own + n;
+    choose_names(v);
+    v->other.variant = new_variant(v);
+    if (!v->other.variant) keep_faithful(v);
+    if (!v->other.variant) v->other.variant = new_variant(v);
+    for (size_t k = 0; k < v->count; k++) v->own[k] = yk_model_parameter(check->d->model, v->name[k]);
+    v->is_started = v->other.variant != NULL;
+    return v;
+}
+
+YkCheckVariants *yk_check_variants(YkCheck *check)
+{
+    YkCheckShared *shared = check->shared;
+    if (!shared->variants) shared->variants = begin(check);
+    if (!shared->variants || !shared->variants->is_started) return NULL;
+    shared->variants->check = check;
+    return shared->variants;
+}
+
+YkCheckMachine *yk_check_machine(YkCheckVariants *v, size_t index)
+{
+    if (index >= YK_CHECK_MACHINES_TRIED) return NULL;
+    while (v->machine_count <= index) {
+        YkCheckMachine *m = &v->machine[v->machine_count++];
+        if (!make_room_for(v, m)) continue;
+        choose_target(v, m->target);
+        m->seed = v->seed;
+        stand(v, m);
+        if (!m->is_machine) v->reach /= 2;
+    }
+    return &v->machine[index];
+}
+
+YkCheckMachine *yk_check_machine_at(YkCheckVariants *v, const double *target, uint64_t seed)
+{
+    YkCheckMachine *m = &v->other;
+    clear(m);
+    if (!make_room_for(v, m)) return m;
+    memcpy(m->target, target, v->count * sizeof *target);
+    m->seed = seed;
+    stand(v, m);
+    return m;
+}
