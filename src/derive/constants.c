@@ -75,6 +75,7 @@ const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingCl
     yk_text_free(&name);
     const YkPoisson *named = symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
     if (!named || !add(d, (YkDeriveConstant){symbol, expr, jet.d[0], exact ? exact : named})) return NULL;
+    yk_ring_set_number(d->ring, symbol, exact);
     return named;
 }
 

@@ -11,9 +11,6 @@
 static void follow_definitions(YkLoopMaking *making)
 {
     YkDerivation *d = making->d;
-    for (size_t k = 0; k < d->constant_count; k++) // numbers under names are numbers
-        if (d->constants[k].exact)
-            yk_field_point_set(making->point, d->constants[k].symbol, yk_loop_field(making, d->constants[k].exact));
     for (size_t pass = 0; pass < 8; pass++) // definitions of definitions
         for (size_t k = 0; k < d->model->parameter_count; k++) {
             const YkPoisson *definition = yk_derive_definition(d, k);

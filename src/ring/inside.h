@@ -63,6 +63,7 @@ typedef struct YkRingSymbol {
     const YkPoisson *rate;    // declared total time derivative, or NULL
     YkPartial *partials;
     const YkPoisson *square; // of a root
+    const YkPoisson *number; // for which it is a name, or NULL
     const YkPoisson *known;  // its derivative by known_variable, with known_rules of the ring's rules
     int32_t known_variable;
     size_t known_rules;

@@ -67,7 +67,9 @@ bool yk_field_point_is_loose(const YkFieldPoint *point)
 
 static void draw(const YkRing *ring, YkFieldPoint *point, int32_t symbol, uint64_t *seed)
 {
-    yk_field_point_set(point, symbol, random_value(seed));
+    const YkPoisson *number = ring->symbols[symbol].number;
+    uint64_t drawn = random_value(seed);
+    yk_field_point_set(point, symbol, number ? yk_ring_field(ring, number, point, false) : drawn);
     if (ring->symbols[symbol].is_angle) yk_field_point_set_unit(point, symbol, random_value(seed));
 }
 
@@ -75,7 +77,7 @@ static void draw(const YkRing *ring, YkFieldPoint *point, int32_t symbol, uint64
 static int32_t free_symbol(const YkRing *ring, const YkPoisson *square, const bool *is_taken)
 {
     int32_t symbol = yk_ring_next_symbol(ring, square, -1);
-    while (symbol >= 0 && (is_taken[symbol] || ring->symbols[symbol].square))
+    while (symbol >= 0 && (is_taken[symbol] || ring->symbols[symbol].square || ring->symbols[symbol].number))
         symbol = yk_ring_next_symbol(ring, square, symbol);
     return symbol;
 }

@@ -74,6 +74,8 @@ int32_t yk_ring_rates(YkRing *ring, int32_t coordinate);
 int32_t yk_ring_function(YkRing *ring, const char *const names[], size_t count, int32_t variable);
 // A positive root: L with L^2 = square, a real element (a spring's length). d L = d square / (2 L).
 int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square);
+// From now on the symbol is a name for a rational number: at points of the field it has that value.
+void yk_ring_set_number(YkRing *ring, int32_t symbol, const YkPoisson *number);
 bool yk_ring_alias(YkRing *ring, int32_t symbol, const char *name); // one more name to be read
 // Declares the total time derivative of a symbol, and the partial derivative of a dependent symbol by another.
 bool yk_ring_set_rate(YkRing *ring, int32_t symbol, const YkPoisson *rate);

@@ -224,6 +224,11 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
     return symbol;
 }
 
+void yk_ring_set_number(YkRing *ring, int32_t symbol, const YkPoisson *number)
+{
+    if (symbol >= 0 && number) ring->symbols[symbol].number = number;
+}
+
 int32_t yk_ring_find(const YkRing *ring, const char *name)
 {
     int32_t symbol = yk_names_find(&ring->names, name);

@@ -82,6 +82,24 @@ static void trigonometry_holds_at_a_point_set_by_hand(void **state)
     yk_ring_free(f.ring);
 }
 
+static void a_name_for_a_number_has_its_value(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(3);
+    int32_t mass = yk_ring_symbol(f.ring, "m_rod", YK_RING_MASS);
+    yk_ring_set_number(f.ring, mass, yk_ring_rational(f.ring, 51, 400));
+    int32_t root = yk_ring_root(f.ring, "L", read_text(&f, "m_rod^2 + l1^2"));
+    assert_true(mass >= 0 && root >= 0);
+    for (uint64_t seed = 1; seed < 20; seed++) {
+        YkFieldPoint *point = yk_field_point_new(f.ring, seed);
+        assert_true(yk_ring_field(f.ring, read_text(&f, "400*m_rod - 51"), point, false) == 0);
+        assert_true(yk_ring_field(f.ring, read_text(&f, "L^2 - l1^2 - m_rod*51/400"), point, false) == 0);
+        yk_field_point_free(point);
+    }
+    assert_false(yk_ring_is_same(read_text(&f, "m_rod"), read_text(&f, "51/400"))); // in print it stays
+    yk_ring_free(f.ring);
+}
+
 // The slow and sure way: double and add.
 static uint64_t multiply_slowly(uint64_t a, uint64_t b)
 {
@@ -234,6 +252,7 @@ int main(void)
         cmocka_unit_test(double_values_are_a_homomorphism),
         cmocka_unit_test(field_values_are_a_homomorphism),
         cmocka_unit_test(trigonometry_holds_at_a_point_set_by_hand),
+        cmocka_unit_test(a_name_for_a_number_has_its_value),
         cmocka_unit_test(field_arithmetic_is_that_of_the_integers_modulo_p),
         cmocka_unit_test(half_of_all_numbers_have_a_root_and_it_is_one),
         cmocka_unit_test(linear_systems_are_solved_modulo_p),
