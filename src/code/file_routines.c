@@ -113,44 +113,49 @@ typedef struct Uses { // which inputs the routine's kernel takes; those of them 
     bool any_unseen;
 } Uses;
 
-static bool is_input(const YkValue *v, const char *name)
+// The input that a value is, or input_count.
+static size_t input_of(const YkFile *file, const YkValue *v)
 {
-    return v->op == YK_VALUE_LEAF && strncmp(v->name, "in->", 4) == 0 && strcmp(v->name + 4, name) == 0;
+    size_t k = 0;
+    if (v->op != YK_VALUE_LEAF || strncmp(v->name, "in->", 4) != 0) return file->input_count;
+    while (k < file->input_count && strcmp(v->name + 4, file->inputs[k].name) != 0) k++;
+    return k;
 }
 
-static bool takes(const YkFile *file, const char *input)
+static void mark_operands(const YkDag *g, const YkValue *v, bool *is_marked)
 {
-    const YkDag *g = &file->program.graph;
-    for (size_t k = 0; k < g->count; k++)
-        if (is_input(&g->values[k], input)) return file->printer.count[k] > 0;
-    return false;
-}
-
-static bool hangs_on(const YkFile *file, YkRef value, const char *input)
-{
-    const YkDag *g = &file->program.graph;
-    const YkValue *v = &g->values[value];
     const YkRef operands[] = {v->a, v->b, v->c}, *of = operands;
     size_t count = v->op == YK_VALUE_SINE || v->op == YK_VALUE_COSINE ? 1 : 3; // behind the angle is the other of them
-    if (v->op == YK_VALUE_LEAF) return is_input(v, input);
+    if (v->op == YK_VALUE_LEAF) return;
     if (v->op == YK_VALUE_RESULT) {
         of = g->calls[v->a].arguments;
         count = g->calls[v->a].argument_count;
     }
     for (size_t k = 0; k < count; k++)
-        if (of[k] >= 0 && hangs_on(file, of[k], input)) return true;
-    return false;
+        if (of[k] >= 0) is_marked[of[k]] = true;
+}
+
+// Marks all that a value hangs on, and itself: what a value is made of comes before it.
+static void mark_under(const YkDag *g, YkRef value, bool *is_marked)
+{
+    is_marked[value] = true;
+    for (size_t k = (size_t)value + 1; k-- > 0;)
+        if (is_marked[k]) mark_operands(g, &g->values[k], is_marked);
 }
 
 static bool find_uses(YkFile *file, const YkRoutine *r, Uses *uses)
 {
+    const YkDag *g = &file->program.graph;
+    bool *is_seen = YK_NEW(file->program.arena, bool, g->count + 1);
     uses->taken = YK_NEW(file->program.arena, bool, file->input_count + 1);
     uses->unseen = YK_NEW(file->program.arena, bool, file->input_count + 1);
-    if (!uses->taken || !uses->unseen) return false;
-    for (size_t k = 0; k < file->input_count; k++) {
-        const char *name = file->inputs[k].name;
-        uses->taken[k] = takes(file, name);
-        uses->unseen[k] = uses->taken[k] && !hangs_on(file, r->witness, name);
+    if (!uses->taken || !uses->unseen || !is_seen) return false;
+    mark_under(g, r->witness, is_seen);
+    for (size_t v = 0; v < g->count; v++) {
+        size_t k = input_of(file, &g->values[v]);
+        if (k == file->input_count) continue;
+        uses->taken[k] = file->printer.count[v] > 0;
+        uses->unseen[k] = uses->taken[k] && !is_seen[v];
         uses->any_unseen = uses->any_unseen || uses->unseen[k];
     }
     return true;
