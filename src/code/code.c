@@ -170,7 +170,7 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
     const YkMechanism *mech = variant->mech;
     if (!yk_program_start(&file->program, mech, &variant->recipe, arena, problems)) return false;
     file->prefix = options->prefix ? options->prefix : prefix_of(&file->program, mech->model->source_name);
-    file->single = options->single;
+    file->single = file->program.is_single = options->single;
     file->is_of_file = variant->is_of_file;
     file->has_forces = !options->kinematics && yk_model_has_forces(mech->model);
     yk_program_fix(&file->program);

@@ -130,6 +130,12 @@ static void store(YkForces *f, YkRef stiffness, YkRef stretch)
     f->potential = yk_dag_add(g, f->potential, yk_dag_multiply(g, yk_dag_number(g, 0.5), square));
 }
 
+// Between ends that a joint holds together there is no more than rounding leaves, and no direction.
+static double no_length(const YkProgram *p)
+{
+    return (p->is_single ? 1e-5 : 1e-14) * yk_program_size(p);
+}
+
 static void add_spring(YkForces *f, const YkSpring *s)
 {
     YkProgram *p = f->program;
@@ -160,7 +166,8 @@ static void add_spring(YkForces *f, const YkSpring *s)
     YkRef stretch = yk_dag_subtract(g, length, free);
     YkRef speed = yk_dag_multiply(g, yk_dag_dot(g, yk_dag_vec_subtract(g, rate[1], rate[0]), line), per);
     YkRef pull = yk_dag_add(g, yk_dag_multiply(g, stiffness, stretch), yk_dag_multiply(g, damping, speed));
-    YkRefVec force = yk_dag_vec_scale(g, yk_dag_multiply(g, pull, per), line);
+    YkRef joined = yk_dag_subtract(g, length, yk_dag_number(g, no_length(p)));
+    YkRefVec force = yk_dag_vec_scale(g, yk_dag_choose(g, joined, stiffness, yk_dag_multiply(g, pull, per)), line);
     store(f, stiffness, stretch);
     push(f, s->body[0], arm[0], force);
     push(f, s->body[1], arm[1], yk_dag_vec_scale(g, yk_dag_number(g, -1), force));

@@ -47,6 +47,7 @@ typedef struct YkProgram {
     const YkMechanism *mech;
     const YkRecipe *recipe; // how its vectors follow from points and lines of the model
     YkProblems *problems;
+    bool is_single; // numbers are floats
     // constants
     YkRef *parameter; // per parameter
     bool *is_fixed;   // per parameter: its value is the file's, for good

@@ -178,6 +178,18 @@ class Code(Printed):
             done = self.run_test(self.print(self.write("tree.yaml", random_tree(random.Random(seed)))), "1e-11", name="tree%d" % seed)
             self.assertEqual(done.stdout, "m: well\n", "seed %d" % seed)
 
+    def test_springs_between_joined_ends_have_no_direction(self):
+        """Rounding alone is between the ends: nothing pulls by the length that the spring lacks, in no one's direction."""
+        with open(os.path.join(ROOT, "examples", "watt-with-masses.yaml"), encoding="utf-8") as file:
+            text = file.read() + "springs:\n" + "".join(
+                "  s%s: {between: [%s.%s, %s.%s], stiffness: 1000, length: 0.3, damping: 2}\n" % (p, a, p, b, p)
+                for a, b, p in (("BCD", "CFG", "C"), ("BCD", "DE", "D"), ("EF", "CFG", "F")))
+        code = self.print(self.write("joined.yaml", text))
+        self.assertIn("m_find_reactions", code)
+        self.assertEqual(self.run_test(code).stdout, "m: well\n")
+        code = self.print(self.write("joined.yaml", text), "--single")
+        self.assertEqual(self.run_test(code, "2e-3").stdout, "m: well\n")
+
     def test_random_trains_agree_with_the_engine(self):
         """Gears outside and inside, a belt and a rack on an arm that turns; their reactions too."""
         for seed in range(2 if "YOKE_FEW" in os.environ else 6):
