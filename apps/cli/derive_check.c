@@ -67,7 +67,9 @@ static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
 {
     YkText *out = &checking->session->out;
     const char *segment = verdict->is_in_segment ? " in the segment of which it speaks" : "";
-    if (verdict->is_false_there) {
+    if (verdict->is_too_large) {
+        yk_text_format(out, "true at %z poses of this machine, not proved: it is too large for that\n", verdict->poses);
+    } else if (verdict->is_false_there) {
         yk_text_format(out,
                        "true only with this file's numbers (at %z poses); with %s (SI) it is false: ", verdict->poses,
                        verdict->shown.machine ? verdict->shown.machine : "others");

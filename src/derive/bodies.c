@@ -123,7 +123,7 @@ static bool in_joint_form(YkDerivation *d, int32_t body, const YkPoisson *(*form
 }
 
 // In a chain of n bodies the joint form of all angles has n^2 / 2 terms: there is a limit.
-static bool is_long(const YkDerivation *d)
+bool yk_derive_is_long(const YkDerivation *d)
 {
     size_t terms = 0;
     for (size_t b = 0; b < d->model->body_count; b++) terms += (size_t)d->bodies[b].joints_in_angle;
@@ -133,7 +133,7 @@ static bool is_long(const YkDerivation *d)
 static bool make_changes(YkDerivation *d)
 {
     size_t bodies = d->model->body_count, count = 0;
-    if (is_long(d)) return yk_ring_fail(d->ring, YK_RING_SIZE) != NULL;
+    if (yk_derive_is_long(d)) return yk_ring_fail(d->ring, YK_RING_SIZE) != NULL;
     const YkPoisson *(*forms)[4] = (const YkPoisson *(*)[4])yk_arena_alloc(d->arena, bodies + 1, sizeof *forms);
     d->change_capacity = d->change_count + 1;
     YkRingChange *changes = YK_NEW(d->arena, YkRingChange, d->change_capacity);

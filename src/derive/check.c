@@ -53,6 +53,8 @@ static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
 static void look_farther(YkCheck *check, YkProof proof, YkCheckVerdict *verdict)
 {
     verdict->kind = verdict->poses >= YK_CHECK_POSES_MIN ? YK_CHECK_TRUE_HERE : YK_CHECK_UNDECIDED;
+    verdict->is_too_large = yk_loop_is_large(check->d);
+    if (verdict->is_too_large) return;
     yk_check_machines(check, verdict);
     if (!verdict->is_false_there && check->points->ground != YK_GROUND_FIRM) {
         const YkLoopBonds *bonds = yk_check_find_bonds(check);
@@ -104,7 +106,7 @@ static bool make_room(YkCheck *check)
                       yk_equation_speaks_of(d, check->equation.right, d->time);
     check->difference = yk_form_subtract(d->ring, check->equation.left, check->equation.right);
     for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k);
-    yk_derive_body_angle(d, 0);
+    if (!yk_derive_is_long(d)) yk_derive_body_angle(d, 0);
     check->value_count = yk_ring_symbol_count(d->ring) + 64;
     check->values = calloc(check->value_count, sizeof *check->values);
     check->elsewhere = calloc(check->value_count, sizeof *check->elsewhere);

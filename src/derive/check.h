@@ -41,6 +41,7 @@ typedef struct YkCheckVerdict {
     size_t machine_poses; // at so many poses in all
     const char *varied;   // their parameters that are not the file's: "a, b"; NULL: none were tried
     const char *kept;     // parameters that could not vary; NULL: none
+    bool is_too_large;    // true here: a proof was not tried, nor other machines
     bool is_false_there;  // true here only: `shown` is a machine with other dimensions
     bool is_refuted;      // true here only: for other numbers it does not hold in general, by exact arithmetic
     YkCheckShown shown;   // false, or false elsewhere

@@ -1,6 +1,7 @@
 // Equations between numbers: with the file's own decimals in place of its parameters both sides are compared exactly,
 // where rounding would take 1.2000000000001 for 1.2.
 #include "derive/check_inside.h"
+#include "derive/frame.h"
 
 enum { TERMS_MAX = 2000, DEPTH_MAX = 8 };
 
@@ -41,6 +42,7 @@ YkCheckExact yk_check_exactly(YkCheck *check)
 {
     YkDerivation *d = check->d;
     YkRing *ring = d->ring;
+    if (yk_derive_is_long(d)) return YK_EXACT_UNKNOWN;
     const YkPoisson *a = yk_form_expand(ring, check->difference, TERMS_MAX);
     if (a) a = yk_derive_in_joints(d, a);
     for (int depth = 0; a && depth < DEPTH_MAX && has_parameters(d, a); depth++) a = with_numbers(d, a);

@@ -74,11 +74,12 @@ static bool move_to_random_pose(YkCheck *check, YkCheckPoses *poses)
     for (size_t i = 0; i < mech->input_count; i++) target[i] = random_input(check, poses, i);
     yk_state_copy(check->state, check->start);
     set_any_time(check);
-    for (int step = 1; step <= STEPS; step++) {
-        go(check, target, (double)step / STEPS);
+    int steps = mech->block_count > 0 || mech->relation_count > 0 ? STEPS : 1; // a tree goes anywhere at once
+    for (int step = 1; step <= steps; step++) {
+        go(check, target, (double)step / steps);
         if (yk_state_solve(check->state) < 0 || margin_of(check) < least) break;
         yk_state_refer(check->state); // angles go on from here, over any number of turns
-        reached = (double)step / STEPS;
+        reached = (double)step / steps;
     }
     go(check, target, reached);
     return yk_check_solve(check);

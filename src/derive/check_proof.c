@@ -86,6 +86,7 @@ static void begin_again(YkCheckPoints *points)
 static YkFieldPoint *next_point(YkCheck *check, size_t index)
 {
     YkCheckPoints *points = check->points;
+    if (yk_loop_is_large(check->d)) points->ground = YK_GROUND_NONE;
     bool rooted = has_roots(check);
     size_t most = rooted ? YK_CHECK_POINTS_TRIED : YK_CHECK_POINTS_TRIED / 10;
     if (points->symbols != yk_ring_symbol_count(check->d->ring)) begin_again(points);

@@ -3,6 +3,7 @@
 // proved of them but what holds for any angle and any number.
 #include <math.h>
 #include "derive/equation.h"
+#include "derive/frame.h"
 
 typedef struct YkEquationOwn {
     int32_t symbol;
@@ -64,7 +65,8 @@ const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle)
 {
     YkRing *ring = d->ring;
     const YkPoisson *unit = yk_ring_rational(ring, 1, 1);
-    const YkPoisson *rest = angle ? take_multiples(ring, yk_derive_in_joints(d, angle), &unit) : NULL;
+    const YkPoisson *rest =
+        angle ? take_multiples(ring, yk_derive_is_long(d) ? angle : yk_derive_in_joints(d, angle), &unit) : NULL;
     if (!rest || yk_ring_is_zero(rest)) return rest ? unit : NULL;
     if (!yk_ring_is_real(ring, rest)) return NULL;
     const YkPoisson *turned = yk_ring_negate(ring, rest);

@@ -27,5 +27,6 @@ int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b);
 // bodies.c: the angle of a body's axes outside of cos and sin, joint form.
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body);
 bool yk_derive_enter_bodies(YkDerivation *d);
+bool yk_derive_is_long(const YkDerivation *d); // so long that it has no joint form
 
 #endif

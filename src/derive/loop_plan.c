@@ -78,6 +78,32 @@ static bool plan_closing(YkDerivation *d, const YkDeriveBlocks *blocks, YkLoopSy
     return fill(d, system, zeros);
 }
 
+// Relations speak of bodies' own accelerations: these are unknowns, too, each by its parent's and the joint's.
+static size_t add_bodies(const YkDerivation *d, int32_t *unknowns, const YkPoisson **zeros)
+{
+    YkRing *ring = d->ring;
+    size_t count = 0;
+    for (size_t b = 1; b < d->model->body_count; b++) {
+        const YkDeriveBody *body = &d->bodies[b];
+        int32_t c = body->joint == YK_NONE ? YK_NONE : d->joint_angle[body->joint];
+        if (c == YK_NONE || body->acceleration == d->coordinates[c].acceleration) continue;
+        const YkPoisson *step = yk_ring_of(ring, d->coordinates[c].acceleration),
+                        *more = yk_ring_subtract(ring, body->spin_rate, d->bodies[body->parent].spin_rate);
+        bool is_second = d->model->joints[body->joint].body[1] == (int32_t)b;
+        unknowns[count] = body->acceleration;
+        zeros[count++] = is_second ? yk_ring_subtract(ring, more, step) : yk_ring_add(ring, more, step);
+    }
+    return count;
+}
+
+// What is defined may follow from unknowns.
+static const YkPoisson *without_definitions(YkDerivation *d, const YkPoisson *zero)
+{
+    for (size_t k = d->change_count - d->definition_count; k < d->change_count; k++)
+        if (yk_ring_mentions(d->ring, zero, d->changes[k].symbol)) return yk_derive_in_joints(d, zero);
+    return zero;
+}
+
 // Unknown ones first, so that given ones stay as they are.
 static void list_unknowns(const YkDerivation *d, const YkDeriveBlocks *blocks, bool accelerations, int32_t *unknowns)
 {
@@ -104,17 +130,21 @@ static bool plan_motion(YkDerivation *d, const YkDeriveBlocks *blocks, bool acce
 {
     size_t own = blocks->row_count, more = accelerations ? d->relation_count : 0,
            n = d->coordinate_count + (accelerations ? d->unknown_count : 0);
-    const YkPoisson **zeros = YK_NEW(d->arena, const YkPoisson *, own + more + d->coordinate_count + 1);
-    int32_t *unknowns = YK_NEW(d->arena, int32_t, n + 1);
+    yk_derive_body_angle(d, 0); // makes the changes
+    const YkPoisson **zeros =
+        YK_NEW(d->arena, const YkPoisson *, own + more + d->coordinate_count + d->model->body_count + 1);
+    int32_t *unknowns = YK_NEW(d->arena, int32_t, n + d->model->body_count + 1);
     if (!zeros || !unknowns) return false;
+    size_t bodies = accelerations ? add_bodies(d, unknowns, zeros) : 0;
     for (size_t r = 0; r < own; r++) {
-        zeros[r] = yk_ring_time_derivative(d->ring, blocks->rows[r].value);
-        if (accelerations) zeros[r] = yk_ring_time_derivative(d->ring, zeros[r]);
+        const YkPoisson *row = yk_ring_time_derivative(d->ring, blocks->rows[r].value);
+        zeros[bodies + r] = accelerations ? yk_ring_time_derivative(d->ring, row) : row;
     }
-    for (size_t r = 0; r < more; r++) zeros[own + r] = d->relations[r];
-    list_unknowns(d, blocks, accelerations, unknowns);
-    size_t held = hold(d, accelerations, zeros + own + more);
-    *system = (YkLoopSystem){.unknowns = unknowns, .unknown_count = n, .row_count = own + more + held, .held = held};
+    for (size_t r = 0; r < more; r++) zeros[bodies + own + r] = without_definitions(d, d->relations[r]);
+    list_unknowns(d, blocks, accelerations, unknowns + bodies);
+    size_t held = hold(d, accelerations, zeros + bodies + own + more);
+    *system = (YkLoopSystem){
+        .unknowns = unknowns, .unknown_count = bodies + n, .row_count = bodies + own + more + held, .held = held};
     return fill(d, system, zeros);
 }
 
@@ -122,6 +152,12 @@ static bool plan_motion(YkDerivation *d, const YkDeriveBlocks *blocks, bool acce
 static bool is_of_today(const YkDerivation *d, const YkLoopPlan *plan)
 {
     return plan && plan->relations == d->relation_count && plan->unknowns == d->unknown_count;
+}
+
+bool yk_loop_is_large(const YkDerivation *d)
+{
+    enum { UNKNOWNS_MAX = 2000 };
+    return d->coordinate_count + d->unknown_count + d->model->body_count > UNKNOWNS_MAX || yk_derive_is_long(d);
 }
 
 const YkLoopPlan *yk_loop_plan(YkDerivation *d)

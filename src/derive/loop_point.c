@@ -24,34 +24,44 @@ static void follow_definitions(YkLoopMaking *making)
 
 // --- Linear systems over the field
 
-// A row's numbers at the point; b is what the sum of slope * unknown must be.
-static void put_row(const YkLoopMaking *making, const YkLoopSystem *system, size_t row, uint64_t *A, uint64_t *b)
+// A row's numbers at the point; returns what the sum of slope * unknown must be.
+static uint64_t put_row(const YkLoopMaking *making, const YkLoopSystem *system, size_t row, YkFieldEntry *entries)
 {
     const YkLoopRow *own = &system->rows[row];
     uint64_t sum = yk_loop_field(making, own->rest);
     for (size_t k = own[0].first; k < own[1].first; k++) {
         const YkLoopEntry *entry = &system->entries[k];
-        uint64_t slope = A[entry->unknown] = yk_loop_field(making, entry->slope),
+        uint64_t slope = yk_loop_field(making, entry->slope),
                  now = own->is_split ? 0 : yk_field_point_get(making->point, system->unknowns[entry->unknown]);
+        entries[k] = (YkFieldEntry){(size_t)entry->unknown, slope};
         sum = yk_field_subtract(sum, yk_field_multiply(slope, now));
     }
-    *b = yk_field_negate(sum);
+    return yk_field_negate(sum);
+}
+
+static int solve(YkLoopMaking *making, const YkLoopSystem *system, size_t *first, YkFieldEntry *entries, uint64_t *b,
+                 uint64_t *x)
+{
+    size_t rows = system->row_count, count = system->unknown_count;
+    for (size_t k = 0; k < count; k++) x[k] = yk_field_point_get(making->point, system->unknowns[k]);
+    for (size_t r = 0; r < rows; r++) b[r] = put_row(making, system, r, entries);
+    for (size_t r = 0; r <= rows; r++) first[r] = system->rows[r].first;
+    int rank = yk_field_solve_sparse(entries, first, b, rows, count, x);
+    for (size_t k = 0; k < count && rank >= 0; k++) yk_field_point_set(making->point, system->unknowns[k], x[k]);
+    return rank;
 }
 
 bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
 {
-    size_t rows = system->row_count, count = system->unknown_count;
-    uint64_t *block = calloc(rows * count + rows + count + 1, sizeof *block);
-    if (!block) {
-        making->failed = true;
-        return false;
-    }
-    uint64_t *A = block, *b = block + rows * count, *x = b + rows;
-    for (size_t k = 0; k < count; k++) x[k] = yk_field_point_get(making->point, system->unknowns[k]);
-    for (size_t r = 0; r < rows; r++) put_row(making, system, r, A + r * count, b + r);
-    *rank = yk_field_solve(A, b, rows, count, x);
-    for (size_t k = 0; k < count && *rank >= 0; k++) yk_field_point_set(making->point, system->unknowns[k], x[k]);
-    free(block);
+    size_t rows = system->row_count;
+    size_t *first = calloc(rows + 1, sizeof *first);
+    YkFieldEntry *entries = calloc(system->rows[rows].first + 1, sizeof *entries);
+    uint64_t *b = calloc(rows + system->unknown_count + 1, sizeof *b);
+    making->failed |= !first || !entries || !b;
+    *rank = making->failed ? -1 : solve(making, system, first, entries, b, b + rows);
+    free(first);
+    free(entries);
+    free(b);
     return *rank >= 0;
 }
 

@@ -48,6 +48,8 @@ typedef struct YkLoopPlan {
     size_t relations, unknowns;
 } YkLoopPlan;
 const YkLoopPlan *yk_loop_plan(YkDerivation *d);
+// So many unknowns that points would take more than a second.
+bool yk_loop_is_large(const YkDerivation *d);
 
 typedef struct YkLoopMaking {
     YkDerivation *d;

@@ -84,12 +84,11 @@ bool yk_derive_add_source(YkDerivation *d, YkDeriveSource fill, void *context)
 
 bool yk_derive_add_relation(YkDerivation *d, const YkPoisson *zero)
 {
-    const YkPoisson *in_joints = yk_derive_in_joints(d, zero);
-    if (!in_joints || !YK_ROOM(d->relations, d->relation_count, d->relation_capacity)) {
-        d->failed = d->failed || in_joints;
+    if (!zero || !YK_ROOM(d->relations, d->relation_count, d->relation_capacity)) {
+        d->failed = d->failed || zero;
         return false;
     }
-    d->relations[d->relation_count++] = in_joints;
+    d->relations[d->relation_count++] = zero;
     return true;
 }
 
