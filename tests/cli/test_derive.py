@@ -2,6 +2,7 @@
 import math
 import os
 import re
+import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree
@@ -213,6 +214,24 @@ class Check(Case):
 
 
 # What a page prints must not be called false on its own machine.
+class LongMachines(Case):
+    def chain(self, count):
+        run = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "make-model"), "chain", str(count)],
+                             capture_output=True, text=True, check=True)
+        return self.write("chain.yaml", run.stdout)
+
+    def test_a_hundred_bodies_are_no_hindrance_to_a_proof(self):
+        out = self.good("derive", self.chain(100), "--check", "link3.rate = link2.rate + q3'").out
+        self.assertIn("\n  true: proved", out)
+
+    def test_what_is_too_large_for_a_proof_is_tried_at_poses(self):
+        run = Run("derive", self.chain(1000), "--check", "link3.rate = link2.rate + q3'", "--check", "link3.rate = link2.rate",
+                  "--check", "link900.angle = link899.angle + q900", "--check", "cos(link3.angle) = cos(link2.angle + q3)")
+        self.assertIn("\n  true at 24 poses of this machine, not proved: it is too large for that\n", run.out)
+        verdicts = [line.split()[0] for line in run.out.splitlines() if re.match(r"  (true|false)", line)]
+        self.assertEqual(verdicts, ["true", "false:", "true", "true"])
+
+
 class Printed(Case):
     CONTEXT = re.compile(r"\^\{|\b[FMNTWSDRQev]_|work of the|tan\(alpha\)|^rho = |^x = lift_v$")
 
