@@ -22,6 +22,7 @@ void yk_dag_end(YkDag *g)
     free(g->calls);
     free(g->sections);
     free(g->table);
+    yk_names_free(&g->leaves);
     *g = (YkDag){0};
 }
 
@@ -133,10 +134,10 @@ YkRef yk_dag_number(YkDag *g, double number)
 
 YkRef yk_dag_leaf(YkDag *g, YkLeafClass leaf_class, const char *name)
 {
-    for (size_t k = 0; k < g->count; k++)
-        if (g->values[k].op == YK_VALUE_LEAF && strcmp(g->values[k].name, name) == 0) return (YkRef)k;
+    int32_t known = yk_names_find(&g->leaves, name);
+    if (known != YK_NONE) return known;
     const char *copy = yk_arena_copy(g->arena, name, strlen(name));
-    if (!copy) {
+    if (!copy || !yk_names_add(&g->leaves, copy, (int32_t)g->count, NULL)) {
         g->failed = true;
         return 0;
     }

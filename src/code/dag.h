@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/memory.h"
+#include "base/names.h"
 #include "expr/expr.h"
 
 typedef int32_t YkRef; // a value of the graph
@@ -87,7 +88,8 @@ typedef struct YkDag {
     size_t section_count, section_capacity;
     int32_t *table; // of what is there already
     size_t table_size;
-    bool failed; // out of memory
+    YkNames leaves; // values by name
+    bool failed;    // out of memory
 } YkDag;
 
 bool yk_dag_start(YkDag *graph, YkArena *arena);
