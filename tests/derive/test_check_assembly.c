@@ -1,38 +1,15 @@
 // Equations that hold on one assembly of a machine and not on another: dimensions that are used twice let the loops'
 // equations fall apart.
-#include "derive_check.h"
+#include "verdicts.h"
 
-typedef struct Case {
-    const char *equation;
-    YkCheckKind kind;
-} Case;
-
-static void check_cases(const char *machine, const Case *cases, size_t count)
+static void check_machine(const char *text, const Expected *expected, size_t count)
 {
-    Machine m = machine_of(machine);
-    for (size_t k = 0; k < count; k++) {
-        YkCheckVerdict verdict = verdict_on(&m, cases[k].equation);
-        if (verdict.kind == cases[k].kind) continue;
-        print_error("%s: verdict %d, expected %d\n%s", cases[k].equation, (int)verdict.kind, (int)cases[k].kind,
-                    yk_problems_text(m.problems, 0));
-        fail();
-    }
+    Machine m = machine_of(text);
+    check_kinds(&m, expected, count);
     machine_end(&m);
 }
-#define CHECK_CASES(machine, ...)                                                                                      \
-    check_cases(machine, (const Case[]){__VA_ARGS__}, sizeof((const Case[]){__VA_ARGS__}) / sizeof(Case))
-#define IS(equation)                                                                                                   \
-    {                                                                                                                  \
-        equation, YK_CHECK_TRUE                                                                                        \
-    }
-#define IS_HERE(equation)                                                                                              \
-    {                                                                                                                  \
-        equation, YK_CHECK_TRUE_HERE                                                                                   \
-    }
-#define IS_NOT(equation)                                                                                               \
-    {                                                                                                                  \
-        equation, YK_CHECK_FALSE                                                                                       \
-    }
+#define CHECK_MACHINE(text, ...)                                                                                       \
+    check_machine(text, (const Expected[]){__VA_ARGS__}, sizeof((const Expected[]){__VA_ARGS__}) / sizeof(Expected))
 
 static const char scissor[] = "parameters: {L: 1.2 m, W: 80 kg}\n"
                               "gravity: [0, -9.81 m/s^2]\n"
@@ -57,10 +34,10 @@ static const char scissor[] = "parameters: {L: 1.2 m, W: 80 kg}\n"
 static void a_scissor_lift_stays_level(void **state)
 {
     (void)state;
-    CHECK_CASES(scissor, IS("B.angle = pi - theta"), IS("sin(theta + B.angle) = 0"), IS("table.angle = 0"), IS("u = x"),
-                IS("table.G.y = L sin(theta) + 0.1 m"), IS("x = L cos(theta)"), IS("table.G.y' = x theta'"),
-                IS_NOT("B.angle = theta"), IS_NOT("table.G.y = L cos(theta) + 0.1 m"), IS_HERE("L = 1.2 m"),
-                IS_NOT("x = 2 L cos(theta)"), IS_NOT("L = 0"), IS_NOT("u = 0"));
+    CHECK_MACHINE(scissor, IS("B.angle = pi - theta"), IS("sin(theta + B.angle) = 0"), IS("table.angle = 0"),
+                  IS("u = x"), IS("table.G.y = L sin(theta) + 0.1 m"), IS("x = L cos(theta)"),
+                  IS("table.G.y' = x theta'"), IS_NOT("B.angle = theta"), IS_NOT("table.G.y = L cos(theta) + 0.1 m"),
+                  IS_HERE("L = 1.2 m"), IS_NOT("x = 2 L cos(theta)"), IS_NOT("L = 0"), IS_NOT("u = 0"));
 }
 
 #define FOUR_BAR                                                                                                       \
@@ -80,72 +57,72 @@ static void a_scissor_lift_stays_level(void **state)
 static void parallelogram_and_contra_parallelogram_are_told_apart(void **state)
 {
     (void)state;
-    CHECK_CASES(FOUR_BAR "start: {t1: 1, t2: -1, t3: 1}\n", IS("t3 = t1"), IS("rod.angle = 0"), IS("t2 = -t1"),
-                IS("t1' = t3'"), IS("rod.B.x = b + a cos(t1)"), IS("rod.B.y'' = a cos(t1) t1'' - a sin(t1) t1'^2"),
-                IS_NOT("t2 = t3"), IS_NOT("t1' = -t3'"), IS_NOT("rod.B.y = a cos(t1)"), IS_HERE("a = 0.3"));
-    CHECK_CASES(FOUR_BAR "start: {t1: 1, t2: -1.5, t3: -1.6}\n", IS("t2 = t3"), IS("rod.angle = t1 + t3"),
-                IS("a (cos(t1) - cos(t3)) = b - b cos(t1 + t2)"), IS_NOT("t3 = t1"), IS_NOT("rod.angle = 0"),
-                IS_NOT("t1' = t3'"));
+    CHECK_MACHINE(FOUR_BAR "start: {t1: 1, t2: -1, t3: 1}\n", IS("t3 = t1"), IS("rod.angle = 0"), IS("t2 = -t1"),
+                  IS("t1' = t3'"), IS("rod.B.x = b + a cos(t1)"), IS("rod.B.y'' = a cos(t1) t1'' - a sin(t1) t1'^2"),
+                  IS_NOT("t2 = t3"), IS_NOT("t1' = -t3'"), IS_NOT("rod.B.y = a cos(t1)"), IS_HERE("a = 0.3"));
+    CHECK_MACHINE(FOUR_BAR "start: {t1: 1, t2: -1.5, t3: -1.6}\n", IS("t2 = t3"), IS("rod.angle = t1 + t3"),
+                  IS("a (cos(t1) - cos(t3)) = b - b cos(t1 + t2)"), IS_NOT("t3 = t1"), IS_NOT("rod.angle = 0"),
+                  IS_NOT("t1' = t3'"));
 }
 
 // Angles go on over turns: phi = -2 theta also where that is far from the start.
 static void a_crank_as_long_as_its_rod_makes_an_isosceles_triangle(void **state)
 {
     (void)state;
-    CHECK_CASES("parameters: {r: 0.1}\n"
-                "bodies:\n"
-                "  ground: {points: {O: [0, 0]}}\n"
-                "  crank:  {points: {O: [0, 0], A: [r, 0]}}\n"
-                "  rod:    {points: {A: [0, 0], B: [r, 0]}}\n"
-                "  piston: {points: {B: [0, 0]}}\n"
-                "joints:\n"
-                "  O: {pin: [ground, crank], angle: theta}\n"
-                "  A: {pin: [crank, rod], angle: phi}\n"
-                "  B: {pin: [rod, piston]}\n"
-                "  S: {slide: [ground, piston], along: x, distance: s}\n"
-                "start: {theta: 50 deg, phi: -100 deg, s: 0.12}\n",
-                IS("phi = -2 theta"), IS("rod.angle = -theta"), IS("s = 2 r cos(theta)"),
-                IS("s' = -2 r sin(theta) theta'"), IS("s^2 = 4 r^2 - 4 r^2 sin(theta)^2"), IS_NOT("s = r cos(theta)"),
-                IS_NOT("s = 0"), IS_HERE("s = 0.2 cos(theta)"));
+    CHECK_MACHINE("parameters: {r: 0.1}\n"
+                  "bodies:\n"
+                  "  ground: {points: {O: [0, 0]}}\n"
+                  "  crank:  {points: {O: [0, 0], A: [r, 0]}}\n"
+                  "  rod:    {points: {A: [0, 0], B: [r, 0]}}\n"
+                  "  piston: {points: {B: [0, 0]}}\n"
+                  "joints:\n"
+                  "  O: {pin: [ground, crank], angle: theta}\n"
+                  "  A: {pin: [crank, rod], angle: phi}\n"
+                  "  B: {pin: [rod, piston]}\n"
+                  "  S: {slide: [ground, piston], along: x, distance: s}\n"
+                  "start: {theta: 50 deg, phi: -100 deg, s: 0.12}\n",
+                  IS("phi = -2 theta"), IS("rod.angle = -theta"), IS("s = 2 r cos(theta)"),
+                  IS("s' = -2 r sin(theta) theta'"), IS("s^2 = 4 r^2 - 4 r^2 sin(theta)^2"), IS_NOT("s = r cos(theta)"),
+                  IS_NOT("s = 0"), IS_HERE("s = 0.2 cos(theta)"));
 }
 
 static void kites_and_trammels_keep_their_symmetry(void **state)
 {
     (void)state;
-    CHECK_CASES("parameters: {a: 0.3, b: 0.5}\n"
-                "bodies:\n"
-                "  ground: {points: {O: [0, 0], C: [a, 0]}}\n"
-                "  crank: {points: {O: [0, 0], A: [a, 0]}}\n"
-                "  rod: {points: {A: [0, 0], B: [b, 0]}}\n"
-                "  other: {points: {C: [0, 0], B: [b, 0]}}\n"
-                "joints:\n"
-                "  O: {pin: [ground, crank], angle: t1}\n"
-                "  A: {pin: [crank, rod], angle: t2}\n"
-                "  C: {pin: [ground, other], angle: t3}\n"
-                "  B: {pin: [rod, other]}\n"
-                "start: {t1: 1, t2: -1, t3: 1}\n",
-                IS("rod.angle + t3 = t1"), IS("t3' + t2' = 0"), IS("b sin(t3) = a sin(t1) + b sin(t1 + t2)"),
-                IS_NOT("rod.angle + t3 = t1 + pi"), IS_NOT("t2 = t3"));
-    CHECK_CASES("parameters: {a: 0.3, b: 0.5}\n"
-                "bodies:\n"
-                "  ground: {points: {O: [0, 0]}}\n"
-                "  h: {points: {P: [0, 0]}}\n"
-                "  v: {points: {Q: [0, 0]}}\n"
-                "  bar: {points: {P: [0, 0], Q: [a + b, 0], M: [a, 0]}}\n"
-                "joints:\n"
-                "  H: {slide: [ground, h], along: x, distance: x}\n"
-                "  V: {slide: [ground, v], along: y, distance: y}\n"
-                "  P: {pin: [h, bar], angle: th}\n"
-                "  Q: {pin: [bar, v]}\n"
-                "start: {th: 2, x: 0.3, y: 0.7}\n",
-                IS("x = -(a + b) cos(th)"), IS("y = (a + b) sin(th)"), IS("bar.M.x = -b cos(th)"),
-                IS("(bar.M.x/b)^2 + (bar.M.y/a)^2 = 1"), IS_NOT("(bar.M.x/a)^2 + (bar.M.y/b)^2 = 1"));
+    CHECK_MACHINE("parameters: {a: 0.3, b: 0.5}\n"
+                  "bodies:\n"
+                  "  ground: {points: {O: [0, 0], C: [a, 0]}}\n"
+                  "  crank: {points: {O: [0, 0], A: [a, 0]}}\n"
+                  "  rod: {points: {A: [0, 0], B: [b, 0]}}\n"
+                  "  other: {points: {C: [0, 0], B: [b, 0]}}\n"
+                  "joints:\n"
+                  "  O: {pin: [ground, crank], angle: t1}\n"
+                  "  A: {pin: [crank, rod], angle: t2}\n"
+                  "  C: {pin: [ground, other], angle: t3}\n"
+                  "  B: {pin: [rod, other]}\n"
+                  "start: {t1: 1, t2: -1, t3: 1}\n",
+                  IS("rod.angle + t3 = t1"), IS("t3' + t2' = 0"), IS("b sin(t3) = a sin(t1) + b sin(t1 + t2)"),
+                  IS_NOT("rod.angle + t3 = t1 + pi"), IS_NOT("t2 = t3"));
+    CHECK_MACHINE("parameters: {a: 0.3, b: 0.5}\n"
+                  "bodies:\n"
+                  "  ground: {points: {O: [0, 0]}}\n"
+                  "  h: {points: {P: [0, 0]}}\n"
+                  "  v: {points: {Q: [0, 0]}}\n"
+                  "  bar: {points: {P: [0, 0], Q: [a + b, 0], M: [a, 0]}}\n"
+                  "joints:\n"
+                  "  H: {slide: [ground, h], along: x, distance: x}\n"
+                  "  V: {slide: [ground, v], along: y, distance: y}\n"
+                  "  P: {pin: [h, bar], angle: th}\n"
+                  "  Q: {pin: [bar, v]}\n"
+                  "start: {th: 2, x: 0.3, y: 0.7}\n",
+                  IS("x = -(a + b) cos(th)"), IS("y = (a + b) sin(th)"), IS("bar.M.x = -b cos(th)"),
+                  IS("(bar.M.x/b)^2 + (bar.M.y/a)^2 = 1"), IS_NOT("(bar.M.x/a)^2 + (bar.M.y/b)^2 = 1"));
 }
 
 static void straight_lines_and_enlarged_figures_are_proved(void **state)
 {
     (void)state;
-    CHECK_CASES( // Scott Russell
+    CHECK_MACHINE( // Scott Russell
         "parameters: {l: 0.3}\n"
         "bodies:\n"
         "  ground: {points: {O: [0, 0]}}\n"
@@ -160,7 +137,7 @@ static void straight_lines_and_enlarged_figures_are_proved(void **state)
         "start: {th: 1, ph: 2.14, s: 0.32}\n",
         IS("ph = pi - th"), IS("bar.C.x = 0"), IS("bar.C.y = 2 l sin(th)"), IS("s = 2 l cos(th)"),
         IS_NOT("bar.C.y = l sin(th)"), IS_NOT("bar.C.y = 0"));
-    CHECK_CASES( // a pantograph
+    CHECK_MACHINE( // a pantograph
         "parameters: {a: 0.2, k: 3}\n"
         "bodies:\n"
         "  ground: {points: {O: [0, 0]}}\n"
@@ -197,9 +174,9 @@ static const char planets[] = "parameters: {N1: 24, N2: 18, N3: 60, mod: 2 mm, c
 static void equal_planets_turn_alike(void **state)
 {
     (void)state;
-    CHECK_CASES(planets, IS("theta2 = theta3"), IS("N1 theta1' = (N1 + N3) thetaC' - N3 theta4'"),
-                IS_NOT("theta2' = -theta3'"), IS_HERE("N3 = N1 + 2 N2"),
-                IS_HERE("2 (N1 + N2) thetaC' = N1 theta1' + N3 theta4'"));
+    CHECK_MACHINE(planets, IS("theta2 = theta3"), IS("N1 theta1' = (N1 + N3) thetaC' - N3 theta4'"),
+                  IS_NOT("theta2' = -theta3'"), IS_HERE("N3 = N1 + 2 N2"),
+                  IS_HERE("2 (N1 + N2) thetaC' = N1 theta1' + N3 theta4'"));
 }
 
 // That a ring's teeth are those of the sun and of two planets is no accident of this file: nothing is said against it.

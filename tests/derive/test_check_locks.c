@@ -1,5 +1,5 @@
 // Verdicts under a lock: what it holds stands, in proofs as at poses.
-#include "derive_check.h"
+#include "verdicts.h"
 
 static Machine locked(const char *text, const char *lock)
 {
@@ -11,29 +11,6 @@ static Machine locked(const char *text, const char *lock)
     print_error("%s\n", yk_problems_text(m.problems, 0));
     fail();
     return m;
-}
-
-typedef struct Expected {
-    const char *equation;
-    YkCheckKind kind;
-} Expected;
-
-static void check_kinds(Machine *m, const Expected *expected, size_t count)
-{
-    YkDynamics *dynamics = yk_dynamics_new(m->mech, m->problems);
-    assert_non_null(dynamics);
-    for (size_t k = 0; k < count; k++) {
-        const char *equation = expected[k].equation;
-        yk_state_set_time(m->state, 0, NULL);
-        assert_true(yk_state_assemble(m->state) >= 0);
-        YkCheckVerdict verdict = yk_derive_check(m->d, m->state, yk_dynamics_has_loads(dynamics) ? dynamics : NULL,
-                                                 equation, strlen(equation), (YkPlace){1, 1, 0}, m->problems);
-        if (verdict.kind == expected[k].kind) continue;
-        print_error("%s under %s: verdict %d, expected %d\n%s", equation, m->model->engaged, (int)verdict.kind,
-                    (int)expected[k].kind, yk_problems_text(m->problems, 0));
-        fail();
-    }
-    yk_dynamics_free(dynamics);
 }
 
 static void check_under(const char *text, const char *lock, const Expected *expected, size_t count)

@@ -1,50 +1,6 @@
 // Equations as pages print them: values of laws, names of a motion program, influence coefficients, lumped constants,
 // what drives do; and angles that are no multiples of the machine's.
-#include "derive_check.h"
-
-typedef struct Case {
-    const char *equation;
-    YkCheckKind kind;
-} Case;
-
-static void check_cases(Machine *m, const Case *cases, size_t count)
-{
-    YkDynamics *dynamics = yk_dynamics_new(m->mech, m->problems);
-    assert_non_null(dynamics);
-    for (size_t k = 0; k < count; k++) {
-        yk_state_set_time(m->state, 0, NULL);
-        assert_true(yk_state_assemble(m->state) >= 0);
-        YkCheckVerdict verdict = yk_derive_check(m->d, m->state, dynamics, cases[k].equation, strlen(cases[k].equation),
-                                                 (YkPlace){1, 1, 0}, m->problems);
-        if (verdict.kind == cases[k].kind) continue;
-        print_error("%s: verdict %d, expected %d\n%s", cases[k].equation, (int)verdict.kind, (int)cases[k].kind,
-                    yk_problems_text(m->problems, 0));
-        fail();
-    }
-    yk_dynamics_free(dynamics);
-}
-#define CHECK_CASES(m, ...)                                                                                            \
-    check_cases(m, (const Case[]){__VA_ARGS__}, sizeof((const Case[]){__VA_ARGS__}) / sizeof(Case))
-#define IS(equation)                                                                                                   \
-    {                                                                                                                  \
-        equation, YK_CHECK_TRUE                                                                                        \
-    }
-#define IS_HERE(equation)                                                                                              \
-    {                                                                                                                  \
-        equation, YK_CHECK_TRUE_HERE                                                                                   \
-    }
-#define IS_DRIVEN(equation)                                                                                            \
-    {                                                                                                                  \
-        equation, YK_CHECK_TRUE_DRIVEN                                                                                 \
-    }
-#define IS_NOT(equation)                                                                                               \
-    {                                                                                                                  \
-        equation, YK_CHECK_FALSE                                                                                       \
-    }
-#define CANNOT(equation)                                                                                               \
-    {                                                                                                                  \
-        equation, YK_CHECK_UNREADABLE                                                                                  \
-    }
+#include "verdicts.h"
 
 static const char cam[] = "laws:\n"
                           "  lift:\n"
@@ -69,7 +25,7 @@ static void laws_are_asked_at_a_place(void **state)
 {
     (void)state;
     Machine m = machine_of(cam);
-    CHECK_CASES(&m, IS_HERE("lift (pi) = 1/50"), IS_HERE("lift(2/3 pi) = 20 mm"), IS_HERE("lift (60 deg) = 10 mm"),
+    CHECK_KINDS(&m, IS_HERE("lift (pi) = 1/50"), IS_HERE("lift(2/3 pi) = 20 mm"), IS_HERE("lift (60 deg) = 10 mm"),
                 IS_HERE("lift_v (pi/3) = 0.04/(2/3 pi)"), IS_HERE("lift_v (pi) = 0"), IS_HERE("lift_a (pi) = 0"),
                 IS_HERE("lift (3/2 pi) = 1/100"), IS("s = lift(theta)"), IS("s' = lift_v(theta) theta'"),
                 IS("lift (theta + s) = theta s + s^2"), IS_NOT("lift (pi) = 1/40"), IS_NOT("lift_v (pi/3) = 0"),
@@ -81,7 +37,7 @@ static void names_of_a_motion_program_hold_in_their_segment(void **state)
 {
     (void)state;
     Machine m = machine_of(cam);
-    CHECK_CASES(&m, IS("h1 = 20 mm"), IS("beta1 = 120 deg"), IS_HERE("s = h1 (u1 - sin(2 pi u1)/(2 pi))"),
+    CHECK_KINDS(&m, IS("h1 = 20 mm"), IS("beta1 = 120 deg"), IS_HERE("s = h1 (u1 - sin(2 pi u1)/(2 pi))"),
                 IS_HERE("u1 = theta/beta1"), IS_HERE("lift_v = h1/beta1 (1 - cos(2 pi u1))"),
                 IS_HERE("s = h2 (1 - 10 u2^3 + 15 u2^4 - 6 u2^5)"), IS_HERE("u2 = (theta - pi)/pi"),
                 IS_NOT("s = h1 u1"), IS_NOT("s = h2 (10 u2^3 - 15 u2^4 + 6 u2^5)"), IS_NOT("u1 = theta/pi"),
@@ -101,7 +57,7 @@ static void a_machines_own_names_come_first(void **state)
                    "joints:\n"
                    "  W: {slide: [ground, cart], along: x, distance: x}\n"
                    "  O: {pin: [cart, arm], angle: q}\n");
-    CHECK_CASES(&m, IS_HERE("p1 = 2 m"), IS_HERE("k_q = 5"), IS("L = T - V"), IS("omega_arm = q'"),
+    CHECK_KINDS(&m, IS_HERE("p1 = 2 m"), IS_HERE("k_q = 5"), IS("L = T - V"), IS("omega_arm = q'"),
                 IS("alpha_arm = q''"), IS("T = mu x'^2 + 1/2 mu p1^2 omega_arm^2 - mu p1 sin(q) x' q'"),
                 CANNOT("k_x = 1"), CANNOT("h1 = 1"));
     machine_end(&m);
@@ -125,7 +81,7 @@ static void what_speaks_of_the_time_is_asked_of_the_drives(void **state)
 {
     (void)state;
     Machine m = machine_of(crank);
-    CHECK_CASES(&m, IS_DRIVEN("th = pi/6 + w t"), IS_DRIVEN("th' = w"), IS_DRIVEN("th'' = 0"),
+    CHECK_KINDS(&m, IS_DRIVEN("th = pi/6 + w t"), IS_DRIVEN("th' = w"), IS_DRIVEN("th'' = 0"),
                 IS_DRIVEN("crank.A.x = r cos(pi/6 + w t)"),
                 IS_DRIVEN("(s - r cos(w t + 30 deg))^2 = l^2 - r^2 sin(30 deg + w t)^2"),
                 IS_DRIVEN("crank.A.x'' = -w^2 crank.A.x"), IS_NOT("th = w t"), IS_NOT("th' = 2 w"),
@@ -138,7 +94,7 @@ static void roots_are_tried_at_poses(void **state)
 {
     (void)state;
     Machine m = machine_of(crank);
-    CHECK_CASES(&m, IS_HERE("s = r cos(th) + sqrt(l^2 - r^2 sin(th)^2)"),
+    CHECK_KINDS(&m, IS_HERE("s = r cos(th) + sqrt(l^2 - r^2 sin(th)^2)"),
                 IS_NOT("s = r cos(th) - sqrt(l^2 - r^2 sin(th)^2)"), IS_HERE("sqrt(s^2) = s"), IS_NOT("sqrt(s^2) = -s"),
                 IS_HERE("sqrt(crank.A.x'^2 + crank.A.y'^2) = r sqrt(th'^2)"),
                 IS_NOT("sqrt(crank.A.x'^2 + crank.A.y'^2) = r th' cos(th)"),
@@ -150,7 +106,7 @@ static void half_angles_are_read(void **state)
 {
     (void)state;
     Machine m = machine_of(crank);
-    CHECK_CASES(&m, IS("tan(th/2) = sin(th)/(1 + cos(th))"), IS("tan(th/2)^2 = (1 - cos(th))/(1 + cos(th))"),
+    CHECK_KINDS(&m, IS("tan(th/2) = sin(th)/(1 + cos(th))"), IS("tan(th/2)^2 = (1 - cos(th))/(1 + cos(th))"),
                 IS_HERE("2 sin(th/2) cos(th/2) = sin(th)"), IS_HERE("cos(th/2)^2 = (1 + cos(th))/2"),
                 IS_NOT("tan(th/2) = sin(th)/(1 - cos(th))"), IS_NOT("sin(th/2) = sin(th)/2"), CANNOT("sin(r) = 0"),
                 CANNOT("sin(w) = 0"));

@@ -1,17 +1,5 @@
 // Equations of machines whose forces need roots: lengths of springs, the height of a roller.
-#include "derive_check.h"
-
-static void check_kind(Machine *m, YkDynamics *dynamics, const char *equation, YkCheckKind expected)
-{
-    yk_state_set_time(m->state, 0, NULL);
-    assert_true(yk_state_assemble(m->state) >= 0);
-    YkCheckVerdict verdict =
-        yk_derive_check(m->d, m->state, dynamics, equation, strlen(equation), (YkPlace){1, 1, 0}, m->problems);
-    if (verdict.kind == expected) return;
-    print_error("%s: verdict %d, expected %d\n%s", equation, (int)verdict.kind, (int)expected,
-                yk_problems_text(m->problems, 0));
-    fail();
-}
+#include "verdicts.h"
 
 // The roller's height h_cc = sqrt(39/8000) has no value in the prime field: what does not hang on its square is proved
 // all the same, and what is an identity by its square is one.
