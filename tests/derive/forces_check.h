@@ -79,6 +79,21 @@ static inline void write_section(Machine *m, const char *section)
     fail();
 }
 
+// All sections. False where products of the file's decimals are too large to be exact: that is told, not wrong.
+static inline bool write_all_sections(Machine *m, uint64_t number)
+{
+    bool well = yk_derive_forces(m->d) != NULL;
+    size_t k = 0;
+    for (; yk_derive_sections[k].name && well; k++)
+        if (!yk_derive_sections[k].is_of || yk_derive_sections[k].is_of(m->model))
+            well = yk_derive_write(m->d, k, &m->page);
+    if (well || yk_ring_status(m->d->ring) == YK_RING_OVERFLOW) return well;
+    print_error("machine %d, %s: %s\n", (int)number, k ? yk_derive_sections[k - 1].name : "forces",
+                yk_ring_status_text(yk_ring_status(m->d->ring)));
+    fail();
+    return false;
+}
+
 // Every element of every line, in every format that reads, comes back as the identical element.
 static inline size_t check_read_back(Machine *m, const YkPoisson *a)
 {
