@@ -145,16 +145,15 @@ uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, u
 // too large.
 static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b_count, int32_t times, YkPower *out)
 {
-    const YkPower *a_end = a + a_count, *b_end = b + b_count;
-    size_t count = 0;
-    for (; b < b_end; b++) {
-        int64_t exponent = (int64_t)times * b->exponent;
-        for (; a < a_end && a->symbol < b->symbol; a++) out[count++] = *a;
-        if (a < a_end && a->symbol == b->symbol) exponent += a++->exponent;
+    size_t i = 0, count = 0;
+    for (size_t k = 0; k < b_count; k++) {
+        int64_t exponent = (int64_t)times * b[k].exponent;
+        while (i < a_count && a[i].symbol < b[k].symbol) out[count++] = a[i++];
+        if (i < a_count && a[i].symbol == b[k].symbol) exponent += a[i++].exponent;
         if (exponent > YK_POWER_MAX || exponent < -YK_POWER_MAX) return SIZE_MAX;
-        if (exponent != 0) out[count++] = (YkPower){b->symbol, (int32_t)exponent};
+        if (exponent != 0) out[count++] = (YkPower){b[k].symbol, (int32_t)exponent};
     }
-    for (; a < a_end; a++) out[count++] = *a;
+    while (i < a_count) out[count++] = a[i++];
     return count;
 }
 
