@@ -1,5 +1,4 @@
 // Positions: the compiled steps, one after the other, as solve/run walks them.
-#include <math.h>
 #include "code/program.h"
 
 // What a term is in the world without its distance, and that distance (-1: none).

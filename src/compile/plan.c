@@ -1,5 +1,4 @@
 #include "compile/plan.h"
-#include <stdlib.h>
 
 void yk_plan_step(YkPlan *plan, YkStep step)
 {

@@ -4,7 +4,6 @@
 // of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "compile/plan.h"
 #include "compile/relations.h"
-#include <stdlib.h>
 
 typedef struct YkForm {
     bool is_known;

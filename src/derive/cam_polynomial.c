@@ -1,9 +1,6 @@
 // A polynomial segment: the conditions as they are stated, the linear system in powers of the argument, coefficients
 // solved in exact fractions, and the polynomial with its derivatives. Hermite-Birkhoff interpolation: Lorentz, Jetter &
 // Riemenschneider 1983.
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/number.h"
 #include "derive/cam_polynomial.h"
 

@@ -1,6 +1,5 @@
 // Is an equation true as the drives move the machine? The time goes on in small steps, so that angles go on over turns.
 #include <math.h>
-#include <stdlib.h>
 #include "derive/check_inside.h"
 #include "solve/state.h"
 

@@ -1,5 +1,4 @@
 // Equations as a hand writes them, read into structured forms: quotients by sums are welcome.
-#include <string.h>
 #include "derive/equation.h"
 
 enum { DEPTH_MAX = 100, POWER_MAX = 32 };

@@ -1,7 +1,6 @@
 // Values of laws in equations: `lift(theta)`, and `lift_v (2/3 pi)` as pages print conditions. Before any other bracket
 // a law is a factor.
 #include <math.h>
-#include <stdlib.h>
 #include "derive/cam.h"
 #include "derive/equation.h"
 #include "derive/relations.h"

@@ -1,6 +1,5 @@
 // Names that only sections have, on their pages: p4 of Lagrange's lumped constants, k_s of the influence coefficients,
 // h1, beta1, u1 of a motion program, x and y of the tabular method. An equation copied from a page is read with them.
-#include <stdlib.h>
 #include "derive/blocks.h"
 #include "derive/equation.h"
 #include "derive/free_bodies.h"

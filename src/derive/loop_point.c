@@ -46,7 +46,7 @@ static int solve(YkLoopMaking *making, const YkLoopSystem *system, size_t *first
     for (size_t k = 0; k < count; k++) x[k] = yk_field_point_get(making->point, system->unknowns[k]);
     for (size_t r = 0; r < rows; r++) b[r] = put_row(making, system, r, entries);
     for (size_t r = 0; r <= rows; r++) first[r] = system->rows[r].first;
-    int rank = yk_field_solve_sparse(entries, first, b, rows, count, x);
+    int rank = yk_field_solve(entries, first, b, rows, count, x);
     for (size_t k = 0; k < count && rank >= 0; k++) yk_field_point_set(making->point, system->unknowns[k], x[k]);
     return rank;
 }

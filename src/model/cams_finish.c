@@ -1,6 +1,5 @@
 // The second pass over cams: what follows from the joints, and whether the sizes can be.
 #include <math.h>
-#include <stdlib.h>
 #include "base/number.h"
 #include "model/cam_place.h"
 #include "model/load.h"

@@ -1,5 +1,4 @@
 // Making elements, and comparing them.
-#include <string.h>
 #include "ring/inside.h"
 
 uint64_t yk_poisson_content(const YkPoisson *a)

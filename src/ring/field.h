@@ -34,16 +34,15 @@ uint64_t yk_field_power(uint64_t base, uint64_t exponent);
 uint64_t yk_field_invert(uint64_t a);           // of 0 it is 0
 uint64_t yk_field_of(int64_t value);            // a whole number
 bool yk_field_sqrt(uint64_t a, uint64_t *root); // false where there is none
-// Solves A x = b by elimination. A is rows x columns, row after row, and b has `rows` entries. Free unknowns keep what
-// stands in x. Returns the rank, or -1 where there is no solution (or no memory).
-int yk_field_solve(const uint64_t *A, const uint64_t *b, size_t rows, size_t columns, uint64_t *x);
-// The same with sparse rows: row r has entries first[r] to first[r + 1], their columns ascending.
+// Solves A x = b by elimination: row r of A has entries first[r] to first[r + 1], their columns ascending, and b has
+// `rows` entries. Free unknowns keep what stands in x. Returns the rank, or -1 where there is no solution (or no
+// memory).
 typedef struct YkFieldEntry {
     size_t column;
     uint64_t value;
 } YkFieldEntry;
-int yk_field_solve_sparse(const YkFieldEntry *entries, const size_t *first, const uint64_t *b, size_t rows,
-                          size_t columns, uint64_t *x);
+int yk_field_solve(const YkFieldEntry *entries, const size_t *first, const uint64_t *b, size_t rows, size_t columns,
+                   uint64_t *x);
 
 // A point: a value for every symbol of a ring, and a unit vector u (its conjugate is 1/u) for every angle.
 typedef struct YkFieldPoint YkFieldPoint;

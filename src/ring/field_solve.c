@@ -112,8 +112,8 @@ static bool take_row(Row *row, const YkFieldEntry *entries, size_t count, uint64
     return true;
 }
 
-int yk_field_solve_sparse(const YkFieldEntry *entries, const size_t *first, const uint64_t *b, size_t rows,
-                          size_t columns, uint64_t *x)
+int yk_field_solve(const YkFieldEntry *entries, const size_t *first, const uint64_t *b, size_t rows, size_t columns,
+                   uint64_t *x)
 {
     Elimination e = {.columns = columns};
     e.rows = calloc(rows + 1, sizeof *e.rows);
@@ -131,18 +131,5 @@ int yk_field_solve_sparse(const YkFieldEntry *entries, const size_t *first, cons
     for (size_t r = 0; e.rows && r < rows; r++) free(e.rows[r].entry);
     free(e.rows);
     free(e.first);
-    return rank;
-}
-
-int yk_field_solve(const uint64_t *A, const uint64_t *b, size_t rows, size_t columns, uint64_t *x)
-{
-    YkFieldEntry *entries = calloc(rows * columns + 1, sizeof *entries);
-    size_t *first = calloc(rows + 1, sizeof *first);
-    int rank = -1;
-    for (size_t k = 0; entries && k < rows * columns; k++) entries[k] = (YkFieldEntry){k % columns, A[k]};
-    for (size_t r = 0; first && r <= rows; r++) first[r] = r * columns;
-    if (entries && first) rank = yk_field_solve_sparse(entries, first, b, rows, columns, x);
-    free(entries);
-    free(first);
     return rank;
 }

@@ -1,6 +1,5 @@
 // Lumped constants: every polynomial in constants alone, under one name.
 #include <stdlib.h>
-#include <string.h>
 #include "ring/inside.h"
 
 enum { CONSTANTS = 1 << YK_RING_INERTIA | 1 << YK_RING_MASS | 1 << YK_RING_CONSTANT | 1 << YK_RING_GRAVITY };
@@ -47,32 +46,21 @@ static int by_rest(const void *a, const void *b)
     return p->constant.key < q->constant.key ? -1 : p->constant.key > q->constant.key;
 }
 
-// The pieces of one rest: terms[first ... end).
+// The pieces of one rest: pieces[first ... end).
 typedef struct Group {
+    const YkRing *ring;
+    uint64_t rest;
     size_t first, end;
 } Group;
 
 // By phase, then by monomial and unit of the rest: the order in which lumps get their names does not depend on what the
 // ring has made before.
-static int compare_rests(const YkRing *ring, uint64_t a, uint64_t b)
+static int by_order_of_rests(const void *a, const void *b)
 {
-    int order = yk_powers_compare(&ring->phases, yk_key_phase(a), yk_key_phase(b));
-    if (order == 0) order = yk_powers_compare(&ring->monomials, yk_key_monomial(a), yk_key_monomial(b));
-    return order != 0 ? order : (int)yk_key_unit(a) - (int)yk_key_unit(b);
-}
-
-// By merging; room[count].
-static void sort_groups(const YkRing *ring, const Piece *pieces, Group *groups, Group *room, size_t count)
-{
-    size_t half = count / 2, i = 0, k = half;
-    if (count < 2) return;
-    sort_groups(ring, pieces, groups, room, half);
-    sort_groups(ring, pieces, groups + half, room, count - half);
-    memcpy(room, groups, half * sizeof *groups);
-    for (size_t at = 0; i < half; at++) {
-        bool is_left = k == count || compare_rests(ring, pieces[room[i].first].rest, pieces[groups[k].first].rest) <= 0;
-        groups[at] = is_left ? room[i++] : groups[k++];
-    }
+    const Group *p = a, *q = b;
+    int order = yk_powers_compare(&p->ring->phases, yk_key_phase(p->rest), yk_key_phase(q->rest));
+    if (order == 0) order = yk_powers_compare(&p->ring->monomials, yk_key_monomial(p->rest), yk_key_monomial(q->rest));
+    return order != 0 ? order : (int)yk_key_unit(p->rest) - (int)yk_key_unit(q->rest);
 }
 
 // By the first class - inertias, masses, numbers last - then as above.
@@ -94,30 +82,30 @@ static const YkRingTerm *first_of(YkRing *ring, const Piece *pieces, size_t coun
 }
 
 // What the pieces of one rest have in common, with the sign of the first.
-static int64_t content_of(YkRing *ring, const Piece *pieces, size_t count)
+static int64_t content_of(const Piece *pieces, size_t count, const YkRingTerm *first)
 {
     uint64_t content = 0;
     for (size_t i = 0; i < count && content != 1; i++)
         content = yk_gcd(yk_magnitude(pieces[i].constant.number), content);
-    return first_of(ring, pieces, count)->number < 0 ? -(int64_t)content : (int64_t)content;
+    return first->number < 0 ? -(int64_t)content : (int64_t)content;
 }
 
 // The lump of pieces over their content. Where its numbers are large, decimals among them, the first is 1 instead: the
 // number by which the lump is multiplied grows with it. NULL on failure.
-static const YkPoisson *lump_of(YkRing *ring, const Piece *pieces, size_t count, int64_t *content)
+static const YkPoisson *lump_of(YkRing *ring, const Piece *pieces, size_t count, const YkRingTerm *first,
+                                int64_t *content)
 {
     enum { NUMBER_MAX = 1000 }; // of a lump in whole numbers
-    int64_t most = 0, first = 1;
+    int64_t most = 0, lead = 1;
     if (!yk_gather_room(ring, count)) return NULL;
-    const YkRingTerm *lead = first_of(ring, pieces, count);
     for (size_t i = 0; i < count; i++) {
         int64_t number = pieces[i].constant.number / *content;
         ring->gather.terms[i] = (YkRingTerm){pieces[i].constant.key, number};
         if ((int64_t)yk_magnitude(number) > most) most = (int64_t)yk_magnitude(number);
     }
-    if (most > NUMBER_MAX) first = lead->number / *content;
-    if (!yk_exact_multiply(*content, first, content)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
-    return yk_poisson_make(ring, ring->gather.terms, count, first);
+    if (most > NUMBER_MAX) lead = first->number / *content;
+    if (!yk_exact_multiply(*content, lead, content)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
+    return yk_poisson_make(ring, ring->gather.terms, count, lead);
 }
 
 // Puts the terms that one rest becomes: a number times the lump's symbol, or what was there. Returns how many there
@@ -126,10 +114,11 @@ static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLump
                          YkRingTerm *out)
 {
     bool is_number = count == 1 && yk_key_monomial(pieces[0].constant.key) == 0;
-    int64_t content = content_of(ring, pieces, count);
+    const YkRingTerm *first = first_of(ring, pieces, count);
+    int64_t content = content_of(pieces, count, first);
     int32_t symbol = -1;
     if (!is_number) {
-        const YkPoisson *lump = lump_of(ring, pieces, count, &content);
+        const YkPoisson *lump = lump_of(ring, pieces, count, first, &content);
         symbol = lump ? symbol_of(context, lump) : -1;
         if (ring->status != YK_RING_OK) return 0;
     }
@@ -148,9 +137,9 @@ static size_t find_groups(const YkRing *ring, Piece *pieces, size_t count, Group
     qsort(pieces, count, sizeof *pieces, by_rest);
     for (size_t start = 0, end; start < count; start = end) {
         for (end = start; end < count && pieces[end].rest == pieces[start].rest; end++) {}
-        groups[found++] = (Group){start, end};
+        groups[found++] = (Group){ring, pieces[start].rest, start, end};
     }
-    sort_groups(ring, pieces, groups, groups + found, found);
+    qsort(groups, found, sizeof *groups, by_order_of_rests);
     return found;
 }
 
@@ -159,7 +148,7 @@ const YkPoisson *yk_ring_lump(YkRing *ring, const YkPoisson *a, YkLumpSymbol sym
     if (!a) return NULL;
     Piece *pieces = calloc(a->count + 1, sizeof *pieces);
     YkRingTerm *terms = calloc(a->count + 1, sizeof *terms);
-    Group *groups = calloc(2 * a->count + 1, sizeof *groups);
+    Group *groups = calloc(a->count + 1, sizeof *groups);
     size_t count = 0, group_count = 0;
     bool well = pieces && terms && groups;
     if (!well) yk_ring_fail(ring, YK_RING_MEMORY);

@@ -1,6 +1,5 @@
 #include "ring/powers.h"
 #include <stdlib.h>
-#include <string.h>
 #include "base/memory.h"
 
 enum { MADE_MIN = 64, MADE_MAX = 8192 }; // products that are kept

@@ -2,29 +2,12 @@
 // what drives do; and angles that are no multiples of the machine's.
 #include "verdicts.h"
 
-static const char cam[] = "laws:\n"
-                          "  lift:\n"
-                          "    period: 2*pi\n"
-                          "    segments:\n"
-                          "      - {rise: {to: 120 deg, by: 20 mm, law: cycloidal}}\n"
-                          "      - {dwell: {to: 180 deg}}\n"
-                          "      - {polynomial: [{at: pi, s: 20 mm, v: 0, a: 0}, {at: 2*pi, s: 0, v: 0, a: 0}]}\n"
-                          "cams:\n"
-                          "  cc: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 60 mm, offset: 5 mm}\n"
-                          "bodies: {shaft: {inertia: 0.01}, tappet: {mass: 0.2 kg}}\n"
-                          "gravity: [0, -9.81]\n"
-                          "joints:\n"
-                          "  K: {pin: [ground, shaft], angle: theta}\n"
-                          "  T: {slide: [ground, tappet], along: y, distance: s}\n"
-                          "springs: {sp: {along: s, stiffness: 800 N/m, length: -10 mm}}\n"
-                          "drives: {theta: 10 rad/s * t}\n";
-
 // A cycloidal rise of 20 mm over 120 deg, a dwell to 180 deg, back by 3-4-5. A bracket of anything but a place is a
 // factor.
 static void laws_are_asked_at_a_place(void **state)
 {
     (void)state;
-    Machine m = machine_of(cam);
+    Machine m = machine_of(ROLLER_CAM);
     CHECK_KINDS(&m, IS_HERE("lift (pi) = 1/50"), IS_HERE("lift(2/3 pi) = 20 mm"), IS_HERE("lift (60 deg) = 10 mm"),
                 IS_HERE("lift_v (pi/3) = 0.04/(2/3 pi)"), IS_HERE("lift_v (pi) = 0"), IS_HERE("lift_a (pi) = 0"),
                 IS_HERE("lift (3/2 pi) = 1/100"), IS("s = lift(theta)"), IS("s' = lift_v(theta) theta'"),
@@ -36,7 +19,7 @@ static void laws_are_asked_at_a_place(void **state)
 static void names_of_a_motion_program_hold_in_their_segment(void **state)
 {
     (void)state;
-    Machine m = machine_of(cam);
+    Machine m = machine_of(ROLLER_CAM);
     CHECK_KINDS(&m, IS("h1 = 20 mm"), IS("beta1 = 120 deg"), IS_HERE("s = h1 (u1 - sin(2 pi u1)/(2 pi))"),
                 IS_HERE("u1 = theta/beta1"), IS_HERE("lift_v = h1/beta1 (1 - cos(2 pi u1))"),
                 IS_HERE("s = h2 (1 - 10 u2^3 + 15 u2^4 - 6 u2^5)"), IS_HERE("u2 = (theta - pi)/pi"),

@@ -6,22 +6,7 @@
 static void a_root_of_a_number_need_not_be_in_the_field(void **state)
 {
     (void)state;
-    Machine m = machine_of("laws:\n"
-                           "  lift:\n"
-                           "    period: 2*pi\n"
-                           "    segments:\n"
-                           "      - {rise: {to: 120 deg, by: 20 mm, law: cycloidal}}\n"
-                           "      - {dwell: {to: 180 deg}}\n"
-                           "      - {polynomial: [{at: pi, s: 20 mm, v: 0, a: 0}, {at: 2*pi, s: 0, v: 0, a: 0}]}\n"
-                           "cams:\n"
-                           "  cc: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 60 mm, offset: 5 mm}\n"
-                           "bodies: {shaft: {inertia: 0.01}, tappet: {mass: 0.2 kg}}\n"
-                           "gravity: [0, -9.81]\n"
-                           "joints:\n"
-                           "  K: {pin: [ground, shaft], angle: theta}\n"
-                           "  T: {slide: [ground, tappet], along: y, distance: s}\n"
-                           "springs: {sp: {along: s, stiffness: 800 N/m, length: -10 mm}}\n"
-                           "drives: {theta: 10 rad/s * t}\n");
+    Machine m = machine_of(ROLLER_CAM);
     YkDynamics *dynamics = yk_dynamics_new(m.mech, m.problems);
     check_kind(&m, dynamics, "s = 1", YK_CHECK_FALSE);
     check_kind(&m, dynamics, "s' = lift_v theta'", YK_CHECK_TRUE);

@@ -57,4 +57,23 @@ static inline void check_kinds(Machine *m, const Expected *expected, size_t coun
         equation, YK_CHECK_UNREADABLE                                                                                  \
     }
 
+// A tappet with a roller beside the cam's axis: a cycloidal rise, a dwell, back by a polynomial.
+#define ROLLER_CAM                                                                                                     \
+    "laws:\n"                                                                                                          \
+    "  lift:\n"                                                                                                        \
+    "    period: 2*pi\n"                                                                                               \
+    "    segments:\n"                                                                                                  \
+    "      - {rise: {to: 120 deg, by: 20 mm, law: cycloidal}}\n"                                                       \
+    "      - {dwell: {to: 180 deg}}\n"                                                                                 \
+    "      - {polynomial: [{at: pi, s: 20 mm, v: 0, a: 0}, {at: 2*pi, s: 0, v: 0, a: 0}]}\n"                           \
+    "cams:\n"                                                                                                          \
+    "  cc: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 60 mm, offset: 5 mm}\n"                      \
+    "bodies: {shaft: {inertia: 0.01}, tappet: {mass: 0.2 kg}}\n"                                                       \
+    "gravity: [0, -9.81]\n"                                                                                            \
+    "joints:\n"                                                                                                        \
+    "  K: {pin: [ground, shaft], angle: theta}\n"                                                                      \
+    "  T: {slide: [ground, tappet], along: y, distance: s}\n"                                                          \
+    "springs: {sp: {along: s, stiffness: 800 N/m, length: -10 mm}}\n"                                                  \
+    "drives: {theta: 10 rad/s * t}\n"
+
 #endif
