@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/mix.h"
 #include "derive/check_inside.h"
 #include "derive/relations.h"
 #include "solve/state.h"
@@ -9,12 +10,9 @@
 enum { TRIES_IN_SEGMENT = 40, STEPS = 96 };
 static const double TIME = 5;
 
-double yk_check_uniform(YkCheck *check, double low, double high) // splitmix64 (Steele et al. 2014)
+double yk_check_uniform(YkCheck *check, double low, double high)
 {
-    uint64_t z = (check->seed += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return low + (high - low) * (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return low + (high - low) * yk_mix_unit(&check->seed);
 }
 
 bool yk_check_solve(YkCheck *check)

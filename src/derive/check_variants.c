@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/mix.h"
 #include "compile/variant.h"
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
@@ -15,17 +16,9 @@ static const double BESIDE = 0.12, CLOSED = 1e-7;
 
 // --- Which parameters can vary
 
-static void note_name(void *context, const YkExpr *name)
-{
-    (void)name;
-    *(bool *)context = true;
-}
-
 static bool is_free(const YkModel *model, size_t parameter)
 {
-    bool follows = false;
-    yk_expr_names(model->parameters[parameter].expr, note_name, &follows);
-    return !follows && isfinite(model->parameters[parameter].value);
+    return !yk_expr_has_names(model->parameters[parameter].expr) && isfinite(model->parameters[parameter].value);
 }
 
 static bool can_vary(const YkMechanism *mech, const char *name)
@@ -35,7 +28,6 @@ static bool can_vary(const YkMechanism *mech, const char *name)
     return redesign != NULL;
 }
 
-// Where what is 0 or cancels in the file is taken to stay so, a variant is no machine of these numbers.
 // Where what is 0 or cancels in the file is taken to stay so, a variant is no machine of these numbers.
 static bool is_faithful(const YkVariant *variant)
 {
@@ -87,14 +79,6 @@ const char *yk_check_list_names(const YkCheckVariants *v, YkArena *arena, bool v
 
 // --- A machine
 
-static double uniform(uint64_t *seed) // splitmix64 (Steele et al. 2014), in [-1, 1)
-{
-    uint64_t z = (*seed += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-}
-
 // To three digits: whoever wants to see it can write it.
 static double short_number(double value)
 {
@@ -115,7 +99,7 @@ static double size_of(const YkCheckVariants *v, const char *name)
 static void choose_target(YkCheckVariants *v, double *target)
 {
     for (size_t k = 0; k < v->count; k++) {
-        double by = v->reach * uniform(&v->seed), own = v->own[k];
+        double by = v->reach * (2 * yk_mix_unit(&v->seed) - 1), own = v->own[k];
         by += by < 0 ? -0.2 * v->reach : 0.2 * v->reach;
         target[k] = short_number(own != 0 ? own * (1 + by) : size_of(v, v->name[k]) * by);
     }

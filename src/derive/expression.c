@@ -205,17 +205,10 @@ const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr)
 }
 
 // A definition by a single number is the parameter's own value.
-static void look_for_name(void *context, const YkExpr *expr)
-{
-    (void)expr;
-    *(bool *)context = true;
-}
-
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter)
 {
-    bool has_names = false;
     const YkExpr *expr = d->model->parameters[parameter].expr;
-    yk_expr_names(expr, look_for_name, &has_names);
-    return has_names && !(expr->kind == YK_EXPR_NAME && strcmp(expr->name, "pi") == 0) ? yk_derive_expression(d, expr)
-                                                                                       : NULL;
+    return yk_expr_has_names(expr) && !(expr->kind == YK_EXPR_NAME && strcmp(expr->name, "pi") == 0)
+               ? yk_derive_expression(d, expr)
+               : NULL;
 }

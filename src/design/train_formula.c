@@ -5,6 +5,7 @@
 // row; states that used the same columns are added up, and since a row has three entries at most there are few.
 #include <stdlib.h>
 #include <string.h>
+#include "base/mix.h"
 #include "design/train.h"
 
 enum { ROWS_MAX = 24, COLUMNS_MAX = 30, SYMBOLS_MAX = 40, TERMS_MAX = 2000, STATES_MAX = 4000 };
@@ -30,13 +31,10 @@ static uint64_t power(uint64_t base, uint64_t exponent)
     return result;
 }
 
-// splitmix64 (Steele, Lea, Flood 2014); a plain congruential sequence would be geometric, and products of it coincide.
+// A plain congruential sequence would be geometric, and products of it coincide.
 static uint64_t random_value(uint64_t *seed)
 {
-    uint64_t z = (*seed += UINT64_C(0x9e3779b97f4a7c15));
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return 1 + (z ^ (z >> 31)) % (PRIME - 1);
+    return 1 + yk_mix_next(seed) % (PRIME - 1);
 }
 
 // --- The small system ------------------------------------------------------------------------------------------------

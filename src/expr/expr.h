@@ -99,6 +99,7 @@ const YkExpr *yk_expr_eval(const YkExpr *expr, YkLookup lookup, const void *cont
 
 // Does the expression mention this name (exactly)?
 bool yk_expr_mentions(const YkExpr *expr, const char *name);
+bool yk_expr_has_names(const YkExpr *expr); // any, pi among them
 // Calls visit for every name in it, left to right.
 void yk_expr_names(const YkExpr *expr, void (*visit)(void *context, const YkExpr *name), void *context);
 

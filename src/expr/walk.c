@@ -8,6 +8,11 @@ bool yk_expr_mentions(const YkExpr *expr, const char *name)
     return yk_expr_mentions(expr->a, name) || yk_expr_mentions(expr->b, name);
 }
 
+bool yk_expr_has_names(const YkExpr *expr)
+{
+    return expr && (expr->kind == YK_EXPR_NAME || yk_expr_has_names(expr->a) || yk_expr_has_names(expr->b));
+}
+
 void yk_expr_names(const YkExpr *expr, void (*visit)(void *context, const YkExpr *name), void *context)
 {
     if (!expr) return;

@@ -1,6 +1,7 @@
 // Elements at points of the prime field.
 #include <stdlib.h>
 #include <string.h>
+#include "base/mix.h"
 #include "ring/field.h"
 #include "ring/inside.h"
 
@@ -20,13 +21,10 @@ struct YkFieldPoint {
     bool is_loose;
 };
 
-// splitmix64 (Steele et al. 2014), below p and not 0.
+// Below p and not 0.
 static uint64_t random_value(uint64_t *seed)
 {
-    uint64_t z = (*seed += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (z ^ (z >> 31)) % (YK_PRIME - 1) + 1;
+    return yk_mix_next(seed) % (YK_PRIME - 1) + 1;
 }
 
 static void set_numbers(YkFieldPoint *point)

@@ -1,16 +1,14 @@
 #include "ring/powers.h"
 #include <stdlib.h>
 #include "base/memory.h"
+#include "base/mix.h"
 
 enum { MADE_MIN = 64, MADE_MAX = 8192 }; // products that are kept
 
-// A random odd number for each symbol (splitmix64; Steele et al. 2014).
+// A random odd number for each symbol.
 static uint64_t symbol_hash(int32_t symbol)
 {
-    uint64_t z = ((uint64_t)symbol + 1) * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (z ^ (z >> 31)) | 1;
+    return yk_mix(((uint64_t)symbol + 1) * YK_MIX_STEP) | 1;
 }
 
 static size_t slot_start(const YkPowers *table, uint64_t hash)

@@ -1,22 +1,15 @@
 #include "study/sample.h"
 #include <math.h>
 #include <stdint.h>
+#include "base/mix.h"
 
 // --- uniform numbers
 // ----------------------------------------------------------------------------------------------------
 
-static uint64_t mix(uint64_t z)
-{
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 double yk_uniform(uint64_t seed, uint64_t design, uint64_t parameter)
 {
-    const uint64_t golden = 0x9e3779b97f4a7c15u;
-    uint64_t stream = mix(seed + golden * (2 * parameter + 1));
-    uint64_t bits = mix(mix(stream + golden * (design + 1)) ^ stream);
+    uint64_t stream = yk_mix(seed + YK_MIX_STEP * (2 * parameter + 1));
+    uint64_t bits = yk_mix(yk_mix(stream + YK_MIX_STEP * (design + 1)) ^ stream);
     return ((double)(bits >> 12) + 0.5) * 0x1p-52;
 }
 
