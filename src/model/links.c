@@ -39,6 +39,7 @@ void yk_load_check_links(YkLoader *loader)
             int32_t body = model->joints[i].body[end];
             if (body == YK_NONE) continue;
             Holds *at = &holds[body];
+            if (model->joints[i].body[1 - end] == YK_NONE) at->count += 2; // in error: nothing is said of its points
             if (at->count < 2) at->hold[at->count] = (int32_t)i * 2 + end;
             at->count++;
         }

@@ -87,6 +87,18 @@ static void two_pins_at_the_origin_are_a_link_of_no_length(void **state)
                      0);
 }
 
+static void a_link_is_not_judged_where_its_joint_is_broken(void **state)
+{
+    (void)state;
+    static const char text[] = "bodies: {a: {points: {A: [0, 0], B: [1, 0]}}}\n"
+                               "joints: {A: {pin: [ground, a]}, B: {pin: [a, x]}}\n";
+    YkProblems *problems = yk_problems_new();
+    assert_null(yk_model_parse(text, strlen(text), "test", NULL, problems));
+    for (size_t i = 0; i < yk_problems_count(problems); i++)
+        assert_int_not_equal(yk_problems_get(problems, i)->code, YK_CODE_COINCIDENT_PINS);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -95,6 +107,7 @@ int main(void)
         cmocka_unit_test(connections_are_not_judged_where_a_joint_is_broken),
         cmocka_unit_test(a_link_of_no_length_is_a_warning),
         cmocka_unit_test(two_pins_at_the_origin_are_a_link_of_no_length),
+        cmocka_unit_test(a_link_is_not_judged_where_its_joint_is_broken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
