@@ -27,6 +27,9 @@ YK_API void yk_state_set_input(YkState *state, size_t input, YkMotion motion);
 // The same, number by number: a structure that was only just filled would go through memory and wait there.
 YK_API void yk_state_set_input_to(YkState *state, size_t input, double position, double velocity, double acceleration);
 YK_API YkMotion yk_state_input(const YkState *state, size_t input);
+// Sets one order of an input (0 position, 1 velocity, 2 acceleration) and keeps it at every later yk_state_set_time, in
+// place of what the drive says.
+YK_API void yk_state_hold_input(YkState *state, size_t input, int order, double value);
 
 // Assembles: among all configurations that close at the inputs, takes the one nearest to the guesses of `start:`
 // (squared differences of angles modulo a turn and of lengths over the machine's size), and keeps its branches and its

@@ -19,7 +19,8 @@ typedef enum YkStatus {
     YK_BAD_MODEL = -4,     // the file or model is wrong: see the problems
     YK_BAD_ARGUMENT = -5,  // the call is wrong
     YK_NO_MEMORY = -6,     // an allocation failed
-    YK_IO = -7             // a file could not be read or written
+    YK_IO = -7,            // a file could not be read or written
+    YK_STOPPED = -8        // the caller stopped it, or it would take too many steps
 } YkStatus;
 
 // The word the command line prints for a status: "ok", "limit", "change-point", "singular", ...

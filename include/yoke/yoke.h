@@ -14,6 +14,7 @@ extern "C" {
 #include <yoke/mechanism.h>
 #include <yoke/variant.h>
 #include <yoke/state.h>
+#include <yoke/move.h>
 #include <yoke/sweep.h>
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>

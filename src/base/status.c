@@ -25,6 +25,8 @@ const char *yk_status_name(YkStatus status)
         return "no-memory";
     case YK_IO:
         return "io";
+    case YK_STOPPED:
+        return "stopped";
     }
     return "unknown";
 }

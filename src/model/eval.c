@@ -73,3 +73,29 @@ YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet
     if (status == YK_OK) apply_law(model->laws[d->law].law, argument.d, jet->d);
     return status;
 }
+
+static bool is_linear(const YkExpr *e)
+{
+    if (!yk_expr_mentions(e, "t")) return true;
+    switch (e->kind) {
+    case YK_EXPR_NAME:
+        return true;
+    case YK_EXPR_NEGATE:
+        return is_linear(e->a);
+    case YK_EXPR_ADD:
+    case YK_EXPR_SUBTRACT:
+        return is_linear(e->a) && is_linear(e->b);
+    case YK_EXPR_MULTIPLY:
+        return yk_expr_mentions(e->a, "t") ? is_linear(e->a) && !yk_expr_mentions(e->b, "t") : is_linear(e->b);
+    case YK_EXPR_DIVIDE:
+        return is_linear(e->a) && !yk_expr_mentions(e->b, "t");
+    default:
+        return false;
+    }
+}
+
+bool yk_model_drive_is_steady(const YkModel *model, size_t drive)
+{
+    const YkDrive *d = &model->drives[drive];
+    return yk_expr_mentions(d->expr, "t") ? d->law == YK_NONE && is_linear(d->expr) : true;
+}

@@ -307,6 +307,8 @@ bool yk_model_find_lock(const YkModel *model, const char *name, const YkLock **l
 // Evaluates an expression of parameters and t (coordinates have no value here), with its derivatives in time.
 // Returns YK_OK; YK_BAD_MODEL with a problem added (code 3xx) for a division by zero and the like.
 YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet, YkProblems *problems); // of a drive
+// Is a drive linear in the time, by the form of its expression?
+bool yk_model_drive_is_steady(const YkModel *model, size_t drive);
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
 
 // A value as yk_model_value reads it, of any dimension; problems get this place.

@@ -13,6 +13,8 @@ static bool allocate(YkState *s)
     size_t inputs = mech->input_count, n = mech->coordinate_count;
     s->input = calloc(3 * inputs + 1, sizeof *s->input);
     s->valid_input = calloc(3 * inputs + 1, sizeof *s->valid_input);
+    s->held = calloc(3 * inputs + 1, sizeof *s->held);
+    s->is_held = calloc(3 * inputs + 1, sizeof *s->is_held);
     s->input_lanes = calloc(3 * inputs + 1, sizeof *s->input_lanes);
     s->reference = calloc(n + 1, sizeof *s->reference);
     s->guess = calloc(n + 1, sizeof *s->guess);
@@ -21,9 +23,10 @@ static bool allocate(YkState *s)
     s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
     s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
     s->search = yk_search_new(mech);
-    return s->input && s->valid_input && s->input_lanes && s->reference && s->guess && s->slot_reference &&
-           s->is_guessed && s->branch && s->valid_x && s->search && yk_space_start(&s->space, mech, 1, true) &&
-           yk_space_start(&s->spare, mech, 1, true) && yk_group_start(&s->groups, mech);
+    return s->input && s->valid_input && s->held && s->is_held && s->input_lanes && s->reference && s->guess &&
+           s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->search &&
+           yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
+           yk_group_start(&s->groups, mech);
 }
 
 static void mark_guesses(YkState *s)
@@ -63,6 +66,8 @@ void yk_state_free(YkState *s)
     yk_search_free(s->search);
     free(s->input);
     free(s->valid_input);
+    free(s->held);
+    free(s->is_held);
     free(s->input_lanes);
     free(s->reference);
     free(s->guess);
@@ -81,6 +86,8 @@ void yk_state_take(YkState *to, const YkState *from)
     if (same) yk_space_copy(&to->space, &from->space);
     memcpy(to->input, from->input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->valid_input, from->valid_input, 3 * mech->input_count * sizeof *to->input);
+    memcpy(to->held, from->held, 3 * mech->input_count * sizeof *to->held);
+    memcpy(to->is_held, from->is_held, 3 * mech->input_count * sizeof *to->is_held);
     memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);
     memcpy(to->slot_reference, from->slot_reference, mech->reference_count * sizeof *to->slot_reference);
     memcpy(to->branch, from->branch, mech->block_count);
@@ -124,7 +131,16 @@ YkStatus yk_state_set_time(YkState *s, double time, YkProblems *problems)
             continue;
         s->input[3 * s->mech->coordinates[q].input + 1] = model->starts[k].value;
     }
+    for (size_t k = 0; k < 3 * s->mech->input_count; k++)
+        if (s->is_held[k]) s->input[k] = s->held[k];
     return status;
+}
+
+void yk_state_hold_input(YkState *s, size_t input, int order, double value)
+{
+    size_t k = 3 * input + (size_t)order;
+    s->is_held[k] = true;
+    s->held[k] = s->input[k] = value;
 }
 
 double yk_state_time(const YkState *s)

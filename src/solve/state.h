@@ -10,9 +10,11 @@ struct YkState {
     double *input;              // [3 * input + k]
     const double **input_lanes; // pointers to the same, for the runner
     double *valid_input;        // inputs of the valid pose
-    double *reference;          // per coordinate: its angle comes out nearest to this
-    double *slot_reference;     // [mech->reference_count]: the same of orientations that relations start from
-    double *guess;              // per coordinate, from `start:`
+    double *held;               // [3 * input + k]: what stands in place of a drive's value, where is_held says so
+    bool *is_held;
+    double *reference;      // per coordinate: its angle comes out nearest to this
+    double *slot_reference; // [mech->reference_count]: the same of orientations that relations start from
+    double *guess;          // per coordinate, from `start:`
     bool *is_guessed;
     signed char *branch; // per block; 0 where it has none
     YkGroupWork groups;

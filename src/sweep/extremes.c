@@ -9,21 +9,22 @@ static bool is_smooth(YkChannel c)
 // The derivative of a channel along the path, or 0 where it is not above rounding.
 static double slope_here(const YkSweep *w, YkChannel c)
 {
-    if (!yk_state_has_rates(w->path.state)) return 0;
-    double value = yk_state_channel(w->path.state, c);
+    if (!yk_state_has_rates(w->walk.path.state)) return 0;
+    double value = yk_state_channel(w->walk.path.state, c);
     c.order = 1;
-    double slope = yk_state_channel(w->path.state, c);
-    return fabs(slope) * yk_path_scale(&w->path) > 1e-10 * (w->path.state->mech->size + fabs(value)) ? slope : 0;
+    double slope = yk_state_channel(w->walk.path.state, c);
+    return fabs(slope) * yk_path_scale(&w->walk.path) > 1e-10 * (w->walk.path.state->mech->size + fabs(value)) ? slope
+                                                                                                               : 0;
 }
 
 // Takes the signs of the blocks from before the change points between `at` and `here` to after them, or back.
 static void exchange_signs(YkSweep *w, double at, double here)
 {
-    for (size_t k = 0; k < w->event_count; k++) {
-        const YkEvent *e = &w->events[k];
+    for (size_t k = 0; k < w->walk.event_count; k++) {
+        const YkEvent *e = &w->walk.events[k];
         bool between = (e->at - at) * (here - e->at) >= 0;
         if (e->kind == YK_EVENT_CHANGE_POINT && between)
-            w->path.state->branch[e->block] = (signed char)-w->path.state->branch[e->block];
+            w->walk.path.state->branch[e->block] = (signed char)-w->walk.path.state->branch[e->block];
     }
 }
 
@@ -31,7 +32,7 @@ static void exchange_signs(YkSweep *w, double at, double here)
 static YkStatus look_back(YkSweep *w, double at, double here)
 {
     exchange_signs(w, at, here);
-    YkStatus status = yk_path_try(&w->path, at, true);
+    YkStatus status = yk_path_try(&w->walk.path, at, true);
     exchange_signs(w, at, here);
     return status;
 }
@@ -39,9 +40,10 @@ static YkStatus look_back(YkSweep *w, double at, double here)
 // Where a change point leaves no rates in the last digits of `at`, the motion turns round in it.
 static double at_change_point(const YkSweep *w, double at)
 {
-    for (size_t k = w->event_count; k-- > 0;)
-        if (w->events[k].kind == YK_EVENT_CHANGE_POINT && fabs(w->events[k].at - at) < 1e-5 * yk_path_scale(&w->path))
-            return w->events[k].at;
+    for (size_t k = w->walk.event_count; k-- > 0;)
+        if (w->walk.events[k].kind == YK_EVENT_CHANGE_POINT &&
+            fabs(w->walk.events[k].at - at) < 1e-5 * yk_path_scale(&w->walk.path))
+            return w->walk.events[k].at;
     return at;
 }
 
@@ -50,23 +52,23 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
     YkChannel value = w->channels[channel], rate = value;
     double here = to;
     rate.order = 1;
-    for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->path); k++) {
+    for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->walk.path); k++) {
         double middle = 0.5 * (from + to);
         if (look_back(w, middle, here) < 0) break;
-        if (yk_state_channel(w->path.state, rate) * slope > 0)
+        if (yk_state_channel(w->walk.path.state, rate) * slope > 0)
             from = middle;
         else
             to = middle;
     }
     double at = 0.5 * (from + to);
-    if (w->path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
+    if (w->walk.path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
     if (look_back(w, at, here) < 0) return;
-    yk_sweep_note(w, (YkEvent){.kind = YK_EVENT_EXTREME,
-                               .at = at,
-                               .block = -1,
-                               .channel = channel,
-                               .value = yk_state_channel(w->path.state, value),
-                               .is_maximum = (slope > 0) == (w->options.to > w->options.from)});
+    yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_EXTREME,
+                                     .at = at,
+                                     .block = -1,
+                                     .channel = channel,
+                                     .value = yk_state_channel(w->walk.path.state, value),
+                                     .is_maximum = (slope > 0) == (w->options.to > w->options.from)});
 }
 
 void yk_sweep_watch_extremes(YkSweep *w, double at)
@@ -76,13 +78,13 @@ void yk_sweep_watch_extremes(YkSweep *w, double at)
         if (!is_smooth(w->channels[c])) continue;
         double slope = slope_here(w, w->channels[c]);
         if (slope == 0) continue;
-        if (w->slope[c] * slope < 0 && fabs(slope) * yk_path_scale(&w->path) < 1e6) {
+        if (w->slope[c] * slope < 0 && fabs(slope) * yk_path_scale(&w->walk.path) < 1e6) {
             bisect_extreme(w, c, w->slope_at[c], at, w->slope[c]);
             moved = true;
-            yk_path_try(&w->path, at, true);
+            yk_path_try(&w->walk.path, at, true);
         }
         w->slope[c] = slope;
         w->slope_at[c] = at;
     }
-    if (moved) yk_path_probe(&w->path, at, true);
+    if (moved) yk_path_probe(&w->walk.path, at, true);
 }

@@ -15,6 +15,16 @@ bool yk_path_start(YkPath *path, YkState *state, int coordinate)
     return true;
 }
 
+bool yk_path_start_line(YkPath *path, YkState *state, const double *goal)
+{
+    if (!yk_path_start(path, state, -1)) return false;
+    path->is_line = true;
+    path->goal = goal;
+    path->last = 0;
+    memcpy(path->others, state->valid_input, 3 * state->mech->input_count * sizeof *path->others);
+    return true;
+}
+
 void yk_path_end(YkPath *path)
 {
     free(path->others);
@@ -32,17 +42,69 @@ static double fastest(const YkState *s)
     return rate;
 }
 
+// How far the line goes: rad, or sizes of the machine.
+static double length_of_line(const YkPath *path)
+{
+    const YkMechanism *mech = path->state->mech;
+    double longest = 0;
+    for (size_t i = 0; i < mech->input_count; i++) {
+        double way = fabs(path->goal[3 * i] - path->others[3 * i]);
+        longest = fmax(longest, way / (mech->coordinates[mech->inputs[i]].is_distance ? mech->size : 1));
+    }
+    return longest;
+}
+
 double yk_path_scale(const YkPath *path)
 {
+    if (path->is_line) return 1 / fmax(length_of_line(path), 1e-300);
     if (path->input < 0) return 1 / fmax(1, fastest(path->state));
     const YkMechanism *mech = path->state->mech;
     return mech->coordinates[mech->inputs[path->input]].is_distance ? mech->size : 1;
 }
 
+// On a line: exactly the goal at its end.
+static void set_on_line(YkPath *path, double at, bool along)
+{
+    YkState *s = path->state;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        const double *from = path->others + 3 * i, *to = path->goal + 3 * i;
+        double *input = s->input + 3 * i;
+        input[0] = at == 1 ? to[0] : from[0] + at * (to[0] - from[0]);
+        input[1] = along ? to[0] - from[0] : to[1];
+        input[2] = along ? 0 : to[2];
+    }
+}
+
+// Over time: an input whose position is held has no rate along the path.
+static YkStatus set_at_time(YkPath *path, double time, bool along)
+{
+    YkState *s = path->state;
+    YkStatus status = yk_state_set_time(s, time, NULL);
+    for (size_t i = 0; along && i < s->mech->input_count; i++)
+        if (s->is_held[3 * i]) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+    return status;
+}
+
+double yk_path_length(YkPath *path, double from, double to)
+{
+    enum { SAMPLES = 64 };
+    if (path->is_line || path->input >= 0) return fabs(to - from) / yk_path_scale(path);
+    double sum = 0, time = path->state->time;
+    for (int k = 0; k < SAMPLES; k++) // not at equal distances: they might all fall on the same phase
+        if (yk_path_set(path, from + (to - from) * (k + 0.5 + 0.3 * sin(k)) / SAMPLES, true) >= 0)
+            sum += fastest(path->state);
+    yk_path_set(path, time, true);
+    return sum / SAMPLES * fabs(to - from);
+}
+
 YkStatus yk_path_set(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
-    if (path->input < 0) return yk_state_set_time(s, at, NULL);
+    if (path->is_line) {
+        set_on_line(path, at, along);
+        return YK_OK;
+    }
+    if (path->input < 0) return set_at_time(path, at, along);
     memcpy(s->input, path->others, 3 * s->mech->input_count * sizeof *s->input);
     for (size_t i = 0; along && i < s->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     s->input[3 * path->input] = at;
@@ -71,7 +133,7 @@ YkStatus yk_path_try(YkPath *path, double at, bool along)
     if (status < 0) return status;
     status = yk_state_solve(path->state);
     if (status < 0 && path->state->has_pose) status = solve_beside(path, at, along);
-    if (path->input < 0) path->state->time = at;
+    if (path->input < 0 && !path->is_line) path->state->time = at;
     if (status >= 0) path->last = at;
     return status;
 }
@@ -87,7 +149,11 @@ double yk_path_margin(const YkState *s, const YkSpace *space, size_t block)
 
 void yk_path_refer(YkPath *path)
 {
-    YkState *s = path->state;
+    yk_path_refer_state(path->state);
+}
+
+void yk_path_refer_state(YkState *s)
+{
     bool is_far = s->space.margin[0] > REFER_MARGIN;
     for (size_t b = 0; is_far && b < s->mech->block_count; b++)
         if (s->mech->blocks[b].kind == YK_BLOCK_RPR) is_far = yk_path_margin(s, &s->space, b) > REFER_MARGIN;

@@ -11,7 +11,7 @@ static bool wants_forces(const YkSweep *w)
 // The channels at the pose that stands; forces are NaN where they are not determined.
 static void read_channels(const YkSweep *w, double *values)
 {
-    YkState *s = w->path.state;
+    YkState *s = w->walk.path.state;
     YkStatus status =
         wants_forces(w) && s->has_rates ? yk_dynamics_solve(w->options.dynamics, s, w->options.method) : YK_SINGULAR;
     bool has_forces = status == YK_OK || status == YK_REDUNDANT;
@@ -25,11 +25,11 @@ static void read_channels(const YkSweep *w, double *values)
 
 bool yk_sweep_record(YkSweep *w, double at)
 {
-    YkState *s = w->path.state;
-    YkStatus status = yk_path_probe(&w->path, at, false);
+    YkState *s = w->walk.path.state;
+    YkStatus status = yk_path_probe(&w->walk.path, at, false);
     if (status < 0) {
-        w->limit_block = s->report.block;
-        yk_sweep_end_at(w, w->row_count > 0 ? w->at[w->row_count - 1] : at, at);
+        w->walk.limit_block = s->report.block;
+        yk_walk_end_at(&w->walk, w->row_count > 0 ? w->at[w->row_count - 1] : at, at);
         return false;
     }
     size_t row = w->row_count++;
@@ -39,7 +39,7 @@ bool yk_sweep_record(YkSweep *w, double at)
     if (w->options.visit) w->options.visit(w->options.context, s);
     w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR)
-        yk_sweep_note(w, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});
+        yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});
     return true;
 }
 
@@ -47,8 +47,9 @@ bool yk_sweep_record(YkSweep *w, double at)
 static size_t drop_singular(YkSweep *w, double at)
 {
     size_t kept = 0;
-    for (size_t k = 0; k < w->event_count; k++)
-        if (w->events[k].kind != YK_EVENT_SINGULAR || w->events[k].at != at) w->events[kept++] = w->events[k];
+    for (size_t k = 0; k < w->walk.event_count; k++)
+        if (w->walk.events[k].kind != YK_EVENT_SINGULAR || w->walk.events[k].at != at)
+            w->walk.events[kept++] = w->walk.events[k];
     return kept;
 }
 
@@ -58,8 +59,8 @@ static size_t drop_singular(YkSweep *w, double at)
 static void fill_change_row(YkSweep *w, size_t row, const double *margins, double way)
 {
     enum { SIDE = 4 };
-    YkState *s = w->path.state;
-    double at = w->at[row], h = 0.01 * yk_path_scale(&w->path) * way, *sums = w->sums;
+    YkState *s = w->walk.path.state;
+    double at = w->at[row], h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums;
     bool ok = true;
     for (size_t c = 0; c < w->channel_count; c++) sums[c] = 0;
     for (int side = 1; side >= -1; side -= 2) {
@@ -67,16 +68,16 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
             double weight = 0.5;
             for (int j = 1; j <= SIDE; j++)
                 if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
-            ok = ok && yk_path_probe(&w->path, at + side * k * h, false) >= 0;
+            ok = ok && yk_path_probe(&w->walk.path, at + side * k * h, false) >= 0;
             if (ok) read_channels(w, w->slope); // scratch here: extremes are looked for between rows
             for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * w->slope[c];
         }
-        for (size_t k = 0; k < w->margin_count; k++) // to the near side, and back
-            if (yk_sweep_has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN)
+        for (size_t k = 0; k < w->walk.margin_count; k++) // to the near side, and back
+            if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN)
                 s->branch[k] = (signed char)-s->branch[k];
     }
-    yk_path_probe(&w->path, at + h, true); // from where its signs are now
-    yk_path_probe(&w->path, at, true);
+    yk_path_probe(&w->walk.path, at + h, true); // from where its signs are now
+    yk_path_probe(&w->walk.path, at, true);
     if (!ok) return;
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
@@ -87,21 +88,22 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
 void yk_sweep_try_change_row(YkSweep *w)
 {
     size_t row = w->row_count - 1;
-    double way = w->options.to > w->options.from ? 1 : -1, *margins = yk_sweep_margins(w, 0, 0);
-    YkState *s = w->path.state;
-    if (w->row_status[row] != YK_SINGULAR || w->margin_count != s->mech->block_count || s->mech->has_groups || row == 0)
+    double way = w->options.to > w->options.from ? 1 : -1, *margins = yk_walk_margins(&w->walk, 0, 0);
+    YkState *s = w->walk.path.state;
+    if (w->row_status[row] != YK_SINGULAR || w->walk.margin_count != s->mech->block_count || s->mech->has_groups ||
+        row == 0)
         return;
-    yk_sweep_read_margins(w, margins);
-    yk_sweep_flip_at(w, w->at[row], margins);
+    yk_walk_read_margins(&w->walk, margins);
+    yk_walk_flip_at(&w->walk, w->at[row], margins);
     fill_change_row(w, row, margins, way);
     if (w->row_status[row] == YK_CHANGE_POINT) {
-        w->event_count = drop_singular(w, w->at[row]);
+        w->walk.event_count = drop_singular(w, w->at[row]);
         return;
     }
-    for (size_t k = 0; k < w->margin_count; k++) // a limit after all: take the signs back
-        if (yk_sweep_was_flipped_near(w, k, w->at[row])) {
+    for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: take the signs back
+        if (yk_walk_was_flipped_near(&w->walk, k, w->at[row])) {
             s->branch[k] = (signed char)-s->branch[k];
-            w->flipped_at[k] = NAN;
-            w->event_count--;
+            w->walk.flipped_at[k] = NAN;
+            w->walk.event_count--;
         }
 }

@@ -4,50 +4,46 @@
 #include <string.h>
 #include "base/problems.h"
 
-enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
-
 YkSweepOptions yk_default_sweep_options(void)
 {
-    return (YkSweepOptions){.coordinate = -1,
-                            .from = 0,
-                            .to = 1,
-                            .steps = 36,
-                            .turn_max = 2 * YK_PI / 180,
-                            .method = YK_METHOD_REDUCED};
+    return (YkSweepOptions){
+        .coordinate = -1, .from = 0, .to = 1, .steps = 36, .turn_max = 2 * YK_PI / 180, .method = YK_METHOD_REDUCED};
 }
 
-void yk_sweep_note(YkSweep *w, YkEvent event)
+static bool watch(void *context, double at)
 {
-    if (w->event_count >= EVENTS_MAX) return;
-    if (!YK_ROOM(w->events, w->event_count, w->event_capacity)) {
-        w->failed = true;
-        return;
-    }
-    w->events[w->event_count++] = event;
+    yk_sweep_watch_extremes(context, at);
+    return true;
+}
+
+// From the pose of the state to the start of the sweep, on the same branch; what is met on that way is no event.
+static bool approach(YkSweep *w)
+{
+    YkWalk *walk = &w->walk;
+    YkState *s = walk->path.state;
+    double here = walk->path.input < 0 ? s->time : s->valid_input[3 * walk->path.input], from = w->options.from;
+    walk->from = here;
+    yk_path_probe(&walk->path, here, true);
+    bool ok = here == from || yk_walk_go(walk, here, from);
+    if (ok) walk->event_count = walk->more_events = 0;
+    walk->from = from;
+    return ok;
 }
 
 static void run_rows(YkSweep *w)
 {
     const YkSweepOptions *o = &w->options;
+    YkWalk *walk = &w->walk;
     double last = o->from;
-    // from the pose of the state to the start of the sweep, on the same branch
-    YkState *s = w->path.state;
-    double here = w->path.input < 0 ? s->time : s->valid_input[3 * w->path.input];
-    w->from = here;
-    yk_path_probe(&w->path, here, true);
-    size_t channels = w->channel_count;
-    w->channel_count = 0;
-    bool ok = here == o->from || yk_sweep_progress(w, here, o->from);
-    w->channel_count = channels;
-    w->event_count = ok ? 0 : w->event_count;
-    w->from = o->from;
-    if (!ok || !yk_sweep_record(w, o->from)) return;
-    yk_path_probe(&w->path, o->from, true);
+    if (!approach(w) || !yk_sweep_record(w, o->from)) return;
+    yk_path_probe(&walk->path, o->from, true);
     yk_sweep_watch_extremes(w, o->from);
+    walk->arrived = watch;
+    walk->context = w;
     for (size_t k = 1; k <= o->steps; k++) {
         double next = k == o->steps ? o->to : o->from + (o->to - o->from) * (double)k / (double)o->steps;
-        if (!yk_sweep_progress(w, last, next) || !yk_sweep_record(w, next)) return;
-        yk_path_probe(&w->path, next, true);
+        if (!yk_walk_go(walk, last, next) || !yk_sweep_record(w, next)) return;
+        yk_path_probe(&walk->path, next, true);
         yk_sweep_try_change_row(w);
         last = next;
     }
@@ -57,25 +53,20 @@ static void run_rows(YkSweep *w)
 static void run(YkSweep *w)
 {
     run_rows(w);
-    yk_path_probe(&w->path, w->path.last, false);
+    yk_path_probe(&w->walk.path, w->walk.path.last, false);
 }
 
 static bool allocate(YkSweep *w)
 {
-    size_t rows = w->options.steps + 1, blocks = w->path.state->mech->block_count;
-    w->margin_count = blocks == 0 || blocks > MARGINS_MAX ? 1 : blocks;
+    size_t rows = w->options.steps + 1;
     w->at = calloc(rows, sizeof *w->at);
     w->values = calloc(rows * w->channel_count + 1, sizeof *w->values);
     w->row_status = calloc(rows, 1);
-    w->margins = calloc(3 * (SWEEP_DEPTH_MAX + 1) * w->margin_count, sizeof *w->margins);
     w->slope = calloc(w->channel_count + 1, sizeof *w->slope);
     w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
     w->sums = calloc(w->channel_count + 1, sizeof *w->sums);
-    w->flipped_at = calloc(w->margin_count, sizeof *w->flipped_at);
-    for (size_t k = 0; w->flipped_at && k < w->margin_count; k++) w->flipped_at[k] = NAN;
     w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->at && w->values && w->row_status && w->margins && w->slope && w->slope_at && w->sums && w->flipped_at &&
-           w->channels;
+    return w->at && w->values && w->row_status && w->slope && w->slope_at && w->sums && w->channels;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -98,14 +89,16 @@ YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkCha
     if (!w) return NULL;
     w->options = *options;
     w->channel_count = channel_count;
-    w->problems = problems;
-    if (!yk_path_start(&w->path, state, options->coordinate) || !allocate(w)) {
+    YkPath path;
+    yk_path_start(&path, state, options->coordinate);
+    if (!yk_walk_start(&w->walk, path, options->turn_max) || !allocate(w)) {
         yk_sweep_free(w);
         return NULL;
     }
+    w->walk.problems = problems;
     if (channel_count > 0) memcpy(w->channels, channels, channel_count * sizeof *channels);
     run(w);
-    if (w->failed) {
+    if (w->walk.failed) {
         yk_sweep_free(w);
         return NULL;
     }
@@ -115,23 +108,20 @@ YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkCha
 void yk_sweep_free(YkSweep *w)
 {
     if (!w) return;
-    yk_path_end(&w->path);
+    yk_walk_end(&w->walk);
     free(w->at);
     free(w->values);
     free(w->row_status);
-    free(w->events);
-    free(w->margins);
     free(w->slope);
     free(w->slope_at);
     free(w->sums);
-    free(w->flipped_at);
     free(w->channels);
     free(w);
 }
 
 YkStatus yk_sweep_status(const YkSweep *w)
 {
-    return w->status;
+    return w->walk.status;
 }
 size_t yk_sweep_row_count(const YkSweep *w)
 {
@@ -151,11 +141,11 @@ YkStatus yk_sweep_row_status(const YkSweep *w, size_t row)
 }
 size_t yk_sweep_event_count(const YkSweep *w)
 {
-    return w->event_count;
+    return w->walk.event_count;
 }
 YkEvent yk_sweep_event(const YkSweep *w, size_t index)
 {
-    return w->events[index];
+    return w->walk.events[index];
 }
 double yk_sweep_worst_residual(const YkSweep *w)
 {

@@ -1,15 +1,50 @@
 // Verified progress. Between two rows the path is probed, and probed more finely wherever a block's margin (sin^2 of
 // its transmission angle) could reach zero: a simple zero is a limit position, a double zero a change point, which the
 // motion passes with the other sign.
+#include "sweep/walk.h"
+#include <stdlib.h>
 #include <string.h>
-#include "sweep/sweep.h"
 
-double *yk_sweep_margins(const YkSweep *w, size_t depth, size_t which)
+enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
+static const double FASTEST_WHEEL = 1e4, COST_MAX = 1e9; // steps of solution
+
+bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
+{
+    size_t blocks = path.state->mech->block_count, count = blocks == 0 || blocks > MARGINS_MAX ? 1 : blocks;
+    *w = (YkWalk){.path = path, .turn_max = turn_max, .margin_count = count, .limit_block = -1};
+    w->margins = calloc(3 * (WALK_DEPTH_MAX + 1) * count, sizeof *w->margins);
+    w->flipped_at = calloc(count, sizeof *w->flipped_at);
+    for (size_t k = 0; w->flipped_at && k < count; k++) w->flipped_at[k] = NAN;
+    return path.others && w->margins && w->flipped_at;
+}
+
+void yk_walk_end(YkWalk *w)
+{
+    yk_path_end(&w->path);
+    free(w->margins);
+    free(w->flipped_at);
+    free(w->events);
+}
+
+void yk_walk_note(YkWalk *w, YkEvent event)
+{
+    if (w->event_count >= EVENTS_MAX) {
+        w->more_events++;
+        return;
+    }
+    if (!YK_ROOM(w->events, w->event_count, w->event_capacity)) {
+        w->failed = true;
+        return;
+    }
+    w->events[w->event_count++] = event;
+}
+
+double *yk_walk_margins(const YkWalk *w, size_t depth, size_t which)
 {
     return w->margins + (3 * depth + which) * w->margin_count;
 }
 
-void yk_sweep_read_margins(const YkSweep *w, double *margins)
+void yk_walk_read_margins(const YkWalk *w, double *margins)
 {
     const YkState *s = w->path.state;
     if (s->mech->block_count != w->margin_count) margins[0] = s->space.margin[0];
@@ -17,7 +52,7 @@ void yk_sweep_read_margins(const YkSweep *w, double *margins)
         margins[k] = yk_path_margin(s, &s->space, k);
 }
 
-bool yk_sweep_has_margin(const YkSweep *w, size_t block)
+bool yk_walk_has_margin(const YkWalk *w, size_t block)
 {
     const YkMechanism *mech = w->path.state->mech;
     return w->margin_count != mech->block_count || mech->blocks[block].kind <= YK_BLOCK_RPR;
@@ -30,20 +65,20 @@ static double touch(double a, double ma, double b, double mb)
     return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
 }
 
-void yk_sweep_end_at(YkSweep *w, double at, double bad)
+void yk_walk_end_at(YkWalk *w, double at, double bad)
 {
     w->status = yk_path_set(&w->path, bad, true) < 0 ? YK_BAD_MODEL : YK_LIMIT;
     if (w->status == YK_BAD_MODEL) yk_state_set_time(w->path.state, bad, w->problems);
-    yk_sweep_note(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->status == YK_LIMIT ? w->limit_block : -1});
+    yk_walk_note(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->status == YK_LIMIT ? w->limit_block : -1});
     yk_path_probe(&w->path, at, true);
 }
 
-bool yk_sweep_was_flipped_near(const YkSweep *w, size_t block, double at)
+bool yk_walk_was_flipped_near(const YkWalk *w, size_t block, double at)
 {
     return fabs(w->flipped_at[block] - at) < 1e-4 * yk_path_scale(&w->path); // false for NaN
 }
 
-static double sine_at(YkSweep *w, size_t block, double at)
+static double sine_at(YkWalk *w, size_t block, double at)
 {
     const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
     const YkSpace *space =
@@ -52,7 +87,7 @@ static double sine_at(YkSweep *w, size_t block, double at)
 }
 
 // Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
-static double refine_touch(YkSweep *w, size_t block, double at)
+static double refine_touch(YkWalk *w, size_t block, double at)
 {
     double d = 2e-4 * yk_path_scale(&w->path);
     for (int k = 0; k < 2; k++) {
@@ -65,42 +100,42 @@ static double refine_touch(YkSweep *w, size_t block, double at)
     return at;
 }
 
-static void flip(YkSweep *w, size_t block, double at)
+static void flip(YkWalk *w, size_t block, double at)
 {
     YkState *s = w->path.state;
     at = refine_touch(w, block, at);
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
-    yk_sweep_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
+    yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
 }
 
-static bool advance(YkSweep *w, double a, double b, size_t depth);
-static bool go_on(YkSweep *w, double from, double to, size_t depth);
+static bool advance(YkWalk *w, double a, double b, size_t depth);
+static bool go_on(YkWalk *w, double from, double to, size_t depth);
 
 // The machine closes at `good` and not at `bad`. Where it stops, a block may have come to a change point beyond which
 // only its other sign fits the rest (a redundant link, a later dyad): then the motion goes on. Otherwise this is a
 // limit.
-static bool stop_or_pass(YkSweep *w, double good, double bad, size_t depth)
+static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
 {
     YkState *s = w->path.state;
     w->limit_block = s->report.block;
     double at = yk_path_limit(&w->path, good, bad), beyond = at + copysign(2e-5 * yk_path_scale(&w->path), bad - at);
     bool fits =
-        fabs(beyond - at) < fabs(bad - at) && w->margin_count == s->mech->block_count && depth + 1 < SWEEP_DEPTH_MAX;
-    double *margins = yk_sweep_margins(w, depth, 0);
-    yk_sweep_read_margins(w, margins);
+        fabs(beyond - at) < fabs(bad - at) && w->margin_count == s->mech->block_count && depth + 1 < WALK_DEPTH_MAX;
+    double *margins = yk_walk_margins(w, depth, 0);
+    yk_walk_read_margins(w, margins);
     for (size_t k = 0; fits && k < w->margin_count; k++) {
-        if (!yk_sweep_has_margin(w, k) || margins[k] > 1e-8 || yk_sweep_was_flipped_near(w, k, at)) continue;
+        if (!yk_walk_has_margin(w, k) || margins[k] > 1e-8 || yk_walk_was_flipped_near(w, k, at)) continue;
         s->branch[k] = (signed char)-s->branch[k];
         bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
         s->branch[k] = (signed char)-s->branch[k];
         if (!passes) continue;
         flip(w, k, touch(at, margins[k], beyond, yk_path_margin(s, &s->space, k)));
         yk_path_probe(&w->path, beyond, true);
-        yk_sweep_read_margins(w, yk_sweep_margins(w, depth + 1, 0));
+        yk_walk_read_margins(w, yk_walk_margins(w, depth + 1, 0));
         return advance(w, beyond, bad, depth + 1);
     }
-    yk_sweep_end_at(w, at, bad);
+    yk_walk_end_at(w, at, bad);
     return false;
 }
 
@@ -116,55 +151,55 @@ static bool may_vanish(double a, double m, double b)
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
-static Verdict look(YkSweep *w, double a, double b, size_t depth)
+static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
-    const double *ma = yk_sweep_margins(w, depth, 0), *mm = yk_sweep_margins(w, depth, 1),
-                 *mb = yk_sweep_margins(w, depth, 2);
-    bool narrow = fabs(b - a) < 4e-7 * yk_path_scale(&w->path) || depth + 1 >= SWEEP_DEPTH_MAX, touched = false;
+    const double *ma = yk_walk_margins(w, depth, 0), *mm = yk_walk_margins(w, depth, 1),
+                 *mb = yk_walk_margins(w, depth, 2);
+    bool narrow = fabs(b - a) < 4e-7 * yk_path_scale(&w->path) || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
-        if (!yk_sweep_has_margin(w, k) || !may_vanish(ma[k], mm[k], mb[k])) continue;
+        if (!yk_walk_has_margin(w, k) || !may_vanish(ma[k], mm[k], mb[k])) continue;
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
-        if (yk_sweep_was_flipped_near(w, k, b)) continue;
+        if (yk_walk_was_flipped_near(w, k, b)) continue;
         flip(w, k, touch(a, ma[k], b, mb[k]));
         touched = true;
     }
     return touched ? TOUCHED : CLEAR;
 }
 
-void yk_sweep_flip_at(YkSweep *w, double a, const double *margins)
+void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
 {
     if (a == w->from || w->margin_count != w->path.state->mech->block_count) return;
     for (size_t k = 0; k < w->margin_count; k++)
-        if (yk_sweep_has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && !yk_sweep_was_flipped_near(w, k, a))
+        if (yk_walk_has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && !yk_walk_was_flipped_near(w, k, a))
             flip(w, k, a);
 }
 
 // Over time: do the drives go farther between a and b than the path may be left unseen?
-static bool is_coarse(YkSweep *w, double a, double b)
+static bool is_coarse(YkWalk *w, double a, double b)
 {
     if (w->path.input >= 0 || yk_path_set(&w->path, 0.5 * (a + b), true) < 0) return false;
     double scale = yk_path_scale(&w->path);
     if (yk_path_set(&w->path, b, true) < 0) return false;
-    return fabs(b - a) > 1.001 * w->options.turn_max * fmin(scale, yk_path_scale(&w->path));
+    return fabs(b - a) > 1.001 * w->turn_max * fmin(scale, yk_path_scale(&w->path));
 }
 
-static bool halve(YkSweep *w, double a, double b, size_t depth)
+static bool halve(YkWalk *w, double a, double b, size_t depth)
 {
-    double middle = 0.5 * (a + b), *next = yk_sweep_margins(w, depth + 1, 0);
-    memcpy(next, yk_sweep_margins(w, depth, 0), w->margin_count * sizeof *next);
+    double middle = 0.5 * (a + b), *next = yk_walk_margins(w, depth + 1, 0);
+    memcpy(next, yk_walk_margins(w, depth, 0), w->margin_count * sizeof *next);
     return advance(w, a, middle, depth + 1) && go_on(w, middle, b, depth);
 }
 
 // From the valid pose at a (margins known at this depth) to b. False when stopped.
-static bool advance(YkSweep *w, double a, double b, size_t depth)
+static bool advance(YkWalk *w, double a, double b, size_t depth)
 {
     double middle = 0.5 * (a + b);
-    if (depth + 1 < SWEEP_DEPTH_MAX && is_coarse(w, a, b)) return halve(w, a, b, depth);
+    if (depth + 1 < WALK_DEPTH_MAX && is_coarse(w, a, b)) return halve(w, a, b, depth);
     if (yk_path_try(&w->path, middle, true) < 0) return stop_or_pass(w, a, middle, depth) && go_on(w, middle, b, depth);
-    yk_sweep_read_margins(w, yk_sweep_margins(w, depth, 1));
+    yk_walk_read_margins(w, yk_walk_margins(w, depth, 1));
     if (yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
-    yk_sweep_read_margins(w, yk_sweep_margins(w, depth, 2));
+    yk_walk_read_margins(w, yk_walk_margins(w, depth, 2));
     bool is_tracked =
         w->path.state->mech->has_groups && w->margin_count != w->path.state->mech->block_count; // checked on the way
     Verdict verdict = is_tracked ? CLEAR : look(w, a, b, depth);
@@ -174,27 +209,49 @@ static bool advance(YkSweep *w, double a, double b, size_t depth)
 }
 
 // The state stands at `from`, reached a moment ago: on to `to`, one level down.
-static bool go_on(YkSweep *w, double from, double to, size_t depth)
+static bool go_on(YkWalk *w, double from, double to, size_t depth)
 {
-    if (depth + 1 >= SWEEP_DEPTH_MAX) return yk_path_probe(&w->path, to, true) >= 0 || stop_or_pass(w, from, to, depth);
-    double *margins = yk_sweep_margins(w, depth + 1, 0);
-    yk_sweep_read_margins(w, margins);
-    yk_sweep_flip_at(w, from, margins);
+    if (depth + 1 >= WALK_DEPTH_MAX) return yk_path_probe(&w->path, to, true) >= 0 || stop_or_pass(w, from, to, depth);
+    double *margins = yk_walk_margins(w, depth + 1, 0);
+    yk_walk_read_margins(w, margins);
+    yk_walk_flip_at(w, from, margins);
     return advance(w, from, to, depth + 1);
 }
 
-bool yk_sweep_progress(YkSweep *w, double a, double b)
+// How much faster than the path its fastest wheel turns: a gear may turn a crank through more than the inputs.
+static double fastest_wheel(const YkWalk *w)
 {
-    double stride = w->options.turn_max * yk_path_scale(&w->path);
-    size_t parts = (size_t)fmin(1e7, ceil(fabs(b - a) / stride));
-    double last = a;
-    for (size_t k = 1; k <= parts; k++) {
-        double next = k == parts ? b : a + (b - a) * (double)k / (double)parts;
-        double *margins = yk_sweep_margins(w, 0, 0);
-        yk_sweep_read_margins(w, margins);
-        yk_sweep_flip_at(w, last, margins);
+    const YkState *s = w->path.state;
+    double fastest = 1, unit = yk_path_scale(&w->path);
+    for (size_t k = 0; s->has_rates && k < s->mech->relation_count + s->mech->derived_count; k++) {
+        const YkRelation *r = &s->mech->relations[k];
+        if (!r->is_solved || r->target.is_distance) continue;
+        fastest = fmax(fastest, unit * fabs(yk_space_turn(&s->space, r->target.index).w[0]));
+    }
+    return fmin(fastest, FASTEST_WHEEL);
+}
+
+bool yk_walk_is_too_long(YkWalk *w, double a, double b)
+{
+    double cost = 1 + (double)w->path.state->mech->step_count;
+    return yk_path_length(&w->path, a, b) / w->turn_max * cost > COST_MAX;
+}
+
+bool yk_walk_go(YkWalk *w, double a, double b)
+{
+    double last = a, way = b > a ? 1 : -1;
+    while (last != b) {
+        double stride = w->turn_max * yk_path_scale(&w->path) / fastest_wheel(w), left = fabs(b - last);
+        double next = left <= stride * (1 + 1e-9) ? b : last + way * left / ceil(left / stride);
+        if (next == last) next = b;
+        double *margins = yk_walk_margins(w, 0, 0);
+        yk_walk_read_margins(w, margins);
+        yk_walk_flip_at(w, last, margins);
         if (!advance(w, last, next, 0)) return false;
-        yk_sweep_watch_extremes(w, next);
+        if (w->arrived && !w->arrived(w->context, next)) {
+            w->status = YK_STOPPED;
+            return false;
+        }
         last = next;
     }
     return true;

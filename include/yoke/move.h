@@ -1,0 +1,52 @@
+// Moving: from the pose in which a machine stands to another one, as the machine itself would go there. No limit is
+// jumped, a change point is passed in the direction of the motion, and no branch or circuit changes without a word.
+#ifndef YOKE_MOVE_H
+#define YOKE_MOVE_H
+
+#include <yoke/state.h>
+
+typedef struct YkMoveOptions {
+    double turn_max; // the way is verified at least every so many radians (or this times the machine's size); default
+                     // 2 deg
+    size_t detours;  // ways round, through several inputs, that are tried where a limit blocks the straight way;
+                     // default 64, 0: none
+    bool (*goes_on)(void *context, double part); // asked at every verified pose with the part of the way that is done,
+                                                 // in [0, 1]; false stops the move. NULL: it goes on
+    void *context;
+} YkMoveOptions;
+YK_API YkMoveOptions yk_default_move_options(void);
+
+enum { YK_MOVE_PASSES = 16 };
+typedef struct YkPass { // a change point on the way
+    int block;
+    double part; // of the way, in [0, 1]
+} YkPass;
+
+// How a move went. `part` is how much of the straight way was done where a limit or a change point is told.
+typedef struct YkMove {
+    YkStatus status;
+    bool is_detour; // arrived by a way round
+    double part;    // 1 on arrival
+    int block;      // which does not close beyond (YK_LIMIT), or -1
+    size_t pass_count;
+    YkPass passes[YK_MOVE_PASSES]; // the first of them
+} YkMove;
+
+// Moves a state that has a pose straight to goal[input_count], in all inputs at once; each ends exactly at its goal.
+// Turns are counted; where the motion repeats itself turn by turn, one turn is followed and the others are counted.
+// YK_OK, YK_REDUNDANT, YK_SINGULAR (arrived), YK_LIMIT, YK_STOPPED, YK_NO_MEMORY, YK_BAD_ARGUMENT (no pose, a goal that
+// is not finite). Where it did not arrive, the state stands at the last pose of the straight way, and its report says
+// why. move: NULL, or how it went. options: NULL for the defaults. Cost: of solving every 2 degrees of the way, and of
+// as many ways as `detours` says; allocates.
+YK_API YkStatus yk_state_move_to(YkState *state, const YkMotion *goal, const YkMoveOptions *options, YkMove *move);
+// Moves along the drives from the state's time to `time`, s; inputs that are held (yk_state_hold_input) or have no
+// drive stay. Also YK_BAD_MODEL, where a drive has no value on the way.
+YK_API YkStatus yk_state_move_time(YkState *state, double time, const YkMoveOptions *options, YkMove *move,
+                                   YkProblems *problems);
+// Puts a state in the pose of another one of the same model whose mechanism was compiled with other inputs: same
+// coordinates, turns counted, at the same time. Inputs take the positions of their coordinates; their rates are those
+// of the drives and of `start:`. YK_OK, ...; YK_NO_ASSEMBLY where the pose is not found again, YK_SINGULAR where with
+// these inputs it is a dead point: then two branches meet there, and either may be meant.
+YK_API YkStatus yk_state_adopt(YkState *state, const YkState *from);
+
+#endif

@@ -1,0 +1,281 @@
+// Moving to a pose: the straight way, or a way round.
+#include <yoke/move.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/mix.h"
+#include "base/problems.h"
+#include "sweep/turns.h"
+
+YkMoveOptions yk_default_move_options(void)
+{
+    return (YkMoveOptions){.turn_max = 2 * YK_PI / 180, .detours = 64};
+}
+
+// One move on its way.
+typedef struct Mover {
+    YkState *state;
+    const YkMoveOptions *options;
+    YkMove *move;
+    YkProblems *problems;
+} Mover;
+
+static bool ask(void *context, double part)
+{
+    const YkMoveOptions *o = context;
+    return o->goes_on(o->context, fmin(1, fmax(0, part)));
+}
+
+static size_t goal_size(const YkState *s)
+{
+    return 3 * s->mech->input_count * sizeof(double);
+}
+
+static void keep_passes(YkMove *move, const YkWalk *walk, double from, double to)
+{
+    for (size_t k = 0; k < walk->event_count; k++) {
+        const YkEvent *e = &walk->events[k];
+        if (e->kind != YK_EVENT_CHANGE_POINT) continue;
+        if (move->pass_count < YK_MOVE_PASSES)
+            move->passes[move->pass_count] = (YkPass){e->block, (e->at - from) / (to - from)};
+        move->pass_count++;
+    }
+}
+
+static YkStatus refuse_length(YkWalk *w)
+{
+    static const char why[] =
+        "the way there is too long to be followed pose by pose: ask for one that is nearer, or for "
+        "a configuration by --assembly";
+    memcpy(w->path.state->report.message, why, sizeof why);
+    return w->path.state->report.status = YK_STOPPED;
+}
+
+// From `from` to `to` on the walk's path; the state ends there with the motion's own rates.
+static YkStatus go(Mover *m, YkWalk *w, double from, double to)
+{
+    double at = from, period = w->path.is_line ? yk_turns_period(&w->path) : 0;
+    if (m->options->goes_on) {
+        w->arrived = ask;
+        w->context = (void *)(uintptr_t)m->options;
+    }
+    w->problems = m->problems;
+    w->from = from;
+    if (period == 0 && yk_walk_is_too_long(w, from, to)) return refuse_length(w);
+    YkStatus status = yk_path_probe(&w->path, from, true);
+    bool ok = status >= 0;
+    if (ok && period > 0) at = yk_turns_skip(w, period);
+    ok = ok && at >= 0 && yk_walk_go(w, at, to);
+    keep_passes(m->move, w, from, to);
+    if (w->failed) return YK_NO_MEMORY;
+    if (ok) return yk_path_probe(&w->path, to, false);
+    m->move->part = (w->path.last - from) / (to - from);
+    m->move->block = w->limit_block;
+    return w->status < 0 ? w->status : status < 0 ? status : YK_LIMIT;
+}
+
+static YkStatus walk(Mover *m, YkPath path, double from, double to)
+{
+    YkWalk w;
+    YkStatus status = yk_walk_start(&w, path, m->options->turn_max) ? go(m, &w, from, to) : YK_NO_MEMORY;
+    yk_walk_end(&w);
+    return status;
+}
+
+// --- in a straight line
+// ---------------------------------------------------------------------------------------------------
+
+static bool is_there(const YkState *s, const double *goal)
+{
+    for (size_t i = 0; i < s->mech->input_count; i++)
+        if (s->valid_input[3 * i] != goal[3 * i]) return false;
+    return true;
+}
+
+// Without loops nothing can close otherwise; at the goal already, only the rates are new.
+static YkStatus move_straight(Mover *m, const double *goal)
+{
+    YkState *s = m->state;
+    if (s->mech->block_count == 0 || is_there(s, goal)) {
+        memcpy(s->input, goal, goal_size(s));
+        YkStatus status = yk_state_solve(s);
+        if (status >= 0) yk_state_refer(s);
+        return status;
+    }
+    YkPath path;
+    yk_path_start_line(&path, s, goal);
+    return walk(m, path, 0, 1);
+}
+
+// --- ways round
+// -----------------------------------------------------------------------------------------------------------
+
+// Corners of a way: all inputs at the start's values or the goal's, one changing after the other, first in their order,
+// then in the reverse.
+static void corner(const YkState *s, const double *from, const double *goal, size_t reached, bool reverse, double *out)
+{
+    size_t n = s->mech->input_count;
+    for (size_t i = 0; i < n; i++) {
+        size_t place = reverse ? n - 1 - i : i;
+        out[3 * i] = place <= reached ? goal[3 * i] : from[3 * i];
+        out[3 * i + 1] = out[3 * i + 2] = 0;
+    }
+}
+
+static YkStatus go_by_corners(Mover *m, const double *from, const double *goal, bool reverse, double *room)
+{
+    YkStatus status = YK_OK;
+    for (size_t k = 0; status >= 0 && k + 1 < m->state->mech->input_count; k++) {
+        corner(m->state, from, goal, k, reverse, room);
+        if (!is_there(m->state, room)) status = move_straight(m, room);
+    }
+    return status < 0 ? status : move_straight(m, goal);
+}
+
+// By a random pose, at first near the middle of the straight way, then farther off.
+static YkStatus go_by_pose(Mover *m, const double *from, const double *goal, double reach, uint64_t *seed, double *room)
+{
+    const YkMechanism *mech = m->state->mech;
+    for (size_t i = 0; i < mech->input_count; i++) {
+        double size = mech->coordinates[mech->inputs[i]].is_distance ? mech->size : YK_PI;
+        double part = yk_mix_unit(seed), off = reach * size * (2 * yk_mix_unit(seed) - 1);
+        room[3 * i] = from[3 * i] + part * (goal[3 * i] - from[3 * i]) + off;
+        room[3 * i + 1] = room[3 * i + 2] = 0;
+    }
+    YkStatus status = move_straight(m, room);
+    return status < 0 ? status : move_straight(m, goal);
+}
+
+// Tries ways round from `home`; true where one of them arrives.
+static bool go_round(Mover *m, const YkState *home, const double *goal, double *room, YkStatus *status)
+{
+    YkMove straight = *m->move;
+    const double *from = home->valid_input;
+    uint64_t seed = 1;
+    for (size_t k = 0; k < m->options->detours; k++) {
+        double reach = (double)(k + 1) / (double)m->options->detours;
+        yk_state_take(m->state, home);
+        m->move->pass_count = 0;
+        *status = k < 2 ? go_by_corners(m, from, goal, k == 1, room) : go_by_pose(m, from, goal, reach, &seed, room);
+        if (*status == YK_STOPPED || *status == YK_NO_MEMORY) return false;
+        if (*status < 0) continue;
+        m->move->is_detour = true;
+        return true;
+    }
+    *m->move = straight;
+    return false;
+}
+
+static YkStatus move_round(Mover *m, const YkState *home, const double *goal, YkStatus blocked)
+{
+    YkState *s = m->state, *end = yk_state_new(s->mech); // where the straight way ends
+    double *room = calloc(3 * s->mech->input_count, sizeof *room);
+    YkStatus status = YK_NO_MEMORY;
+    if (end && room) {
+        yk_state_take(end, s);
+        if (!go_round(m, home, goal, room, &status) && status != YK_STOPPED && status != YK_NO_MEMORY) {
+            yk_state_take(s, end);
+            status = blocked;
+        }
+    }
+    free(room);
+    yk_state_free(end);
+    return status;
+}
+
+// --- the door
+// ------------------------------------------------------------------------------------------------------------
+
+static YkStatus finish(YkState *s, YkMove *move, YkStatus status)
+{
+    move->status = status;
+    if (status >= 0) {
+        move->part = 1;
+        yk_path_refer_state(s);
+    }
+    return status;
+}
+
+static YkStatus move_to(Mover *m, const double *goal)
+{
+    YkState *s = m->state;
+    bool may_go_round = s->mech->input_count > 1 && m->options->detours > 0;
+    YkState *home = may_go_round ? yk_state_new(s->mech) : NULL;
+    if (may_go_round && !home) return YK_NO_MEMORY;
+    if (home) yk_state_take(home, s);
+    YkStatus status = move_straight(m, goal);
+    if (home && status == YK_LIMIT) status = move_round(m, home, goal, status);
+    yk_state_free(home);
+    return finish(s, m->move, status);
+}
+
+static YkMove new_move(void)
+{
+    return (YkMove){.block = -1};
+}
+
+YkStatus yk_state_move_to(YkState *s, const YkMotion *goal, const YkMoveOptions *options, YkMove *move)
+{
+    YkMoveOptions defaults = yk_default_move_options();
+    YkMove unseen;
+    Mover m = {s, options ? options : &defaults, move ? move : &unseen, NULL};
+    *m.move = new_move();
+    double *to = calloc(3 * s->mech->input_count + 1, sizeof *to);
+    if (!to) return m.move->status = YK_NO_MEMORY;
+    bool good = s->has_pose && m.options->turn_max > 0;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        to[3 * i] = goal[i].position;
+        to[3 * i + 1] = goal[i].velocity;
+        to[3 * i + 2] = goal[i].acceleration;
+        good = good && isfinite(to[3 * i]) && isfinite(to[3 * i + 1]) && isfinite(to[3 * i + 2]);
+    }
+    YkStatus status = good ? move_to(&m, to) : YK_BAD_ARGUMENT;
+    free(to);
+    return m.move->status = status;
+}
+
+// Do all inputs that move do so at a constant rate? Then the way through time is a straight line.
+static bool is_steady(const YkState *s)
+{
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        int32_t drive = s->mech->coordinates[s->mech->inputs[i]].drive;
+        if (drive != YK_NONE && !s->is_held[3 * i] && !yk_model_drive_is_steady(s->mech->model, (size_t)drive))
+            return false;
+    }
+    return true;
+}
+
+static YkStatus move_in_time(Mover *m, double time)
+{
+    YkState *s = m->state;
+    double from = s->time;
+    YkPath path;
+    if (from == time || s->mech->block_count == 0) {
+        YkStatus status = yk_state_set_time(s, time, m->problems);
+        if (status >= 0) status = yk_state_solve(s);
+        return finish(s, m->move, status);
+    }
+    if (!is_steady(s)) {
+        yk_path_start(&path, s, -1);
+        return finish(s, m->move, walk(m, path, from, time));
+    }
+    double *goal = calloc(3 * s->mech->input_count + 1, sizeof *goal);
+    YkStatus status = goal ? yk_state_set_time(s, time, m->problems) : YK_NO_MEMORY;
+    if (status >= 0) {
+        memcpy(goal, s->input, goal_size(s));
+        s->time = from;
+        status = move_straight(m, goal);
+        s->time = status >= 0 ? time : from + m->move->part * (time - from);
+    }
+    free(goal);
+    return finish(s, m->move, status);
+}
+
+YkStatus yk_state_move_time(YkState *s, double time, const YkMoveOptions *options, YkMove *move, YkProblems *problems)
+{
+    YkMoveOptions defaults = yk_default_move_options();
+    YkMove unseen;
+    Mover m = {s, options ? options : &defaults, move ? move : &unseen, problems};
+    *m.move = new_move();
+    bool good = s->has_pose && isfinite(time) && m.options->turn_max > 0;
+    return m.move->status = good ? move_in_time(&m, time) : YK_BAD_ARGUMENT;
+}
