@@ -153,7 +153,24 @@ static double norm(const double *v, size_t n)
     return sqrt(sum);
 }
 
-// Newton (or least-squares) step from J and residual; returns the normalised determinant (rank deficiency: 0).
+// The least sine of the angle between a column and those pivoted before it. The factors are in w->A, the columns
+// themselves in w->J.
+static double least_sine(const YkGroupWork *w, const Group *g)
+{
+    double least = 1;
+    for (size_t k = 0; k < g->n; k++) {
+        double sum = 0;
+        for (size_t i = 0; i < g->m; i++) {
+            double entry = w->J[i * g->n + w->order[k]];
+            sum += entry * entry;
+        }
+        least = fmin(least, fabs(w->A[k * g->n + k]) / sqrt(sum));
+    }
+    return least;
+}
+
+// Newton (or least-squares) step from J and residual. Returns the normalised determinant; where loops repeat others,
+// the least sine between columns, which is as small at a dead point (rank deficiency: 0).
 static double newton_step(YkGroupWork *w, const Group *g)
 {
     memcpy(w->A, w->J, g->m * g->n * sizeof *w->A);
@@ -167,7 +184,7 @@ static double newton_step(YkGroupWork *w, const Group *g)
     memcpy(b, w->step, g->m * sizeof *b);
     size_t rank = yk_qr_factor(g->m, g->n, w->A, w->order, w->tau, 1e-10);
     yk_qr_solve(g->m, g->n, w->A, w->order, w->tau, rank, b, w->step);
-    return rank == g->n ? 1 : 0;
+    return rank == g->n ? least_sine(w, g) : 0;
 }
 
 static double column_size(const Group *g, size_t k)

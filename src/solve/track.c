@@ -4,6 +4,9 @@
 
 #define DEPARTURE 1e-8     // rad, or lengths over the size: the first step from a dead point
 #define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: where not even such a step succeeds, there is a limit
+#define STRIDE 0.05        // rad, or lengths over the size: no step of an input is longer
+#define TRIALS_SPARE 512   // beside those of a smooth way: 46 halvings to the floor and back, a few trials each
+#define WORK_MAX 2e9       // multiplications on one way: some seconds
 
 // Runs everything at the inputs as they stand, from the guess in groups.x.
 static YkStatus run_here(YkState *s)
@@ -100,7 +103,44 @@ static void set_path(YkState *s, const double *ends, double at)
 
 typedef struct Tracker {
     double at, h, longest;
+    size_t trials_left; // 0: the way is given up
 } Tracker;
+
+// Multiplications of one trial, roughly: a sum for each step, a few factorisations for each group.
+static double trial_cost(const YkState *s)
+{
+    double cost = 30 * (double)(s->mech->step_count + 1);
+    for (size_t b = 0; b < s->mech->block_count; b++) {
+        const YkBlock *block = &s->mech->blocks[b];
+        if (block->kind != YK_BLOCK_GROUP) continue;
+        double n = block->column_count, m = (double)yk_block_rows(block);
+        cost += 4 * (m * n * n + 20 * m);
+    }
+    return cost;
+}
+
+// How many steps may be tried on the way. 0 where even the longest steps would be more work than is allowed.
+static size_t trials_max(const YkState *s, double longest)
+{
+    double strides = longest / STRIDE, most = WORK_MAX / trial_cost(s);
+    if (!(strides <= most)) return 0;
+    return TRIALS_SPARE + (size_t)fmin(8 * strides, most);
+}
+
+static const char *const way_too_long =
+    "the way to these inputs is too long to be followed step by step: ask for inputs nearer to the last pose";
+static const char *const way_too_hard =
+    "the way to these inputs was given up: near the last pose that closes, steps become too small";
+
+static void explain_way(YkState *s, const char *message)
+{
+    size_t length = strlen(message);
+    if (length >= sizeof s->report.message) length = sizeof s->report.message - 1;
+    yk_state_tell(s, &s->spare, YK_OK);
+    s->report.status = YK_NOT_CONVERGED;
+    memcpy(s->report.message, message, length);
+    s->report.message[length] = 0;
+}
 
 static void accept_along(YkState *s)
 {
@@ -118,18 +158,20 @@ static double correction_max(const YkState *s, double way)
     return at_dead_point(s) ? 0.01 : 0.25 * way + 1e-9;
 }
 
-// One step of the path; false when even the smallest fails. Newton's correction must be small against the predicted
-// way: what it reaches is then the continuation and no other solution. Towards a limit steps shrink with the distance
-// that is left.
+// One step of the path; false when even the smallest fails, or when no trial is left. Newton's correction must be small
+// against the predicted way: what it reaches is then the continuation and no other solution. Towards a limit steps
+// shrink with the distance that is left.
 static bool advance(YkState *s, Tracker *t, const double *ends)
 {
     while (t->at + t->h > t->at && t->h > STEP_FLOOR) {
+        if (t->trials_left == 0) return false;
+        t->trials_left--;
         double h = fmin(t->h, 1 - t->at), way = predict(s, h);
         set_path(s, ends, t->at + h);
         if (way < 0.5 && run_here(s) >= 0 && s->groups.moved <= correction_max(s, way)) {
             accept_along(s);
             t->at += h;
-            t->h = fmin(2 * t->h, 0.05 / fmax(t->longest, 1e-300));
+            t->h = fmin(2 * t->h, STRIDE / fmax(t->longest, 1e-300));
             return true;
         }
         t->h = 0.5 * h;
@@ -180,8 +222,13 @@ YkStatus yk_state_track(YkState *s)
     memcpy(wanted, s->input, 3 * n * sizeof *wanted);
     find_ends(s, ends);
     keep_references(s);
-    Tracker t = {0, 1, path_length(s)};
-    t.h = t.longest > 0.05 ? 0.05 / t.longest : 1;
+    Tracker t = {.h = 1, .longest = path_length(s)};
+    t.trials_left = trials_max(s, t.longest);
+    if (t.trials_left == 0) {
+        explain_way(s, way_too_long);
+        return YK_NOT_CONVERGED;
+    }
+    if (t.longest > STRIDE) t.h = STRIDE / t.longest;
     memcpy(s->groups.x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
     yk_space_copy(&s->search->kept, &s->space); // to come back to on failure
     memcpy(s->search->kept_x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
@@ -200,8 +247,11 @@ YkStatus yk_state_track(YkState *s)
         if (status >= 0) yk_state_accept(s);
     }
     if (!ok || status < 0) {
-        status = YK_LIMIT;
-        yk_state_tell(s, &s->spare, status);
+        status = t.trials_left > 0 ? YK_LIMIT : YK_NOT_CONVERGED;
+        if (status == YK_LIMIT)
+            yk_state_tell(s, &s->spare, status);
+        else
+            explain_way(s, way_too_hard);
         yk_space_copy(&s->space, &s->search->kept);
         memcpy(s->valid_x, s->search->kept_x, s->mech->column_count * sizeof *s->valid_x);
         yk_state_walk_back(s);

@@ -275,6 +275,37 @@ static void it_may_start_late(void **unused)
     run_free(&run);
 }
 
+// A slider crank whose rod is two bodies that a pin and a slide join, so that one constraint repeats others. The
+// slide's coordinate, which is held, passes a dead point: another has to take over. The rod keeps its length between
+// two points of which each is known from the ground along one joint.
+static void a_group_that_repeats_constraints_passes_its_dead_point(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "gravity: [0, -9.81]\nbodies:\n  ground: {points: {P0: [0.4486, 0.086], P1: [-0.6293, 0.5817]}}\n"
+        "  b1: {points: {P0: [0.4486, 0.086], P3: [-0.1759, -0.0427]}, mass: 1, center: [-0.1, 0.2], inertia: 1.7}\n"
+        "  b2: {points: {Q1: [-1.327869504593366, 0.8374104949981116], P2: [0.2186, -0.1165], P4: [0.657, -0.245]}, "
+        "mass: 0.8, center: [0.6, -0.3], inertia: 0.2}\n"
+        "  b3: {points: {Q2: [0.6471, -0.1165], P3: [-0.1759, -0.0427], P4: [0.657, -0.245]}, mass: 1, "
+        "center: [-0.4, -0.7], inertia: 1.3}\n"
+        "joints:\n  J0: {pin: [ground, b1], at: P0, angle: c0}\n"
+        "  J1: {pin-slot: [ground, b2], along: -0.3509, from: P1, at: Q1, distance: c1, angle: d1}\n"
+        "  J2: {slide: [b2, b3], along: 0, from: P2, to: Q2, distance: c2}\n"
+        "  J3: {pin: [b1, b3], at: P3}\n  J4: {pin: [b3, b2], at: P4}\nstart: {c1: -0.7439, c2: 0.4285}\n";
+    Run run = run_of_text(text, run_options(1e-9));
+    for (int k = 1; k <= 15; k++) {
+        assert_int_equal(yk_simulation_advance(run.sim, 0.1 * k), YK_OK);
+        double c0 = run_value(&run, "c0"), c1 = run_value(&run, "c1"), x = -0.1759 - 0.4486, y = -0.0427 - 0.086;
+        double P3x = 0.4486 + x * cos(c0) - y * sin(c0), P3y = 0.086 + x * sin(c0) + y * cos(c0);
+        double Q1x = -0.6293 + c1 * cos(-0.3509), Q1y = 0.5817 + c1 * sin(-0.3509);
+        CHECK_NEAR(hypot(Q1x - P3x, Q1y - P3y), hypot(-1.327869504593366 + 0.1759, 0.8374104949981116 + 0.0427), 1e-12);
+    }
+    YkSimulationSummary s = yk_simulation_summary(run.sim);
+    assert_true(s.recoordinations >= 1 && s.energy_error < 1e-7);
+    assert_true(s.steps < 100);
+    run_free(&run);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -291,6 +322,7 @@ int main(void)
         cmocka_unit_test(steps_may_be_counted_out),
         cmocka_unit_test(options_that_make_no_sense_are_refused),
         cmocka_unit_test(it_may_start_late),
+        cmocka_unit_test(a_group_that_repeats_constraints_passes_its_dead_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
