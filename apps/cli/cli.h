@@ -28,6 +28,7 @@ typedef struct YkWords {
 } YkWords;
 
 typedef struct YkVerb YkVerb;
+typedef struct YkColumns YkColumns;
 
 // A command line, understood.
 typedef struct YkRequest {
@@ -62,6 +63,7 @@ typedef struct YkSession {
     YkState *state;
     YkDynamics *dynamics;       // where forces are asked for and the machine has masses or loads; otherwise NULL
     const char *forces_message; // why the pose has no forces, though the machine has loads; otherwise NULL
+    const YkColumns *columns;   // solve: those of --of; NULL: everything is told
     bool lacks_accelerations;   // the dynamics has none for the pose: those of the state mean nothing
     bool is_told;               // the problems are printed already
     bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's

@@ -25,7 +25,7 @@ const YkOption yk_options[] = {
      "the coordinate, or t, that goes through a range"},
     {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report study ",
      "so many steps, one more rows (default 36; simulate: 100; cam: 72, in text none)"},
-    {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " sweep simulate study ",
+    {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " solve sweep simulate study ",
      "columns: d5,d5.rate,lever.angle,ram.C.x,A.force.x,theta1.effort,energy,..."},
     {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam ",
      "draw the columns: FILE.svg, .pdf or .png (needs gnuplot)"},

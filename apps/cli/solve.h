@@ -8,6 +8,11 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index);
 void yk_solve_json(YkSession *session, YkJson *json, const YkState *state);
 void yk_solve_csv_head(YkSession *session);
 void yk_solve_csv(YkSession *session, const YkState *state, size_t index);
+// The same of the columns that --of asks for, session->columns.
+void yk_solve_of_text(YkSession *session, const YkState *state);
+void yk_solve_of_json(YkSession *session, YkJson *json, const YkState *state); // "of": {name: value}
+void yk_solve_of_csv_head(YkSession *session);
+void yk_solve_of_csv(YkSession *session, const YkState *state); // one row a configuration
 // Forces of the configuration, where session->dynamics has them.
 void yk_forces_text(YkSession *session, const YkState *state);
 void yk_forces_json(YkSession *session, YkJson *json, const YkState *state);

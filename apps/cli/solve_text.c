@@ -117,6 +117,16 @@ void yk_solve_text_head(YkSession *session, YkStatus status)
     yk_text_puts(&session->out, "\n");
 }
 
+static void add_all(YkSession *session, const YkState *state)
+{
+    add_coordinates(session, state, false);
+    add_coordinates(session, state, true);
+    add_bodies(session, state);
+    add_points(session, state);
+    add_transmission(session, state);
+    if (session->dynamics) yk_forces_text(session, state);
+}
+
 void yk_solve_text(YkSession *session, const YkState *state, size_t index)
 {
     YkText label = yk_label_of(state);
@@ -125,12 +135,11 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
     } else if (label.length > 0) {
         yk_text_format(&session->out, "Configuration %s\n", yk_text_get(&label));
     }
-    add_coordinates(session, state, false);
-    add_coordinates(session, state, true);
-    add_bodies(session, state);
-    add_points(session, state);
-    add_transmission(session, state);
-    if (session->dynamics) yk_forces_text(session, state);
+    if (session->columns) {
+        yk_solve_of_text(session, state);
+    } else {
+        add_all(session, state);
+    }
     session->out.failed |= label.failed;
     yk_text_free(&label);
 }

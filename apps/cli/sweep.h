@@ -2,14 +2,10 @@
 #ifndef CLI_SWEEP_H
 #define CLI_SWEEP_H
 #include "answer.h"
+#include "columns.h"
 #include "range.h"
 
 enum { YK_RANGES_MAX = 32 };
-
-typedef struct YkColumn {
-    const char *name;
-    YkChannel channel;
-} YkColumn;
 
 typedef struct YkSweepAnswer {
     YkSession *session;

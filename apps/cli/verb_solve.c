@@ -1,4 +1,5 @@
 // yoke solve: one pose, or every one that the inputs allow.
+#include "columns.h"
 #include "session.h"
 #include "solve.h"
 
@@ -50,7 +51,11 @@ static void write_one(Writer *writer, const YkState *state)
         yk_solve_json(writer->session, &writer->json, state);
         break;
     case YK_FORMAT_CSV:
-        yk_solve_csv(writer->session, state, writer->count);
+        if (writer->session->columns) {
+            yk_solve_of_csv(writer->session, state);
+        } else {
+            yk_solve_csv(writer->session, state, writer->count);
+        }
         break;
     }
     writer->count++;
@@ -88,6 +93,8 @@ static void begin(Writer *writer, YkStatus status, const char *message)
         yk_json_list(&writer->json, "configurations", YK_JSON_LINES);
     } else if (session->request->format == YK_FORMAT_TEXT) {
         yk_solve_text_head(session, status);
+    } else if (session->columns) {
+        yk_solve_of_csv_head(session);
     } else {
         yk_solve_csv_head(session);
     }
@@ -125,21 +132,36 @@ static int solve(Writer *writer)
     return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));
 }
 
+// --of: the columns; forces among them need a machine that has some.
+static bool read_columns(YkSession *session, YkColumns *columns)
+{
+    if (!session->request->of) return true;
+    if (!yk_columns_read(session, columns)) return false;
+    session->columns = columns;
+    if (session->dynamics || !yk_columns_need_forces(columns)) return true;
+    return yk_session_refuse(session, YK_CODE_NO_FORCES,
+                             "the machine has neither masses nor loads, so there are no forces%s", "");
+}
+
 int yk_run_solve(YkSession *session)
 {
+    YkColumns columns = {0};
     Writer writer = {.session = session, .json = {.text = &session->out}};
     if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
         return YK_EXIT_WRONG;
+    bool good = read_columns(session, &columns);
     writer.dynamics = session->dynamics;
     writer.scratch = yk_state_new(session->mech);
     int exit_code = YK_EXIT_WRONG;
-    if (writer.scratch) {
+    if (good && writer.scratch) {
         exit_code = solve(&writer);
-    } else {
+    } else if (good) {
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     }
     yk_state_free(writer.scratch);
+    session->columns = NULL;
+    yk_columns_free(&columns);
     session->dynamics = writer.dynamics; // the session frees it
     return exit_code;
 }

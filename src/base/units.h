@@ -3,6 +3,7 @@
 #define BASE_UNITS_H
 #include <stdbool.h>
 #include <stddef.h>
+#include "base/text.h"
 
 // Exponents of length, mass, time and angle. The angle's exponent serves only to convert bare numbers: two dimensions
 // that differ in it alone are equal, since a radian is a number.
@@ -32,5 +33,8 @@ YkUnits yk_units_si(void); // m, kg, s, rad, force derived (N)
 // The size in SI of a bare number of this dimension. With a force unit declared, mass^b time^c (b, c both nonzero)
 // counts as force^b: a stiffness in mm, N is N/mm, a torque N*mm; an inertia stays kg*mm^2, a mass kg.
 double yk_units_size(const YkUnits *units, YkDimension dimension);
+// Adds the unit of a bare number of this dimension, as a file would write it: "N*mm", "kg*mm^2/s^2", "deg/s"; nothing
+// for a plain number.
+void yk_units_name(const YkUnits *units, YkDimension dimension, YkText *text);
 
 #endif

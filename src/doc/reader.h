@@ -19,6 +19,10 @@ bool yk_doc_guard(const char *text, size_t length, YkProblems *problems);
 // problem). Cost linear in the number of pairs.
 bool yk_doc_check_keys(const YkNode *map, YkProblems *problems);
 
+// Adds a problem for every value of the map or list that YAML splits at a comma between parentheses. False when there
+// was one. Cost linear in the number of entries.
+bool yk_doc_check_commas(const YkNode *node, YkProblems *problems);
+
 // Adds a problem for the error at which libyaml stopped, in plain words.
 void yk_doc_yaml_error(const yaml_parser_t *parser, const char *text, size_t length, YkProblems *problems);
 

@@ -243,6 +243,10 @@ static void on_close(Reader *reader, const yaml_event_t *event)
     }
     if (frame.start.line == event->end_mark.line)
         frame.node->place.length = (uint32_t)(event->end_mark.column - frame.start.column);
+    if (!yk_doc_check_commas(frame.node, reader->problems)) {
+        reader->failed = true;
+        return;
+    }
     if (frame.node->kind == YK_NODE_MAP && !yk_doc_check_keys(frame.node, reader->problems)) reader->failed = true;
 }
 

@@ -220,12 +220,19 @@ static void run_phase(YkDimensions *dims, YkDimPhase phase)
     drain(dims);
 }
 
+// Does the value come from functions of literals, as that of cos(15 deg)?
+static bool is_computed(const YkExpr *expr)
+{
+    if (!expr || !expr->is_literal || expr->kind == YK_EXPR_NUMBER) return false;
+    return expr->kind == YK_EXPR_CALL || is_computed(expr->a) || is_computed(expr->b);
+}
+
 // What nothing decides is a plain number; one parameter at a time, since that may decide the next: of two in a product
-// one counts as the number.
-static void settle_open(YkDimensions *dims)
+// one counts as the number. Sines and cosines are the first to be numbers.
+static void settle_open(YkDimensions *dims, bool only_computed)
 {
     for (size_t i = 0; i < dims->name_count; i++) {
-        if (dims->names[i].is_known) continue;
+        if (dims->names[i].is_known || (only_computed && !is_computed(dims->names[i].expr))) continue;
         dims->names[i].is_default = true;
         yk_dim_set(dims, (int32_t)i, YK_DIM_NONE, NULL, (YkPlace){0, 0, 0});
         drain(dims);
@@ -241,10 +248,12 @@ bool yk_dimensions_run(YkDimensions *dims, YkProblems *problems)
     run_phase(dims, YK_PHASE_OWN);
     run_phase(dims, YK_PHASE_DIRECT);
     run_phase(dims, YK_PHASE_SOLVE);
-    settle_open(dims);
+    settle_open(dims, true);
+    settle_open(dims, false);
     dims->problems = problems;
     run_phase(dims, YK_PHASE_FINAL);
-    return !dims->has_errors;
+    if (dims->failed) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0, 0, 0}, "out of memory");
+    return !dims->has_errors && !dims->failed;
 }
 
 bool yk_dimensions_of(const YkDimensions *dims, const char *name, YkDimension *dimension)

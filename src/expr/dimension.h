@@ -7,7 +7,7 @@
 typedef enum YkDimState {
     YK_DIM_SKIP,    // not to be judged: it holds an unknown name, or a mistake that is reported elsewhere
     YK_DIM_OPEN,    // depends on parameters whose dimension is not found yet
-    YK_DIM_BARE,    // made of numbers without units only: takes any dimension
+    YK_DIM_BARE,    // a number made of numbers without units, angles and functions only: takes any dimension
     YK_DIM_BARE_PI, // the same with pi in it: an angle among them is in radians
     YK_DIM_KNOWN
 } YkDimState;
@@ -57,7 +57,7 @@ struct YkDimensions {
     YkDimPhase phase;
     YkConstraint *current;
     YkProblems *problems; // only in the last phase
-    bool failed, has_errors;
+    bool failed, has_errors, has_warned;
 };
 
 // The index of a name, or -1.
@@ -81,6 +81,10 @@ bool yk_dim_power(YkDimension dimension, double power, YkDimension *result);
 YkDimension yk_dim_richer(YkDimension a, YkDimension b);
 #define YK_DIM_NONE ((YkDimension){0, 0, 0, 0})
 
+// Writes `whole` with the units that the numbers of `part`, a part of it, lack: `missing` is what `part` should be over
+// what it is. False where no number can take them.
+bool yk_dim_repair(const YkUnits *units, const YkExpr *whole, const YkExpr *part, YkDimension missing, YkText *text);
+
 // Reports; each does nothing before the last phase.
 void yk_dim_report_use(YkDimensions *dims, const YkExpr *expr, YkDimension wanted);
 void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr); // its two operands differ
@@ -88,5 +92,7 @@ void yk_dim_report_argument(YkDimensions *dims, const YkExpr *call, YkDimension 
 void yk_dim_report_power(YkDimensions *dims, const YkExpr *expr);
 void yk_dim_report_exponent(YkDimensions *dims, const YkExpr *exponent);
 void yk_dim_report_two_ways(YkDimensions *dims, const YkExpr *name, YkDimension wanted);
+// A bare number takes this dimension: warns where the file's units make a unit of it that nobody would mean.
+void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension dimension);
 
 #endif

@@ -7,35 +7,94 @@ static void down(YkDimensions *dims, const YkExpr *expr, const YkDimension *want
     yk_dim_down(dims, (YkExpr *)expr, want, is_direct);
 }
 
-// Multiplies the value of an expression of bare numbers by `scale`, through one of them. False where none can take it:
-// pi alone.
-static bool scale_bare(YkExpr *expr, double scale)
+static bool is_function_of_numbers(const YkExpr *expr) // of what it is given as it stands: sin, exp, sign, ...
 {
-    YkExpr *a = (YkExpr *)expr->a, *b = (YkExpr *)expr->b;
+    if (expr->kind != YK_EXPR_CALL) return false;
+    return expr->function != YK_SQRT && expr->function != YK_ABS && expr->function != YK_MIN &&
+           expr->function != YK_MAX;
+}
+
+// Can a factor on the value of a bare expression go into numbers in it? Not into pi, cos(...), 2^cos(...).
+static bool takes_scale(const YkExpr *expr)
+{
+    const YkExpr *a = expr->a, *b = expr->b;
     double power;
     switch (expr->kind) {
     case YK_EXPR_NUMBER:
-        expr->value_scale = scale;
-        return true;
+        return !expr->has_unit;
     case YK_EXPR_NAME:
         return false;
-    case YK_EXPR_NEGATE:
-        return scale_bare(a, scale);
     case YK_EXPR_MULTIPLY:
-        return scale_bare(a, scale) || scale_bare(b, scale);
     case YK_EXPR_DIVIDE:
-        return scale_bare(a, scale) || scale_bare(b, 1 / scale);
+        return takes_scale(a) || takes_scale(b);
     case YK_EXPR_POWER:
-        return yk_dim_literal(b, &power) && power != 0 && scale_bare(a, pow(scale, 1 / power));
+        return yk_dim_literal(b, &power) && power != 0 && takes_scale(a);
     case YK_EXPR_CALL:
-        if (expr->function == YK_SQRT) return scale_bare(a, scale * scale);
+        if (is_function_of_numbers(expr)) return false;
         break;
+    case YK_EXPR_NEGATE:
     case YK_EXPR_ADD:
     case YK_EXPR_SUBTRACT:
         break;
     }
-    bool takes_a = scale_bare(a, scale); // sums, abs, min and max
-    return takes_a && (!b || scale_bare(b, scale));
+    return takes_scale(a) && (!b || takes_scale(b));
+}
+
+// Makes `x` the product `1 * x`, whose 1 takes the scale.
+static void scale_whole(YkDimensions *dims, YkExpr *expr, double scale)
+{
+    YkExpr *parts = YK_NEW(dims->arena, YkExpr, 2);
+    if (!parts) {
+        dims->failed = true;
+        return;
+    }
+    parts[0] = (YkExpr){.kind = YK_EXPR_NUMBER, .place = expr->place, .number = 1, .mantissa = 1, .is_exact = true};
+    parts[0].unit_size = 1;
+    parts[0].value_scale = scale;
+    parts[0].is_literal = true;
+    parts[0].state = YK_DIM_BARE;
+    parts[1] = *expr;
+    *expr = (YkExpr){.kind = YK_EXPR_MULTIPLY, .place = expr->place, .unit_size = 1, .value_scale = 1};
+    expr->a = &parts[0];
+    expr->b = &parts[1];
+    expr->state = parts[1].state;
+    expr->is_literal = true;
+}
+
+// Multiplies the value of an expression of bare numbers by `scale`, through one of them where there is one.
+static void scale_bare(YkDimensions *dims, YkExpr *expr, double scale)
+{
+    YkExpr *a = (YkExpr *)expr->a, *b = (YkExpr *)expr->b;
+    double power = 1;
+    if (!takes_scale(expr)) {
+        if (dims->phase == YK_PHASE_FINAL && scale != 1) scale_whole(dims, expr, scale);
+        return;
+    }
+    switch (expr->kind) {
+    case YK_EXPR_NUMBER:
+        expr->value_scale = scale;
+        return;
+    case YK_EXPR_MULTIPLY:
+        scale_bare(dims, takes_scale(a) ? a : b, scale);
+        return;
+    case YK_EXPR_DIVIDE:
+        scale_bare(dims, takes_scale(a) ? a : b, takes_scale(a) ? scale : 1 / scale);
+        return;
+    case YK_EXPR_POWER:
+        yk_dim_literal(b, &power);
+        scale_bare(dims, a, pow(scale, 1 / power));
+        return;
+    case YK_EXPR_CALL:
+        if (expr->function == YK_SQRT) scale *= scale;
+        break;
+    case YK_EXPR_NAME:
+    case YK_EXPR_NEGATE:
+    case YK_EXPR_ADD:
+    case YK_EXPR_SUBTRACT:
+        break;
+    }
+    scale_bare(dims, a, scale); // of sums, abs, min and max both
+    if (b) scale_bare(dims, b, scale);
 }
 
 static void clear_scales(YkExpr *expr)
@@ -51,15 +110,30 @@ static YkDimension without_angle(YkDimension dimension)
     return dimension;
 }
 
-// A product, power or root of bare numbers as a whole takes the dimension that is wanted, or is a number.
+static void down_call(YkDimensions *dims, YkExpr *expr, const YkDimension *want, bool is_direct);
+
+// What functions in a bare expression are given: angles, plain numbers.
+static void down_arguments(YkDimensions *dims, const YkExpr *expr)
+{
+    if (is_function_of_numbers(expr)) {
+        down_call(dims, (YkExpr *)expr, NULL, true);
+        return;
+    }
+    if (expr->a) down_arguments(dims, expr->a);
+    if (expr->b) down_arguments(dims, expr->b);
+}
+
+// A product, power or function of bare numbers as a whole takes the dimension that is wanted, or is a number.
 static void down_bare(YkDimensions *dims, YkExpr *expr, const YkDimension *want)
 {
     clear_scales(expr);
-    if (!want) return;
-    bool has_pi = expr->state == YK_DIM_BARE_PI;
-    YkDimension dimension = has_pi ? without_angle(*want) : *want;
-    bool is_number = yk_dimension_equal(dimension, YK_DIM_NONE) && dimension.angle == 0;
-    if (!is_number && !scale_bare(expr, yk_units_size(&dims->units, dimension))) yk_dim_report_use(dims, expr, *want);
+    if (want) {
+        YkDimension dimension = expr->state == YK_DIM_BARE_PI ? without_angle(*want) : *want;
+        bool is_number = yk_dimension_equal(dimension, YK_DIM_NONE) && dimension.angle == 0;
+        if (!is_number) yk_dim_warn_of_unit(dims, expr, dimension);
+        if (!is_number) scale_bare(dims, expr, yk_units_size(&dims->units, dimension));
+    }
+    down_arguments(dims, expr);
 }
 
 // An open parameter takes what is wanted. One that took another kind of angle before would have another scale.
@@ -182,7 +256,7 @@ void yk_dim_down(YkDimensions *dims, YkExpr *expr, const YkDimension *want, bool
         if (!want || !yk_dimension_equal(*want, own) || expr->kind != YK_EXPR_NAME) want = &own;
     }
     bool is_sum = expr->kind == YK_EXPR_ADD || expr->kind == YK_EXPR_SUBTRACT || expr->kind == YK_EXPR_NEGATE ||
-                  (expr->kind == YK_EXPR_CALL && expr->function != YK_SQRT);
+                  (expr->kind == YK_EXPR_CALL && !is_function_of_numbers(expr) && expr->function != YK_SQRT);
     if (yk_dim_is_bare(expr) && !is_sum) {
         down_bare(dims, expr, want);
         return;

@@ -1,7 +1,10 @@
 // What does not fit, in words.
 #include <string.h>
+#include "base/text.h"
 #include "expr/dimension.h"
 #include "expr/function.h"
+
+enum { QUOTE_MAX = 40 }; // how much of an expression a hint repeats
 
 // Nothing is final before the last phase, so nothing is reported.
 static bool is_silent(YkDimensions *dims)
@@ -63,38 +66,34 @@ static bool is_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension want
     return name != NULL;
 }
 
-static bool is_bare_number(const YkExpr *expr)
+// The part has numbers as factors, and should be `wanted`: how the whole expression may have been meant. False where
+// it has none.
+static bool hint_at_product(YkDimensions *dims, const YkExpr *part, YkDimension wanted)
 {
-    return expr->kind == YK_EXPR_NUMBER && !expr->has_unit;
+    YkText repaired = {0};
+    YkDimension missing = yk_dimension_times(wanted, part->dimension, -1);
+    bool done = yk_dim_repair(&dims->units, dims->current->expr, part, missing, &repaired);
+    if (done)
+        yk_problem_hint(dims->problems, "in a product a bare number is a plain number; give it its unit: `%s`",
+                        yk_text_get(&repaired));
+    yk_text_free(&repaired);
+    return done;
 }
 
-// A term of the sum that has a number without a unit as a factor, such as `0.02 * theta.rate`; NULL: there is none.
-static const YkExpr *bare_factor(const YkExpr *expr)
+// A number that no unit stands in: what would make it `wanted`.
+static void hint_at_number(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
 {
-    switch (expr->kind) {
-    case YK_EXPR_NEGATE:
-        return bare_factor(expr->a);
-    case YK_EXPR_ADD:
-    case YK_EXPR_SUBTRACT: {
-        const YkExpr *found = bare_factor(expr->a);
-        return found ? found : bare_factor(expr->b);
-    }
-    case YK_EXPR_MULTIPLY: {
-        if (is_bare_number(expr->a)) return expr->a;
-        if (is_bare_number(expr->b)) return expr->b;
-        const YkExpr *found = bare_factor(expr->a);
-        return found ? found : bare_factor(expr->b);
-    }
-    case YK_EXPR_DIVIDE:
-        return is_bare_number(expr->a) ? expr->a : bare_factor(expr->a);
-    default:
-        return NULL;
-    }
-}
-
-static void hint_at_bare_factor(YkDimensions *dims)
-{
-    yk_problem_hint(dims->problems, "in a product a bare number is a plain number: give it its unit");
+    YkText repaired = {0};
+    YkUnits units = dims->units;
+    bool is_short = expr->text && expr->text_length <= QUOTE_MAX;
+    if (!units.force_name) units.force_name = "N";
+    yk_text_puts(&repaired, "1 ");
+    yk_units_name(&units, wanted, &repaired);
+    yk_text_puts(&repaired, " * (");
+    yk_text_add(&repaired, is_short ? expr->text : "...", is_short ? expr->text_length : 3);
+    yk_text_puts(&repaired, ")");
+    yk_problem_hint(dims->problems, "it is a plain number: multiply it by a unit, as in `%s`", yk_text_get(&repaired));
+    yk_text_free(&repaired);
 }
 
 void yk_dim_report_use(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
@@ -107,8 +106,8 @@ void yk_dim_report_use(YkDimensions *dims, const YkExpr *expr, YkDimension wante
     if (owner && owner->origin)
         yk_problem_hint(dims->problems, "it is used as %s on line %u, column %u", yk_dimension_name(wanted),
                         (unsigned)owner->origin_place.line, (unsigned)owner->origin_place.column);
-    else if (yk_dimension_equal(expr->dimension, YK_DIM_NONE) || bare_factor(expr))
-        hint_at_bare_factor(dims);
+    else if (!hint_at_product(dims, expr, wanted) && yk_dimension_equal(expr->dimension, YK_DIM_NONE))
+        hint_at_number(dims, expr, wanted);
 }
 
 void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
@@ -125,7 +124,41 @@ void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
     else
         yk_problem(dims->problems, YK_CODE_MIXED_SUM, place, "%q needs two of the same kind, not %s and %s",
                    yk_function_name(expr->function), name_a, name_b);
-    if (bare_factor(expr->a) || bare_factor(expr->b)) hint_at_bare_factor(dims);
+    if (!hint_at_product(dims, expr->b, a)) hint_at_product(dims, expr->a, b);
+}
+
+// Is this a unit of force, or made with one, as people use it? Those of SI are, and the dyne's.
+static bool is_usual(const YkUnits *units, YkDimension dimension)
+{
+    if (units->force > 0 || dimension.mass == 0 || dimension.time == 0) return true;
+    YkUnits si = yk_units_si();
+    double size = yk_units_size(units, dimension), force = units->mass * units->length / (units->time * units->time);
+    si.angle = units->angle;
+    return size == yk_units_size(&si, dimension) || force == 1 || (units->length == 0.01 && units->mass == 0.001);
+}
+
+void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension dimension)
+{
+    double value = 1;
+    if (dims->phase != YK_PHASE_FINAL || dims->has_warned || is_usual(&dims->units, dimension)) return;
+    if (yk_dim_literal(number, &value) && value == 0) return;
+    dims->has_warned = true; // once is enough: one line of `units:` mends them all
+    YkUnits newtons = dims->units;
+    newtons.force = 1;
+    newtons.force_name = "N";
+    YkText unit = {0}, usual = {0};
+    yk_units_name(&dims->units, dimension, &unit);
+    yk_units_name(&newtons, dimension, &usual);
+    double size = yk_units_size(&dims->units, dimension) / yk_units_size(&newtons, dimension);
+    yk_problem(dims->problems, YK_CODE_ODD_UNIT, number->place,
+               "%s: the file names no unit of force, so a bare number is in %s here, which is %g %s",
+               describe(dims, dims->current), yk_text_get(&unit), size, yk_text_get(&usual));
+    yk_problem_hint(dims->problems,
+                    "say `force: N` under `units:`, which makes it %s, or write the unit behind the number",
+                    yk_text_get(&usual));
+    dims->failed |= unit.failed || usual.failed;
+    yk_text_free(&unit);
+    yk_text_free(&usual);
 }
 
 void yk_dim_report_argument(YkDimensions *dims, const YkExpr *call, YkDimension wanted)

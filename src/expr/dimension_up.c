@@ -84,6 +84,26 @@ static void up_name(const YkDimensions *dims, YkExpr *expr)
     become(expr, is_pi ? YK_DIM_BARE_PI : name->is_known ? YK_DIM_KNOWN : YK_DIM_OPEN, name->dimension);
 }
 
+// A number made of literals alone is a bare number.
+static void become_bare_if_literal(YkExpr *expr)
+{
+    if (expr->is_literal && expr->state == YK_DIM_KNOWN && yk_dimension_equal(expr->dimension, YK_DIM_NONE) &&
+        expr->dimension.angle == 0)
+        become(expr, YK_DIM_BARE, YK_DIM_NONE);
+}
+
+static bool is_angle(YkDimension dimension)
+{
+    return yk_dimension_equal(dimension, YK_DIM_NONE) && dimension.angle == 1;
+}
+
+static bool is_literal(const YkExpr *expr)
+{
+    if (expr->kind == YK_EXPR_NUMBER) return !expr->has_unit || is_angle(expr->unit);
+    if (expr->kind == YK_EXPR_NAME) return expr->state == YK_DIM_BARE_PI;
+    return expr->a->is_literal && (!expr->b || expr->b->is_literal);
+}
+
 // Two that must be equal: terms of a sum, arguments of min, max and atan2.
 static void up_equal(YkDimensions *dims, YkExpr *expr)
 {
@@ -224,4 +244,6 @@ void yk_dim_up(YkDimensions *dims, YkExpr *expr)
         up_call(dims, expr);
         break;
     }
+    expr->is_literal = is_literal(expr);
+    become_bare_if_literal(expr);
 }

@@ -46,6 +46,8 @@ typedef struct YkExpr YkExpr;
 struct YkExpr {
     YkExprKind kind;
     YkPlace place;
+    const char *text; // where it stands in the text that was parsed; NULL where it does not come from one
+    size_t text_length;
     // number
     double number;    // as written, before its unit
     int64_t mantissa; // number = mantissa * 10^exponent when is_exact
@@ -63,6 +65,7 @@ struct YkExpr {
     // the inference's own notes
     YkDimension dimension;
     uint8_t state;
+    bool is_literal; // made of bare numbers, angles, pi and functions alone
     int32_t parameter;
 };
 
@@ -104,9 +107,9 @@ bool yk_expr_has_names(const YkExpr *expr); // any, pi among them
 void yk_expr_names(const YkExpr *expr, void (*visit)(void *context, const YkExpr *name), void *context);
 
 // Dimension inference over a whole file.
-// A bare number or bare parameter takes the dimension of its use; in a product or quotient a bare *number* is a plain
-// number. Usage: create; declare each parameter with its expression; add every use (expression, expected dimension);
-// then run.
+// A bare number or bare parameter takes the dimension of its use. An expression of bare numbers, angles, pi and
+// functions alone is a bare number; as a factor of anything else it is a plain number. Usage: create; declare each
+// parameter with its expression; add every use (expression, expected dimension); then run.
 typedef struct YkDimensions YkDimensions;
 YkDimensions *yk_dimensions_new(YkArena *arena, const YkUnits *units);
 // A name with a dimension fixed from outside (t: a time, a coordinate: an angle or a length, pi: a number).

@@ -185,5 +185,6 @@ YkExpr *yk_parse_literal(YkParser *parser)
     if (!starts_unit(yk_parser_peek(parser, unit))) return number;
     if (!read_unit(parser, number, start, unit)) return NULL;
     number->place = yk_parser_place(parser, start, parser->at);
+    number->text_length = parser->at - start;
     return number;
 }

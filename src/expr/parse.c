@@ -53,6 +53,8 @@ YkExpr *yk_parser_node(YkParser *parser, YkExprKind kind, size_t start)
     }
     node->kind = kind;
     node->place = place;
+    node->text = parser->text + start;
+    node->text_length = parser->at - start;
     node->unit_size = 1;
     node->value_scale = 1;
     node->symbol = -1;

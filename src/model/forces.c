@@ -27,14 +27,25 @@ static void read_value(YkLoader *loader, YkForce *force, const YkNode *node, con
     if (moment) force->moment = yk_load_value(loader, moment, &want, NULL);
 }
 
+// The body on which it acts: `body:`, or `on:`, which other readers of YAML take for a boolean.
+static const YkNode *body_of(YkLoader *loader, const YkNode *node, const YkSubject *subject)
+{
+    const YkNode *on = yk_node_get(node, "on");
+    if (!on) return yk_load_require(loader, node, "body", subject);
+    if (!yk_node_get(node, "body")) return on;
+    yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, yk_load_key(node, "on")->place,
+               "%s has a `body`, so `on`, which means the same, is too much", yk_load_subject(loader, subject));
+    return NULL;
+}
+
 static void read_force(YkLoader *loader, YkForce *force, const YkNode *node)
 {
-    static const char *const keys[] = {"on", "at", "value", "axes", "moment", NULL};
+    static const char *const keys[] = {"body", "at", "value", "axes", "moment", "on", NULL};
     const YkSubject subject = {.noun = "force", .part = force->name};
     if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
     yk_load_check_keys(loader, node, keys, &subject);
-    const YkNode *on = yk_load_require(loader, node, "on", &subject), *at = yk_node_get(node, "at");
-    if (on) force->body = yk_load_body(loader, on);
+    const YkNode *body = body_of(loader, node, &subject), *at = yk_node_get(node, "at");
+    if (body) force->body = yk_load_body(loader, body);
     if (at && force->body != YK_NONE) force->point = yk_load_point(loader, force->body, at);
     read_value(loader, force, node, &subject);
     read_axes(loader, force, yk_node_get(node, "axes"));

@@ -116,6 +116,11 @@ static void check_distance(YkLoader *loader, const YkGear *gear)
                "gears %q: the centres are %e %s apart on %q, but module and teeth ask for %e %s; that is %e %s too %s",
                gear->name, gear->center_distance / size, unit, loader->model->bodies[gear->carrier].name, wanted / size,
                unit, fabs(off) / size, unit, off > 0 ? "much" : "little");
+    if (gear->center_distance == 0) {
+        yk_problem_hint(loader->problems, "both pins lie at one place of %q: put one at a point %e %s away",
+                        loader->model->bodies[gear->carrier].name, wanted / size, unit);
+        return;
+    }
     yk_problem_hint(loader->problems, "the distance is module * (%d %c %d) / 2; without `module` it does not matter",
                     (int)gear->teeth[gear->is_internal], gear->is_internal ? '-' : '+',
                     (int)gear->teeth[!gear->is_internal]);

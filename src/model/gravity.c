@@ -1,5 +1,11 @@
 // `gravity: [gx, gy]` in the world's axes.
+#include <math.h>
 #include "model/load.h"
+
+enum { PARAMETERS_DEEP = 64 };
+
+// From the least of the round bodies of the solar system (Ceres, 0.28 m/s^2) to more than the largest planet's.
+static const double planet_least = 0.25, planet_most = 30, earth_least = 9.7, earth_most = 9.9; // m/s^2
 
 void yk_load_gravity(YkLoader *loader)
 {
@@ -11,4 +17,55 @@ void yk_load_gravity(YkLoader *loader)
     model->has_gravity = yk_load_pair(loader, node, &want, expr, &model->gravity);
     model->gravity_x = expr[0];
     model->gravity_y = expr[1];
+}
+
+// Does the value rest on the file's units alone: no number in it, nor in its parameters, has a unit?
+static bool is_bare(const YkModel *model, const YkExpr *expr, int depth)
+{
+    if (!expr) return true;
+    if (expr->kind == YK_EXPR_NUMBER) return !expr->has_unit || yk_dimension_equal(expr->unit, YK_DIM_NUMBER);
+    if (expr->kind != YK_EXPR_NAME) return is_bare(model, expr->a, depth) && is_bare(model, expr->b, depth);
+    int32_t index = yk_names_find(&model->parameter_names, expr->name);
+    if (index == YK_NONE) return true;
+    return depth < PARAMETERS_DEEP && is_bare(model, model->parameters[index].expr, depth + 1);
+}
+
+// The unit in which this number is earth's gravity, or at least a planet's; NULL: in none.
+static const char *unit_meant(double number)
+{
+    static const struct {
+        const char *name;
+        double size;
+    } units[] = {{"m/s^2", 1}, {"mm/s^2", 1e-3}, {"cm/s^2", 1e-2}, {"ft/s^2", 0.3048}, {"in/s^2", 0.0254}};
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+            double g = number * units[i].size;
+            if (pass == 0 ? g > earth_least && g < earth_most : g >= planet_least && g <= planet_most)
+                return units[i].name;
+        }
+    return NULL;
+}
+
+void yk_load_check_gravity(YkLoader *loader)
+{
+    const YkModel *model = loader->model;
+    double size = yk_units_size(&model->units, YK_DIM_ACCELERATION), g = hypot(model->gravity.x, model->gravity.y);
+    if (!model->has_gravity || !(g > 0) || !is_bare(model, model->gravity_x, 0) || !is_bare(model, model->gravity_y, 0))
+        return;
+    double in_file = g / size;
+    bool is_earths_number = size != 1 && in_file > earth_least && in_file < earth_most;
+    if (g >= planet_least && g <= planet_most && !is_earths_number) return;
+    YkText unit = {0};
+    const char *meant = unit_meant(in_file);
+    yk_units_name(&model->units, YK_DIM_ACCELERATION, &unit);
+    const YkExpr *expr = fabs(model->gravity.y) >= fabs(model->gravity.x) ? model->gravity_y : model->gravity_x;
+    yk_problem(loader->problems, YK_CODE_ODD_GRAVITY, expr ? expr->place : (YkPlace){0},
+               "gravity is %g %s here, which is %g m/s^2", in_file, yk_text_get(&unit), g);
+    if (meant)
+        yk_problem_hint(loader->problems, "did you mean `%g %s`? A bare number is in %s", in_file, meant,
+                        yk_text_get(&unit));
+    else
+        yk_problem_hint(loader->problems, "write its unit behind it, as in `-9.81 m/s^2`");
+    loader->failed |= unit.failed;
+    yk_text_free(&unit);
 }

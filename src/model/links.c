@@ -27,6 +27,9 @@ static void check_body(YkLoader *loader, const YkBody *body, const Holds *holds)
     yk_problem(loader->problems, YK_CODE_COINCIDENT_PINS, body->place,
                "%q is a link of no length: its points %q and %q coincide", body->name, point_name(model, a, end_a),
                point_name(model, b, end_b));
+    if (a->point[end_a] == YK_NONE || b->point[end_b] == YK_NONE)
+        yk_problem_hint(loader->problems,
+                        "a pin without a point lies at the origin; name one of them in the points of %q", body->name);
 }
 
 void yk_load_check_links(YkLoader *loader)

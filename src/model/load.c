@@ -69,6 +69,7 @@ static void resolve(YkLoader *loader)
     yk_load_check_overrides(loader);
     yk_load_eval_uses(loader);
     yk_load_keep_uses(loader);
+    yk_load_check_gravity(loader);
     yk_load_finish_laws(loader);
     yk_load_finish_masses(loader);
     yk_load_finish_joints(loader);

@@ -165,6 +165,7 @@ void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, those it 
 void yk_load_check_overrides(YkLoader *loader); // overrides.c: against the dimension in the file
 void yk_load_eval_uses(YkLoader *loader);       // uses.c
 void yk_load_keep_uses(YkLoader *loader);       // in the model, for redesigns
+void yk_load_check_gravity(YkLoader *loader);   // gravity.c: warns of units that nobody would mean
 void yk_load_finish_laws(YkLoader *loader);     // laws_build.c
 void yk_load_finish_cams(YkLoader *loader);     // cams_finish.c: after joints and laws
 void yk_load_finish_masses(YkLoader *loader);   // mass.c

@@ -141,6 +141,54 @@ static void report_no_carrier(YkLoader *loader, const YkWheelPair *pair, const A
     }
     yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: no body holds the centres of both %q and %q",
                pair->noun, pair->name, a, b);
+    yk_problem_hint(loader->problems, "pin both to one body, each at a point of its own");
+}
+
+// A pin of the wheel whose point is given on neither body: it lies at the origin of what it is pinned to, *other.
+static const YkJoint *pin_at_origin(const YkModel *model, int32_t wheel, int32_t *other)
+{
+    for (size_t i = 0; i < model->joint_count; i++) {
+        const YkJoint *joint = &model->joints[i];
+        if (joint->kind != YK_PIN || joint->point[0] != YK_NONE || joint->point[1] != YK_NONE) continue;
+        if (joint->body[0] != wheel && joint->body[1] != wheel) continue;
+        *other = joint->body[joint->body[0] == wheel ? 1 : 0];
+        return joint;
+    }
+    return NULL;
+}
+
+static const YkPoint *point_off_origin(const YkModel *model, const YkBody *body)
+{
+    for (int32_t p = body->first_point; p < body->first_point + body->point_count; p++)
+        if (!coincide(model->points[p].at, (YkVec){0, 0})) return &model->points[p];
+    return NULL;
+}
+
+// Both wheels turn about one axis, which is no way to mesh: one of their pins should lie elsewhere on the carrier.
+static bool report_one_axis(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
+{
+    const YkBody *bodies = loader->model->bodies;
+    const int32_t *wheel = pair->body;
+    if (!axes[0].has[wheel[1]] || !coincide(axes[0].at[wheel[1]], (YkVec){0, 0})) return false;
+    yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
+               "%s %q: %q and %q turn about one axis, so the carrier that keeps them apart is not known", pair->noun,
+               pair->name, bodies[wheel[0]].name, bodies[wheel[1]].name);
+    int32_t other[2] = {YK_NONE, YK_NONE};
+    const YkJoint *pins[2] = {pin_at_origin(loader->model, wheel[0], &other[0]),
+                              pin_at_origin(loader->model, wheel[1], &other[1])};
+    int k = other[1] > 0 || !pins[0] || other[0] <= 0 ? 1 : 0; // rather the pin on a body that moves
+    const YkPoint *point = pins[k] ? point_off_origin(loader->model, &bodies[other[k]]) : NULL;
+    if (point)
+        yk_problem_hint(loader->problems, "pin %q lies at the origin of %q; name its point there, as in `at: %s`",
+                        pins[k]->name, bodies[other[k]].name, point->name);
+    else if (pins[k])
+        yk_problem_hint(loader->problems,
+                        "pin %q lies at the origin of %q; put it where it belongs: `%s: {points: {%s: [a, 0]}}`, with "
+                        "the distance `a` of the centres",
+                        pins[k]->name, bodies[other[k]].name, bodies[other[k]].name, pins[k]->name);
+    else
+        yk_problem_hint(loader->problems, "pin one of them to another point of the body that carries both");
+    return true;
 }
 
 // The one body that can be the carrier; YK_NONE, reported, where there is none or more than one.
@@ -148,6 +196,7 @@ static int32_t infer(YkLoader *loader, const YkWheelPair *pair, const Axis axes[
 {
     const YkModel *model = loader->model;
     int32_t found = YK_NONE;
+    if (report_one_axis(loader, pair, axes)) return YK_NONE;
     for (int32_t b = 0; b < (int32_t)model->body_count; b++) {
         if (!axes[0].has[b] || !axes[1].has[b] || b == pair->body[0] || b == pair->body[1]) continue;
         if (found != YK_NONE) {
@@ -176,6 +225,8 @@ static int32_t check_given(YkLoader *loader, const YkWheelPair *pair, const Axis
         yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place,
                    "%s %q: the carrier %q does not hold the centre of %q", pair->noun, pair->name, carrier,
                    bodies[pair->body[k]].name);
+        yk_problem_hint(loader->problems, "pin %q to %q; a wheel's centre is the origin of its body",
+                        bodies[pair->body[k]].name, carrier);
         return YK_NONE;
     }
     return pair->carrier;

@@ -121,6 +121,48 @@ class Solve(Case):
         self.assertAlmostEqual(float(rows["crank.A.x"][3]), 0.04 * math.cos(50 * DEG), places=15)
         self.assertEqual({len(row) for row in rows.values()}, {6})
 
+    def test_of_tells_what_is_asked_for_as_the_whole_answer_has_it(self):
+        whole = self.solve("--all")["configurations"]
+        names = "theta1.rate,coupler.P.x,coupler.P.y.accel,rocker.rate,B.transmission,coupler.P.speed,A.angle.accel"
+        asked = self.solve("--all", "--of", names)["configurations"]
+        self.assertEqual(len(asked), 2)
+        for pose, narrow in zip(whole, asked):
+            expected = [pose["coordinates"]["theta1"]["velocity"], pose["points"]["coupler.P"]["position"][0],
+                        pose["points"]["coupler.P"]["acceleration"][1], pose["bodies"]["rocker"]["rate"], pose["transmission"]["B"],
+                        math.hypot(*pose["points"]["coupler.P"]["velocity"]),
+                        pose["bodies"]["coupler"]["acceleration"] - pose["bodies"]["crank"]["acceleration"]]
+            of = narrow.pop("of")
+            self.assertEqual(list(of), names.split(","))
+            for have, want in zip(of.values(), expected):
+                self.assertAlmostEqual(have, want, delta=1e-13 * max(1, abs(want)))
+            self.assertEqual(narrow, pose)
+
+    def test_of_chooses_the_rows_of_the_text_and_the_columns_of_csv(self):
+        words = ("--at", "theta1=50", "--of", "crank.A.x,theta1.rate")
+        text = self.good("solve", self.four_bar, *words).out
+        self.assertRegex(text, r"\n  column +value  unit\n  crank\.A\.x +25\.7115  mm\n  theta1\.rate +90 +deg/s\n$")
+        self.assertNotIn("rocker", text)
+        lines = self.good("solve", self.four_bar, *words, "--format", "csv").out.splitlines()
+        self.assertEqual(lines[0], "configuration,crank.A.x,theta1.rate")
+        self.assertEqual(len(lines), 2)
+        self.assertAlmostEqual(float(lines[1].split(",")[1]), 0.04 * math.cos(50 * DEG), places=15)
+        self.assertAlmostEqual(float(lines[1].split(",")[2]), 90 * DEG, places=14)
+
+    def test_of_refuses_names_and_forces_that_the_machine_lacks(self):
+        self.wrong(505, "solve", self.four_bar, "--of", "coupler.Q.x")
+        self.wrong(819, "solve", self.four_bar, "--of", "A.force")
+
+    def test_of_tells_nothing_of_rates_at_a_dead_point(self):
+        # Driven at the rocker where crank and coupler are in line: 40 + 120 = 160 mm from O to B.
+        dead = math.pi - math.acos((0.1 ** 2 + 0.08 ** 2 - 0.16 ** 2) / (2 * 0.1 * 0.08))
+        text = FOUR_BAR.replace("theta1: 60 + 90 deg/s * t", "theta3: %r rad + 1 rad/s * t" % dead)
+        path = self.write("dead.yaml", text.replace("theta2: -20, theta3: 90", "theta1: 30, theta2: -1"))
+        run = Run("solve", path, "--of", "crank.angle,crank.rate", "--format", "json")
+        self.assertEqual(run.json()["status"], "singular")
+        of = run.json()["configurations"][0]["of"]
+        self.assertIsNone(of["crank.rate"])
+        self.assertIsNotNone(of["crank.angle"])
+
     def test_names_and_values_that_do_not_fit_are_refused(self):
         self.assertEqual(Run("solve", self.four_bar, "--at", "theta9=3").code, 2)
         self.assertEqual(Run("solve", self.four_bar, "--at", "theta1=3kg").code, 2)

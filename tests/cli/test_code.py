@@ -73,7 +73,7 @@ def random_tree(numbers):
                       "efforts: {%s}" % ", ".join(loads[:2]),
                       "springs:", "  S: {between: [b0.P, b%d.P], stiffness: %s, length: 0.3, damping: %s}" % (
                           count, some(40, 5), some(2, 0.1)),
-                      "forces:", "  F: {on: b%d, at: P, value: [%s, %s]}" % (count, some(5), some(5)),
+                      "forces:", "  F: {body: b%d, at: P, value: [%s, %s]}" % (count, some(5), some(5)),
                       "start: {%s}" % ", ".join(starts), ""])
     return re.sub(r"\bb0\b", "ground", text)
 

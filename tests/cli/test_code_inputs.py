@@ -30,7 +30,7 @@ joints:
   B: {pin: [rod, piston]}
   S: {slide: [ground, piston], along: x, distance: s}
 racks: {r: {pinion: pinion, rack: rack, radius: 0.02}}
-forces: {F: {on: rack, at: R, value: [3 N * sin(2 rad/s * t), 0]}}
+forces: {F: {body: rack, at: R, value: [3 N * sin(2 rad/s * t), 0]}}
 start: {x: 0.01, phi: -30 deg, s: 0.4}
 """
 

@@ -164,7 +164,7 @@ static void loads_that_are_no_polynomials_are_symbols_with_the_files_values(void
                            "bodies: {ground: {}, cart: {points: {P: [0.1, 0.2]}, mass: 2 kg}}\n"
                            "joints: {R: {slide: [ground, cart], along: x, distance: x}}\n"
                            "efforts: {x: F*cos(w*t) - 0.5 N*s/m * x.rate}\n"
-                           "forces: {push: {on: cart, at: P, value: [k*exp(x/(1 m)), k*abs(x.rate/(1 m/s))]}}\n"
+                           "forces: {push: {body: cart, at: P, value: [k*exp(x/(1 m)), k*abs(x.rate/(1 m/s))]}}\n"
                            "start: {x: 0.4, x.rate: -1.5}\n");
     const YkDeriveForces *f = forces_of(&m);
     assert_int_equal(f->opaque_count, 3);
@@ -187,7 +187,7 @@ static void forces_in_a_bodys_axes_turn_with_it(void **state)
     Machine m =
         machine_of("parameters: {F: 4 N, l: 1}\nbodies: {ground: {}, a: {points: {T: [l, 0]}, mass: 1, inertia: 1}}\n"
                    "joints: {A: {pin: [ground, a], angle: q}}\n"
-                   "forces: {thrust: {on: a, at: T, value: [0, F], axes: body}}\n");
+                   "forces: {thrust: {body: a, at: T, value: [0, F], axes: body}}\n");
     const YkDeriveForces *f = forces_of(&m);
     const YkDeriveLoad *load = load_of(f, YK_DERIVE_FORCE);
     check_element(&m, yk_ring_real(m.d->ring, load->push[0].force), "-F*sin(q)");

@@ -15,8 +15,8 @@
     "  A: {pin: [crank, block]}\n  O: {pin: [ground, lever], angle: theta2}\n"                                         \
     "  S: {slide: [lever, block], along: x, distance: d, friction: {viscous: 2}}\n"                                    \
     "efforts:\n  theta1: {law: motor, of: theta1.rate}\n  d: -5 kg/m * d.rate*abs(d.rate)\n"                           \
-    "forces:\n  F1: {on: lever, at: T, value: [-10 N * cos(theta2), 4 N * sin(3 rad/s * t)], axes: body}\n"            \
-    "  F2: {on: block, value: [1 N, 2 N], moment: 3 N*m}\n"                                                            \
+    "forces:\n  F1: {body: lever, at: T, value: [-10 N * cos(theta2), 4 N * sin(3 rad/s * t)], axes: body}\n"          \
+    "  F2: {body: block, value: [1 N, 2 N], moment: 3 N*m}\n"                                                          \
     "springs:\n  s1: {between: [ground.O, crank.A], stiffness: k, length: 0.3, damping: c}\n"                          \
     "  s2: {along: theta2, stiffness: 2, angle: 0.2, damping: 0.1}\n"                                                  \
     "  s3: {between: [lever.T, crank.A], stiffness: 5}\n"                                                              \

@@ -108,7 +108,7 @@ static void what_cannot_be_counted_is_told(void **state)
     assert_false(yk_cam_loads(bare.design).has_spring);
     CHECK_NEAR(yk_cam_force_summary(bare.design, 10).jump_speed, 0, 0); // nothing holds it
     cam_free(&bare);
-    Cam force = cam_load(HARMONIC CAM SLIDE "forces: {F: {on: tappet, value: [0, -5 N]}}\n");
+    Cam force = cam_load(HARMONIC CAM SLIDE "forces: {F: {body: tappet, value: [0, -5 N]}}\n");
     assert_true(yk_cam_loads(force.design).is_partial);
     cam_free(&force);
 }

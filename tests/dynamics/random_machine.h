@@ -243,8 +243,8 @@ static inline void random_forces(RandomMachine *m)
         const RandomPoint *p = &m->point[random_below(m, m->points)];
         bool timed = random_chance(m, 0.4), body = random_chance(m, 0.5);
         m->reversible = m->reversible && !timed;
-        RANDOM_ADD(m->load_text, "  f%d: {on: %s, at: %s, value: [%.3g N%s, %.3g N], moment: %.3g N*m, axes: %s}\n", k,
-                   random_name(p->body), p->name, random_draw(m, -9, 9), timed ? " * cos(3 rad/s * t)" : "",
+        RANDOM_ADD(m->load_text, "  f%d: {body: %s, at: %s, value: [%.3g N%s, %.3g N], moment: %.3g N*m, axes: %s}\n",
+                   k, random_name(p->body), p->name, random_draw(m, -9, 9), timed ? " * cos(3 rad/s * t)" : "",
                    random_draw(m, -9, 9), random_draw(m, -4, 4), body ? "body" : "world");
     }
 }

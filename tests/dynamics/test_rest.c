@@ -51,7 +51,7 @@ static void a_damped_spring_has_its_roots(void **unused)
     YkModel *model;
     YkRest *rest = rest_of(
         "bodies:\n  b: {points: {P: [0, 0]}, mass: 2}\njoints:\n  s: {slide: [ground, b], along: x, distance: d}\n"
-        "springs: {k: {along: d, stiffness: 50, length: 0.3, damping: 4}}\nforces: {F: {on: b, at: P, value: [5, "
+        "springs: {k: {along: d, stiffness: 50, length: 0.3, damping: 4}}\nforces: {F: {body: b, at: P, value: [5, "
         "0]}}\nstart: {d: 0.1}\n",
         &model);
     assert_int_equal(yk_rest_count(rest), 1);

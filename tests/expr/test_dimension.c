@@ -195,6 +195,78 @@ static void angles_in_functions_are_in_the_files_unit_and_pi_is_in_radians(void 
     file_free(&file);
 }
 
+// Literals, angles and functions of them, without a parameter or a coordinate: one bare number, in the file's unit.
+static void a_number_of_literals_alone_is_bare_whatever_functions_are_in_it(void **state)
+{
+    (void)state;
+    const double half = 0.5, rad = 3.14159265358979323846 / 180;
+    File file = file_new(millimetres_and_degrees());
+    const struct {
+        const char *text;
+        YkDimension dimension;
+        double si;
+    } cases[] = {
+        {"3*cos(60 deg)", LENGTH, 3 * half * 1e-3},
+        {"3*cos(60)", LENGTH, 3 * half * 1e-3},
+        {"cos(60 deg)*3", LENGTH, 3 * half * 1e-3},
+        {"cos(60 deg)", LENGTH, half * 1e-3},
+        {"-cos(pi/3)", LENGTH, -half * 1e-3},
+        {"2 - cos(60 deg)", LENGTH, 1.5e-3},
+        {"2/(1 + cos(60 deg))", LENGTH, 2 / 1.5 * 1e-3},
+        {"(2 + sin(30))*4", LENGTH, 10e-3},
+        {"3*cos(60 deg) + 2 mm", LENGTH, 3.5e-3},
+        {"d + 3*cos(60 deg)", LENGTH, 2.0015},
+        {"sqrt(3^2 + 4^2)*sin(30 deg)", LENGTH, 2.5e-3},
+        {"sqrt(sin(30 deg)*2)", LENGTH, 1e-3},
+        {"max(3*cos(60 deg), 1)", LENGTH, 1.5e-3},
+        {"abs(-3*cos(60 deg))", LENGTH, 1.5e-3},
+        {"sign(-3)*5", LENGTH, -5e-3},
+        {"2^sin(30 deg)", LENGTH, 1.4142135623730951e-3},
+        {"5^0", LENGTH, 1e-3},
+        {"pi", LENGTH, 3.14159265358979323846e-3},
+        {"exp(0)*tan(45 deg)", LENGTH, 1e-3},
+        {"30 deg/(15 deg)", LENGTH, 2e-3},
+        {"3*cos(atan2(3, 4))", LENGTH, 2.4e-3},
+        {"40*cos(60 deg)", ANGLE, 20 * rad},
+        {"40*cos(60 deg)", NUMBER, 20},
+        {"7*cos(60 deg)", TORQUE, 3.5e-3}, // units: {length: mm, force: N}
+        {"d*cos(60 deg)", LENGTH, 1},
+        {"d*3*cos(60 deg)", LENGTH, 3},
+        {"d*sin(30)", LENGTH, 1},
+        {"atan2(3, 3)", ANGLE, 45 * rad},
+        {"2*atan2(3, 3)", ANGLE, 90 * rad},
+        {"15 deg + 30", ANGLE, 45 * rad},
+    };
+    const YkExpr *exprs[sizeof cases / sizeof *cases];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        exprs[i] = use(&file, cases[i].text, cases[i].dimension, "x");
+    run_well(&file);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double si = value(&file, exprs[i]);
+        if (!(fabs(si - cases[i].si) <= 1e-15 * fabs(cases[i].si))) print_error("«%s»: %.17g\n", cases[i].text, si);
+        CHECK_NEAR(si, cases[i].si, 1e-15 * fabs(cases[i].si));
+    }
+    file_free(&file);
+}
+
+static void a_sine_among_the_parameters_is_a_number_unless_a_use_says_otherwise(void **state)
+{
+    (void)state;
+    File file = file_new(millimetres_and_degrees());
+    parameter(&file, "l", "30");
+    parameter(&file, "c", "cos(60 deg)");
+    parameter(&file, "w", "4*sin(30)");
+    const YkExpr *x = use(&file, "l*c", LENGTH, "x"), *square = use(&file, "l*c^2", LENGTH, "x");
+    const YkExpr *width = use(&file, "w", LENGTH, "y");
+    run_well(&file);
+    check_parameter(&file, "l", LENGTH);
+    check_parameter(&file, "w", LENGTH);
+    CHECK_NEAR(value(&file, x), 0.015, 1e-17);
+    CHECK_NEAR(value(&file, square), 0.0075, 1e-17);
+    CHECK_NEAR(value(&file, width), 0.002, 1e-17);
+    file_free(&file);
+}
+
 static void a_bare_parameter_takes_the_dimension_of_its_use(void **state)
 {
     (void)state;
@@ -388,7 +460,9 @@ static void contradictions_inside_an_expression_are_found_at_their_place(void **
         {"d - 3 kg", LENGTH, 320, 5, "cannot subtract a mass from a length"},
         {"d*(2 + (t - d))", AREA, 320, 13, "cannot subtract a length from a time"},
         {"2*t", ANGLE, 321, 1, "must be an angle, this is a time"},
-        {"2*sin(theta)", LENGTH, 321, 1, "give it its unit"},
+        {"2*sin(theta)", LENGTH, 321, 1, "`2 m * sin(theta)`"},
+        {"sin(theta)", LENGTH, 321, 1, "`1 m * (sin(theta))`"},
+        {"3*15 deg", LENGTH, 321, 1, "this is an angle"},
         {"sin(d)", NUMBER, 323, 5, "`sin` takes an angle, this is a length"},
         {"exp(t)", NUMBER, 323, 5, "`exp` takes a number, this is a time"},
         {"asin(d)", ANGLE, 323, 6, "`asin` takes a number"},
@@ -398,7 +472,6 @@ static void contradictions_inside_an_expression_are_found_at_their_place(void **
         {"d^0.5", LENGTH, 324, 1, "cannot raise a length to the power 0.5"},
         {"2^d", NUMBER, 324, 3, "an exponent must be a number, this is a length"},
         {"d^theta", NUMBER, 324, 3, "whole number"},
-        {"pi", LENGTH, 321, 1, "must be a length, this is a number"},
         {"d^2", LENGTH, 321, 1, "must be a length, this is an area"},
         {"1/d", LENGTH, 321, 1, "must be a length"},
         {"(d^2)^0.25", LENGTH, 324, 2, "cannot raise an area"},
@@ -587,6 +660,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bare_number_takes_the_unit_of_its_use),
         cmocka_unit_test(angles_in_functions_are_in_the_files_unit_and_pi_is_in_radians),
+        cmocka_unit_test(a_number_of_literals_alone_is_bare_whatever_functions_are_in_it),
+        cmocka_unit_test(a_sine_among_the_parameters_is_a_number_unless_a_use_says_otherwise),
         cmocka_unit_test(a_bare_parameter_takes_the_dimension_of_its_use),
         cmocka_unit_test(the_toggle_linkages_parameters_are_found),
         cmocka_unit_test(a_module_in_length_makes_numbers_of_teeth),

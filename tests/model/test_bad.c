@@ -152,7 +152,7 @@ static void a_damaged_file_is_loaded_or_refused(void **state)
         "  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, link], at: A}\n"
         "  S: {pin-slot: [ground, link], at: A, from: Q, along: 30 deg, distance: s, friction: {coulomb: 0.1}}\n"
         "drives: {theta: 2 rad/s * t}\nstart: {s: 3, S.angle.rate: 1}\nefforts: {s: -3 * s}\n"
-        "forces: {F: {on: link, at: A, value: [-3 N, 2*s], axes: body, moment: theta.rate}}\n"
+        "forces: {F: {body: link, at: A, value: [-3 N, 2*s], axes: body, moment: theta.rate}}\n"
         "springs: {k: {between: [ground.Q, crank.A], stiffness: 8 N/m, length: l/2}, c: {along: s, damping: 2}}\n"
         "stops: {theta: [-3, 3], s: {between: [0, 5], restitution: 0.5}}\n";
     for (uint64_t round = 0; round < 3000; round++) {

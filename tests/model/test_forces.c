@@ -10,9 +10,9 @@ FIXTURE_BY_NAME(YkForce, fixture_force, forces, force_count)
 static void a_force_acts_at_a_point_in_world_or_body_axes(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load(MACHINE "forces: {F1: {on: ram, at: C, value: [-F, 0]}, "
-                                          "F2: {on: ram, value: [0, F*sin(phi)], axes: body}, "
-                                          "F3: {on: ground, value: [1, 2], axes: world}}\n");
+    YkModel *model = fixture_load(MACHINE "forces: {F1: {body: ram, at: C, value: [-F, 0]}, "
+                                          "F2: {body: ram, value: [0, F*sin(phi)], axes: body}, "
+                                          "F3: {body: ground, value: [1, 2], axes: world}}\n");
     assert_int_equal(model->force_count, 3);
     const YkForce *first = fixture_force(model, "F1"), *second = fixture_force(model, "F2");
     assert_int_equal(first->body, 1);
@@ -35,8 +35,9 @@ static void a_force_acts_at_a_point_in_world_or_body_axes(void **state)
 static void values_come_in_the_units_of_the_file(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load("units: {length: mm, force: kN}\n" MACHINE
-                                  "forces: {F1: {on: ram, value: [3, F], moment: 5}, F2: {on: ram, moment: 2 N*m}}\n");
+    YkModel *model =
+        fixture_load("units: {length: mm, force: kN}\n" MACHINE
+                     "forces: {F1: {body: ram, value: [3, F], moment: 5}, F2: {body: ram, moment: 2 N*m}}\n");
     const YkForce *force = fixture_force(model, "F1");
     const YkExpr *exprs[] = {force->x, force->y, force->moment, fixture_force(model, "F2")->moment};
     const double wanted[] = {3000, 100e3, 5, 2}; // a bare moment is in kN*mm
@@ -51,7 +52,7 @@ static void values_come_in_the_units_of_the_file(void **state)
 static void a_moment_may_stand_without_a_force(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load(MACHINE "forces: {M: {on: ram, moment: -3 N*m*s * phi.rate}}\n");
+    YkModel *model = fixture_load(MACHINE "forces: {M: {body: ram, moment: -3 N*m*s * phi.rate}}\n");
     const YkForce *force = fixture_force(model, "M");
     assert_null(force->x);
     assert_null(force->y);
@@ -62,9 +63,10 @@ static void a_moment_may_stand_without_a_force(void **state)
 static void forces_may_mention_time_coordinates_and_rates(void **state)
 {
     (void)state;
-    YkModel *model = fixture_load("bodies: {a: {}, b: {}}\njoints: {S: {slide: [ground, a]}, P: {pin: [a, b]}}\n"
-                                  "forces: {F: {on: b, value: [F0*t/T, -2 N/m * S.distance - 1 N*s * P.angle.rate]}}\n"
-                                  "parameters: {F0: 3 N, T: 2 s}\n");
+    YkModel *model =
+        fixture_load("bodies: {a: {}, b: {}}\njoints: {S: {slide: [ground, a]}, P: {pin: [a, b]}}\n"
+                     "forces: {F: {body: b, value: [F0*t/T, -2 N/m * S.distance - 1 N*s * P.angle.rate]}}\n"
+                     "parameters: {F0: 3 N, T: 2 s}\n");
     assert_int_equal(model->coordinate_count, 2); // spoken of, so declared
     assert_int_equal(model->joints[0].distance, 0);
     assert_int_equal(model->joints[1].angle, 1);
@@ -89,32 +91,44 @@ static void refused(const char *section, int code, unsigned column, const char *
     fixture_refused(text, code, 4, column, part);
 }
 
+static void on_is_the_older_spelling_of_body(void **state)
+{
+    (void)state;
+    YkModel *model =
+        fixture_load(MACHINE "forces: {F1: {on: ram, at: C, value: [1, 0]}, F2: {body: ram, at: C, value: [1, 0]}}\n");
+    assert_int_equal(model->forces[0].body, model->forces[1].body);
+    assert_int_equal(model->forces[0].point, model->forces[1].point);
+    assert_string_equal(model->bodies[model->forces[0].body].name, "ram");
+    yk_model_free(model);
+}
+
 static void mistakes_are_refused_at_their_place(void **state)
 {
     (void)state;
-    refused("forces: {F1: {on: rom, value: [0, 0]}}", YK_CODE_UNKNOWN_BODY, 19, "did you mean `ram`");
-    refused("forces: {F1: {on: ram, at: D, value: [0, 0]}}", YK_CODE_UNKNOWN_POINT, 28, "`D`");
-    refused("forces: {F1: {on: ram}}", YK_CODE_MISSING_KEY, 14, "force `F1` needs `value`");
-    refused("forces: {F1: {value: [0, 0]}}", YK_CODE_MISSING_KEY, 14, "`on`");
-    refused("forces: {F1: {on: ram, value: [0, 0, 0]}}", YK_CODE_COMPONENTS, 31, "F1");
-    refused("forces: {F1: {on: ram, value: [0, z]}}", YK_CODE_UNKNOWN_NAME, 35, "`z`");
-    refused("forces: {F1: {on: ram, value: [0, 0], axes: local}}", YK_CODE_WRONG_WORD, 45, "local");
-    refused("forces: {F1: {on: ram, value: [0, 0], axis: body}}", YK_CODE_UNKNOWN_KEY, 39, "axes");
+    refused("forces: {F1: {body: rom, value: [0, 0]}}", YK_CODE_UNKNOWN_BODY, 21, "did you mean `ram`");
+    refused("forces: {F1: {body: ram, at: D, value: [0, 0]}}", YK_CODE_UNKNOWN_POINT, 30, "`D`");
+    refused("forces: {F1: {body: ram}}", YK_CODE_MISSING_KEY, 14, "force `F1` needs `value`");
+    refused("forces: {F1: {value: [0, 0]}}", YK_CODE_MISSING_KEY, 14, "`body`");
+    refused("forces: {F1: {body: ram, on: ram, value: [0, 0]}}", YK_CODE_RIVAL_KEYS, 26, "`on`");
+    refused("forces: {F1: {body: ram, value: [0, 0, 0]}}", YK_CODE_COMPONENTS, 33, "F1");
+    refused("forces: {F1: {body: ram, value: [0, z]}}", YK_CODE_UNKNOWN_NAME, 37, "`z`");
+    refused("forces: {F1: {body: ram, value: [0, 0], axes: local}}", YK_CODE_WRONG_WORD, 47, "local");
+    refused("forces: {F1: {body: ram, value: [0, 0], axis: body}}", YK_CODE_UNKNOWN_KEY, 41, "axes");
     refused("forces: {F1: 3}", YK_CODE_WRONG_KIND, 14, "force `F1`");
-    refused("forces: {F1: {on: ram, value: 3}}", YK_CODE_WRONG_KIND, 31, "force `F1`");
-    refused("forces: {F1: {on: ram, moment: }}", YK_CODE_EMPTY_VALUE, 32, "moment of `F1`");
-    refused("forces: {1F: {on: ram, moment: 3}}", YK_CODE_BAD_NAME, 10, "1F");
-    refused("forces: {F1: {on: ram, moment: 3}, F1: {on: ram, moment: 3}}", YK_CODE_YAML_DUPLICATE_KEY, 36, "F1");
+    refused("forces: {F1: {body: ram, value: 3}}", YK_CODE_WRONG_KIND, 33, "force `F1`");
+    refused("forces: {F1: {body: ram, moment: }}", YK_CODE_EMPTY_VALUE, 34, "moment of `F1`");
+    refused("forces: {1F: {body: ram, moment: 3}}", YK_CODE_BAD_NAME, 10, "1F");
+    refused("forces: {F1: {body: ram, moment: 3}, F1: {body: ram, moment: 3}}", YK_CODE_YAML_DUPLICATE_KEY, 38, "F1");
     refused("forces: [F1]", YK_CODE_WRONG_KIND, 9, "forces");
 }
 
 static void forces_and_moments_have_their_dimensions(void **state)
 {
     (void)state;
-    refused("forces: {F1: {on: ram, value: [0, 3 m]}}", YK_CODE_WRONG_DIMENSION, 35, "y of force `F1`");
-    refused("forces: {F1: {on: ram, value: [3 N*m, 0]}}", YK_CODE_WRONG_DIMENSION, 32, "x of force `F1`");
-    refused("forces: {F1: {on: ram, moment: 3 N}}", YK_CODE_WRONG_DIMENSION, 32, "moment of `F1`");
-    refused("forces: {F1: {on: ram, moment: F, value: [F, 0]}}", YK_CODE_TWO_DIMENSIONS, 32, "`F`");
+    refused("forces: {F1: {body: ram, value: [0, 3 m]}}", YK_CODE_WRONG_DIMENSION, 37, "y of force `F1`");
+    refused("forces: {F1: {body: ram, value: [3 N*m, 0]}}", YK_CODE_WRONG_DIMENSION, 34, "x of force `F1`");
+    refused("forces: {F1: {body: ram, moment: 3 N}}", YK_CODE_WRONG_DIMENSION, 34, "moment of `F1`");
+    refused("forces: {F1: {body: ram, moment: F, value: [F, 0]}}", YK_CODE_TWO_DIMENSIONS, 34, "`F`");
 }
 
 int main(void)
@@ -125,6 +139,7 @@ int main(void)
         cmocka_unit_test(a_moment_may_stand_without_a_force),
         cmocka_unit_test(forces_may_mention_time_coordinates_and_rates),
         cmocka_unit_test(a_section_without_forces_is_none),
+        cmocka_unit_test(on_is_the_older_spelling_of_body),
         cmocka_unit_test(mistakes_are_refused_at_their_place),
         cmocka_unit_test(forces_and_moments_have_their_dimensions),
     };

@@ -93,7 +93,37 @@ static void centres_that_no_body_holds_are_refused(void **state)
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], carrier: ring}}", YK_CODE_NO_CARRIER, "planet");
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], carrier: planet}}", YK_CODE_NO_CARRIER, "itself");
     refused("gears: {g: {mesh: [sun, bar], teeth: [N1, N2]}}", YK_CODE_NO_CARRIER, "no pin holds the centre of `bar`");
-    refused("gears: {g: {mesh: [sun, ring], teeth: [N1, N2]}}", YK_CODE_NO_CARRIER, "both");
+    refused("gears: {g: {mesh: [sun, ring], teeth: [N1, N2]}}", YK_CODE_NO_CARRIER, "turn about one axis");
+}
+
+// The epicyclic train whose arm has no point for the planet: the pin then lies on the axis of all the others.
+static void a_carrier_without_a_point_off_the_axis_is_told_what_it_lacks(void **state)
+{
+    (void)state;
+    const char *machine = "bodies: {sun: {}, planet: {}, arm: {%s}, twin: {%s}, ground: {points: {A: [0, 0]}}}\n"
+                          "joints:\n  S: {pin: [ground, sun], angle: a}\n  C: {pin: [ground, arm], angle: c}\n"
+                          "  D: {pin: [ground, twin], angle: d}\n  P: {pin: [arm, planet], angle: p%s}\n%s"
+                          "gears: {g: {mesh: [sun, planet], teeth: [27, 36]}}\n";
+    const struct {
+        const char *arm, *twin, *at, *more, *message, *hint;
+    } cases[] = {
+        {"", "", "", "", "`sun` and `planet` turn about one axis", "`arm: {points: {P: [a, 0]}}`"},
+        {"points: {Q: [1, 0]}", "", "", "", "`sun` and `planet` turn about one axis", "`at: Q`"},
+        {"points: {Q: [1, 0]}", "points: {Q: [1, 0]}", ", at: Q", "  T: {pin: [twin, planet], at: Q}\n",
+         "both `arm` and `twin` hold the two centres", "`carrier: arm`"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1000];
+        snprintf(text, sizeof text, machine, cases[i].arm, cases[i].twin, cases[i].at, cases[i].more);
+        YkProblems *problems = fixture_refuse(text);
+        const YkProblem *problem = fixture_problem(problems, YK_CODE_NO_CARRIER);
+        if (!problem || !problem->hint || !strstr(problem->hint, cases[i].hint))
+            print_error("%s", yk_problems_text(problems, 0));
+        assert_non_null(problem);
+        assert_non_null(strstr(problem->message, cases[i].message));
+        assert_non_null(strstr(problem->hint, cases[i].hint));
+        yk_problems_free(problems);
+    }
 }
 
 static void a_centre_distance_that_does_not_fit_is_told_with_its_error(void **state)
@@ -201,6 +231,7 @@ int main(void)
         cmocka_unit_test(a_wheels_centre_needs_no_name),
         cmocka_unit_test(gears_that_cannot_exist_are_refused),
         cmocka_unit_test(centres_that_no_body_holds_are_refused),
+        cmocka_unit_test(a_carrier_without_a_point_off_the_axis_is_told_what_it_lacks),
         cmocka_unit_test(a_centre_distance_that_does_not_fit_is_told_with_its_error),
         cmocka_unit_test(all_mistakes_are_told_at_once),
         cmocka_unit_test(radii_of_belts_are_kept_exactly),

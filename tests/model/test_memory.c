@@ -61,7 +61,7 @@ static void loads_are_read_or_refused_whichever_allocation_fails(void **state)
               "joints: {O: {pin: [ground, a], angle: phi, friction: {coulomb: mu, radius: 2*k}},\n"
               "  S: {slide: [a, b], friction: {viscous: k*1 N*s/m^2}}}\n"
               "efforts: {phi: -2 N*m*s * phi.rate + 3 N*s * S.distance.rate}\n"
-              "forces: {F: {on: a, at: P, value: [1 N * sin(phi), 0], axes: body, moment: 2 N*m * cos(O.angle)}}\n"
+              "forces: {F: {body: a, at: P, value: [1 N * sin(phi), 0], axes: body, moment: 2 N*m * cos(O.angle)}}\n"
               "springs: {c: {along: S.distance, stiffness: 2 N/m^2 * k}}\n"
               "stops: {S.distance: {between: [-k, k], restitution: mu}}\n",
               NULL, 1);

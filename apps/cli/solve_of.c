@@ -1,0 +1,62 @@
+// The columns of `solve --of`: what was asked for at the pose, in each format.
+#include <string.h>
+#include "columns.h"
+#include "out/csv.h"
+#include "out/table.h"
+#include "solve.h"
+
+void yk_solve_of_text(YkSession *session, const YkState *state)
+{
+    YkTable *table = yk_table_new(3);
+    yk_table_head(table, "column", NULL);
+    yk_table_head(table, "value", NULL);
+    yk_table_head(table, "unit", NULL);
+    for (size_t c = 0; c < session->columns->count; c++) {
+        const YkColumn *column = &session->columns->items[c];
+        double value = yk_column_value(session, state, column->channel);
+        yk_table_word(table, column->name);
+        yk_table_number(table, yk_shown(session, value, column->channel.quantity), YK_DIGITS);
+        yk_table_word(table, yk_unit_of(session, column->channel.quantity));
+    }
+    yk_text_puts(&session->out, "\n");
+    if (!yk_table_write(table, 2, &session->out)) session->out.failed = true;
+    yk_table_free(table);
+}
+
+// Is the column's name one of those before it? An object has each key once.
+static bool is_repeated(const YkColumns *columns, size_t index)
+{
+    for (size_t c = 0; c < index; c++)
+        if (strcmp(columns->items[c].name, columns->items[index].name) == 0) return true;
+    return false;
+}
+
+void yk_solve_of_json(YkSession *session, YkJson *json, const YkState *state)
+{
+    const YkColumns *columns = session->columns;
+    yk_json_object(json, "of", YK_JSON_INLINE);
+    for (size_t c = 0; c < columns->count; c++)
+        if (!is_repeated(columns, c))
+            yk_json_number(json, columns->items[c].name, yk_column_value(session, state, columns->items[c].channel));
+    yk_json_end(json);
+}
+
+void yk_solve_of_csv_head(YkSession *session)
+{
+    YkCsv csv = {.text = &session->out};
+    yk_csv_name(&csv, "configuration");
+    for (size_t c = 0; c < session->columns->count; c++) yk_csv_name(&csv, session->columns->items[c].name);
+    yk_csv_row(&csv);
+}
+
+void yk_solve_of_csv(YkSession *session, const YkState *state)
+{
+    YkText label = yk_label_of(state);
+    YkCsv csv = {.text = &session->out};
+    yk_csv_name(&csv, yk_text_get(&label));
+    for (size_t c = 0; c < session->columns->count; c++)
+        yk_csv_number(&csv, yk_column_value(session, state, session->columns->items[c].channel));
+    yk_csv_row(&csv);
+    session->out.failed |= label.failed;
+    yk_text_free(&label);
+}

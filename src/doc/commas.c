@@ -1,0 +1,65 @@
+// A function of two arguments inside `{...}` or `[...]`: its comma ends the value for YAML.
+#include <string.h>
+#include "base/text.h"
+#include "doc/reader.h"
+
+// How many parentheses are left open after the text of a plain scalar; quotes protect what is in them.
+static int open_after(int open, const YkNode *node)
+{
+    if (node->kind != YK_NODE_SCALAR || node->quoted) return 0;
+    for (size_t i = 0; i < node->length; i++) open += (node->text[i] == '(') - (node->text[i] == ')');
+    return open;
+}
+
+// The piece that follows in the list or map at `index`: of a map a key without a value. NULL: none.
+static const YkNode *piece_at(const YkNode *node, size_t index)
+{
+    if (index >= node->count) return NULL;
+    if (node->kind == YK_NODE_LIST) return node->items[index];
+    const YkNode *value = node->pairs[index].value;
+    bool is_void = value->kind == YK_NODE_SCALAR && !value->quoted && value->length == 0;
+    return is_void ? node->pairs[index].key : NULL;
+}
+
+// How many pieces after entry `index` belong to the value that begins there; 0 where it is whole, or never ends.
+static size_t pieces_after(const YkNode *node, size_t index, const YkNode *value)
+{
+    int open = open_after(0, value);
+    for (size_t more = 1; open > 0; more++) {
+        const YkNode *piece = piece_at(node, index + more);
+        if (!piece || piece->kind != YK_NODE_SCALAR || piece->quoted) return 0;
+        open = open_after(open, piece);
+        if (open <= 0) return more;
+    }
+    return 0;
+}
+
+static void report(const YkNode *node, size_t index, const YkNode *value, size_t more, YkProblems *problems)
+{
+    YkText whole = {0};
+    YkPlace place = value->place;
+    yk_text_puts(&whole, value->text);
+    for (size_t i = 1; i <= more; i++) {
+        const YkNode *piece = piece_at(node, index + i);
+        yk_text_format(&whole, ", %s", piece->text);
+        if (piece->place.line == place.line)
+            place.length = piece->place.column + piece->place.length - value->place.column;
+    }
+    yk_problem(problems, YK_CODE_YAML_COMMA, place, "the comma in `%s` ends the value", yk_text_get(&whole));
+    yk_problem_hint(problems, "between `{` and `}` or `[` and `]`, quote it: `\"%s\"`", yk_text_get(&whole));
+    yk_text_free(&whole);
+}
+
+bool yk_doc_check_commas(const YkNode *node, YkProblems *problems)
+{
+    bool good = true;
+    for (size_t i = 0; i < node->count; i++) {
+        const YkNode *value = node->kind == YK_NODE_LIST ? node->items[i] : node->pairs[i].value;
+        size_t more = pieces_after(node, i, value);
+        if (more == 0) continue;
+        report(node, i, value, more, problems);
+        i += more;
+        good = false;
+    }
+    return good;
+}
