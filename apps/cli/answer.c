@@ -81,7 +81,7 @@ void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char 
 
 double yk_shown(const YkSession *session, double value, YkQuantity quantity)
 {
-    return yk_amount_in_unit(session->model, session->mech, value, quantity);
+    return fabs(value) <= yk_scale_noise(session, quantity) ? 0 : yk_amount_of(session->model, value, quantity);
 }
 
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity)
@@ -91,7 +91,7 @@ const char *yk_unit_of(const YkSession *session, YkQuantity quantity)
 
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits)
 {
-    yk_amount_write(text, session->model, session->mech, value, quantity, digits);
+    yk_amount_write_shown(text, session->model, yk_shown(session, value, quantity), quantity, digits);
 }
 
 YkText yk_label_of(const YkState *state)

@@ -16,7 +16,7 @@ int yk_status_exit(YkStatus status);
 int yk_freedom_of(const YkMechanism *mech);
 // "model", "status", "freedom" and, when the status is not ok, "message" and "code".
 void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char *message);
-// A value in the file's unit, with rounding noise (1e-13 of the machine's size) taken for zero.
+// A value in the file's unit, with what is rounding noise by the session's scale (scale.h) taken for zero.
 double yk_shown(const YkSession *session, double value, YkQuantity quantity);
 // Warns of cams that would have to pull their followers at the pose just solved; `at` (or NULL) is the time. True: there
 // are such.

@@ -221,6 +221,7 @@ static void add_jumps(const YkCamAnswer *answer)
 
 void yk_cam_text(const YkCamAnswer *answer)
 {
+    yk_scale_begin(answer->session);
     add_head(answer);
     add_program(answer);
     add_strokes(answer);

@@ -87,6 +87,8 @@ void yk_cam_add_forces(const YkCamAnswer *answer)
     const YkCamForceSummary *f = &answer->forces;
     YkQuantity effort = answer->size.oscillates ? YK_QUANTITY_TORQUE : YK_QUANTITY_FORCE;
     if (!answer->has_forces) return;
+    yk_scale_add(answer->session, f->contact_high.value, YK_QUANTITY_FORCE);
+    yk_scale_add(answer->session, f->torque_high.value, YK_QUANTITY_TORQUE);
     yk_text_puts(out, "\nForces");
     yk_text_puts(out, answer->loads.is_partial ? " (of what acts along the follower's coordinate only)\n" : "\n");
     add_extreme(answer, "contact force, lowest", f->contact_low, YK_QUANTITY_FORCE);

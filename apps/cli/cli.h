@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "base/problems.h"
 #include "base/text.h"
+#include "scale.h"
 
 // What the shell gets to know.
 enum { YK_EXIT_DONE = 0, YK_EXIT_NO_ANSWER = 1, YK_EXIT_WRONG = 2 };
@@ -55,7 +56,7 @@ typedef struct YkRequest {
 } YkRequest;
 
 // One run: the request and what was made of it so far.
-typedef struct YkSession {
+struct YkSession {
     const YkRequest *request;
     YkProblems *problems; // of the command line and of the answer: printed as "yoke: error: ..."
     YkModel *model;
@@ -69,7 +70,8 @@ typedef struct YkSession {
     bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's
     YkProblems *file_problems; // then; otherwise NULL
     YkText out;                // for standard output; written once, at the end
-} YkSession;
+    YkScale scale;             // what is noise in the text
+};
 
 struct YkVerb {
     const char *name, *summary;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
+#include "out/amount.h"
 #include "session.h"
 
 bool yk_columns_add(YkSession *session, YkColumns *columns, const char *name)
@@ -48,4 +49,10 @@ double yk_column_value(const YkSession *session, const YkState *state, YkChannel
     if (channel.order == 2) return yk_if_accelerations(session, state, value);
     bool is_rate = channel.order == 1 || channel.kind == YK_CHANNEL_POINT_SPEED;
     return is_rate ? yk_if_rates(state, value) : value;
+}
+
+double yk_column_shown(const YkSession *session, double value, YkChannel channel)
+{
+    if (channel.kind != YK_CHANNEL_KINETIC) return yk_shown(session, value, channel.quantity);
+    return value <= yk_scale_kinetic_noise(session) ? 0 : yk_amount_of(session->model, value, channel.quantity);
 }

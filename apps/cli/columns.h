@@ -22,5 +22,7 @@ void yk_columns_free(YkColumns *columns);
 // Returns a column's value at a pose, or NaN where it is not determined there: rates at a dead point, forces where
 // session->dynamics has found none.
 double yk_column_value(const YkSession *session, const YkState *state, YkChannel channel);
+// Returns it in the file's unit, with noise taken for zero; kinetic energies, sums of squares, have none.
+double yk_column_shown(const YkSession *session, double value, YkChannel channel);
 
 #endif

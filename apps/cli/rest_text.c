@@ -4,6 +4,9 @@
 #include "rest.h"
 #include "session.h"
 
+static const double noise = 1e-12;         // of the largest: stiffnesses are differences
+static const double damping_noise = 1e-20; // far less is left where nothing damps
+
 enum { SHAPES_MAX = 8 }; // columns of a table that a page can hold; more are in the JSON
 
 static void write_table(YkText *out, YkTable *table, bool has_rows)
@@ -40,6 +43,27 @@ static size_t shapes(const YkRestAnswer *answer)
     return freedom <= SHAPES_MAX ? freedom : 0;
 }
 
+static double without_noise(double value, double limit)
+{
+    return fabs(value) <= limit ? 0 : value;
+}
+
+// An entry of M, C or K beside the inertias of its row and column: 1, a rate, the square of one.
+static double beside_inertia(const YkRestAnswer *answer, size_t index, const double *entries, size_t i)
+{
+    size_t size = shapes(answer);
+    const double *M = yk_rest_mass(answer->rest, index);
+    return fabs(entries[i]) / sqrt(M[i / size * (size + 1)] * M[i % size * (size + 1)]);
+}
+
+static double largest_beside_inertia(const YkRestAnswer *answer, size_t index, const double *entries)
+{
+    double largest = 0;
+    for (size_t i = 0; i < shapes(answer) * shapes(answer); i++)
+        largest = fmax(largest, beside_inertia(answer, index, entries, i));
+    return largest;
+}
+
 // Frequencies, damping and shapes, in SI: what each free input does while the largest does 1.
 static void add_modes(const YkRestAnswer *answer, size_t index)
 {
@@ -59,25 +83,32 @@ static void add_modes(const YkRestAnswer *answer, size_t index)
         yk_table_word(table, yk_text_get(&words));
         yk_table_number(table, hertz, YK_DIGITS);
         yk_table_number(table, hertz > 0 ? 1 / hertz : (double)NAN, YK_DIGITS);
-        yk_table_number(table, hertz > 0 ? mode.damping_ratio : (double)NAN, YK_DIGITS);
+        yk_table_number(table, hertz > 0 ? without_noise(mode.damping_ratio, damping_noise) : (double)NAN, YK_DIGITS);
         yk_table_number(table, mode.frequency < 0 ? -mode.frequency : (double)NAN, YK_DIGITS);
-        for (size_t i = 0; i < columns; i++) yk_table_number(table, mode.shape[i], YK_DIGITS);
+        for (size_t i = 0; i < columns; i++) yk_table_number(table, without_noise(mode.shape[i], noise), YK_DIGITS);
     }
     write_table(&answer->session->out, table, freedom > 0);
     answer->session->out.failed |= words.failed;
     yk_text_free(&words);
 }
 
-static void add_matrix(const YkRestAnswer *answer, const char *name, const double *entries)
+static void add_matrix(const YkRestAnswer *answer, const char *name, const double *entries, size_t index)
 {
     size_t size = shapes(answer);
+    double rate = sqrt(largest_beside_inertia(answer, index, yk_rest_stiffness(answer->rest, index)));
+    bool is_damping = entries == yk_rest_damping(answer->rest, index);
+    double limit = noise * largest_beside_inertia(answer, index, entries);
+    if (is_damping) limit = fmax(limit, damping_noise * rate); // where nothing damps, noise is the largest
     YkTable *table = yk_table_new(size + 1);
     yk_table_head(table, name, NULL);
     for (size_t k = 0; k < size; k++)
         yk_table_head(table, yk_coordinate_info(answer->mech, yk_rest_input(answer->rest, k)).name, NULL);
     for (size_t row = 0; row < size; row++) {
         yk_table_word(table, yk_coordinate_info(answer->mech, yk_rest_input(answer->rest, row)).name);
-        for (size_t k = 0; k < size; k++) yk_table_number(table, entries[row * size + k], YK_DIGITS);
+        for (size_t k = 0; k < size; k++) {
+            bool is_noise = beside_inertia(answer, index, entries, row * size + k) <= limit;
+            yk_table_number(table, is_noise ? 0 : entries[row * size + k], YK_DIGITS);
+        }
     }
     write_table(&answer->session->out, table, size > 0);
 }
@@ -95,15 +126,29 @@ static void add_equilibrium(const YkRestAnswer *answer, size_t index)
     add_coordinates(answer, state, true);
     add_modes(answer, index);
     if (!session->request->modes) return;
-    add_matrix(answer, "M (SI)", yk_rest_mass(answer->rest, index));
-    add_matrix(answer, "C (SI)", yk_rest_damping(answer->rest, index));
-    add_matrix(answer, "K (SI)", yk_rest_stiffness(answer->rest, index));
+    add_matrix(answer, "M (SI)", yk_rest_mass(answer->rest, index), index);
+    add_matrix(answer, "C (SI)", yk_rest_damping(answer->rest, index), index);
+    add_matrix(answer, "K (SI)", yk_rest_stiffness(answer->rest, index), index);
+}
+
+// Energies beside the largest of them, and beside weights times the machine's size.
+static void find_scale(const YkRestAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const double about_g = 10; // m/s^2
+    yk_scale_begin(session);
+    session->scale.is_exact = false; // a pose at rest is searched for
+    for (size_t i = 0; i < yk_rest_count(answer->rest); i++)
+        yk_scale_add(session, yk_rest_equilibrium(answer->rest, i).potential, YK_QUANTITY_ENERGY);
+    if (yk_model_loads(session->model).has_gravity)
+        yk_scale_add(session, session->scale.mass * about_g, YK_QUANTITY_FORCE);
 }
 
 void yk_rest_text(const YkRestAnswer *answer)
 {
     const YkSession *session = answer->session;
     size_t count = yk_rest_count(answer->rest);
+    find_scale(answer);
     yk_text_format(&answer->session->out, "%s: %z equilibri%s found\n", yk_model_name(session->model), count,
                    count == 1 ? "um" : "a");
     for (size_t i = 0; i < count; i++) add_equilibrium(answer, i);

@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
+#include "columns.h"
+#include "out/amount.h"
 #include "out/csv.h"
 #include "out/table.h"
 #include "session.h"
@@ -57,13 +59,25 @@ static void add_text_head(YkSimulationAnswer *answer, YkText *head)
     yk_text_puts(out, "\n");
 }
 
+// The scale grows as the rows come.
+static void raise_scale(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    if (answer->row_count == 1) yk_scale_begin(session);
+    yk_scale_add_bodies(session, yk_simulation_state(answer->simulation));
+    for (size_t c = 0; c < answer->column_count; c++)
+        yk_scale_add(session, answer->row[c + 1], answer->columns[c].channel.quantity);
+}
+
 static void add_text_row(YkSimulationAnswer *answer, YkText *head)
 {
     YkText *out = &answer->session->out;
+    raise_scale(answer);
     char number[YK_NUMBER_SIZE];
     for (size_t c = 0; c <= answer->column_count; c++) {
         size_t width = head_of(answer, c, head);
-        double value = yk_shown(answer->session, answer->row[c], quantity_of(answer, c));
+        double value = c == 0 ? yk_amount_of(answer->session->model, answer->row[c], YK_QUANTITY_TIME)
+                              : yk_column_shown(answer->session, answer->row[c], answer->columns[c - 1].channel);
         bool is_known = value - value == 0;
         size_t length = is_known ? yk_number_write_digits(value, YK_DIGITS, number) : 1;
         add_right(out, is_known ? number : "-", length, width);

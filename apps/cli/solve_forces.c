@@ -1,5 +1,6 @@
 // Forces of a configuration: reactions, efforts, energy, balances, the count of equations.
 #include <math.h>
+#include "out/amount.h"
 #include "out/csv.h"
 #include "out/table.h"
 #include "out/words.h"
@@ -116,23 +117,6 @@ void yk_forces_json(YkSession *session, YkJson *json, const YkState *state)
 // --- text
 // ---------------------------------------------------------------------------------------------------------------
 
-// In the file's unit; what is rounding beside the largest force is zero.
-static double shown(const YkSession *session, double value, double largest, YkQuantity quantity)
-{
-    double scale = quantity == YK_QUANTITY_TORQUE ? yk_mechanism_size(session->mech) : 1;
-    return fabs(value) <= 1e-13 * largest * scale ? 0 : yk_shown(session, value, quantity);
-}
-
-static double largest_force(const YkSession *session)
-{
-    double largest = 0;
-    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
-        YkReaction r = yk_dynamics_reaction(session->dynamics, j);
-        largest = fmax(largest, hypot(r.force[0], r.force[1]));
-    }
-    return largest;
-}
-
 static void write_table(YkSession *session, YkTable *table, bool has_rows)
 {
     if (has_rows) {
@@ -142,7 +126,7 @@ static void write_table(YkSession *session, YkTable *table, bool has_rows)
     yk_table_free(table);
 }
 
-static void add_reaction_table(YkSession *session, double largest)
+static void add_reaction_table(YkSession *session)
 {
     size_t joints = yk_model_joint_count(session->model), contacts = yk_dynamics_contact_count(session->dynamics);
     YkTable *table = yk_table_new(6);
@@ -165,16 +149,16 @@ static void add_reaction_table(YkSession *session, double largest)
                        yk_model_body_name(session->model, r.on), r.is_determinate ? "" : " (one of many, least)");
         yk_table_word(table, yk_text_get(&words));
         for (int axis = 0; axis < 2; axis++)
-            yk_table_number(table, shown(session, r.force[axis], largest, YK_QUANTITY_FORCE), YK_DIGITS);
-        yk_table_number(table, shown(session, hypot(r.force[0], r.force[1]), largest, YK_QUANTITY_FORCE), YK_DIGITS);
-        yk_table_number(table, shown(session, r.moment, largest, YK_QUANTITY_TORQUE), YK_DIGITS);
+            yk_table_number(table, yk_shown(session, r.force[axis], YK_QUANTITY_FORCE), YK_DIGITS);
+        yk_table_number(table, yk_shown(session, hypot(r.force[0], r.force[1]), YK_QUANTITY_FORCE), YK_DIGITS);
+        yk_table_number(table, yk_shown(session, r.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
     }
     session->out.failed |= words.failed;
     yk_text_free(&words);
     write_table(session, table, joints > 0);
 }
 
-static void add_effort_table(YkSession *session, bool is_distance, double largest)
+static void add_effort_table(YkSession *session, bool is_distance)
 {
     YkQuantity quantity = is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
     YkTable *table = yk_table_new(2);
@@ -186,7 +170,7 @@ static void add_effort_table(YkSession *session, bool is_distance, double larges
             !yk_dynamics_has_effort(session->dynamics, c))
             continue;
         yk_table_word(table, yk_coordinate_info(session->mech, c).name);
-        yk_table_number(table, shown(session, yk_dynamics_effort(session->dynamics, c), largest, quantity), YK_DIGITS);
+        yk_table_number(table, yk_shown(session, yk_dynamics_effort(session->dynamics, c), quantity), YK_DIGITS);
         count++;
     }
     write_table(session, table, count > 0);
@@ -195,14 +179,15 @@ static void add_effort_table(YkSession *session, bool is_distance, double larges
 void yk_forces_text(YkSession *session, const YkState *state)
 {
     YkText *out = &session->out;
-    double largest = largest_force(session);
     YkEnergy energy = yk_dynamics_energy(session->dynamics);
     (void)state;
-    add_reaction_table(session, largest);
-    add_effort_table(session, false, largest);
-    add_effort_table(session, true, largest);
+    add_reaction_table(session);
+    add_effort_table(session, false);
+    add_effort_table(session, true);
     yk_text_puts(out, "\n  energy: kinetic ");
-    yk_add_value(session, out, energy.kinetic, YK_QUANTITY_ENERGY, YK_DIGITS);
+    double kinetic = energy.kinetic <= yk_scale_kinetic_noise(session) ? 0 : energy.kinetic;
+    yk_amount_write_shown(out, session->model, yk_amount_of(session->model, kinetic, YK_QUANTITY_ENERGY),
+                          YK_QUANTITY_ENERGY, YK_DIGITS);
     yk_text_puts(out, ", potential ");
     yk_add_value(session, out, energy.potential, YK_QUANTITY_ENERGY, YK_DIGITS);
     yk_text_puts(out, "\n  ");

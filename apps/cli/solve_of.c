@@ -15,7 +15,7 @@ void yk_solve_of_text(YkSession *session, const YkState *state)
         const YkColumn *column = &session->columns->items[c];
         double value = yk_column_value(session, state, column->channel);
         yk_table_word(table, column->name);
-        yk_table_number(table, yk_shown(session, value, column->channel.quantity), YK_DIGITS);
+        yk_table_number(table, yk_column_shown(session, value, column->channel), YK_DIGITS);
         yk_table_word(table, yk_unit_of(session, column->channel.quantity));
     }
     yk_text_puts(&session->out, "\n");

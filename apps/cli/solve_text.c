@@ -1,3 +1,5 @@
+#include <string.h>
+#include "out/amount.h"
 #include "out/table.h"
 #include "out/words.h"
 #include "session.h"
@@ -10,6 +12,13 @@ static void write_table(YkSession *session, YkTable *table)
     yk_table_free(table);
 }
 
+static bool is_named(const YkPairs *pairs, const char *name)
+{
+    for (size_t i = 0; i < pairs->count; i++)
+        if (strcmp(pairs->items[i].name, name) == 0) return true;
+    return false;
+}
+
 static YkTable *motion_table(YkSession *session, const char *subject, bool is_distance)
 {
     static const char *const heads[] = {"position", "velocity", "acceleration"};
@@ -20,14 +29,20 @@ static YkTable *motion_table(YkSession *session, const char *subject, bool is_di
     return table;
 }
 
+// `given`: the coordinate whose values on the command line are told as they are; or NULL.
 static void add_motion(YkSession *session, YkTable *table, const YkState *state, const char *name, YkMotion motion,
-                       bool is_distance)
+                       bool is_distance, const char *given)
 {
+    const YkPairs *lists[] = {&session->request->at, &session->request->rate, &session->request->accel};
     const double values[] = {motion.position, yk_if_rates(state, motion.velocity),
                              yk_if_accelerations(session, state, motion.acceleration)};
     yk_table_word(table, name);
-    for (int order = 0; order < 3; order++)
-        yk_table_number(table, yk_shown(session, values[order], yk_quantity_of(is_distance, order)), YK_DIGITS);
+    for (int order = 0; order < 3; order++) {
+        YkQuantity quantity = yk_quantity_of(is_distance, order);
+        double shown = given && is_named(lists[order], given) ? yk_amount_of(session->model, values[order], quantity)
+                                                              : yk_shown(session, values[order], quantity);
+        yk_table_number(table, shown, YK_DIGITS);
+    }
 }
 
 // Coordinates of one kind; inputs are marked.
@@ -41,7 +56,7 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
         if (info.is_distance != is_distance) continue;
         yk_words_renew(&name);
         yk_text_format(&name, "%s%s", info.name, info.input >= 0 ? " (input)" : "");
-        add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance);
+        add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance, info.name);
         count++;
     }
     session->out.failed |= name.failed;
@@ -57,7 +72,7 @@ static void add_bodies(YkSession *session, const YkState *state)
 {
     YkTable *table = motion_table(session, "body angle", false);
     for (size_t i = 1; i < yk_model_body_count(session->model); i++)
-        add_motion(session, table, state, yk_model_body_name(session->model, i), yk_state_body(state, i), false);
+        add_motion(session, table, state, yk_model_body_name(session->model, i), yk_state_body(state, i), false, NULL);
     write_table(session, table);
 }
 
@@ -135,6 +150,8 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
     } else if (label.length > 0) {
         yk_text_format(&session->out, "Configuration %s\n", yk_text_get(&label));
     }
+    yk_scale_begin(session);
+    yk_scale_add_pose(session, state);
     if (session->columns) {
         yk_solve_of_text(session, state);
     } else {

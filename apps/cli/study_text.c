@@ -90,9 +90,20 @@ static void add_sensitivities(const YkStudyAnswer *a, size_t column)
     write_table(out, table);
 }
 
+static void find_scale(const YkStudyAnswer *a)
+{
+    yk_scale_begin(a->session);
+    for (size_t k = 0; k < a->width - yk_study_first(a); k++) {
+        YkMoments m = yk_study_moments(a, k);
+        yk_scale_add(a->session, m.least, yk_study_quantity(a, k));
+        yk_scale_add(a->session, m.largest, yk_study_quantity(a, k));
+    }
+}
+
 void yk_study_text(const YkStudyAnswer *a)
 {
     YkText *out = &a->session->out;
+    find_scale(a);
     yk_text_format(out, "%s: %z designs", yk_model_name(a->session->model), a->done);
     if (a->over.name) yk_text_format(out, ", %z poses each over %s", a->pose_count, a->over.name);
     if (a->is_sample) yk_text_format(out, ", seed %z", (size_t)a->seed);

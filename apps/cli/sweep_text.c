@@ -1,3 +1,5 @@
+#include <math.h>
+#include "out/amount.h"
 #include "out/table.h"
 #include "out/words.h"
 #include "sweep.h"
@@ -13,6 +15,25 @@ static void write_table(YkText *out, YkTable *table, bool has_rows)
     yk_table_free(table);
 }
 
+// The scale of the whole table: its values, and the pose at its end.
+static void find_scale(const YkSweepAnswer *answer)
+{
+    YkSession *session = answer->session;
+    yk_scale_begin(session);
+    if (!answer->sweep) return;
+    yk_scale_add_pose(session, session->state);
+    for (size_t row = 0; row < yk_sweep_row_count(answer->sweep); row++)
+        for (size_t c = 0; c < answer->column_count; c++)
+            yk_scale_add(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel.quantity);
+}
+
+// The swept value in the file's unit; 0 where only the steps' rounding is left of it.
+static double shown_at(const YkSweepAnswer *answer, double at)
+{
+    double largest = fmax(fabs(answer->over.from), fabs(answer->over.to));
+    return fabs(at) <= 1e-15 * largest ? 0 : yk_amount_of(answer->session->model, at, answer->over.quantity);
+}
+
 static void add_rows(const YkSweepAnswer *answer)
 {
     const YkSession *session = answer->session;
@@ -22,10 +43,9 @@ static void add_rows(const YkSweepAnswer *answer)
     for (size_t c = 0; c < answer->column_count; c++)
         yk_table_head(table, answer->columns[c].name, yk_unit_of(session, answer->columns[c].channel.quantity));
     for (size_t row = 0; row < rows; row++) {
-        yk_table_number(table, yk_shown(session, yk_sweep_at(answer->sweep, row), answer->over.quantity), YK_DIGITS);
+        yk_table_number(table, shown_at(answer, yk_sweep_at(answer->sweep, row)), YK_DIGITS);
         for (size_t c = 0; c < answer->column_count; c++)
-            yk_table_number(table,
-                            yk_shown(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel.quantity),
+            yk_table_number(table, yk_column_shown(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel),
                             YK_DIGITS);
     }
     write_table(&answer->session->out, table, rows > 0);
@@ -56,7 +76,7 @@ static void add_events(const YkSweepAnswer *answer)
         yk_words_renew(&words);
         add_event_value(answer, event, &words);
         yk_table_word(table, yk_event_word(event));
-        yk_table_number(table, yk_shown(answer->session, event.at, answer->over.quantity), EVENT_DIGITS);
+        yk_table_number(table, shown_at(answer, event.at), EVENT_DIGITS);
         yk_table_word(table, yk_text_get(&words));
     }
     answer->session->out.failed |= words.failed;
@@ -83,6 +103,7 @@ void yk_sweep_text(const YkSweepAnswer *answer)
     yk_text_format(out, "%s: sweep over %s", yk_model_name(answer->session->model), answer->over.name);
     if (answer->label.length > 0) yk_text_format(out, ", configuration %s", yk_text_get(&answer->label));
     yk_text_puts(out, "\n");
+    find_scale(answer);
     add_rows(answer);
     add_events(answer);
     add_strokes(answer);

@@ -116,9 +116,10 @@ static bool repair_product(const YkExpr *expr, YkDimension missing, Repair *repa
     return false;
 }
 
-// Every term of a sum lacks the same.
+// Every term of a sum lacks the same, but for bare numbers: they take the kind of the others.
 static bool repair_terms(const YkExpr *expr, YkDimension missing, Repair *repair)
 {
+    if (yk_dim_is_bare(expr)) return true;
     if (expr->kind == YK_EXPR_NEGATE) return repair_terms(expr->a, missing, repair);
     if (expr->kind == YK_EXPR_ADD || expr->kind == YK_EXPR_SUBTRACT)
         return repair_terms(expr->a, missing, repair) && repair_terms(expr->b, missing, repair);
@@ -170,7 +171,7 @@ static void write(const YkUnits *file, const YkExpr *whole, const Repair *repair
 bool yk_dim_repair(const YkUnits *units, const YkExpr *whole, const YkExpr *part, YkDimension missing, YkText *text)
 {
     Repair repair = {.count = 0};
-    if (!whole->text || !repair_terms(part, missing, &repair)) return false;
+    if (!whole->text || !repair_terms(part, missing, &repair) || repair.count == 0) return false;
     write(units, whole, &repair, text);
     return !text->failed;
 }

@@ -26,12 +26,17 @@ static bool is_length(YkQuantity quantity)
     return quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
 }
 
+double yk_amount_of(const YkModel *model, double value, YkQuantity quantity)
+{
+    double size = 1;
+    yk_amount_unit(model, quantity, &size);
+    return value / size;
+}
+
 double yk_amount_in_unit(const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity)
 {
-    double size = 1, scale = is_length(quantity) && mech ? yk_mechanism_size(mech) : 1;
-    yk_amount_unit(model, quantity, &size);
-    if (fabs(value) < noise * scale) return 0;
-    return value / size;
+    double scale = is_length(quantity) && mech ? yk_mechanism_size(mech) : 1;
+    return fabs(value) < noise * scale ? 0 : yk_amount_of(model, value, quantity);
 }
 
 static void add_number(YkText *text, double value, int digits)
@@ -43,8 +48,12 @@ static void add_number(YkText *text, double value, int digits)
 void yk_amount_write(YkText *text, const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity,
                      int digits)
 {
+    yk_amount_write_shown(text, model, yk_amount_in_unit(model, mech, value, quantity), quantity, digits);
+}
+
+void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits)
+{
     const char *unit = yk_amount_unit(model, quantity, NULL);
-    double shown = yk_amount_in_unit(model, mech, value, quantity);
     add_number(text, shown, digits);
     if (*unit) yk_text_format(text, " %s", unit);
     if (quantity != YK_QUANTITY_ANGLE || strcmp(unit, "rad") != 0) return;

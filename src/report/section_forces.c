@@ -9,7 +9,7 @@ enum { DIGITS = 6, ROWS_MAX = 200 };
 static double shown(const YkReportPage *report, double value, double largest, YkQuantity quantity)
 {
     double scale = quantity == YK_QUANTITY_TORQUE ? yk_mechanism_size(report->mech) : 1;
-    return fabs(value) <= 1e-13 * largest * scale ? 0 : yk_amount_in_unit(report->model, report->mech, value, quantity);
+    return fabs(value) <= 1e-13 * largest * scale ? 0 : yk_amount_of(report->model, value, quantity);
 }
 
 static double largest_reaction(const YkReportPage *report)

@@ -78,6 +78,7 @@ static void the_hint_writes_the_expression_with_its_units(void **state)
         {"theta/10", torque, "theta/10 rad/N/m"},
         {"30 deg - 0.5*t", angle, "30 deg - 0.5 rad/s * t"},
         {"0.5*t + 30 deg", angle, "0.5 rad/s * t + 30 deg"},
+        {"1 + 300*t", angle, "1 + 300 rad/s * t"},
         {"2 * t + 3*t", length, "2 m/s * t + 3 m/s * t"},
         {"100*(d - 2)", force, "100 N/m * (d - 2)"},
         {"0.1*t", volume, "0.1 m^3/s * t"},

@@ -1,0 +1,143 @@
+// What counts as rounding noise, by the largest values told beside it.
+#include "scale.h"
+#include <math.h>
+#include "cli.h"
+
+// Of the scale: what closing loops and adding vectors leave of a zero; and what sums and products alone leave.
+static const double noise = 1e-13, noise_of_sums = 1e-15;
+
+static void raise(double *scale, double value)
+{
+    if (isfinite(value) && fabs(value) > *scale) *scale = fabs(value);
+}
+
+void yk_scale_begin(YkSession *session)
+{
+    session->scale = (YkScale){.is_exact = session->mech && yk_loop_count(session->mech) == 0};
+    if (session->model) session->scale.mass = yk_model_loads(session->model).mass;
+}
+
+static double size_of(const YkSession *session)
+{
+    return session->mech ? yk_mechanism_size(session->mech) : 1;
+}
+
+void yk_scale_add(YkSession *session, double value, YkQuantity quantity)
+{
+    YkScale *scale = &session->scale;
+    double size = size_of(session);
+    switch (quantity) {
+    case YK_QUANTITY_ANGLE_RATE:
+        raise(&scale->rate, value);
+        break;
+    case YK_QUANTITY_SPEED:
+        raise(&scale->rate, value / size);
+        break;
+    case YK_QUANTITY_ANGLE_ACCELERATION:
+        raise(&scale->acceleration, value);
+        break;
+    case YK_QUANTITY_ACCELERATION:
+        raise(&scale->acceleration, value / size);
+        break;
+    case YK_QUANTITY_FORCE:
+        raise(&scale->force, value);
+        break;
+    case YK_QUANTITY_TORQUE:
+        raise(&scale->force, value / size);
+        break;
+    case YK_QUANTITY_ENERGY:
+        raise(&scale->energy, value);
+        break;
+    default:
+        break;
+    }
+}
+
+static void add_motion(YkSession *session, YkMotion motion, bool is_distance)
+{
+    yk_scale_add(session, motion.velocity, is_distance ? YK_QUANTITY_SPEED : YK_QUANTITY_ANGLE_RATE);
+    yk_scale_add(session, motion.acceleration, is_distance ? YK_QUANTITY_ACCELERATION : YK_QUANTITY_ANGLE_ACCELERATION);
+}
+
+static void add_wrench(YkSession *session, const double force[2], double moment)
+{
+    yk_scale_add(session, hypot(force[0], force[1]), YK_QUANTITY_FORCE);
+    yk_scale_add(session, moment, YK_QUANTITY_TORQUE);
+}
+
+static void add_forces(YkSession *session)
+{
+    const YkDynamics *dynamics = session->dynamics;
+    for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
+        YkReaction r = yk_dynamics_reaction(dynamics, j);
+        add_wrench(session, r.force, r.moment);
+    }
+    for (size_t k = 0; k < yk_dynamics_contact_count(dynamics); k++) {
+        YkReaction r = yk_dynamics_contact(dynamics, k);
+        add_wrench(session, r.force, r.moment);
+    }
+    for (size_t b = 1; b < yk_model_body_count(session->model); b++) {
+        YkBalance balance = yk_dynamics_balance(dynamics, b);
+        add_wrench(session, balance.loads.force, balance.loads.moment);
+        add_wrench(session, balance.inertia.force, balance.inertia.moment);
+        double mass = yk_model_body_mass(session->model, b), *load = balance.loads.force;
+        if (mass > 0) yk_scale_add(session, hypot(load[0], load[1]) / mass, YK_QUANTITY_ACCELERATION);
+    }
+}
+
+void yk_scale_add_bodies(YkSession *session, const YkState *state)
+{
+    if (!yk_state_has_rates(state)) return;
+    for (size_t i = 1; i < yk_model_body_count(session->model); i++)
+        add_motion(session, yk_state_body(state, i), false);
+    for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
+        YkPointMotion m = yk_state_point(state, i);
+        yk_scale_add(session, hypot(m.velocity[0], m.velocity[1]), YK_QUANTITY_SPEED);
+        yk_scale_add(session, hypot(m.acceleration[0], m.acceleration[1]), YK_QUANTITY_ACCELERATION);
+    }
+}
+
+void yk_scale_add_pose(YkSession *session, const YkState *state)
+{
+    if (!yk_state_has_rates(state)) return;
+    for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)
+        add_motion(session, yk_state_coordinate(state, i), yk_coordinate_info(session->mech, i).is_distance);
+    yk_scale_add_bodies(session, state);
+    if (session->dynamics) add_forces(session);
+}
+
+double yk_scale_noise(const YkSession *session, YkQuantity quantity)
+{
+    const YkScale *scale = &session->scale;
+    double size = size_of(session), of_angles = scale->is_exact ? noise_of_sums : noise;
+    double acceleration = fmax(scale->acceleration, scale->rate * scale->rate); // centripetal ones are added up, too
+    double force = fmax(noise * scale->force, noise_of_sums * scale->mass * acceleration * size);
+    switch (quantity) {
+    case YK_QUANTITY_ANGLE:
+        return of_angles;
+    case YK_QUANTITY_LENGTH:
+        return noise * size;
+    case YK_QUANTITY_ANGLE_RATE:
+        return of_angles * scale->rate;
+    case YK_QUANTITY_SPEED:
+        return noise * scale->rate * size;
+    case YK_QUANTITY_ANGLE_ACCELERATION:
+        return of_angles * acceleration;
+    case YK_QUANTITY_ACCELERATION:
+        return noise * acceleration * size;
+    case YK_QUANTITY_FORCE:
+        return force;
+    case YK_QUANTITY_TORQUE:
+        return force * size;
+    case YK_QUANTITY_ENERGY: // a potential is a sum of weights times heights
+        return noise_of_sums * fmax(scale->energy, scale->force * size);
+    default:
+        return 0;
+    }
+}
+
+double yk_scale_kinetic_noise(const YkSession *session)
+{
+    double speed = noise_of_sums * session->scale.rate * size_of(session);
+    return session->scale.mass * speed * speed;
+}

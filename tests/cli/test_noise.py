@@ -1,0 +1,122 @@
+"""Rounding noise is 0 in the tables for people and exact in JSON; what is small and true is told."""
+import re
+import unittest
+
+from harness import Case
+
+# A slider-crank that turns fast: the piston's y is 0 in truth, and its velocity and acceleration with it.
+FAST = """\
+bodies:
+  ground: {points: {O: [0, 0]}}
+  crank:  {points: {O: [0, 0], A: [0.05, 0]}, mass: 2, inertia: 0.001}
+  rod:    {points: {A: [0, 0], B: [0.18, 0]}, mass: 1, rod: [A, B]}
+  piston: {points: {B: [0, 0]}, mass: 0.5}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, rod], angle: phi}
+  S: {slide: [ground, piston], along: %s, distance: s}
+  B: {pin: [rod, piston]}
+drives: {theta: 1 + %g rad/s * t}
+start: {phi: -1.2, s: 0.2}
+"""
+
+# Lengths of a micrometre, masses of picograms, one turn in a year.
+TINY = """\
+parameters: {r: 0.05 um, l: 0.18 um}
+bodies:
+  ground: {points: {O: [0, 0]}}
+  crank:  {points: {O: [0, 0], A: [r, 0]}, mass: 1e-15}
+  rod:    {points: {A: [0, 0], B: [l, 0]}, mass: 1e-15, rod: [A, B]}
+  piston: {points: {B: [0, 0]}, mass: 1e-15}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, rod], angle: phi}
+  S: {slide: [ground, piston], along: x, distance: s}
+  B: {pin: [rod, piston]}
+drives: {theta: 1 + 2e-7 rad/s * t}
+start: {phi: -1.2, s: 0.2 um}
+"""
+
+# Eight stages of 1 : 50, each shaft pinned to the ground.
+TRAIN = ("bodies:\n  ground: {points: {%s}}\n" % ", ".join("P%d: [%d, 0]" % (k, k) for k in range(9))
+         + "".join("  g%d: {}\n" % k for k in range(9)) + "joints:\n"
+         + "".join("  P%d: {pin: [ground, g%d], angle: a%d}\n" % (k, k, k) for k in range(9)) + "gears:\n"
+         + "".join("  m%d: {mesh: [g%d, g%d], teeth: [20, 1000]}\n" % (k, k, k + 1) for k in range(8))
+         + "drives: {a0: 3000 rpm * t}\n")
+
+
+def numbers(text, name):
+    """The numbers of the line that begins with this name."""
+    (line,) = re.findall(r"(?m)^  %s  .*$" % re.escape(name), text)
+    return [float(word) for word in re.findall(r"(?<![\w.])-?\d[\d.]*(?:e[+-]?\d+)?(?!\w)", line[2 + len(name):])]
+
+
+class Noise(Case):
+    def both(self, model, *words):
+        path = self.write("machine.yaml", model)
+        return self.good("solve", path, *words).out, self.good("solve", path, *words, "--format", "json").json()["configurations"][0]
+
+    def test_what_is_0_in_truth_is_0_in_text_and_exact_in_json(self):
+        seen = 0
+        for along in ("x", "0.3", "90 deg", "-1.1"):
+            for rate in (1e-3, 1, 300, 1e5):
+                # The guide's direction turned: across it the piston moves by nothing, whatever its size along it.
+                text, pose = self.both(FAST % (along, rate))
+                piston = pose["bodies"]["piston"]
+                self.assertEqual([piston["rate"], piston["acceleration"]], [0, 0])
+                if along == "90 deg":
+                    x = numbers(text, "piston.B")[0::2]
+                    self.assertEqual(x, [0, 0, 0])
+                    seen += any(pose["points"]["piston.B"][key][0] != 0 for key in ("position", "velocity", "acceleration"))
+                if along == "x":
+                    self.assertEqual(numbers(text, "piston.B")[1::2], [0, 0, 0])
+        self.assertGreater(seen, 0)  # otherwise nothing was hidden here
+
+    def test_every_value_that_is_not_noise_is_told(self):
+        for model in (FAST % ("x", 1e-12), FAST % ("x", 300), TINY):
+            text, pose = self.both(model)
+            for name, motion in pose["coordinates"].items():
+                label = name + " (input)" if name == "theta" else name
+                told = numbers(text, label)
+                for have, want in zip(told, (motion["position"], motion["velocity"], motion["acceleration"])):
+                    self.assertAlmostEqual(have, want, delta=1e-5 * abs(want))
+            for name in ("A", "B"):
+                told = [float(word) for word in re.findall(r"-?\d[\d.]*(?:e[+-]?\d+)?", re.findall(r"(?m)^  %s +\w+, \w+ (.*)$" % name, text)[0])]
+                force = pose["reactions"][name]["force"]
+                for have, want in zip(told, force):
+                    self.assertAlmostEqual(have, want, delta=1e-5 * abs(want))
+                    self.assertNotEqual(have, 0)
+            kinetic = float(re.search(r"kinetic (\S+) J", text)[1])
+            self.assertAlmostEqual(kinetic, pose["energy"]["kinetic"], delta=1e-5 * pose["energy"]["kinetic"])
+            self.assertGreater(kinetic, 0)
+
+    def test_the_last_wheel_of_a_long_train_turns(self):
+        text, pose = self.both(TRAIN)
+        expected = 3000 * 3.141592653589793 / 30 / 50 ** 8
+        self.assertAlmostEqual(pose["coordinates"]["a8"]["velocity"], expected, delta=1e-13 * expected)
+        self.assertAlmostEqual(numbers(text, "a8")[1], expected, delta=1e-5 * expected)
+        self.assertLess(expected / 314, 1e-13)
+
+    def test_a_value_of_the_command_line_is_told_as_it_was_given(self):
+        text, _ = self.both(FAST % ("x", 1), "--at", "theta=1e-20", "--rate", "theta=3e-25")
+        self.assertEqual(numbers(text, "theta (input)")[:2], [1e-20, 3e-25])
+
+    def test_tables_over_a_range_hide_noise_alone(self):
+        path = self.write("machine.yaml", FAST % ("90 deg", 300))
+        words = ("--over", "theta=-180deg:180deg", "--steps", "12", "--of", "s,piston.B.x,piston.B.x.accel,s.accel,kinetic")
+        text = self.good("sweep", path, *words).out
+        rows = [line.split() for line in text.split("\n\n")[1].splitlines()[1:]]
+        exact = self.good("sweep", path, *words, "--format", "json").json()["rows"]
+        self.assertEqual(len(rows), 13)
+        hidden = 0
+        for told, true in zip(rows, exact):
+            self.assertEqual([told[2], told[3]], ["0", "0"])
+            hidden += true[2] != 0
+            for column in (1, 4, 5):
+                self.assertAlmostEqual(float(told[column]), true[column], delta=1e-5 * abs(true[column]))
+        self.assertGreater(hidden, 0)
+        self.assertEqual(rows[6][0], "0")
+
+
+if __name__ == "__main__":
+    unittest.main()
