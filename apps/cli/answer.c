@@ -23,16 +23,28 @@ YkCode yk_status_code(YkStatus status)
         return YK_CODE_POSE_NOT_CONVERGED;
     case YK_NO_MEMORY:
         return YK_CODE_OUT_OF_MEMORY;
+    case YK_STOPPED:
+        return YK_CODE_POSE_STOPPED;
     default:
         return YK_CODE_OPTION_VALUE;
     }
 }
 
+const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE])
+{
+    int number = (int)code;
+    word[0] = 'E';
+    for (int i = 4; i > 0; i--, number /= 10) word[i] = (char)('0' + number % 10);
+    word[5] = '\0';
+    return word;
+}
+
 int yk_status_exit(YkStatus status)
 {
     if (status >= 0) return YK_EXIT_DONE;
-    return status == YK_LIMIT || status == YK_NO_ASSEMBLY || status == YK_NOT_CONVERGED ? YK_EXIT_NO_ANSWER
-                                                                                        : YK_EXIT_WRONG;
+    return status == YK_LIMIT || status == YK_NO_ASSEMBLY || status == YK_NOT_CONVERGED || status == YK_STOPPED
+               ? YK_EXIT_NO_ANSWER
+               : YK_EXIT_WRONG;
 }
 
 // What a status means, where the solver has no more to say of it.
@@ -68,15 +80,13 @@ int yk_freedom_of(const YkMechanism *mech)
 
 void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char *message)
 {
-    char code[8] = "E0000";
+    char code[YK_CODE_SIZE];
     yk_json_string(json, "model", yk_model_name(session->model));
     yk_json_string(json, "status", yk_status_name(status));
     yk_json_integer(json, "freedom", yk_freedom_of(session->mech));
     if (status == YK_OK) return;
-    int number = (int)yk_status_code(status);
-    for (int i = 4; i > 0; i--, number /= 10) code[i] = (char)('0' + number % 10);
     yk_json_string(json, "message", words_of(status, message));
-    yk_json_string(json, "code", code);
+    yk_json_string(json, "code", yk_code_word(yk_status_code(status), code));
 }
 
 double yk_shown(const YkSession *session, double value, YkQuantity quantity)

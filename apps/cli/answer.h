@@ -4,10 +4,12 @@
 #include "cli.h"
 #include "out/json.h"
 
-enum { YK_DIGITS = 6, YK_LABEL_SIZE = 256, YK_NAME_SIZE = 256 };
+enum { YK_CODE_SIZE = 6, YK_DIGITS = 6, YK_LABEL_SIZE = 256, YK_NAME_SIZE = 256 };
 
 // The code that `yoke explain` knows for a status; YK_CODE_NONE for YK_OK.
 YkCode yk_status_code(YkStatus status);
+// A code as it is printed: "E0602".
+const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE]);
 // Adds a status other than YK_OK to the problems, in the words given.
 void yk_tell_status(YkSession *session, YkStatus status, const char *message);
 // 0 where the answer stands, 1 where the machine has none, 2 where the request was wrong.
@@ -18,8 +20,8 @@ int yk_freedom_of(const YkMechanism *mech);
 void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char *message);
 // A value in the file's unit, with what is rounding noise by the session's scale (scale.h) taken for zero.
 double yk_shown(const YkSession *session, double value, YkQuantity quantity);
-// Warns of cams that would have to pull their followers at the pose just solved; `at` (or NULL) is the time. True: there
-// are such.
+// Warns of cams that would have to pull their followers at the pose just solved; `at` (or NULL) is the time. True:
+// there are such.
 bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, const double *at);
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity);
 // Adds "190.09 deg", to `digits` significant digits, in the file's unit; angles in radians also in degrees.

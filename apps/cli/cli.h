@@ -41,6 +41,7 @@ typedef struct YkRequest {
     YkWords checks;         // derive
     const char *what, *svg; // derive
     const char *animate;    // draw
+    const char *assembly;
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
     YkPairs event;
@@ -55,13 +56,29 @@ typedef struct YkRequest {
     bool all, modes, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
+// One order (0 position, 1 rate, 2 acceleration) of an input, set by --at, --rate or --accel.
+typedef struct YkSetInput {
+    size_t input;
+    int order;
+    double value;
+} YkSetInput;
+
 // One run: the request and what was made of it so far.
 struct YkSession {
     const YkRequest *request;
     YkProblems *problems; // of the command line and of the answer: printed as "yoke: error: ..."
     YkModel *model;
     YkMechanism *mech;
+    YkMechanism *base; // compiled without the command line's inputs, where those are others; otherwise NULL
+    YkModel *own;      // the file with its own parameters, where --param gives others; otherwise NULL
     YkState *state;
+    YkSetInput *holds; // [hold_count]
+    size_t hold_count;
+    double time;          // --time, s
+    YkMove move;          // how the pose was reached
+    YkText reach_message; // why it was not
+    bool is_chosen;       // --assembly took the configuration
+    bool is_start;        // the configuration that is written is the machine's own
     YkDynamics *dynamics;       // where forces are asked for and the machine has masses or loads; otherwise NULL
     const char *forces_message; // why the pose has no forces, though the machine has loads; otherwise NULL
     const YkColumns *columns;   // solve: those of --of; NULL: everything is told

@@ -3,6 +3,7 @@
 #include "derive.h"
 #include "out/file_set.h"
 #include "out/free_body.h"
+#include "reach.h"
 
 enum { DRAWINGS_MAX = 2000 };
 
@@ -41,8 +42,8 @@ static bool write_all(YkSession *session, YkFreeBodyDrawings *pictures)
 int yk_derive_drawings(YkSession *session, YkDerivation *derivation)
 {
     if (!session->state && !yk_session_inputs(session)) return YK_EXIT_WRONG;
-    YkStatus status = yk_state_assemble(session->state);
-    yk_tell_status(session, status, yk_state_report(session->state)->message);
+    YkStatus status = yk_session_reach(session, NULL);
+    yk_reach_tell(session, status);
     if (status < 0) return YK_EXIT_NO_ANSWER;
     if (derivation->model->body_count > DRAWINGS_MAX) {
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--svg draws machines of at most 2000 bodies%s", "");

@@ -19,9 +19,10 @@ static bool run_out(YkSession *session)
     return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
 }
 
-static YkModel *load_model(YkSession *session, YkProblems *problems)
+YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems)
 {
-    const YkPairs *param = &session->request->param;
+    static const YkPairs none = {0};
+    const YkPairs *param = with_params ? &session->request->param : &none;
     YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
     if (!overrides) return NULL;
     for (size_t i = 0; i < param->count; i++) overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
@@ -61,6 +62,28 @@ static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *p
     return mech;
 }
 
+static bool is_input(const YkMechanism *mech, const char *name)
+{
+    int coordinate = yk_coordinate_find(mech, name);
+    return coordinate >= 0 && yk_coordinate_info(mech, (size_t)coordinate).input >= 0;
+}
+
+// The file's own choice of inputs says where the machine was put together. Where the command line's are the same in
+// another order, that mechanism serves for both: then every verb computes the same bits.
+static void find_base(YkSession *session)
+{
+    YkProblems *quiet = yk_problems_new(); // the same as those of session->mech, if there are any
+    session->base = quiet ? yk_mechanism_compile(session->model, NULL, quiet) : NULL;
+    yk_problems_free(quiet);
+    bool same = session->base != NULL;
+    for (size_t i = 0; same && i < yk_input_count(session->mech); i++)
+        same = is_input(session->base, yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, i)).name);
+    if (!same) return;
+    yk_mechanism_free(session->mech);
+    session->mech = session->base;
+    session->base = NULL;
+}
+
 static bool has_file(YkSession *session)
 {
     if (session->request->file) return true;
@@ -76,8 +99,11 @@ static bool load(YkSession *session, bool compiles, const char *swept)
     if (!has_file(session)) return false;
     YkProblems *problems = yk_problems_new();
     if (!problems) return run_out(session);
-    session->model = load_model(session, problems);
+    session->model = yk_session_load_model(session, true, problems);
     if (session->model && compiles) session->mech = compile(session, swept, problems);
+    const YkRequest *request = session->request;
+    if (session->mech && (swept || request->at.count + request->rate.count + request->accel.count > 0))
+        find_base(session);
     bool is_told = yk_problems_error_count(problems) > 0;
     if (session->is_simulation) {
         session->file_problems = problems;
@@ -194,39 +220,49 @@ static bool find_input(YkSession *session, const char *name, size_t *input, bool
     return true;
 }
 
-// Sets the order-th derivative of every coordinate that the list names.
-static bool set_inputs(YkSession *session, const char *option, const YkPairs *pairs, int order)
+// Reads what every coordinate's order-th derivative is held at.
+static bool read_holds(YkSession *session, const char *option, const YkPairs *pairs, int order)
 {
     for (size_t i = 0; i < pairs->count; i++) {
-        size_t input = 0;
+        YkSetInput hold = {.order = order};
         bool is_distance = false;
-        double value = 0;
         const YkPair *pair = &pairs->items[i];
-        if (!find_input(session, pair->name, &input, &is_distance)) return false;
-        if (!yk_session_value(session, option, pair->name, pair->value, yk_quantity_of(is_distance, order), &value))
+        if (!find_input(session, pair->name, &hold.input, &is_distance)) return false;
+        if (!yk_session_value(session, option, pair->name, pair->value, yk_quantity_of(is_distance, order),
+                              &hold.value))
             return false;
-        YkMotion motion = yk_state_input(session->state, input);
-        *(order == 0 ? &motion.position : order == 1 ? &motion.velocity : &motion.acceleration) = value;
-        yk_state_set_input(session->state, input, motion);
+        session->holds[session->hold_count++] = hold;
     }
     return true;
+}
+
+void yk_session_hold(const YkSession *session, YkState *state)
+{
+    for (size_t k = 0; k < session->hold_count; k++)
+        yk_state_hold_input(state, session->holds[k].input, session->holds[k].order, session->holds[k].value);
 }
 
 bool yk_session_inputs(YkSession *session)
 {
     const YkRequest *request = session->request;
-    double time = 0;
+    size_t most = request->at.count + request->rate.count + request->accel.count + 1; // one more: of a sweep's start
     session->state = yk_state_new(session->mech);
-    if (!session->state) return run_out(session);
-    if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &time)) return false;
-    YkStatus status = yk_state_set_time(session->state, time, session->problems);
+    session->holds = calloc(most, sizeof *session->holds);
+    if (!session->state || !session->holds) return run_out(session);
+    if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &session->time))
+        return false;
+    YkStatus status = yk_state_set_time(session->state, session->time, session->problems);
     if (status < 0) {
         if (yk_problems_error_count(session->problems) == 0)
             yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the drives have no value at this time%s", "");
         return false;
     }
-    return set_inputs(session, "--at", &request->at, 0) && set_inputs(session, "--rate", &request->rate, 1) &&
-           set_inputs(session, "--accel", &request->accel, 2);
+    bool good = read_holds(session, "--at", &request->at, 0);
+    if (!session->is_simulation) // there --rate is of the start alone
+        good = good && read_holds(session, "--rate", &request->rate, 1) &&
+               read_holds(session, "--accel", &request->accel, 2);
+    yk_session_hold(session, session->state);
+    return good;
 }
 
 bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort)
@@ -297,7 +333,11 @@ void yk_session_free(YkSession *session)
     yk_dynamics_free(session->dynamics);
     yk_state_free(session->state);
     yk_mechanism_free(session->mech);
+    yk_mechanism_free(session->base);
     yk_model_free(session->model);
+    yk_model_free(session->own);
+    free(session->holds);
+    yk_text_free(&session->reach_message);
     yk_problems_free(session->file_problems);
     yk_text_free(&session->out);
 }

@@ -8,8 +8,13 @@ bool yk_session_model(YkSession *session);
 // Loads the model and compiles it; coordinates that the command line sets are its inputs. `swept` (or NULL) is one
 // more, the first. False when the file or a name is wrong: all is printed then.
 bool yk_session_load(YkSession *session, const char *swept);
-// Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel. False when a value is wrong.
+// Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel, which are held from then on. False
+// when a value is wrong. The pose comes from yk_session_reach (reach.h).
 bool yk_session_inputs(YkSession *session);
+// The model with the parameters of --param, or (with_params false) with the file's own.
+YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems);
+// Holds the inputs of a state as --at, --rate and --accel say.
+void yk_session_hold(const YkSession *session, YkState *state);
 // Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all (a motion that is imposed). False
 // when a name or value is wrong.
 bool yk_session_forces(YkSession *session, bool all_prescribed);

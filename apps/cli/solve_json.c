@@ -1,5 +1,6 @@
 #include <math.h>
 #include "out/words.h"
+#include "reach.h"
 #include "solve.h"
 
 static void add_rates(YkSession *session, YkJson *json, const YkState *state, const char *rate, YkMotion motion)
@@ -76,9 +77,11 @@ static void add_transmission(YkSession *session, YkJson *json, const YkState *st
 
 void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
 {
-    YkText label = yk_label_of(state);
+    YkText label = yk_configuration_name(session, state);
     yk_json_object(json, NULL, YK_JSON_LINES);
     yk_json_string(json, "label", yk_text_get(&label));
+    yk_json_bool(json, "is_start", session->is_start);
+    yk_json_string(json, "reached", session->is_chosen ? "chosen" : "moved");
     if (session->forces_message) yk_json_string(json, "message", session->forces_message); // why there are no forces
     add_coordinates(session, json, state);
     add_bodies(session, json, state);

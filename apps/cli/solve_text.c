@@ -3,6 +3,7 @@
 #include "out/table.h"
 #include "out/words.h"
 #include "session.h"
+#include "reach.h"
 #include "solve.h"
 
 static void write_table(YkSession *session, YkTable *table)
@@ -144,9 +145,10 @@ static void add_all(YkSession *session, const YkState *state)
 
 void yk_solve_text(YkSession *session, const YkState *state, size_t index)
 {
-    YkText label = yk_label_of(state);
+    YkText label = yk_configuration_name(session, state);
     if (session->request->all) {
-        yk_text_format(&session->out, "\nConfiguration %z: %s\n", index + 1, yk_text_get(&label));
+        yk_text_format(&session->out, "\nConfiguration %z: %s%s\n", index + 1, yk_text_get(&label),
+                       session->is_start ? " (the machine's own)" : "");
     } else if (label.length > 0) {
         yk_text_format(&session->out, "Configuration %s\n", yk_text_get(&label));
     }

@@ -4,6 +4,7 @@
 #include "base/names.h"
 #include "derive.h"
 #include "out/stream.h"
+#include "reach.h"
 
 enum { SECTIONS_MAX = 32 };
 
@@ -72,9 +73,13 @@ static bool read_format(YkSession *session, YkPageFormat *format)
 bool yk_derive_pose(YkSession *session)
 {
     if ((!session->state && !yk_session_inputs(session)) || !yk_session_forces(session, false)) return false;
-    YkStatus status = yk_state_assemble(session->state);
+    YkStatus status = yk_session_reach(session, NULL);
+    if (status < 0) {
+        yk_reach_tell(session, status);
+        return false;
+    }
     const char *message = yk_state_report(session->state)->message;
-    if (status >= 0 && session->dynamics) {
+    if (session->dynamics) {
         status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
         if (status < 0) message = yk_dynamics_report(session->dynamics)->message;
     }

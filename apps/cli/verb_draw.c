@@ -6,7 +6,7 @@
 #include "out/file.h"
 #include "out/movie.h"
 #include "range.h"
-#include "session.h"
+#include "reach.h"
 
 enum { POSES_MAX = 1000, TRACE_STEPS = 720 };
 static const double full_turn = 6.28318530717958647692;
@@ -46,45 +46,75 @@ static void choose_range(Drawer *drawer)
     }
 }
 
-// Moves the state to a place in the range; false where it does not close.
-static bool move_to(Drawer *drawer, YkState *state, double at)
+// What becomes of the poses of a walk through the range.
+typedef struct Walk {
+    Drawer *drawer;
+    size_t seen, stride, most, added; // every stride-th pose is drawn, faint; up to `most`
+    YkStatus status;
+} Walk;
+
+static void draw_pose(void *context, const YkState *state)
 {
-    if (drawer->over.coordinate < 0) return yk_state_set_time(state, at, NULL) >= 0 && yk_state_solve(state) >= 0;
-    size_t input = (size_t)yk_coordinate_info(drawer->session->mech, (size_t)drawer->over.coordinate).input;
-    YkMotion motion = yk_state_input(state, input);
-    motion.position = at;
-    yk_state_set_input(state, input, motion);
-    return yk_state_solve(state) >= 0;
+    Walk *walk = context;
+    YkDrawing *drawing = walk->drawer->drawing;
+    bool is_faint = walk->stride > 0 && walk->seen % walk->stride == 0 && walk->added < walk->most;
+    walk->seen++;
+    if (walk->status == YK_OK) walk->status = yk_drawing_trace(drawing, state);
+    if (!is_faint || walk->status != YK_OK) return;
+    walk->status = yk_drawing_pose(drawing, state);
+    walk->added++;
 }
 
-// Goes from where the state is to the start of the range in small steps, so that Newton's method can follow.
-static void approach(Drawer *drawer, YkState *state)
+static double last_limit(const YkSweep *sweep, double fallback)
 {
-    double from = drawer->over.coordinate < 0 ? yk_state_time(state)
-                                              : yk_state_coordinate(state, (size_t)drawer->over.coordinate).position;
-    for (size_t i = 1; i <= TRACE_STEPS; i++)
-        move_to(drawer, state, from + (drawer->over.from - from) * (double)i / TRACE_STEPS);
+    for (size_t k = yk_sweep_event_count(sweep); k-- > 0;)
+        if (yk_sweep_event(sweep, k).kind == YK_EVENT_LIMIT) return yk_sweep_event(sweep, k).at;
+    return fallback;
 }
 
-// Walks the range once, adding the traced points' positions and, at equal distances, faint poses.
-static YkStatus walk(Drawer *drawer, YkState *state)
+static void tell_clipped(Drawer *drawer, double from, double to)
 {
+    YkSession *session = drawer->session;
+    YkText part = {0};
+    yk_add_value(session, &part, from, drawer->over.quantity, YK_DIGITS);
+    yk_text_puts(&part, " to ");
+    yk_add_value(session, &part, to, drawer->over.quantity, YK_DIGITS);
+    yk_problem(session->problems, YK_CODE_RANGE_CLIPPED, (YkPlace){0}, "%s goes from %s only: beyond, it meets a limit",
+               drawer->over.name ? drawer->over.name : "the range", yk_text_get(&part));
+    yk_text_free(&part);
+}
+
+// Walks the range once from where the state stands, verified as a sweep is, adding the traced points' positions and, at
+// equal distances, faint poses. What lies beyond a limit is left out, and told.
+static YkStatus walk_range(Drawer *drawer, YkState *state)
+{
+    YkSweepOptions options = yk_default_sweep_options();
     double span = drawer->over.to - drawer->over.from;
     bool is_turn = drawer->over.quantity == YK_QUANTITY_ANGLE && span > full_turn - 1e-9 && span < full_turn + 1e-9;
-    size_t gaps =
-        drawer->poses > 1 && !is_turn ? drawer->poses - 1 : drawer->poses; // over a turn the last pose is the first
-    size_t stride = gaps > 0 ? (TRACE_STEPS + gaps - 1) / gaps : 1, steps = gaps > 0 ? stride * gaps : TRACE_STEPS,
-           added = 0;
-    YkStatus status = YK_OK;
-    approach(drawer, state);
-    for (size_t i = 0; i <= steps && status == YK_OK; i++) {
-        if (!move_to(drawer, state, drawer->over.from + span * (double)i / (double)steps)) continue;
-        status = yk_drawing_trace(drawer->drawing, state);
-        if (gaps == 0 || i % stride != 0 || added >= drawer->poses || status != YK_OK) continue;
-        status = yk_drawing_pose(drawer->drawing, state);
-        added++;
+    // over a turn the last pose is the first
+    size_t gaps = drawer->poses > 1 && !is_turn ? drawer->poses - 1 : drawer->poses;
+    Walk walk = {.drawer = drawer, .most = drawer->poses, .stride = gaps > 0 ? (TRACE_STEPS + gaps - 1) / gaps : 0};
+    options.coordinate = drawer->over.coordinate;
+    options.from = drawer->over.from;
+    options.to = drawer->over.to;
+    options.steps = gaps > 0 ? walk.stride * gaps : TRACE_STEPS;
+    options.visit = draw_pose;
+    options.context = &walk;
+    YkStatus status = YK_LIMIT;
+    for (int attempt = 0; attempt < 2 && status == YK_LIMIT && walk.seen == 0; attempt++) {
+        YkSweep *sweep = yk_sweep_run(state, &options, NULL, 0, drawer->session->problems);
+        if (!sweep) return YK_NO_MEMORY;
+        status = yk_sweep_status(sweep);
+        double end = last_limit(sweep, options.from);
+        if (walk.seen == 0)
+            options.from = end; // FROM is out of reach: from as near to it as the machine comes
+        else
+            options.to = status == YK_LIMIT ? end : options.to;
+        yk_sweep_free(sweep);
     }
-    return status;
+    if (options.from != drawer->over.from || options.to != drawer->over.to)
+        tell_clipped(drawer, options.from, options.to);
+    return walk.status;
 }
 
 static YkStatus gather(Drawer *drawer)
@@ -96,7 +126,7 @@ static YkStatus gather(Drawer *drawer)
         YkState *moving = yk_state_new(session->mech);
         if (!moving) return YK_NO_MEMORY;
         status = yk_state_copy(moving, session->state);
-        if (status >= 0) status = walk(drawer, moving);
+        if (status >= 0) status = walk_range(drawer, moving);
         yk_state_free(moving);
     }
     return status < 0 ? status : yk_drawing_pose(drawer->drawing, session->state);
@@ -178,6 +208,11 @@ static int animate(Drawer *drawer)
     YkReportOptions options;
     int exit_code = YK_EXIT_WRONG;
     if (!movie_options(drawer, kind, &options)) return exit_code;
+    YkStatus reached = yk_session_reach(session, NULL);
+    if (reached < 0) {
+        yk_reach_tell(session, reached);
+        return yk_status_exit(reached);
+    }
     YkReportPage *motion = yk_report_new(session->state, &options, session->problems);
     YkStatus status = motion ? yk_report_status(motion) : YK_NO_MEMORY;
     if (motion) yk_tell_status(session, status, yk_report_message(motion));
@@ -217,8 +252,8 @@ int yk_run_draw(YkSession *session)
     if (good && session->request->animate) {
         exit_code = animate(&drawer);
     } else if (good) {
-        YkStatus status = yk_state_assemble(session->state);
-        yk_tell_status(session, status, yk_state_report(session->state)->message);
+        YkStatus status = yk_session_reach(session, NULL);
+        yk_reach_tell(session, status);
         exit_code = yk_status_exit(status);
         if (status >= 0) exit_code = draw(&drawer, kind) ? yk_session_finish(session, exit_code) : YK_EXIT_WRONG;
     }

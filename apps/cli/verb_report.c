@@ -4,7 +4,7 @@
 #include "answer.h"
 #include "out/print.h"
 #include "range.h"
-#include "session.h"
+#include "reach.h"
 
 enum { STEPS_MAX = 2000 };
 
@@ -116,7 +116,13 @@ int yk_run_report(YkSession *session)
 {
     Reporter reporter = {.session = session};
     int exit_code = YK_EXIT_WRONG;
-    if (prepare(&reporter)) {
+    YkStatus reached = YK_BAD_ARGUMENT;
+    bool good = prepare(&reporter);
+    if (good) reached = yk_session_reach(session, NULL);
+    if (good && reached < 0 && reached != YK_NO_ASSEMBLY) { // a machine that does not go together has a page
+        yk_reach_tell(session, reached);
+        exit_code = yk_status_exit(reached);
+    } else if (good) {
         YkReportPage *report = yk_report_new(session->state, &reporter.options, session->problems);
         if (report) exit_code = write_report(&reporter, report);
         yk_report_free(report);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
-#include "session.h"
+#include "reach.h"
 #include "simulate.h"
 
 enum { CHUNK = 16384 };
@@ -173,6 +173,29 @@ static int refuse(YkSimulationAnswer *answer)
     return yk_session_finish(session, YK_EXIT_NO_ANSWER);
 }
 
+// The pose at --from, on the machine's own assembly or that of --assembly. Where it is not reached there is no motion,
+// which is an answer.
+static int refuse_pose(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    char code[YK_CODE_SIZE];
+    yk_print_problems(session->file_problems, session->request->quiet);
+    yk_reach_tell(session, answer->status);
+    if (session->request->format != YK_FORMAT_JSON) return yk_status_exit(answer->status);
+    yk_simulate_json(answer, yk_reach_message(session), yk_code_word(yk_status_code(answer->status), code));
+    return yk_session_finish(session, yk_status_exit(answer->status));
+}
+
+static YkStatus reach(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    if (!yk_session_inputs(session)) return YK_BAD_ARGUMENT;
+    session->time = answer->from;
+    answer->status = yk_session_reach(session, NULL);
+    answer->options.pose = session->state;
+    return answer->status;
+}
+
 static int simulate(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -182,6 +205,8 @@ static int simulate(YkSimulationAnswer *answer)
     watch.last_flush = watch.last_progress = now();
     answer->options.goes_on = look;
     answer->options.context = &watch;
+    if (good && reach(answer) < 0)
+        return yk_problems_error_count(session->problems) > 0 ? YK_EXIT_WRONG : refuse_pose(answer);
     if (good) answer->simulation = yk_simulation_new(session->model, &answer->options, session->file_problems);
     if (session->file_problems) yk_print_problems(session->file_problems, session->request->quiet);
     if (!good) return YK_EXIT_WRONG;

@@ -1,6 +1,6 @@
 // yoke solve: one pose, or every one that the inputs allow.
 #include "columns.h"
-#include "session.h"
+#include "reach.h"
 #include "solve.h"
 
 // The writer that the format asks for, and what it writes of a configuration.
@@ -11,6 +11,7 @@ typedef struct Writer {
     YkDynamics *dynamics;
     YkDynamicsMethod method;
     YkState *scratch;
+    YkState *own; // --all: the machine's own pose; NULL where it does not come there
 } Writer;
 
 // Has the machine inputs whose accelerations are sought?
@@ -65,7 +66,10 @@ static void write_one(Writer *writer, const YkState *state)
 static bool visit(void *context, YkState *state)
 {
     Writer *writer = context;
+    YkSession *session = writer->session;
     yk_state_copy(writer->scratch, state);
+    session->is_start = writer->own && yk_same_configuration(writer->own, state);
+    session->is_chosen = !session->is_start;
     find_forces(writer, writer->scratch);
     write_one(writer, writer->scratch);
     return true;
@@ -74,14 +78,17 @@ static bool visit(void *context, YkState *state)
 // Poses that stand get written; a failure leaves the list empty.
 static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
 {
-    YkState *state = writer->session->state;
-    if (status < 0) return status;
-    if (!writer->session->request->all) {
-        write_one(writer, state);
+    YkSession *session = writer->session;
+    if (!session->request->all) {
+        if (status >= 0) write_one(writer, session->state);
         return status;
     }
-    YkStatus each = yk_state_each(state, visit, writer, is_complete);
-    return each < 0 ? each : status;
+    if (status >= 0) writer->own = yk_state_new(session->mech);
+    if (writer->own) yk_state_copy(writer->own, session->state);
+    if (yk_reach_ask(session) < 0) return YK_NO_ASSEMBLY;
+    YkStatus each = yk_state_each(session->state, visit, writer, is_complete);
+    yk_state_free(writer->own);
+    return each;
 }
 
 static void begin(Writer *writer, YkStatus status, const char *message)
@@ -119,12 +126,23 @@ static int solve(Writer *writer)
 {
     YkSession *session = writer->session;
     bool is_complete = true;
-    YkStatus pose = yk_state_assemble(session->state);
+    YkStatus pose = yk_session_reach(session, NULL);
     YkReport report = *yk_state_report(session->state);
     YkStatus forces = pose < 0 ? YK_OK : find_forces(writer, session->state);
-    YkStatus status = forces == YK_OK ? pose : forces; // of the nearest configuration
-    const char *message = forces == YK_OK ? report.message : session->forces_message;
-    yk_tell_status(session, status, message);
+    YkStatus status = forces == YK_OK ? pose : forces; // of the machine's own configuration
+    const char *message = pose < 0          ? yk_reach_message(session)
+                          : forces == YK_OK ? report.message
+                                            : session->forces_message;
+    if (pose < 0 && session->request->all && yk_reach_count(session) > 0) {
+        yk_problem(session->problems, YK_CODE_NONE_IS_OWN, (YkPlace){0},
+                   "none of these is the machine's own configuration, which does not come here: %s", message);
+        status = YK_OK;
+        message = "";
+    } else if (pose < 0) {
+        yk_reach_tell(session, pose);
+    } else {
+        yk_tell_status(session, status, message);
+    }
     begin(writer, status, message);
     if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics, NULL);
     YkStatus written = write_all(writer, pose, &is_complete);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "out/file.h"
-#include "session.h"
+#include "reach.h"
 #include "sweep.h"
 
 enum { STEPS_MAX = 10000000, STEPS = 36 };
@@ -35,24 +35,6 @@ static bool read_columns(YkSweepAnswer *answer)
         if ((int)i != answer->over.coordinate)
             good &= add_column(answer, &capacity, yk_coordinate_info(session->mech, i).name);
     return good;
-}
-
-// Assembles at the file's own pose, so that its guesses choose the configuration; where that does not close, at the
-// sweep's start.
-static YkStatus assemble(YkSweepAnswer *answer)
-{
-    YkState *state = answer->session->state;
-    YkStatus status = yk_state_assemble(state);
-    if (status >= 0) return status;
-    if (answer->over.coordinate < 0) {
-        YkStatus set = yk_state_set_time(state, answer->over.from, answer->session->problems);
-        return set < 0 ? set : yk_state_assemble(state);
-    }
-    size_t input = (size_t)yk_coordinate_info(answer->session->mech, (size_t)answer->over.coordinate).input;
-    YkMotion motion = yk_state_input(state, input);
-    motion.position = answer->over.from;
-    yk_state_set_input(state, input, motion);
-    return yk_state_assemble(state);
 }
 
 // The coordinate whose closing ranges are of interest: the swept one, or the one that time drives; -1 where there are
@@ -172,9 +154,11 @@ static int write_answer(YkSweepAnswer *answer)
 static int answer_sweep(YkSweepAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
-    answer->status = assemble(answer);
+    answer->status = yk_session_reach(session, &answer->over);
     if (answer->status < 0) {
-        yk_text_puts(&answer->message, yk_state_report(session->state)->message);
+        yk_text_puts(&answer->message, yk_reach_message(session));
+        yk_reach_tell(session, answer->status);
+        return write_answer(answer);
     } else if (!run(answer, steps)) {
         return YK_EXIT_WRONG;
     } else if (answer->status == YK_LIMIT) {

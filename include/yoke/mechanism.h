@@ -31,6 +31,7 @@ typedef struct YkCoordinateInfo {
     bool is_declared; // named by the file
     bool has_drive;   // an expression of time drives it
     bool is_held;     // by a lock: its drive stands
+    bool has_start;   // `start:` gives it a value
     int input;        // its place among the inputs, or -1
 } YkCoordinateInfo;
 YK_API size_t yk_coordinate_count(const YkMechanism *mech);

@@ -4,6 +4,7 @@
 #define YOKE_MOVE_H
 
 #include <yoke/state.h>
+#include <yoke/variant.h>
 
 typedef struct YkMoveOptions {
     double turn_max; // the way is verified at least every so many radians (or this times the machine's size); default
@@ -43,10 +44,22 @@ YK_API YkStatus yk_state_move_to(YkState *state, const YkMotion *goal, const YkM
 // drive stay. Also YK_BAD_MODEL, where a drive has no value on the way.
 YK_API YkStatus yk_state_move_time(YkState *state, double time, const YkMoveOptions *options, YkMove *move,
                                    YkProblems *problems);
-// Puts a state in the pose of another one of the same model whose mechanism was compiled with other inputs: same
+// Takes the coordinates of another state of the machine as the guesses by which yk_state_assemble chooses.
+YK_API YkStatus yk_state_guess(YkState *state, const YkState *from);
+// Puts a state in the pose of another one of the same machine, whose mechanism was compiled with other inputs: same
 // coordinates, turns counted, at the same time. Inputs take the positions of their coordinates; their rates are those
-// of the drives and of `start:`. YK_OK, ...; YK_NO_ASSEMBLY where the pose is not found again, YK_SINGULAR where with
-// these inputs it is a dead point: then two branches meet there, and either may be meant.
+// of the drives and of `start:`. YK_OK, ...; YK_NO_ASSEMBLY where the pose is not found again; YK_SINGULAR where with
+// these inputs it is a dead point: two branches meet there, and either may be meant.
 YK_API YkStatus yk_state_adopt(YkState *state, const YkState *from);
+// Carries the assembly of a state of yk_variant_mechanism(variant) along while the parameters move straight from
+// from[count] to to[count], in the order of yk_variant_new, and the inputs from where they stand to goal[input_count].
+// The variant ends at `to`. YK_OK, ...; YK_NO_ASSEMBLY where the assembly comes apart on the way, YK_BAD_MODEL where the
+// parameters make no machine.
+YK_API YkStatus yk_state_carry(YkState *state, YkVariant *variant, const double *from, const double *to, size_t count,
+                               const YkMotion *goal);
+// Takes the branches of a state of a machine with other dimensions, for yk_state_solve to close. YK_OK, or
+// YK_BAD_ARGUMENT where the two are not solved in the same dyads, or in larger groups, which have no branch that
+// carries over.
+YK_API YkStatus yk_state_take_labels(YkState *state, const YkState *from);
 
 #endif

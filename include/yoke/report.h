@@ -20,8 +20,8 @@ typedef struct YkReportOptions {
 YK_API YkReportOptions yk_default_report_options(void);
 
 typedef struct YkReportPage YkReportPage;
-// Gathers everything from a state whose inputs are set: assembles it, chooses a motion and goes through it, solves the
-// forces. A machine that does not go together has a report too (yk_report_status tells). The state's model and
+// Gathers everything from a state whose inputs are set: its pose, or where it has none the configuration nearest to the
+// guesses; chooses a motion and goes through it, solves the forces. A machine that does not go together has a report too (yk_report_status tells). The state's model and
 // mechanism must outlive it. NULL with a problem added when out of memory. Cost: some hundred poses.
 YK_API YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkProblems *problems);
 YK_API void yk_report_free(YkReportPage *report);

@@ -52,6 +52,7 @@ YK_API void yk_state_set_branch(YkState *state, size_t block, int branch);
 YK_API size_t yk_state_label(const YkState *state, char *text, size_t capacity);
 
 // Answers. Indices as in the model and the mechanism.
+YK_API bool yk_state_has_pose(const YkState *state); // false until it was assembled
 YK_API bool yk_state_has_rates(const YkState *state);
 YK_API YkMotion yk_state_coordinate(const YkState *state, size_t coordinate);
 YK_API YkMotion yk_state_body(const YkState *state, size_t body); // angle to the ground

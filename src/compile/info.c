@@ -16,12 +16,27 @@ size_t yk_coordinate_count(const YkMechanism *mech)
     return mech->coordinate_count;
 }
 
+static bool has_start(const YkMechanism *mech, const YkTreeCoordinate *c)
+{
+    const YkModel *model = mech->model;
+    for (size_t k = 0; k < model->start_count; k++) {
+        const YkCoordinate *named = &model->coordinates[model->starts[k].coordinate];
+        if (!model->starts[k].is_rate && named->joint == c->joint && named->is_distance == c->is_distance) return true;
+    }
+    return false;
+}
+
 YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
 {
     const YkTreeCoordinate *c = &mech->coordinates[coordinate];
-    bool is_held = c->drive != YK_NONE && mech->model->drives[c->drive].is_hold;
-    return (YkCoordinateInfo){c->name, (size_t)c->joint, c->is_distance, c->is_declared, c->drive != YK_NONE,
-                              is_held, c->input};
+    return (YkCoordinateInfo){.name = c->name,
+                              .joint = (size_t)c->joint,
+                              .is_distance = c->is_distance,
+                              .is_declared = c->is_declared,
+                              .has_drive = c->drive != YK_NONE,
+                              .is_held = c->drive != YK_NONE && mech->model->drives[c->drive].is_hold,
+                              .has_start = has_start(mech, c),
+                              .input = c->input};
 }
 
 int yk_coordinate_find(const YkMechanism *mech, const char *name)

@@ -36,7 +36,8 @@ static bool set_positions(YkSimulation *sim, YkProblems *problems)
         int32_t input = sim->mech->coordinates[c].input;
         if (input != YK_NONE && sim->dynamics->is_free[input]) s->input[3 * input] = value->value;
     }
-    YkStatus status = yk_state_assemble(s);
+    const YkState *pose = sim->options.pose;
+    YkStatus status = pose ? yk_state_adopt(s, pose) : yk_state_assemble(s);
     if (status < 0) return refuse(sim, problems, status, s->report.message);
     yk_state_refer(s);
     return true;

@@ -1,6 +1,7 @@
 // The inside of YkSimulation.
 #ifndef DYNAMICS_SIMULATION_H
 #define DYNAMICS_SIMULATION_H
+#include <yoke/move.h>
 #include <yoke/simulation.h>
 #include "dynamics/dynamics.h"
 #include "num/ode.h"

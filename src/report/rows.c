@@ -112,6 +112,7 @@ static bool simulate(YkReportPage *report)
     options.start = report->motion.from;
     options.horizon = report->motion.to;
     options.compile = report->options.compile;
+    options.pose = yk_state_has_pose(report->start) ? report->start : NULL;
     options.steps_max = STEPS_MAX;
     report->simulation = problems ? yk_simulation_new(report->model, &options, problems) : NULL;
     if (!report->simulation) {

@@ -1,8 +1,18 @@
-// One machine's pose for the same machine with other inputs.
+// One state's pose for another state of the machine: with other inputs, or a little other dimensions.
 #include <yoke/move.h>
 #include "solve/state.h"
 
 #define ADOPTED 1e-5 // rad, or lengths over the size: at a dead point positions are known to the root of rounding
+
+YkStatus yk_state_guess(YkState *to, const YkState *from)
+{
+    if (to->mech->coordinate_count != from->mech->coordinate_count || !from->has_pose) return YK_BAD_ARGUMENT;
+    for (size_t c = 0; c < to->mech->coordinate_count; c++) {
+        to->guess[c] = to->reference[c] = yk_state_coordinate(from, c).position;
+        to->is_guessed[c] = true;
+    }
+    return YK_OK;
+}
 
 static bool stands_there(const YkState *s)
 {
@@ -15,12 +25,8 @@ static bool stands_there(const YkState *s)
 
 YkStatus yk_state_adopt(YkState *to, const YkState *from)
 {
-    if (to->mech->model != from->mech->model || !from->has_pose) return YK_BAD_ARGUMENT;
-    for (size_t c = 0; c < to->mech->coordinate_count; c++) {
-        to->guess[c] = to->reference[c] = yk_state_coordinate(from, c).position;
-        to->is_guessed[c] = true;
-    }
-    YkStatus status = yk_state_set_time(to, from->time, NULL);
+    YkStatus status = yk_state_guess(to, from);
+    if (status >= 0) status = yk_state_set_time(to, from->time, NULL);
     if (status < 0) return status;
     for (size_t i = 0; i < to->mech->input_count; i++) to->input[3 * i] = to->guess[to->mech->inputs[i]];
     status = yk_state_assemble(to);

@@ -369,7 +369,11 @@ static bool show(void *context, YkState *s, double cost)
     yk_state_tell(s, &s->space, status);
     s->has_rates = status != YK_SINGULAR;
     each->count++;
+    size_t bytes = s->mech->column_count * sizeof(double);
+    if (bytes > 0) memcpy(s->search->kept_x, s->valid_x, bytes);
+    if (bytes > 0) memcpy(s->valid_x, s->groups.x, bytes); // a copy of the state goes on from this configuration
     each->stopped = !each->visit(each->context, s);
+    if (bytes > 0) memcpy(s->valid_x, s->search->kept_x, bytes);
     s->spare = s->space;
     s->space = pose;
     s->has_pose = has_pose;

@@ -221,6 +221,10 @@ void yk_state_set_branch(YkState *s, size_t block, int branch)
 {
     s->branch[block] = (signed char)((branch > 0) - (branch < 0));
 }
+bool yk_state_has_pose(const YkState *s)
+{
+    return s->has_pose;
+}
 bool yk_state_has_rates(const YkState *s)
 {
     return s->has_rates;

@@ -275,3 +275,14 @@ void yk_state_walk(YkState *s)
     }
     memcpy(s->input, wanted, 3 * s->mech->input_count * sizeof *wanted);
 }
+
+YkStatus yk_state_settle(YkState *s, double most)
+{
+    size_t bytes = s->mech->column_count * sizeof *s->valid_x;
+    if (bytes > 0) memcpy(s->groups.x, s->valid_x, bytes);
+    YkStatus status = run_here(s);
+    if (status >= 0 && s->groups.moved > most) status = YK_LIMIT;
+    yk_state_tell(s, &s->spare, status);
+    if (status >= 0) yk_state_accept(s);
+    return status;
+}

@@ -13,4 +13,8 @@ void yk_state_walk(YkState *state);
 // Takes the angles back to where they were before, as after a way to a pose that does not close.
 void yk_state_walk_back(YkState *state);
 
+// Solves at the inputs as they stand, the groups from their last solution; YK_LIMIT where they would move farther than
+// `most` (rad, or lengths over the size). For a machine whose dimensions have changed a little.
+YkStatus yk_state_settle(YkState *state, double most);
+
 #endif

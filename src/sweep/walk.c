@@ -225,8 +225,9 @@ static double fastest_wheel(const YkWalk *w)
     double fastest = 1, unit = yk_path_scale(&w->path);
     for (size_t k = 0; s->has_rates && k < s->mech->relation_count + s->mech->derived_count; k++) {
         const YkRelation *r = &s->mech->relations[k];
-        if (!r->is_solved || r->target.is_distance) continue;
-        fastest = fmax(fastest, unit * fabs(yk_space_turn(&s->space, r->target.index).w[0]));
+        if (!r->is_solved || r->target.is_distance || r->target.index <= 0) continue;
+        YkTurn turn = yk_space_turn(&s->space, r->target.index);
+        if (turn.w) fastest = fmax(fastest, unit * fabs(turn.w[0]));
     }
     return fmin(fastest, FASTEST_WHEEL);
 }

@@ -95,11 +95,17 @@ class Solve(Case):
         for have, want in zip(got, expected):
             self.assertAlmostEqual(have, want, places=12)
 
+    def test_a_pose_beyond_a_limit_is_exit_1_with_message_and_code(self):
+        self.check_refusal("limit", "--at", "theta1=180deg")
+
     def test_no_assembly_is_exit_1_with_message_and_code(self):
-        run = Run("solve", self.rocker, "--at", "theta1=180deg", "--format", "json")
+        self.check_refusal("no-assembly", "--at", "theta1=180deg", "--assembly", "nearest")
+
+    def check_refusal(self, status, *words):
+        run = Run("solve", self.rocker, *words, "--format", "json")
         self.assertEqual(run.code, 1)
         answer = run.json()
-        self.assertEqual(answer["status"], "no-assembly")
+        self.assertEqual(answer["status"], status)
         self.assertEqual(answer["configurations"], [])
         self.assertRegex(answer["code"], r"^E06\d\d$")
         self.assertGreater(len(answer["message"]), 10)

@@ -10,7 +10,7 @@ METHODS = ("reduced", "newton-euler")
 
 
 def words_of(document, pose):
-    words = []
+    words = ["--assembly", "nearest"] # the oracle's configuration is the one nearest to the guesses
     for option, units in (("at", ("rad", "m")), ("rate", ("rad/s", "m/s")), ("accel", ("rad/s^2", "m/s^2"))):
         for name, value in pose[option].items():
             words += ["--" + option, "%s=%r%s" % (name, value, units[0 if name in document["angles"] else 1])]

@@ -156,7 +156,7 @@ class Report(Case):
         self.assertIn("&lt;/script&gt;", page)
 
     def test_a_machine_that_does_not_go_together_has_a_report(self):
-        run = Run("report", self.rocker, "--at", "theta1=180deg")
+        run = Run("report", self.rocker, "--at", "theta1=180deg", "--assembly", "nearest")
         self.assertEqual(run.code, 1)
         self.assertIn("[E0601]", run.err)
         self.assertEqual(faults(run.out), [])

@@ -1,0 +1,241 @@
+// From the pose at which the machine was put together to the one that was asked for.
+#include "reach.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "answer.h"
+
+static YkStatus run_out(YkSession *session)
+{
+    yk_text_puts(&session->reach_message, "out of memory");
+    return YK_NO_MEMORY;
+}
+
+// --- where the machine was put together
+// -----------------------------------------------------------------------------------
+
+// The state of a mechanism at t = 0, assembled nearest to the guesses of `start:`; NULL when out of memory.
+static YkState *assemble(const YkMechanism *mech, YkStatus *status)
+{
+    YkState *state = yk_state_new(mech);
+    if (!state) return NULL;
+    *status = yk_state_set_time(state, 0, NULL);
+    if (*status >= 0) *status = yk_state_assemble(state);
+    return state;
+}
+
+// With other parameters: the file's own assembly, at its own.
+static YkState *assemble_own(YkSession *session, YkMechanism **mech)
+{
+    YkProblems *quiet = yk_problems_new(); // the same file has been loaded once; its own parameters may make no machine
+    YkStatus status = YK_BAD_MODEL;
+    if (!session->own && quiet) session->own = yk_session_load_model(session, false, quiet);
+    *mech = session->own && quiet ? yk_mechanism_compile(session->own, NULL, quiet) : NULL;
+    YkState *state = *mech ? assemble(*mech, &status) : NULL;
+    yk_problems_free(quiet);
+    if (status >= 0) return state;
+    yk_state_free(state);
+    return NULL;
+}
+
+// Moves the parameters from the file's to the command line's, all at once, with the assembly. False where they do not
+// vary continuously, as numbers of teeth do not.
+static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *status)
+{
+    const YkPairs *param = &session->request->param;
+    size_t count = param->count, inputs = yk_input_count(session->mech);
+    const char **names = calloc(count + 1, sizeof *names);
+    double *from = calloc(2 * count + 1, sizeof *from);
+    YkMotion *goal = calloc(inputs + 1, sizeof *goal);
+    bool good = names && from && goal && yk_input_count(yk_state_mechanism(own)) == inputs;
+    for (size_t k = 0; good && k < count; k++) {
+        names[k] = param->items[k].name;
+        from[k] = yk_model_parameter(session->own, names[k]);
+        from[count + k] = yk_model_parameter(session->model, names[k]);
+    }
+    for (size_t i = 0; good && i < inputs; i++) goal[i] = yk_state_input(state, i);
+    YkVariant *variant = good ? yk_variant_new(yk_state_mechanism(own), names, count, NULL) : NULL;
+    YkState *moving = variant ? yk_state_new(yk_variant_mechanism(variant)) : NULL;
+    good = moving && yk_state_adopt(moving, own) >= 0;
+    if (good) *status = yk_state_carry(moving, variant, from, from + count, count, goal);
+    if (good && *status >= 0) *status = yk_state_adopt(state, moving);
+    yk_state_free(moving);
+    yk_variant_free(variant);
+    free(goal);
+    free(from);
+    free((void *)names);
+    return good;
+}
+
+// The configuration that the file has at its own parameters, with those of the command line.
+static YkStatus take_own(YkSession *session, YkState *own, YkState *state)
+{
+    YkStatus status = yk_state_set_time(state, 0, NULL);
+    if (status < 0) return status;
+    if (yk_state_take_labels(state, own) == YK_OK) {
+        status = yk_state_solve(state);
+    } else if (!carry(session, own, state, &status)) {
+        status = yk_state_guess(state, own);
+        if (status >= 0) status = yk_state_assemble(state);
+    }
+    return status == YK_LIMIT ? YK_NO_ASSEMBLY : status;
+}
+
+YkState *yk_reach_start(YkSession *session, YkStatus *status)
+{
+    const YkMechanism *mech = session->base ? session->base : session->mech;
+    YkMechanism *own_mech = NULL;
+    YkState *own = session->request->param.count > 0 ? assemble_own(session, &own_mech) : NULL;
+    YkState *state = own ? yk_state_new(mech) : assemble(mech, status);
+    if (own && state) *status = take_own(session, own, state);
+    yk_state_free(own);
+    yk_mechanism_free(own_mech);
+    return state;
+}
+
+// Does a drive or `start:` give every input its place? Otherwise the file does not say where it was put together.
+static bool tells_start(const YkMechanism *mech)
+{
+    for (size_t i = 0; i < yk_input_count(mech); i++) {
+        YkCoordinateInfo info = yk_coordinate_info(mech, yk_input_coordinate(mech, i));
+        if (!info.has_drive && !info.has_start) return false;
+    }
+    return true;
+}
+
+// --- the way from there
+// ---------------------------------------------------------------------------------------------------
+
+static void note_way(YkSession *session)
+{
+    const YkMove *move = &session->move;
+    if (move->is_detour)
+        yk_problem(session->problems, YK_CODE_WAY_ROUND, (YkPlace){0},
+                   "a limit blocks the straight way from `start:`; the machine came here by a way round, through its "
+                   "several inputs");
+    if (move->pass_count == 0) return;
+    yk_problem(session->problems, YK_CODE_WAY_CHANGE_POINT, (YkPlace){0},
+               "the machine passed %z change point%s on its way from `start:`, the first of them at joint %q",
+               move->pass_count, move->pass_count == 1 ? "" : "s",
+               yk_block_info(session->mech, (size_t)move->passes[0].block).label);
+}
+
+// All inputs at once, to what they are held at.
+static YkStatus go_straight(YkSession *session)
+{
+    YkState *state = session->state;
+    size_t count = yk_input_count(session->mech);
+    YkMotion *goal = calloc(count + 1, sizeof *goal);
+    if (!goal) return run_out(session);
+    yk_session_hold(session, state);
+    for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(state, i);
+    YkStatus status = yk_state_move_to(state, goal, NULL, &session->move);
+    free(goal);
+    return status;
+}
+
+// Along the drives, to --time; what the way so far met is kept.
+static YkStatus go_in_time(YkSession *session)
+{
+    YkMove before = session->move;
+    YkStatus status = yk_state_move_time(session->state, session->time, NULL, &session->move, session->problems);
+    if (before.pass_count > 0) {
+        session->move.passes[0] = before.passes[0];
+        session->move.pass_count += before.pass_count;
+    }
+    session->move.is_detour |= before.is_detour;
+    return status;
+}
+
+static YkStatus move(YkSession *session)
+{
+    YkStatus status = yk_state_report(session->state)->status;
+    if (session->hold_count > 0) status = go_straight(session);
+    return status < 0 || session->time == 0 ? status : go_in_time(session);
+}
+
+// Does the way leave the pose of the start?
+static bool moves(const YkSession *session)
+{
+    for (size_t k = 0; k < session->hold_count; k++) {
+        const YkSetInput *hold = &session->holds[k];
+        if (hold->order == 0 && hold->value != yk_state_input(session->state, hold->input).position) return true;
+    }
+    return session->time != 0;
+}
+
+// Puts session->state where the machine was put together, with the inputs of the command line.
+static YkStatus enter(YkSession *session, const YkState *start)
+{
+    if (!session->base)
+        return yk_state_copy(session->state, start) < 0 ? YK_BAD_ARGUMENT : yk_state_report(start)->status;
+    YkStatus status = yk_state_adopt(session->state, start);
+    if (status != YK_SINGULAR || !moves(session)) return status;
+    yk_text_puts(&session->reach_message, "with these inputs the pose of `start:` is a dead point, from which two "
+                                          "branches part, and the file does not say which is meant");
+    return YK_LIMIT;
+}
+
+static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus status)
+{
+    if (status < 0) {
+        yk_text_format(&session->reach_message, "at the pose of `start:`, %s", yk_state_report(start)->message);
+        return status;
+    }
+    status = enter(session, start);
+    if (status < 0) return status;
+    status = move(session);
+    session->is_start = status >= 0;
+    if (status < 0) yk_reach_word_stop(session);
+    return status;
+}
+
+// is_untold: the file does not say where the machine was put together, and session->state has no pose.
+static YkStatus reach(YkSession *session, bool *is_untold)
+{
+    YkStatus status = YK_NO_MEMORY;
+    YkState *start = yk_reach_start(session, &status), *fresh = yk_state_new(session->mech);
+    if (!start || !fresh) {
+        yk_state_free(start);
+        yk_state_free(fresh);
+        return run_out(session);
+    }
+    yk_state_free(session->state);
+    session->state = fresh;
+    *is_untold = (status == YK_NO_ASSEMBLY || status == YK_LIMIT) && session->hold_count > 0 &&
+                 !tells_start(yk_state_mechanism(start));
+    if (!*is_untold) status = reach_from(session, start, status);
+    yk_state_free(start);
+    return status;
+}
+
+YkState *yk_reach_own(YkSession *session)
+{
+    YkState *asked = session->state;
+    bool is_untold = false, is_start = session->is_start;
+    session->state = NULL;
+    YkStatus status = reach(session, &is_untold);
+    YkState *own = session->state;
+    session->state = asked;
+    session->is_start = is_start;
+    yk_text_clear(&session->reach_message);
+    if (status >= 0 && !is_untold) return own;
+    yk_state_free(own);
+    return NULL;
+}
+
+YkStatus yk_session_reach(YkSession *session, const YkOver *over)
+{
+    if (over && over->coordinate >= 0) {
+        int input = yk_coordinate_info(session->mech, (size_t)over->coordinate).input;
+        session->holds[session->hold_count++] = (YkSetInput){(size_t)input, 0, over->from};
+    } else if (over) {
+        session->time = over->from;
+    }
+    bool is_untold = false;
+    if (session->request->assembly) return yk_reach_choose(session);
+    YkStatus status = reach(session, &is_untold);
+    if (is_untold) return yk_reach_untold(session);
+    if (status >= 0) note_way(session);
+    return status;
+}

@@ -1,0 +1,181 @@
+// Configurations by name: --assembly LABEL, nearest or K; and which of several is the machine's own.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "answer.h"
+#include "reach.h"
+
+static const double full_turn = 6.28318530717958647692, same = 1e-6; // rad, or lengths over the size
+
+bool yk_same_configuration(const YkState *a, const YkState *b)
+{
+    const YkMechanism *mech = yk_state_mechanism(a);
+    double size = yk_mechanism_size(mech);
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+        double off = yk_state_coordinate(a, c).position - yk_state_coordinate(b, c).position;
+        off = yk_coordinate_info(mech, c).is_distance ? off / size : off - full_turn * rint(off / full_turn);
+        if (!(fabs(off) < same)) return false;
+    }
+    return true;
+}
+
+// --- names
+// ------------------------------------------------------------------------------------------------------------------
+
+// Of the configurations at a pose those with one label: how many there are, and which of them is the one sought.
+typedef struct Namesakes {
+    const YkState *sought;
+    YkText label;
+    size_t count, place; // from 1; 0: not among them
+} Namesakes;
+
+static bool count_namesake(void *context, YkState *state)
+{
+    Namesakes *n = context;
+    YkText label = yk_label_of(state);
+    if (strcmp(yk_text_get(&label), yk_text_get(&n->label)) == 0) {
+        n->count++;
+        if (yk_same_configuration(state, n->sought)) n->place = n->count;
+    }
+    yk_text_free(&label);
+    return true;
+}
+
+static Namesakes namesakes(YkState *at, const YkState *sought)
+{
+    Namesakes n = {.sought = sought, .label = yk_label_of(sought)};
+    yk_state_each(at, count_namesake, &n, NULL);
+    return n;
+}
+
+// Moves a configuration back to where the machine was put together: its number there among those of its label, or 0.
+static size_t number_at_start(YkSession *session, const YkState *state)
+{
+    YkState *back = yk_state_new(session->mech), *start = yk_state_new(session->mech);
+    size_t count = yk_input_count(session->mech), number = 0;
+    YkMotion *goal = calloc(count + 1, sizeof *goal);
+    if (back && start && goal && yk_state_copy(back, state) >= 0 && yk_state_set_time(start, 0, NULL) >= 0) {
+        for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(start, i);
+        if (yk_state_move_to(back, goal, NULL, NULL) >= 0) {
+            Namesakes there = namesakes(start, back);
+            number = there.place;
+            yk_text_free(&there.label);
+        }
+    }
+    free(goal);
+    yk_state_free(start);
+    yk_state_free(back);
+    return number;
+}
+
+YkText yk_configuration_name(YkSession *session, const YkState *state)
+{
+    YkState *here = yk_state_new(session->mech);
+    YkText name = yk_label_of(state);
+    if (!here || yk_state_copy(here, state) < 0) {
+        yk_state_free(here);
+        return name;
+    }
+    Namesakes n = namesakes(here, state);
+    if (n.count > 1) {
+        size_t number = number_at_start(session, state);
+        yk_text_format(&name, number > 0 ? ".%z" : ".x%z", number > 0 ? number : n.place);
+    }
+    yk_text_free(&n.label);
+    yk_state_free(here);
+    return name;
+}
+
+// --- choosing
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct Chooser {
+    YkSession *session;
+    const char *word;
+    size_t number; // sought, or 0: by name
+    size_t seen;
+    YkState *found;
+    bool has_found;
+    YkText list; // the names that there are
+} Chooser;
+
+static bool look(void *context, YkState *state)
+{
+    Chooser *c = context;
+    YkText name = yk_configuration_name(c->session, state);
+    c->seen++;
+    yk_text_format(&c->list, "%s%z: %s", c->seen > 1 ? "; " : "", c->seen, yk_text_get(&name));
+    bool is_it = c->number > 0 ? c->seen == c->number : strcmp(yk_text_get(&name), c->word) == 0;
+    yk_text_free(&name);
+    if (!is_it || c->has_found) return true;
+    c->has_found = yk_state_copy(c->found, state) >= 0;
+    return true;
+}
+
+static size_t number_of(const char *word)
+{
+    size_t number = 0;
+    for (const char *c = word; *c; c++) {
+        if (*c < '0' || *c > '9' || number > 1000000) return 0;
+        number = 10 * number + (size_t)(*c - '0');
+    }
+    return number;
+}
+
+static YkStatus refuse(YkSession *session, const Chooser *c)
+{
+    yk_text_format(&session->reach_message, "no configuration %q closes at the asked pose", c->word);
+    yk_problem(session->problems, YK_CODE_NO_SUCH_ASSEMBLY, (YkPlace){0}, "%s", yk_text_get(&session->reach_message));
+    yk_problem_hint(session->problems, c->seen > 0 ? "there are %s" : "nothing closes there%s", yk_text_get(&c->list));
+    return YK_NO_ASSEMBLY;
+}
+
+// Is the configuration that was chosen the one that the machine would come to?
+static bool is_own(YkSession *session, const YkState *chosen)
+{
+    YkState *state = yk_reach_own(session);
+    bool own = state && yk_same_configuration(state, chosen);
+    yk_state_free(state);
+    return own;
+}
+
+static YkStatus choose_by_name(YkSession *session, const char *word)
+{
+    Chooser c = {session, word, number_of(word), 0, yk_state_new(session->mech), false, {0}};
+    if (!c.found) return YK_NO_MEMORY;
+    YkStatus status = yk_state_each(session->state, look, &c, NULL);
+    if (status >= 0 && c.has_found) {
+        status = yk_state_copy(session->state, c.found);
+        yk_session_hold(session, session->state);
+        if (status >= 0) status = yk_state_set_time(session->state, session->time, session->problems);
+        if (status >= 0) status = yk_state_solve(session->state);
+    } else {
+        status = refuse(session, &c);
+    }
+    yk_state_free(c.found);
+    yk_text_free(&c.list);
+    return status;
+}
+
+YkStatus yk_reach_choose(YkSession *session)
+{
+    const char *word = session->request->assembly;
+    session->is_chosen = true;
+    YkStatus status = yk_reach_ask(session);
+    if (status < 0) return status;
+    status = strcmp(word, "nearest") == 0 ? yk_state_assemble(session->state) : choose_by_name(session, word);
+    if (status >= 0) session->is_start = is_own(session, session->state);
+    return status;
+}
+
+YkStatus yk_reach_untold(YkSession *session)
+{
+    YkStatus status = yk_reach_ask(session);
+    if (status >= 0) status = yk_state_assemble(session->state);
+    session->is_chosen = true;
+    if (status >= 0)
+        yk_problem(session->problems, YK_CODE_START_UNTOLD, (YkPlace){0},
+                   "the file does not say where the machine was put together; the configuration nearest to its guesses "
+                   "at this pose was taken");
+    return status;
+}
