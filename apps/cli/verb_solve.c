@@ -83,9 +83,11 @@ static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
         if (status >= 0) write_one(writer, session->state);
         return status;
     }
-    if (status >= 0) writer->own = yk_state_new(session->mech);
-    if (writer->own) yk_state_copy(writer->own, session->state);
-    if (yk_reach_ask(session) < 0) return YK_NO_ASSEMBLY;
+    if (status >= 0 && session->is_start) {
+        writer->own = session->state;
+        session->state = NULL;
+    }
+    if (yk_reach_ask(session) < 0) return YK_NO_MEMORY;
     YkStatus each = yk_state_each(session->state, visit, writer, is_complete);
     yk_state_free(writer->own);
     return each;
