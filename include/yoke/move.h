@@ -9,8 +9,8 @@
 typedef struct YkMoveOptions {
     double turn_max; // the way is verified at least every so many radians (or this times the machine's size); default
                      // 2 deg
-    size_t detours;  // ways round, through several inputs, that are tried where a limit blocks the straight way;
-                     // default 64, 0: none
+    size_t detours;  // poses by which a way round is tried where a limit blocks the straight way of a machine with
+                     // several inputs; default 200, 0: none
     bool (*goes_on)(void *context, double part); // asked at every verified pose with the part of the way that is done,
                                                  // in [0, 1]; false stops the move. NULL: it goes on
     void *context;
@@ -26,10 +26,10 @@ typedef struct YkPass { // a change point on the way
 // How a move went. `part` is how much of the straight way was done where a limit or a change point is told.
 typedef struct YkMove {
     YkStatus status;
-    bool is_detour; // arrived by a way round
-    double part;    // 1 on arrival
-    int block;      // which does not close beyond (YK_LIMIT), or -1
-    size_t pass_count;
+    bool is_detour;                // arrived by a way round
+    double part;                   // 1 on arrival
+    int block;                     // which does not close beyond (YK_LIMIT), or -1
+    size_t pass_count;             // of a detour 0
     YkPass passes[YK_MOVE_PASSES]; // the first of them
 } YkMove;
 
@@ -53,8 +53,8 @@ YK_API YkStatus yk_state_guess(YkState *state, const YkState *from);
 YK_API YkStatus yk_state_adopt(YkState *state, const YkState *from);
 // Carries the assembly of a state of yk_variant_mechanism(variant) along while the parameters move straight from
 // from[count] to to[count], in the order of yk_variant_new, and the inputs from where they stand to goal[input_count].
-// The variant ends at `to`. YK_OK, ...; YK_NO_ASSEMBLY where the assembly comes apart on the way, YK_BAD_MODEL where the
-// parameters make no machine.
+// The variant ends at `to`. YK_OK, ...; YK_NO_ASSEMBLY where the assembly comes apart on the way, YK_BAD_MODEL where
+// the parameters make no machine.
 YK_API YkStatus yk_state_carry(YkState *state, YkVariant *variant, const double *from, const double *to, size_t count,
                                const YkMotion *goal);
 // Takes the branches of a state of a machine with other dimensions, for yk_state_solve to close. YK_OK, or

@@ -8,7 +8,7 @@
 
 YkMoveOptions yk_default_move_options(void)
 {
-    return (YkMoveOptions){.turn_max = 2 * YK_PI / 180, .detours = 64};
+    return (YkMoveOptions){.turn_max = 2 * YK_PI / 180, .detours = 200};
 }
 
 // One move on its way.
@@ -109,75 +109,107 @@ static YkStatus move_straight(Mover *m, const double *goal)
 // --- ways round
 // -----------------------------------------------------------------------------------------------------------
 
-// Corners of a way: all inputs at the start's values or the goal's, one changing after the other, first in their order,
-// then in the reverse.
-static void corner(const YkState *s, const double *from, const double *goal, size_t reached, bool reverse, double *out)
+// A tree of poses that the machine can come to, grown towards random ones (LaValle 1998): from each new pose the goal
+// is tried.
+typedef struct Tree {
+    YkState **nodes;
+    size_t count;
+    double *target; // room: [3 * input + k]
+    uint64_t seed;
+} Tree;
+
+static const double BACK_OFF = 0.8, WORTH_IT = 0.02; // of the way to a limit
+
+static double input_size(const YkMechanism *mech, size_t input)
 {
-    size_t n = s->mech->input_count;
-    for (size_t i = 0; i < n; i++) {
-        size_t place = reverse ? n - 1 - i : i;
-        out[3 * i] = place <= reached ? goal[3 * i] : from[3 * i];
-        out[3 * i + 1] = out[3 * i + 2] = 0;
-    }
+    return mech->coordinates[mech->inputs[input]].is_distance ? mech->size : YK_PI;
 }
 
-static YkStatus go_by_corners(Mover *m, const double *from, const double *goal, bool reverse, double *room)
+// Somewhere in the box round start and goal, widened by half a turn or the machine's size.
+static void choose_target(Tree *tree, const double *from, const double *goal)
 {
-    YkStatus status = YK_OK;
-    for (size_t k = 0; status >= 0 && k + 1 < m->state->mech->input_count; k++) {
-        corner(m->state, from, goal, k, reverse, room);
-        if (!is_there(m->state, room)) status = move_straight(m, room);
-    }
-    return status < 0 ? status : move_straight(m, goal);
-}
-
-// By a random pose, at first near the middle of the straight way, then farther off.
-static YkStatus go_by_pose(Mover *m, const double *from, const double *goal, double reach, uint64_t *seed, double *room)
-{
-    const YkMechanism *mech = m->state->mech;
+    const YkMechanism *mech = tree->nodes[0]->mech;
     for (size_t i = 0; i < mech->input_count; i++) {
-        double size = mech->coordinates[mech->inputs[i]].is_distance ? mech->size : YK_PI;
-        double part = yk_mix_unit(seed), off = reach * size * (2 * yk_mix_unit(seed) - 1);
-        room[3 * i] = from[3 * i] + part * (goal[3 * i] - from[3 * i]) + off;
-        room[3 * i + 1] = room[3 * i + 2] = 0;
+        double size = input_size(mech, i), low = fmin(from[3 * i], goal[3 * i]) - size;
+        double high = fmax(from[3 * i], goal[3 * i]) + size;
+        tree->target[3 * i] = low + (high - low) * yk_mix_unit(&tree->seed);
+        tree->target[3 * i + 1] = tree->target[3 * i + 2] = 0;
     }
-    YkStatus status = move_straight(m, room);
-    return status < 0 ? status : move_straight(m, goal);
 }
 
-// Tries ways round from `home`; true where one of them arrives.
-static bool go_round(Mover *m, const YkState *home, const double *goal, double *room, YkStatus *status)
+static const YkState *nearest_node(const Tree *tree)
 {
+    const YkMechanism *mech = tree->nodes[0]->mech;
+    const YkState *nearest = NULL;
+    double least = INFINITY;
+    for (size_t k = 0; k < tree->count; k++) {
+        double sum = 0;
+        for (size_t i = 0; i < mech->input_count; i++) {
+            double off = (tree->nodes[k]->valid_input[3 * i] - tree->target[3 * i]) / input_size(mech, i);
+            sum += off * off;
+        }
+        if (sum < least) nearest = tree->nodes[k];
+        least = fmin(least, sum);
+    }
+    return nearest;
+}
+
+// From the nearest pose of the tree towards the target, as far as a little before a limit.
+static YkStatus grow(Mover *m, Tree *tree)
+{
+    const YkState *node = nearest_node(tree);
+    yk_state_take(m->state, node);
+    YkStatus status = move_straight(m, tree->target);
+    double part = BACK_OFF * m->move->part;
+    if (status != YK_LIMIT || part < WORTH_IT) return status;
+    for (size_t i = 0; i < node->mech->input_count; i++)
+        tree->target[3 * i] = node->valid_input[3 * i] + part * (tree->target[3 * i] - node->valid_input[3 * i]);
+    yk_state_take(m->state, node);
+    return move_straight(m, tree->target);
+}
+
+static bool add_node(Tree *tree, const YkState *state)
+{
+    YkState *node = yk_state_new(state->mech);
+    if (!node) return false;
+    yk_state_take(node, state);
+    tree->nodes[tree->count++] = node;
+    return true;
+}
+
+static YkStatus search(Mover *m, Tree *tree, const YkState *home, const double *goal)
+{
+    YkStatus status = add_node(tree, home) ? YK_LIMIT : YK_NO_MEMORY;
+    for (size_t k = 0; k < m->options->detours && status == YK_LIMIT; k++) {
+        choose_target(tree, home->valid_input, goal);
+        status = grow(m, tree);
+        if (status >= 0) status = add_node(tree, m->state) ? move_straight(m, goal) : YK_NO_MEMORY;
+    }
+    return status;
+}
+
+// The straight way is blocked and the state stands where it ends; there it stands again where no way round is found.
+static YkStatus move_round(Mover *m, const YkState *home, const double *goal)
+{
+    YkState *s = m->state, *end = yk_state_new(s->mech);
     YkMove straight = *m->move;
-    const double *from = home->valid_input;
-    uint64_t seed = 1;
-    for (size_t k = 0; k < m->options->detours; k++) {
-        double reach = (double)(k + 1) / (double)m->options->detours;
-        yk_state_take(m->state, home);
-        m->move->pass_count = 0;
-        *status = k < 2 ? go_by_corners(m, from, goal, k == 1, room) : go_by_pose(m, from, goal, reach, &seed, room);
-        if (*status == YK_STOPPED || *status == YK_NO_MEMORY) return false;
-        if (*status < 0) continue;
-        m->move->is_detour = true;
-        return true;
-    }
-    *m->move = straight;
-    return false;
-}
-
-static YkStatus move_round(Mover *m, const YkState *home, const double *goal, YkStatus blocked)
-{
-    YkState *s = m->state, *end = yk_state_new(s->mech); // where the straight way ends
-    double *room = calloc(3 * s->mech->input_count, sizeof *room);
+    Tree tree = {.nodes = calloc(m->options->detours + 1, sizeof(YkState *)), .seed = 1};
+    tree.target = calloc(3 * s->mech->input_count, sizeof *tree.target);
     YkStatus status = YK_NO_MEMORY;
-    if (end && room) {
+    if (end && tree.nodes && tree.target) {
         yk_state_take(end, s);
-        if (!go_round(m, home, goal, room, &status) && status != YK_STOPPED && status != YK_NO_MEMORY) {
+        status = search(m, &tree, home, goal);
+        *m->move = straight;
+        if (status >= 0) {
+            m->move->is_detour = true;
+            m->move->pass_count = 0;
+        } else if (status == YK_LIMIT) {
             yk_state_take(s, end);
-            status = blocked;
         }
     }
-    free(room);
+    for (size_t k = 0; k < tree.count; k++) yk_state_free(tree.nodes[k]);
+    free(tree.nodes);
+    free(tree.target);
     yk_state_free(end);
     return status;
 }
@@ -203,7 +235,7 @@ static YkStatus move_to(Mover *m, const double *goal)
     if (may_go_round && !home) return YK_NO_MEMORY;
     if (home) yk_state_take(home, s);
     YkStatus status = move_straight(m, goal);
-    if (home && status == YK_LIMIT) status = move_round(m, home, goal, status);
+    if (home && status == YK_LIMIT) status = move_round(m, home, goal);
     yk_state_free(home);
     return finish(s, m->move, status);
 }

@@ -1,0 +1,368 @@
+// Moving to a pose: the branch and the circuit that the machine was put together in, to closed forms; limits where
+// they are; turns counted; ways round; and no jump on any example.
+#include <dirent.h>
+#include "solve/four_bar.h"
+
+static YkStatus move_one(YkState *state, size_t input, double to, YkMove *move)
+{
+    YkMotion goal[8];
+    size_t count = yk_input_count(yk_state_mechanism(state));
+    assert_true(count <= 8);
+    for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(state, i);
+    goal[input].position = to;
+    return yk_state_move_to(state, goal, NULL, move);
+}
+
+// --- random four-bars, against where two circles meet
+// ----------------------------------------------------------------------------------------------------------------
+
+// The crank angles at which the loop closes: |theta| between low and high.
+static void closing_angles(FourBar f, double *low, double *high)
+{
+    double inner = fabs(f.b - f.c), outer = f.b + f.c;
+    *low = acos(fmax(-1, fmin(1, (f.a * f.a + f.d * f.d - inner * inner) / (2 * f.a * f.d))));
+    *high = acos(fmax(-1, fmin(1, (f.a * f.a + f.d * f.d - outer * outer) / (2 * f.a * f.d))));
+}
+
+// The limit that a move from theta (closing, |theta| in [low, high]) meets on its way to `to`; NAN: none.
+static double limit_between(double low, double high, double theta, double to)
+{
+    double least = NAN, way = to > theta ? 1 : -1;
+    for (int turn = -4; turn <= 4; turn++) {
+        const double ends[] = {low, high, -low, -high};
+        for (size_t k = 0; k < 4; k++) {
+            bool is_none = k % 2 == 0 ? low == 0 : high == YK_PI;
+            double at = ends[k] + 2 * YK_PI * turn, off = way * (at - theta);
+            if (!is_none && off > 0 && off < way * (to - theta) && !(off >= way * (least - theta))) least = at;
+        }
+    }
+    return least;
+}
+
+static void check_four_bar(FourBar f, double theta, double to, int branch, size_t *limits)
+{
+    double low, high;
+    closing_angles(f, &low, &high);
+    double limit = limit_between(low, high, theta, to);
+    if (fabs(limit - to) < 1e-6) return; // which side of it cannot be told by these closed forms
+    Machine m = four_bar_machine(f, theta, branch);
+    YkMove move;
+    YkStatus status = move_one(m.state, 0, to, &move);
+    bool arrives = isnan(limit);
+    if ((status >= 0) != arrives)
+        print_error("%.17g %.17g %.17g %.17g from %.17g to %.17g: %s, limit %.17g\n", f.a, f.b, f.c, f.d, theta, to,
+                    yk_status_name(status), limit);
+    assert_true((status >= 0) == arrives);
+    double here = yk_state_coordinate(m.state, 0).position;
+    if (arrives) {
+        FourBarPose pose = four_bar_pose(f, to, branch);
+        assert_true(here == to); // exactly, turns and all
+        CHECK_NEAR(angle_between(machine_ask(&m, "theta4"), pose.rocker), 0, 1e-9);
+        CHECK_NEAR(angle_between(machine_ask(&m, "coupler.angle"), pose.coupler), 0, 1e-9);
+        CHECK_NEAR(move.part, 1, 0);
+    } else {
+        CHECK_NEAR(here, limit, 1e-8);
+        assert_int_equal(move.block, 0);
+        assert_int_equal(status, YK_LIMIT);
+        ++*limits;
+    }
+    machine_free(&m);
+}
+
+static void test_random_four_bars_keep_their_circuit(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 20261122;
+    size_t limits = 0;
+    for (int k = 0; k < 3000;) {
+        FourBar f = {check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1),
+                     check_uniform(&seed, 0.1, 1)};
+        double theta = check_uniform(&seed, -YK_PI, YK_PI), to = check_uniform(&seed, -3 * YK_PI, 3 * YK_PI);
+        int branch = check_random(&seed) & 1 ? 1 : -1;
+        if (!four_bar_pose(f, theta, branch).closes || fabs(grashof_excess(f)) < 1e-3) continue;
+        check_four_bar(f, theta, to, branch, &limits);
+        k++;
+    }
+    assert_in_range(limits, 500, 2500);
+}
+
+// The rocker of a crank-rocker as the input: two ranges with the same labels, and no way from one to the other.
+static void test_a_range_of_the_same_labels_is_out_of_reach(void **unused)
+{
+    (void)unused;
+    FourBar f = {4, 3, 2, 4.5}; // its input link is a rocker
+    double low, high;
+    closing_angles(f, &low, &high);
+    assert_true(low > 0 && high < YK_PI);
+    Machine m = four_bar_machine(f, 0.5 * (low + high), 1);
+    char label[2][32];
+    yk_state_label(m.state, label[0], sizeof label[0]);
+    assert_int_equal(move_one(m.state, 0, -0.5 * (low + high), NULL), YK_LIMIT);
+    CHECK_NEAR(yk_state_coordinate(m.state, 0).position, low, 1e-8);
+    yk_state_set_input(m.state, 0, (YkMotion){-0.5 * (low + high), 0, 0});
+    assert_true(yk_state_solve(m.state) >= 0); // what the labels alone would have said
+    yk_state_label(m.state, label[1], sizeof label[1]);
+    assert_string_equal(label[0], label[1]);
+    machine_free(&m);
+}
+
+// --- turns
+// ------------------------------------------------------------------------------------------------------------------
+
+static bool count_call(void *context, double part)
+{
+    assert_true(part >= 0 && part <= 1);
+    ++*(size_t *)context;
+    return true;
+}
+
+static void check_turns(const char *file, double turns, size_t most)
+{
+    Machine one = machine_load(file), many = machine_load(file);
+    double from = yk_state_input(one.state, 0).position;
+    YkMoveOptions options = yk_default_move_options();
+    size_t calls = 0;
+    options.goes_on = count_call;
+    options.context = &calls;
+    YkMotion goal = yk_state_input(one.state, 0);
+    goal.position = from + 1;
+    assert_true(yk_state_move_to(one.state, &goal, NULL, NULL) >= 0);
+    goal.position = from + 1 + 2 * YK_PI * turns;
+    assert_true(yk_state_move_to(many.state, &goal, &options, NULL) >= 0);
+    assert_in_range(calls, 1, most);
+    for (size_t c = 0; c < yk_coordinate_count(one.mech); c++) {
+        double a = yk_state_coordinate(one.state, c).position, b = yk_state_coordinate(many.state, c).position;
+        double whole = 2 * YK_PI * rint((b - a) / (2 * YK_PI)), allowed = 1e-15 * fabs(b) + 1e-15 * 2 * YK_PI * turns;
+        if (yk_coordinate_info(one.mech, c).is_distance) whole = 0;
+        CHECK_NEAR(b - a, whole, 10 * allowed + 1e-12);
+    }
+    machine_free(&one);
+    machine_free(&many);
+}
+
+static void test_many_turns_cost_one(void **unused)
+{
+    (void)unused;
+    check_turns("four-bar", 180000, 1000);
+    check_turns("slider-crank", 180000, 1000);
+    check_turns("jansen", 1000, 1000);
+    check_turns("geared-five-bar", 5000, 4000);
+}
+
+// An hour at 3000 rpm along the drives.
+static void test_time_counts_turns(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("bodies:\n"
+                              "  ground: {points: {O: [0, 0], C: [4, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [1, 0]}}\n"
+                              "  coupler: {points: {A: [0, 0], B: [3.5, 0]}}\n"
+                              "  rocker: {points: {C: [0, 0], B: [2.5, 0]}}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, crank], angle: theta}\n"
+                              "  A: {pin: [crank, coupler], angle: phi}\n"
+                              "  C: {pin: [ground, rocker], angle: psi}\n"
+                              "  B: {pin: [coupler, rocker]}\n"
+                              "drives: {theta: 0.3 + 3000 rpm * t}\n"
+                              "start: {phi: 0.8, psi: 1.5}\n",
+                              true);
+    char before[32], after[32];
+    yk_state_label(m.state, before, sizeof before);
+    double psi = machine_ask(&m, "psi");
+    YkMoveOptions options = yk_default_move_options();
+    size_t calls = 0;
+    options.goes_on = count_call;
+    options.context = &calls;
+    assert_true(yk_state_move_time(m.state, 3600, &options, NULL, m.problems) >= 0);
+    yk_state_label(m.state, after, sizeof after);
+    assert_string_equal(before, after);
+    assert_in_range(calls, 1, 600);
+    CHECK_NEAR(machine_ask(&m, "psi"), psi, 1e-8); // whole turns of the crank; 1e9 deg are known to 1e-7
+    CHECK_NEAR(machine_ask(&m, "theta"), 0.3 + 3600 * 100 * YK_PI, 0);
+    CHECK_NEAR(yk_state_time(m.state), 3600, 0);
+    machine_free(&m);
+}
+
+// --- several inputs
+// ---------------------------------------------------------------------------------------------------------
+
+static const char five_bar[] = "bodies:\n"
+                               "  ground: {points: {A: [0, 0], E: [3, 0]}}\n"
+                               "  left: {points: {A: [0, 0], B: [1, 0]}}\n"
+                               "  right: {points: {E: [0, 0], D: [1, 0]}}\n"
+                               "  lower: {points: {B: [0, 0], C: [1.85, 0]}}\n"
+                               "  upper: {points: {D: [0, 0], C: [1.85, 0]}}\n"
+                               "joints:\n"
+                               "  A: {pin: [ground, left], angle: alpha}\n"
+                               "  E: {pin: [ground, right], angle: delta}\n"
+                               "  B: {pin: [left, lower], angle: beta}\n"
+                               "  D: {pin: [right, upper], angle: epsilon}\n"
+                               "  C: {pin: [lower, upper]}\n"
+                               "start: {alpha: 90 deg, delta: 90 deg, beta: -60 deg, epsilon: 60 deg}\n";
+
+// The left crank alone, through 180 deg: blocked there while the right one stands upright (their pins would be 4.12
+// apart, and the links reach 3.7), so that one has to lean over (3 apart) and come back.
+static void test_another_input_makes_room(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(five_bar, true);
+    YkMotion goal[2] = {{1.5 * YK_PI, 0, 0}, {0.5 * YK_PI, 0, 0}};
+    YkMoveOptions straight = yk_default_move_options();
+    straight.detours = 0;
+    YkState *blocked = yk_state_new(m.mech);
+    YkMove move;
+    assert_int_equal(yk_state_copy(blocked, m.state), YK_OK);
+    assert_int_equal(yk_state_move_to(blocked, goal, &straight, &move), YK_LIMIT);
+    // where cos and sin of the left crank put its pin 3.7 from (3, 1)
+    double alpha = yk_state_coordinate(blocked, 0).position, x = 3 - cos(alpha), y = 1 - sin(alpha);
+    CHECK_NEAR(x * x + y * y, 3.7 * 3.7, 1e-7);
+    assert_true(yk_state_move_to(m.state, goal, NULL, &move) >= 0);
+    assert_true(move.is_detour);
+    for (size_t i = 0; i < 2; i++)
+        assert_true(yk_state_coordinate(m.state, yk_input_coordinate(m.mech, i)).position == goal[i].position);
+    CHECK_NEAR(yk_state_residuals(m.state).position, 0, 1e-12);
+    yk_state_free(blocked);
+    machine_free(&m);
+}
+
+// Nothing closes where both pins stand outwards, 5 apart: no way round comes there, and the state stands where the
+// straight way ended.
+static void test_a_pose_where_nothing_closes_is_out_of_reach(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(five_bar, true);
+    YkMotion goal[2] = {{YK_PI, 0, 0}, {0, 0, 0}};
+    YkMove move;
+    assert_int_equal(yk_state_move_to(m.state, goal, NULL, &move), YK_LIMIT);
+    assert_false(move.is_detour);
+    assert_int_equal(move.block, 0);
+    double alpha = yk_state_coordinate(m.state, 0).position;
+    CHECK_NEAR(3 - 2 * cos(alpha), 3.7, 1e-7);
+    CHECK_NEAR(alpha, 0.5 * YK_PI * (1 + move.part), 1e-12);
+    machine_free(&m);
+}
+
+// --- change points, stopping, wrong calls
+// ---------------------------------------------------------------------------------------
+
+static void test_a_parallelogram_passes_its_change_points(void **unused)
+{
+    (void)unused;
+    FourBar f = {2, 4, 2, 4};
+    for (int k = 1; k <= 12; k++) {
+        Machine m = four_bar_machine(
+            f, 1, four_bar_pose(f, 1, 1).coupler < 1e-9 && four_bar_pose(f, 1, 1).coupler > -1e-9 ? 1 : -1);
+        YkMove move;
+        double to = 1 + 0.7 * k;
+        assert_true(move_one(m.state, 0, to, &move) >= 0);
+        CHECK_NEAR(machine_ask(&m, "theta4"), to, 1e-7);
+        CHECK_NEAR(machine_ask(&m, "coupler.angle"), 0, 1e-7);
+        assert_int_equal(move.pass_count, (size_t)(floor(to / YK_PI)));
+        for (size_t p = 0; p < move.pass_count; p++)
+            CHECK_NEAR(1 + move.passes[p].part * 0.7 * k, (double)(p + 1) * YK_PI, 1e-7);
+        machine_free(&m);
+    }
+}
+
+static bool stop_half_way(void *context, double part)
+{
+    (void)context;
+    return part < 0.5;
+}
+
+static void test_a_move_can_be_stopped(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("four-bar");
+    double from = yk_state_input(m.state, 0).position;
+    YkMoveOptions options = yk_default_move_options();
+    options.goes_on = stop_half_way;
+    YkMotion goal = {from + 2, 0, 0};
+    YkMove move;
+    assert_int_equal(yk_state_move_to(m.state, &goal, &options, &move), YK_STOPPED);
+    CHECK_NEAR(move.part, 0.5, 0.03);
+    CHECK_NEAR(yk_state_coordinate(m.state, yk_input_coordinate(m.mech, 0)).position, from + 2 * move.part, 1e-12);
+    goal.position = NAN;
+    assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_BAD_ARGUMENT);
+    YkState *none = yk_state_new(m.mech);
+    assert_int_equal(move_one(none, 0, 1, NULL), YK_BAD_ARGUMENT); // it has no pose
+    yk_state_free(none);
+    machine_free(&m);
+}
+
+// --- every example: no jump on the way
+// ------------------------------------------------------------------------------------------
+
+// Moves in steps of a quarter of a degree; between two of them every coordinate goes as its rates at both say (to the
+// third order of the step), which another branch would not.
+static void check_continuity(const char *name, double way)
+{
+    Machine m = machine_open(name, NULL);
+    if (yk_state_assemble(m.state) < 0 || yk_input_count(m.mech) == 0 || yk_input_count(m.mech) > 8) {
+        machine_free(&m);
+        return;
+    }
+    size_t count = yk_coordinate_count(m.mech), input = yk_input_coordinate(m.mech, 0);
+    double unit = yk_coordinate_info(m.mech, input).is_distance ? yk_mechanism_size(m.mech) : 1;
+    double h = way * unit * YK_PI / 720, *before = calloc(2 * count, sizeof *before);
+    YkMotion goal[8];
+    for (size_t i = 0; i < yk_input_count(m.mech); i++) goal[i] = (YkMotion){yk_state_input(m.state, i).position, 0, 0};
+    goal[0].velocity = 1;
+    bool has_before = false;
+    for (int k = 0; k < 720; k++) {
+        if (yk_state_move_to(m.state, goal, NULL, NULL) < 0) break;
+        bool has_rates = yk_state_has_rates(m.state);
+        for (size_t c = 0; c < count; c++) {
+            YkMotion now = yk_state_coordinate(m.state, c);
+            double size = yk_coordinate_info(m.mech, c).is_distance ? yk_mechanism_size(m.mech) : 1;
+            double expected = before[2 * c] + 0.5 * h * (before[2 * c + 1] + now.velocity);
+            double speed = fmax(fabs(before[2 * c + 1]), fabs(now.velocity)) * unit / size;
+            if (has_before && has_rates && speed < 20 && fabs(now.position - expected) > 0.02 * size)
+                print_error("%s: %s jumps from %g to %g\n", name, yk_coordinate_info(m.mech, c).name, before[2 * c],
+                            now.position);
+            if (has_before && has_rates && speed < 20) CHECK_NEAR((now.position - expected) / size, 0, 0.02);
+            before[2 * c] = now.position;
+            before[2 * c + 1] = now.velocity;
+        }
+        has_before = has_rates;
+        goal[0].position += h;
+    }
+    free(before);
+    machine_free(&m);
+}
+
+static void test_no_example_jumps(void **unused)
+{
+    (void)unused;
+    DIR *folder = opendir(YOKE_ROOT "/examples");
+    assert_non_null(folder);
+    size_t count = 0;
+    for (struct dirent *entry; (entry = readdir(folder));) {
+        char name[256];
+        size_t length = strlen(entry->d_name);
+        if (length < 6 || length > 250 || strcmp(entry->d_name + length - 5, ".yaml") != 0) continue;
+        memcpy(name, entry->d_name, length - 5);
+        name[length - 5] = '\0';
+        check_continuity(name, 1);
+        check_continuity(name, -1);
+        count++;
+    }
+    closedir(folder);
+    assert_true(count > 50);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_four_bars_keep_their_circuit),
+        cmocka_unit_test(test_a_range_of_the_same_labels_is_out_of_reach),
+        cmocka_unit_test(test_many_turns_cost_one),
+        cmocka_unit_test(test_time_counts_turns),
+        cmocka_unit_test(test_another_input_makes_room),
+        cmocka_unit_test(test_a_pose_where_nothing_closes_is_out_of_reach),
+        cmocka_unit_test(test_a_parallelogram_passes_its_change_points),
+        cmocka_unit_test(test_a_move_can_be_stopped),
+        cmocka_unit_test(test_no_example_jumps),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
