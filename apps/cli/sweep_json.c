@@ -1,4 +1,12 @@
+#include <string.h>
 #include "sweep.h"
+
+static bool is_repeated(const YkSweepAnswer *answer, size_t column)
+{
+    for (size_t c = 0; c < column; c++)
+        if (strcmp(answer->columns[c].name, answer->columns[column].name) == 0) return true;
+    return false;
+}
 
 static void add_rows(const YkSweepAnswer *answer, YkJson *json)
 {
@@ -13,6 +21,16 @@ static void add_rows(const YkSweepAnswer *answer, YkJson *json)
         for (size_t c = 0; c < answer->column_count; c++) yk_json_number(json, NULL, yk_sweep_cell(answer, row, c));
         yk_json_end(json);
     }
+    yk_json_end(json);
+}
+
+// The columns at an event, each name once.
+static void add_values(const YkSweepAnswer *answer, YkJson *json, size_t event)
+{
+    yk_json_object(json, "values", YK_JSON_INLINE);
+    for (size_t c = 0; c < answer->column_count; c++)
+        if (!is_repeated(answer, c))
+            yk_json_number(json, answer->columns[c].name, yk_sweep_event_value(answer->sweep, event, c));
     yk_json_end(json);
 }
 
@@ -31,6 +49,7 @@ static void add_events(const YkSweepAnswer *answer, YkJson *json)
             yk_json_string(json, "block",
                            event.block >= 0 ? yk_block_info(answer->session->mech, (size_t)event.block).label : NULL);
         }
+        add_values(answer, json, i);
         yk_json_end(json);
     }
     yk_json_end(json);

@@ -63,14 +63,25 @@ static void add_event_value(const YkSweepAnswer *answer, YkEvent event, YkText *
     }
 }
 
+// With --of every column stands beside its events; not so where each is an extreme of the one column.
+static size_t columns_at_events(const YkSweepAnswer *answer, size_t count)
+{
+    bool has_more = answer->column_count > 1;
+    for (size_t i = 0; i < count; i++) has_more |= yk_sweep_event(answer->sweep, i).kind != YK_EVENT_EXTREME;
+    return answer->session->request->of && has_more ? answer->column_count : 0;
+}
+
 static void add_events(const YkSweepAnswer *answer)
 {
     size_t count = answer->sweep ? yk_sweep_event_count(answer->sweep) : 0;
-    YkTable *table = yk_table_new(3);
+    size_t columns = columns_at_events(answer, count);
+    YkTable *table = yk_table_new(3 + columns);
     YkText words = {0};
     yk_table_head(table, "event", NULL);
     yk_table_head(table, answer->over.name, yk_unit_of(answer->session, answer->over.quantity));
     yk_table_head(table, "", NULL);
+    for (size_t c = 0; c < columns; c++)
+        yk_table_head(table, answer->columns[c].name, yk_unit_of(answer->session, answer->columns[c].channel.quantity));
     for (size_t i = 0; i < count; i++) {
         YkEvent event = yk_sweep_event(answer->sweep, i);
         yk_words_renew(&words);
@@ -78,6 +89,11 @@ static void add_events(const YkSweepAnswer *answer)
         yk_table_word(table, yk_event_word(event));
         yk_table_number(table, shown_at(answer, event.at), EVENT_DIGITS);
         yk_table_word(table, yk_text_get(&words));
+        for (size_t c = 0; c < columns; c++)
+            yk_table_number(
+                table,
+                yk_column_shown(answer->session, yk_sweep_event_value(answer->sweep, i, c), answer->columns[c].channel),
+                YK_DIGITS);
     }
     answer->session->out.failed |= words.failed;
     yk_text_free(&words);

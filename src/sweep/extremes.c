@@ -28,11 +28,10 @@ static void exchange_signs(YkSweep *w, double at, double here)
     }
 }
 
-// Solves at a place that the sweep has passed, on the branch that it had there.
-static YkStatus look_back(YkSweep *w, double at, double here)
+YkStatus yk_sweep_look_back(YkSweep *w, double at, double here, bool along)
 {
     exchange_signs(w, at, here);
-    YkStatus status = yk_path_try(&w->walk.path, at, true);
+    YkStatus status = yk_path_try(&w->walk.path, at, along);
     exchange_signs(w, at, here);
     return status;
 }
@@ -54,7 +53,7 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
     rate.order = 1;
     for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->walk.path); k++) {
         double middle = 0.5 * (from + to);
-        if (look_back(w, middle, here) < 0) break;
+        if (yk_sweep_look_back(w, middle, here, true) < 0) break;
         if (yk_state_channel(w->walk.path.state, rate) * slope > 0)
             from = middle;
         else
@@ -62,7 +61,7 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
     }
     double at = 0.5 * (from + to);
     if (w->walk.path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
-    if (look_back(w, at, here) < 0) return;
+    if (yk_sweep_look_back(w, at, here, true) < 0) return;
     yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_EXTREME,
                                      .at = at,
                                      .block = -1,

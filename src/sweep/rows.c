@@ -8,8 +8,7 @@ static bool wants_forces(const YkSweep *w)
     return false;
 }
 
-// The channels at the pose that stands; forces are NaN where they are not determined.
-static void read_channels(const YkSweep *w, double *values)
+void yk_sweep_read_channels(const YkSweep *w, double *values)
 {
     YkState *s = w->walk.path.state;
     YkStatus status =
@@ -35,7 +34,7 @@ bool yk_sweep_record(YkSweep *w, double at)
     size_t row = w->row_count++;
     w->at[row] = at;
     w->row_status[row] = (signed char)status;
-    read_channels(w, w->values + row * w->channel_count);
+    yk_sweep_read_channels(w, w->values + row * w->channel_count);
     if (w->options.visit) w->options.visit(w->options.context, s);
     w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR)
@@ -69,7 +68,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
             for (int j = 1; j <= SIDE; j++)
                 if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
             ok = ok && yk_path_probe(&w->walk.path, at + side * k * h, false) >= 0;
-            if (ok) read_channels(w, w->slope); // scratch here: extremes are looked for between rows
+            if (ok) yk_sweep_read_channels(w, w->slope); // scratch here: extremes are looked for between rows
             for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * w->slope[c];
         }
         for (size_t k = 0; k < w->walk.margin_count; k++) // to the near side, and back

@@ -13,6 +13,7 @@ YkSweepOptions yk_default_sweep_options(void)
 static bool watch(void *context, double at)
 {
     yk_sweep_watch_extremes(context, at);
+    yk_sweep_read_events(context, at);
     return true;
 }
 
@@ -53,6 +54,7 @@ static void run_rows(YkSweep *w)
 static void run(YkSweep *w)
 {
     run_rows(w);
+    if (w->row_count > 0) yk_sweep_read_events(w, w->walk.path.last);
     yk_path_probe(&w->walk.path, w->walk.path.last, false);
 }
 
@@ -115,6 +117,7 @@ void yk_sweep_free(YkSweep *w)
     free(w->slope);
     free(w->slope_at);
     free(w->sums);
+    free(w->event_values);
     free(w->channels);
     free(w);
 }

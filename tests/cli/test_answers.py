@@ -230,6 +230,34 @@ class Sweep(Case):
             self.assertAlmostEqual(row[1], (60 + 90 * row[0]) * DEG, places=13)
             self.assertAlmostEqual(row[2], 90 * DEG, places=14)
 
+    def test_an_event_tells_every_column_as_a_pose_there_has_it(self):
+        names = "theta3,coupler.P.x,coupler.P.speed,B.transmission"
+        answer = self.good("sweep", self.four_bar, "--over", "theta1=0:720deg", "--steps", "5", "--of", names, "--format", "json").json()
+        self.assertGreaterEqual(len(answer["events"]), 8)
+        for event in answer["events"]:
+            self.assertEqual(list(event["values"]), names.split(","))
+            self.assertEqual(event["values"][event["column"]], event["value"])
+            coupler, rocker = four_bar(event["at"])
+            self.assertAlmostEqual(turn(event["values"]["theta3"] - rocker), 0, places=12)
+            P = 0.04 * cmath.exp(1j * event["at"]) + (0.06 + 0.05j) * cmath.exp(1j * coupler)
+            self.assertAlmostEqual(event["values"]["coupler.P.x"], P.real, places=13)
+            h = 1e-5
+            before, after = (0.04 * cmath.exp(1j * (event["at"] + d)) + (0.06 + 0.05j) * cmath.exp(1j * four_bar(event["at"] + d)[0]) for d in (-h, h))
+            self.assertAlmostEqual(event["values"]["coupler.P.speed"], abs(after - before) / (2 * h) * 90 * DEG, places=8)
+
+    def test_text_puts_the_columns_beside_the_events_where_there_are_several(self):
+        words = ("sweep", self.four_bar, "--over", "theta1=0:360deg", "--steps", "4", "--of")
+        self.assertRegex(self.good(*words, "theta3,coupler.P.x").out, r"(?m)^  event +theta1 \[deg\] +theta3 \[deg\]  coupler\.P\.x \[mm\]$")
+        self.assertRegex(self.good(*words, "theta3").out, r"(?m)^  event +theta1 \[deg\]$")
+
+    def test_at_a_limit_the_columns_are_those_of_the_last_pose(self):
+        run = Run("sweep", self.rocker, "--over", "theta1=20:200deg", "--steps", "3", "--of", "theta3,coupler.angle,theta3.rate", "--format", "json")
+        (event,) = [event for event in run.json()["events"] if event["kind"] == "limit"]
+        coupler, rocker = four_bar(event["at"] - 1e-12, 0.09, 0.06, 0.04)
+        self.assertAlmostEqual(turn(event["values"]["theta3"] - rocker), 0, places=3)
+        self.assertAlmostEqual(math.sin(event["values"]["coupler.angle"] - event["values"]["theta3"]), 0, places=3)  # in line
+        self.assertIn("theta3 [deg]", Run("sweep", self.rocker, "--over", "theta1=20:200deg", "--steps", "3", "--of", "theta3").out.split("event")[1])
+
     def test_at_a_limit_the_rows_so_far_come_with_exit_1(self):
         run = Run("sweep", self.rocker, "--over", "theta1=20:200deg", "--steps", "180", "--format", "json")
         self.assertEqual(run.code, 1)

@@ -1,0 +1,45 @@
+// The channels at the events of a sweep, read as soon as the sweep has passed them.
+#include <stdlib.h>
+#include "sweep/sweep.h"
+
+static bool has_room(YkSweep *w, size_t events)
+{
+    if (events <= w->event_capacity) return true;
+    size_t capacity = 2 * events, width = w->channel_count + 1;
+    double *values = realloc(w->event_values, capacity * width * sizeof *values);
+    if (!values) return false;
+    w->event_values = values;
+    w->event_capacity = capacity;
+    return true;
+}
+
+static bool is_rate(YkChannel c)
+{
+    return c.order > 0 || c.kind == YK_CHANNEL_POINT_SPEED;
+}
+
+static void read_event(YkSweep *w, size_t event, double here)
+{
+    double *values = w->event_values + event * w->channel_count;
+    bool stands = yk_sweep_look_back(w, w->walk.events[event].at, here, false) >= 0;
+    if (stands) yk_sweep_read_channels(w, values);
+    for (size_t c = 0; c < w->channel_count; c++)
+        if (!stands || (is_rate(w->channels[c]) && !yk_state_has_rates(w->walk.path.state))) values[c] = (double)NAN;
+}
+
+void yk_sweep_read_events(YkSweep *w, double here)
+{
+    if (w->events_read == w->walk.event_count) return;
+    if (!has_room(w, w->walk.event_count)) {
+        w->walk.failed = true;
+        return;
+    }
+    while (w->events_read < w->walk.event_count) read_event(w, w->events_read++, here);
+    yk_path_try(&w->walk.path, here, true);
+    yk_path_probe(&w->walk.path, here, true);
+}
+
+double yk_sweep_event_value(const YkSweep *w, size_t event, size_t channel)
+{
+    return event < w->events_read ? w->event_values[event * w->channel_count + channel] : (double)NAN;
+}
