@@ -1,7 +1,7 @@
 // yoke check: what machine the file describes.
 #include <stdlib.h>
 #include "check.h"
-#include "session.h"
+#include "reach.h"
 
 size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop)
 {
@@ -13,9 +13,8 @@ size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop)
 // Can it be put together at the start? The answer to the check does not depend on it, the exit code does.
 static YkStatus try_assembly(YkCheckAnswer *answer)
 {
-    YkState *state = answer->session->state;
-    YkStatus status = yk_state_assemble(state);
-    answer->message = yk_state_report(state)->message;
+    YkStatus status = yk_session_reach(answer->session, NULL);
+    answer->message = yk_reach_message(answer->session);
     return status;
 }
 

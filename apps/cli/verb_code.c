@@ -2,7 +2,7 @@
 #include <string.h>
 #include "answer.h"
 #include "out/json.h"
-#include "session.h"
+#include "reach.h"
 
 // A prefix begins a C name and is none of C's own.
 static bool is_prefix(const char *text)
@@ -28,6 +28,17 @@ static void write_json(YkSession *session, const YkCSource *code)
     yk_json_end(&json);
 }
 
+// With other parameters the machine keeps the configuration that the file has at its own.
+static bool find_start(YkSession *session, YkState **start)
+{
+    YkStatus status = YK_NO_MEMORY;
+    *start = yk_reach_start(session, &status);
+    if (*start && status >= 0) return true;
+    yk_tell_status(session, status, *start ? yk_state_report(*start)->message : "");
+    yk_state_free(*start);
+    return false;
+}
+
 int yk_run_code(YkSession *session)
 {
     const YkRequest *request = session->request;
@@ -45,7 +56,11 @@ int yk_run_code(YkSession *session)
         return YK_EXIT_WRONG;
     }
     if (!yk_session_load(session, NULL)) return YK_EXIT_WRONG; // what is wrong with the machine is told as ever
+    YkState *start = NULL;
+    if (request->param.count > 0 && !find_start(session, &start)) return YK_EXIT_NO_ANSWER;
+    options.pose = start;
     YkCSource *code = yk_c_source_new(session->model, &options, session->problems);
+    yk_state_free(start);
     if (!code) return YK_EXIT_NO_ANSWER;
     if (request->format == YK_FORMAT_JSON)
         write_json(session, code);

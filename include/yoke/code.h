@@ -2,7 +2,7 @@
 #ifndef YOKE_CODE_H
 #define YOKE_CODE_H
 
-#include <yoke/model.h>
+#include <yoke/state.h>
 #include <yoke/status.h>
 
 typedef struct YkCSourceOptions {
@@ -11,6 +11,8 @@ typedef struct YkCSourceOptions {
     bool kinematics;           // motion alone, no forces
     const char *const *inputs; // coordinates that are inputs, by name, before the file's drives
     size_t input_count;
+    const YkState
+        *pose; // in whose configuration the machine begins, of the same machine; NULL: assembled as `start:` says
 } YkCSourceOptions;
 YK_API YkCSourceOptions yk_default_c_source_options(void);
 

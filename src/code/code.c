@@ -1,6 +1,7 @@
 // The door: a model becomes the text of a C file.
 #include <stdlib.h>
 #include <string.h>
+#include <yoke/move.h>
 #include "base/problems.h"
 #include "code/file.h"
 #include "compile/variant.h"
@@ -35,9 +36,9 @@ static const char *prefix_of(YkProgram *p, const char *name)
     return copy[0] >= '0' && copy[0] <= '9' ? yk_program_text(p, "machine_%s", copy) : copy;
 }
 
-static bool assemble(YkFile *file, YkProblems *problems)
+static bool assemble(YkFile *file, const YkState *pose, YkProblems *problems)
 {
-    YkStatus status = yk_state_assemble(file->state);
+    YkStatus status = pose ? yk_state_adopt(file->state, pose) : yk_state_assemble(file->state);
     if (status >= 0) return true;
     yk_problem(problems, YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0}, "%s: %s", yk_status_name(status),
                yk_state_report(file->state)->message);
@@ -176,7 +177,7 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
     yk_program_fix(&file->program);
     yk_program_constants(&file->program);
     file->state = yk_state_new(mech);
-    return file->state && assemble(file, problems) && write_all(file);
+    return file->state && assemble(file, options->pose, problems) && write_all(file);
 }
 
 static bool print(YkFile *file, const YkModel *model, const YkCSourceOptions *options, YkArena *arena,
