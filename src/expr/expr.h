@@ -100,6 +100,10 @@ typedef bool (*YkLookup)(const void *context, const YkExpr *name, YkJet *jet);
 // needs no lookup, but may have one.
 const YkExpr *yk_expr_eval(const YkExpr *expr, YkLookup lookup, const void *context, YkJet *result, const char **why);
 
+// By how much rounding may have moved the value, to first order: what the numbers, the parameters and each operation
+// round off, carried on. The time itself is exact. INFINITY where the expression has no value.
+double yk_expr_rounding(const YkExpr *expr, YkLookup lookup, const void *context);
+
 // Does the expression mention this name (exactly)?
 bool yk_expr_mentions(const YkExpr *expr, const char *name);
 bool yk_expr_has_names(const YkExpr *expr); // any, pi among them

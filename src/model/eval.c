@@ -1,4 +1,5 @@
 // The value of an expression of parameters and time.
+#include <float.h>
 #include <math.h>
 #include <string.h>
 #include "model/load.h"
@@ -72,6 +73,19 @@ YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet
     YkStatus status = yk_model_eval(model, d->expr, t, &argument, problems);
     if (status == YK_OK) apply_law(model->laws[d->law].law, argument.d, jet->d);
     return status;
+}
+
+double yk_model_drive_rounding(const YkModel *model, size_t drive, double t)
+{
+    const YkDrive *d = &model->drives[drive];
+    Values values = {.model = model, .t = t};
+    double rounding = yk_expr_rounding(d->expr, lookup, &values), law[YK_LAW_ORDER + 1];
+    YkJet argument;
+    if (d->law == YK_NONE || !(rounding < INFINITY)) return rounding;
+    if (yk_model_eval(model, d->expr, t, &argument, NULL) != YK_OK) return INFINITY;
+    yk_law_eval(model->laws[d->law].law, argument.d[0], law);
+    // a law repeats itself after a period that is rounded too
+    return fabs(law[1]) * (rounding + DBL_EPSILON * fabs(argument.d[0])) + DBL_EPSILON * fabs(law[0]);
 }
 
 static bool is_linear(const YkExpr *e)

@@ -127,10 +127,7 @@ static YkExact size_of_unit(double size)
     return value;
 }
 
-// a + b t, both exact.
-typedef struct Line {
-    YkExact constant, rate;
-} Line;
+typedef YkExactLine Line;
 
 static const Line no_line = {.constant = {.is_exact = false}, .rate = {.is_exact = false}};
 
@@ -206,4 +203,9 @@ YkExact yk_model_exact(const YkModel *model, const YkExpr *expr)
 YkExact yk_model_exact_rate(const YkModel *model, const YkExpr *expr)
 {
     return eval(model, expr, 0).rate;
+}
+
+YkExactLine yk_model_exact_line(const YkModel *model, const YkExpr *expr)
+{
+    return eval(model, expr, 0);
 }

@@ -307,6 +307,11 @@ bool yk_model_find_lock(const YkModel *model, const char *name, const YkLock **l
 // Evaluates an expression of parameters and t (coordinates have no value here), with its derivatives in time.
 // Returns YK_OK; YK_BAD_MODEL with a problem added (code 3xx) for a division by zero and the like.
 YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet, YkProblems *problems); // of a drive
+// By how much rounding may have moved the value that yk_model_drive tells, rad or m; INFINITY where it has none.
+double yk_model_drive_rounding(const YkModel *model, size_t drive, double t);
+// Where a drive is a + b t with exact a and b: its angle less whole turns, in [-pi, pi], to rounding however many turns
+// there are. False where it is not, and beyond 1e15 turns of a rate that is no fraction of a turn.
+bool yk_model_drive_phase(const YkModel *model, size_t drive, double t, double *phase);
 // Is a drive linear in the time, by the form of its expression?
 bool yk_model_drive_is_steady(const YkModel *model, size_t drive);
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
@@ -319,5 +324,9 @@ YkStatus yk_model_value_of(const YkModel *model, const char *text, YkDimension d
 // is_exact is false otherwise. The second: of its derivative in t, for an expression that is linear in t.
 YkExact yk_model_exact(const YkModel *model, const YkExpr *expr);
 YkExact yk_model_exact_rate(const YkModel *model, const YkExpr *expr);
+typedef struct YkExactLine { // constant + rate t
+    YkExact constant, rate;
+} YkExactLine;
+YkExactLine yk_model_exact_line(const YkModel *model, const YkExpr *expr); // neither is exact where it is no such line
 
 #endif

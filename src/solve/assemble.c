@@ -322,7 +322,13 @@ YkStatus yk_state_assemble(YkState *s)
         guess_groups(s, variables);
         free(variables);
     }
+    s->groups.at_guess = s->mech->has_groups;
     search(s, true, &best.cost, keep_best, &best, LEAVES_MAX);
+    if (!best.found && s->groups.at_guess) { // a group's other solutions may fit where the guess does not
+        s->groups.at_guess = false;
+        search(s, true, &best.cost, keep_best, &best, LEAVES_MAX);
+    }
+    s->groups.at_guess = false;
     if (!best.found) {
         yk_state_tell(s, &s->spare, YK_NO_ASSEMBLY);
         return YK_NO_ASSEMBLY;

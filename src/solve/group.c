@@ -289,6 +289,36 @@ static void write_solution(const Group *g, const double *rate, const double *acc
     }
 }
 
+// The least sine of the angle between a column and the span of all others, from the factors in w->A: the rows of the
+// inverse are as long as these columns stand off. A determinant is a product of such sines, and in a large group small
+// where none of them is.
+static double least_sine_square(YkGroupWork *w, const Group *g)
+{
+    double *row = w->scale, *b = w->tau, largest = 0;
+    memset(row, 0, g->n * sizeof *row);
+    for (size_t k = 0; k < g->n; k++) {
+        memset(b, 0, g->n * sizeof *b);
+        b[k] = 1;
+        yk_lu_solve(g->n, w->A, w->pivot, b);
+        for (size_t j = 0; j < g->n; j++) row[j] += b[j] * b[j];
+    }
+    for (size_t j = 0; j < g->n; j++) {
+        double column = 0;
+        for (size_t i = 0; i < g->m; i++) column += w->J[i * g->n + j] * w->J[i * g->n + j];
+        largest = fmax(largest, row[j] * column);
+    }
+    return 1 / sqrt(largest);
+}
+
+// The normalised determinant with its sign; in large groups its size is the least sine, where it is small.
+static double determinant_of(YkGroupWork *w, const Group *g, double det)
+{
+    enum { SMALL_GROUP = 4 };
+    if (g->m != g->n || g->n <= SMALL_GROUP || det == 0 || fabs(det) > 1e-2) return det;
+    double sine = least_sine_square(w, g);
+    return sine > fabs(det) ? copysign(sine, det) : det;
+}
+
 static double solve_rates(YkGroupWork *w, const Group *g)
 {
     double *rate = w->trial, *accel = w->step;
@@ -297,6 +327,7 @@ static double solve_rates(YkGroupWork *w, const Group *g)
     memcpy(rate, w->step, g->n * sizeof *rate);
     known_rates(g, 2, rate, w->residual);
     if (det != 0) newton_step(w, g);
+    det = determinant_of(w, g, det);
     if (det == 0)
         for (size_t k = 0; k < g->n; k++) rate[k] = accel[k] = 0;
     write_solution(g, rate, accel);
@@ -350,11 +381,26 @@ static void random_start(const Group *g, const double *guess, uint64_t *seed)
     }
 }
 
+// A start takes at most some sixty factorisations.
+static size_t starts_max(const Group *g)
+{
+    const double work_max = 1e9, work = 60.0 * (double)g->m * (double)g->n * (double)g->n;
+    return (size_t)fmax(4, fmin(40.0 * (double)g->n, work_max / work));
+}
+
+// Is what the first start found the guess itself?
+static bool stands_at_guess(const Group *g, const double *guess)
+{
+    for (size_t k = 0; k < g->n; k++)
+        if (!(fabs(g->x[k] - guess[k]) <= 1e-9 * column_size(g, k))) return false;
+    return true;
+}
+
 size_t yk_group_search(const YkRun *run, size_t index)
 {
     YkGroupWork *w = run->groups;
     Group g = group_of(run, index);
-    size_t count = 0, tries = 40 * g.n;
+    size_t count = 0, tries = starts_max(&g);
     uint64_t seed = 1;
     double *guess = w->tau + g.n; // room of its own: tau has twice the length
     bool global = w->global;
@@ -367,6 +413,7 @@ size_t yk_group_search(const YkRun *run, size_t index)
             if (!g.columns[k].is_distance) g.x[k] = yk_nearest_turn(g.x[k], guess[k]);
         if (!is_new(w, &g, count)) continue;
         memcpy(w->solutions + count++ * g.n, g.x, g.n * sizeof *g.x);
+        if (w->at_guess && t == 0 && stands_at_guess(&g, guess)) break;
     }
     memcpy(g.x, guess, g.n * sizeof *guess);
     w->global = global;

@@ -12,6 +12,7 @@ typedef struct YkGroupWork {
     int *pivot;
     size_t *order;
     double *solutions; // [YK_GROUP_SOLUTIONS_MAX][largest group]
+    bool at_guess; // searching: a solution that stands where the guess does is nearest, so that no other is looked for
     bool global;  // damp the steps and start anywhere (assembling); otherwise only a nearby solution will do (tracking)
     double moved; // how far the last solution was from its guess: largest change, rad or lengths over the size
     void *memory;
@@ -26,6 +27,7 @@ void yk_group_solve(const struct YkRun *run, size_t index, int branch);
 // The sign of the block's determinant at its present pose (+1, -1; 0 when singular).
 int yk_group_sign(const struct YkRun *run, size_t index);
 // Searches solutions from many starts (seeded); writes them to groups->solutions in a fixed order, returns how many.
+// In large groups there are fewer starts, so that the search ends after some 1e9 multiplications.
 size_t yk_group_search(const struct YkRun *run, size_t index);
 
 #endif

@@ -16,6 +16,7 @@ static bool allocate(YkState *s)
     s->held = calloc(3 * inputs + 1, sizeof *s->held);
     s->is_held = calloc(3 * inputs + 1, sizeof *s->is_held);
     s->input_lanes = calloc(3 * inputs + 1, sizeof *s->input_lanes);
+    s->phases = calloc(inputs + 1, sizeof *s->phases);
     s->reference = calloc(n + 1, sizeof *s->reference);
     s->guess = calloc(n + 1, sizeof *s->guess);
     s->slot_reference = calloc(mech->reference_count + 1, sizeof *s->slot_reference);
@@ -23,8 +24,8 @@ static bool allocate(YkState *s)
     s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
     s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
     s->search = yk_search_new(mech);
-    return s->input && s->valid_input && s->held && s->is_held && s->input_lanes && s->reference && s->guess &&
-           s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->search &&
+    return s->input && s->valid_input && s->held && s->is_held && s->input_lanes && s->phases && s->reference &&
+           s->guess && s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->search &&
            yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
            yk_group_start(&s->groups, mech);
 }
@@ -69,6 +70,7 @@ void yk_state_free(YkState *s)
     free(s->held);
     free(s->is_held);
     free(s->input_lanes);
+    free(s->phases);
     free(s->reference);
     free(s->guess);
     free(s->slot_reference);
@@ -88,6 +90,8 @@ void yk_state_take(YkState *to, const YkState *from)
     memcpy(to->valid_input, from->valid_input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->held, from->held, 3 * mech->input_count * sizeof *to->held);
     memcpy(to->is_held, from->is_held, 3 * mech->input_count * sizeof *to->is_held);
+    memcpy(to->phases, from->phases, mech->input_count * sizeof *to->phases);
+    to->has_phases = to->has_phases || from->has_phases;
     memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);
     memcpy(to->slot_reference, from->slot_reference, mech->reference_count * sizeof *to->slot_reference);
     memcpy(to->branch, from->branch, mech->block_count);
@@ -108,33 +112,6 @@ YkStatus yk_state_copy(YkState *to, const YkState *from)
 
 // --- inputs
 // -------------------------------------------------------------------------------------------------------------
-
-YkStatus yk_state_set_time(YkState *s, double time, YkProblems *problems)
-{
-    const YkModel *model = s->mech->model;
-    YkStatus status = YK_OK;
-    s->time = time;
-    for (size_t i = 0; i < s->mech->input_count; i++) {
-        const YkTreeCoordinate *c = &s->mech->coordinates[s->mech->inputs[i]];
-        YkJet jet = {{s->guess[s->mech->inputs[i]]}};
-        if (c->drive != YK_NONE) {
-            YkStatus one = yk_model_drive(model, (size_t)c->drive, time, &jet, problems);
-            if (one != YK_OK) status = one;
-        }
-        if (c->drive != YK_NONE && status != YK_OK) continue;
-        for (int k = 0; k < 3; k++) s->input[3 * i + (size_t)k] = jet.d[k];
-    }
-    for (size_t k = 0; k < model->start_count; k++) { // rates of coordinates that are held and not driven
-        const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
-        int32_t q = model->starts[k].is_rate ? yk_tree_coordinate(s->mech, c->joint, c->is_distance) : YK_NONE;
-        if (q == YK_NONE || s->mech->coordinates[q].drive != YK_NONE || s->mech->coordinates[q].input == YK_NONE)
-            continue;
-        s->input[3 * s->mech->coordinates[q].input + 1] = model->starts[k].value;
-    }
-    for (size_t k = 0; k < 3 * s->mech->input_count; k++)
-        if (s->is_held[k]) s->input[k] = s->held[k];
-    return status;
-}
 
 void yk_state_hold_input(YkState *s, size_t input, int order, double value)
 {

@@ -4,6 +4,10 @@
 #include <yoke/state.h>
 #include "solve/run.h"
 
+typedef struct YkPhase { // of an input that has made many turns: `angle` stands for it as long as it has this value
+    double value, angle;
+} YkPhase;
+
 struct YkState {
     const YkMechanism *mech;
     YkSpace space, spare;       // the last valid pose; the one being tried
@@ -12,6 +16,8 @@ struct YkState {
     double *valid_input;        // inputs of the valid pose
     double *held;               // [3 * input + k]: what stands in place of a drive's value, where is_held says so
     bool *is_held;
+    YkPhase *phases; // [input]
+    bool has_phases; // some input has had one
     double *reference;      // per coordinate: its angle comes out nearest to this
     double *slot_reference; // [mech->reference_count]: the same of orientations that relations start from
     double *guess;          // per coordinate, from `start:`
@@ -26,8 +32,12 @@ struct YkState {
     struct YkSearch *search;
 };
 
+// Lets the runner read the phases of inputs that have one in place of their angles.
+void yk_state_place_phases(YkState *state);
+
 static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 {
+    if (state->has_phases) yk_state_place_phases(state);
     return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference};
 }
 

@@ -1,0 +1,67 @@
+// The pose at a time, however late.
+#include "machine.h"
+
+#define FOUR_BAR(drive)                                                                                                \
+    "bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n  crank: {points: {O: [0, 0], A: [1, 0]}}\n"                 \
+    "  coupler: {points: {A: [0, 0], B: [3, 0]}}\n  rocker: {points: {Q: [0, 0], B: [3, 0]}}\n"                        \
+    "joints:\n  O: {pin: [ground, crank], angle: q}\n  A: {pin: [crank, coupler], angle: c}\n"                         \
+    "  Q: {pin: [ground, rocker], angle: r}\n  B: {pin: [coupler, rocker]}\n"                                          \
+    "drives: {q: " drive "}\nstart: {c: 0, r: 120 deg}\n"
+
+static double rocker_at(Machine *m, double time)
+{
+    assert_int_equal(yk_state_set_time(m->state, time, m->problems), YK_OK);
+    assert_int_equal(yk_state_solve(m->state), YK_OK);
+    return yk_state_coordinate(m->state, (size_t)yk_coordinate_find(m->mech, "r")).position;
+}
+
+static void a_pose_is_known_after_any_number_of_turns(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(FOUR_BAR("60 deg + 60 rpm * t"), true);
+    double first = rocker_at(&m, 0);
+    for (double t = 1; t < 1e60; t *= 10) CHECK_NEAR(rocker_at(&m, t), first, 1e-12);
+    rocker_at(&m, 1e15);
+    Machine other = machine_parse(FOUR_BAR("60 deg + 60 rpm * t"), true);
+    assert_int_equal(yk_state_copy(m.state, m.state), YK_OK);
+    yk_state_set_input(m.state, 0, (YkMotion){2, 0, 0}); // what was set last holds
+    yk_state_set_input(other.state, 0, (YkMotion){2, 0, 0});
+    assert_int_equal(yk_state_solve(m.state), YK_OK);
+    assert_int_equal(yk_state_solve(other.state), YK_OK);
+    CHECK_NEAR(yk_state_coordinate(m.state, 2).position, yk_state_coordinate(other.state, 2).position, 1e-15);
+    machine_free(&m);
+    machine_free(&other);
+}
+
+// The text of the first problem after setting the time; NULL where there is none.
+static YkStatus set_late(const char *text, double time, int *code)
+{
+    Machine m = machine_parse(text, true);
+    YkStatus status = yk_state_set_time(m.state, time, m.problems);
+    size_t count = yk_problems_count(m.problems);
+    *code = count > 0 ? yk_problems_get(m.problems, count - 1)->code : 0;
+    machine_free(&m);
+    return status;
+}
+
+static void digits_that_are_lost_are_told(void **unused)
+{
+    (void)unused;
+    const char *sine = FOUR_BAR("sin(1e9 rad/s * t)");
+    int code;
+    assert_int_equal(set_late(sine, 1e-3, &code), YK_OK);
+    assert_int_equal(code, 0);
+    assert_int_equal(set_late(sine, 1e3, &code), YK_OK);
+    assert_int_equal(code, YK_CODE_DRIVE_UNSURE);
+    assert_true(set_late(sine, 1e9, &code) < 0);
+    assert_int_equal(code, YK_CODE_DRIVE_UNKNOWN);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_pose_is_known_after_any_number_of_turns),
+        cmocka_unit_test(digits_that_are_lost_are_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
