@@ -7,8 +7,8 @@
 #include <yoke/variant.h>
 
 typedef struct YkMoveOptions {
-    double turn_max; // the way is verified at least every so many radians (or this times the machine's size); default
-                     // 2 deg
+    double turn_max; // the way is verified at least every so many radians of the body that turns fastest (or this times
+                     // the machine's size); default 8 deg
     size_t detours;  // poses by which a way round is tried where a limit blocks the straight way of a machine with
                      // several inputs; default 200, 0: none
     bool (*goes_on)(void *context, double part); // asked at every verified pose with the part of the way that is done,
@@ -37,8 +37,8 @@ typedef struct YkMove {
 // Turns are counted; where the motion repeats itself turn by turn, one turn is followed and the others are counted.
 // YK_OK, YK_REDUNDANT, YK_SINGULAR (arrived), YK_LIMIT, YK_STOPPED, YK_NO_MEMORY, YK_BAD_ARGUMENT (no pose, a goal that
 // is not finite). Where it did not arrive, the state stands at the last pose of the straight way, and its report says
-// why. move: NULL, or how it went. options: NULL for the defaults. Cost: of solving every 2 degrees of the way, and of
-// as many ways as `detours` says; allocates.
+// why. move: NULL, or how it went. options: NULL for the defaults. Cost: of solving every few degrees of the way, and
+// of as many ways as `detours` says; allocates.
 YK_API YkStatus yk_state_move_to(YkState *state, const YkMotion *goal, const YkMoveOptions *options, YkMove *move);
 // Moves along the drives from the state's time to `time`, s; inputs that are held (yk_state_hold_input) or have no
 // drive stay. Also YK_BAD_MODEL, where a drive has no value on the way.

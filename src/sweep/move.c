@@ -8,7 +8,7 @@
 
 YkMoveOptions yk_default_move_options(void)
 {
-    return (YkMoveOptions){.turn_max = 2 * YK_PI / 180, .detours = 200};
+    return (YkMoveOptions){.turn_max = 8 * YK_PI / 180, .detours = 200};
 }
 
 // One move on its way.

@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
-static const double FASTEST_WHEEL = 1e4, COST_MAX = 1e9; // steps of solution
+static const double FASTEST = 1e4, COST_MAX = 1e9; // steps of solution
 
 bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
 {
@@ -218,18 +218,17 @@ static bool go_on(YkWalk *w, double from, double to, size_t depth)
     return advance(w, from, to, depth + 1);
 }
 
-// How much faster than the path its fastest wheel turns: a gear may turn a crank through more than the inputs.
-static double fastest_wheel(const YkWalk *w)
+// How much faster than the path its fastest body turns: a gear, or a short link, may turn through more than the inputs,
+// and a margin may vanish and come back within as much of its turn.
+static double fastest_turn(const YkWalk *w)
 {
     const YkState *s = w->path.state;
     double fastest = 1, unit = yk_path_scale(&w->path);
-    for (size_t k = 0; s->has_rates && k < s->mech->relation_count + s->mech->derived_count; k++) {
-        const YkRelation *r = &s->mech->relations[k];
-        if (!r->is_solved || r->target.is_distance || r->target.index <= 0) continue;
-        YkTurn turn = yk_space_turn(&s->space, r->target.index);
+    for (size_t k = 1; s->has_rates && k < s->mech->slot_count; k++) {
+        YkTurn turn = yk_space_turn(&s->space, (int32_t)k);
         if (turn.w) fastest = fmax(fastest, unit * fabs(turn.w[0]));
     }
-    return fmin(fastest, FASTEST_WHEEL);
+    return fmin(fastest, FASTEST);
 }
 
 bool yk_walk_is_too_long(YkWalk *w, double a, double b)
@@ -242,7 +241,7 @@ bool yk_walk_go(YkWalk *w, double a, double b)
 {
     double last = a, way = b > a ? 1 : -1;
     while (last != b) {
-        double stride = w->turn_max * yk_path_scale(&w->path) / fastest_wheel(w), left = fabs(b - last);
+        double stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w), left = fabs(b - last);
         double next = left <= stride * (1 + 1e-9) ? b : last + way * left / ceil(left / stride);
         if (next == last) next = b;
         double *margins = yk_walk_margins(w, 0, 0);

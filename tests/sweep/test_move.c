@@ -86,6 +86,25 @@ static void test_random_four_bars_keep_their_circuit(void **unused)
     assert_in_range(limits, 500, 2500);
 }
 
+// All but at a change point: the crank turns through, or is stopped in a gap that is as narrow as 1e-4 rad.
+static void test_narrow_gaps_are_not_jumped(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 20261123;
+    size_t limits = 0;
+    for (int k = 0; k < 2000;) {
+        double off = pow(10, check_uniform(&seed, -8, -3)) * (check_random(&seed) & 1 ? 1 : -1);
+        FourBar f = {check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), 0};
+        f.d = (check_random(&seed) & 1 ? f.b + f.c - f.a : fabs(f.b - f.c) + f.a) + off;
+        double theta = check_uniform(&seed, -YK_PI, YK_PI), to = check_uniform(&seed, -3 * YK_PI, 3 * YK_PI);
+        int branch = check_random(&seed) & 1 ? 1 : -1;
+        if (!(f.d > 0.05) || !four_bar_pose(f, theta, branch).closes) continue;
+        check_four_bar(f, theta, to, branch, &limits);
+        k++;
+    }
+    assert_in_range(limits, 300, 1900);
+}
+
 // The rocker of a crank-rocker as the input: two ranges with the same labels, and no way from one to the other.
 static void test_a_range_of_the_same_labels_is_out_of_reach(void **unused)
 {
@@ -280,7 +299,7 @@ static void test_a_move_can_be_stopped(void **unused)
     YkMotion goal = {from + 2, 0, 0};
     YkMove move;
     assert_int_equal(yk_state_move_to(m.state, &goal, &options, &move), YK_STOPPED);
-    CHECK_NEAR(move.part, 0.5, 0.03);
+    CHECK_NEAR(move.part, 0.5, 0.08);
     CHECK_NEAR(yk_state_coordinate(m.state, yk_input_coordinate(m.mech, 0)).position, from + 2 * move.part, 1e-12);
     goal.position = NAN;
     assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_BAD_ARGUMENT);
@@ -355,6 +374,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_four_bars_keep_their_circuit),
+        cmocka_unit_test(test_narrow_gaps_are_not_jumped),
         cmocka_unit_test(test_a_range_of_the_same_labels_is_out_of_reach),
         cmocka_unit_test(test_many_turns_cost_one),
         cmocka_unit_test(test_time_counts_turns),
