@@ -7,6 +7,7 @@
 
 static YkStatus run_out(YkSession *session)
 {
+    yk_session_run_out(session);
     yk_text_puts(&session->reach_message, "out of memory");
     return YK_NO_MEMORY;
 }
@@ -25,13 +26,15 @@ static YkState *assemble(const YkMechanism *mech, YkStatus *status)
 }
 
 // With other parameters: the file's own assembly, at its own.
+// NULL where these make no machine, or none that goes together.
 static YkState *assemble_own(YkSession *session, YkMechanism **mech)
 {
-    YkProblems *quiet = yk_problems_new(); // the same file has been loaded once; its own parameters may make no machine
+    YkProblems *quiet = yk_problems_new();
     YkStatus status = YK_BAD_MODEL;
     if (!session->own && quiet) session->own = yk_session_load_model(session, false, quiet);
     *mech = session->own && quiet ? yk_mechanism_compile(session->own, NULL, quiet) : NULL;
     YkState *state = *mech ? assemble(*mech, &status) : NULL;
+    if (!*mech ? yk_ran_out(quiet) : !state) yk_session_run_out(session);
     yk_problems_free(quiet);
     if (status >= 0) return state;
     yk_state_free(state);
@@ -54,8 +57,11 @@ static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *st
         from[count + k] = yk_model_parameter(session->model, names[k]);
     }
     for (size_t i = 0; good && i < inputs; i++) goal[i] = yk_state_input(state, i);
-    YkVariant *variant = good ? yk_variant_new(yk_state_mechanism(own), names, count, NULL) : NULL;
+    YkProblems *quiet = yk_problems_new();
+    YkVariant *variant = good && quiet ? yk_variant_new(yk_state_mechanism(own), names, count, quiet) : NULL;
     YkState *moving = variant ? yk_state_new(yk_variant_mechanism(variant)) : NULL;
+    if (!names || !from || !goal || (variant ? !moving : good && yk_ran_out(quiet))) yk_session_run_out(session);
+    yk_problems_free(quiet);
     good = moving && yk_state_adopt(moving, own) >= 0;
     if (good) *status = yk_state_carry(moving, variant, from, from + count, count, goal);
     if (good && *status >= 0) *status = yk_state_adopt(state, moving);

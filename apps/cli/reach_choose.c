@@ -27,12 +27,14 @@ typedef struct Namesakes {
     const YkState *sought;
     YkText label;
     size_t count, place; // from 1; 0: not among them
+    bool failed;
 } Namesakes;
 
 static bool count_namesake(void *context, YkState *state)
 {
     Namesakes *n = context;
     YkText label = yk_label_of(state);
+    n->failed |= label.failed || n->label.failed;
     if (strcmp(yk_text_get(&label), yk_text_get(&n->label)) == 0) {
         n->count++;
         if (yk_same_configuration(state, n->sought)) n->place = n->count;
@@ -54,11 +56,15 @@ static size_t number_at_start(YkSession *session, const YkState *state)
     YkState *back = yk_state_new(session->mech), *start = yk_state_new(session->mech);
     size_t count = yk_input_count(session->mech), number = 0;
     YkMotion *goal = calloc(count + 1, sizeof *goal);
+    if (!back || !start || !goal) yk_session_run_out(session);
     if (back && start && goal && yk_state_copy(back, state) >= 0 && yk_state_set_time(start, 0, NULL) >= 0) {
         for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(start, i);
-        if (yk_state_move_to(back, goal, NULL, NULL) >= 0) {
+        YkStatus status = yk_state_move_to(back, goal, NULL, NULL);
+        if (status == YK_NO_MEMORY) yk_session_run_out(session);
+        if (status >= 0) {
             Namesakes there = namesakes(start, back);
             number = there.place;
+            if (there.failed) yk_session_run_out(session);
             yk_text_free(&there.label);
         }
     }
@@ -72,11 +78,13 @@ YkText yk_configuration_name(YkSession *session, const YkState *state)
 {
     YkState *here = yk_state_new(session->mech);
     YkText name = yk_label_of(state);
-    if (!here || yk_state_copy(here, state) < 0) {
+    if (!here || name.failed || yk_state_copy(here, state) < 0) {
+        yk_session_run_out(session);
         yk_state_free(here);
         return name;
     }
     Namesakes n = namesakes(here, state);
+    if (n.failed) yk_session_run_out(session);
     if (n.count > 1) {
         size_t number = number_at_start(session, state);
         yk_text_format(&name, number > 0 ? ".%z" : ".x%z", number > 0 ? number : n.place);
@@ -142,7 +150,10 @@ static bool is_own(YkSession *session, const YkState *chosen)
 static YkStatus choose_by_name(YkSession *session, const char *word)
 {
     Chooser c = {session, word, number_of(word), 0, yk_state_new(session->mech), false, {0}};
-    if (!c.found) return YK_NO_MEMORY;
+    if (!c.found) {
+        yk_session_run_out(session);
+        return YK_NO_MEMORY;
+    }
     YkStatus status = yk_state_each(session->state, look, &c, NULL);
     if (status >= 0 && c.has_found) {
         status = yk_state_copy(session->state, c.found);

@@ -56,7 +56,10 @@ const char *yk_reach_message(const YkSession *session)
 YkStatus yk_reach_ask(YkSession *session)
 {
     YkState *state = yk_state_new(session->mech);
-    if (!state) return YK_NO_MEMORY;
+    if (!state) {
+        yk_session_run_out(session);
+        return YK_NO_MEMORY;
+    }
     yk_session_hold(session, state);
     YkStatus status = yk_state_set_time(state, session->time, session->problems);
     yk_state_free(session->state);
@@ -107,6 +110,7 @@ static void hint_range(YkSession *session, YkText *text, double asked)
 static YkState *asked_state(YkSession *session)
 {
     YkState *state = yk_state_new(session->mech);
+    if (!state) yk_session_run_out(session);
     if (!state) return NULL;
     yk_session_hold(session, state);
     if (yk_state_set_time(state, session->time, NULL) >= 0) return state;
@@ -150,6 +154,7 @@ void yk_reach_tell(YkSession *session, YkStatus status)
         hint_range(session, &hint, yk_state_input(asked, 0).position);
     hint_others(session, asked, &hint);
     yk_state_free(asked);
+    if (hint.failed) yk_session_run_out(session);
     if (hint.length > 0 && !hint.failed) yk_problem_hint(session->problems, "%s", yk_text_get(&hint));
     yk_text_free(&hint);
 }

@@ -14,6 +14,18 @@ bool yk_session_refuse(YkSession *session, YkCode code, const char *format, cons
     return false;
 }
 
+void yk_session_run_out(YkSession *session)
+{
+    session->out.failed = true;
+}
+
+bool yk_ran_out(const YkProblems *problems)
+{
+    for (size_t k = 0; problems && k < yk_problems_count(problems); k++)
+        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) return true;
+    return !problems || yk_problems_count(problems) == 0;
+}
+
 static bool run_out(YkSession *session)
 {
     return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
@@ -74,6 +86,7 @@ static void find_base(YkSession *session)
 {
     YkProblems *quiet = yk_problems_new(); // the same as those of session->mech, if there are any
     session->base = quiet ? yk_mechanism_compile(session->model, NULL, quiet) : NULL;
+    if (!session->base && yk_ran_out(quiet)) yk_session_run_out(session);
     yk_problems_free(quiet);
     bool same = session->base != NULL;
     for (size_t i = 0; same && i < yk_input_count(session->mech); i++)

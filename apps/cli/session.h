@@ -34,6 +34,10 @@ bool yk_session_count(YkSession *session, const char *option, const char *text, 
 bool yk_session_points(YkSession *session, const YkWords *names, size_t *points);
 // The quantity of a coordinate's order-th derivative.
 YkQuantity yk_quantity_of(bool is_distance, int order);
+// Was it for want of memory that something could not be made? Its problems say so, or there are none at all.
+bool yk_ran_out(const YkProblems *problems);
+// Remembers that memory ran out while an answer was made: it is refused then, whatever was found.
+void yk_session_run_out(YkSession *session);
 // A refusal that needs no more words than these; returns false.
 bool yk_session_refuse(YkSession *session, YkCode code, const char *format, const char *word);
 // Writes the answer to -o FILE or standard output; returns `exit_code`, or YK_EXIT_WRONG when it could not be written.
