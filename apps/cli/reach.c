@@ -170,11 +170,23 @@ static bool moves(const YkSession *session)
     return session->time != 0;
 }
 
+static void warn_of_start(YkSession *session, const YkState *start)
+{
+    YkText label = yk_label_of(start);
+    yk_problem(session->problems, YK_CODE_START_SINGULAR, (YkPlace){0},
+               "the pose of `start:` is one where two configurations meet; the machine is taken to leave it as %s",
+               yk_text_get(&label));
+    yk_text_free(&label);
+}
+
 // Puts session->state where the machine was put together, with the inputs of the command line.
 static YkStatus enter(YkSession *session, const YkState *start)
 {
-    if (!session->base)
-        return yk_state_copy(session->state, start) < 0 ? YK_BAD_ARGUMENT : yk_state_report(start)->status;
+    if (!session->base) {
+        yk_state_copy(session->state, start);
+        if (yk_state_report(start)->status == YK_SINGULAR && moves(session)) warn_of_start(session, start);
+        return yk_state_report(start)->status;
+    }
     YkStatus status = yk_state_adopt(session->state, start);
     if (status != YK_SINGULAR || !moves(session)) return status;
     yk_text_puts(&session->reach_message, "with these inputs the pose of `start:` is a dead point, from which two "

@@ -150,7 +150,8 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
         yk_text_format(&session->out, "\nConfiguration %z: %s%s\n", index + 1, yk_text_get(&label),
                        session->is_start ? " (the machine's own)" : "");
     } else if (label.length > 0) {
-        yk_text_format(&session->out, "Configuration %s\n", yk_text_get(&label));
+        yk_text_format(&session->out, "Configuration %s%s\n", yk_text_get(&label),
+                       session->is_chosen ? " (chosen)" : "");
     }
     yk_scale_begin(session);
     yk_scale_add_pose(session, state);
