@@ -41,15 +41,6 @@ static void keep_passes(YkMove *move, const YkWalk *walk, double from, double to
     }
 }
 
-static YkStatus refuse_length(YkWalk *w)
-{
-    static const char why[] =
-        "the way there is too long to be followed pose by pose: ask for one that is nearer, or for "
-        "a configuration by --assembly";
-    memcpy(w->path.state->report.message, why, sizeof why);
-    return w->path.state->report.status = YK_STOPPED;
-}
-
 // From `from` to `to` on the walk's path; the state ends there with the motion's own rates.
 static YkStatus go(Mover *m, YkWalk *w, double from, double to)
 {
@@ -60,7 +51,7 @@ static YkStatus go(Mover *m, YkWalk *w, double from, double to)
     }
     w->problems = m->problems;
     w->from = from;
-    if (period == 0 && yk_walk_is_too_long(w, from, to)) return refuse_length(w);
+    if (period == 0 && yk_walk_refuses(w, from, to)) return w->status;
     YkStatus status = yk_path_probe(&w->path, from, true);
     bool ok = status >= 0;
     if (ok && period > 0) at = yk_turns_skip(w, period);

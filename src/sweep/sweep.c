@@ -25,6 +25,7 @@ static bool approach(YkSweep *w)
     double here = walk->path.input < 0 ? s->time : s->valid_input[3 * walk->path.input], from = w->options.from;
     walk->from = here;
     yk_path_probe(&walk->path, here, true);
+    if (yk_walk_refuses(walk, here, from) || yk_walk_refuses(walk, from, w->options.to)) return false;
     bool ok = here == from || yk_walk_go(walk, here, from);
     if (ok) walk->event_count = walk->more_events = 0;
     walk->from = from;
@@ -55,7 +56,7 @@ static void run(YkSweep *w)
 {
     run_rows(w);
     if (w->row_count > 0) yk_sweep_read_events(w, w->walk.path.last);
-    yk_path_probe(&w->walk.path, w->walk.path.last, false);
+    if (w->walk.status != YK_STOPPED) yk_path_probe(&w->walk.path, w->walk.path.last, false);
 }
 
 static bool allocate(YkSweep *w)

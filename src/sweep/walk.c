@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
-static const double FASTEST = 1e4, COST_MAX = 1e9; // steps of solution
+static const double FASTEST = 1e4, COST_MAX = 2e8; // steps of solution
 
 bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
 {
@@ -231,10 +231,17 @@ static double fastest_turn(const YkWalk *w)
     return fmin(fastest, FASTEST);
 }
 
-bool yk_walk_is_too_long(YkWalk *w, double a, double b)
+bool yk_walk_refuses(YkWalk *w, double a, double b)
 {
-    double cost = 1 + (double)w->path.state->mech->step_count;
-    return yk_path_length(&w->path, a, b) / w->turn_max * cost > COST_MAX;
+    static const char why[] =
+        "the way is too long to be followed pose by pose: the inputs turn too often on it; ask for a "
+        "shorter one";
+    YkState *s = w->path.state;
+    double cost = 10 + (double)s->mech->step_count; // of a step
+    if (s->mech->block_count == 0 || yk_path_length(&w->path, a, b) / w->turn_max * cost <= COST_MAX) return false;
+    memcpy(s->report.message, why, sizeof why);
+    w->status = s->report.status = YK_STOPPED;
+    return true;
 }
 
 bool yk_walk_go(YkWalk *w, double a, double b)

@@ -29,8 +29,9 @@ void yk_walk_end(YkWalk *walk);
 // In verified sub-steps from a, where the state stands, to b. False where the motion ends on the way: the status says
 // why, and a limit is noted as an event.
 bool yk_walk_go(YkWalk *walk, double a, double b);
-// Would it take more steps than anybody waits for? Asked before a walk; counts what the machine costs at each.
-bool yk_walk_is_too_long(YkWalk *walk, double a, double b);
+// Would it take more steps than anybody waits for? Then the status is YK_STOPPED, and the state's report says why. Asked
+// before a walk; counts what the machine costs at each step.
+bool yk_walk_refuses(YkWalk *walk, double a, double b);
 // Keeps an event.
 void yk_walk_note(YkWalk *walk, YkEvent event);
 // The walk ends at `at`, since the machine does not close at `bad` - or no drive says where it is to be then.

@@ -225,6 +225,17 @@ class Poses(Case):
             text = re.sub(r"start: \{.*\}", "start: {%s}" % ", ".join("%s: %r" % i for i in now.items() if i[0] != "theta"), text)
         return guesses
 
+    def test_a_way_that_is_too_long_is_refused_at_once(self):
+        """A drive that swings 3e8 times on the way; what is asked of fewer swings is answered."""
+        file = self.write("swings.yaml", NEAR.replace("start: {theta: 60 deg, ", "drives: {theta: 1 rad + 0.2 rad * sin(1e9 rad/s * t)}\nstart: {"))
+        for words in (("solve", file, "--time", "2s"), ("sweep", file, "--over", "t=0:2s"), ("sweep", file, "--over", "t=1s:2s")):
+            run = Run(*words)
+            self.assertEqual(run.code, 1, words)
+            self.assertIn("[E0608]", run.err)
+            self.assertIn("too long", run.err)
+        self.assertEqual(Run("solve", file, "--time", "1us").code, 0)
+        self.assertEqual(Run("sweep", file, "--over", "t=0:1us", "--steps", "3").code, 0)
+
     def test_random_machines(self):
         for seed in range(200 if FULL else 12):
             rng = random.Random(seed)
