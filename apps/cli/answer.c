@@ -70,6 +70,8 @@ void yk_tell_status(YkSession *session, YkStatus status, const char *message)
     if (status == YK_OK) return;
     yk_problem(session->problems, yk_status_code(status), (YkPlace){0}, "%s: %s", yk_status_name(status),
                words_of(status, message));
+    bool gave_up = status == YK_NOT_CONVERGED && session->state && yk_state_report(session->state)->status == status;
+    if (gave_up) yk_problem_hint(session->problems, "give guesses nearer to the assembly that is meant in `start:`");
 }
 
 int yk_freedom_of(const YkMechanism *mech)

@@ -34,7 +34,7 @@ YK_API void yk_state_hold_input(YkState *state, size_t input, int order, double 
 // Assembles: among all configurations that close at the inputs, takes the one nearest to the guesses of `start:`
 // (squared differences of angles modulo a turn and of lengths over the machine's size), and keeps its branches and its
 // angles as reference. Cost: 2^d solutions of d dyads at worst, cut short by bounds. YK_OK, YK_SINGULAR, YK_REDUNDANT,
-// YK_NO_ASSEMBLY, ...
+// YK_NO_ASSEMBLY, YK_NOT_CONVERGED where the search gave up without having tried everything, ...
 YK_API YkStatus yk_state_assemble(YkState *state);
 // Solves at the present inputs on the branches set (by assembling, by the last configuration, by yk_state_set_branch).
 // Angles come out nearest to the reference. The last valid pose is kept on failure. Cost linear; allocates nothing.

@@ -1,5 +1,5 @@
 // From a closed loop to a block: what is known, what is unknown, and which closed form solves it.
-#include "compile/plan.h"
+#include "compile/judge.h"
 
 typedef struct Parts { // of a loop
     YkTermList known, arm[2];
@@ -72,9 +72,9 @@ static bool is_constant(const YkTermList *arm)
     return true;
 }
 
-static bool is_zero_arm(const YkTermList *arm)
+static bool is_zero_arm(const YkPlan *plan, const YkTermList *arm)
 {
-    return is_constant(arm) && yk_norm(arm->constant) == 0;
+    return is_constant(arm) && yk_norm(arm->constant) <= YK_CLOSURE_ROUNDING * plan->mech->size;
 }
 
 static bool are_parallel(const YkTerm *a, const YkTerm *b)
@@ -83,23 +83,23 @@ static bool are_parallel(const YkTerm *a, const YkTerm *b)
 }
 
 // Which kind the parts make; false where they make none that can be solved.
-static bool kind_of(const Parts *p, YkBlockKind *kind)
+static bool kind_of(const YkPlan *plan, const Parts *p, YkBlockKind *kind)
 {
     if (p->too_many) return false;
     if (p->angles == 2 && p->lines == 0) {
         *kind = YK_BLOCK_RRR;
-        return !is_zero_arm(&p->arm[0]) && !is_zero_arm(&p->arm[1]);
+        return !is_zero_arm(plan, &p->arm[0]) && !is_zero_arm(plan, &p->arm[1]);
     }
     if (p->angles == 1 && p->lines == 1) {
         *kind = p->line_turns[0] ? YK_BLOCK_RPR : YK_BLOCK_RRP;
-        return p->line_turns[0] || !is_zero_arm(&p->arm[0]);
+        return p->line_turns[0] || !is_zero_arm(plan, &p->arm[0]);
     }
     if (p->angles == 0 && p->lines == 2) {
         *kind = YK_BLOCK_PP;
         return !are_parallel(&p->line[0], &p->line[1]);
     }
     *kind = p->angles + p->lines == 0 ? YK_BLOCK_CHECK : YK_BLOCK_LINK;
-    return p->angles == 0 || !is_zero_arm(&p->arm[0]);
+    return p->angles == 0 || !is_zero_arm(plan, &p->arm[0]);
 }
 
 // Angles in the order of their orientations, so that a branch's sign does not depend on the way round the loop.
@@ -189,23 +189,30 @@ void yk_block_measure(YkBlock *block)
         block->arms.circle = yk_arm_circle(block->arm[0].constant);
 }
 
+static size_t columns_of(const Parts *p, YkColumn columns[4])
+{
+    size_t count = 0;
+    for (size_t k = 0; k < p->angles; k++) columns[count++] = (YkColumn){false, p->root[k]};
+    for (size_t k = 0; k < p->lines; k++) columns[count++] = (YkColumn){true, p->line[k].distance};
+    return count;
+}
+
 static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
 {
     YkMechanism *mech = plan->mech;
-    size_t columns = 0;
     bool ok = yk_terms_store(&p->known, mech, &block->known);
     for (size_t k = 0; k < p->angles; k++) {
         ok = ok && yk_terms_store(&p->arm[k], mech, &block->arm[k]);
         block->arm_is_constant[k] = is_constant(&p->arm[k]);
-        block->column[columns++] = (YkColumn){false, p->root[k]};
     }
     for (size_t k = 0; k < p->lines; k++) {
         block->line_slot[k] = p->line[k].slot;
         block->line[k] = p->line[k].v;
         yk_recipe_note_line(mech->recipe, (int32_t)(block - mech->blocks), (int32_t)k, p->line_node[k]);
-        block->column[columns++] = (YkColumn){true, p->line[k].distance};
     }
-    block->column_count = (uint32_t)columns;
+    YkColumn columns[4];
+    block->column_count = (uint32_t)columns_of(p, columns);
+    for (uint32_t k = 0; k < block->column_count; k++) block->column[k] = columns[k];
     yk_block_measure(block);
     if (!ok) plan->failed = true;
 }
@@ -228,15 +235,16 @@ bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count, size_t exp
     sort_terms(plan, &parts);
     order_angles(&parts);
     order_lines(&parts);
-    bool is_block = kind_of(&parts, &kind) && parts.angles + parts.lines == expected;
+    YkColumn columns[4];
+    size_t unknowns = columns_of(&parts, columns);
+    bool is_block = kind_of(plan, &parts, &kind) && unknowns == expected && yk_judge_block(plan, columns, unknowns);
     if (is_block) {
         YkBlock *block = yk_plan_new_block(plan, kind, joints, count);
         if (block) {
             fill_block(plan, block, &parts);
             note_redundant(plan, block);
             yk_plan_step(plan, (YkStep){.kind = YK_STEP_BLOCK, .target = (int32_t)plan->mech->block_count - 1});
-            YkColumn learned[2] = {block->column[0], block->column[1]};
-            for (size_t k = 0; k < expected; k++) yk_plan_learn(plan, learned[k]);
+            for (size_t k = 0; k < expected; k++) yk_plan_learn(plan, columns[k]);
         }
     }
     if (parts.known.failed || parts.arm[0].failed || parts.arm[1].failed) plan->failed = true;

@@ -84,6 +84,25 @@ static void guess_orientation(const YkMechanism *mech, int32_t body, const doubl
     x[to - 1] = (from == 0 ? 0 : x[from - 1]) + (angle.a == from ? turn : -turn);
 }
 
+// The distance of a joint that closes a loop is no coordinate and appears in no other loop: where the loop comes
+// nearest to closing.
+static void guess_closing_distance(const YkMechanism *mech, size_t loop, double *x)
+{
+    const YkSum *sum = &mech->loops[loop].sum;
+    int32_t d = mech->joint_distance[mech->loops[loop].joint];
+    if (d == YK_NONE) return;
+    YkVec line = {0, 0};
+    double miss[2], *own = &x[mech->orientation_count - 1 + (size_t)d];
+    for (uint32_t k = 0; k < sum->count; k++) {
+        YkTerm t = mech->terms[sum->first + k];
+        if (t.distance == d) line = yk_add(line, t.slot == 0 ? t.v : yk_mul(yk_unit(x[t.slot - 1]), t.v));
+    }
+    *own = 0;
+    yk_closure_loop(mech, loop, x, miss, NULL, 0, NULL);
+    double square = yk_dot(line, line);
+    if (square > 0) *own = -yk_dot(yk_vec(miss[0], miss[1]), line) / square;
+}
+
 void yk_closure_guess(const YkMechanism *mech, const double *coordinates, double *x)
 {
     size_t o = mech->orientation_count - 1;
@@ -92,4 +111,5 @@ void yk_closure_guess(const YkMechanism *mech, const double *coordinates, double
     for (size_t k = 0; k < mech->model->body_count; k++) guess_orientation(mech, mech->tree_order[k], coordinates, x);
     for (size_t k = 0; k < mech->coordinate_count; k++)
         if (mech->coordinates[k].is_distance) x[o + (size_t)mech->coordinates[k].distance] = coordinates[k];
+    for (size_t l = 0; l < mech->loop_count; l++) guess_closing_distance(mech, l, x);
 }

@@ -17,16 +17,31 @@ void yk_closure_relation(const YkMechanism *mech, size_t relation, const double 
                          const int32_t *column);
 // All loops: residual[2 loops]; jacobian[2 loops][variables] row-major, or NULL.
 void yk_closure(const YkMechanism *mech, const double *x, double *residual, double *jacobian);
-// Guesses from `start:` (unknown ones 0), mapped to variables along the tree. Cost O(bodies log coordinates).
+// Guesses from `start:` (unknown ones 0), mapped to variables along the tree; distances that are no coordinates where
+// their loops come nearest to closing. Cost O(bodies log coordinates + terms of all loops).
 void yk_closure_guess(const YkMechanism *mech, const double *coordinates, double *x);
 
 // Freedom by rank: closes the loops, with their relations, from the guesses and takes the rank of their Jacobian there;
-// which candidates, in order of preference, are independent inputs. Parts of the machine that share only the ground are
-// measured one by one. In a part that does not close, or has more than YK_CLOSURE_MAX variables (the work is dense),
-// accepted[] keeps what the caller put there. freedom: of the whole machine, or -1 where a part could not be measured.
-// false when out of memory.
+// which candidates are independent inputs. Parts of the machine that share only the ground are measured one by one. In
+// a part that does not close, or has more than YK_CLOSURE_MAX variables (the work is dense), accepted[] keeps what the
+// caller put there; also where equations do not repeat each other and it determines the motion. freedom: of the whole
+// machine, or -1 where a part could not be measured. false when out of memory.
 enum { YK_CLOSURE_MAX = 300 };
-bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const int32_t *candidates, size_t count,
-                        bool *accepted, int *freedom);
+#define YK_CLOSURE_ROUNDING 1e-13 // over the size: an arm of less is what rounding leaves of points that coincide
+typedef struct YkCandidates {
+    const int32_t *items; // coordinates in order of preference
+    size_t count, firm;   // the first `firm` were asked for, or are driven
+    bool *accepted;       // [count]
+    bool is_peeled;       // all are dyads: what was counted stands unless the guesses close as they are
+} YkCandidates;
+// A closed pose by which an order of solution is judged: the guesses', or one close by where the accepted inputs do not
+// determine the motion at the guesses'.
+typedef struct YkClosedPose {
+    double *x;         // [variables]
+    bool *is_repeated; // [variables]: of a part that closes there and whose equations repeat each other
+} YkClosedPose;
+// pose: filled where it is not NULL; the caller has cleared is_repeated.
+bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const YkCandidates *wish, int *freedom,
+                        const YkClosedPose *pose);
 
 #endif

@@ -17,8 +17,20 @@ typedef struct Parts {
 typedef struct Work { // on one part; x holds all variables of the machine
     const YkMechanism *mech;
     const int32_t *variables, *loops, *relations, *column;
+    const YkCandidates *wish;
+    const int32_t *members; // of the candidates, those of this part
+    size_t member_count;
     size_t loop_count, m, n;
-    double *x, *residual, *J, *A, *tau, *step, *old, *guess, *center, *basis;
+    double *x, *residual, *J, *A, *tau, *step, *old, *guess, *basis;
+    double *scale;   // of each column of A, by which it was divided
+    double *near[3]; // closed poses: the one found, and two that its free motions lead to
+    double *judge;   // the pose to judge by: of the best rank, and where the accepted inputs determine the motion
+    double *kept;    // the same, of the attempt that counts
+    bool is_closed;  // there is one
+    bool is_given;   // the guesses close as they are
+    bool holds;      // loops are closed with the inputs that were counted where they stand
+    bool *other;     // [members] accepted at another pose
+    bool *counted;   // [members] accepted by the caller
     size_t *order;
     uint64_t seed;
 } Work;
@@ -159,14 +171,17 @@ static void restore(Work *w, const double *from)
     for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] = from[j];
 }
 
+// Between -1 and 1.
+static double draw(Work *w)
+{
+    w->seed = w->seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(w->seed >> 11) * 0x1p-52 - 1;
+}
+
 // Moves each variable by up to `by` radians, or times the machine's size.
 static void disturb(Work *w, double by)
 {
-    for (size_t j = 0; j < w->n; j++) {
-        w->seed = w->seed * 6364136223846793005u + 1442695040888963407u;
-        double r = (double)(w->seed >> 11) * 0x1p-52 - 1;
-        w->x[w->variables[j]] += by * r * (is_angle(w, j) ? 1 : w->mech->size);
-    }
+    for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += by * draw(w) * (is_angle(w, j) ? 1 : w->mech->size);
 }
 
 // Residuals over the size, in dimensionless variables: angles, and distances over the size. Returns their length.
@@ -188,13 +203,27 @@ static double evaluate(Work *w)
     return sqrt(sum);
 }
 
-// One Levenberg step: least squares of [J; mu I] step = [-r; 0].
+// A coordinate's rate, times `by`, as a row of the unknowns.
+static void add_rate(const Work *w, int32_t coordinate, double by, double *row)
+{
+    const YkTreeCoordinate *c = &w->mech->coordinates[coordinate];
+    YkJointAngle angle = yk_joint_angle(w->mech, c->joint);
+    if (c->is_distance) row[w->column[coordinate_variable(w->mech, coordinate)]] += by;
+    if (!c->is_distance && angle.b > 0) row[w->column[angle.b - 1]] += by;
+    if (!c->is_distance && angle.a > 0) row[w->column[angle.a - 1]] -= by;
+}
+
+// One Levenberg step: least squares of [J; mu I] step = [-r; 0]; where inputs are held, also of their rates, which are
+// 0.
 static void damped_step(Work *w, double mu)
 {
-    size_t rows = w->m + w->n;
-    memset(w->A, 0, rows * w->n * sizeof *w->A);
+    const double heavy = 1e6;
+    size_t rows = w->m + w->n, held = rows;
     memcpy(w->A, w->J, w->m * w->n * sizeof *w->A);
+    memset(w->A + w->m * w->n, 0, 2 * w->n * w->n * sizeof *w->A);
     for (size_t j = 0; j < w->n; j++) w->A[(w->m + j) * w->n + j] = mu;
+    for (size_t k = 0; k < w->member_count && w->holds && rows < held + w->n; k++)
+        if (w->wish->accepted[w->members[k]]) add_rate(w, w->wish->items[w->members[k]], heavy, w->A + rows++ * w->n);
     double *b = w->residual + w->m;
     for (size_t i = 0; i < rows; i++) b[i] = i < w->m ? -w->residual[i] : 0;
     size_t rank = yk_qr_factor(rows, w->n, w->A, w->order, w->tau, 1e-14);
@@ -224,9 +253,23 @@ static bool close_loops(Work *w)
 // --- rank
 // ---------------------------------------------------------------------------------------------------------------
 
+// The Jacobian as rank sees it: each column over its length, so that short links count as long ones do, and without
+// what is left of lengths that cancel but for rounding.
+static void copy_jacobian(Work *w)
+{
+    const double shortest = 1e-6;
+    size_t n = w->n;
+    for (size_t j = 0; j < n; j++) {
+        double sum = 0;
+        for (size_t i = 0; i < w->m; i++) sum += w->J[i * n + j] * w->J[i * n + j];
+        w->scale[j] = fmax(sqrt(sum), shortest);
+    }
+    for (size_t k = 0; k < w->m * n; k++) w->A[k] = fabs(w->J[k]) > YK_CLOSURE_ROUNDING ? w->J[k] / w->scale[k % n] : 0;
+}
+
 static size_t factor(Work *w)
 {
-    memcpy(w->A, w->J, w->m * w->n * sizeof *w->A);
+    copy_jacobian(w);
     return yk_qr_factor(w->m, w->n, w->A, w->order, w->tau, 1e-9);
 }
 
@@ -266,6 +309,7 @@ static size_t free_motions(Work *w, size_t rank)
             for (size_t k = i + 1; k < rank; k++) sum += w->A[i * n + k] * v[w->order[k]];
             v[w->order[i]] = -sum / w->A[i * n + i];
         }
+        for (size_t k = 0; k < n; k++) v[k] /= w->scale[k];
         f += orthogonalise(v, w->basis, f, n, 0);
     }
     return f;
@@ -286,47 +330,159 @@ static void rates_of(const Work *w, int32_t coordinate, size_t f, double *rates)
 }
 
 // A candidate is an input when it moves in a way that those before it do not tell.
-static void accept(Work *w, const int32_t *candidates, const int32_t *members, size_t count, size_t rank,
-                   bool *accepted)
+static void accept(Work *w, size_t rank)
 {
     size_t f = free_motions(w, rank), taken = 0;
     double *told = w->A; // rows of length f <= n, in an orthonormal basis
-    for (size_t k = 0; k < count; k++) {
-        accepted[members[k]] = false;
+    for (size_t k = 0; k < w->member_count; k++) {
+        bool *accepted = &w->wish->accepted[w->members[k]];
+        *accepted = false;
         if (taken == f) continue;
-        rates_of(w, candidates[members[k]], f, told + taken * f);
-        accepted[members[k]] = orthogonalise(told + taken * f, told, taken, f, 1e-8);
-        taken += accepted[members[k]];
+        rates_of(w, w->wish->items[w->members[k]], f, told + taken * f);
+        *accepted = orthogonalise(told + taken * f, told, taken, f, 1e-8);
+        taken += *accepted;
     }
 }
 
-// At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than
-// their neighbours.
-static int freedom_here(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
+// A coordinate's rate as a row of the scaled unknowns, of length 1.
+static void rate_row(const Work *w, int32_t coordinate, double *row)
 {
-    size_t best = 0;
-    save(w, w->center);
-    for (int k = 0; k < 3; k++) {
-        restore(w, w->center);
-        if (k > 0) disturb(w, 0.02);
-        if (!close_loops(w)) continue;
-        size_t rank = factor(w);
-        if (k > 0 && rank <= best) continue;
-        best = rank;
-        accept(w, candidates, members, count, rank, accepted);
+    memset(row, 0, w->n * sizeof *row);
+    add_rate(w, coordinate, 1, row);
+    for (size_t j = 0; j < w->n; j++) row[j] /= w->scale[j];
+    double length = sqrt(dot(row, row, w->n));
+    for (size_t j = 0; j < w->n && length > 0; j++) row[j] /= length;
+}
+
+// Whether the accepted inputs determine the motion at the pose whose Jacobian is J.
+static bool inputs_determine(Work *w)
+{
+    size_t rows = w->m, n = w->n;
+    copy_jacobian(w);
+    for (size_t k = 0; k < w->member_count && rows < w->m + n; k++)
+        if (w->wish->accepted[w->members[k]]) rate_row(w, w->wish->items[w->members[k]], w->A + rows++ * n);
+    return yk_qr_factor(rows, n, w->A, w->order, w->tau, 1e-6) == n;
+}
+
+// A motion that the factored Jacobian leaves free, at random, its largest part 1; nothing where it leaves none.
+static void draw_motion(Work *w, size_t free_count, double *motion)
+{
+    double largest = 0;
+    memset(motion, 0, w->n * sizeof *motion);
+    for (size_t i = 0; i < free_count; i++) {
+        double share = draw(w);
+        for (size_t j = 0; j < w->n; j++) motion[j] += share * w->basis[i * w->n + j];
     }
+    for (size_t j = 0; j < w->n; j++) largest = fmax(largest, fabs(motion[j]));
+    for (size_t j = 0; j < w->n && largest > 0; j++) motion[j] /= largest;
+}
+
+static void move(Work *w, const double *motion, double by)
+{
+    for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += by * motion[j] * (is_angle(w, j) ? 1 : w->mech->size);
+}
+
+// The pose that stands, and where its free motions lead, so that no other assembly is measured. rank[k]: 0 where a pose
+// does not close. Returns the largest.
+static size_t look_around(Work *w, size_t rank[3])
+{
+    size_t best = rank[0] = factor(w), free_count = free_motions(w, best);
+    save(w, w->near[0]);
+    for (int k = 1; k < 3; k++) draw_motion(w, free_count, w->near[k]);
+    for (int k = 1; k < 3; k++) {
+        rank[k] = 0;
+        restore(w, w->near[0]);
+        move(w, w->near[k], 0.02);
+        if (free_count == 0 || !close_loops(w)) continue;
+        rank[k] = factor(w);
+        save(w, w->near[k]);
+        best = rank[k] > best ? rank[k] : best;
+    }
+    return best;
+}
+
+static void go_to(Work *w, int near)
+{
+    restore(w, w->near[near]);
+    evaluate(w);
+}
+
+// Takes the inputs of a near pose; with `firm`, only where what was asked for or is driven is an input there and was
+// none before.
+static void accept_at(Work *w, int near, size_t rank, bool firm)
+{
+    bool *accepted = w->wish->accepted, gains = !firm;
+    for (size_t k = 0; k < w->member_count; k++) w->other[k] = accepted[w->members[k]];
+    go_to(w, near);
+    factor(w);
+    accept(w, rank);
+    for (size_t k = 0; k < w->member_count; k++)
+        gains |= (size_t)w->members[k] < w->wish->firm && accepted[w->members[k]] && !w->other[k];
+    for (size_t k = 0; k < w->member_count && !gains; k++) accepted[w->members[k]] = w->other[k];
+}
+
+static size_t count_inputs(const Work *w)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < w->member_count; k++) count += w->wish->accepted[w->members[k]];
+    return count;
+}
+
+// A drive that stands still on the sheet of motion where the guesses are may move on another that meets it.
+static void keep_firm(Work *w)
+{
+    bool is_lost = false;
+    for (size_t k = 0; k < w->member_count; k++)
+        is_lost |= (size_t)w->members[k] < w->wish->firm && w->counted[k] && !w->wish->accepted[w->members[k]];
+    for (size_t k = 0; k < w->member_count && is_lost; k++) w->wish->accepted[w->members[k]] = w->counted[k];
+}
+
+// At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than
+// their neighbours; and the inputs: as they were counted, where equations do not repeat each other and these determine
+// the motion; otherwise those of the pose itself, but what is firm also where it stands at its dead point. A pose that
+// the guesses do not give may be a dead point by chance: then poses beside it come first.
+static int freedom_here(Work *w)
+{
+    static const int orders[2][3] = {{1, 2, 0}, {0, 1, 2}};
+    const int *order = orders[w->is_given];
+    size_t rank[3], best = look_around(w, rank);
+    int chosen = -1;
+    for (int i = 0; i < (w->is_given ? 1 : 3) && best == w->m && chosen < 0; i++) {
+        if (rank[order[i]] != best) continue;
+        go_to(w, order[i]);
+        if (inputs_determine(w)) chosen = order[i];
+    }
+    bool is_counted = chosen >= 0;
+    for (int i = 0; i < 3 && !is_counted; i++) {
+        if (rank[order[i]] != best) continue;
+        accept_at(w, order[i], best, chosen >= 0);
+        if (chosen < 0) chosen = order[i];
+    }
+    if (!is_counted && w->wish->is_peeled && w->m + count_inputs(w) == w->n) keep_firm(w);
+    for (int i = 2; i >= 0 && !is_counted; i--) {
+        if (rank[i] != best) continue;
+        go_to(w, i);
+        if (inputs_determine(w)) chosen = i;
+    }
+    memcpy(w->judge, w->near[chosen], w->n * sizeof *w->judge);
     return (int)(w->n - best);
 }
 
 static bool work_start(Work *w)
 {
-    size_t rows = w->m + w->n;
-    w->old = calloc(6 * w->n + w->m + rows + (w->m + rows + w->n) * w->n, sizeof *w->old);
+    size_t rows = w->m + 2 * w->n;
+    w->old = calloc(11 * w->n + w->m + rows + (w->m + rows + w->n) * w->n, sizeof *w->old);
     w->order = calloc(w->n, sizeof *w->order);
-    if (!w->old || !w->order) return false;
+    w->other = calloc(2 * w->member_count + 1, sizeof *w->other);
+    w->counted = w->other ? w->other + w->member_count : NULL;
+    for (size_t k = 0; w->counted && k < w->member_count; k++) w->counted[k] = w->wish->accepted[w->members[k]];
+    if (!w->old || !w->order || !w->other) return false;
     w->guess = w->old + w->n;
-    w->center = w->guess + w->n;
-    w->step = w->center + w->n;
+    for (int k = 0; k < 3; k++) w->near[k] = w->guess + (size_t)(k + 1) * w->n;
+    w->judge = w->near[2] + w->n;
+    w->kept = w->judge + w->n;
+    w->scale = w->kept + w->n;
+    w->step = w->scale + w->n;
     w->tau = w->step + w->n;
     w->residual = w->tau + w->n; // and the right side of a step behind it
     w->J = w->residual + w->m + rows;
@@ -335,34 +491,55 @@ static bool work_start(Work *w)
     return true;
 }
 
-// From the guesses, then from about them: the first pose that closes and moves; -1 when none closes. A machine with
-// repeated constraints can often be put together in rigid ways as well: these count only when nothing else is found.
-static int measure(Work *w, const int32_t *candidates, const int32_t *members, size_t count, bool *accepted)
+// From the guesses with the inputs held, from the guesses, then from about them: the first pose that closes and moves;
+// -1 when none closes. A machine with repeated constraints can often be put together in rigid ways as well: these count
+// only when nothing else is found, or when the guesses close as they are.
+static int measure(Work *w)
 {
     int freedom = -1;
+    w->is_given = evaluate(w) <= 1e-9;
+    if (w->wish->is_peeled && (!w->is_given || (w->m + count_inputs(w) == w->n && inputs_determine(w)))) return -1;
     save(w, w->guess);
-    for (int attempt = 0; attempt < 6 && freedom <= 0; attempt++) {
+    for (int attempt = 0; attempt < 7 && (freedom < 0 || (freedom == 0 && !w->is_given)); attempt++) {
         restore(w, w->guess);
-        if (attempt > 0) disturb(w, attempt < 3 ? 0.1 : 1);
-        if (close_loops(w)) freedom = freedom_here(w, candidates, members, count, accepted);
+        if (attempt > 1) disturb(w, attempt < 4 ? 0.1 : 1);
+        w->holds = attempt == 0;
+        bool is_closed = close_loops(w);
+        w->holds = false;
+        if (!is_closed) continue;
+        int one = freedom_here(w);
+        if (freedom == 0 && one == 0) continue; // the first pose stays the one to judge by
+        freedom = one;
+        memcpy(w->kept, w->judge, w->n * sizeof *w->kept);
     }
     bool has_relations = w->m > 2 * w->loop_count;
+    w->is_closed = freedom >= 0;
     if (freedom < 0 && has_relations) { // phases that do not go together; assembling will say so
         restore(w, w->guess);
         evaluate(w);
         size_t rank = factor(w);
-        accept(w, candidates, members, count, rank, accepted);
+        accept(w, rank);
         freedom = (int)(w->n - rank);
     }
     return freedom;
 }
 
-// The freedom of one part, -1 where it is not measured; *enough becomes false when out of memory.
-static int part_freedom(Work *w, const Parts *p, size_t part, const int32_t *candidates, bool *accepted, bool *enough)
+// Hands out the pose to judge by.
+static void tell_pose(const Work *w, int freedom, const YkClosedPose *pose)
 {
-    const int32_t *members = p->candidates + p->candidate_first[part];
-    size_t count = p->candidate_first[part + 1] - p->candidate_first[part];
+    bool is_repeated = w->is_closed && w->m + (size_t)freedom > w->n;
+    for (size_t j = 0; j < w->n && is_repeated; j++) {
+        pose->x[w->variables[j]] = w->kept[j];
+        pose->is_repeated[w->variables[j]] = true;
+    }
+}
+
+// The freedom of one part, -1 where it is not measured; *enough becomes false when out of memory.
+static int part_freedom(Work *w, const Parts *p, size_t part, const YkClosedPose *pose, bool *enough)
+{
     int freedom = -1;
+    w->members = p->candidates + p->candidate_first[part];
+    w->member_count = p->candidate_first[part + 1] - p->candidate_first[part];
     w->variables = p->variables + p->variable_first[part];
     w->loops = p->loops + p->loop_first[part];
     w->n = p->variable_first[part + 1] - p->variable_first[part];
@@ -371,28 +548,28 @@ static int part_freedom(Work *w, const Parts *p, size_t part, const int32_t *can
     w->m = 2 * w->loop_count + p->relation_first[part + 1] - p->relation_first[part];
     if (w->m == 0) return (int)w->n; // an open chain: the caller's choice is right
     if (w->n > YK_CLOSURE_MAX) return -1;
-    if (work_start(w))
-        freedom = measure(w, candidates, members, count, accepted);
-    else
-        *enough = false;
+    *enough = work_start(w);
+    if (*enough) freedom = measure(w);
+    if (*enough && pose) tell_pose(w, freedom, pose);
     free(w->old);
     free(w->order);
+    free(w->other);
     return freedom;
 }
 
-bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const int32_t *candidates, size_t count,
-                        bool *accepted, int *freedom)
+bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const YkCandidates *wish, int *freedom,
+                        const YkClosedPose *pose)
 {
     Parts parts = {0};
     YkArena *arena = yk_arena_new();
-    Work w = {.mech = mech, .seed = 20261121};
+    Work w = {.mech = mech, .wish = wish, .seed = 20261121};
     bool ok = arena && (w.x = YK_NEW(arena, double, yk_variable_count(mech) + 1)) &&
-              sort_parts(&parts, mech, candidates, count, arena);
+              sort_parts(&parts, mech, wish->items, wish->count, arena);
     *freedom = 0;
     if (ok) yk_closure_guess(mech, guess, w.x);
     w.column = parts.column;
     for (size_t p = 0; ok && p < parts.count; p++) {
-        int one = part_freedom(&w, &parts, p, candidates, accepted, &ok);
+        int one = part_freedom(&w, &parts, p, pose, &ok);
         *freedom = one < 0 || *freedom < 0 ? -1 : *freedom + one;
     }
     yk_arena_free(arena);

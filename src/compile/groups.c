@@ -2,6 +2,7 @@
 // unknowns, and the strong components of the matching are solved one after another. Source: Duff & Reid 1978; Pothen &
 // Fan 1990.
 #include <stdlib.h>
+#include "compile/judge.h"
 #include "compile/plan.h"
 #include "num/components.h"
 #include "num/matching.h"
@@ -20,7 +21,9 @@ typedef struct Rest {
     uint32_t *column_first; // columns of equation l: columns[column_first[l] ..)
     int32_t *columns;
     size_t loop_count, column_total, column_capacity;
-    uint32_t *path_first; // joints round loop l, its closing joint last: path[path_first[l] ..)
+    uint32_t *row_first;   // rows of equation l: row_first[l] .. row_first[l + 1]
+    int32_t *row_equation; // which equation a row belongs to
+    uint32_t *path_first;  // joints round loop l, its closing joint last: path[path_first[l] ..)
     int32_t *path;
     size_t path_count, path_capacity;
     YkMatching matching;
@@ -29,23 +32,15 @@ typedef struct Rest {
     int32_t *joints, *clusters;            // of the component being emitted
 } Rest;
 
-// A loop is an equation of two rows, a relation one of a single row, behind all loops.
+// Loops are equations of two rows, relations, behind all loops, of a single one; where equations repeat each other,
+// only the rows count that are independent.
 static size_t equation_count(const Rest *r)
 {
     return r->loop_count + r->relation_count;
 }
-static size_t row_of(const Rest *r, size_t equation)
-{
-    return equation < r->loop_count ? 2 * equation : r->loop_count + equation;
-}
-static size_t rows_of(const Rest *r, size_t equation)
-{
-    return equation < r->loop_count ? 2 : 1;
-}
 static size_t equation_of(const Rest *r, int32_t row)
 {
-    size_t at = (size_t)row;
-    return at < 2 * r->loop_count ? at / 2 : at - r->loop_count;
+    return (size_t)r->row_equation[row];
 }
 
 static size_t column_id(const YkMechanism *mech, YkColumn c)
@@ -199,15 +194,87 @@ static bool make_relations(Rest *r)
     return true;
 }
 
+static YkColumn column_of_id(const YkMechanism *mech, int32_t id)
+{
+    bool is_distance = (size_t)id >= mech->orientation_count;
+    return (YkColumn){is_distance, is_distance ? id - (int32_t)mech->orientation_count : id};
+}
+
+static size_t columns_of(const Rest *r, size_t equation)
+{
+    return r->column_first[equation + 1] - r->column_first[equation];
+}
+
+static bool is_judged(const Rest *r, size_t equation)
+{
+    const YkPlan *plan = r->plan;
+    return columns_of(r, equation) > 0 &&
+           yk_is_judged(plan, column_of_id(plan->mech, r->columns[r->column_first[equation]]));
+}
+
+// The unknowns of the equations that are judged, each once; NULL when out of memory.
+static int32_t *judged_columns(const Rest *r, size_t *count)
+{
+    const YkMechanism *mech = r->plan->mech;
+    size_t all = mech->orientation_count + mech->distance_count;
+    int32_t *ids = YK_NEW(r->plan->arena, int32_t, all + 1);
+    bool *is_listed = YK_NEW(r->plan->arena, bool, all + 1);
+    *count = 0;
+    if (!ids || !is_listed) return NULL;
+    for (size_t l = 0; l < equation_count(r); l++)
+        for (uint32_t k = r->column_first[l]; k < r->column_first[l + 1] && is_judged(r, l); k++) {
+            if (!is_listed[r->columns[k]]) ids[(*count)++] = r->columns[k];
+            is_listed[r->columns[k]] = true;
+        }
+    return ids;
+}
+
+// rows[l]: how many independent rows an equation has. Those of few unknowns come first, so that what a few bodies say
+// of each other stays among them. False when out of memory.
+static bool judge_rows(const Rest *r, size_t *rows)
+{
+    YkJudge judge;
+    size_t unknowns, longest = 0;
+    int32_t *ids = judged_columns(r, &unknowns);
+    if (!ids || !yk_judge_start(&judge, r->plan, ids, unknowns)) return false;
+    for (size_t l = 0; l < equation_count(r); l++) longest = columns_of(r, l) > longest ? columns_of(r, l) : longest;
+    for (size_t length = 1; length <= longest; length++)
+        for (size_t l = 0; l < equation_count(r); l++) {
+            if (columns_of(r, l) != length || !is_judged(r, l)) continue;
+            rows[l] = l < r->loop_count ? yk_judge_loop(&judge, &r->loop_sum[l])
+                                        : yk_judge_relation(&judge, (size_t)r->relation[l - r->loop_count]);
+        }
+    bool all_told = judge.taken == unknowns; // otherwise counting must do
+    for (size_t l = 0; l < equation_count(r) && !all_told; l++) rows[l] = l < r->loop_count ? 2 : 1;
+    return true;
+}
+
+static bool count_rows(Rest *r)
+{
+    YkArena *arena = r->plan->arena;
+    size_t equations = equation_count(r), *rows = YK_NEW(arena, size_t, equations + 1);
+    r->row_first = YK_NEW(arena, uint32_t, equations + 2);
+    r->row_equation = YK_NEW(arena, int32_t, 2 * equations + 1);
+    if (yk_arena_failed(arena)) return false;
+    for (size_t l = 0; l < equations; l++) rows[l] = l < r->loop_count ? 2 : 1;
+    if (r->plan->pose && !judge_rows(r, rows)) return false;
+    for (size_t l = 0; l < equations; l++) {
+        r->row_first[l + 1] = r->row_first[l] + (uint32_t)rows[l];
+        for (uint32_t row = r->row_first[l]; row < r->row_first[l + 1]; row++) r->row_equation[row] = (int32_t)l;
+    }
+    return true;
+}
+
 static bool match(Rest *r)
 {
     const YkMechanism *mech = r->plan->mech;
-    size_t columns = mech->orientation_count + mech->distance_count, rows = row_of(r, equation_count(r));
+    if (!count_rows(r)) return false;
+    size_t columns = mech->orientation_count + mech->distance_count, rows = r->row_first[equation_count(r)];
     if (!yk_matching_start(&r->matching, r->plan->arena, columns, rows, 2 * r->column_total)) return false;
-    for (size_t l = 0; l < equation_count(r); l++)
-        for (size_t row = 0; row < rows_of(r, l); row++)
-            yk_matching_add(&r->matching, r->columns + r->column_first[l], r->column_first[l + 1] - r->column_first[l],
-                            true);
+    for (size_t row = 0; row < rows; row++) {
+        size_t l = equation_of(r, (int32_t)row);
+        yk_matching_add(&r->matching, r->columns + r->column_first[l], columns_of(r, l), true);
+    }
     return true;
 }
 
@@ -232,12 +299,6 @@ static bool order(Rest *r, size_t *count)
     first[equations] = edges;
     *count = yk_components(equations, first, target, r->component, work);
     return true;
-}
-
-static YkColumn column_of_id(const YkMechanism *mech, int32_t id)
-{
-    bool is_distance = (size_t)id >= mech->orientation_count;
-    return (YkColumn){is_distance, is_distance ? id - (int32_t)mech->orientation_count : id};
 }
 
 static void add_group_column(YkPlan *plan, int32_t id)
@@ -301,9 +362,9 @@ static void fill_group(Rest *r, YkBlock *group, const int32_t *members, size_t c
                        .first_loop = (uint32_t)mech->group_loop_count,
                        .first_relation = (uint32_t)mech->group_relation_count};
     for (size_t k = 0; k < count; k++) {
-        size_t l = (size_t)members[k], row = row_of(r, l);
+        size_t l = (size_t)members[k];
         if (l < r->loop_count) add_group_loop(plan, r->loop_sum[l]);
-        for (size_t end = row + rows_of(r, l); row < end; row++)
+        for (uint32_t row = r->row_first[l]; row < r->row_first[l + 1]; row++)
             if (r->matching.column_of[row] >= 0) add_group_column(plan, r->matching.column_of[row]);
     }
     group->column_count = (uint32_t)mech->column_count - group->first_column;
@@ -312,6 +373,19 @@ static void fill_group(Rest *r, YkBlock *group, const int32_t *members, size_t c
         yk_plan_group_relation(plan, (size_t)r->relation[(size_t)members[k] - r->loop_count],
                                mech->group_columns + group->first_column, group->column_count);
     group->relation_count = (uint32_t)mech->group_relation_count - group->first_relation;
+}
+
+// Loops of a group that repeat something, by the joints that close them.
+static void note_redundant(Rest *r, const int32_t *members, size_t count)
+{
+    YkMechanism *mech = r->plan->mech;
+    for (size_t k = 0; k < count && (size_t)members[k] < r->loop_count; k++) {
+        if (r->row_first[members[k] + 1] - r->row_first[members[k]] == 2) continue;
+        if (YK_ROOM(mech->redundant, mech->redundant_count, mech->redundant_capacity))
+            mech->redundant[mech->redundant_count++] = r->loop_joint[members[k]];
+        else
+            r->plan->failed = true;
+    }
 }
 
 // members: the equations of the component, in file order, loops first.
@@ -334,6 +408,7 @@ static void emit_group(Rest *r, const int32_t *members, size_t count, uint32_t s
     if (group.loop_count == 0) block->label = mech->relations[mech->group_relations[group.first_relation]].name;
     block->assur_class = count == 1 ? 2 : count == 2 ? 3 : 4;
     yk_plan_block_bodies(plan, block, r->clusters, gather_clusters(r, joints, stamp));
+    note_redundant(r, members, count);
     mech->has_groups = true;
     if (block->column_count > mech->largest_group) mech->largest_group = block->column_count;
     if (rows > mech->largest_group) mech->largest_group = rows;

@@ -1,4 +1,5 @@
 #include "compile/inputs.h"
+#include <string.h>
 #include "base/problems.h"
 #include "compile/closure.h"
 #include "compile/plan.h"
@@ -116,13 +117,17 @@ static void take_accepted(Choice *c)
 }
 
 // Where groups are left or constraints repeat, counting is not enough: the rank of the assembled machine decides.
-static bool accept_by_rank(Choice *c)
+static bool accept_by_rank(Choice *c, bool is_peeled, YkClosedPose *pose)
 {
     int freedom;
+    size_t variables = yk_variable_count(c->mech);
     double *guess = YK_NEW(c->arena, double, c->mech->coordinate_count + 1);
-    if (!guess) return false;
+    pose->x = YK_NEW(c->arena, double, variables + 1);
+    pose->is_repeated = YK_NEW(c->arena, bool, variables + 1);
+    if (yk_arena_failed(c->arena)) return false;
     yk_inputs_guess(c->mech, guess);
-    return yk_closure_freedom(c->mech, guess, c->candidates, c->count, c->accepted, &freedom);
+    YkCandidates wish = {c->candidates, c->count, c->wanted + c->driven, c->accepted, is_peeled};
+    return yk_closure_freedom(c->mech, guess, &wish, &freedom, pose);
 }
 
 void yk_inputs_guess(const YkMechanism *mech, double *guess)
@@ -188,16 +193,19 @@ static bool report_overdriven(Choice *c)
     return ok;
 }
 
-static bool plan(Choice *c, size_t *missing)
+static bool plan(Choice *c, const YkClosedPose *pose, size_t *missing)
 {
     YkPlan p;
     YkArena *scratch = yk_arena_new();
-    bool ok = scratch && yk_plan_make(&p, c->mech, c->incidence, scratch);
+    bool ok = scratch && yk_plan_make(&p, c->mech, c->incidence, pose, scratch);
     if (ok) *missing = p.missing;
     if (scratch) yk_plan_end(&p);
     yk_arena_free(scratch);
     return ok;
 }
+
+// Machines of so few unknowns are measured by rank even where counting finds nothing wrong: dimensions can be special.
+enum { RANK_ALWAYS_MAX = 40 };
 
 static bool choose(Choice *c, const YkCompileOptions *options)
 {
@@ -205,11 +213,17 @@ static bool choose(Choice *c, const YkCompileOptions *options)
     size_t missing = 0;
     if (!propose_all(c, options) || !accept_by_structure(c)) return false;
     take_accepted(c);
-    if (!plan(c, &missing)) return false;
-    if (mech->has_groups || missing > 0) { // twice at most: structure, then rank
-        if (!accept_by_rank(c)) return false;
+    if (!plan(c, NULL, &missing)) return false;
+    bool is_peeled = !mech->has_groups && missing == 0 && mech->redundant_count + mech->redundant_relation_count == 0;
+    if (!is_peeled || yk_variable_count(mech) <= RANK_ALWAYS_MAX) { // twice at most: structure, then rank
+        YkClosedPose pose;
+        bool *counted = YK_NEW(c->arena, bool, c->count + 1);
+        if (!counted) return false;
+        memcpy(counted, c->accepted, c->count * sizeof *counted);
+        if (!accept_by_rank(c, is_peeled, &pose)) return false;
         take_accepted(c);
-        if (!plan(c, &missing)) return false;
+        bool is_same = is_peeled && memcmp(counted, c->accepted, c->count * sizeof *counted) == 0;
+        if (!is_same && !plan(c, &pose, &missing)) return false;
     }
     bool ok = report_overdriven(c);
     if (ok) report_open_lock(c);

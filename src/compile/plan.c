@@ -1,3 +1,4 @@
+#include "compile/closure.h"
 #include "compile/plan.h"
 
 void yk_plan_step(YkPlan *plan, YkStep step)
@@ -294,9 +295,11 @@ static void count_missing(YkPlan *plan)
         if (!plan->distance_known[d]) plan->missing++;
 }
 
-bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, YkArena *scratch)
+bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, const YkClosedPose *pose,
+                  YkArena *scratch)
 {
-    *plan = (YkPlan){.mech = mech, .incidence = incidence, .arena = scratch, .list = {.recipe = mech->recipe}};
+    *plan = (YkPlan){
+        .mech = mech, .incidence = incidence, .pose = pose, .arena = scratch, .list = {.recipe = mech->recipe}};
     mech->term_count = 0;
     for (size_t l = 0; l < mech->loop_count; l++) { // the tree's loops keep their terms, at the front
         size_t end = mech->loops[l].sum.first + mech->loops[l].sum.count;

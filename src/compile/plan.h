@@ -33,6 +33,7 @@ typedef struct YkPlan {
     int32_t *queue; // clusters to look at
     bool *is_queued;
     size_t head, tail, unknown_clusters;
+    const struct YkClosedPose *pose; // where equations repeat each other it judges what determines what; or NULL
     struct YkForm *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
     YkTermList list;
     size_t missing; // unknowns that nothing determines
@@ -41,7 +42,9 @@ typedef struct YkPlan {
 
 // Makes steps and blocks for the inputs of mech->inputs. false when out of memory. plan->missing > 0: more inputs
 // needed.
-bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, YkArena *scratch);
+// pose: a closed pose, or NULL where counting unknowns and equations is enough.
+bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, const struct YkClosedPose *pose,
+                  YkArena *scratch);
 void yk_plan_end(YkPlan *plan);
 
 // Between the plan's files.

@@ -199,6 +199,7 @@ static void count_options(YkState *s, YkLevel *level)
     if (b->kind != YK_BLOCK_GROUP) return;
     YkRun run = yk_state_run(s, &s->spare);
     level->options = (uint32_t)yk_group_search(&run, (size_t)level->block);
+    if (level->options == 0) s->search->gave_up_at = level->block; // searched, not enumerated
     memcpy(level->solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
@@ -240,6 +241,7 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
     size_t depth = 0, leaves = 0, opened = 0;
     YkRun run = yk_state_run(s, &s->spare);
     s->groups.global = true;
+    q->gave_up_at = -1;
     yk_run_begin(&run);
     yk_run_steps(&run, 0, q->first_step);
     if (yk_state_judge(s, &s->spare) < 0) return true;
@@ -256,7 +258,10 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
         level->tried++;
         run_option(s, level, level->order[next]);
         if (depth + 1 < q->level_count) {
-            if (++opened > q->level_count + (leaves > 0 ? OPENED_AFTER : OPENED_BEFORE)) return false;
+            if (++opened > q->level_count + (leaves > 0 ? OPENED_AFTER : OPENED_BEFORE)) {
+                q->gave_up_at = level->block;
+                return false;
+            }
             open_level(s, &q->levels[++depth], cost, nearest);
             continue;
         }
@@ -330,8 +335,9 @@ YkStatus yk_state_assemble(YkState *s)
     }
     s->groups.at_guess = false;
     if (!best.found) {
-        yk_state_tell(s, &s->spare, YK_NO_ASSEMBLY);
-        return YK_NO_ASSEMBLY;
+        YkStatus status = s->search->gave_up_at >= 0 ? YK_NOT_CONVERGED : YK_NO_ASSEMBLY;
+        yk_state_tell(s, &s->spare, status);
+        return status;
     }
     memcpy(s->reference, s->guess, s->mech->coordinate_count * sizeof *s->reference);
     YkStatus status = take(s, s->search->best_branch, s->search->best_x);

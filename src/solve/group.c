@@ -187,6 +187,17 @@ static double newton_step(YkGroupWork *w, const Group *g)
     return rank == g->n ? least_sine(w, g) : 0;
 }
 
+// How far the group is from a dead point: its determinant; but the determinant of many columns is small without any of
+// them being near the others, so that a small one is not less than the least sine.
+static double distance_from_dead_point(YkGroupWork *w, const Group *g, double det)
+{
+    const double small = 1e-3;
+    if (fabs(det) >= small || det == 0 || g->m != g->n) return det;
+    memcpy(w->A, w->J, g->m * g->n * sizeof *w->A);
+    if (yk_qr_factor(g->m, g->n, w->A, w->order, w->tau, 1e-14) < g->n) return det;
+    return copysign(fmax(fabs(det), fmin(least_sine(w, g), small)), det);
+}
+
 static double column_size(const Group *g, size_t k)
 {
     return g->columns[k].is_distance ? g->mech->size : 1;
@@ -343,10 +354,18 @@ void yk_group_solve(const YkRun *run, size_t index, int branch)
     memcpy(guess, g.x, g.n * sizeof *guess);
     bool ok = iterate(w, &g);
     for (size_t k = 0; k < g.n; k++) w->moved = fmax(w->moved, fabs(g.x[k] - guess[k]) / column_size(&g, k));
-    double det = solve_rates(w, &g), m = det * det;
+    double det = distance_from_dead_point(w, &g, solve_rates(w, &g)), m = det * det;
     if (!ok || (branch != 0 && det * branch < 0)) m = -1;
     if (space->block_margin) space->block_margin[index * space->stride] = m;
     if (!(space->margin[0] <= m)) space->margin[0] = m;
+}
+
+double yk_group_miss(const YkRun *run, size_t index)
+{
+    YkGroupWork *w = run->groups;
+    Group g = group_of(run, index);
+    evaluate(&g, g.x, w->residual, NULL);
+    return norm(w->residual, g.m);
 }
 
 int yk_group_sign(const YkRun *run, size_t index)

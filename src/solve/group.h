@@ -26,6 +26,8 @@ struct YkRun;
 void yk_group_solve(const struct YkRun *run, size_t index, int branch);
 // The sign of the block's determinant at its present pose (+1, -1; 0 when singular).
 int yk_group_sign(const struct YkRun *run, size_t index);
+// What the block's loops and relations miss by at run->groups->x, as a length, m.
+double yk_group_miss(const struct YkRun *run, size_t index);
 // Searches solutions from many starts (seeded); writes them to groups->solutions in a fixed order, returns how many.
 // In large groups there are fewer starts, so that the search ends after some 1e9 multiplications.
 size_t yk_group_search(const struct YkRun *run, size_t index);

@@ -1,6 +1,7 @@
 // What went wrong: which block, which joint, by how much.
 #include <string.h>
 #include "base/number.h"
+#include "solve/assemble.h"
 #include "solve/relations.h"
 #include "solve/state.h"
 
@@ -56,22 +57,28 @@ static double length_at(const YkRun *run, const YkSum *sum, YkPlane scratch)
     return hypot(scratch.x[0], scratch.y[0]);
 }
 
-// By how many metres a dyad's loop misses.
+static YkVec line_of(const YkSpace *space, const YkBlock *b, int line)
+{
+    YkTurn turn = yk_space_turn(space, b->line_slot[line]);
+    return turn.c ? yk_mul(yk_vec(turn.c[0], turn.s[0]), b->line[line]) : b->line[line];
+}
+
+// By how many metres a block's loop misses: of lines that should meet and are parallel, how far they are apart.
 static double gap_of(YkState *s, YkSpace *space, int index)
 {
     const YkBlock *b = &s->mech->blocks[index];
     YkRun run = yk_state_run(s, space);
     YkPlane K = yk_space_scratch(space, YK_SCRATCH_KNOWN), A = yk_space_scratch(space, YK_SCRATCH_ARM_1);
-    if (b->kind > YK_BLOCK_RPR) return space->gap[0];
+    if (b->kind == YK_BLOCK_GROUP) return yk_group_miss(&run, (size_t)index);
+    if (b->kind > YK_BLOCK_PP) return space->gap[0];
+    double k = length_at(&run, &b->known, K);
+    if (b->kind == YK_BLOCK_PP) return fabs(yk_cross(yk_vec(K.x[0], K.y[0]), line_of(space, b, 0)));
     double U = length_at(&run, &b->arm[0], A);
-    YkVec arm = yk_vec(A.x[0], A.y[0]);
+    YkVec arm = yk_vec(A.x[0], A.y[0]), e = line_of(space, b, 0);
     if (b->kind == YK_BLOCK_RRR) {
-        double W = length_at(&run, &b->arm[1], A), k = length_at(&run, &b->known, K);
+        double W = length_at(&run, &b->arm[1], A);
         return k > U + W ? k - (U + W) : fmax(0, fabs(U - W) - k);
     }
-    double k = length_at(&run, &b->known, K);
-    YkTurn line = yk_space_turn(space, b->line_slot[0]);
-    YkVec e = line.c ? yk_mul(yk_vec(line.c[0], line.s[0]), b->line[0]) : b->line[0];
     if (b->kind == YK_BLOCK_RRP) return fmax(0, fabs(yk_cross(yk_vec(K.x[0], K.y[0]), e)) - U);
     return fmax(0, fabs(yk_cross(arm, e)) - k);
 }
@@ -88,6 +95,30 @@ static const Sentence dead_point = {"dead point at joint `", "`: the sine of its
                                     ", so velocities are not determined"};
 static const Sentence past_group = {"past a limit position: the group that joint `",
                                     "` labels does not close near its last pose", NULL}; // no number
+static const Sentence no_group = {"no way to close the group that joint `",
+                                  "` labels was found from the guesses or from many other starts; there may be one all "
+                                  "the same",
+                                  NULL};
+static const Sentence gave_up = {"gave up looking for an assembly at joint `",
+                                 "`: there are too many combinations of branches to try them all; one may close all "
+                                 "the same",
+                                 NULL};
+static const Sentence parallel_lines = {"the two lines that should meet at joint `",
+                                        "` are parallel with these inputs, and apart by ", " m"};
+static const Sentence same_line = {
+    "the two lines that should meet at joint `",
+    "` fall into one with these inputs: where on it the parts stand is not determined, nor what depends on that", NULL};
+static const Sentence same_point = {
+    "the two points between which the dyad of joint `",
+    "` spans fall together with these inputs: which way it points is not determined, nor what depends on that", NULL};
+static const Sentence just_limit = {
+    "at a limit position: the links that joint `",
+    "` closes are in line with these inputs, and short of each other by no more than rounding", NULL};
+static const Sentence undetermined = {
+    "a coincidence at joint `",
+    "`: lines or points fall together there, which leaves a position open; as it was taken, what depends on it does "
+    "not close",
+    NULL};
 static const Sentence unfit = {"the constraint that joint `", "` repeats does not fit: its loop misses by ", " m"};
 
 static const Sentence unmatched = {"`",
@@ -112,32 +143,99 @@ static void write_sentence(YkReport *r, const Sentence *sentence, const char *la
         append(r->message, sizeof r->message, parts[k], k == 1 ? 80 : sizeof r->message);
 }
 
-void yk_state_explain(YkState *s, const YkSpace *space, YkStatus status)
+static void tell_block(YkState *s, const YkSpace *space, int index, const Sentence *sentence, double value)
+{
+    YkReport *r = &s->report;
+    const YkBlock *block = &s->mech->blocks[index];
+    r->block = index;
+    if (block->joint_count > 0) r->joint = s->mech->block_members[block->first_joint + block->joint_count / 2];
+    r->determinant = sqrt(fmax(0, space->block_margin[index]));
+    write_sentence(r, sentence, block->label, value);
+}
+
+static double rounding_of(const YkState *s)
+{
+    return 1e-12 * s->mech->size;
+}
+
+// Whether two lines fall together, or the points between which a dyad spans: then its loop leaves a position open.
+static bool is_open(YkState *s, YkSpace *space, int index)
+{
+    const YkBlock *b = &s->mech->blocks[index];
+    if (b->kind == YK_BLOCK_PP) return fabs(yk_cross(line_of(space, b, 0), line_of(space, b, 1))) <= 1e-7;
+    if (b->kind != YK_BLOCK_RRR && b->kind != YK_BLOCK_RPR) return false;
+    YkRun run = yk_state_run(s, space);
+    return length_at(&run, &b->known, yk_space_scratch(space, YK_SCRATCH_KNOWN)) <= rounding_of(s);
+}
+
+// What is true of a dyad that does not close though it misses by no more than rounding; NULL where it does miss.
+static const Sentence *coincidence(YkState *s, YkSpace *space, int index, double gap)
+{
+    const YkBlock *b = &s->mech->blocks[index];
+    if (b->kind > YK_BLOCK_PP) return NULL;
+    if (gap > rounding_of(s)) return b->kind == YK_BLOCK_PP ? &parallel_lines : NULL;
+    if (!is_open(s, space, index)) return &just_limit;
+    return b->kind == YK_BLOCK_PP ? &same_line : &same_point;
+}
+
+// A block before the one that does not close whose loop leaves a position open, or -1.
+static int open_before(YkState *s, YkSpace *space, int block)
+{
+    for (int b = 0; b < block; b++)
+        if (!(space->block_margin[b] > YK_SINGULAR_MARGIN) && is_open(s, space, b)) return b;
+    return -1;
+}
+
+static const Sentence *sentence_of(YkState *s, const YkSpace *space, YkStatus status, int *block)
+{
+    const YkBlock *b = &s->mech->blocks[*block];
+    YkSpace view = *space;
+    if (status == YK_SINGULAR) return &dead_point;
+    int before = open_before(s, &view, *block);
+    if (before >= 0) {
+        *block = before;
+        return &undetermined;
+    }
+    if (b->kind == YK_BLOCK_GROUP) return status == YK_LIMIT ? &past_group : &no_group;
+    const Sentence *special = coincidence(s, &view, *block, gap_of(s, &view, *block));
+    return special ? special : status == YK_LIMIT ? &past_limit : &no_assembly;
+}
+
+static void explain_unfit(YkState *s, const YkSpace *space, YkStatus status)
 {
     YkReport *r = &s->report;
     YkSpace view = *space;
-    const Sentence *sentence = status == YK_LIMIT ? &past_limit : status == YK_SINGULAR ? &dead_point : &no_assembly;
-    int b = worst_block(s, space, status);
-    if (b < 0 && status == YK_NO_ASSEMBLY) {
-        b = redundant_block(s);
-        sentence = &unfit;
-    }
+    int b = status == YK_NO_ASSEMBLY ? redundant_block(s) : -1;
+    int before = status == YK_NO_ASSEMBLY ? open_before(s, &view, (int)s->mech->block_count) : -1;
     double miss = 0;
+    if (before >= 0) {
+        tell_block(s, space, before, &undetermined, 0);
+        return;
+    }
     const char *relation = b < 0 && status == YK_NO_ASSEMBLY ? redundant_relation(s, space, &miss) : NULL;
     if (relation) {
         r->gap = miss;
         write_sentence(r, &unmatched, relation, miss);
-        return;
-    }
-    if (b < 0) {
+    } else if (b < 0) {
         append(r->message, sizeof r->message, "the machine cannot be assembled with these inputs", sizeof r->message);
+    } else {
+        r->gap = space->gap[0];
+        tell_block(s, space, b, &unfit, r->gap);
+    }
+}
+
+void yk_state_explain(YkState *s, const YkSpace *space, YkStatus status)
+{
+    YkReport *r = &s->report;
+    YkSpace view = *space;
+    int b = status == YK_NOT_CONVERGED ? s->search->gave_up_at : worst_block(s, space, status);
+    if (b < 0) {
+        explain_unfit(s, space, status);
         return;
     }
-    const YkBlock *block = &s->mech->blocks[b];
-    if (block->kind == YK_BLOCK_GROUP && status == YK_LIMIT) sentence = &past_group;
-    r->block = b;
-    if (block->joint_count > 0) r->joint = s->mech->block_members[block->first_joint + block->joint_count / 2];
-    r->determinant = sqrt(fmax(0, space->block_margin[b]));
-    r->gap = status == YK_SINGULAR ? 0 : gap_of(s, &view, b);
-    write_sentence(r, sentence, block->label, status == YK_SINGULAR ? r->determinant : r->gap);
+    const Sentence *sentence = status == YK_NOT_CONVERGED
+                                   ? (s->mech->blocks[b].kind == YK_BLOCK_GROUP ? &no_group : &gave_up)
+                                   : sentence_of(s, space, status, &b);
+    r->gap = status == YK_SINGULAR || sentence == &undetermined || status == YK_NOT_CONVERGED ? 0 : gap_of(s, &view, b);
+    tell_block(s, space, b, sentence, status == YK_SINGULAR ? sqrt(fmax(0, space->block_margin[b])) : r->gap);
 }

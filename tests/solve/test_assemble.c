@@ -456,6 +456,78 @@ static void test_a_slider_out_of_reach_says_by_how_much(void **unused)
     machine_free(&m);
 }
 
+static void check_words(const char *text, YkStatus status, const char *words, double gap)
+{
+    Machine m = machine_parse(text, false);
+    assert_int_equal(yk_state_assemble(m.state), status);
+    const YkReport *report = yk_state_report(m.state);
+    if (!strstr(report->message, words)) print_error("%s\n", report->message);
+    assert_non_null(strstr(report->message, words));
+    assert_null(strstr(report->message, "misses by"));
+    CHECK_NEAR(report->gap, gap, 1e-12);
+    machine_free(&m);
+}
+
+// Two arms at given angles, and a pin that slides along both.
+#define TWO_ARMS(Q, angle)                                                                                             \
+    "bodies:\n  ground: {points: {O: [0, 0], Q: " Q "}}\n  arm1: {points: {O: [0, 0]}}\n"                              \
+    "  arm2: {points: {Q: [0, 0]}}\n  block1: {points: {B: [0, 0]}}\n  block2: {points: {B: [0, 0]}}\njoints:\n"       \
+    "  O: {pin: [ground, arm1], angle: a}\n  Q: {pin: [ground, arm2], angle: b}\n"                                     \
+    "  S: {slide: [arm1, block1], along: x, distance: d}\n  T: {slide: [arm2, block2], along: x, distance: e}\n"       \
+    "  B: {pin: [block1, block2]}\ndrives: {a: " angle ", b: " angle "}\nstart: {d: 1.5, e: 0.5}\n"
+
+static void test_at_a_coincidence_it_is_told_what_is_true_there(void **unused)
+{
+    (void)unused;
+    check_words(TWO_ARMS("[1, 0.3]", "0.5"), YK_NO_ASSEMBLY, "`B` are parallel", sin(0.5) - 0.3 * cos(0.5));
+    check_words(TWO_ARMS("[1, 0]", "0"), YK_NO_ASSEMBLY, "`B` fall into one", 0);
+    check_words("bodies:\n  ground: {points: {O: [0, 0], C: [1, 0]}}\n  crank: {points: {O: [0, 0], A: [1, 0]}}\n"
+                "  lever: {points: {C: [0, 0]}}\n  block: {points: {A: [0, 0]}}\njoints:\n"
+                "  O: {pin: [ground, crank], angle: th}\n  C: {pin: [ground, lever], angle: ps}\n"
+                "  S: {slide: [lever, block], along: x, distance: d}\n  A: {pin: [crank, block]}\n"
+                "drives: {th: 0}\nstart: {ps: 0.3, d: 0.2}\n",
+                YK_NO_ASSEMBLY, "fall together", 0);
+}
+
+// A plate on three links, one of which is far too long: that no assembly was found proves nothing, so it is not
+// said that there is none.
+static void test_where_the_search_gave_up_it_says_so(void **unused)
+{
+    (void)unused;
+    check_words("bodies:\n  ground: {points: {O: [0, 0], A: [1, 0], B: [0, 1]}}\n"
+                "  plate: {points: {C: [0, 0], D: [1, 0], E: [0, 1]}}\n"
+                "  l: {points: {O: [0, 0], C: [1, 0]}}\n  m: {points: {A: [0, 0], D: [1, 0]}}\n"
+                "  n: {points: {B: [0, 0], E: [40, 0]}}\njoints:\n"
+                "  O: {pin: [ground, l], angle: th}\n  A: {pin: [ground, m], angle: u}\n"
+                "  B: {pin: [ground, n], angle: v}\n  C: {pin: [l, plate], angle: w}\n  D: {pin: [m, plate]}\n"
+                "  E: {pin: [n, plate]}\nstart: {th: 1, u: 1, v: 1, w: 0}\n",
+                YK_NOT_CONVERGED, "there may be one all the same", 0);
+}
+
+// Many four-bars that close in two ways each, and a last one that does not: no search tries all combinations.
+static void test_where_there_are_too_many_branches_it_gives_up_and_says_so(void **unused)
+{
+    (void)unused;
+    enum { FOUR_BARS = 22 };
+    static char text[20000];
+    size_t n = (size_t)snprintf(text, sizeof text, "bodies:\n  ground: {points: {O: [0, 0], C: [4, 0]}}\n");
+    for (int k = 0; k < FOUR_BARS; k++)
+        n += (size_t)snprintf(text + n, sizeof text - n,
+                              "  a%d: {points: {O: [0, 0], A: [1, 0]}}\n  b%d: {points: {A: [0, 0], B: [%g, 0]}}\n"
+                              "  c%d: {points: {C: [0, 0], B: [2.5, 0]}}\n",
+                              k, k, k == FOUR_BARS - 1 ? 0.1 : 3.5, k);
+    n += (size_t)snprintf(text + n, sizeof text - n, "joints:\n");
+    for (int k = 0; k < FOUR_BARS; k++)
+        n += (size_t)snprintf(text + n, sizeof text - n,
+                              "  O%d: {pin: [ground, a%d], at: O, angle: th%d}\n  A%d: {pin: [a%d, b%d], at: A}\n"
+                              "  C%d: {pin: [ground, c%d], at: C}\n  B%d: {pin: [b%d, c%d], at: B}\n",
+                              k, k, k, k, k, k, k, k, k, k, k);
+    n += (size_t)snprintf(text + n, sizeof text - n, "drives: {th0: 1");
+    for (int k = 1; k < FOUR_BARS; k++) n += (size_t)snprintf(text + n, sizeof text - n, ", th%d: 1", k);
+    snprintf(text + n, sizeof text - n, "}\n");
+    check_words(text, YK_NOT_CONVERGED, "gave up", 0);
+}
+
 // A parallelogram in line, whose coupler moves a second dyad: the first dyad is at its dead point, the second is well.
 static const char chained[] = "bodies:\n"
                               "  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [5, 3]}}\n"
@@ -512,6 +584,9 @@ int main(void)
         cmocka_unit_test(test_a_label_means_the_same_at_every_pose),
         cmocka_unit_test(test_what_cannot_be_assembled_says_which_joint_and_by_how_much),
         cmocka_unit_test(test_a_slider_out_of_reach_says_by_how_much),
+        cmocka_unit_test(test_at_a_coincidence_it_is_told_what_is_true_there),
+        cmocka_unit_test(test_where_the_search_gave_up_it_says_so),
+        cmocka_unit_test(test_where_there_are_too_many_branches_it_gives_up_and_says_so),
         cmocka_unit_test(test_a_dead_point_in_an_early_dyad_is_seen_in_every_configuration),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
