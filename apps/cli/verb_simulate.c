@@ -5,6 +5,8 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+#include "base/number.h"
+#include "base/problems.h"
 #include "reach.h"
 #include "simulate.h"
 
@@ -43,7 +45,25 @@ typedef struct Watch {
     double from, to; // s
     bool shows_progress, has_shown;
     double last_flush, last_progress;
+    size_t steps;
+    bool quiet;
 } Watch;
+
+// Said once, after the first steps, where there would be very many at their pace.
+static void foretell(const Watch *watch, double time)
+{
+    const double many = 1e7;
+    double steps = (double)watch->steps * (watch->to - watch->from) / (time - watch->from);
+    YkProblems *problems = steps > many ? yk_problems_new() : NULL;
+    char number[YK_NUMBER_SIZE];
+    if (!problems) return;
+    yk_number_write_digits(steps, 1, number);
+    yk_problem(problems, YK_CODE_MOTION_LONG, (YkPlace){0}, "at the pace of its first steps this takes %s of them",
+               number);
+    yk_problem_hint(problems, "Ctrl-C ends it, and the rows so far are complete; a nearer --to costs less");
+    yk_print_problems(problems, watch->quiet);
+    yk_problems_free(problems);
+}
 
 // Not where the rows come to the same terminal.
 static bool wants_progress(const YkSession *session)
@@ -56,7 +76,9 @@ static bool wants_progress(const YkSession *session)
 
 static bool look(void *context, double time)
 {
+    enum { FIRST_STEPS = 1000 };
     Watch *watch = context;
+    if (++watch->steps == FIRST_STEPS && time > watch->from) foretell(watch, time);
     if (watch->shows_progress && now() - watch->last_progress > progress_after) {
         fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time,
                 100 * (time - watch->from) / (watch->to - watch->from));
@@ -202,6 +224,7 @@ static int simulate(YkSimulationAnswer *answer)
     session->is_simulation = true;
     bool good = yk_simulate_read(answer);
     Watch watch = {.from = answer->from, .to = answer->to, .shows_progress = wants_progress(session)};
+    watch.quiet = session->request->quiet;
     watch.last_flush = watch.last_progress = now();
     answer->options.goes_on = look;
     answer->options.context = &watch;

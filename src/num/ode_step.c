@@ -22,9 +22,10 @@ static double root(double x, int roots)
     return x;
 }
 
+// By what the time resolves. A far end says nothing of the motion: beyond one unit of time it does not count.
 static double smallest_length(const YkOde *ode)
 {
-    return 1e-14 * fmax(fabs(ode->end - ode->start), fabs(ode->t));
+    return 1e-14 * fmax(fmin(fabs(ode->end - ode->start), 1), fabs(ode->t));
 }
 
 static double bounded_length(const YkOde *ode, double h)
@@ -171,7 +172,8 @@ static YkOdeStatus fixed_step(YkOde *ode)
     double length = ode->options.fixed_step, left = fabs(ode->end - ode->t);
     bool to_end = left <= length * (1 + 1e-9) + 4 * DBL_EPSILON * fabs(ode->t);
     double t_new = to_end ? ode->end : ode->grid + ode->direction * length * (ode->even + 1), h = t_new - ode->t;
-    if (!to_end && !(length >= smallest_length(ode))) return give_up(ode, YK_TRIAL_DONE);
+    double smallest = 1e-14 * fmax(fabs(ode->end - ode->start), fabs(ode->t)); // so many even steps would never end
+    if (!to_end && !(length >= smallest)) return give_up(ode, YK_TRIAL_DONE);
     bool fine = yk_ode_rk4_try(ode, h) == YK_TRIAL_DONE && yk_ode_finite(ode->n, ode->z) &&
                 yk_ode_evaluate(ode, t_new, ode->z, ode->z_rate) && yk_ode_finite(ode->n, ode->z_rate);
     if (!fine) {

@@ -568,6 +568,20 @@ static void late_times_leave_no_room_for_steps(void **state)
     yk_ode_free(ode);
 }
 
+// The end may be as far as it likes: what the motion needs decides on the steps.
+static void a_far_end_changes_no_step(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        YkOde *ode = new_ode(2, options_of(k, 1e-9), oscillator, NULL);
+        assert_int_equal(yk_ode_start(ode, 0, (double[]){1, 0}, 1e100, false), YK_ODE_OK);
+        while (yk_ode_time(ode) < 20) assert_int_equal(yk_ode_step(ode), YK_ODE_OK);
+        CHECK_NEAR(yk_ode_state(ode)[0], cos(yk_ode_time(ode)), 1e-6);
+        CHECK_NEAR(yk_ode_state(ode)[1], -sin(yk_ode_time(ode)), 1e-6);
+        yk_ode_free(ode);
+    }
+}
+
 static void options_without_sense_are_refused(void **state)
 {
     (void)state;
@@ -621,6 +635,7 @@ int main(void)
         cmocka_unit_test(tighter_tolerances_give_better_answers),
         cmocka_unit_test(nothing_happens_to_a_system_at_rest),
         cmocka_unit_test(late_times_leave_no_room_for_steps),
+        cmocka_unit_test(a_far_end_changes_no_step),
         cmocka_unit_test(options_without_sense_are_refused),
     };
     return cmocka_run_group_tests_name("num/ode", tests, NULL, NULL);
