@@ -22,6 +22,9 @@ void yk_dag_end(YkDag *g)
     free(g->calls);
     free(g->sections);
     free(g->table);
+    free(g->memo.slope);
+    free(g->memo.slope_stamp);
+    free(g->memo.reach_stamp);
     yk_names_free(&g->leaves);
     *g = (YkDag){0};
 }

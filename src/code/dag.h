@@ -78,7 +78,17 @@ typedef struct YkCall {
     int32_t section;
 } YkCall;
 
+// What derivatives remember of values: room that is made once, and whose entries count only with the newest stamp.
+typedef struct YkDagMemo {
+    YkRef *slope;
+    uint32_t *slope_stamp, *reach_stamp, newest; // by value
+    size_t capacity;
+    YkRef reached;          // reach_stamp tells what this value is made of ...
+    uint32_t reached_stamp; // ... where it is this
+} YkDagMemo;
+
 typedef struct YkDag {
+    YkDagMemo memo;
     YkArena *arena;
     YkValue *values;
     size_t count, capacity;

@@ -1,14 +1,79 @@
 // Exact derivatives of values by a leaf.
 #include "code/dag.h"
 #include <stdlib.h>
+#include <string.h>
 
 enum { NOTHING = -1 };
 
 typedef struct Work {
     YkDag *g;
     YkRef leaf;
-    YkRef *memo;
+    uint32_t stamp;
 } Work;
+
+// --- what is remembered
+// ---------------------------------------------------------------------------------------------------
+
+static bool fit_stamps(uint32_t **stamps, size_t from, size_t to)
+{
+    uint32_t *grown = realloc(*stamps, to * sizeof *grown);
+    if (!grown) return false;
+    memset(grown + from, 0, (to - from) * sizeof *grown);
+    *stamps = grown;
+    return true;
+}
+
+// Room for all values that there are. Stamps begin anew where they would run out.
+static bool fit(YkDag *g)
+{
+    YkDagMemo *memo = &g->memo;
+    if (memo->newest >= UINT32_MAX - 2) {
+        memset(memo->slope_stamp, 0, memo->capacity * sizeof *memo->slope_stamp);
+        memset(memo->reach_stamp, 0, memo->capacity * sizeof *memo->reach_stamp);
+        memo->newest = memo->reached_stamp = 0;
+    }
+    if (g->count <= memo->capacity) return true;
+    size_t wanted = 2 * g->count;
+    YkRef *slope = realloc(memo->slope, wanted * sizeof *slope);
+    if (slope) memo->slope = slope;
+    if (!slope || !fit_stamps(&memo->slope_stamp, memo->capacity, wanted) ||
+        !fit_stamps(&memo->reach_stamp, memo->capacity, wanted))
+        return false;
+    memo->capacity = wanted;
+    return true;
+}
+
+// Stamps all values of which one is made.
+static void reach(YkDag *g, YkRef value)
+{
+    YkDagMemo *memo = &g->memo;
+    if (value < 0 || memo->reach_stamp[value] == memo->reached_stamp) return;
+    const YkValue *v = &g->values[value];
+    memo->reach_stamp[value] = memo->reached_stamp;
+    if (v->op == YK_VALUE_LEAF || v->op == YK_VALUE_NUMBER) return;
+    if (v->op == YK_VALUE_RESULT) {
+        const YkCall *call = &g->calls[v->a];
+        for (size_t k = 0; k < call->argument_count; k++) reach(g, call->arguments[k]);
+        return;
+    }
+    reach(g, v->a);
+    reach(g, v->b);
+    reach(g, v->c);
+}
+
+static bool is_made_of(YkDag *g, YkRef value, YkRef leaf)
+{
+    YkDagMemo *memo = &g->memo;
+    if (memo->reached_stamp == 0 || memo->reached != value) {
+        memo->reached = value;
+        memo->reached_stamp = ++memo->newest;
+        reach(g, value);
+    }
+    return memo->reach_stamp[leaf] == memo->reached_stamp;
+}
+
+// --- rules
+// ----------------------------------------------------------------------------------------------------------------
 
 static YkRef derive(Work *w, YkRef value);
 
@@ -113,22 +178,22 @@ static YkRef find(Work *w, YkRef value)
 
 static YkRef derive(Work *w, YkRef value)
 {
-    if (value > w->leaf && w->memo[value] != NOTHING) return w->memo[value];
-    YkRef found = value < w->leaf ? yk_dag_number(w->g, 0) : find(w, value); // what is older cannot hang on it
-    w->memo[value] = found;
+    if (value < w->leaf) return yk_dag_number(w->g, 0); // what is older cannot depend on it
+    YkDagMemo *memo = &w->g->memo;
+    if (memo->slope_stamp[value] == w->stamp) return memo->slope[value];
+    YkRef found = find(w, value);
+    memo->slope_stamp[value] = w->stamp;
+    memo->slope[value] = found;
     return found;
 }
 
 YkRef yk_dag_derivative(YkDag *g, YkRef value, YkRef leaf)
 {
-    size_t count = g->count;
-    Work w = {g, leaf, malloc((count + 1) * sizeof(YkRef))};
-    if (!w.memo) {
+    if (!fit(g)) {
         g->failed = true;
         return value;
     }
-    for (size_t k = 0; k < count; k++) w.memo[k] = NOTHING;
-    YkRef found = derive(&w, value);
-    free(w.memo);
-    return found;
+    if (!is_made_of(g, value, leaf)) return yk_dag_number(g, 0);
+    Work w = {g, leaf, ++g->memo.newest};
+    return derive(&w, value);
 }
