@@ -21,6 +21,7 @@ static void reduce(YkPoisson *a)
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator)
 {
     if (count == 0 && ring->zero) return ring->zero;
+    if (count > YK_RING_MADE_MAX - ring->made) return yk_ring_fail(ring, YK_RING_SIZE);
     YkPoisson *a = yk_arena_take(ring->arena, sizeof(YkPoisson) + count * sizeof(YkRingTerm));
     if (!a) return yk_ring_fail(ring, YK_RING_MEMORY);
     *a = (YkPoisson){.denominator = denominator};
@@ -29,6 +30,7 @@ const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t c
     bool is_zero = a->count == 0 && ring->zero, is_long = a->count > ring->limit;
     if (a->count < count) yk_arena_give_back(ring->arena, a, is_zero ? 0 : sizeof *a + a->count * sizeof *a->terms);
     if (is_zero) return ring->zero;
+    ring->made += a->count;
     if (is_long) return yk_ring_fail(ring, YK_RING_SIZE);
     reduce(a);
     return a;

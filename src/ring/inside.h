@@ -85,9 +85,12 @@ typedef struct YkGather {
     bool failed;
 } YkGather;
 
+enum { YK_RING_MADE_MAX = 48000000 }; // terms of all elements of a ring: 768 MB of them
+
 struct YkRing {
     YkRingStatus status;
     size_t limit;
+    size_t made; // terms of all elements together
     YkArena *arena;
     YkArena *sheet; // memory of one printing
     YkRingSymbol *symbols;

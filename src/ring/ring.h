@@ -23,7 +23,8 @@ typedef struct YkPoisson YkPoisson; // an element: constant, lives as long as it
 typedef enum YkRingStatus {
     YK_RING_OK,
     YK_RING_OVERFLOW,   // a coefficient does not fit 64 bits over 64 bits
-    YK_RING_SIZE,       // more terms than the ring allows: use body angles or the structured form
+    YK_RING_SIZE,       // more terms than the ring allows, in one element (use body angles or the structured form) or
+                        // in all together
     YK_RING_POWER,      // a power is beyond +-1,000,000, or not defined
     YK_RING_DIVISOR,    // division by zero or by more than one term
     YK_RING_DERIVATIVE, // the last known derivative of a function was to be differentiated
