@@ -20,7 +20,7 @@ typedef struct YkFourBar {
     YkFourBarClass kind; // with body[0] as the frame and body[1] as the input
 } YkFourBar;
 // Four-bars of the machine whose frame link is the ground or, failing that, any ring of four pins. Returns how many
-// there are.
+// there are, of those found in 2e7 looks: bodies joined by very many pins have more rings than can be told.
 YK_API size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capacity);
 YK_API const char *yk_four_bar_name(YkFourBarClass kind); // "crank-rocker (Grashof)", ...
 

@@ -4,6 +4,9 @@
 #include "base/vec.h"
 #include "compile/mechanism.h"
 
+#define PLACED 0x80000000u
+enum { FEW = 64, LOOKS_MAX = 20000000 };
+
 // Grashof: shortest + longest against the other two; which link is the shortest decides the inversion.
 static YkFourBarClass classify(const double length[4])
 {
@@ -30,12 +33,61 @@ const char *yk_four_bar_name(YkFourBarClass kind)
     return names[kind];
 }
 
-// The pins of each body.
+// The pins of each body, in the file's order; where there are many, those to one other body stand together.
 typedef struct Pins {
     const YkMechanism *mech;
     uint32_t *first;
     int32_t *joint;
+    uint32_t *next;    // of each pin: the first one behind it that leads to another body than it and those between
+    size_t looks_left; // the search ends where none is left
 } Pins;
+
+static int32_t beyond(const Pins *pins, int32_t joint, int32_t body)
+{
+    const YkJoint *j = &pins->mech->model->joints[joint];
+    return j->body[0] == body ? j->body[1] : j->body[0];
+}
+
+// Sorts the pins of one body by the bodies to which they lead (counting sort, in order within; `count` is all 0 before
+// and after).
+static void sort_pins(Pins *pins, int32_t body, uint32_t *count, int32_t *sorted)
+{
+    uint32_t from = pins->first[body], to = pins->first[body + 1], place = 0;
+    for (uint32_t k = from; k < to; k++) count[beyond(pins, pins->joint[k], body)]++;
+    for (uint32_t k = from; k < to; k++) { // bodies as they first come
+        uint32_t *own = &count[beyond(pins, pins->joint[k], body)], many = *own;
+        if (many & PLACED) continue;
+        *own = place | PLACED;
+        place += many;
+    }
+    for (uint32_t k = from; k < to; k++) {
+        uint32_t *own = &count[beyond(pins, pins->joint[k], body)];
+        sorted[(*own)++ & ~PLACED] = pins->joint[k];
+    }
+    for (uint32_t k = from; k < to; k++) {
+        count[beyond(pins, pins->joint[k], body)] = 0;
+        pins->joint[k] = sorted[k - from];
+    }
+}
+
+static bool put_together(Pins *pins, YkArena *arena)
+{
+    const YkModel *model = pins->mech->model;
+    uint32_t *count = YK_NEW(arena, uint32_t, model->body_count + 1);
+    int32_t *sorted = YK_NEW(arena, int32_t, 2 * model->joint_count + 1);
+    pins->next = YK_NEW(arena, uint32_t, 2 * model->joint_count + 1);
+    if (yk_arena_failed(arena)) return false;
+    for (size_t b = 0; b < model->body_count; b++) {
+        uint32_t from = pins->first[b], to = pins->first[b + 1];
+        if (to - from > FEW) sort_pins(pins, (int32_t)b, count, sorted);
+        for (uint32_t k = to; k-- > from;) {
+            bool same =
+                k + 1 < to && beyond(pins, pins->joint[k], (int32_t)b) == beyond(pins, pins->joint[k + 1], (int32_t)b);
+            pins->next[k] = same ? pins->next[k + 1] : k + 1;
+        }
+    }
+    return true;
+}
 
 static bool gather(Pins *pins, YkArena *arena)
 {
@@ -50,13 +102,7 @@ static bool gather(Pins *pins, YkArena *arena)
     for (size_t j = 0; j < model->joint_count; j++)
         for (int end = 0; end < 2 && model->joints[j].kind == YK_PIN; end++)
             pins->joint[pins->first[model->joints[j].body[end] + 1]++] = (int32_t)j;
-    return true;
-}
-
-static int32_t beyond(const Pins *pins, int32_t joint, int32_t body)
-{
-    const YkJoint *j = &pins->mech->model->joints[joint];
-    return j->body[0] == body ? j->body[1] : j->body[0];
+    return put_together(pins, arena);
 }
 
 static YkVec place_on(const Pins *pins, int32_t joint, int32_t body)
@@ -94,26 +140,42 @@ typedef struct Found {
     size_t count, capacity;
 } Found;
 
+static bool look(Pins *pins)
+{
+    return pins->looks_left > 0 && pins->looks_left-- > 0;
+}
+
+// Rings that close over the pins from B to the frame.
+static void close_rings(Pins *pins, const int32_t body[4], const int32_t joint[3], Found *found)
+{
+    int32_t frame = body[0], B = body[3];
+    for (uint32_t e = pins->first[B]; e < pins->first[B + 1] && look(pins);) {
+        int32_t j3 = pins->joint[e];
+        bool is_home = beyond(pins, j3, B) == frame;
+        e = is_home ? e + 1 : pins->next[e];
+        if (!is_home || j3 <= joint[0] || j3 == joint[2]) continue;
+        if (found->count < found->capacity)
+            found->items[found->count] = make(pins, body, (int32_t[]){joint[0], joint[1], joint[2], j3});
+        found->count++;
+    }
+}
+
 // All rings through a frame, the first body of its ring, in which the two sides meet the frame at joints j0 < j3 (each
 // ring once).
-static void search_from(const Pins *pins, int32_t frame, Found *found)
+static void search_from(Pins *pins, int32_t frame, Found *found)
 {
-    for (uint32_t a = pins->first[frame]; a < pins->first[frame + 1]; a++) {
+    for (uint32_t a = pins->first[frame]; a < pins->first[frame + 1] && look(pins);) {
         int32_t j0 = pins->joint[a], A = beyond(pins, j0, frame);
-        for (uint32_t c = pins->first[A]; c < pins->first[A + 1]; c++) {
+        a = A <= frame ? pins->next[a] : a + 1;
+        for (uint32_t c = pins->first[A]; A > frame && c < pins->first[A + 1] && look(pins);) {
             int32_t j1 = pins->joint[c], C = beyond(pins, j1, A);
-            if (j1 == j0 || A <= frame || C <= frame) continue;
-            for (uint32_t b = pins->first[C]; b < pins->first[C + 1]; b++) {
+            c = C <= frame ? pins->next[c] : c + 1;
+            if (C <= frame) continue;
+            for (uint32_t b = pins->first[C]; b < pins->first[C + 1] && look(pins);) {
                 int32_t j2 = pins->joint[b], B = beyond(pins, j2, C);
-                if (j2 == j1 || B == A || B <= frame) continue;
-                for (uint32_t e = pins->first[B]; e < pins->first[B + 1]; e++) {
-                    int32_t j3 = pins->joint[e];
-                    if (j3 <= j0 || j3 == j2 || beyond(pins, j3, B) != frame) continue;
-                    if (found->count < found->capacity)
-                        found->items[found->count] =
-                            make(pins, (int32_t[]){frame, A, C, B}, (int32_t[]){j0, j1, j2, j3});
-                    found->count++;
-                }
+                bool is_back = B == A || B <= frame;
+                b = is_back ? pins->next[b] : b + 1;
+                if (!is_back) close_rings(pins, (int32_t[]){frame, A, C, B}, (int32_t[]){j0, j1, j2}, found);
             }
         }
     }
@@ -121,7 +183,7 @@ static void search_from(const Pins *pins, int32_t frame, Found *found)
 
 size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capacity)
 {
-    Pins pins = {.mech = mech};
+    Pins pins = {.mech = mech, .looks_left = LOOKS_MAX};
     Found found = {four_bars, 0, capacity};
     YkArena *arena = yk_arena_new();
     bool ok = arena && gather(&pins, arena);

@@ -141,7 +141,29 @@ static int by_energy(const void *a, const void *b)
     return (p->at.potential > q->at.potential) - (p->at.potential < q->at.potential);
 }
 
-static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *options, YkProblems *problems)
+// How many of the starts can be tried: a start takes some twenty factorisations, and each equilibrium its modes. Told
+// where they are fewer; none where even the start pose would be too much.
+static bool limit_starts(const YkRest *rest, size_t *starts, YkProblems *problems)
+{
+    const double work_max = 2e10; // multiplications: about ten seconds
+    double f = (double)rest->freedom, n = (double)(rest->mech->step_count + rest->freedom + 1);
+    double work = 40 * f * f * f + 80 * f * 40 * n, most = work_max / work;
+    if (most < 1) {
+        yk_problem(problems, YK_CODE_REST_TOO_LARGE, (YkPlace){0},
+                   "equilibria are looked for in all freedoms at once, and %z of them are too many", rest->freedom);
+        yk_problem_hint(problems, "hold or drive some coordinates, or let `yoke simulate` swing it out with dampers");
+        return false;
+    }
+    if ((double)*starts + 1 <= most) return true;
+    *starts = (size_t)most - 1;
+    yk_problem(problems, YK_CODE_REST_FEW_STARTS, (YkPlace){0},
+               "with %z freedoms only %z starts beside `start:` are tried: there may be other equilibria",
+               rest->freedom, *starts);
+    return true;
+}
+
+static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *options, size_t *starts,
+                    YkProblems *problems)
 {
     rest->arena = yk_arena_new();
     rest->mech = yk_mechanism_compile(model, options->compile, problems);
@@ -149,19 +171,22 @@ static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *opt
     rest->state = yk_state_new(rest->mech);
     rest->dynamics = yk_dynamics_new(rest->mech, problems);
     size_t n = rest->mech->input_count + 1;
+    if (!rest->state || !rest->dynamics) return false;
+    for (size_t i = 0; i < rest->mech->input_count; i++) rest->freedom += rest->dynamics->is_free[i];
+    if (!limit_starts(rest, starts, problems)) return false;
     rest->input = YK_NEW(rest->arena, int32_t, n);
     rest->q = YK_NEW(rest->arena, double, 9 * n + n * n);
     rest->pivot = YK_NEW(rest->arena, int, n);
-    if (!rest->state || !rest->dynamics || yk_arena_failed(rest->arena)) return false;
+    if (yk_arena_failed(rest->arena)) return false;
     rest->a = rest->q + n;
     rest->step = rest->a + 4 * n;
     rest->trial = rest->step + n;
     rest->scale = rest->trial + n;
     rest->jacobian = rest->scale + n;
-    for (size_t i = 0; i < rest->mech->input_count; i++) {
+    for (size_t i = 0, k = 0; i < rest->mech->input_count; i++) {
         if (!rest->dynamics->is_free[i]) continue;
-        rest->scale[rest->freedom] = rest->mech->coordinates[rest->mech->inputs[i]].is_distance ? rest->mech->size : 1;
-        rest->input[rest->freedom++] = (int32_t)i;
+        rest->scale[k] = rest->mech->coordinates[rest->mech->inputs[i]].is_distance ? rest->mech->size : 1;
+        rest->input[k++] = (int32_t)i;
     }
     return true;
 }
@@ -184,7 +209,8 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     if (!options) options = &defaults;
     YkRest *rest = calloc(1, sizeof *rest);
     if (!rest) return NULL;
-    bool ok = prepare(rest, model, options, problems) && assemble(rest, options->time, problems);
+    size_t starts = options->starts;
+    bool ok = prepare(rest, model, options, &starts, problems) && assemble(rest, options->time, problems);
     if (ok && !rest->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
                    "no body has mass or inertia, so the machine has no motion of its own");
@@ -194,7 +220,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "%s", rest->dynamics->report.message);
         ok = false;
     }
-    if (ok) ok = assemble(rest, options->time, problems) && search(rest, options->starts);
+    if (ok) ok = assemble(rest, options->time, problems) && search(rest, starts);
     if (!ok) {
         if (problems && yk_problems_error_count(problems) == 0)
             yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");

@@ -223,6 +223,31 @@ static void the_count_is_told_where_there_is_no_room(void **state)
     machine_free(&m);
 }
 
+// A four-bar with many bolts for one pin, and a plate that is bolted to the ground very often: as many rings as bolts,
+// and no look at pairs of the plate's bolts.
+static void many_pins_between_two_bodies_cost_no_more_than_they_are(void **state)
+{
+    (void)state;
+    enum { BOLTS = 100, PINS = 20000, ROOM = 64 * (PINS + BOLTS) };
+    char *text = malloc(ROOM);
+    assert_non_null(text);
+    size_t at = (size_t)snprintf(text, ROOM,
+                                 "bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n"
+                                 "  a: {points: {O: [0, 0], A: [1, 0]}}\n  c: {points: {A: [0, 0], B: [3, 0]}}\n"
+                                 "  b: {points: {Q: [0, 0], B: [3, 0]}}\n  plate: {}\njoints:\n"
+                                 "  O: {pin: [ground, a], angle: q}\n  Q: {pin: [ground, b], angle: r}\n"
+                                 "  B: {pin: [c, b]}\n");
+    for (int k = 0; k < BOLTS; k++) at += (size_t)snprintf(text + at, ROOM - at, "  A%d: {pin: [a, c], at: A}\n", k);
+    for (int k = 0; k < PINS; k++) at += (size_t)snprintf(text + at, ROOM - at, "  P%d: {pin: [ground, plate]}\n", k);
+    snprintf(text + at, ROOM - at, "start: {q: 1, r: 2}\n");
+    Machine m = machine(text);
+    free(text);
+    YkFourBar found[2];
+    assert_int_equal(yk_four_bars(m.mech, found, 2), BOLTS); // would end before, if it tried all pairs
+    assert_int_equal(found[1].joint[1], 4);
+    machine_free(&m);
+}
+
 static void classes_have_names_of_their_own(void **state)
 {
     (void)state;
@@ -243,6 +268,7 @@ int main(void)
         cmocka_unit_test(the_gallery_is_classified_as_its_names_say),
         cmocka_unit_test(the_count_is_told_where_there_is_no_room),
         cmocka_unit_test(classes_have_names_of_their_own),
+        cmocka_unit_test(many_pins_between_two_bodies_cost_no_more_than_they_are),
     };
     return cmocka_run_group_tests_name("design/four_bar", tests, NULL, NULL);
 }
