@@ -2,6 +2,7 @@
 #include <string.h>
 #include "solve/relations.h"
 
+#define DEAD_MARGIN 1e-11  // sin^2: from here on rounding moves the unknowns by more than a correction may
 #define DEPARTURE 1e-8     // rad, or lengths over the size: the first step from a dead point
 #define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: where not even such a step succeeds, there is a limit
 #define STRIDE 0.05        // rad, or lengths over the size: no step of an input is longer
@@ -57,7 +58,7 @@ static double column_size(const YkState *s, YkColumn c)
 }
 static bool at_dead_point(const YkState *s)
 {
-    return !(s->space.margin[0] > YK_SINGULAR_MARGIN);
+    return !(s->space.margin[0] > DEAD_MARGIN);
 }
 
 // Puts the group's unknowns where velocity and acceleration predict them; at a dead point, where they stand.
