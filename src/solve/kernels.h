@@ -30,6 +30,10 @@ typedef struct YkArm {
 } YkArm;
 
 // margin = 1; -1 where an input is no number. is_first: of the inputs, the one that begins.
+// Rates beyond 1e100 and accelerations beyond 1e200 count as no numbers: their squares and products would overflow on
+// the way. Times these, they do.
+#define YK_RATE_GUARD 0x1p+691
+#define YK_ACCELERATION_GUARD 0x1p+359
 void yk_lanes_begin(double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n);
 
 // constant + along e^(i turn); turn not ground.

@@ -5,7 +5,8 @@ YK_INLINE void begin(double *margin, const double *x, const double *rate, const 
 {
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
-        double before = is_first ? 1 : margin[i], zero = 0 * x[i] + 0 * rate[i] + 0 * accel[i];
+        double before = is_first ? 1 : margin[i], zero = 0 * x[i];
+        zero += 0 * (rate[i] * YK_RATE_GUARD) + 0 * (accel[i] * YK_ACCELERATION_GUARD);
         margin[i] = zero == 0 ? before : -1;
     }
 }

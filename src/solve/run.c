@@ -7,7 +7,8 @@ static void begin_single(const YkRun *run)
 {
     const double *const *in = run->inputs, *const *end = in + 3 * run->mech->input_count;
     double numbers = 0; // or NaN: see yk_lanes_begin
-    for (; in < end; in += 3) numbers += 0 * *in[0] + 0 * *in[1] + 0 * *in[2];
+    for (; in < end; in += 3)
+        numbers += 0 * *in[0] + 0 * (*in[1] * YK_RATE_GUARD) + 0 * (*in[2] * YK_ACCELERATION_GUARD);
     run->space->margin[0] = numbers == 0 ? 1 : -1;
     run->space->gap[0] = 0;
 }

@@ -172,7 +172,25 @@ void yk_state_refer(YkState *s)
         if (!s->mech->coordinates[k].is_distance) s->reference[k] = yk_coordinate_in(s, &s->space, k).position;
 }
 
-YkStatus yk_state_solve(YkState *s)
+// Numbers, but rates that cannot be computed with.
+static bool is_too_fast(const YkState *s)
+{
+    for (const double *in = s->input; in < s->input + 3 * s->mech->input_count; in += 3)
+        if (isfinite(in[1]) && isfinite(in[2]) &&
+            (!isfinite(in[1] * YK_RATE_GUARD) || !isfinite(in[2] * YK_ACCELERATION_GUARD)))
+            return true;
+    return false;
+}
+
+static YkStatus refuse_rates(YkState *s)
+{
+    static const char why[] = "the rates of the inputs are too large to be computed with";
+    yk_state_tell(s, &s->spare, YK_OK);
+    memcpy(s->report.message, why, sizeof why);
+    return s->report.status = YK_BAD_ARGUMENT;
+}
+
+static YkStatus solve(YkState *s)
 {
     if (s->mech->has_groups) return yk_state_track(s);
     if (s->mech->reference_count > 0) yk_state_walk(s);
@@ -184,6 +202,12 @@ YkStatus yk_state_solve(YkState *s)
     if (status >= 0) yk_state_accept(s);
     if (status < 0 && s->mech->reference_count > 0) yk_state_walk_back(s);
     return status;
+}
+
+YkStatus yk_state_solve(YkState *s)
+{
+    YkStatus status = solve(s);
+    return status < 0 && is_too_fast(s) ? refuse_rates(s) : status;
 }
 
 const YkMechanism *yk_state_mechanism(const YkState *s)

@@ -33,6 +33,26 @@ static void a_pose_is_known_after_any_number_of_turns(void **unused)
     machine_free(&other);
 }
 
+// Rates up to 1e100 have an answer, larger ones a status: nothing overflows without a word.
+static void rates_that_overflow_are_refused(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(FOUR_BAR("60 deg + 60 rpm * t"), true);
+    const double rates[] = {1e90, 1e150, 1e300, -1e300};
+    for (size_t k = 0; k < 4; k++) {
+        yk_state_set_input(m.state, 0, (YkMotion){1, rates[k], 0});
+        YkStatus status = yk_state_solve(m.state);
+        assert_int_equal(status, k == 0 ? YK_OK : YK_BAD_ARGUMENT);
+        for (size_t c = 0; c < yk_coordinate_count(m.mech); c++) {
+            YkMotion motion = yk_state_coordinate(m.state, c);
+            assert_true(isfinite(motion.velocity) && isfinite(motion.acceleration));
+        }
+    }
+    yk_state_set_input(m.state, 0, (YkMotion){1, 0, 1e300});
+    assert_int_equal(yk_state_solve(m.state), YK_BAD_ARGUMENT);
+    machine_free(&m);
+}
+
 // The text of the first problem after setting the time; NULL where there is none.
 static YkStatus set_late(const char *text, double time, int *code)
 {
@@ -61,6 +81,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pose_is_known_after_any_number_of_turns),
+        cmocka_unit_test(rates_that_overflow_are_refused),
         cmocka_unit_test(digits_that_are_lost_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
