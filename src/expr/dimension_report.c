@@ -127,8 +127,8 @@ void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
     if (!hint_at_product(dims, expr->b, a)) hint_at_product(dims, expr->a, b);
 }
 
-// Is this a unit of force, or made with one, as people use it? Those of SI are, and the dyne's.
-static bool is_usual(const YkUnits *units, YkDimension dimension)
+// Units of force, and those made with one: of SI, and the dyne's.
+bool yk_dimensions_is_usual(const YkUnits *units, YkDimension dimension)
 {
     if (units->force > 0 || dimension.mass == 0 || dimension.time == 0) return true;
     YkUnits si = yk_units_si();
@@ -140,7 +140,7 @@ static bool is_usual(const YkUnits *units, YkDimension dimension)
 void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension dimension)
 {
     double value = 1;
-    if (dims->phase != YK_PHASE_FINAL || dims->has_warned || is_usual(&dims->units, dimension)) return;
+    if (dims->phase != YK_PHASE_FINAL || dims->has_warned || yk_dimensions_is_usual(&dims->units, dimension)) return;
     if (yk_dim_literal(number, &value) && value == 0) return;
     dims->has_warned = true; // once is enough: one line of `units:` mends them all
     YkUnits newtons = dims->units;
@@ -151,7 +151,7 @@ void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension d
     yk_units_name(&newtons, dimension, &usual);
     double size = yk_units_size(&dims->units, dimension) / yk_units_size(&newtons, dimension);
     yk_problem(dims->problems, YK_CODE_ODD_UNIT, number->place,
-               "%s: the file names no unit of force, so a bare number is in %s here, which is %g %s",
+               "%s: the file names no unit of force, so a bare number is in %s here, which is %e %s",
                describe(dims, dims->current), yk_text_get(&unit), size, yk_text_get(&usual));
     yk_problem_hint(dims->problems,
                     "say `force: N` under `units:`, which makes it %s, or write the unit behind the number",

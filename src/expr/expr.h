@@ -127,6 +127,9 @@ void yk_dimensions_use(YkDimensions *dims, YkExpr *expr, YkDimension expected, c
 // value_scale of every bare number. Unknown names must have been reported by the caller; they are skipped here. Returns
 // false on errors.
 bool yk_dimensions_run(YkDimensions *dims, YkProblems *problems);
+// Is the unit of a bare number of this dimension one that people use? Not so a force in kg*mm/s^2, which inference
+// warns of.
+bool yk_dimensions_is_usual(const YkUnits *units, YkDimension dimension);
 // The dimension found for a parameter; false when it stayed open (nothing uses it): then it counts as a number.
 bool yk_dimensions_of(const YkDimensions *dims, const char *name, YkDimension *dimension);
 

@@ -57,12 +57,13 @@ void yk_load_check_gravity(YkLoader *loader)
     if (g >= planet_least && g <= planet_most && !is_earths_number) return;
     YkText unit = {0};
     const char *meant = unit_meant(in_file);
+    double down = model->gravity.x == 0 ? model->gravity.y / size : in_file; // as the file has it, most often
     yk_units_name(&model->units, YK_DIM_ACCELERATION, &unit);
     const YkExpr *expr = fabs(model->gravity.y) >= fabs(model->gravity.x) ? model->gravity_y : model->gravity_x;
     yk_problem(loader->problems, YK_CODE_ODD_GRAVITY, expr ? expr->place : (YkPlace){0},
-               "gravity is %g %s here, which is %g m/s^2", in_file, yk_text_get(&unit), g);
+               "gravity is %e %s here, which is %e m/s^2", in_file, yk_text_get(&unit), g);
     if (meant)
-        yk_problem_hint(loader->problems, "did you mean `%g %s`? A bare number is in %s", in_file, meant,
+        yk_problem_hint(loader->problems, "did you mean `%e %s`? A bare number is in %s", down, meant,
                         yk_text_get(&unit));
     else
         yk_problem_hint(loader->problems, "write its unit behind it, as in `-9.81 m/s^2`");

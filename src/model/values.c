@@ -102,7 +102,8 @@ YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, 
 {
     if (target) *target = NAN;
     if (!yk_load_expect(loader, node, YK_NODE_SCALAR, &want->subject)) return NULL;
-    YkExpr *expr = plain_number(loader, node, want->dimension);
+    bool is_usual = yk_dimensions_is_usual(&loader->model->units, want->dimension); // otherwise inference warns of it
+    YkExpr *expr = is_usual ? plain_number(loader, node, want->dimension) : NULL;
     if (!expr) return waiting_expression(loader, node, want, target);
     double value = plain_value(expr);
     if (yk_load_in_range(loader, node->place, value) && target) *target = value;

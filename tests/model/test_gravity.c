@@ -37,13 +37,13 @@ static void is_silent(const char *head)
 static void a_bare_gravity_unlike_any_planets_warns_and_says_what_may_be_meant(void **state)
 {
     (void)state;
-    warns("units: {length: mm}\ngravity: [0, -9.81]\n", "`9.81 m/s^2`");
-    warns("units: {length: mm}\nparameters: {g: 9.81}\ngravity: [0, -g]\n", "`9.81 m/s^2`");
+    warns("units: {length: mm}\ngravity: [0, -9.81]\n", "`-9.81 m/s^2`");
+    warns("units: {length: mm}\nparameters: {g: 9.81}\ngravity: [0, -g]\n", "`-9.81 m/s^2`");
     warns("units: {length: cm}\ngravity: [-9.81*sin(10 deg), -9.81*cos(10 deg)]\n", "`9.81 m/s^2`");
-    warns("gravity: [0, -9810]\n", "`9810 mm/s^2`");
-    warns("gravity: [0, -981]\n", "`981 cm/s^2`");
-    warns("units: {length: ft}\ngravity: [0, -9.81]\n", "`9.81 m/s^2`");
-    warns("gravity: [0, -386]\n", "`386 in/s^2`");
+    warns("gravity: [0, -9810]\n", "`-9810 mm/s^2`");
+    warns("gravity: [0, -981]\n", "`-981 cm/s^2`");
+    warns("units: {length: ft}\ngravity: [0, -9.81]\n", "`-9.81 m/s^2`");
+    warns("gravity: [0, -386]\n", "`-386 in/s^2`");
     warns("gravity: [0, -1e9]\n", "`-9.81 m/s^2`");
 }
 

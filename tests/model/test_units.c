@@ -96,6 +96,48 @@ static void wrong_units_are_refused_where_they_stand(void **state)
     fixture_refused("units: mm\n" CRANK, YK_CODE_WRONG_KIND, 1, 8, "units");
 }
 
+// Bare numbers that are forces or torques, in a file that names a unit of length and none of force.
+static void forces_in_units_that_nobody_means_are_told_once(void **state)
+{
+    (void)state;
+    const struct {
+        const char *text;
+        int warnings;
+        unsigned line;
+    } cases[] = {
+        {"units: {length: mm}\n" CRANK "efforts: {theta: -1500}\n", 1, 4},
+        {"units: {length: mm}\n" CRANK "efforts: {theta: 3*cos(15 deg)}\n", 1, 4},
+        {"units: {length: mm}\nparameters: {tau: 1500}\n" CRANK "efforts: {theta: tau}\n", 1, 2},
+        {"units: {length: mm}\n" CRANK
+         "forces: {F: {body: crank, at: A, value: [-80, 20]}, G: {body: crank, moment: 3}}\n",
+         1, 4},
+        {"units: {length: cm, mass: kg}\n" CRANK "efforts: {theta: 1}\n", 1, 4},
+        {"units: {length: mm}\n" CRANK "efforts: {theta: 1500 N*mm}\n", 0, 0},
+        {"units: {length: mm}\n" CRANK "efforts: {theta: 0}\n", 0, 0},
+        {"units: {length: mm, force: N}\n" CRANK "efforts: {theta: 1500}\n", 0, 0},
+        {"units: {length: mm, mass: t}\n" CRANK "efforts: {theta: 1500}\n", 0, 0}, // makes newtons
+        {"units: {length: cm, mass: g}\n" CRANK "efforts: {theta: 1500}\n", 0, 0}, // dynes
+        {"units: {length: m}\n" CRANK "efforts: {theta: 1500}\n", 0, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        YkProblems *problems = yk_problems_new();
+        YkModel *model = yk_model_parse(cases[i].text, strlen(cases[i].text), "test.yaml", NULL, problems);
+        const YkProblem *problem = fixture_problem(problems, YK_CODE_ODD_UNIT);
+        int count = 0;
+        for (size_t k = 0; k < yk_problems_count(problems); k++)
+            count += yk_problems_get(problems, k)->code == YK_CODE_ODD_UNIT;
+        if (!model || count != cases[i].warnings) print_error("%s%s", cases[i].text, yk_problems_text(problems, 0));
+        assert_non_null(model);
+        assert_int_equal(count, cases[i].warnings);
+        if (problem) {
+            assert_int_equal(problem->place.line, cases[i].line);
+            assert_non_null(strstr(problem->hint, "`force: N`"));
+        }
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -103,6 +145,7 @@ int main(void)
         cmocka_unit_test(declared_units_scale_plain_numbers_and_expressions_alike),
         cmocka_unit_test(composed_units_have_names_and_sizes),
         cmocka_unit_test(every_unit_name_reads_back_as_its_size),
+        cmocka_unit_test(forces_in_units_that_nobody_means_are_told_once),
         cmocka_unit_test(wrong_units_are_refused_where_they_stand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
