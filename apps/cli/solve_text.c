@@ -84,9 +84,11 @@ static void add_points(YkSession *session, const YkState *state)
     YkText name = {0};
     yk_table_head(table, "point", NULL);
     for (int i = 0; i < 6; i++) yk_table_head(table, heads[i], yk_unit_of(session, yk_quantity_of(true, i / 2)));
+    size_t count = 0;
     for (size_t p = 0; p < yk_model_point_count(session->model); p++) {
         size_t body = yk_model_point_body(session->model, p);
         if (body == 0) continue; // stands still where the file says
+        count++;
         YkPointMotion m = yk_state_point(state, p);
         const double *values[] = {m.position, m.velocity, m.acceleration};
         yk_words_renew(&name);
@@ -101,7 +103,11 @@ static void add_points(YkSession *session, const YkState *state)
     }
     session->out.failed |= name.failed;
     yk_text_free(&name);
-    write_table(session, table);
+    if (count > 0) {
+        write_table(session, table);
+    } else {
+        yk_table_free(table);
+    }
 }
 
 static void add_transmission(YkSession *session, const YkState *state)

@@ -131,10 +131,8 @@ void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
 bool yk_dimensions_is_usual(const YkUnits *units, YkDimension dimension)
 {
     if (units->force > 0 || dimension.mass == 0 || dimension.time == 0) return true;
-    YkUnits si = yk_units_si();
-    double size = yk_units_size(units, dimension), force = units->mass * units->length / (units->time * units->time);
-    si.angle = units->angle;
-    return size == yk_units_size(&si, dimension) || force == 1 || (units->length == 0.01 && units->mass == 0.001);
+    double force = units->mass * units->length / (units->time * units->time);
+    return force == 1 || (units->length == 0.01 && units->mass == 0.001);
 }
 
 void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension dimension)

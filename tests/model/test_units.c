@@ -111,6 +111,7 @@ static void forces_in_units_that_nobody_means_are_told_once(void **state)
         {"units: {length: mm}\n" CRANK
          "forces: {F: {body: crank, at: A, value: [-80, 20]}, G: {body: crank, moment: 3}}\n",
          1, 4},
+        {"units: {length: mm}\n" CRANK "springs: {k: {along: theta, stiffness: 4, angle: 0}}\n", 1, 4},
         {"units: {length: cm, mass: kg}\n" CRANK "efforts: {theta: 1}\n", 1, 4},
         {"units: {length: mm}\n" CRANK "efforts: {theta: 1500 N*mm}\n", 0, 0},
         {"units: {length: mm}\n" CRANK "efforts: {theta: 0}\n", 0, 0},
