@@ -13,6 +13,51 @@ static YkRef not_negative(YkDag *g, YkRef a)
     return yk_dag_binary(g, YK_VALUE_LARGEST, a, yk_dag_number(g, 0));
 }
 
+// By how much the margin of an arm is less for its length, as yk_arm_share has it; `square` is its length's.
+static YkRef arm_share(YkProgram *p, const YkBlock *b, int k, YkRef square)
+{
+    YkDag *g = &p->graph;
+    double size = yk_program_size(p), enough = b->arm_is_constant[k] ? YK_PER_ARM_ENOUGH2 : 1;
+    return yk_dag_multiply(g, yk_dag_number(g, enough / (size * size)), square);
+}
+
+// Is an arm short, or may it be?
+static bool is_careful(YkProgram *p, const YkBlock *b, int arms)
+{
+    double size = yk_program_size(p);
+    bool careful = false;
+    for (int k = 0; k < arms; k++) {
+        YkVec arm = b->arm[k].constant;
+        careful =
+            careful || !b->arm_is_constant[k] || yk_arm_share(yk_dot(arm, arm), YK_PER_ARM_ENOUGH2 / (size * size)) < 1;
+    }
+    return careful;
+}
+
+// A margin where the loop closes, less by the arms' shares.
+static YkRef with_share(YkProgram *p, YkRef margin, YkRef share)
+{
+    YkDag *g = &p->graph;
+    YkRef most = yk_dag_binary(g, YK_VALUE_LEAST, share, yk_dag_number(g, 1));
+    return yk_dag_choose(g, margin, margin, yk_dag_multiply(g, margin, most));
+}
+
+static YkRefVec of_length_one(YkDag *g, YkRefVec e)
+{
+    YkRef per = yk_dag_inverse(g, yk_dag_function(g, YK_SQRT, yk_dag_dot(g, e, e), -1));
+    return yk_dag_vec_scale(g, per, e);
+}
+
+// An arm is short, or may be: its unit vector takes more of the rounding of the base than its length bears.
+static void make_careful(YkProgram *p, YkPlaced *placed, YkRefVec U, YkRefVec W)
+{
+    YkDag *g = &p->graph;
+    for (int k = 0; k < 2; k++) placed->e[k] = of_length_one(g, placed->e[k]);
+    placed->p = yk_dag_vec_multiply(g, U, placed->e[0]);
+    placed->q = yk_dag_vec_multiply(g, W, placed->e[1]);
+    placed->inverse = yk_dag_inverse(g, yk_dag_cross(g, placed->p, placed->q));
+}
+
 // RRR: two circles meet.
 void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
 {
@@ -44,13 +89,20 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
     yk_dag_name(g, placed->inverse, "%s_per_D", placed->name);
     placed->e[0] = yk_dag_vec_multiply(g, placed->p, vec_inverse(g, U));
     placed->e[1] = yk_dag_vec_multiply(g, placed->q, vec_inverse(g, W));
+    bool careful = is_careful(p, b, 2);
+    if (careful) make_careful(p, placed, U, W);
     yk_block_set_unit(p, b->column[0].index, placed->e[0]);
     yk_block_set_unit(p, b->column[1].index, placed->e[1]);
     YkRef margin = yk_dag_multiply(
         g, square, yk_dag_inverse(g, yk_dag_multiply(g, yk_dag_number(g, 4), yk_dag_multiply(g, U2, W2))));
     YkRef shortness = yk_dag_multiply(g, yk_dag_multiply(g, u, w), per_L2);
     YkRef longer = yk_dag_binary(g, YK_VALUE_LARGEST, shortness, yk_dag_number(g, 1));
-    yk_block_keep_margin(p, yk_dag_choose(g, margin, yk_dag_multiply(g, margin, longer), margin), placed->e[0].x);
+    YkRef closing = margin;
+    if (careful) {
+        YkRef share = yk_dag_binary(g, YK_VALUE_LEAST, arm_share(p, b, 0, U2), arm_share(p, b, 1, W2));
+        closing = with_share(p, margin, share);
+    }
+    yk_block_keep_margin(p, yk_dag_choose(g, margin, yk_dag_multiply(g, margin, longer), closing), placed->e[0].x);
 }
 
 // RRP: a circle meets a line.
@@ -75,16 +127,19 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
     yk_block_set_distance(p, b->column[1].index, d);
     yk_block_set_unit(p, b->column[0].index, placed->e[1]);
     YkRef margin = yk_dag_multiply(g, g2, yk_dag_inverse(g, W2));
-    yk_block_keep_margin(p, margin, margin);
+    if (is_careful(p, b, 1)) margin = with_share(p, margin, arm_share(p, b, 0, W2));
+    yk_block_keep_margin(p, margin, placed->e[1].x);
 }
 
-// RPR through the pin: where the point comes to the pin any angle would do, and the engine has no number there.
-static YkRef singular_where_tiny(YkProgram *p, YkRef K2)
+// r over the base, squared, or over the size where that is less, as rpr_margin has it; per_K2 -1 where the line passes
+// the pin, so that K^2 = r^2.
+static YkRef rpr_margin(YkProgram *p, YkRef r2, YkRef per_K2)
 {
     YkDag *g = &p->graph;
     double size = yk_program_size(p);
-    YkRef of_size = yk_dag_multiply(g, yk_dag_number(g, 1 / (size * size)), K2);
-    return yk_dag_subtract(g, yk_dag_multiply(g, yk_dag_number(g, 1e34), of_size), yk_dag_number(g, 1));
+    YkRef of_size = yk_dag_multiply(g, yk_dag_number(g, 1 / (size * size)), r2);
+    YkRef of_base = per_K2 < 0 ? yk_dag_number(g, 1) : yk_dag_multiply(g, r2, per_K2);
+    return yk_dag_binary(g, YK_VALUE_LEAST, of_base, of_size);
 }
 
 // RPR: a line that turns about a pin passes a point.
@@ -108,7 +163,7 @@ void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
     placed->e[1] = yk_dag_vec_multiply(g, e, yk_dag_vec_conjugate(g, f));
     yk_block_set_unit(p, b->column[0].index, placed->e[1]);
     yk_block_set_distance(p, b->column[1].index, yk_dag_subtract(g, r, along));
-    yk_block_keep_margin(p, placed->passes_pin ? singular_where_tiny(p, K2) : yk_dag_multiply(g, r2, per_K2), e.x);
+    yk_block_keep_margin(p, rpr_margin(p, r2, per_K2), e.x);
 }
 
 // PP: two lines meet.

@@ -9,12 +9,13 @@
 typedef struct YkArmPair {
     double outer, inner, product; // (U+W)^2, (U-W)^2, (U+W) (U-W)
     double scale, rectangle;      // 1 / (4 U^2 W^2), U W
+    double share;                 // of a margin: yk_arm_share of the shorter one
     YkVec inverse_U, inverse_W;   // 1 / U, 1 / W as complex numbers
 } YkArmPair;
 
 // Of the arm W of an RRP dyad: its circle, and what turns a vector of the circle back to e^(i Phi).
 typedef struct YkArmCircle {
-    double radius, inverse_square;
+    double radius, inverse_square, share;
     YkVec inverse;
 } YkArmCircle;
 
@@ -35,17 +36,36 @@ static inline YkVec yk_vec_inverse(YkVec a)
     return yk_scale(1 / yk_dot(a, a), yk_conj(a));
 }
 
-static inline YkArmPair yk_arm_pair(YkVec U, YkVec W)
+// From which length on an arm's angle counts as well known: a constant arm from a thousandth of the machine's size (1
+// over its square), one that varies, and may vanish on the way, from the size itself.
+#define YK_PER_ARM_ENOUGH2 1e6
+
+// By how much an arm's margin is less for its length: over `enough`, squared; 1 where it is enough. per_enough2:
+// 1 / enough^2, or 0 where nothing is known of the machine.
+static inline double yk_arm_share(double square, double per_enough2)
 {
-    double U2 = yk_dot(U, U), W2 = yk_dot(W, W), sum = sqrt(U2) + sqrt(W2), difference = sqrt(U2) - sqrt(W2);
-    return (YkArmPair){sum * sum,     difference * difference, sum * difference, 1 / (4 * U2 * W2),
-                       sqrt(U2 * W2), yk_vec_inverse(U),       yk_vec_inverse(W)};
+    double share = square * per_enough2;
+    return share < 1 && per_enough2 > 0 ? share : 1;
 }
 
-static inline YkArmCircle yk_arm_circle(YkVec W)
+static inline YkArmPair yk_arm_pair(YkVec U, YkVec W, double U_per_enough2, double W_per_enough2)
+{
+    double U2 = yk_dot(U, U), W2 = yk_dot(W, W), sum = sqrt(U2) + sqrt(W2), difference = sqrt(U2) - sqrt(W2);
+    double U_share = yk_arm_share(U2, U_per_enough2), W_share = yk_arm_share(W2, W_per_enough2);
+    return (YkArmPair){.outer = sum * sum,
+                       .inner = difference * difference,
+                       .product = sum * difference,
+                       .scale = 1 / (4 * U2 * W2),
+                       .rectangle = sqrt(U2 * W2),
+                       .share = U_share < W_share ? U_share : W_share,
+                       .inverse_U = yk_vec_inverse(U),
+                       .inverse_W = yk_vec_inverse(W)};
+}
+
+static inline YkArmCircle yk_arm_circle(YkVec W, double per_enough2)
 {
     double square = yk_dot(W, W), inverse = 1 / square;
-    return (YkArmCircle){sqrt(square), inverse, yk_scale(inverse, yk_conj(W))};
+    return (YkArmCircle){sqrt(square), inverse, yk_arm_share(square, per_enough2), yk_scale(inverse, yk_conj(W))};
 }
 
 #endif

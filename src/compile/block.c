@@ -167,26 +167,37 @@ void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters,
     block->body_count = (uint32_t)mech->member_count - block->first_body;
 }
 
-static YkBlockForm form_of(const YkBlock *block)
+static double share_of(const YkBlock *block, int k, double per_enough2)
+{
+    return yk_arm_share(yk_dot(block->arm[k].constant, block->arm[k].constant), per_enough2);
+}
+
+// per_enough2: of arms, as yk_arm_share takes it; short ones are rare.
+static YkBlockForm form_of(const YkBlock *block, double per_enough2)
 {
     YkVec arm = block->arm[0].constant;
     bool is_axial = yk_is_axial(block->line[0]), is_fixed = block->line_slot[0] == 0;
     if (!block->arm_is_constant[0]) return YK_FORM_RARE;
-    if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1])
+    if (block->kind != YK_BLOCK_RPR && share_of(block, 0, per_enough2) < 1) return YK_FORM_RARE;
+    if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1]) {
+        if (share_of(block, 1, per_enough2) < 1) return YK_FORM_RARE;
         return yk_is_axial(arm) && yk_is_axial(block->arm[1].constant) ? YK_FORM_RRR_AXIAL : YK_FORM_RRR;
+    }
     if (block->kind == YK_BLOCK_RRP && !is_fixed) return YK_FORM_RRP_TURNING;
     if (block->kind == YK_BLOCK_RRP) return is_axial && yk_is_axial(arm) ? YK_FORM_RRP_AXIAL : YK_FORM_RRP;
     if (block->kind != YK_BLOCK_RPR || !is_fixed) return YK_FORM_RARE;
     return is_axial && arm.x == 0 && arm.y == 0 ? YK_FORM_RPR_AXIAL : YK_FORM_RPR;
 }
 
-void yk_block_measure(YkBlock *block)
+void yk_block_measure(YkBlock *block, double size)
 {
-    block->form = form_of(block);
+    double per_size2 = 1 / (size * size), per_enough2 = YK_PER_ARM_ENOUGH2 * per_size2;
+    block->per_size2 = per_size2;
+    block->form = form_of(block, per_enough2);
     if (block->form == YK_FORM_RRR || block->form == YK_FORM_RRR_AXIAL)
-        block->arms.pair = yk_arm_pair(block->arm[0].constant, block->arm[1].constant);
+        block->arms.pair = yk_arm_pair(block->arm[0].constant, block->arm[1].constant, per_enough2, per_enough2);
     else if (block->kind == YK_BLOCK_RRP)
-        block->arms.circle = yk_arm_circle(block->arm[0].constant);
+        block->arms.circle = yk_arm_circle(block->arm[0].constant, per_enough2);
 }
 
 static size_t columns_of(const Parts *p, YkColumn columns[4])
@@ -213,7 +224,7 @@ static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
     YkColumn columns[4];
     block->column_count = (uint32_t)columns_of(p, columns);
     for (uint32_t k = 0; k < block->column_count; k++) block->column[k] = columns[k];
-    yk_block_measure(block);
+    yk_block_measure(block, mech->size);
     if (!ok) plan->failed = true;
 }
 

@@ -150,9 +150,10 @@ typedef struct YkBlock {
     int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
     YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
     YkSum known;
-    YkArms arms;   // of RRR and RRP, where the arms are constant
-    YkVec line[2]; // constant unit vectors
-    YkSum arm[2];  // RRR: U, W; RRP: W; RPR: C; LINK: U
+    YkArms arms;      // of RRR and RRP, where the arms are constant
+    double per_size2; // 1 / size^2 of the machine: what a base or an arm that vanishes is measured by
+    YkVec line[2];    // constant unit vectors
+    YkSum arm[2];     // RRR: U, W; RRP: W; RPR: C; LINK: U
     const char *label;
     int32_t assur_class;
     uint32_t first_joint, joint_count; // in block_members
@@ -163,8 +164,8 @@ typedef struct YkBlock {
     uint32_t first_relation, relation_count; // in group_relations: one equation each, behind those of the loops
 } YkBlock;
 
-// Works out the block's form and `arms`: after every change of its vectors.
-void yk_block_measure(YkBlock *block);
+// Works out the block's form, `arms` and `per_size2`: after every change of its vectors or of the machine's size.
+void yk_block_measure(YkBlock *block, double size);
 
 // Equations of a group.
 static inline size_t yk_block_rows(const YkBlock *block)

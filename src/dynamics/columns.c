@@ -1,4 +1,7 @@
-// The angle between the two columns of a dyad, with its rate and acceleration at a pose.
+// What tells the branches of a dyad apart, as an angle whose sine has the determinant's sign, with its rate and
+// acceleration at a pose: that between its two columns. For an RPR it is another one, since there the columns swap
+// their sides in no time where the point passes the pin: its determinant r is a length, and the angle's tangent is r
+// over the machine's size.
 #include "dynamics/crossing.h"
 
 static YkDirection of_plane(YkPlane p)
@@ -33,22 +36,33 @@ static YkDirection of_arm(const YkRun *run, const YkBlock *b, int k)
     return turned(d, run->space, b->column[b->kind == YK_BLOCK_RRR ? k : 0].index);
 }
 
+// r = dot(e, p), p = -K.
+static YkDirection of_root(const YkRun *run, const YkBlock *b)
+{
+    YkPlane K = yk_space_scratch(run->space, YK_SCRATCH_KNOWN);
+    YkDirection line =
+        turned(turned(of_vector(b->line[0]), run->space, b->line_slot[0]), run->space, b->column[0].index);
+    double size = run->mech->size, w = line.rate;
+    YkVec e = yk_unit(line.angle), ie = yk_quarter(e);
+    yk_run_sum(run, &b->known, K);
+    YkVec p = yk_vec(-K.x[0], -K.y[0]), v = yk_vec(-K.vx[0], -K.vy[0]), a = yk_vec(-K.ax[0], -K.ay[0]);
+    double r = yk_dot(e, p), rate = yk_dot(e, v) + w * yk_dot(ie, p);
+    double accel = yk_dot(e, a) + 2 * w * yk_dot(ie, v) + line.acceleration * yk_dot(ie, p) - w * w * r;
+    double per = size / (size * size + r * r), turn = per * rate;
+    return (YkDirection){yk_atan2(r, size), turn, per * accel - 2 * r / size * turn * turn};
+}
+
 YkDirection yk_between_columns(const YkRun *run, const YkBlock *b)
 {
     YkDirection one, two;
+    if (b->kind == YK_BLOCK_RPR) return of_root(run, b);
     if (b->kind == YK_BLOCK_RRR) {
         one = of_arm(run, b, 0);
         two = of_arm(run, b, 1);
     } else {
         one = turned(of_vector(b->line[0]), run->space, b->line_slot[0]);
-        if (b->kind == YK_BLOCK_RRP) {
-            two = of_arm(run, b, 0);
-            two.angle += YK_PI / 2;
-        } else {
-            one = turned(one, run->space, b->column[0].index);
-            two = of_sum(run, &b->known);
-            two.angle -= YK_PI / 2; // i p, p = -K
-        }
+        two = of_arm(run, b, 0);
+        two.angle += YK_PI / 2;
     }
     return (YkDirection){yk_nearest_turn(two.angle - one.angle, 0), two.rate - one.rate,
                          two.acceleration - one.acceleration};

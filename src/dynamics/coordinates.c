@@ -17,16 +17,19 @@ static bool allocate(YkSimulation *sim)
 {
     size_t inputs = sim->mech->input_count, items = sim->item_count, all = 2 * sim->free_count + sim->work_count;
     sim->free_input = calloc(inputs + 1, sizeof *sim->free_input);
-    sim->y = calloc(6 * (all + 1), sizeof *sim->y);
+    sim->y = calloc(7 * (all + 1), sizeof *sim->y);
     sim->response = calloc((items + 1) * (inputs + items + 4), sizeof *sim->response);
     sim->contacts = calloc(items + 1, sizeof *sim->contacts);
     sim->near = sim->near_memory = calloc(2 * (sim->mech->block_count + 1), sizeof *sim->near);
-    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near) return false;
+    size_t pose = 4 * sim->mech->slot_count + 3 * sim->mech->distance_count + 6 * sim->mech->node_count;
+    sim->pose_sum = calloc(pose + 1, sizeof *sim->pose_sum);
+    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->pose_sum) return false;
     sim->dense = sim->y + all + 1;
     sim->rate = sim->dense + all + 1;
     sim->moved = sim->rate + all + 1;
     sim->sampled = sim->moved + all + 1;
-    sim->work = sim->sampled + all + 1;
+    sim->looked = sim->sampled + all + 1;
+    sim->work = sim->looked + all + 1;
     sim->matrix = sim->response + (items + 1) * inputs;
     sim->bias = sim->matrix + (items + 1) * items;
     sim->lambda = sim->bias + items + 1;
@@ -112,6 +115,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     free(sim->response);
     free(sim->contacts);
     free(sim->near_memory);
+    free(sim->pose_sum);
     sim->ode = NULL;
     sim->dynamics = NULL;
     sim->state = NULL;
@@ -120,6 +124,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     sim->y = sim->response = NULL;
     sim->contacts = NULL;
     sim->near = sim->near_next = sim->near_memory = NULL;
+    sim->pose_sum = NULL;
     sim->near_count = sim->contact_count = 0;
 }
 
@@ -217,6 +222,7 @@ static bool take(YkSimulation *sim, const size_t *order, bool *changed)
     next.y = next.response = NULL;
     next.contacts = NULL;
     next.near = next.near_next = next.near_memory = NULL;
+    next.pose_sum = NULL;
     next.near_count = 0;
     YkProblems *quiet = yk_problems_new();
     bool ok = yk_simulation_build(&next, &(YkCompileOptions){names, sim->free_count}, quiet) &&

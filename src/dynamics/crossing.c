@@ -75,6 +75,32 @@ void yk_simulation_look_near(YkSimulation *sim, double t)
     sim->near_time = t;
 }
 
+// The time, in the last step, from which a near block's angle at t is to be predicted: where it was a little before, or
+// after. t where it is known well enough.
+static double time_to_look(const YkSimulation *sim, double t)
+{
+    const double SMALL = 0.05, LITTLE = 0.08; // rad
+    double dt = t - sim->near_time;
+    for (size_t k = 0; k < sim->near_count; k++) {
+        const YkNear *near = &sim->near[k];
+        double way = LITTLE / fabs(near->rate + dt * near->acceleration);
+        if (!(fabs(sin(yk_near_angle(near, dt))) < SMALL) || !(fabs(dt) > 1.5 * way)) continue;
+        return dt > 0 ? t - way : t + way;
+    }
+    return t;
+}
+
+void yk_simulation_look_closer(YkSimulation *sim, double t)
+{
+    double at = time_to_look(sim, t);
+    if (at == t || yk_ode_dense(sim->ode, at, sim->looked) != YK_ODE_OK) return;
+    if (!yk_simulation_stand_at(sim, at, sim->looked)) return;
+    YkRun run = yk_state_run(sim->state, &sim->state->space);
+    for (size_t k = 0; k < sim->near_count; k++)
+        sim->near[k] = known_near(sim, &run, sim->near[k].block, &sim->near[k], at);
+    sim->near_time = at;
+}
+
 // How far a block's angle may go on before it comes so close to a singular position that it must be watched.
 static double way_left(YkDirection d)
 {

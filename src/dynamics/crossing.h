@@ -18,7 +18,7 @@ static inline bool yk_has_columns(const YkBlock *block)
     return block->kind <= YK_BLOCK_RPR;
 }
 
-// columns.c: from the block's first column to its second, as the kernels order them.
+// columns.c: from the block's first column to its second, as the kernels order them; of an RPR what stands for it.
 YkDirection yk_between_columns(const YkRun *run, const YkBlock *block);
 
 static inline double yk_near_angle(const YkNear *near, double ahead) // as predicted

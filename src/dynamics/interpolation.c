@@ -46,7 +46,7 @@ static void look_along(YkSimulation *sim, double t, const double *y, const YkNea
     for (size_t k = 0; k < n; k++) {
         for (size_t i = 0; i < sim->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
         s->input[3 * sim->free_input[k] + 1] = 1;
-        if (yk_state_solve(s) < 0 || !s->has_rates) return;
+        if (yk_state_solve(s) < 0 || !(s->space.margin[0] > YK_SINGULAR_MARGIN)) return; // two digits of rates will do
         YkRun run = yk_state_run(s, &s->space);
         double slope = yk_between_columns(&run, &sim->mech->blocks[near->block]).rate;
         double scale = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance ? sim->mech->size : 1;
@@ -65,9 +65,8 @@ static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *
     return way;
 }
 
-// Accelerations at the inputs moved on by `ahead` along the way.
-static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead,
-                   double *dydt)
+// Sets the inputs moved on by `ahead` along the way, and the sign that the block has there.
+static bool move(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead)
 {
     size_t n = sim->free_count;
     double *moved = sim->moved, angle = yk_near_angle(near, t - sim->near_time) + ahead * way->slope;
@@ -76,6 +75,15 @@ static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *n
     if (way->input != YK_NONE) moved[way->input] += ahead;
     if (!yk_simulation_set(sim, way->input == YK_NONE ? t + ahead : t, moved)) return false;
     sim->state->branch[near->block] = sin(angle) < 0 ? -1 : 1;
+    return true;
+}
+
+// Accelerations at the inputs moved on by `ahead` along the way.
+static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead,
+                   double *dydt)
+{
+    size_t n = sim->free_count;
+    if (!move(sim, t, y, near, way, ahead)) return false;
     YkStatus status = yk_simulation_accelerate(sim);
     if (status < 0 || status == YK_SINGULAR) {
         sim->report = sim->dynamics->report;
@@ -103,14 +111,30 @@ typedef struct Fit {
     double center, apart;
 } Fit;
 
+static void place_nodes(const Fit *fit, double *node)
+{
+    for (int j = 0; j < NODES; j++)
+        node[j] = fit->center + fit->apart * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
+}
+
+// Around the singular position next to (t, y); false where no way leads through it.
+static bool find_fit(YkSimulation *sim, double t, const double *y, Fit *fit)
+{
+    double sine;
+    fit->near = nearest(sim, t, &sine);
+    fit->way = find_way(sim, t, y, fit->near);
+    double angle = yk_near_angle(fit->near, t - sim->near_time), gap = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
+    fit->center = -gap / fit->way.slope;
+    return isfinite(fit->center) && isfinite(1 / fit->way.slope);
+}
+
 // Interpolates into dydt. Returns what the outermost nodes change in an acceleration, over the largest one; INFINITY
 // where a node has none.
 static double interpolate(YkSimulation *sim, double t, const double *y, const Fit *fit, double *dydt)
 {
     size_t n = sim->free_count, all = 2 * n + sim->work_count;
     double node[NODES], weight[NODES], inner[NODES], most = 0, change = 0;
-    for (int j = 0; j < NODES; j++)
-        node[j] = fit->center + fit->apart * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
+    place_nodes(fit, node);
     weigh(node, 0, NODES, weight);
     weigh(node, 1, NODES - 1, inner);
     memset(dydt, 0, all * sizeof *dydt);
@@ -132,11 +156,10 @@ static double interpolate(YkSimulation *sim, double t, const double *y, const Fi
 YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt)
 {
     double sine, off = INFINITY, least = INFINITY;
-    Fit fit = {.near = nearest(sim, t, &sine)}, best = fit;
-    fit.way = find_way(sim, t, y, fit.near);
-    double angle = yk_near_angle(fit.near, t - sim->near_time), gap = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
-    fit.center = -gap / fit.way.slope;
-    bool has_way = isfinite(fit.center) && isfinite(1 / fit.way.slope);
+    Fit fit, best;
+    bool has_way = find_fit(sim, t, y, &fit);
+    best = fit;
+    nearest(sim, t, &sine);
     if (!has_way) sim->report = sim->state->report;
     for (size_t k = 0; k < sizeof ZONES / sizeof *ZONES && !(off <= SMOOTH); k++) {
         if (sine >= ZONES[k]) {
@@ -153,4 +176,62 @@ YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const dou
     sim->report.message[0] = 0;
     if (off > least) interpolate(sim, t, y, &best, dydt);
     return YK_INTERPOLATION_DONE;
+}
+
+// --- poses ------------------------------------------------------------------------------------------
+
+static const double POSE_BLIND = 0.01; // sine, as predicted, below which a pose is interpolated too
+
+// The numbers of a pose but those of the ground: what turns, slides and nodes stand at, with their rates.
+static size_t pose_count(const YkSpace *space)
+{
+    return 4 * (space->slots - 1) + 3 * space->distances + 6 * space->nodes;
+}
+
+static void set_accelerations(YkSimulation *sim, const double *acceleration)
+{
+    for (size_t k = 0; k < sim->free_count; k++) sim->state->input[3 * sim->free_input[k] + 2] = acceleration[k];
+}
+
+// Sums up the poses at the nodes; the rates and accelerations of the inputs are those of (t, y) at all of them, so that
+// what is found for (t, y) has them too.
+static bool sum_poses(YkSimulation *sim, double t, const double *y, const double *acceleration, const Fit *fit)
+{
+    YkState *s = sim->state;
+    double node[NODES], weight[NODES], *sum = sim->pose_sum;
+    size_t count = pose_count(&s->space);
+    place_nodes(fit, node);
+    weigh(node, 0, NODES, weight);
+    memset(sum, 0, count * sizeof *sum);
+    for (int j = 0; j < NODES; j++) {
+        if (!move(sim, t, y, fit->near, &fit->way, node[j])) return false;
+        set_accelerations(sim, acceleration);
+        if (yk_state_solve(s) < 0 || !s->has_rates) return false;
+        const double *pose = s->space.data + 4;
+        for (size_t k = 0; k < count; k++) sum[k] += weight[j] * pose[k];
+    }
+    return true;
+}
+
+bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const double *acceleration)
+{
+    double sine;
+    Fit fit;
+    if (sim->near_count == 0) return false;
+    nearest(sim, t, &sine);
+    if (sine >= POSE_BLIND || !find_fit(sim, t, y, &fit)) return false;
+    fit.apart = 1.7 * ZONES[2] / fabs(fit.way.slope);
+    return sum_poses(sim, t, y, acceleration, &fit);
+}
+
+void yk_simulation_take_sum(YkSimulation *sim)
+{
+    YkState *s = sim->state;
+    memcpy(s->space.data + 4, sim->pose_sum, pose_count(&s->space) * sizeof *sim->pose_sum);
+    for (size_t k = 1; k < s->space.slots; k++) {
+        YkTurn t = yk_space_turn(&s->space, (int32_t)k);
+        double per = 1 / hypot(*t.c, *t.s);
+        *t.c *= per, *t.s *= per;
+    }
+    s->has_rates = true;
 }

@@ -82,20 +82,28 @@ int yk_simulation_motion(void *context, double t, const double *y, double *dydt)
     return 0;
 }
 
-bool yk_simulation_pose(YkSimulation *sim, double t, const double *y)
+bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
 {
     YkState *s = sim->state;
     size_t n = sim->free_count;
     double *rate = sim->rate;
-    bool ok = yk_simulation_motion(sim, t, y, rate) == 0 && yk_simulation_set(sim, t, y);
+    bool ok = yk_simulation_motion(sim, t, y, rate) == 0;
+    bool is_summed = ok && yk_simulation_sum_poses(sim, t, y, rate + n);
+    ok = yk_simulation_set(sim, t, y) && ok;
     for (size_t k = 0; k < n; k++) s->input[3 * sim->free_input[k] + 2] = rate[n + k];
     YkStatus status = yk_state_solve(s);
-    if (ok && status >= 0 && status != YK_SINGULAR) yk_state_refer(s); // where branches meet, an angle may be any
-    if (!ok || status < 0) {
-        sim->status = status < 0 ? status : YK_NOT_CONVERGED;
-        if (status < 0) sim->report = s->report;
-        return false;
-    }
+    if (status >= 0 && is_summed) yk_simulation_take_sum(sim);
+    if (ok && status >= 0) return true;
+    sim->status = status < 0 ? status : YK_NOT_CONVERGED;
+    if (status < 0) sim->report = s->report;
+    return false;
+}
+
+bool yk_simulation_pose(YkSimulation *sim, double t, const double *y)
+{
+    if (sim->near_count > 0) yk_simulation_look_closer(sim, t);
+    if (!yk_simulation_stand_at(sim, t, y)) return false;
+    if (sim->state->has_rates) yk_state_refer(sim->state); // where branches meet, an angle may be any
     sim->time = t;
     sim->has_forces = false;
     return true;

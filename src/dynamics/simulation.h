@@ -49,8 +49,9 @@ struct YkSimulation {
     // singular positions
     YkNear *near, *near_next, *near_memory;
     size_t near_count;
-    double near_time;        // of the step at which they were looked at
-    double *moved, *sampled; // scratch, as y
+    double near_time;                 // of the step at which they were looked at
+    double *moved, *sampled, *looked; // scratch, as y
+    double *pose_sum;                 // a pose that is interpolated: as the state's space
     // contacts
     YkContact *contacts;
     size_t contact_count;
@@ -92,11 +93,16 @@ void yk_simulation_powers(YkSimulation *sim, double *power); // of all works, at
 int yk_simulation_motion(void *simulation, double t, const double *y, double *dydt);
 // Sets the inputs of the state for (t, y); signs of near blocks too. False where a drive has no value.
 bool yk_simulation_set(YkSimulation *sim, double t, const double *y);
-// The state's pose at (t, y) with its accelerations. Sets sim->status and the report on failure.
+// The state's pose at (t, y) with its accelerations. Sets sim->status and the report on failure. stand_at: without a
+// closer look at what is near, and leaving angles' references and sim->time as they are.
+bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y);
 bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
 
 // crossing.c and its neighbours: change points.
 void yk_simulation_look_near(YkSimulation *sim, double t); // at the pose that stands: which blocks are near
+// Before a pose within the last step, or at its end: looks at near blocks again a little before it where it lies so
+// near to a singular position that the prediction from the step's start may have the wrong sign.
+void yk_simulation_look_closer(YkSimulation *sim, double t);
 void yk_simulation_set_signs(YkSimulation *sim, double t);
 // For how long, at the rates of the pose that stands, no block that is not near comes to a singular position.
 double yk_simulation_reach(YkSimulation *sim);
@@ -107,6 +113,11 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 // them better.
 typedef enum YkInterpolation { YK_INTERPOLATION_DONE, YK_INTERPOLATION_LEFT, YK_INTERPOLATION_FAILED } YkInterpolation;
 YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt);
+
+// The pose at (t, y) where it is so near to a singular position that it does not tell its own rates: the sum of poses
+// before and after it, false where it needs none or has none. Then, when the state stands there, takes it.
+bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const double *acceleration);
+void yk_simulation_take_sum(YkSimulation *sim);
 
 // coordinates.c: other independent coordinates.
 // Are others better here? Then takes them: everything is made anew for them, the pose stays. False on failure.

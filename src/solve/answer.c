@@ -75,9 +75,36 @@ YkPointMotion yk_state_point(const YkState *s, size_t point)
     return (YkPointMotion){{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}};
 }
 
+static YkVec place_of(YkPlane p)
+{
+    return yk_vec(p.x[0], p.y[0]);
+}
+
+// sin^2 of the angle between a block's columns. Where a length varies and may vanish the margin is less than that.
+static double sine2(const YkState *s, const YkBlock *b, double margin)
+{
+    bool is_plain = b->kind >= YK_BLOCK_PP || (b->form != YK_FORM_RARE && b->kind != YK_BLOCK_RPR);
+    if (is_plain) return margin;
+    YkSpace view = s->space;
+    YkRun run = {.mech = s->mech, .space = &view, .lanes = 1};
+    YkPlane p = yk_space_scratch(&view, YK_SCRATCH_ARM_1);
+    double share = 1;
+    if (b->kind == YK_BLOCK_RPR) {
+        yk_run_sum(&run, &b->known, p);
+        double K2 = yk_dot(place_of(p), place_of(p));
+        return K2 > 0 ? margin * fmax(1, 1 / (K2 * b->per_size2)) : 0;
+    }
+    for (int k = 0; b->kind <= YK_BLOCK_RRP && k < (b->kind == YK_BLOCK_RRR ? 2 : 1); k++) {
+        yk_run_sum(&run, &b->arm[k], p);
+        double enough = b->arm_is_constant[k] ? YK_PER_ARM_ENOUGH2 : 1;
+        share = fmin(share, yk_arm_share(yk_dot(place_of(p), place_of(p)), enough * b->per_size2));
+    }
+    return share > 0 ? margin / share : 0;
+}
+
 double yk_state_transmission(const YkState *s, size_t block)
 {
-    double m = s->space.block_margin[block];
+    double m = sine2(s, &s->mech->blocks[block], s->space.block_margin[block]);
     return asin(sqrt(fmin(1, fmax(0, m))));
 }
 

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
+#include "solve/coincidence.h"
 #include "solve/relations.h"
 
 // Where the search ends: configurations seen; blocks opened before the first configuration was found, and after it
@@ -118,10 +119,11 @@ YkSearch *yk_search_new(const YkMechanism *mech)
     search->kept_x = calloc(mech->column_count + 1, sizeof(double));
     search->kept_reference = calloc(mech->reference_count + 1, sizeof(double));
     search->path = calloc(2 * mech->input_count + 1, sizeof(double));
+    search->variables = calloc(yk_variable_count(mech) + 1, sizeof(double));
     search->wanted = calloc(3 * mech->input_count + 1, sizeof(double));
     bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch &&
-              search->best_x && search->kept_x && search->kept_reference && search->path && search->wanted &&
-              yk_space_start(&search->kept, mech, 1, true);
+              search->best_x && search->kept_x && search->kept_reference && search->path && search->variables &&
+              search->wanted && yk_space_start(&search->kept, mech, 1, true);
     if (ok) {
         cut_levels(search, mech, &known);
         ok = share_coordinates(search, mech, &known) && share_options(search, mech);
@@ -144,6 +146,7 @@ void yk_search_free(YkSearch *search)
     free(search->kept_x);
     free(search->kept_reference);
     free(search->path);
+    free(search->variables);
     free(search->wanted);
     free(search->solutions);
     free(search->costs);
@@ -176,14 +179,42 @@ static void choose(YkState *s, const YkLevel *level, size_t option)
     s->branch[level->block] = 0; // its sign is taken when the solution stands
 }
 
+// The orientations as guessed.
+static const YkTurn *guessed_turns(YkState *s)
+{
+    double *variables = s->search->variables;
+    yk_closure_guess(s->mech, s->guess, variables);
+    for (size_t k = 1; k < s->mech->orientation_count; k++) {
+        YkVec e = yk_unit(variables[k - 1]);
+        YkTurn t = yk_space_turn(&s->search->kept, (int32_t)k);
+        *t.c = e.x, *t.s = e.y;
+    }
+    return s->search->kept.turn;
+}
+
+// Runs steps and judges them. At a coincidence what no loop holds stands as guessed.
+static YkStatus run_and_judge(YkState *s, size_t from, size_t to)
+{
+    YkRun run = yk_state_run(s, &s->spare);
+    yk_run_begin(&run);
+    yk_run_steps(&run, from, to);
+    YkStatus status = yk_state_judge(s, &s->spare);
+    bool may = false;
+    for (size_t k = from; (status < 0 || status == YK_SINGULAR) && k < to && !may; k++) {
+        const YkStep *step = &s->mech->steps[k];
+        may = step->kind == YK_STEP_BLOCK && s->mech->blocks[step->target].kind <= YK_BLOCK_RPR &&
+              yk_may_coincide(s->spare.block_margin[step->target]);
+    }
+    if (!may || s->mech->has_groups) return status;
+    return yk_run_settled(&run, from, to, guessed_turns(s)) ? yk_state_judge(s, &s->spare) : status;
+}
+
 // Runs a level with one option; the cost of what becomes known, or infinity where it does not close.
 static double run_option(YkState *s, YkLevel *level, size_t option)
 {
     YkRun run = yk_state_run(s, &s->spare);
     choose(s, level, option);
-    yk_run_begin(&run);
-    yk_run_steps(&run, level->from, level->to);
-    if (yk_state_judge(s, &s->spare) < 0) return INFINITY;
+    if (run_and_judge(s, level->from, level->to) < 0) return INFINITY;
     if (s->mech->blocks[level->block].kind == YK_BLOCK_GROUP)
         s->branch[level->block] = (signed char)yk_group_sign(&run, (size_t)level->block);
     double cost = 0;
@@ -287,10 +318,10 @@ static bool keep_best(void *context, YkState *s, double cost)
     return true;
 }
 
-static void guess_groups(YkState *s, double *variables)
+static void guess_groups(YkState *s)
 {
     size_t o = s->mech->orientation_count;
-    if (!variables) return;
+    double *variables = s->search->variables;
     yk_closure_guess(s->mech, s->guess, variables);
     for (size_t k = 0; k < s->mech->column_count; k++) {
         YkColumn c = s->mech->group_columns[k];
@@ -301,11 +332,8 @@ static void guess_groups(YkState *s, double *variables)
 // Runs everything on the branches set. In machines with groups, from the solution in groups.x.
 static YkStatus run_whole(YkState *s)
 {
-    YkRun run = yk_state_run(s, &s->spare);
     s->groups.global = true;
-    yk_run_begin(&run);
-    yk_run_steps(&run, 0, s->mech->step_count);
-    return yk_state_judge(s, &s->spare);
+    return run_and_judge(s, 0, s->mech->step_count);
 }
 
 static YkStatus take(YkState *s, const signed char *branch, const double *x)
@@ -322,11 +350,7 @@ YkStatus yk_state_assemble(YkState *s)
 {
     Best best = {INFINITY, false};
     yk_relations_guess(s);
-    if (s->mech->has_groups) {
-        double *variables = calloc(yk_variable_count(s->mech) + 1, sizeof *variables);
-        guess_groups(s, variables);
-        free(variables);
-    }
+    if (s->mech->has_groups) guess_groups(s);
     s->groups.at_guess = s->mech->has_groups;
     search(s, true, &best.cost, keep_best, &best, LEAVES_MAX);
     if (!best.found && s->groups.at_guess) { // a group's other solutions may fit where the guess does not

@@ -22,6 +22,7 @@ typedef struct YkSearch {
     int32_t *coordinates; // by the level after which they are known
     signed char *best_branch;
     double *best_x, *kept_x, *kept_reference, *path, *wanted;
+    double *variables;         // the unknowns of closing as guessed: scratch
     double *solutions, *costs; // the levels' own, in one piece each
     unsigned char *orders;
     YkSpace kept;

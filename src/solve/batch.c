@@ -266,11 +266,19 @@ static YkStatus worse(YkStatus a, YkStatus b)
     return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
 }
 
+// Whether a lane's rates are worth telling, as the state sees it.
+static bool is_blurred(YkBatch *b, size_t lane)
+{
+    yk_state_copy(b->state, b->home);
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++) b->state->input[i] = b->lanes_of[i][lane];
+    return yk_state_solve(b->state) == YK_SINGULAR;
+}
+
 static YkStatus judge(YkBatch *b, signed char *status, size_t n)
 {
     YkStatus worst = YK_OK;
     bool well;
-    yk_lanes_well(&well, b->space.margin, b->space.gap, YK_SINGULAR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
+    yk_lanes_well(&well, b->space.margin, b->space.gap, YK_BLUR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);
         return YK_OK;
@@ -278,6 +286,8 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
     for (size_t k = 0; k < n; k++) {
         bool closes =
             b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
+        if (closes && b->space.margin[k] <= YK_BLUR_MARGIN && is_blurred(b, k))
+            b->space.margin[k] = fmin(b->space.margin[k], YK_SINGULAR_MARGIN); // masks its rates
         YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
         if (!closes) b->space.margin[k] = -1; // masks its answers
         if (status) status[k] = (signed char)one;

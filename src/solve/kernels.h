@@ -27,6 +27,9 @@ typedef struct YkPlane {
 typedef struct YkArm {
     YkVec constant;
     YkPlane lanes;
+    // 1 / the square of the length from which the arm (RPR: the base) is long enough: margins are less by what is
+    // missing of it, squared. 0: any length is.
+    double per_enough2;
 } YkArm;
 
 // margin = 1; -1 where an input is no number. is_first: of the inputs, the one that begins.
@@ -107,12 +110,13 @@ void yk_lanes_rpr_all(YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, 
                       double *block_margin, size_t n);
 void yk_lanes_rrr_all(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
                       double *block_margin, size_t n);
-// The same with the known part as a turned vector, of constant arms: same bits as yk_lanes_start_turn and then these.
-void yk_lanes_rrp_turned(const YkTurned *K, YkVec W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
+// The same with the known part as a turned vector, of constant arms only: same bits as yk_lanes_start_turn and then
+// these.
+void yk_lanes_rrp_turned(const YkTurned *K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
                          double *margin, double *block_margin, size_t n);
-void yk_lanes_rpr_turned(const YkTurned *K, YkVec C, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
+void yk_lanes_rpr_turned(const YkTurned *K, YkArm C, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
                          double *block_margin, size_t n);
-void yk_lanes_rrr_turned(const YkTurned *K, YkVec U, YkVec W, double branch, YkTurn out1, YkTurn out2, double *margin,
+void yk_lanes_rrr_turned(const YkTurned *K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
                          double *block_margin, size_t n);
 
 // Answers. angle = arg(e_b conj(e_a)) + offset, taken nearest to `reference` modulo a turn.

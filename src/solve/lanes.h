@@ -137,11 +137,18 @@ YK_INLINE YkVec arm_place(YkArm arm, bool varies, size_t i)
     return varies ? lane_place(arm.lanes, i) : arm.constant;
 }
 
+// Whether a constant arm is too short for the short way.
+YK_INLINE bool arm_is_short(YkArm arm)
+{
+    return yk_arm_share(yk_dot(arm.constant, arm.constant), arm.per_enough2) < 1;
+}
+
 // What a loop over lanes is compiled for: what is asked of it, what varies from lane to lane.
 typedef struct Form {
     bool places, rates; // finds positions; velocities and accelerations
     bool varies;        // an arm has lanes
     bool turns;         // a line turns
+    bool careful;       // an arm is short, or may be: yk_arm_share
     bool axial;         // constant vectors point along x, as yk_is_axial says: half the products go
 } Form;
 
@@ -192,6 +199,18 @@ YK_INLINE double root_of(double a)
     return a > 0 ? root : 0;
 }
 
+// The same with a sign: that of a branch, +1 or -1; or of a number. +0 where a is negative or NaN, with both.
+YK_INLINE double root_on_branch(double a, double branch)
+{
+    double root = branch * sqrt(a);
+    return a > 0 ? root : 0;
+}
+YK_INLINE double root_like(double a, double sign)
+{
+    double root = copysign(sqrt(a), sign);
+    return a > 0 ? root : 0;
+}
+
 // |a|, or something tiny and harmless for 0. (A choice between a and 1 would tempt compilers into dividing twice.)
 YK_INLINE double not_zero(double a)
 {
@@ -212,7 +231,7 @@ YK_INLINE void lane_set_found(Form form, YkTurn out, YkSlide d, size_t i, Found 
     if (form.places) {
         d.d[i] = found.d;
         lane_set_unit(out, i, found.e);
-        lane_margin(margin, own, i, found.margin, found.margin);
+        lane_margin(margin, own, i, found.margin, found.e.x);
     }
     if (form.rates) lane_set_rates(out, d, i, found.rates);
 }

@@ -1,5 +1,5 @@
-// How well a pose closes, measured in the loops of the tree and in the relations from the answers themselves:
-// independent of the steps that solved it.
+// How well a pose closes, measured in the loops of the tree, in the relations and in the lengths of the bodies, from
+// the answers themselves: independent of the steps that solved it.
 #include "law/law.h"
 #include "solve/state.h"
 
@@ -109,9 +109,21 @@ static void relation_miss(const YkState *s, const YkRelation *r, double worst[3]
     }
 }
 
+// A body's lengths are as wrong as its unit vector's.
+static double stretch(const YkState *s)
+{
+    double most = 0;
+    for (size_t o = 1; o < s->mech->slot_count; o++) {
+        YkTurn t = yk_space_turn(&s->space, (int32_t)o);
+        double off = fabs(hypot(t.c[0], t.s[0]) - 1);
+        most = off <= most ? most : off; // a NaN counts
+    }
+    return most;
+}
+
 YkResiduals yk_state_residuals(const YkState *s)
 {
-    double worst[3] = {0, 0, 0}, scale[3] = {s->mech->size, 0, 0};
+    double worst[3] = {s->mech->size * stretch(s), 0, 0}, scale[3] = {s->mech->size, 0, 0};
     for (size_t l = 0; l < s->mech->loop_count; l++) {
         YkVec total[3];
         loop_sums(s, &s->mech->loops[l].sum, total, scale);

@@ -18,16 +18,17 @@ YK_INLINE RrpChord rrp_chord(YkVec K, YkArmCircle W, YkVec e, bool axial)
     return (RrpChord){h, dot_with(e, K, axial), (W.radius - h) * (W.radius + h)};
 }
 
-// -g, from the distance as it is stored: whoever has the distance finds the same bits.
-YK_INLINE double minus_g(RrpChord known, double d)
+// -g. Where places are not asked, with the sign of what the distance, as it is stored, leaves beside `along`: the same
+// bits, and none of the digits that a distance far away takes from it.
+YK_INLINE double minus_g(Form form, RrpChord known, double branch, double d)
 {
-    return d + known.along;
+    return form.places ? root_on_branch(known.g2, -branch) : root_like(known.g2, d + known.along);
 }
 
-YK_INLINE Rates rrp_rates(Form form, Known K, Known W, Line line, RrpChord chord, YkVec q, YkVec E, double d)
+YK_INLINE Rates rrp_rates(Form form, Known K, Known W, Line line, double minus_per_g, YkVec q, YkVec E, double d)
 {
     YkVec e = line.e, ie = yk_quarter(e), G = K.rate, H = K.accel;
-    double inverse = minus_g(chord, d) * (1 / chord.g2); // -1 / g; this division need not wait for the root
+    double inverse = minus_per_g;
     if (form.varies) G = yk_add(G, yk_mul(W.rate, E));
     if (form.turns) G = yk_add(G, yk_scale(d * line.w, ie));
     double w = cross_with(e, G, form.axial) * inverse, v = yk_dot(q, G) * inverse;
@@ -37,15 +38,23 @@ YK_INLINE Rates rrp_rates(Form form, Known K, Known W, Line line, RrpChord chord
     return (Rates){w, v, cross_with(e, H, form.axial) * inverse, yk_dot(q, H) * inverse};
 }
 
+// sin^2 of the angle between the line and the arm's way; less where the arm is short, unless it does not close.
+YK_INLINE double rrp_margin(Form form, RrpChord known, YkArmCircle circle)
+{
+    double m = known.g2 * circle.inverse_square;
+    return form.careful && m > 0 ? m * circle.share : m;
+}
+
 // `at`: the distance, where places are not asked.
 YK_INLINE Found rrp_solve(Form form, Known K, Known W, YkArmCircle circle, Line line, double branch, double at)
 {
     RrpChord known = rrp_chord(K.place, circle, line.e, form.axial);
-    double d = form.places ? -branch * root_of(known.g2) - known.along : at;
-    YkVec q = times(yk_vec(-minus_g(known, d), known.h), line.e, form.axial);
+    double minus = minus_g(form, known, branch, at), d = form.places ? minus - known.along : at;
+    YkVec q = times(yk_vec(-minus, known.h), line.e, form.axial);
     YkVec E = times(q, circle.inverse, form.axial);
-    Found found = {.e = E, .d = d, .margin = known.g2 * circle.inverse_square};
-    if (form.rates) found.rates = rrp_rates(form, K, W, line, known, q, E, d);
+    Found found = {.e = E, .d = d, .margin = rrp_margin(form, known, circle)};
+    double minus_per_g = minus * (1 / known.g2); // this division need not wait for the root
+    if (form.rates) found.rates = rrp_rates(form, K, W, line, minus_per_g, q, E, d);
     return found;
 }
 

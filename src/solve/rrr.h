@@ -21,12 +21,12 @@ YK_INLINE RrrTriangle rrr_triangle(YkVec K, YkArmPair arms)
     return (RrrTriangle){L2, square, 0.5 / L2, 1 / not_zero(square)};
 }
 
-// sin^2 of the angle between the arms. What does not close is measured by the base where that is short: a gap of 1e-9
-// is nothing to arms of 1, but to a base of 1e-8 it is.
-YK_INLINE double rrr_margin(RrrTriangle known, YkArmPair arms)
+// sin^2 of the angle between the arms; less where they are short. What does not close is measured by the base where
+// that is short: a gap of 1e-9 is nothing to arms of 1, but to a base of 1e-8 it is.
+YK_INLINE double rrr_margin(RrrTriangle known, YkArmPair arms, bool careful)
 {
     double m = known.square * arms.scale, shortness = 2 * arms.rectangle * known.half_per_L2;
-    return m < 0 ? m * (shortness > 1 ? shortness : 1) : m;
+    return m < 0 ? m * (shortness > 1 ? shortness : 1) : careful ? m * arms.share : m;
 }
 
 // The solution: the arms as they stand, and D.
@@ -55,11 +55,11 @@ typedef struct RatePair {
     double w1, w2, a1, a2;
 } RatePair;
 
-YK_INLINE RatePair rrr_rates(Known K, Known U, bool U_varies, Known W, bool W_varies, RrrTriangle known, Rrr at,
-                             YkVec e1, YkVec e2)
+// inverse: 1 / D.
+YK_INLINE RatePair rrr_rates(Known K, Known U, bool U_varies, Known W, bool W_varies, Rrr at, double inverse, YkVec e1,
+                             YkVec e2)
 {
     YkVec G = K.rate, H = K.accel;
-    double inverse = 4 * at.D * known.per_square; // 1 / D
     if (U_varies) G = yk_add(G, yk_mul(U.rate, e1));
     if (W_varies) G = yk_add(G, yk_mul(W.rate, e2));
     double w1 = -yk_dot(G, at.q) * inverse, w2 = yk_dot(G, at.p) * inverse;
@@ -75,15 +75,28 @@ typedef struct RrrFound {
     RatePair rates;
 } RrrFound;
 
-// axial: both arms point along x.
+// Of length 1, where rounding of a base that is long against the arm has left another. Not for 0.
+YK_INLINE YkVec of_length_one(YkVec e)
+{
+    return yk_scale(1 / sqrt(yk_dot(e, e)), e);
+}
+
+// axial: both arms point along x. careful: an arm is short, or may be, so that its unit vector takes more of the
+// rounding of the base than its length bears.
 YK_INLINE RrrFound rrr_solve(bool rates, Known K, Known U, bool U_varies, Known W, bool W_varies, YkArmPair arms,
-                             bool axial, double branch)
+                             bool axial, bool careful, double branch)
 {
     RrrTriangle known = rrr_triangle(K.place, arms);
     Rrr at = rrr_place(K.place, arms, known, branch);
     YkVec e1 = times(at.p, arms.inverse_U, axial), e2 = times(at.q, arms.inverse_W, axial);
-    RrrFound found = {.e1 = e1, .e2 = e2, .margin = rrr_margin(known, arms)};
-    if (rates) found.rates = rrr_rates(K, U, U_varies, W, W_varies, known, at, e1, e2);
+    double inverse = 4 * at.D * known.per_square;
+    if (careful) {
+        e1 = of_length_one(e1), e2 = of_length_one(e2);
+        at.p = yk_mul(U.place, e1), at.q = yk_mul(W.place, e2);
+        inverse = 1 / yk_cross(at.p, at.q);
+    }
+    RrrFound found = {.e1 = e1, .e2 = e2, .margin = rrr_margin(known, arms, careful)};
+    if (rates) found.rates = rrr_rates(K, U, U_varies, W, W_varies, at, inverse, e1, e2);
     return found;
 }
 

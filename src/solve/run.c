@@ -66,15 +66,21 @@ void yk_run_point(const YkRun *run, size_t point, YkPlane out)
 
 static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 {
-    YkArm arm = {.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k)};
+    YkArm arm = {.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k), .per_enough2 = block->per_size2};
     yk_run_sum(run, &block->arm[k], arm.lanes);
     return arm;
 }
 
+// Constant arms are judged as yk_block_measure does; what an RPR is judged by is its base, which varies.
+static inline YkArm constant_arm(const YkBlock *block, int k)
+{
+    double share = block->kind == YK_BLOCK_RPR ? 1 : YK_PER_ARM_ENOUGH2;
+    return (YkArm){.constant = block->arm[k].constant, .per_enough2 = share * block->per_size2};
+}
+
 static inline YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
 {
-    if (!block->arm_is_constant[k]) return varying_arm(run, block, k);
-    return (YkArm){.constant = block->arm[k].constant};
+    return block->arm_is_constant[k] ? constant_arm(block, k) : varying_arm(run, block, k);
 }
 
 // Whether a sum is a constant and one turned vector along x: K.
@@ -114,9 +120,9 @@ static bool run_turned(const YkRun *run, const YkBlock *b, size_t index)
     YkTurned K;
     if (b->form == YK_FORM_RARE || !is_turned(run, &b->known, &K)) return false;
     Outs out = outs_of(run, b, index);
-    YkVec arm = b->arm[0].constant;
+    YkArm arm = constant_arm(b, 0);
     if (b->kind == YK_BLOCK_RRR)
-        yk_lanes_rrr_turned(&K, arm, b->arm[1].constant, out.branch, out.turn, out.other, out.margin, out.own,
+        yk_lanes_rrr_turned(&K, arm, constant_arm(b, 1), out.branch, out.turn, out.other, out.margin, out.own,
                             run->lanes);
     else if (b->kind == YK_BLOCK_RRP)
         yk_lanes_rrp_turned(&K, arm, yk_space_turn(run->space, b->line_slot[0]), b->line[0], out.branch, out.turn,

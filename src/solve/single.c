@@ -106,13 +106,14 @@ YK_INLINE void keep_found(const Pose *p, const YkBlock *b, size_t index, Found f
 {
     p->turn[b->column[0].index] = (Line){found.e, found.rates.w, found.rates.turn_accel};
     p->slide[b->column[1].index] = (Slide){found.d, found.rates.v, found.rates.slide_accel};
-    keep_margin(p, index, found.margin, found.margin);
+    keep_margin(p, index, found.margin, found.e.x);
 }
 
 YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double branch, bool axial)
 {
     const Known none = {{0, 0}, {0, 0}, {0, 0}}; // of constant arms only the lengths count
-    RrrFound found = rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->arms.pair, axial, branch);
+    RrrFound found =
+        rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->arms.pair, axial, false, branch);
     p->turn[b->column[0].index] = (Line){found.e1, found.rates.w1, found.rates.a1};
     p->turn[b->column[1].index] = (Line){found.e2, found.rates.w2, found.rates.a2};
     keep_margin(p, index, found.margin, found.e1.x);
@@ -134,7 +135,7 @@ YK_INLINE void solve_rpr(const Pose *p, const YkBlock *b, size_t index, double b
 {
     Known C = {.place = b->arm[0].constant};
     Form form = {.places = true, .rates = true, .axial = axial};
-    keep_found(p, b, index, rpr_solve(form, sum_of(p, &b->known), C, (Line){.e = b->line[0]}, branch, 0));
+    keep_found(p, b, index, rpr_solve(form, sum_of(p, &b->known), C, b->per_size2, (Line){.e = b->line[0]}, branch, 0));
 }
 
 YK_INLINE void solve_block(const YkRun *run, const Pose *p, const YkStep *step)

@@ -4,6 +4,7 @@
 #include "compile/closure.h"
 #include "compile/inputs.h"
 #include "solve/assemble.h"
+#include "solve/coincidence.h"
 #include "solve/relations.h"
 #include "solve/track.h"
 
@@ -145,12 +146,44 @@ YkMotion yk_state_input(const YkState *s, size_t input)
 // --- solving
 // ------------------------------------------------------------------------------------------------------------
 
+static double rate_of(const YkMechanism *mech, const YkSpace *space, YkColumn column, int order)
+{
+    if (column.is_distance) {
+        YkSlide d = yk_space_slide(space, column.index);
+        return fabs(order == 1 ? *d.v : *d.a) / mech->size;
+    }
+    YkTurn t = yk_space_turn(space, column.index);
+    return fabs(order == 1 ? *t.w : *t.a);
+}
+
+// With rates w, errors of a rounding over the sine in the position come to w^2 over its cube in the accelerations.
+static bool is_block_blurred(const YkMechanism *mech, const YkSpace *space, size_t index)
+{
+    const double rounding = 1e-16, most = 1e-2; // of accelerations, or of the rates squared where those are more
+    const YkBlock *b = &mech->blocks[index];
+    double m = space->block_margin[index], rate = 0, accel = 0;
+    if (b->kind > YK_BLOCK_PP || m > YK_BLUR_MARGIN) return false;
+    for (uint32_t k = 0; k < b->column_count; k++) {
+        rate = fmax(rate, rate_of(mech, space, b->column[k], 1));
+        accel = fmax(accel, rate_of(mech, space, b->column[k], 2));
+    }
+    return rounding * rate * rate > most * m * sqrt(fmax(m, 0)) * fmax(accel, rate * rate);
+}
+
+bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space)
+{
+    if (space->margin[0] <= YK_SINGULAR_MARGIN) return true;
+    for (size_t b = 0; b < mech->block_count; b++)
+        if (is_block_blurred(mech, space, b)) return true;
+    return false;
+}
+
 YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
 {
     if (!(space->margin[0] >= YK_LIMIT_MARGIN)) return YK_LIMIT;
     bool is_closed = space->gap[0] <= s->mech->size * YK_CLOSING_TOLERANCE; // the least tolerance: mostly it is enough
     if (!is_closed && !(space->gap[0] <= yk_gap_tolerance(s->mech, space->margin[0]))) return YK_NO_ASSEMBLY;
-    if (space->margin[0] <= YK_SINGULAR_MARGIN) return YK_SINGULAR;
+    if (space->margin[0] <= YK_BLUR_MARGIN && yk_is_blurred(s->mech, space)) return YK_SINGULAR;
     return s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
 }
 
@@ -162,7 +195,7 @@ void yk_state_accept(YkState *s)
     memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
     if (s->mech->column_count > 0) memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
     s->has_pose = true;
-    s->has_rates = s->space.margin[0] > YK_SINGULAR_MARGIN;
+    s->has_rates = s->space.margin[0] > YK_BLUR_MARGIN || !yk_is_blurred(s->mech, &s->space);
 }
 
 void yk_state_refer(YkState *s)
@@ -190,6 +223,17 @@ static YkStatus refuse_rates(YkState *s)
     return s->report.status = YK_BAD_ARGUMENT;
 }
 
+// Where a pose does not close or is singular it may be a coincidence: then what no loop holds keeps its angle.
+static YkStatus settle(YkState *s, YkStatus status)
+{
+    bool may = false;
+    for (size_t b = 0; b < s->mech->block_count; b++) may = may || yk_may_coincide(s->spare.block_margin[b]);
+    if (!may || !s->has_pose) return status;
+    YkRun run = yk_state_run(s, &s->spare);
+    s->is_kept = yk_run_settled(&run, 0, s->mech->step_count, s->space.turn);
+    return s->is_kept ? yk_state_judge(s, &s->spare) : status;
+}
+
 static YkStatus solve(YkState *s)
 {
     if (s->mech->has_groups) return yk_state_track(s);
@@ -198,6 +242,8 @@ static YkStatus solve(YkState *s)
     yk_run_begin(&run);
     yk_run_steps(&run, 0, s->mech->step_count);
     YkStatus status = yk_state_judge(s, &s->spare);
+    s->is_kept = false;
+    if (status < 0 || status == YK_SINGULAR) status = settle(s, status);
     yk_state_tell(s, &s->spare, status);
     if (status >= 0) yk_state_accept(s);
     if (status < 0 && s->mech->reference_count > 0) yk_state_walk_back(s);

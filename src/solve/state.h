@@ -27,6 +27,7 @@ struct YkState {
     double *valid_x; // group columns of the valid pose
     double time;
     bool has_pose, has_rates;
+    bool is_kept; // at a coincidence: the last pose has angles that no loop holds, kept from the pose before it
     YkReport report;
     // assembling: see assemble.c
     struct YkSearch *search;
@@ -45,7 +46,8 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 #define YK_CLOSING_TOLERANCE 1e-12 // of the size: what a loop may miss and still count as closed
 #define YK_LIMIT_MARGIN (-1e-13)   // sin^2 below this does not close; between this and 0 it is rounding at a limit
 #define YK_SINGULAR_MARGIN                                                                                             \
-    1e-14 // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
+    1e-14                   // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
+#define YK_BLUR_MARGIN 1e-9 // sin^2 from which accelerations may be blurred, see yk_is_blurred
 
 // What a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding over the sine.
 static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
@@ -53,6 +55,10 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
     return mech->size * (YK_CLOSING_TOLERANCE + 4e-16 / sqrt(fmax(margin, YK_SINGULAR_MARGIN)));
 }
 
+// Whether rounding spoils the accelerations of a block in the space. Near a limit they grow as fast as their errors do;
+// near a change point, or where a base vanishes, they stay as they are, and errors swallow them long before the margin
+// says so.
+bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space);
 // The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a
 // redundant loop gapes).
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);

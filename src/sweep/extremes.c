@@ -36,12 +36,12 @@ YkStatus yk_sweep_look_back(YkSweep *w, double at, double here, bool along)
     return status;
 }
 
-// Where a change point leaves no rates in the last digits of `at`, the motion turns round in it.
+// Where a change point leaves no rates next to it, the motion turns round in it.
 static double at_change_point(const YkSweep *w, double at)
 {
     for (size_t k = w->walk.event_count; k-- > 0;)
         if (w->walk.events[k].kind == YK_EVENT_CHANGE_POINT &&
-            fabs(w->walk.events[k].at - at) < 1e-5 * yk_path_scale(&w->walk.path))
+            fabs(w->walk.events[k].at - at) < 1e-4 * yk_path_scale(&w->walk.path))
             return w->walk.events[k].at;
     return at;
 }
@@ -60,7 +60,7 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
             to = middle;
     }
     double at = 0.5 * (from + to);
-    if (w->walk.path.state->space.margin[0] < 1e-9) at = at_change_point(w, at);
+    if (w->walk.path.state->space.margin[0] < 2 * YK_BLUR_MARGIN) at = at_change_point(w, at);
     if (yk_sweep_look_back(w, at, here, true) < 0) return;
     yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_EXTREME,
                                      .at = at,

@@ -112,8 +112,18 @@ YkStatus yk_path_set(YkPath *path, double at, bool along)
     return YK_OK;
 }
 
-// Where a dyad's base vanishes, at a folded rhombus say, any angle closes it and none follows: the pose a few roundings
-// back on the way stands for this one.
+// Where a dyad's base vanishes, at a folded rhombus say, any angle closes it: it keeps the one it has a little back on
+// the way, where the base is long enough to tell it.
+static YkStatus keep_from_beside(YkPath *path, double at, bool along)
+{
+    YkState *s = path->state;
+    YkStatus status = yk_path_set(path, at - 1e-8 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
+    if (status == YK_OK) status = yk_state_solve(s);
+    if (status >= 0) status = yk_path_set(path, at, along);
+    return status < 0 ? status : yk_state_solve(s);
+}
+
+// A pose that closes but for rounding: the one a few roundings back on the way stands for it.
 static YkStatus solve_beside(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
@@ -133,18 +143,10 @@ YkStatus yk_path_try(YkPath *path, double at, bool along)
     if (status < 0) return status;
     status = yk_state_solve(path->state);
     if (status < 0 && path->state->has_pose) status = solve_beside(path, at, along);
+    if (status >= 0 && path->state->is_kept) status = keep_from_beside(path, at, along);
     if (path->input < 0 && !path->is_line) path->state->time = at;
     if (status >= 0) path->last = at;
     return status;
-}
-
-double yk_path_margin(const YkState *s, const YkSpace *space, size_t block)
-{
-    const YkBlock *b = &s->mech->blocks[block];
-    double m = space->block_margin[block];
-    if (b->kind != YK_BLOCK_RPR || !b->arm_is_constant[0] || b->line_slot[0] != 0) return m;
-    double r = yk_space_slide(space, b->column[1].index).d[0] + yk_dot(b->line[0], b->arm[0].constant);
-    return fmin(m, r * r / (s->mech->size * s->mech->size));
 }
 
 void yk_path_refer(YkPath *path)
@@ -154,10 +156,7 @@ void yk_path_refer(YkPath *path)
 
 void yk_path_refer_state(YkState *s)
 {
-    bool is_far = s->space.margin[0] > REFER_MARGIN;
-    for (size_t b = 0; is_far && b < s->mech->block_count; b++)
-        if (s->mech->blocks[b].kind == YK_BLOCK_RPR) is_far = yk_path_margin(s, &s->space, b) > REFER_MARGIN;
-    if (is_far) yk_state_refer(s);
+    if (s->space.margin[0] > REFER_MARGIN) yk_state_refer(s);
 }
 
 YkStatus yk_path_probe(YkPath *path, double at, bool along)

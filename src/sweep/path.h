@@ -23,10 +23,6 @@ void yk_path_end(YkPath *path);
 YkStatus yk_path_set(YkPath *path, double at, bool along);
 // The same, and solves: to look, and (probe) to go on from there, with the pose's angles as the reference of the next.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
-// What vanishes where a block's branches meet: sin^2 of its transmission angle. Where a line turns about a pin and
-// through a point that comes to the pin, that angle keeps its size up to the end, and the distance between the two
-// tells: over the size, squared.
-double yk_path_margin(const YkState *s, const YkSpace *space, size_t block);
 // The reference stays where the pose is all but singular: it may still be the other branch's, which need not be near.
 void yk_path_refer(YkPath *path);
 void yk_path_refer_state(YkState *state);

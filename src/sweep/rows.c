@@ -89,8 +89,8 @@ void yk_sweep_try_change_row(YkSweep *w)
     size_t row = w->row_count - 1;
     double way = w->options.to > w->options.from ? 1 : -1, *margins = yk_walk_margins(&w->walk, 0, 0);
     YkState *s = w->walk.path.state;
-    if (w->row_status[row] != YK_SINGULAR || w->walk.margin_count != s->mech->block_count || s->mech->has_groups ||
-        row == 0)
+    if (s->space.margin[0] > YK_SINGULAR_MARGIN || w->row_status[row] != YK_SINGULAR ||
+        w->walk.margin_count != s->mech->block_count || s->mech->has_groups || row == 0)
         return;
     yk_walk_read_margins(&w->walk, margins);
     yk_walk_flip_at(&w->walk, w->at[row], margins);

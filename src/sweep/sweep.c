@@ -29,6 +29,7 @@ static bool approach(YkSweep *w)
     bool ok = here == from || yk_walk_go(walk, here, from);
     if (ok) walk->event_count = walk->more_events = 0;
     walk->from = from;
+    for (size_t k = 0; k < walk->margin_count; k++) walk->flipped_at[k] = NAN; // the sweep may pass it again at once
     return ok;
 }
 

@@ -49,7 +49,7 @@ void yk_walk_read_margins(const YkWalk *w, double *margins)
     const YkState *s = w->path.state;
     if (s->mech->block_count != w->margin_count) margins[0] = s->space.margin[0];
     for (size_t k = 0; s->mech->block_count == w->margin_count && k < w->margin_count; k++)
-        margins[k] = yk_path_margin(s, &s->space, k);
+        margins[k] = s->space.block_margin[k];
 }
 
 bool yk_walk_has_margin(const YkWalk *w, size_t block)
@@ -83,7 +83,7 @@ static double sine_at(YkWalk *w, size_t block, double at)
     const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
     const YkSpace *space =
         yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
-    return sqrt(fmax(0, yk_path_margin(s, space, block)));
+    return sqrt(fmax(0, space->block_margin[block]));
 }
 
 // Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
@@ -130,7 +130,7 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
         bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
         s->branch[k] = (signed char)-s->branch[k];
         if (!passes) continue;
-        flip(w, k, touch(at, margins[k], beyond, yk_path_margin(s, &s->space, k)));
+        flip(w, k, touch(at, margins[k], beyond, s->space.block_margin[k]));
         yk_path_probe(&w->path, beyond, true);
         yk_walk_read_margins(w, yk_walk_margins(w, depth + 1, 0));
         return advance(w, beyond, bad, depth + 1);
