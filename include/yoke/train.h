@@ -136,7 +136,8 @@ typedef struct YkTrainTable {
 YK_API size_t yk_train_table_count(const YkTrain *train);
 YK_API YkTrainTable yk_train_table(const YkTrain *train, size_t table);
 
-// Torques from outside: at drives and efforts, on the output, and on what holds locked bodies.
+// Torques from outside: at drives and efforts, on the output, and on what holds bodies that are locked, or welded to the
+// ground.
 typedef struct YkTrainTorque {
     const char *name; // of the coordinate, body or lock entry
     const char *role; // "drive", "effort", "load", "hold", "join"

@@ -44,6 +44,14 @@ static void add_along(YkTrain *train, int32_t coordinate, const char *role, doub
     }
 }
 
+// A weld to the ground holds a body as a lock does; so does a slide, where there is something to hold.
+static void add_kept(YkTrain *train, const YkJoint *joint, double torque)
+{
+    int32_t held = joint->body[joint->body[1] == 0 ? 0 : 1], other = joint->body[joint->body[1] == 0 ? 1 : 0];
+    if (other != 0 || (joint->kind != YK_WELD && torque == 0)) return;
+    add_torque(train, train->model->bodies[held].name, "hold", held, 0, joint->body[1] == held ? torque : -torque);
+}
+
 static void add_row(YkTrainBalance *work, int32_t r)
 {
     YkTrain *train = work->train;
@@ -68,6 +76,8 @@ static void add_row(YkTrainBalance *work, int32_t r)
     } else if (row->kind == YK_ROW_JOIN) {
         const int32_t *pair = lock->joins[row->index];
         add_torque(train, train->model->bodies[pair[1]].name, "join", pair[1], pair[0], torque);
+    } else if (row->kind == YK_ROW_KEPT) {
+        add_kept(train, &train->model->joints[row->index], torque);
     }
 }
 

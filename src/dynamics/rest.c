@@ -24,7 +24,10 @@ static bool descend(YkRest *rest)
     enum { STEPS_MAX = 60 };
     size_t f = rest->freedom;
     double *q = rest->q, *a = rest->a, *J = rest->jacobian;
-    if (!yk_rest_accelerations(rest, q, NULL, a)) return false;
+    bool has_inertia = yk_rest_accelerations(rest, q, NULL, a);
+    if (!has_inertia && rest->lack.status == YK_OK) rest->lack = rest->dynamics->report;
+    if (!has_inertia) return false;
+    rest->has_inertia = true;
     double size = norm(rest, a);
     rest->force_scale = fmax(rest->force_scale, size);
     for (int k = 0; k < STEPS_MAX; k++) {
@@ -191,6 +194,15 @@ static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *opt
     return true;
 }
 
+// A freedom may lack inertia in one pose and have it in all others, as an arm of no length: the machine is refused
+// where no pose that was tried has it.
+static bool has_inertia(const YkRest *rest, YkProblems *problems)
+{
+    if (rest->has_inertia || rest->lack.status != YK_SINGULAR) return true;
+    yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "%s", rest->lack.message);
+    return false;
+}
+
 static bool assemble(YkRest *rest, double time, YkProblems *problems)
 {
     YkState *s = rest->state;
@@ -216,11 +228,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
                    "no body has mass or inertia, so the machine has no motion of its own");
         ok = false;
     }
-    if (ok && !yk_rest_accelerations(rest, rest->q, NULL, rest->a) && rest->dynamics->report.status == YK_SINGULAR) {
-        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "%s", rest->dynamics->report.message);
-        ok = false;
-    }
-    if (ok) ok = assemble(rest, options->time, problems) && search(rest, starts);
+    if (ok) ok = search(rest, starts) && has_inertia(rest, problems);
     if (!ok) {
         if (problems && yk_problems_error_count(problems) == 0)
             yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");

@@ -27,6 +27,8 @@ struct YkRest {
     double *q, *a, *jacobian, *step, *trial, *scale; // scratch
     int *pivot;
     double force_scale; // the largest acceleration seen: what counts as none
+    bool has_inertia;   // in some pose from which the search went out
+    YkReport lack;      // of the first such pose without accelerations
 };
 
 // Accelerations a[f] at rest (rates 0, or `rate` of one input) in the pose with free inputs q. False where it does not

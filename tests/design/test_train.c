@@ -151,6 +151,29 @@ static void planetary_sets_of_examples_13_6_13_7_and_13_20(void **state)
     train_done(&t);
 }
 
+// A ring welded to the ground is held as a locked one is, and the balance of the whole train asks for the same moment.
+static void a_weld_to_the_ground_holds_as_a_lock_does(void **state)
+{
+    (void)state;
+    static const char *const welds[] = {"W: {weld: [ground, R]}", "W: {weld: [R, ground]}"};
+    for (int k = 0; k < 2; k++) {
+        char text[1200];
+        snprintf(text, sizeof text,
+                 "bodies: {S: {}, P: {}, R: {}, " ARM "}\njoints:\n  " COAXIAL(S) COAXIAL(arm) ON_ARM(P) "\n  %s\n"
+                 "gears: {s: {mesh: [S, P], teeth: [16, 24]}, r: {mesh: [P, R], teeth: [24, 64], internal: true}}\n"
+                 "drives: {q_S: 100 rpm * t}\nefforts: {q_S: 100 N*m}\n",
+                 welds[k]);
+        Train t = train_of(text, OPTIONS(.out = "arm"));
+        CHECK_NEAR(train_torque(&t, "R").torque, 400, 1e-11);
+        CHECK_NEAR(train_torque(&t, "R").power, 0, 0);
+        assert_string_equal(train_torque(&t, "R").role, "hold");
+        double sum = 0;
+        for (size_t i = 0; i < yk_train_torque_count(t.train); i++) sum += yk_train_torque(t.train, i).torque;
+        CHECK_NEAR(sum, 0, 1e-10);
+        train_done(&t);
+    }
+}
+
 static void two_rings_and_a_compound_sun_of_example_13_8(void **state)
 {
     (void)state;
@@ -447,6 +470,7 @@ int main(void)
         cmocka_unit_test(an_arm_with_two_wheels_of_example_13_4),
         cmocka_unit_test(the_reverted_train_of_example_13_5),
         cmocka_unit_test(planetary_sets_of_examples_13_6_13_7_and_13_20),
+        cmocka_unit_test(a_weld_to_the_ground_holds_as_a_lock_does),
         cmocka_unit_test(two_rings_and_a_compound_sun_of_example_13_8),
         cmocka_unit_test(compound_planets_of_examples_13_10_13_11_13_14),
         cmocka_unit_test(a_drive_under_power_of_example_13_22),

@@ -1,6 +1,7 @@
 // Equilibria and small vibrations against closed forms.
 #include "../check.h"
 #include <yoke/yoke.h>
+#include "base/problems.h"
 #include "run.h"
 
 static YkRest *rest_of(const char *text, YkModel **model)
@@ -80,6 +81,56 @@ static void a_wheel_is_neutral(void **unused)
     yk_model_free(model);
 }
 
+// A bead on a light arm, held by a spring: where the arm has no length nothing resists its turning. That it has none at
+// coordinates of 0 does not matter, nor that the machine starts there.
+static void inertia_is_judged_where_the_machine_stands(void **unused)
+{
+    (void)unused;
+    static const char *const starts[] = {"{q: -1, d: 1}", "{q: -1, d: 0}"};
+    for (int k = 0; k < 2; k++) {
+        char text[800];
+        snprintf(text, sizeof text,
+                 "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0]}}\n"
+                 "  bead: {points: {B: [0, 0]}, mass: 2}\njoints:\n  O: {pin: [ground, arm], angle: q}\n"
+                 "  S: {slide: [arm, bead], along: x, distance: d}\n"
+                 "springs: {k: {along: d, stiffness: 100, length: 1}}\nstart: %s\n",
+                 starts[k]);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 2); // hanging and standing
+        bool hangs = false;
+        for (size_t p = 0; p < 2; p++) {
+            const YkState *s = yk_rest_state(rest, p);
+            double q = yk_state_coordinate(s, 0).position, d = yk_state_coordinate(s, 1).position;
+            CHECK_NEAR(cos(q), 0, 1e-9);
+            CHECK_NEAR(100 * (d - 1), -20 * sin(q), 1e-7); // the spring carries the weight
+            if (fabs(d - 1.2) > 1e-9) continue;
+            hangs = true;
+            assert_int_equal(yk_rest_equilibrium(rest, p).stability, YK_STABLE);
+            CHECK_NEAR(yk_rest_mode(rest, p, 0).frequency, sqrt(10 / 1.2), 1e-7);
+            CHECK_NEAR(yk_rest_mode(rest, p, 1).frequency, sqrt(50), 1e-7);
+        }
+        assert_true(hangs);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
+static void a_freedom_that_never_has_inertia_is_refused(void **unused)
+{
+    (void)unused;
+    const char *text =
+        "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0]}, mass: 1}\n"
+        "joints:\n  O: {pin: [ground, a], angle: q}\n";
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+    assert_null(yk_rest_find(model, NULL, problems));
+    assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_CANNOT_START);
+    assert_non_null(strstr(yk_problems_get(problems, 0)->message, "no inertia resists `q`"));
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 // In a loop: small swings last as long as the mode says.
 static void a_mode_is_how_it_swings(void **unused)
 {
@@ -120,6 +171,8 @@ int main(void)
         cmocka_unit_test(a_double_pendulum_rests_in_four_places),
         cmocka_unit_test(a_damped_spring_has_its_roots),
         cmocka_unit_test(a_wheel_is_neutral),
+        cmocka_unit_test(inertia_is_judged_where_the_machine_stands),
+        cmocka_unit_test(a_freedom_that_never_has_inertia_is_refused),
         cmocka_unit_test(a_mode_is_how_it_swings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
