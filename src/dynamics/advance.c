@@ -16,10 +16,13 @@ static bool stand(YkSimulation *sim, double t, const double *y)
 static bool settle_contacts(YkSimulation *sim)
 {
     if (sim->contact_count == 0) return true;
+    bool ok;
     do {
-        if (!yk_simulation_pose(sim, sim->time, sim->y)) return false;
-    } while (yk_simulation_contacts_check(sim));
-    return true;
+        sim->is_testing = true;
+        ok = yk_simulation_pose(sim, sim->time, sim->y);
+        sim->is_testing = false;
+    } while (ok && yk_simulation_contacts_check(sim));
+    return ok;
 }
 
 // Starts the stepper at the time and inputs that stand.
@@ -57,8 +60,8 @@ static bool start_moving(YkSimulation *sim)
     sim->has_begun = true;
     yk_simulation_contacts_start(sim);
     yk_simulation_look_near(sim, sim->time);
-    if (!stand(sim, sim->time, sim->y)) return false;
-    sim->near_count = 0; // with accelerations they are known better
+    if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
+    if (!sim->is_flat) sim->near_count = 0; // with accelerations they are known better
     yk_simulation_look_near(sim, sim->time);
     if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y) || !look_round(sim)) return false;
     yk_simulation_watch_start(sim);
@@ -109,12 +112,13 @@ static bool take_pending(YkSimulation *sim)
     size_t all = 2 * sim->free_count + sim->work_count;
     if (!is_going_on(sim) || yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
     memcpy(sim->y, sim->dense, all * sizeof *sim->y);
+    bool is_hit = sim->pending != YK_PENDING_RELEASE; // otherwise the new start lets go what cannot hold
     sim->pending = YK_PENDING_NONE;
-    if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !yk_simulation_hit(sim, sim->pending_item)) return false;
+    if (!yk_simulation_pose(sim, sim->pending_time, sim->y)) return false;
+    if (is_hit && !yk_simulation_hit(sim, sim->pending_item)) return false;
     sim->near_count = 0; // its rates have changed
     sim->first_rate = 0;
-    return stand(sim, sim->time, sim->y) && restart(sim) && yk_simulation_pose(sim, sim->time, sim->y) &&
-           look_round(sim);
+    return restart(sim) && stand(sim, sim->time, sim->y) && look_round(sim);
 }
 
 // --- steps ----------------------------------------------------------------------------------------

@@ -25,13 +25,32 @@ YkDynamics *yk_simulation_dynamics(YkSimulation *sim)
     return d;
 }
 
+// On a change point itself the loops do not give the rates; those of the inputs are known, and the kinetic energy of a
+// start there.
+static bool is_known(const YkSimulation *sim, YkChannel channel)
+{
+    bool is_energy = channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL;
+    if (sim->state->has_rates || channel.kind == YK_CHANNEL_TIME || (is_energy && sim->is_flat)) return true;
+    bool is_input = channel.kind == YK_CHANNEL_COORDINATE && sim->mech->coordinates[channel.index].input != YK_NONE;
+    return is_input || (channel.order == 0 && channel.kind < YK_CHANNEL_POINT_SPEED) ||
+           channel.kind == YK_CHANNEL_TRANSMISSION;
+}
+
+static YkEnergy energy_here(const YkSimulation *sim)
+{
+    YkEnergy e = yk_dynamics_energy_at(sim->dynamics, sim->state);
+    if (sim->is_flat && !sim->state->has_rates && sim->time == sim->options.start) e.kinetic = sim->flat_kinetic;
+    return e;
+}
+
 double yk_simulation_channel(YkSimulation *sim, YkChannel channel)
 {
     bool is_gone = channel.kind == YK_CHANNEL_TRANSMISSION && (size_t)channel.index >= sim->mech->block_count;
     if (is_gone) return 0; // other coordinates make other blocks
+    if (!is_known(sim, channel)) return (double)NAN;
     if (!yk_channel_needs_forces(channel)) return yk_state_channel(sim->state, channel);
     if (channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL) {
-        YkEnergy e = yk_dynamics_energy_at(sim->dynamics, sim->state);
+        YkEnergy e = energy_here(sim);
         return (channel.kind != YK_CHANNEL_POTENTIAL ? e.kinetic : 0) +
                (channel.kind != YK_CHANNEL_KINETIC ? e.potential : 0);
     }
@@ -51,7 +70,7 @@ YkHappening yk_simulation_happening(const YkSimulation *sim, size_t index)
 
 void yk_simulation_count_energy(YkSimulation *sim)
 {
-    YkEnergy e = yk_dynamics_energy_at(sim->dynamics, sim->state);
+    YkEnergy e = energy_here(sim);
     YkSimulationSummary *s = &sim->summary;
     double total = e.kinetic + e.potential, works = 0;
     for (size_t k = 0; k < sim->work_count; k++) works += sim->work[k];

@@ -2,14 +2,16 @@
 //
 // Each exerts an effort along its coordinate within bounds (a stop pushes only; friction holds up to its limit), just
 // enough that the coordinate does not accelerate: a quadratic problem with bounds in as many unknowns as there are
-// contacts (its matrix: the accelerations that unit efforts cause), solved by projected Gauss-Seidel (Moreau; Jourdan,
-// Alart & Jean 1998). Sliding friction and limits depend on the joint reactions, which depend on them: repeated until
-// they stand.
+// contacts (its matrix: the accelerations that unit efforts cause; num/bounded). Sliding friction and limits depend on
+// the joint reactions, which depend on them: repeated until they stand.
+//
+// Within a step contacts hold without bounds, so that the motion is smooth there; whether they could hold is looked at
+// between steps, and the step is cut where they no longer can (happenings.c).
 #include <stdlib.h>
 #include <string.h>
-#include "dynamics/simulation.h"
+#include "dynamics/contact.h"
 
-static YkLoadItem *item_of(const YkSimulation *sim, size_t contact)
+YkLoadItem *yk_simulation_item(const YkSimulation *sim, size_t contact)
 {
     return &sim->dynamics->loads->items[sim->contacts[contact].item];
 }
@@ -45,57 +47,88 @@ static double response_of_input(const YkSimulation *sim, size_t input)
 }
 
 // Accelerations of the contacts' coordinates without them (bias); what a unit effort at each does (response, matrix).
-static void find_responses(YkSimulation *sim)
+void yk_simulation_find_responses(YkSimulation *sim)
 {
     YkDynamics *d = sim->dynamics;
     size_t m = sim->contact_count, n = sim->mech->input_count;
     yk_reduced_solve(d->reduced, d->acceleration, true);
     for (size_t c = 0; c < m; c++) {
-        const YkLoadItem *item = item_of(sim, c);
+        const YkLoadItem *item = yk_simulation_item(sim, c);
         YkMotion pose = yk_joint_motion(sim->mech, &sim->state->space, item->joint, item->is_distance);
         sim->bias[c] = pose.acceleration + along(sim, item);
     }
     for (size_t c = 0; c < m; c++) {
         int32_t a, b;
-        unknowns_of(sim, item_of(sim, c), &b, &a);
+        unknowns_of(sim, yk_simulation_item(sim, c), &b, &a);
         yk_reduced_respond(d->reduced, b, a);
         for (size_t i = 0; i < n; i++) sim->response[c * n + i] = response_of_input(sim, i);
-        for (size_t k = 0; k < m; k++) sim->matrix[c * m + k] = along(sim, item_of(sim, k));
+        for (size_t k = 0; k < m; k++) sim->matrix[c * m + k] = along(sim, yk_simulation_item(sim, k));
     }
 }
 
-// matrix lambda + bias = 0 within bounds, as far as they let it.
-static void solve_bounded(YkSimulation *sim, const double *bias)
+// matrix lambda + bias = 0 within bounds, as far as they let it. False where no answer was found.
+static bool solve_within(YkSimulation *sim, bool has_bounds)
 {
-    enum { SWEEPS_MAX = 5000 };
     size_t m = sim->contact_count;
-    for (int sweep = 0; sweep < SWEEPS_MAX; sweep++) {
-        double moved = 0, size = 0;
-        for (size_t c = 0; c < m; c++) {
-            const double *row = sim->matrix + c * m;
-            if (!(row[c] > 0)) continue;
-            double rest = bias[c];
-            for (size_t k = 0; k < m; k++) rest += row[k] * sim->lambda[k];
-            double next = fmin(sim->contacts[c].high, fmax(sim->contacts[c].low, sim->lambda[c] - rest / row[c]));
-            moved = fmax(moved, fabs(next - sim->lambda[c]));
-            size = fmax(size, fabs(next));
-            sim->lambda[c] = next;
-        }
-        if (moved <= 1e-15 * size) return;
+    for (size_t c = 0; c < m; c++) {
+        const YkContact *contact = &sim->contacts[c];
+        sim->bounds[c] =
+            has_bounds ? (YkBounds){contact->low, contact->high} : (YkBounds){-(double)INFINITY, (double)INFINITY};
     }
+    return yk_bounded_solve(m, sim->matrix, sim->bias, sim->bounds, sim->sweeps_max, sim->lambda, sim->contact_work,
+                            sim->contact_order);
 }
 
-static void add_contacts(YkSimulation *sim)
+bool yk_simulation_solve_contacts(YkSimulation *sim)
+{
+    if (solve_within(sim, true)) return true;
+    yk_dynamics_fail(sim->dynamics, YK_NOT_CONVERGED, "what stops and dry friction exert was not found at this pose: ",
+                     "the iteration over the contacts did not settle", "");
+    return false;
+}
+
+double yk_simulation_contact_acceleration(const YkSimulation *sim, size_t contact)
+{
+    size_t m = sim->contact_count;
+    const double *row = sim->matrix + contact * m;
+    double sum = sim->bias[contact], size = fabs(sum), most = 0;
+    for (size_t k = 0; k < m; k++) {
+        sum += row[k] * sim->lambda[k];
+        size += fabs(row[k] * sim->lambda[k]);
+        most = fmax(most, fabs(sim->lambda[k]));
+    }
+    bool is_driven = !(row[contact] > 0); // nothing at this joint could hold it
+    double none = is_driven ? 1e-9 * yk_simulation_scale(sim, yk_simulation_item(sim, contact))
+                            : 1e-12 * (size + 1e-3 * row[contact] * most);
+    return fabs(sum) > none ? sum : 0;
+}
+
+// Beyond their bounds too: what the contacts would have to exert to hold. Where there is no such answer that within
+// bounds stays.
+static void hold_without_bounds(YkSimulation *sim)
+{
+    size_t m = sim->contact_count;
+    bool moves = false;
+    for (size_t c = 0; c < m; c++)
+        moves = moves || (sim->matrix[c * m + c] > 0 && yk_simulation_contact_acceleration(sim, c) != 0);
+    if (!moves) return;
+    memcpy(sim->kept, sim->lambda, m * sizeof *sim->lambda);
+    if (!solve_within(sim, false)) memcpy(sim->lambda, sim->kept, m * sizeof *sim->lambda);
+}
+
+static bool add_contacts(YkSimulation *sim)
 {
     YkDynamics *d = sim->dynamics;
     size_t n = sim->mech->input_count;
-    find_responses(sim);
-    solve_bounded(sim, sim->bias);
+    yk_simulation_find_responses(sim);
+    if (!yk_simulation_solve_contacts(sim)) return false;
+    if (!sim->is_testing) hold_without_bounds(sim);
     for (size_t c = 0; c < sim->contact_count; c++) {
-        item_of(sim, c)->dry = sim->lambda[c];
+        yk_simulation_item(sim, c)->dry = sim->lambda[c];
         for (size_t i = 0; i < n; i++)
             if (d->is_free[i]) d->acceleration[i] += sim->lambda[c] * sim->response[c * n + i];
     }
+    return true;
 }
 
 // The bounds of what sticks, from the last reactions; do they stand?
@@ -104,8 +137,8 @@ static bool find_limits(YkSimulation *sim, int round)
     double tolerance = yk_dynamics_dry_tolerance(round);
     bool stands = true;
     for (size_t c = 0; c < sim->contact_count; c++) {
-        if (item_of(sim, c)->kind != YK_LOAD_COULOMB) continue;
-        double limit = yk_dynamics_dry_limit(sim->dynamics, item_of(sim, c)), old = sim->contacts[c].high;
+        if (yk_simulation_item(sim, c)->kind != YK_LOAD_COULOMB) continue;
+        double limit = yk_dynamics_dry_limit(sim->dynamics, yk_simulation_item(sim, c)), old = sim->contacts[c].high;
         bool saturated = fabs(sim->lambda[c]) >= fmin(limit, old) * (1 - 1e-12);
         stands = stands && (!saturated || fabs(limit - old) <= tolerance * limit);
         sim->contacts[c].high = limit;
@@ -121,10 +154,10 @@ YkStatus yk_simulation_accelerate(YkSimulation *sim)
         return sim->has_drives ? yk_dynamics_reduce(d, sim->state) // whose efforts are asked too
                                : yk_dynamics_find_accelerations(d, sim->state);
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
-        for (size_t c = 0; c < sim->contact_count; c++) item_of(sim, c)->dry = 0;
+        for (size_t c = 0; c < sim->contact_count; c++) yk_simulation_item(sim, c)->dry = 0;
         YkStatus status = yk_dynamics_reduce(d, sim->state);
         if (status < 0 || status == YK_SINGULAR) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
-        if (sim->contact_count > 0) add_contacts(sim);
+        if (sim->contact_count > 0 && !add_contacts(sim)) return YK_NOT_CONVERGED;
         if (!d->loads->has_dry) return status;
         status = yk_dynamics_apply(d, sim->state);
         if (status < 0 || status == YK_SINGULAR) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
@@ -156,14 +189,14 @@ static void add_contact(YkSimulation *sim, size_t item, double low, double high)
     sim->contacts[sim->contact_count++] = (YkContact){item, low, high};
 }
 
-static void rest_on_stop(YkSimulation *sim, size_t index)
+void yk_simulation_rest_on_stop(YkSimulation *sim, size_t index)
 {
     const YkLoadItem *item = &sim->dynamics->loads->items[index];
     bool is_low = value_of(sim, item) - item->stop->low < item->stop->high - value_of(sim, item);
     add_contact(sim, index, is_low ? 0 : -HUGE_VAL, is_low ? HUGE_VAL : 0);
 }
 
-static void stick(YkSimulation *sim, size_t index, double rate)
+void yk_simulation_stick(YkSimulation *sim, size_t index, double rate)
 {
     YkLoadItem *item = &sim->dynamics->loads->items[index];
     if (!is_contact(sim, index) && sim->time > sim->options.start)
@@ -173,9 +206,9 @@ static void stick(YkSimulation *sim, size_t index, double rate)
     add_contact(sim, index, -HUGE_VAL, HUGE_VAL); // bounds follow from the reactions
 }
 
-static void let_go(YkSimulation *sim, size_t contact, double direction)
+void yk_simulation_let_go(YkSimulation *sim, size_t contact, double direction)
 {
-    YkLoadItem *item = item_of(sim, contact);
+    YkLoadItem *item = yk_simulation_item(sim, contact);
     item->is_held = false;
     item->direction = direction;
     item->dry = 0;
@@ -185,7 +218,7 @@ static void let_go(YkSimulation *sim, size_t contact, double direction)
     memmove(sim->lambda + contact, sim->lambda + contact + 1, (sim->contact_count - contact) * sizeof *sim->lambda);
 }
 
-static double rate_floor(const YkSimulation *sim)
+double yk_simulation_rate_floor(const YkSimulation *sim)
 {
     double fastest = 0;
     for (size_t k = 0; k < sim->free_count; k++) {
@@ -196,7 +229,7 @@ static double rate_floor(const YkSimulation *sim)
     return 1e-8 * fmax(1e-3, fastest);
 }
 
-static double item_scale(const YkSimulation *sim, const YkLoadItem *item)
+double yk_simulation_scale(const YkSimulation *sim, const YkLoadItem *item)
 {
     return item->is_distance ? sim->mech->size : 1;
 }
@@ -204,21 +237,21 @@ static double item_scale(const YkSimulation *sim, const YkLoadItem *item)
 bool yk_simulation_contacts_start(YkSimulation *sim)
 {
     YkLoads *loads = sim->dynamics->loads;
-    double least = rate_floor(sim);
+    double least = yk_simulation_rate_floor(sim);
     for (size_t k = 0; k < loads->item_count; k++) {
         YkLoadItem *item = &loads->items[k];
         if (item->kind != YK_LOAD_COULOMB && item->kind != YK_LOAD_STOP) continue;
         double rate = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
-        bool is_slow = fabs(rate) <= least * item_scale(sim, item);
+        bool is_slow = fabs(rate) <= least * yk_simulation_scale(sim, item);
         if (item->kind == YK_LOAD_COULOMB) {
             if (is_slow)
-                stick(sim, k, rate);
+                yk_simulation_stick(sim, k, rate);
             else if (!item->is_held)
                 item->direction = rate > 0 ? 1 : -1;
         } else {
-            double value = value_of(sim, item), scale = 1e-9 * item_scale(sim, item);
+            double value = value_of(sim, item), scale = 1e-9 * yk_simulation_scale(sim, item);
             bool low = value - item->stop->low <= scale, high = item->stop->high - value <= scale;
-            if ((low || high) && is_slow) rest_on_stop(sim, k);
+            if ((low || high) && is_slow) yk_simulation_rest_on_stop(sim, k);
         }
     }
     return true;
@@ -243,116 +276,18 @@ bool yk_simulation_contacts_check(YkSimulation *sim)
 {
     bool changed = false;
     for (size_t c = sim->contact_count; c-- > 0;) {
-        YkLoadItem *item = item_of(sim, c);
-        double force = sim->lambda[c], acceleration = sim->bias[c];
-        for (size_t k = 0; k < sim->contact_count; k++)
-            acceleration += sim->matrix[c * sim->contact_count + k] * sim->lambda[k];
-        bool moves = fabs(acceleration) > 1e-9 * (fabs(sim->bias[c]) + fabs(acceleration));
+        YkLoadItem *item = yk_simulation_item(sim, c);
+        double acceleration = yk_simulation_contact_acceleration(sim, c);
+        if (acceleration == 0) continue;
         if (item->kind == YK_LOAD_STOP) {
-            if (force != 0 || !moves) continue;
             yk_simulation_note(sim, YK_HAPPENING_RELEASE, sim->time, item->name, 0);
-            let_go(sim, c, 0);
+            yk_simulation_let_go(sim, c, 0);
         } else {
-            bool is_driven = !(sim->matrix[c * sim->contact_count + c] > 0); // no force at this joint could hold it
-            bool holds = is_driven ? fabs(acceleration) <= 1e-9 * item_scale(sim, item)
-                                   : fabs(force) < sim->contacts[c].high * (1 - 1e-9);
-            if (!moves || holds) continue;
             note_slip(sim, item);
-            let_go(sim, c, acceleration > 0 ? 1 : -1);
+            yk_simulation_let_go(sim, c, acceleration > 0 ? 1 : -1);
         }
         changed = true;
         break; // the matrix is of the contacts as they were: look again after the next evaluation
     }
     return changed;
-}
-
-// --- impacts
-// ------------------------------------------------------------------------------------------------------------
-
-// Impulses that bring the contacts' rates to `wanted`, within the contacts' bounds.
-static void strike(YkSimulation *sim, const double *wanted)
-{
-    YkDynamics *d = sim->dynamics;
-    size_t n = sim->mech->input_count;
-    double before = yk_dynamics_energy_at(d, sim->state).kinetic;
-    for (size_t c = 0; c < sim->contact_count; c++) {
-        const YkLoadItem *item = item_of(sim, c);
-        if (item->kind == YK_LOAD_COULOMB) sim->contacts[c].low = sim->contacts[c].high = 0; // friction gives no blow
-        sim->bias[c] = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance) - wanted[c];
-        sim->lambda[c] = 0;
-    }
-    solve_bounded(sim, sim->bias);
-    for (size_t k = 0; k < sim->free_count; k++) {
-        size_t i = (size_t)sim->free_input[k];
-        for (size_t c = 0; c < sim->contact_count; c++)
-            sim->y[sim->free_count + k] += sim->lambda[c] * sim->response[c * n + i];
-        sim->state->input[3 * i + 1] = sim->y[sim->free_count + k];
-    }
-    yk_state_solve(sim->state);
-    sim->y[2 * sim->free_count + sim->work_count - 1] += yk_dynamics_energy_at(d, sim->state).kinetic - before;
-    for (size_t c = 0; c < sim->contact_count; c++) sim->lambda[c] = 0;
-}
-
-// The factors of the pose, for responses.
-static bool factor_here(YkSimulation *sim)
-{
-    for (size_t c = 0; c < sim->contact_count; c++) item_of(sim, c)->dry = 0;
-    YkStatus status = yk_dynamics_reduce(sim->dynamics, sim->state);
-    if (status < 0 || status == YK_SINGULAR) return false;
-    find_responses(sim);
-    return true;
-}
-
-// Nothing that is free could stop it.
-static bool goes_on_past(const YkSimulation *sim, const YkLoadItem *item, double before)
-{
-    double after = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
-    return before * after > 0 && fabs(after) > 1e-6 * fabs(before) &&
-           fabs(after) > rate_floor(sim) * item_scale(sim, item);
-}
-
-// After a blow: what rebounds or was struck away from its stop is free, and dry joints slide.
-static void part_contacts(YkSimulation *sim, size_t hit, bool rests)
-{
-    for (size_t c = sim->contact_count; c-- > 0;) {
-        const YkLoadItem *item = item_of(sim, c);
-        double after = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
-        bool is_slow = fabs(after) <= rate_floor(sim) * item_scale(sim, item);
-        if (item->kind == YK_LOAD_COULOMB) {
-            let_go(sim, c, after > 0 ? 1 : after < 0 ? -1 : 0); // it sticks again where it does not move
-        } else if (sim->contacts[c].item == hit) {
-            if (!rests) let_go(sim, c, 0);
-        } else if (!is_slow) {
-            yk_simulation_note(sim, YK_HAPPENING_RELEASE, sim->time, item->name, after);
-            let_go(sim, c, 0);
-        }
-    }
-}
-
-bool yk_simulation_hit(YkSimulation *sim, size_t index)
-{
-    YkLoadItem *item = &sim->dynamics->loads->items[index];
-    double rate = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
-    bool is_stop = item->kind == YK_LOAD_STOP;
-    if (is_stop) {
-        yk_simulation_note(sim, YK_HAPPENING_STOP, sim->time, item->name, rate);
-        rest_on_stop(sim, index);
-    } else {
-        stick(sim, index, rate);
-    }
-    double *wanted = sim->wanted, rebound = is_stop ? -item->stop->restitution * rate : 0;
-    bool rests = fabs(rebound) <= 1e-6 * fabs(sim->fastest) || fabs(rebound) <= rate_floor(sim) * item_scale(sim, item);
-    if (fabs(rate) > fabs(sim->fastest)) sim->fastest = rate;
-    for (size_t c = 0; c < sim->contact_count; c++) wanted[c] = sim->contacts[c].item == index && !rests ? rebound : 0;
-    if (!is_stop) return yk_simulation_contacts_start(sim);
-    if (!factor_here(sim)) return false;
-    strike(sim, wanted);
-    if (goes_on_past(sim, item, rate)) {
-        yk_dynamics_fail(sim->dynamics, YK_LIMIT, "a drive moves `", item->name, "` past its stop");
-        sim->report = sim->dynamics->report;
-        sim->status = YK_LIMIT;
-        return false;
-    }
-    part_contacts(sim, index, rests);
-    return yk_simulation_contacts_start(sim);
 }

@@ -18,12 +18,16 @@ static bool allocate(YkSimulation *sim)
     size_t inputs = sim->mech->input_count, items = sim->item_count, all = 2 * sim->free_count + sim->work_count;
     sim->free_input = calloc(inputs + 1, sizeof *sim->free_input);
     sim->y = calloc(7 * (all + 1), sizeof *sim->y);
-    sim->response = calloc((items + 1) * (inputs + items + 4), sizeof *sim->response);
+    sim->response = calloc((items + 1) * (inputs + items + 5) + YK_BOUNDED_WORK(items), sizeof *sim->response);
+    sim->bounds = calloc(items + 1, sizeof *sim->bounds);
+    sim->contact_order = calloc(YK_BOUNDED_ORDER(items) + 1, sizeof *sim->contact_order);
     sim->contacts = calloc(items + 1, sizeof *sim->contacts);
     sim->near = sim->near_memory = calloc(2 * (sim->mech->block_count + 1), sizeof *sim->near);
     size_t pose = 4 * sim->mech->slot_count + 3 * sim->mech->distance_count + 6 * sim->mech->node_count;
     sim->pose_sum = calloc(pose + 1, sizeof *sim->pose_sum);
-    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->pose_sum) return false;
+    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->bounds ||
+        !sim->contact_order || !sim->pose_sum)
+        return false;
     sim->dense = sim->y + all + 1;
     sim->rate = sim->dense + all + 1;
     sim->moved = sim->rate + all + 1;
@@ -34,6 +38,8 @@ static bool allocate(YkSimulation *sim)
     sim->bias = sim->matrix + (items + 1) * items;
     sim->lambda = sim->bias + items + 1;
     sim->wanted = sim->lambda + items + 1;
+    sim->kept = sim->wanted + items + 1;
+    sim->contact_work = sim->kept + items + 1;
     sim->near_next = sim->near + sim->mech->block_count + 1;
     return true;
 }
@@ -114,6 +120,8 @@ void yk_simulation_unbuild(YkSimulation *sim)
     free(sim->y);
     free(sim->response);
     free(sim->contacts);
+    free(sim->bounds);
+    free(sim->contact_order);
     free(sim->near_memory);
     free(sim->pose_sum);
     sim->ode = NULL;
@@ -123,6 +131,8 @@ void yk_simulation_unbuild(YkSimulation *sim)
     sim->free_input = NULL;
     sim->y = sim->response = NULL;
     sim->contacts = NULL;
+    sim->bounds = NULL;
+    sim->contact_order = NULL;
     sim->near = sim->near_next = sim->near_memory = NULL;
     sim->pose_sum = NULL;
     sim->near_count = sim->contact_count = 0;
@@ -208,7 +218,7 @@ static bool move_over(YkSimulation *to, YkSimulation *from)
     return true;
 }
 
-static bool take(YkSimulation *sim, const size_t *order, bool *changed)
+bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
 {
     YkSimulation next = *sim;
     const char **names = calloc(sim->free_count + 1, sizeof *names);
@@ -221,6 +231,8 @@ static bool take(YkSimulation *sim, const size_t *order, bool *changed)
     next.free_input = NULL;
     next.y = next.response = NULL;
     next.contacts = NULL;
+    next.bounds = NULL;
+    next.contact_order = NULL;
     next.near = next.near_next = next.near_memory = NULL;
     next.pose_sum = NULL;
     next.near_count = 0;
@@ -257,7 +269,7 @@ bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed)
         bool found = find_rates(sim, rates) && choose(sim, rates, order, rates + f * n) > GAIN;
         memcpy(sim->state->input, kept, 3 * sim->mech->input_count * sizeof *kept);
         yk_state_solve(sim->state);
-        if (found) ok = take(sim, order, changed);
+        if (found) ok = yk_simulation_take(sim, order, changed);
     }
     free(rates);
     free(order);

@@ -4,6 +4,11 @@
 #define NEAR_SINE2 0.06 // sin^2 from which a block is watched
 #define BLIND 1e-4      // sine below which the pose does not tell its own rates well enough
 
+double yk_simulation_input_scale(const YkSimulation *sim, size_t free)
+{
+    return sim->mech->coordinates[sim->mech->inputs[sim->free_input[free]]].is_distance ? sim->mech->size : 1;
+}
+
 double yk_simulation_margin(const YkSimulation *sim)
 {
     return sim->state->space.margin[0];
@@ -49,7 +54,8 @@ static double time_of_passage(const YkNear *old, const YkNear *now, double from,
 
 static void note_passage(YkSimulation *sim, const YkNear *old, const YkNear *now, double t)
 {
-    if (!old || !(sin(old->angle) * sin(now->angle) < 0)) return;
+    bool is_start = sim->is_flat && sim->near_time == sim->options.start; // it begins there, and does not pass
+    if (!old || is_start || !(sin(old->angle) * sin(now->angle) < 0)) return;
     double at = time_of_passage(old, now, sim->near_time, t);
     yk_simulation_note(sim, YK_HAPPENING_CHANGE_POINT, at, sim->mech->blocks[now->block].label, 0);
 }

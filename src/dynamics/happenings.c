@@ -94,10 +94,80 @@ static double first_time(const Event *e, bool *ok)
     return fa > 0 && *ok ? from : HUGE_VAL; // it had happened all the while: a rebound too small to see
 }
 
+// --- contacts that can no longer hold -------------------------------------------------------------
+
+// Can the contacts hold at a time within the last step? *asked: the sum of the efforts that this takes of them.
+static bool holds_at(YkSimulation *sim, double t, double *asked)
+{
+    bool holds = true;
+    *asked = 0;
+    if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return true; // asked again at the end of the step
+    sim->is_testing = true;
+    bool failed = yk_simulation_motion(sim, t, sim->dense, sim->rate) != 0;
+    sim->is_testing = false;
+    if (failed) return sim->near_count > 0 && yk_simulation_in_zone(sim, t);
+    for (size_t c = 0; c < sim->contact_count; c++) {
+        double inverse = sim->matrix[c * sim->contact_count + c];
+        if (inverse > 0) *asked += sim->bias[c] / inverse;
+        holds = holds && yk_simulation_contact_acceleration(sim, c) == 0;
+    }
+    return holds;
+}
+
+// From a, where they hold, to b, where they do not: the first time at which they do not, as near as times are told
+// apart.
+static double locate_failure(YkSimulation *sim, double a, double b)
+{
+    double asked, least = 1e-14 * (yk_ode_time(sim->ode) - yk_ode_previous(sim->ode));
+    while (b - a > fmax(least, 4e-16 * fabs(b))) {
+        double t = 0.5 * (a + b);
+        if (t <= a || t >= b) break;
+        *(holds_at(sim, t, &asked) ? &a : &b) = t;
+    }
+    return b;
+}
+
+typedef struct Probe {
+    double t, asked;
+} Probe;
+
+// Between two times at which they hold: do they hold halfway too, and so on where the efforts asked for are not on a
+// straight line? Returns a time at which they do not, or HUGE_VAL.
+static double look_between(YkSimulation *sim, Probe a, Probe b, double most, int depth)
+{
+    Probe middle = {.t = 0.5 * (a.t + b.t)};
+    if (!holds_at(sim, middle.t, &middle.asked)) return locate_failure(sim, a.t, middle.t);
+    most = fmax(most, fabs(middle.asked));
+    bool is_straight = fabs(middle.asked - 0.5 * (a.asked + b.asked)) <= 0.02 * most;
+    if (is_straight || depth == 0) return HUGE_VAL;
+    double t = look_between(sim, a, middle, most, depth - 1);
+    return t < HUGE_VAL ? t : look_between(sim, middle, b, most, depth - 1);
+}
+
+// The first time in the last step at which the contacts can no longer hold; HUGE_VAL where they hold to its end.
+static double first_failure(YkSimulation *sim)
+{
+    enum { DEPTH = 7 };
+    double from = yk_ode_previous(sim->ode), to = yk_ode_time(sim->ode);
+    Probe a = {.t = from}, b = {.t = to}, quarter = {.t = from + 0.25 * (to - from)};
+    holds_at(sim, from, &a.asked);
+    if (!holds_at(sim, quarter.t, &quarter.asked)) return locate_failure(sim, from, quarter.t);
+    bool holds = holds_at(sim, to, &b.asked);
+    double most = fmax(fabs(quarter.asked), fmax(fabs(a.asked), fabs(b.asked)));
+    double t = look_between(sim, a, quarter, most, DEPTH);
+    if (t == HUGE_VAL) t = look_between(sim, quarter, b, most, DEPTH);
+    return t < HUGE_VAL || holds ? t : locate_failure(sim, quarter.t, to);
+}
+
 static void look_at_items(YkSimulation *sim, bool *ok)
 {
     YkLoads *loads = sim->dynamics->loads;
     sim->pending = YK_PENDING_NONE;
+    double t_release = sim->contact_count > 0 ? first_failure(sim) : HUGE_VAL;
+    if (t_release < HUGE_VAL) {
+        sim->pending = YK_PENDING_RELEASE;
+        sim->pending_time = t_release;
+    }
     for (size_t k = 0; k < loads->item_count && *ok; k++) {
         YkLoadItem *item = &loads->items[k];
         bool is_stop = item->kind == YK_LOAD_STOP, slides = item->kind == YK_LOAD_COULOMB && item->direction != 0;

@@ -72,9 +72,12 @@ static bool begin(YkSimulation *sim, YkProblems *problems)
 {
     if (!set_positions(sim, problems)) return false;
     sim->time = sim->target = sim->options.start;
+    sim->is_flat = false;
+    if (sim->free_count > 0 && yk_simulation_is_singular(sim) && !yk_simulation_start_singular(sim, problems))
+        return false;
     bool has_dead_points = sim->free_count == 1 && sim->mech->block_count > 0;
     sim->first = has_dead_points ? (int32_t)sim->mech->inputs[sim->free_input[0]] : YK_NONE;
-    if (!yk_simulation_start_rates(sim, problems))
+    if (!sim->is_flat && !yk_simulation_start_rates(sim, problems))
         return refuse(sim, problems, YK_SINGULAR,
                       "it stands at a dead point, where the rates of `start:` are not determined");
     read_inputs(sim);
@@ -101,6 +104,7 @@ YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions 
     YkSimulation *sim = calloc(1, sizeof *sim);
     if (!sim) return NULL;
     sim->model = model;
+    sim->sweeps_max = 5000;
     sim->options = options ? *options : yk_default_simulation_options();
     sim->arena = yk_arena_new();
     if (!are_options_good(&sim->options, problems)) {

@@ -4,6 +4,7 @@
 #include <yoke/move.h>
 #include <yoke/simulation.h>
 #include "dynamics/dynamics.h"
+#include "num/bounded.h"
 #include "num/ode.h"
 
 // A block near a singular position: the angle between its two columns, as last known, and how it goes on.
@@ -26,7 +27,12 @@ typedef struct YkWatch {
     double last; // its value at the last accepted step
 } YkWatch;
 
-typedef enum YkPendingKind { YK_PENDING_NONE, YK_PENDING_STOP, YK_PENDING_STICK } YkPendingKind;
+typedef enum YkPendingKind {
+    YK_PENDING_NONE,
+    YK_PENDING_STOP,
+    YK_PENDING_STICK,
+    YK_PENDING_RELEASE // a contact can no longer hold
+} YkPendingKind;
 
 struct YkSimulation {
     const YkModel *model;
@@ -52,11 +58,18 @@ struct YkSimulation {
     double near_time;                 // of the step at which they were looked at
     double *moved, *sampled, *looked; // scratch, as y
     double *pose_sum;                 // a pose that is interpolated: as the state's space
+    bool is_flat;                     // the start is a change point; flat_slope: of the angle there, by the free input
+    double flat_slope, flat_kinetic;
     // contacts
     YkContact *contacts;
     size_t contact_count;
     double *response, *matrix, *bias, *lambda, *wanted; // [contact][input], [contact][contact], [contact]
-    double fastest;                                     // rate of an impact so far
+    double *kept, *contact_work;                        // [contact], scratch of num/bounded
+    YkBounds *bounds;
+    size_t *contact_order;
+    int sweeps_max;  // over the contacts
+    bool is_testing; // contacts exert no more than their bounds allow; within steps they hold whatever it takes
+    double fastest;  // rate of an impact so far
     size_t pending_item;
     YkPendingKind pending;
     double pending_time, last_event;
@@ -85,6 +98,16 @@ struct YkSimulation {
 void yk_simulation_count_energy(YkSimulation *sim);
 
 // start.c
+typedef struct YkStartRate { // a rate that the start asks for
+    size_t coordinate;
+    double rate;
+} YkStartRate;
+// given[as many as `start:` and the options have, and one]: without those of drives. Returns how many.
+size_t yk_simulation_given_rates(const YkSimulation *sim, YkStartRate *given);
+// start_singular.c: the start stands at a dead point or change point. Takes other coordinates, or a branch with its
+// rates; false with a problem added where nothing tells how it goes on.
+bool yk_simulation_is_singular(const YkSimulation *sim);
+bool yk_simulation_start_singular(YkSimulation *sim, YkProblems *problems);
 // Rates of the inputs from what `start:` gives, as well as the loops allow.
 bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
 
@@ -107,6 +130,7 @@ void yk_simulation_set_signs(YkSimulation *sim, double t);
 // For how long, at the rates of the pose that stands, no block that is not near comes to a singular position.
 double yk_simulation_reach(YkSimulation *sim);
 double yk_simulation_margin(const YkSimulation *sim);
+double yk_simulation_input_scale(const YkSimulation *sim, size_t free); // 1 rad, or the machine's size
 // interpolation.c: is the pose so near that they are interpolated?
 bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 // Accelerations and powers next to a singular position, by interpolation along the motion. LEFT: the pose itself tells
@@ -122,6 +146,9 @@ void yk_simulation_take_sum(YkSimulation *sim);
 // coordinates.c: other independent coordinates.
 // Are others better here? Then takes them: everything is made anew for them, the pose stays. False on failure.
 bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed);
+// Takes the coordinates order[free] as independent ones in the pose that stands; it stays as it is (*changed is left)
+// where they do not fit. False on failure.
+bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed);
 void yk_simulation_unbuild(YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: after all else stands
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
@@ -131,8 +158,12 @@ bool yk_simulation_contacts_start(
     YkSimulation *sim); // which stops are touched, which joints stick, at the pose that stands
 // Accelerations with what the contacts exert, into dynamics->acceleration.
 YkStatus yk_simulation_accelerate(YkSimulation *sim);
-bool yk_simulation_contacts_check(YkSimulation *sim);   // after a step: contacts that let go
-bool yk_simulation_hit(YkSimulation *sim, size_t item); // an impact on a stop, or the rate of a dry joint has become 0
+// Of a contact's coordinate, under what the contacts exert by the last evaluation; exactly 0 where it is no more than
+// rounding leaves.
+double yk_simulation_contact_acceleration(const YkSimulation *sim, size_t contact);
+bool yk_simulation_contacts_check(YkSimulation *sim); // contacts that cannot hold let go, one at a time
+// impact.c: the stop is hit, with all others that are reached now, or the rate of the dry joint has become 0.
+bool yk_simulation_hit(YkSimulation *sim, size_t item);
 
 // happenings.c
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);

@@ -5,12 +5,7 @@
 #include "dynamics/simulation.h"
 #include "num/dense.h"
 
-typedef struct Given { // a rate that is asked for
-    size_t coordinate;
-    double rate;
-} Given;
-
-static size_t gather(const YkSimulation *sim, Given *given)
+size_t yk_simulation_given_rates(const YkSimulation *sim, YkStartRate *given)
 {
     const YkModel *model = sim->model;
     const YkMechanism *mech = sim->mech;
@@ -18,7 +13,7 @@ static size_t gather(const YkSimulation *sim, Given *given)
     for (size_t k = 0; k < model->start_count; k++) {
         const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
         int32_t q = model->starts[k].is_rate ? yk_tree_coordinate(mech, c->joint, c->is_distance) : YK_NONE;
-        if (q != YK_NONE) given[count++] = (Given){(size_t)q, model->starts[k].value};
+        if (q != YK_NONE) given[count++] = (YkStartRate){(size_t)q, model->starts[k].value};
     }
     for (size_t k = 0; k < sim->options.value_count; k++) {
         const YkStartValue *value = &sim->options.values[k];
@@ -26,7 +21,7 @@ static size_t gather(const YkSimulation *sim, Given *given)
         if (q < 0) continue;
         size_t at = 0;
         while (at < count && given[at].coordinate != (size_t)q) at++;
-        given[at] = (Given){(size_t)q, value->value};
+        given[at] = (YkStartRate){(size_t)q, value->value};
         if (at == count) count++;
     }
     size_t kept = 0;
@@ -43,7 +38,7 @@ static double scale_of(const YkSimulation *sim, size_t coordinate)
 }
 
 // Rates of the given coordinates with the free inputs' rates as they stand.
-static bool measure(YkSimulation *sim, const Given *given, size_t m, double *rates)
+static bool measure(YkSimulation *sim, const YkStartRate *given, size_t m, double *rates)
 {
     YkState *s = sim->state;
     if (yk_state_solve(s) < 0 || !s->has_rates) return false;
@@ -58,7 +53,7 @@ static void set_rate(YkSimulation *sim, size_t free, double rate)
 }
 
 // All given rates belong to inputs?
-static bool are_inputs(YkSimulation *sim, const Given *given, size_t m)
+static bool are_inputs(YkSimulation *sim, const YkStartRate *given, size_t m)
 {
     for (size_t k = 0; k < m; k++)
         if (sim->mech->coordinates[given[k].coordinate].input == YK_NONE) return false;
@@ -67,7 +62,7 @@ static bool are_inputs(YkSimulation *sim, const Given *given, size_t m)
     return true;
 }
 
-static void report(YkSimulation *sim, const Given *given, const double *wanted, const double *found, size_t m,
+static void report(YkSimulation *sim, const YkStartRate *given, const double *wanted, const double *found, size_t m,
                    YkProblems *problems)
 {
     for (size_t k = 0; k < m; k++) {
@@ -80,7 +75,7 @@ static void report(YkSimulation *sim, const Given *given, const double *wanted, 
 }
 
 // Least squares over the given rates; what they leave open stays 0.
-static bool project(YkSimulation *sim, const Given *given, size_t m, YkProblems *problems)
+static bool project(YkSimulation *sim, const YkStartRate *given, size_t m, YkProblems *problems)
 {
     size_t f = sim->free_count;
     double *A = calloc(m * f + 4 * m + 3 * f + 8, sizeof *A);
@@ -114,9 +109,9 @@ static bool project(YkSimulation *sim, const Given *given, size_t m, YkProblems 
 bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems)
 {
     enum { UNKNOWNS_MAX = 2000 };
-    Given *given = calloc(sim->model->start_count + sim->options.value_count + 1, sizeof *given);
+    YkStartRate *given = calloc(sim->model->start_count + sim->options.value_count + 1, sizeof *given);
     if (!given) return false;
-    size_t m = gather(sim, given);
+    size_t m = yk_simulation_given_rates(sim, given);
     bool ok = true;
     for (size_t k = 0; k < sim->free_count; k++) set_rate(sim, k, 0);
     if (m > 0 && !are_inputs(sim, given, m)) ok = sim->free_count <= UNKNOWNS_MAX && project(sim, given, m, problems);
