@@ -9,6 +9,7 @@ void yk_solve_json(YkSession *session, YkJson *json, const YkState *state);
 void yk_solve_csv_head(YkSession *session);
 void yk_solve_csv(YkSession *session, const YkState *state, size_t index);
 // The same of the columns that --of asks for, session->columns.
+void yk_solve_of_warn(YkSession *session); // of efforts among the columns that dry friction at rest leaves open
 void yk_solve_of_text(YkSession *session, const YkState *state);
 void yk_solve_of_json(YkSession *session, YkJson *json, const YkState *state); // "of": {name: value}
 void yk_solve_of_csv_head(YkSession *session);

@@ -58,13 +58,50 @@ static void add_reactions(YkSession *session, YkJson *json)
     yk_json_end(json);
 }
 
+static bool has_range(const YkSession *session, size_t coordinate)
+{
+    return yk_dynamics_has_effort(session->dynamics, coordinate) &&
+           !yk_dynamics_effort_range(session->dynamics, coordinate).is_single;
+}
+
+static bool has_ranges(const YkSession *session)
+{
+    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++)
+        if (has_range(session, c)) return true;
+    return false;
+}
+
+// Efforts that dry friction at rest leaves open: null at an end means that there is none.
+static void add_ranges(YkSession *session, YkJson *json)
+{
+    if (!has_ranges(session)) return;
+    yk_json_object(json, "effort_ranges", YK_JSON_LINES);
+    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
+        if (!has_range(session, c)) continue;
+        YkEffortRange range = yk_dynamics_effort_range(session->dynamics, c);
+        yk_json_object(json, yk_coordinate_info(session->mech, c).name, YK_JSON_INLINE);
+        yk_json_bool(json, "known", range.is_known);
+        yk_json_number(json, "from", range.low);
+        yk_json_number(json, "to", range.high);
+        yk_json_number(json, "without_friction", yk_dynamics_effort(session->dynamics, c));
+        yk_json_string(json, "reason",
+                       range.is_known
+                           ? "dry friction of joints at rest holds the machine with every effort in this range"
+                           : "dry friction of joints at rest holds the machine; the range was not found");
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
 static void add_efforts(YkSession *session, YkJson *json)
 {
     yk_json_object(json, "efforts", YK_JSON_INLINE);
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++)
         if (yk_dynamics_has_effort(session->dynamics, c))
-            yk_json_number(json, yk_coordinate_info(session->mech, c).name, yk_dynamics_effort(session->dynamics, c));
+            yk_json_number(json, yk_coordinate_info(session->mech, c).name,
+                           has_range(session, c) ? (double)NAN : yk_dynamics_effort(session->dynamics, c));
     yk_json_end(json);
+    add_ranges(session, json);
 }
 
 static void add_balances(YkSession *session, YkJson *json)
@@ -146,7 +183,10 @@ static void add_reaction_table(YkSession *session)
                                       : yk_dynamics_contact_name(session->dynamics, j - joints));
         yk_words_renew(&words);
         yk_text_format(&words, "%s, %s%s", yk_model_body_name(session->model, r.by),
-                       yk_model_body_name(session->model, r.on), r.is_determinate ? "" : " (one of many, least)");
+                       yk_model_body_name(session->model, r.on),
+                       r.is_determinate                                     ? ""
+                       : yk_dynamics_is_held_by_friction(session->dynamics) ? " (one of many)"
+                                                                            : " (one of many, least)");
         yk_table_word(table, yk_text_get(&words));
         for (int axis = 0; axis < 2; axis++)
             yk_table_number(table, yk_shown(session, r.force[axis], YK_QUANTITY_FORCE), YK_DIGITS);
@@ -156,6 +196,19 @@ static void add_reaction_table(YkSession *session)
     session->out.failed |= words.failed;
     yk_text_free(&words);
     write_table(session, table, joints > 0);
+}
+
+static void add_range(YkSession *session, YkTable *table, YkEffortRange range, YkQuantity quantity)
+{
+    YkText words = {0};
+    double low = yk_shown(session, range.low, quantity), high = yk_shown(session, range.high, quantity);
+    if (range.is_known)
+        yk_amount_between(&words, low, high, YK_DIGITS);
+    else
+        yk_text_puts(&words, "not found");
+    yk_table_word(table, yk_text_get(&words));
+    session->out.failed |= words.failed;
+    yk_text_free(&words);
 }
 
 static void add_effort_table(YkSession *session, bool is_distance)
@@ -170,10 +223,26 @@ static void add_effort_table(YkSession *session, bool is_distance)
             !yk_dynamics_has_effort(session->dynamics, c))
             continue;
         yk_table_word(table, yk_coordinate_info(session->mech, c).name);
-        yk_table_number(table, yk_shown(session, yk_dynamics_effort(session->dynamics, c), quantity), YK_DIGITS);
+        YkEffortRange range = yk_dynamics_effort_range(session->dynamics, c);
+        if (range.is_single)
+            yk_table_number(table, yk_shown(session, range.low, quantity), YK_DIGITS);
+        else
+            add_range(session, table, range, quantity);
         count++;
     }
     write_table(session, table, count > 0);
+}
+
+static void explain_ranges(YkSession *session)
+{
+    YkText *out = &session->out;
+    if (!yk_dynamics_is_held_by_friction(session->dynamics)) return;
+    if (has_ranges(session))
+        yk_text_puts(out,
+                     "\n  Dry friction of joints at rest holds the machine with every effort in the range: there is no "
+                     "single answer.\n");
+    yk_text_puts(out, has_ranges(session) ? "  " : "\n  ");
+    yk_text_puts(out, "Reactions that are one of many are those without friction in the joints at rest.\n");
 }
 
 void yk_forces_text(YkSession *session, const YkState *state)
@@ -184,6 +253,7 @@ void yk_forces_text(YkSession *session, const YkState *state)
     add_reaction_table(session);
     add_effort_table(session, false);
     add_effort_table(session, true);
+    explain_ranges(session);
     yk_text_puts(out, "\n  energy: kinetic ");
     double kinetic = energy.kinetic <= yk_scale_kinetic_noise(session) ? 0 : energy.kinetic;
     yk_amount_write_shown(out, session->model, yk_amount_of(session->model, kinetic, YK_QUANTITY_ENERGY),
@@ -222,10 +292,15 @@ void yk_forces_csv(YkSession *session, const char *label)
         add_csv(session, label, "contact", yk_dynamics_contact_name(session->dynamics, k), r.force[0], r.force[1],
                 r.moment);
     }
-    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++)
-        if (yk_dynamics_has_effort(session->dynamics, c))
-            add_csv(session, label, "effort", yk_coordinate_info(session->mech, c).name,
-                    yk_dynamics_effort(session->dynamics, c), (double)NAN, (double)NAN);
+    for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
+        YkEffortRange range = yk_dynamics_effort_range(session->dynamics, c);
+        const char *name = yk_coordinate_info(session->mech, c).name;
+        if (!yk_dynamics_has_effort(session->dynamics, c)) continue;
+        if (range.is_single)
+            add_csv(session, label, "effort", name, range.low, (double)NAN, (double)NAN);
+        else // from and to, in place of a value that there is not
+            add_csv(session, label, "effort_range", name, range.low, range.high, (double)NAN);
+    }
     YkEnergy energy = yk_dynamics_energy(session->dynamics);
     add_csv(session, label, "energy", "kinetic", energy.kinetic, (double)NAN, (double)NAN);
     add_csv(session, label, "energy", "potential", energy.potential, (double)NAN, (double)NAN);

@@ -1,9 +1,36 @@
 // The columns of `solve --of`: what was asked for at the pose, in each format.
 #include <string.h>
 #include "columns.h"
+#include "out/amount.h"
 #include "out/csv.h"
 #include "out/table.h"
 #include "solve.h"
+
+void yk_solve_of_warn(YkSession *session)
+{
+    for (size_t c = 0; session->columns && session->dynamics && c < session->columns->count; c++) {
+        const YkColumn *column = &session->columns->items[c];
+        YkQuantity quantity = column->channel.quantity;
+        if (column->channel.kind != YK_CHANNEL_EFFORT) continue;
+        YkEffortRange range = yk_dynamics_effort_range(session->dynamics, (size_t)column->channel.index);
+        if (range.is_single) continue;
+        YkText words = {0};
+        if (range.is_known)
+            yk_amount_between(&words, yk_shown(session, range.low, quantity), yk_shown(session, range.high, quantity),
+                              YK_DIGITS);
+        else
+            yk_text_puts(&words, "not found, in");
+        yk_problem(
+            session->problems, YK_CODE_EFFORT_RANGE, (YkPlace){0},
+            "the machine stands under dry friction: every effort of a range holds it, and %q has no single value "
+            "(%s %s)",
+            column->name, yk_text_get(&words), yk_unit_of(session, quantity));
+        yk_problem_hint(session->problems, "--of %s.from,%s.to tells the range; --rate makes the machine move",
+                        column->name, column->name);
+        session->out.failed |= words.failed;
+        yk_text_free(&words);
+    }
+}
 
 void yk_solve_of_text(YkSession *session, const YkState *state)
 {

@@ -22,6 +22,10 @@ typedef struct YkSweepAnswer {
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
     YkStroke *strokes; // of each column; ratio 0 where there is none
+    size_t held_rows;  // in which dry friction leaves the effort of a column open
+    double held_at;    // the first of them
+    size_t held_column;
+    YkEffortRange held;
 } YkSweepAnswer;
 
 // A value of the table; NaN where it is not defined (rates at a dead point).
@@ -29,6 +33,9 @@ double yk_sweep_cell(const YkSweepAnswer *answer, size_t row, size_t column);
 const char *yk_event_word(YkEvent event); // "limit", "dead-point", "change-point", "maximum", "minimum"
 // "theta1 from ... to ...", for every range.
 void yk_sweep_add_ranges(const YkSweepAnswer *answer, YkText *text);
+// Of every row's pose, for yk_sweep_options.visit: are efforts among the columns that have no single answer there?
+void yk_sweep_look_at_friction(void *answer, const YkState *state);
+void yk_sweep_warn_of_friction(const YkSweepAnswer *answer);
 void yk_sweep_text(const YkSweepAnswer *answer);
 void yk_sweep_json(const YkSweepAnswer *answer);
 void yk_sweep_csv(const YkSweepAnswer *answer);

@@ -147,6 +147,7 @@ static int solve(Writer *writer)
     }
     begin(writer, status, message);
     if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics, NULL);
+    yk_solve_of_warn(session);
     YkStatus written = write_all(writer, pose, &is_complete);
     end(writer, is_complete);
     return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));

@@ -113,6 +113,8 @@ static bool run(YkSweepAnswer *answer, size_t steps)
         options.steps = steps;
         options.dynamics = session->dynamics;
         options.method = answer->method;
+        options.visit = yk_sweep_look_at_friction;
+        options.context = answer;
         for (size_t i = 0; i < answer->column_count; i++) channels[i] = answer->columns[i].channel;
         yk_state_copy(start, session->state);
         answer->label = yk_label_of(start);
@@ -167,6 +169,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
         yk_text_puts(&answer->message, yk_state_report(session->state)->message);
     }
     tell(answer);
+    yk_sweep_warn_of_friction(answer);
     return write_answer(answer);
 }
 

@@ -42,7 +42,7 @@ typedef struct YkReaction {
     double force[2]; // that `by` exerts on `on` at the joint, world axes, N; without what a drive exerts along a slide
     double moment;   // about the joint's point (`to` of a slide), N m; without what a drive exerts about a pin
     double at[2];    // the joint's point in the world, m
-    bool is_determinate; // false: one of many, the least in norm
+    bool is_determinate; // false: one of many, the least in norm, or without the dry friction of joints that stand
 } YkReaction;
 YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint);
 // What gears, racks, belts and cams transmit: on their second body (wheel, rack, pulley, follower) by their first, at
@@ -58,6 +58,19 @@ YK_API bool yk_dynamics_contact_pulls(const YkDynamics *dynamics, size_t contact
 // Along a tree coordinate, on the joint's second body (its reaction on the first): of the drive where the coordinate is
 // a prescribed input, otherwise what `efforts:` gives. N m or N.
 YK_API double yk_dynamics_effort(const YkDynamics *dynamics, size_t coordinate);
+// A joint that stands under dry friction holds within an interval, so the effort that a drive must exert there has no
+// single answer: every effort from low to high holds the machine, each input's taken by itself. The ends may be
+// infinite: the joints jam. is_known is false where the interval was not found (then it is from -infinity to infinity).
+// Otherwise is_single is true, and yk_dynamics_effort answers; in an interval it answers the effort with no friction in
+// the joints that stand. What is computed exactly: docs/mathematics.md, section 10.
+typedef struct YkEffortRange {
+    bool is_single, is_known;
+    double low, high; // N m or N
+} YkEffortRange;
+YK_API YkEffortRange yk_dynamics_effort_range(const YkDynamics *dynamics, size_t coordinate);
+// Does dry friction at rest leave forces open? Reactions that it bears on are told as not determinate: those of no
+// friction there.
+YK_API bool yk_dynamics_is_held_by_friction(const YkDynamics *dynamics);
 // Is there an effort along it at all: a prescribed input's, or one of `efforts:`?
 YK_API bool yk_dynamics_has_effort(const YkDynamics *dynamics, size_t coordinate);
 typedef struct YkEnergy {

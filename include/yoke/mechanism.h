@@ -94,7 +94,9 @@ YK_API double yk_mechanism_size(const YkMechanism *mech);
 //   C.transmission                         the transmission angle of the block labelled C, rad in [0, pi/2]
 //   A.force.x, A.force.y, A.force, A.moment  a joint's reaction: on its second body by its first (A.force: its size)
 //   G.force.x, ...                         of gears, racks, belts and cams likewise, by their names
-//   theta1.effort                          effort along a coordinate: of its drive, or what the file says
+//   theta1.effort                          effort along a coordinate: of its drive, or what the file says; not a number
+//                                          where dry friction at rest lets every effort of an interval hold the machine
+//   theta1.effort.from, theta1.effort.to   the ends of that interval; elsewhere the effort itself
 //   energy, kinetic, potential             J
 //   shaking.x, shaking.y, shaking.moment   what the machine exerts on its frame, about the world's origin
 typedef enum YkChannelKind {
@@ -118,7 +120,9 @@ typedef enum YkChannelKind {
     YK_CHANNEL_POTENTIAL,
     YK_CHANNEL_SHAKING_X,
     YK_CHANNEL_SHAKING_Y,
-    YK_CHANNEL_SHAKING_MOMENT
+    YK_CHANNEL_SHAKING_MOMENT,
+    YK_CHANNEL_EFFORT_FROM,
+    YK_CHANNEL_EFFORT_TO
 } YkChannelKind;
 typedef struct YkChannel {
     YkChannelKind kind;

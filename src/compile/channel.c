@@ -108,10 +108,13 @@ static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *c
             return set_force(channel, forces[k].kind, find_contact(mech, name), YK_QUANTITY_FORCE);
     if (cut_suffix(name, ".moment"))
         return set_force(channel, YK_CHANNEL_MOMENT, find_contact(mech, name), YK_QUANTITY_TORQUE);
-    if (!cut_suffix(name, ".effort")) return false;
+    YkChannelKind kind = cut_suffix(name, ".effort.from") ? YK_CHANNEL_EFFORT_FROM
+                         : cut_suffix(name, ".effort.to") ? YK_CHANNEL_EFFORT_TO
+                                                          : YK_CHANNEL_EFFORT;
+    if (kind == YK_CHANNEL_EFFORT && !cut_suffix(name, ".effort")) return false;
     int found = yk_coordinate_find(mech, name);
     bool is_distance = found >= 0 && mech->coordinates[found].is_distance;
-    return set_force(channel, YK_CHANNEL_EFFORT, found, is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE);
+    return set_force(channel, kind, found, is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE);
 }
 
 static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
@@ -205,9 +208,10 @@ YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *
 
 static void force_name(const YkMechanism *mech, YkChannel channel, YkText *name)
 {
-    static const char *const suffixes[] = {".force.x", ".force.y",  ".force",    ".moment",   ".effort",       "energy",
-                                           "kinetic",  "potential", "shaking.x", "shaking.y", "shaking.moment"};
-    if (channel.kind == YK_CHANNEL_EFFORT)
+    static const char *const suffixes[] = {".force.x",       ".force.y",     ".force",    ".moment",   ".effort",
+                                           "energy",         "kinetic",      "potential", "shaking.x", "shaking.y",
+                                           "shaking.moment", ".effort.from", ".effort.to"};
+    if (channel.kind == YK_CHANNEL_EFFORT || channel.kind >= YK_CHANNEL_EFFORT_FROM)
         yk_text_puts(name, mech->coordinates[channel.index].name);
     else if (channel.kind < YK_CHANNEL_EFFORT && (size_t)channel.index >= mech->model->joint_count)
         yk_text_puts(name, mech->relations[(size_t)channel.index - mech->model->joint_count].name);

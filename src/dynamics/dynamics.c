@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
+#include "dynamics/holding.h"
 
 // --- making
 // -------------------------------------------------------------------------------------------------------------
@@ -22,6 +23,7 @@ static bool allocate(YkDynamics *d)
     if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->contact ||
         !d->power)
         return false;
+    if (d->loads->has_dry && !(d->holding = yk_holding_new(d))) return false;
     d->prescribed = d->is_free + inputs;
     d->v = d->q + inputs;
     d->effort = d->v + inputs;
@@ -65,6 +67,7 @@ void yk_dynamics_free(YkDynamics *d)
     if (!d) return;
     yk_loads_free(d->loads);
     forget_equations(d);
+    yk_holding_free(d->holding);
     yk_free_bodies_free(d->bodies);
     free(d->is_free);
     free(d->q);

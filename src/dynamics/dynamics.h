@@ -6,6 +6,8 @@
 #include "dynamics/reduced.h"
 #include "dynamics/tree.h"
 
+struct YkHolding;
+
 struct YkDynamics {
     const YkMechanism *mech;
     YkLoads *loads;
@@ -16,6 +18,7 @@ struct YkDynamics {
     YkTreeDynamics *tree;   // open trees: the fast way; otherwise NULL
     YkInfluence *influence; // closed machines with few free inputs: the fast way; otherwise NULL
     YkFreeBodies *bodies;
+    struct YkHolding *holding;             // of joints with dry friction that stand; NULL without dry friction
     bool is_stale;                         // elimination and tree do not fit the choice of free inputs
     double *q, *v, *effort, *acceleration; // per input
     double *power;                         // per item of the loads
@@ -42,6 +45,8 @@ YkStatus yk_dynamics_reduce(YkDynamics *dynamics, YkState *state);
 YkStatus yk_dynamics_find_accelerations(YkDynamics *dynamics, YkState *state);
 // With dynamics->acceleration for the free inputs: solves the state again, then all reactions and efforts.
 YkStatus yk_dynamics_apply(YkDynamics *dynamics, YkState *state);
+// One solution at the state's inputs, with the dry friction of the loads as it is.
+YkStatus yk_dynamics_solve_once(YkDynamics *dynamics, YkState *state, YkDynamicsMethod method);
 // Dry friction depends on the reactions, which depend on it: sets it from the last reactions; does it stand?
 // round: how often this has been done at the pose, below YK_DRY_ROUNDS.
 enum { YK_DRY_ROUNDS = 400 };

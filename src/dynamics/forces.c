@@ -1,6 +1,6 @@
 // Forces at a pose: reactions, efforts, balances.
 #include <string.h>
-#include "dynamics/dynamics.h"
+#include "dynamics/holding.h"
 
 // All loads with gravity, and how every body moves.
 static YkStatus find_loads(YkDynamics *d, const YkState *state)
@@ -164,20 +164,37 @@ YkStatus yk_dynamics_fail_at_dry(YkDynamics *d)
     return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
 }
 
-YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+YkStatus yk_dynamics_solve_once(YkDynamics *d, YkState *state, YkDynamicsMethod method)
 {
-    YkStatus status = YK_OK;
+    return method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
+}
+
+// All joints with dry friction slide: again and again until it stands.
+static YkStatus solve_sliding(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+{
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
-        status = method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
+        YkStatus status = yk_dynamics_solve_once(d, state, method);
         if (status < 0) return round > 0 ? yk_dynamics_fail_at_dry(d) : status;
-        if (status == YK_SINGULAR) {
-            if (d->report.status != YK_SINGULAR)
-                yk_dynamics_fail(d, YK_SINGULAR, "a dead point: forces are not determined", "", "");
-            return status;
-        }
-        if (!d->loads->has_dry || yk_dynamics_find_dry(d, state, round)) return status;
+        if (status == YK_SINGULAR || !d->loads->has_dry || yk_dynamics_find_dry(d, state, round)) return status;
     }
     return yk_dynamics_fail_at_dry(d);
+}
+
+// Do joints with dry friction stand at the state's inputs?
+static bool stands_dry(YkDynamics *d, YkState *state)
+{
+    if (!d->holding) return false;
+    yk_holding_clear(d->holding);
+    return yk_state_solve(state) >= 0 && state->has_rates && yk_holding_is_needed(d->holding, d, state);
+}
+
+YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+{
+    YkStatus status =
+        stands_dry(d, state) ? yk_holding_find(d->holding, d, state, method) : solve_sliding(d, state, method);
+    if (status == YK_SINGULAR && d->report.status != YK_SINGULAR)
+        yk_dynamics_fail(d, YK_SINGULAR, "a dead point: forces are not determined", "", "");
+    return status;
 }
 
 // --- answers
@@ -220,6 +237,21 @@ double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
     double sum = input != YK_NONE && !d->is_free[input] ? d->drive[input] : 0;
     bool is_drive = input != YK_NONE && !d->is_free[input];
     return is_drive ? sum : yk_loads_effort(d->loads, (int32_t)coordinate);
+}
+
+YkEffortRange yk_dynamics_effort_range(const YkDynamics *d, size_t coordinate)
+{
+    int32_t input = d->mech->coordinates[coordinate].input;
+    double effort = yk_dynamics_effort(d, coordinate);
+    YkEffortRange single = {true, true, effort, effort};
+    if (!d->holding || input == YK_NONE || d->is_free[input]) return single;
+    YkEffortRange range = yk_holding_range(d->holding, (size_t)input);
+    return range.is_single ? single : range;
+}
+
+bool yk_dynamics_is_held_by_friction(const YkDynamics *d)
+{
+    return d->holding && yk_holding_is_open(d->holding);
 }
 
 bool yk_dynamics_has_effort(const YkDynamics *d, size_t coordinate)
@@ -287,6 +319,7 @@ double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel 
                                                                                     : &d->contact[index - joints];
     YkEnergy energy;
     YkWrench shaking;
+    YkEffortRange range;
     switch (c.kind) {
     case YK_CHANNEL_FORCE_X:
         return r->force[0];
@@ -297,7 +330,11 @@ double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel 
     case YK_CHANNEL_MOMENT:
         return r->moment;
     case YK_CHANNEL_EFFORT:
-        return yk_dynamics_effort(d, index);
+        return yk_dynamics_effort_range(d, index).is_single ? yk_dynamics_effort(d, index) : (double)NAN;
+    case YK_CHANNEL_EFFORT_FROM:
+    case YK_CHANNEL_EFFORT_TO:
+        range = yk_dynamics_effort_range(d, index);
+        return !range.is_known ? (double)NAN : c.kind == YK_CHANNEL_EFFORT_FROM ? range.low : range.high;
     case YK_CHANNEL_ENERGY:
     case YK_CHANNEL_KINETIC:
     case YK_CHANNEL_POTENTIAL:

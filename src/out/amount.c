@@ -61,3 +61,17 @@ void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQ
     add_number(text, shown * (180 / 3.14159265358979323846), digits);
     yk_text_puts(text, " deg)");
 }
+
+void yk_amount_between(YkText *text, double low, double high, int digits)
+{
+    if (!isfinite(low) && !isfinite(high)) {
+        yk_text_puts(text, "any");
+        return;
+    }
+    if (!isfinite(low)) yk_text_puts(text, "up to ");
+    add_number(text, isfinite(low) ? low : high, digits);
+    if (!isfinite(high)) yk_text_puts(text, " or more");
+    if (!isfinite(low) || !isfinite(high)) return;
+    yk_text_puts(text, " to ");
+    add_number(text, high, digits);
+}

@@ -18,4 +18,7 @@ void yk_amount_write(YkText *text, const YkModel *model, const YkMechanism *mech
 // The same of a value that is in the unit already.
 void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits);
 
+// Adds "2.96 to 3.49", "3 or more", "up to 5" or "any": numbers from low to high, either of which may be infinite.
+void yk_amount_between(YkText *text, double low, double high, int digits);
+
 #endif

@@ -44,24 +44,46 @@ static void add_reactions(const YkReportPage *report, double largest, YkText *ht
     }
     yk_html_table(html, table, "Reactions at the start: what a joint's first body exerts on its second");
     if (is_choice)
-        yk_html_element(
-            html, "p", "Some of these are one choice of many, the least in norm, since constraints repeat each other.");
+        yk_html_element(html, "p",
+                        yk_dynamics_is_held_by_friction(report->dynamics)
+                            ? "Some of these are one choice of many, without friction in the joints at rest."
+                            : "Some of these are one choice of many, the least in norm, since constraints repeat each "
+                              "other.");
 }
 
 static void add_efforts(const YkReportPage *report, bool is_distance, double largest, YkText *html)
 {
     YkQuantity quantity = is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
     YkTable *table = yk_table_new(2);
+    YkText words = {0};
+    bool is_open = false;
     yk_table_head(table, "along", NULL);
     yk_table_head(table, is_distance ? "force" : "torque", yk_amount_unit(report->model, quantity, NULL));
     for (size_t c = 0; c < yk_coordinate_count(report->mech); c++) {
         YkCoordinateInfo info = yk_coordinate_info(report->mech, c);
         if (info.is_distance != is_distance || !yk_dynamics_has_effort(report->dynamics, c)) continue;
         yk_table_word(table, info.name);
-        yk_table_number(table, shown(report, yk_dynamics_effort(report->dynamics, c), largest, quantity), DIGITS);
+        YkEffortRange range = yk_dynamics_effort_range(report->dynamics, c);
+        double low = shown(report, range.low, largest, quantity), high = shown(report, range.high, largest, quantity);
+        yk_text_clear(&words);
+        if (range.is_known)
+            yk_amount_between(&words, low, high, DIGITS);
+        else
+            yk_text_puts(&words, "not found");
+        if (range.is_single)
+            yk_table_number(table, low, DIGITS);
+        else
+            yk_table_word(table, yk_text_get(&words));
+        is_open |= !range.is_single;
     }
     yk_html_table(html, table,
                   is_distance ? "Forces along coordinates at the start" : "Torques along coordinates at the start");
+    if (is_open)
+        yk_html_element(html, "p",
+                        "Dry friction of joints at rest holds the machine with every effort in the range: there is no "
+                        "single answer.");
+    html->failed |= words.failed;
+    yk_text_free(&words);
 }
 
 // A free body as a table: what pulls, what holds, what is left for its inertia.

@@ -34,6 +34,17 @@ RIDER = PENDULUM.replace("joints:", "  rider:  {points: {}}\njoints:\n  S: {slid
 JAMMING = FOUR_BAR.replace("a: 40", "a: 90").replace("B: [120, 0]", "B: [60, 0]").replace("B: [80, 0]}}", "B: [40, 0]}, mass: 1, inertia: 1 kg*mm^2}").replace(
     "theta1: 60 + 90 deg/s * t", "theta1: 20 + 90 deg/s * t").replace("theta2: -20", "theta2: -60")
 
+# A block on a rough incline, held by a drive.
+INCLINE = """\
+gravity: [0, -10]
+bodies:
+  ground: {points: {O: [0, 0]}}
+  b: {points: {P: [0, 0]}, mass: 2}
+joints:
+  S: {slide: [ground, b], along: 0.5 rad, distance: d, friction: {coulomb: 0.3}}
+drives: {d: 0 m}
+"""
+
 GRAVITY = 9.81
 
 
@@ -108,6 +119,42 @@ start: {p: 0, q: 0}
             run = Run(*words)
             self.assertEqual(run.code, 1)
             self.assertIn("no inertia resists `q`: give mass or inertia to body `bare`", run.err)
+
+    def test_an_effort_that_friction_holds_is_a_range(self):
+        incline = self.write("incline.yaml", INCLINE)
+        low, high = (20 * (math.sin(0.5) + side * 0.3 * math.cos(0.5)) for side in (-1, 1))
+        pose = self.pose(incline)
+        self.assertIsNone(pose["efforts"]["d"])
+        held = pose["effort_ranges"]["d"]
+        self.assertAlmostEqual(held["from"], low, places=12)
+        self.assertAlmostEqual(held["to"], high, places=12)
+        self.assertAlmostEqual(held["without_friction"], 20 * math.sin(0.5), places=12)
+        self.assertIn("dry friction of joints at rest", held["reason"])
+        text = self.good("solve", incline).out
+        self.assertIn("4.32302 to 14.854", text)
+        self.assertIn("there is no single answer", text)
+        self.assertNotIn("effort_ranges", self.pose(incline, "--rate", "d=1e-9"))
+        self.assertAlmostEqual(self.pose(incline, "--rate", "d=1e-9")["efforts"]["d"], high, places=12)
+        run = self.good("solve", incline, "--of", "d.effort,d.effort.to", "--format", "json")
+        self.assertEqual(run.json()["configurations"][0]["of"], {"d.effort": None, "d.effort.to": held["to"]})
+        self.assertIn("[W0638]", run.err)
+
+    def test_a_sweep_says_where_an_effort_is_a_range(self):
+        incline = self.write("incline.yaml", INCLINE)
+        run = self.good("sweep", incline, "--over", "d=0:1", "--steps", "2", "--of", "d.effort,d.effort.from,d.effort.to", "--format", "json")
+        for row in run.json()["rows"]:
+            self.assertIsNone(row[1])
+            self.assertLess(row[2], row[3])
+        self.assertIn("in 3 rows the machine stands under dry friction", run.err)
+        self.assertIn("[W0638]", run.err)
+        moving = self.good("sweep", incline, "--over", "d=0:1", "--steps", "2", "--of", "d.effort", "--rate", "d=1", "--format", "json")
+        self.assertNotIn("[W0638]", moving.err)
+        self.assertIsNotNone(moving.json()["rows"][0][1])
+
+    def test_a_report_tells_the_range(self):
+        page = self.good("report", self.write("incline.yaml", INCLINE)).out
+        self.assertIn("4.32302 to 14.854", page)
+        self.assertIn("there is no single answer", page)
 
     def test_efforts_that_do_not_fit_are_refused(self):
         self.assertIn("did you mean `theta`?", self.wrong(814, "solve", self.pendulum, "--effort", "thata=3").err)

@@ -1,0 +1,226 @@
+// Efforts that hold a machine at rest under dry friction: closed forms, every combination of frictions, and motion.
+#include "dynamics/holding.h"
+#include "rig.h"
+#include "run.h"
+
+static YkEffortRange range_of(const Rig *rig, const char *name)
+{
+    return yk_dynamics_effort_range(rig->dynamics, (size_t)yk_coordinate_find(rig->mech, name));
+}
+
+static double effort_of(const Rig *rig, const char *name)
+{
+    return yk_dynamics_effort(rig->dynamics, (size_t)yk_coordinate_find(rig->mech, name));
+}
+
+#define INCLINE                                                                                                        \
+    "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  b: {points: {P: [0, 0]}, mass: 2}\njoints:\n"      \
+    "  S: {slide: [ground, b], along: 0.5 rad, distance: d, friction: {coulomb: 0.3}}\n"
+
+// m g (sin a -+ mu cos a); once it begins to move, or moves, only one end is left.
+static void a_block_on_an_incline_is_held_by_a_range(void **unused)
+{
+    (void)unused;
+    double weight = 20 * sin(0.5), most = 0.3 * 20 * cos(0.5);
+    for (int method = 0; method < 2; method++) {
+        Rig rig = rig_of_text(INCLINE "drives: {d: 0 m}\n");
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)method), YK_OK);
+        YkEffortRange range = range_of(&rig, "d");
+        assert_true(range.is_known && !range.is_single && yk_dynamics_is_held_by_friction(rig.dynamics));
+        CHECK_NEAR(range.low, weight - most, 1e-12);
+        CHECK_NEAR(range.high, weight + most, 1e-12);
+        CHECK_NEAR(effort_of(&rig, "d"), weight, 1e-12);
+        assert_true(isnan(yk_dynamics_channel(rig.dynamics, rig.state, rig_channel(rig.mech, "d.effort"))));
+        CHECK_NEAR(yk_dynamics_channel(rig.dynamics, rig.state, rig_channel(rig.mech, "d.effort.from")), range.low, 0);
+        CHECK_NEAR(yk_dynamics_channel(rig.dynamics, rig.state, rig_channel(rig.mech, "d.effort.to")), range.high, 0);
+        static const double motions[][2] = {{0, 0.7}, {0, -0.7}, {1e-9, 0}, {-1e-9, 0}}; // rate, acceleration
+        for (int k = 0; k < 4; k++) {
+            yk_state_set_input(rig.state, 0, (YkMotion){0, motions[k][0], motions[k][1]});
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)method), YK_OK);
+            assert_true(range_of(&rig, "d").is_single && !yk_dynamics_is_held_by_friction(rig.dynamics));
+            CHECK_NEAR(effort_of(&rig, "d"), 2 * motions[k][1] + weight + (k % 2 ? -most : most), 1e-12);
+        }
+        rig_free(&rig);
+    }
+}
+
+// Free, it stays where its effort is in that range, and moves off with what is left over beyond it.
+static void a_free_block_sticks_or_slips(void **unused)
+{
+    (void)unused;
+    double weight = 20 * sin(0.5), most = 0.3 * 20 * cos(0.5);
+    for (int method = 0; method < 2; method++)
+        for (int k = -3; k <= 3; k++) {
+            Rig rig = rig_of_text(INCLINE);
+            double beyond = 0.5 * k * most, slip = fabs(beyond) > most ? beyond - copysign(most, beyond) : 0;
+            yk_dynamics_set_effort(rig.dynamics, 0, weight + beyond);
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)method), YK_OK);
+            CHECK_NEAR(yk_state_coordinate(rig.state, 0).acceleration, slip / 2, 1e-12);
+            assert_true(yk_dynamics_reaction(rig.dynamics, 0).is_determinate); // its one friction is what is missing
+            CHECK_NEAR(yk_dynamics_balance(rig.dynamics, 1).residual, 0, 1e-13);
+            rig_free(&rig);
+        }
+}
+
+// An actuator from the origin pushes a block of weight W along a guide at y = 1, from below, at x: f = -e x/r and
+// N = W - e/r, so -mu W r/(x - mu) <= e <= mu W r/(x + mu). Where x < mu it jams: no pull moves it.
+static void a_guide_jams_within_its_cone(void **unused)
+{
+    (void)unused;
+    static const double places[] = {1.5, 0.8, 0.6, 0.4, 0.1};
+    for (int k = 0; k < 5; k++) {
+        char text[1000];
+        double x = places[k], r = sqrt(x * x + 1), mu = 0.5, W = 30;
+        snprintf(text, sizeof text,
+                 "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0], G: [0, 1]}}\n  a: {points: {O: [0, 0]}}\n"
+                 "  b: {points: {P: [0, 0]}}\n  c: {points: {P: [0, 0]}, mass: 3}\njoints:\n"
+                 "  O: {pin: [ground, a], angle: q}\n  S: {slide: [a, b], along: x, distance: s}\n  P: {pin: [b, c]}\n"
+                 "  G: {slide: [ground, c], along: x, from: G, distance: x, friction: {coulomb: %g}}\n"
+                 "drives: {s: %.17g m}\nstart: {q: %.17g, x: %.17g}\n",
+                 mu, r, atan2(1, x), x);
+        Rig rig = rig_of_text(text);
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+        YkEffortRange range = range_of(&rig, "s");
+        assert_true(range.is_known);
+        CHECK_NEAR(range.high, mu * W * r / (x + mu), 1e-9);
+        if (x > mu)
+            CHECK_NEAR(range.low, -mu * W * r / (x - mu), 1e-7);
+        else
+            assert_true(range.low == -HUGE_VAL);
+        rig_free(&rig);
+    }
+}
+
+#define PIN(R) "friction: {coulomb: 0.15, radius: " #R " m}"
+#define PRESS                                                                                                          \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                                                  \
+    "  crank: {points: {O: [0, 0], A: [0.05, 0]}, mass: 6, center: [0.02, 0.01], inertia: 0.3}\n"                      \
+    "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 1.5, center: [0.11, 0], inertia: 0.015}\n"                        \
+    "  ram: {points: {B: [0, 0]}, mass: 4}\njoints:\n  O: {pin: [ground, crank], angle: theta, " PIN(                  \
+        0.02) "}\n"                                                                                                    \
+              "  A: {pin: [crank, rod], angle: psi, " PIN(0.02) "}\n  B: {pin: [rod, ram], " PIN(                      \
+                  0.01) "}\n"                                                                                          \
+                        "  R: {slide: [ground, ram], along: y, distance: h, friction: {coulomb: 0.12}}\n"              \
+                        "efforts: {h: 80 N}\nstart: {theta: 120 deg, psi: -210 deg, h: -0.25}\n"
+#define FIVE_BAR                                                                                                       \
+    "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0], Q: [0.5, 0]}}\n"                                       \
+    "  a: {points: {O: [0, 0], A: [0.3, 0]}, mass: 2, rod: [O, A]}\n"                                                  \
+    "  b: {points: {A: [0, 0], C: [0.5, 0]}, mass: 3, rod: [A, C]}\n"                                                  \
+    "  c: {points: {Q: [0, 0], B: [0.3, 0]}, mass: 2, rod: [Q, B]}\n"                                                  \
+    "  d: {points: {B: [0, 0], C: [0.5, 0]}, mass: 1, rod: [B, C]}\n"                                                  \
+    "joints:\n  O: {pin: [ground, a], angle: q, " PIN(0.05) "}\n  Q: {pin: [ground, c], angle: p, " PIN(               \
+        0.05) "}\n"                                                                                                    \
+              "  A: {pin: [a, b], angle: u, " PIN(0.04) "}\n  B: {pin: [c, d], angle: w, " PIN(                        \
+                  0.04) "}\n"                                                                                          \
+                        "  C: {pin: [b, d], " PIN(0.03) "}\nstart: {q: 110 deg, p: 60 deg, u: -60 deg, w: 60 deg}\n"
+
+// The efforts at all frictions at their limits, in every combination of senses: limits and joint forces are repeated
+// until both stand.
+static void check_against_all_senses(const char *text, const char *const *names, size_t count, size_t inputs)
+{
+    Rig rig = rig_of_text(text);
+    YkLoads *loads = rig.dynamics->loads;
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (unsigned senses = 0; senses < 1u << count; senses++) {
+        for (int round = 0; round < 200; round++) {
+            assert_int_equal(yk_dynamics_solve_once(rig.dynamics, rig.state, YK_METHOD_NEWTON_EULER), YK_OK);
+            for (size_t k = 0, j = 0; k < loads->item_count; k++) {
+                YkLoadItem *item = &loads->items[k];
+                if (item->kind != YK_LOAD_COULOMB) continue;
+                item->dry = (senses >> j++ & 1 ? 1 : -1) * yk_dynamics_dry_limit(rig.dynamics, item);
+            }
+        }
+        for (size_t i = 0; i < inputs; i++) {
+            double effort = effort_of(&rig, names[i]);
+            low[i] = fmin(low[i], effort);
+            high[i] = fmax(high[i], effort);
+        }
+    }
+    assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+    for (size_t i = 0; i < inputs; i++) {
+        YkEffortRange range = range_of(&rig, names[i]);
+        assert_true(range.is_known && !range.is_single);
+        CHECK_NEAR(range.low, low[i], 1e-10 * (1 + fabs(low[i])));
+        CHECK_NEAR(range.high, high[i], 1e-10 * (1 + fabs(high[i])));
+        assert_true(effort_of(&rig, names[i]) > range.low && effort_of(&rig, names[i]) < range.high);
+    }
+    rig_free(&rig);
+}
+
+static void the_ends_are_those_of_all_senses_of_friction(void **unused)
+{
+    (void)unused;
+    static const char *const press[] = {"theta"}, *const five[] = {"q", "p"};
+    check_against_all_senses(PRESS "drives: {theta: 120 deg}\n", press, 4, 1);
+    check_against_all_senses(FIVE_BAR "drives: {q: 110 deg, p: 60 deg}\n", five, 5, 2);
+}
+
+// With one drive the ends are the efforts of all but no motion, one way and the other.
+static void the_ends_are_those_of_the_slowest_motion(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(PRESS "drives: {theta: 120 deg}\n");
+    assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+    YkEffortRange range = range_of(&rig, "theta");
+    for (int way = -1; way <= 1; way += 2) {
+        yk_state_set_input(rig.state, 0, (YkMotion){yk_state_input(rig.state, 0).position, way * 1e-9, 0});
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+        CHECK_NEAR(effort_of(&rig, "theta"), way < 0 ? range.low : range.high, 1e-10);
+    }
+    rig_free(&rig);
+}
+
+// Let go under an effort within the range it stays; just outside it moves off, the right way.
+static void the_range_is_what_keeps_it_at_rest(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(PRESS "drives: {theta: 120 deg}\n");
+    assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+    YkEffortRange range = range_of(&rig, "theta");
+    double start = yk_state_input(rig.state, 0).position;
+    static const double parts[] = {-0.001, 0.001, 0.1, 0.5, 0.9, 0.999, 1.001};
+    for (int k = 0; k < 7; k++) {
+        Run run = run_of_text(PRESS, run_options(1e-9));
+        double effort = range.low + parts[k] * (range.high - range.low);
+        assert_int_equal(yk_simulation_set_effort(run.sim, "theta", effort), YK_OK);
+        assert_int_equal(yk_simulation_advance(run.sim, 1), YK_OK);
+        double moved = run_value(&run, "theta") - start;
+        if (k == 0) assert_true(moved < -1e-5);
+        if (k == 6) assert_true(moved > 1e-5);
+        if (k > 0 && k < 6) {
+            CHECK_NEAR(moved, 0, 1e-12);
+            assert_int_equal(yk_simulation_happening_count(run.sim), 0);
+        }
+        run_free(&run);
+    }
+    rig_free(&rig);
+}
+
+// Motion and rest in one machine: where one drive moves and the other rests, joints that stand hold by a range only
+// what hangs on them. In a five-bar every joint moves with any drive, so there is one answer.
+static void a_machine_that_moves_has_one_answer(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(FIVE_BAR "drives: {q: 110 deg + 1 rad/s * t, p: 60 deg}\n");
+    assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+    assert_true(range_of(&rig, "q").is_single);  // no joint that stands turns with it
+    assert_false(range_of(&rig, "p").is_single); // its own pin stands
+    YkEffortRange range = range_of(&rig, "p");
+    CHECK_NEAR(range.high - range.low,
+               2 * 0.15 * 0.05 * yk_dynamics_channel(rig.dynamics, rig.state, rig_channel(rig.mech, "Q.force")), 1e-9);
+    rig_free(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_block_on_an_incline_is_held_by_a_range),
+        cmocka_unit_test(a_free_block_sticks_or_slips),
+        cmocka_unit_test(a_guide_jams_within_its_cone),
+        cmocka_unit_test(the_ends_are_those_of_all_senses_of_friction),
+        cmocka_unit_test(the_ends_are_those_of_the_slowest_motion),
+        cmocka_unit_test(the_range_is_what_keeps_it_at_rest),
+        cmocka_unit_test(a_machine_that_moves_has_one_answer),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
