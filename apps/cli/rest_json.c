@@ -49,6 +49,7 @@ static void add_equilibrium(const YkRestAnswer *answer, YkJson *json, size_t ind
     size_t freedom = yk_rest_freedom(answer->rest);
     yk_json_object(json, NULL, YK_JSON_LINES);
     yk_json_string(json, "stability", yk_stability_word(rest.stability));
+    yk_json_bool(json, "reachable", rest.is_reachable);
     yk_json_number(json, "potential", rest.potential);
     yk_json_number(json, "force", rest.force);
     yk_json_object(json, "coordinates", YK_JSON_INLINE);

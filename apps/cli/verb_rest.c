@@ -38,6 +38,10 @@ static bool find(YkRestAnswer *answer)
         return false;
     answer->rest = yk_rest_find(session->model, &options, session->problems);
     if (answer->rest) answer->mech = yk_rest_mechanism(answer->rest);
+    if (answer->rest && yk_rest_reach(answer->rest) < 0) {
+        yk_rest_free(answer->rest);
+        answer->rest = NULL;
+    }
     if (!answer->rest && yk_problems_error_count(session->problems) == 0)
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     return answer->rest != NULL;

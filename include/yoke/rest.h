@@ -31,9 +31,13 @@ typedef enum YkStability {
 } YkStability;
 typedef struct YkEquilibrium {
     YkStability stability;
-    double potential; // J
-    double force;     // left over: largest effort that would be needed, over the largest load
+    double potential;  // J
+    double force;      // left over: largest effort that would be needed, over the largest load
+    bool is_reachable; // by the machine from its start, on its own assembly; after yk_rest_reach
 } YkEquilibrium;
+// Finds out which equilibria the machine can get to from its start without being taken apart: by moving there, through
+// dead points too, and round in either sense. YK_OK or YK_NO_MEMORY. What it could not reach is told as not reachable.
+YK_API YkStatus yk_rest_reach(YkRest *rest);
 YK_API YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index);
 // The pose itself; forces there by yk_dynamics_solve with a dynamics of one's own. Valid until the next call.
 YK_API YkState *yk_rest_state(YkRest *rest, size_t index);

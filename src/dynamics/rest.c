@@ -222,6 +222,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     YkRest *rest = calloc(1, sizeof *rest);
     if (!rest) return NULL;
     size_t starts = options->starts;
+    rest->time = options->time;
     bool ok = prepare(rest, model, options, &starts, problems) && assemble(rest, options->time, problems);
     if (ok && !rest->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},

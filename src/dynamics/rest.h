@@ -19,6 +19,7 @@ struct YkRest {
     YkMechanism *mech;
     YkState *state;
     YkDynamics *dynamics;
+    double time;
     size_t freedom;
     int32_t *input; // free ones
     YkRestPoint *points;
