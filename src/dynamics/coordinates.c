@@ -218,6 +218,15 @@ static bool move_over(YkSimulation *to, YkSimulation *from)
     return true;
 }
 
+// Was it memory that a build lacked? Nothing else fails without an error of its own.
+static bool is_out_of_memory(const YkProblems *problems)
+{
+    if (!problems || yk_problems_error_count(problems) == 0) return true;
+    for (size_t k = 0; k < yk_problems_count(problems); k++)
+        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) return true;
+    return false;
+}
+
 bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
 {
     YkSimulation next = *sim;
@@ -237,13 +246,14 @@ bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
     next.pose_sum = NULL;
     next.near_count = 0;
     YkProblems *quiet = yk_problems_new();
-    bool ok = yk_simulation_build(&next, &(YkCompileOptions){names, sim->free_count}, quiet) &&
-              next.free_count == sim->free_count && move_over(&next, sim);
+    bool is_built = yk_simulation_build(&next, &(YkCompileOptions){names, sim->free_count}, quiet);
+    bool has_memory = is_built || !is_out_of_memory(quiet);
+    bool ok = is_built && next.free_count == sim->free_count && move_over(&next, sim);
     yk_problems_free(quiet);
     free(names);
     if (!ok) {
         yk_simulation_unbuild(&next);
-        return true; // stay
+        return has_memory; // stay
     }
     yk_simulation_unbuild(sim);
     next.counts = sim->counts;

@@ -268,7 +268,9 @@ bool yk_simulation_start_singular(YkSimulation *sim, YkProblems *problems)
     size_t n = sim->mech->coordinate_count;
     size_t *order = calloc(2 * sim->free_count + 1, sizeof *order);
     double *memory = calloc(2 * n + 1, sizeof *memory);
+    size_t recoordinations = sim->summary.recoordinations;
     bool ok = order && memory && try_others(sim, order);
+    sim->summary.recoordinations = recoordinations; // it has not moved yet
     if (ok && yk_simulation_is_singular(sim)) {
         yk_state_solve(sim->state);
         int32_t block = sim->free_count == 1 && !sim->has_drives ? flat_block(sim) : YK_NONE;

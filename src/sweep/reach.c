@@ -12,6 +12,7 @@ static const double SAME = 1e-6; // rad, or sizes of the machine
 
 typedef struct YkReach {
     YkRest *rest;
+    bool failed; // out of memory
     size_t way_count;
     YkMechanism *mech[WAYS_MAX]; // the machine with other inputs; [0]: those of rest
     YkState *state[WAYS_MAX], *trial[WAYS_MAX];
@@ -36,7 +37,9 @@ static bool stand(YkReach *r, size_t way, size_t place)
 {
     YkState *s = r->state[way];
     const YkState *from = r->places[place];
-    return s && (from->mech == s->mech ? yk_state_copy(s, from) >= 0 : yk_state_adopt(s, from) >= 0);
+    YkStatus status = from->mech == s->mech ? yk_state_copy(s, from) : yk_state_adopt(s, from);
+    r->failed |= status == YK_NO_MEMORY;
+    return status >= 0;
 }
 
 static bool is_angle(const YkReach *r, size_t way)
@@ -54,6 +57,7 @@ static bool move(YkReach *r, size_t way, const double *goal, double turns)
     YkMoveOptions options = yk_default_move_options();
     options.detours = r->rest->freedom > 1 && r->rest->freedom < 8 ? 8 : 0;
     bool ok = motion && yk_state_copy(s, r->state[way]) >= 0;
+    r->failed |= !motion;
     for (size_t i = 0; i < mech->input_count && ok; i++) {
         const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];
         double here = s->input[3 * i];
@@ -62,9 +66,10 @@ static bool move(YkReach *r, size_t way, const double *goal, double turns)
         double there = goal[mech->inputs[i]];
         motion[i].position = c->is_distance ? there : yk_nearest_turn(there, here) + turns * 2 * YK_PI;
     }
-    ok = ok && yk_state_move_to(s, motion, &options, NULL) >= 0;
+    YkStatus status = ok ? yk_state_move_to(s, motion, &options, NULL) : YK_BAD_ARGUMENT;
+    r->failed |= status == YK_NO_MEMORY;
     free(motion);
-    return ok;
+    return ok && status >= 0;
 }
 
 static bool reaches(YkReach *r, const double *goal)
@@ -132,7 +137,11 @@ static bool add_ways(YkReach *r)
         YkProblems *quiet = yk_problems_new();
         const char *name = q->name;
         YkMechanism *mech = yk_mechanism_compile(own->model, &(YkCompileOptions){&name, 1}, quiet);
+        bool is_told = quiet && yk_problems_error_count(quiet) > 0;
+        for (size_t k = 0; is_told && k < yk_problems_count(quiet); k++)
+            is_told = yk_problems_get(quiet, k)->code != YK_CODE_OUT_OF_MEMORY;
         yk_problems_free(quiet);
+        if (!mech && !is_told) return false;
         if (!mech) continue; // it cannot be the input
         size_t way = r->way_count, input = 0;
         while (input < mech->input_count && (size_t)mech->inputs[input] != c) input++;
@@ -164,7 +173,8 @@ static bool prepare(YkReach *r)
     if (!r->state[0] || !r->trial[0] || !r->place || yk_state_set_time(r->state[0], rest->time, NULL) < 0) return false;
     for (size_t i = 0; i < rest->mech->input_count; i++)
         r->state[0]->input[3 * i + 1] = r->state[0]->input[3 * i + 2] = 0;
-    if (yk_state_assemble(r->state[0]) < 0) return true; // it has no start, so nothing is reached
+    YkStatus status = yk_state_assemble(r->state[0]);
+    if (status < 0) return status != YK_NO_MEMORY; // it has no start, so nothing is reached
     return add_place(r, r->state[0]) && add_ways(r) && (rest->freedom != 1 || find_places(r));
 }
 
@@ -177,6 +187,7 @@ YkStatus yk_rest_reach(YkRest *rest)
         ok = prepare(r);
         for (size_t k = 0; k < rest->count && ok; k++)
             rest->points[k].at.is_reachable = reaches(r, rest->points[k].coordinates);
+        ok = ok && !r->failed;
         for (size_t way = 0; way < r->way_count; way++) {
             yk_state_free(r->state[way]);
             yk_state_free(r->trial[way]);
