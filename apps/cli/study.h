@@ -49,7 +49,7 @@ void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *val
 bool yk_partial_open(YkStudyAnswer *answer);
 bool yk_partial_add(YkStudyAnswer *answer, size_t from, size_t to); // rows [from, to)
 void yk_partial_close(bool is_finished);                            // finished: removes it
-const char *yk_partial_path(void);                                  // NULL: none is kept
+void yk_partial_tell(YkProblems *problems);                         // where it is, if it is: a hint to the last problem
 
 // Places in a row.
 static inline double *yk_study_row(const YkStudyAnswer *a, size_t design)

@@ -177,6 +177,7 @@ static int write_answer(YkStudyAnswer *a)
     int exit_code = none == a->design_count || a->sensitivity_status < 0 ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
     exit_code = yk_session_finish(a->session, exit_code);
     yk_partial_close(exit_code != YK_EXIT_WRONG);
+    if (exit_code == YK_EXIT_WRONG) yk_partial_tell(a->session->problems);
     return exit_code;
 }
 
@@ -193,8 +194,7 @@ static int answer_study(YkStudyAnswer *a)
     yk_partial_close(false);
     yk_problem(a->session->problems, YK_CODE_INTERRUPTED, (YkPlace){0}, "interrupted after %z of %z designs", a->done,
                a->design_count);
-    if (yk_partial_path())
-        yk_problem_hint(a->session->problems, "the same command goes on from there (%q)", yk_partial_path());
+    yk_partial_tell(a->session->problems);
     return YK_EXIT_NO_ANSWER;
 }
 

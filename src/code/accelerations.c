@@ -24,8 +24,10 @@ static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
     YkRef over = yk_dag_inverse(g, determinant), first = b[0], second = b[1];
     keep_pivot(f, A, A);
     keep_pivot(f, determinant, whole);
-    b[0] = yk_dag_subtract(g, yk_dag_multiply(g, D, first), yk_dag_multiply(g, B, second));
-    b[1] = yk_dag_subtract(g, yk_dag_multiply(g, A, second), yk_dag_multiply(g, B, first));
+    YkRef D_first = yk_dag_multiply(g, D, first), B_second = yk_dag_multiply(g, B, second),
+          A_second = yk_dag_multiply(g, A, second), B_first = yk_dag_multiply(g, B, first);
+    b[0] = yk_dag_subtract(g, D_first, B_second);
+    b[1] = yk_dag_subtract(g, A_second, B_first);
     for (size_t k = 0; k < 2; k++) b[k] = yk_dag_multiply(g, b[k], over);
 }
 
@@ -97,7 +99,7 @@ void yk_forces_accelerations(YkForces *f)
     f->inertia = -1;
     if (f->free_count == 0) return;
     for (size_t k = 0; k < f->free_count; k++) {
-        const char *name = yk_program_name(p, p->mech->coordinates[p->mech->inputs[free[k]]].name);
+        const char *name = p->names.coordinate[p->mech->inputs[free[k]]];
         YkRef extra = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "in->%s_effort", name));
         b[k] = yk_dag_subtract(g, extra, f->rest[free[k]]);
         for (size_t j = 0; j < n; j++) {

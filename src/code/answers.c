@@ -20,32 +20,9 @@ char *yk_program_text(YkProgram *p, const char *format, ...)
     return copy ? copy : nothing;
 }
 
-static bool is_taken(const char *name)
-{
-    static const char *const words[] = {
-        "auto",     "break",  "case",     "char",   "const",  "continue", "default", "do",      "double",  "else",
-        "enum",     "extern", "float",    "for",    "goto",   "if",       "inline",  "int",     "long",    "register",
-        "restrict", "return", "short",    "signed", "sizeof", "static",   "struct",  "switch",  "typedef", "union",
-        "unsigned", "void",   "volatile", "while",  "bool",   "true",     "false",   "nullptr", "class",   "new"};
-    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-        if (strcmp(words[k], name) == 0) return true;
-    return false;
-}
-
-const char *yk_program_name(YkProgram *p, const char *name)
-{
-    char *copy = yk_program_text(p, "%s%s", name[0] >= '0' && name[0] <= '9' ? "_" : "", name);
-    for (char *c = copy; *c; c++) {
-        bool is_letter = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
-        if (!is_letter) *c = '_';
-    }
-    return is_taken(copy) ? yk_program_text(p, "%s_", copy) : copy;
-}
-
 const char *yk_program_slot_name(YkProgram *p, int32_t slot)
 {
-    if (slot < (int32_t)p->mech->orientation_count)
-        return yk_program_name(p, p->model->bodies[p->mech->orientation_body[slot]].name);
+    if (slot < (int32_t)p->mech->orientation_count) return p->model->bodies[p->mech->orientation_body[slot]].name;
     for (size_t o = 0; o < p->mech->orientation_count; o++)
         if (p->mech->relative_slot[o] == slot)
             return yk_program_text(p, "%s_relative", yk_program_slot_name(p, (int32_t)o));
@@ -56,17 +33,11 @@ const char *yk_program_distance_name(YkProgram *p, int32_t distance)
 {
     for (size_t k = 0; k < p->mech->coordinate_count; k++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
-        if (c->is_distance && c->distance == distance) return yk_program_name(p, c->name);
+        if (c->is_distance && c->distance == distance) return c->name;
     }
     for (size_t j = 0; j < p->model->joint_count; j++)
-        if (p->mech->joint_distance[j] == distance)
-            return yk_program_text(p, "%s_distance", yk_program_name(p, p->model->joints[j].name));
+        if (p->mech->joint_distance[j] == distance) return yk_program_text(p, "%s_distance", p->model->joints[j].name);
     return "d";
-}
-
-const char *yk_program_block_name(YkProgram *p, size_t block)
-{
-    return yk_program_name(p, p->mech->blocks[block].label);
 }
 
 // --- coordinates
@@ -80,8 +51,9 @@ YkRef yk_program_coordinate(YkProgram *p, size_t coordinate)
     if (c->is_distance) return p->distance[c->distance];
     YkRefVec a = p->unit[c->angle.a], b = p->unit[c->angle.b];
     YkRefVec e = yk_dag_vec_multiply(g, b, yk_dag_vec_conjugate(g, a));
-    YkRef angle = yk_dag_add(g, yk_dag_binary(g, YK_VALUE_ANGLE, e.y, e.x), yk_program_joint_offset(p, c->joint));
-    YkRef near = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "c->near_%s", yk_program_name(p, c->name)));
+    YkRef turned = yk_dag_binary(g, YK_VALUE_ANGLE, e.y, e.x);
+    YkRef angle = yk_dag_add(g, turned, yk_program_joint_offset(p, c->joint));
+    YkRef near = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "c->%s", p->names.near_coordinate[coordinate]));
     return yk_dag_binary(g, YK_VALUE_NEAREST, angle, near);
 }
 
@@ -109,15 +81,16 @@ static YkRefVec arm_of(YkProgram *p, int32_t body, YkRefVec at)
 
 YkRefVec yk_program_at(YkProgram *p, int32_t body, YkRefVec at)
 {
-    return yk_dag_vec_add(&p->graph, yk_program_sum(p, &p->mech->bodies[body].origin), arm_of(p, body, at));
+    YkRefVec origin = yk_program_sum(p, &p->mech->bodies[body].origin);
+    return yk_dag_vec_add(&p->graph, origin, arm_of(p, body, at));
 }
 
 YkRefVec yk_program_at_rate(YkProgram *p, int32_t body, YkRefVec at, const YkRates *r)
 {
     YkDag *g = &p->graph;
     YkRefVec across = yk_dag_vec_quarter(g, arm_of(p, body, at));
-    return yk_dag_vec_add(g, yk_program_sum_rate(p, &p->mech->bodies[body].origin, r),
-                          yk_dag_vec_scale(g, r->turn[p->mech->bodies[body].orientation], across));
+    YkRefVec origin = yk_program_sum_rate(p, &p->mech->bodies[body].origin, r);
+    return yk_dag_vec_add(g, origin, yk_dag_vec_scale(g, r->turn[p->mech->bodies[body].orientation], across));
 }
 
 YkRefVec yk_program_at_accel(YkProgram *p, int32_t body, YkRefVec at, const YkRates *r, const YkRates *s)
@@ -125,7 +98,7 @@ YkRefVec yk_program_at_accel(YkProgram *p, int32_t body, YkRefVec at, const YkRa
     YkDag *g = &p->graph;
     YkRefVec arm = arm_of(p, body, at);
     YkRef w = r->turn[p->mech->bodies[body].orientation], a = s->turn[p->mech->bodies[body].orientation];
-    YkRefVec own = yk_dag_vec_subtract(g, yk_dag_vec_scale(g, a, yk_dag_vec_quarter(g, arm)),
-                                       yk_dag_vec_scale(g, yk_dag_multiply(g, w, w), arm));
+    YkRefVec across = yk_dag_vec_scale(g, a, yk_dag_vec_quarter(g, arm));
+    YkRefVec own = yk_dag_vec_subtract(g, across, yk_dag_vec_scale(g, yk_dag_multiply(g, w, w), arm));
     return yk_dag_vec_add(g, yk_program_sum_accel(p, &p->mech->bodies[body].origin, r, s), own);
 }

@@ -8,8 +8,8 @@ typedef struct Arm {
 
 static Arm arm_of(YkProgram *p, const YkSum *sum, const YkRates *r, const YkRates *s)
 {
-    Arm arm = {yk_program_sum_rate(p, sum, r), yk_dag_vec_number(&p->graph, 0, 0)};
-    if (s) arm.accel = yk_program_sum_accel(p, sum, r, s);
+    Arm arm = {.rate = yk_program_sum_rate(p, sum, r)};
+    arm.accel = s ? yk_program_sum_accel(p, sum, r, s) : yk_dag_vec_number(&p->graph, 0, 0);
     return arm;
 }
 
@@ -24,11 +24,11 @@ static YkRefVec swing(YkDag *g, Arm arm, YkRefVec e, YkRef w)
 // (d e)'' without d'': what a turning line adds to the acceleration.
 static YkRefVec drift(YkDag *g, YkRefVec e, YkRef d, YkRef v, YkRef spin, YkRef spin_rate)
 {
-    YkRef twice = yk_dag_multiply(g, yk_dag_number(g, 2), yk_dag_multiply(g, v, spin));
+    YkRef two = yk_dag_number(g, 2), twice = yk_dag_multiply(g, two, yk_dag_multiply(g, v, spin));
     YkRef across = yk_dag_add(g, yk_dag_multiply(g, d, spin_rate), twice);
     YkRef inward = yk_dag_multiply(g, d, yk_dag_multiply(g, spin, spin));
-    return yk_dag_vec_subtract(g, yk_dag_vec_scale(g, across, yk_dag_vec_quarter(g, e)),
-                               yk_dag_vec_scale(g, inward, e));
+    YkRefVec sideways = yk_dag_vec_scale(g, across, yk_dag_vec_quarter(g, e));
+    return yk_dag_vec_subtract(g, sideways, yk_dag_vec_scale(g, inward, e));
 }
 
 static void rates_rrr(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRates *r, YkRates *s)
@@ -63,8 +63,10 @@ static void rates_rrp(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRate
     YkRefVec e = at->e[0], G;
     YkRates *target = s ? s : r;
     if (!s) {
-        G = yk_dag_vec_add(g, yk_program_sum_rate(p, &b->known, r), yk_dag_vec_multiply(g, W.rate, at->e[1]));
-        G = yk_dag_vec_add(g, G, yk_dag_vec_scale(g, yk_dag_multiply(g, d, spin), yk_dag_vec_quarter(g, e)));
+        G = yk_program_sum_rate(p, &b->known, r);
+        G = yk_dag_vec_add(g, G, yk_dag_vec_multiply(g, W.rate, at->e[1]));
+        YkRef speed = yk_dag_multiply(g, d, spin);
+        G = yk_dag_vec_add(g, G, yk_dag_vec_scale(g, speed, yk_dag_vec_quarter(g, e)));
     } else {
         YkRef w = r->turn[o];
         G = yk_program_sum_accel(p, &b->known, r, s);
@@ -86,7 +88,7 @@ static void rates_radial(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkR
     YkRef across = yk_dag_cross(g, G, at->e[0]), inward = yk_dag_minus(g, yk_dag_dot(g, G, at->e[0]));
     if (s) {
         YkRef w = r->turn[o], v = r->slide[slide];
-        YkRef coriolis = yk_dag_multiply(g, yk_dag_number(g, 2), yk_dag_multiply(g, w, v));
+        YkRef two = yk_dag_number(g, 2), coriolis = yk_dag_multiply(g, two, yk_dag_multiply(g, w, v));
         across = yk_dag_subtract(g, across, coriolis);
         inward = yk_dag_add(g, inward, yk_dag_multiply(g, p->distance[slide], yk_dag_multiply(g, w, w)));
     }
@@ -115,7 +117,8 @@ static void rates_rpr(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRate
         G = yk_program_sum_accel(p, &b->known, r, s);
         G = yk_dag_vec_add(g, G, yk_dag_vec_scale(g, yk_dag_multiply(g, two, yk_dag_multiply(g, w, v)), ie));
         G = yk_dag_vec_add(g, G, yk_dag_vec_scale(g, yk_dag_multiply(g, w, w), K));
-        G = yk_dag_vec_add(g, G, yk_dag_vec_scale(g, yk_dag_multiply(g, two, w), yk_dag_vec_quarter(g, known)));
+        YkRef twice = yk_dag_multiply(g, two, w);
+        G = yk_dag_vec_add(g, G, yk_dag_vec_scale(g, twice, yk_dag_vec_quarter(g, known)));
         G = yk_dag_vec_add(g, G, yk_dag_vec_multiply(g, C.accel, at->e[1]));
         G = yk_dag_vec_add(g, G, drift(g, e, d, v, spin, s->turn[inner]));
     }
@@ -131,7 +134,8 @@ static void rates_pp(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRates
     for (int k = 0; k < 2; k++) {
         int32_t slide = b->column[k].index, line = b->line_slot[k];
         YkRef d = p->distance[slide], spin = r->turn[line];
-        YkRefVec across = yk_dag_vec_scale(g, yk_dag_multiply(g, d, spin), yk_dag_vec_quarter(g, at->e[k]));
+        YkRef speed = yk_dag_multiply(g, d, spin);
+        YkRefVec across = yk_dag_vec_scale(g, speed, yk_dag_vec_quarter(g, at->e[k]));
         G = yk_dag_vec_add(g, G, s ? drift(g, at->e[k], d, r->slide[slide], spin, s->turn[line]) : across);
     }
     YkRef first = yk_dag_multiply(g, yk_dag_cross(g, G, at->e[1]), at->inverse);

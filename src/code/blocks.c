@@ -3,7 +3,7 @@
 
 YkRef yk_block_branch(YkProgram *p, size_t block)
 {
-    return yk_dag_leaf(&p->graph, YK_LEAF_POSE, yk_program_text(p, "c->%s", yk_program_block_name(p, block)));
+    return yk_dag_leaf(&p->graph, YK_LEAF_POSE, yk_program_text(p, "c->%s", p->names.block[block]));
 }
 
 // Keeps the least margin. It is no number once a block did not come out finite.
@@ -43,7 +43,8 @@ YkRefVec yk_block_line(YkProgram *p, const YkBlock *b, size_t column, size_t k)
 void yk_program_keep_gap(YkProgram *p, YkRef gap)
 {
     YkDag *g = &p->graph;
-    p->gap = yk_dag_add(g, yk_dag_binary(g, YK_VALUE_LARGEST, gap, p->gap), yk_dag_unary(g, YK_VALUE_WITNESS, gap));
+    YkRef largest = yk_dag_binary(g, YK_VALUE_LARGEST, gap, p->gap);
+    p->gap = yk_dag_add(g, largest, yk_dag_unary(g, YK_VALUE_WITNESS, gap));
 }
 
 static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)
@@ -80,7 +81,7 @@ void yk_program_place(YkProgram *p, size_t index)
                                        ""};
     const YkBlock *b = &p->mech->blocks[index];
     YkPlaced *placed = &p->placed[index];
-    placed->name = yk_program_block_name(p, index);
+    placed->name = p->names.block[index];
     if (b->kind == YK_BLOCK_GROUP) {
         yk_block_place_group(p, index, placed);
         return;

@@ -55,9 +55,11 @@ static void name_fields(YkFile *file)
     yk_names_add(&taken, "p", 0, &existing);
     for (size_t k = 0; k < pr->field_count; k++) {
         YkRef field = pr->fields[k];
-        const char *wish = p->graph.values[field].name, *name = wish ? wish : yk_program_text(p, "k%d", (int)k + 1);
-        for (int i = 2; yk_names_find(&taken, name) != YK_NONE; i++)
-            name = yk_program_text(p, "%s_%d", wish ? wish : "k", i);
+        const char *wish = p->graph.values[field].name;
+        wish = wish ? yk_program_name(p, wish) : yk_program_text(p, "k%d", (int)k + 1);
+        const char *name = wish;
+        for (int i = 2; yk_names_find(&taken, name) != YK_NONE && !p->failed; i++)
+            name = yk_program_name(p, yk_program_text(p, "%s_%d", wish, i));
         if (!yk_names_add(&taken, name, 0, &existing)) p->failed = true;
         pr->field[field] = name;
     }
@@ -171,6 +173,8 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
     const YkMechanism *mech = variant->mech;
     if (!yk_program_start(&file->program, mech, &variant->recipe, arena, problems)) return false;
     file->prefix = options->prefix ? options->prefix : prefix_of(&file->program, mech->model->source_name);
+    file->program.prefix = file->prefix;
+    if (!yk_program_choose_names(&file->program)) return false;
     file->single = file->program.is_single = options->single;
     file->is_of_file = variant->is_of_file;
     file->has_forces = !options->kinematics && yk_model_has_forces(mech->model);

@@ -181,9 +181,9 @@ static void add_parameter(YkProgram *p, size_t index, int depth)
     }
     if (hangs_on_others) {
         p->parameter[index] = yk_program_expr(p, parameter->expr);
-        yk_dag_name(g, p->parameter[index], "%s", yk_program_name(p, parameter->name));
+        yk_dag_name(g, p->parameter[index], "%s", p->names.parameter[index]);
     } else {
-        p->parameter[index] = yk_dag_leaf(g, YK_LEAF_PARAMETER, yk_program_name(p, parameter->name));
+        p->parameter[index] = yk_dag_leaf(g, YK_LEAF_PARAMETER, p->names.parameter[index]);
     }
 }
 
@@ -234,10 +234,14 @@ static YkRefVec by_recipe(YkProgram *p, int32_t index)
     }
     case YK_RECIPE_ALONG:
         return in_orientation(p, p->model->joints[node->a].body[0], along_of(p, &p->model->joints[node->a]));
-    case YK_RECIPE_NEGATE:
-        return yk_dag_vec_scale(g, yk_dag_number(g, -1), by_recipe(p, node->a));
-    case YK_RECIPE_ADD:
-        return yk_dag_vec_add(g, by_recipe(p, node->a), by_recipe(p, node->b));
+    case YK_RECIPE_NEGATE: {
+        YkRef minus_one = yk_dag_number(g, -1);
+        return yk_dag_vec_scale(g, minus_one, by_recipe(p, node->a));
+    }
+    case YK_RECIPE_ADD: {
+        YkRefVec a = by_recipe(p, node->a);
+        return yk_dag_vec_add(g, a, by_recipe(p, node->b));
+    }
     case YK_RECIPE_FIXED:
         break;
     }

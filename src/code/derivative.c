@@ -98,7 +98,8 @@ static YkRef of_function(Work *w, YkValue v)
         return yk_dag_divide(g, da, yk_dag_add(g, one, square));
     case YK_ATAN2: { // of y = a, x = b
         YkRef db = derive(w, v.b), length = yk_dag_add(g, square, yk_dag_multiply(g, v.b, v.b));
-        YkRef top = yk_dag_subtract(g, yk_dag_multiply(g, v.b, da), yk_dag_multiply(g, a, db));
+        YkRef b_da = yk_dag_multiply(g, v.b, da), a_db = yk_dag_multiply(g, a, db),
+              top = yk_dag_subtract(g, b_da, a_db);
         return yk_dag_divide(g, top, length);
     }
     case YK_SINH:
@@ -116,9 +117,10 @@ static YkRef of_function(Work *w, YkValue v)
     case YK_ABS:
         return yk_dag_choose(g, a, yk_dag_minus(g, da), da);
     case YK_MIN:
-        return yk_dag_choose(g, yk_dag_subtract(g, a, v.b), da, derive(w, v.b));
-    case YK_MAX:
-        return yk_dag_choose(g, yk_dag_subtract(g, a, v.b), derive(w, v.b), da);
+    case YK_MAX: {
+        YkRef apart = yk_dag_subtract(g, a, v.b), db = derive(w, v.b);
+        return v.function == YK_MIN ? yk_dag_choose(g, apart, da, db) : yk_dag_choose(g, apart, db, da);
+    }
     default: // sign
         return yk_dag_number(g, 0);
     }
@@ -142,12 +144,18 @@ static YkRef find(Work *w, YkRef value)
     switch (v.op) {
     case YK_VALUE_LEAF:
         return yk_dag_number(g, value == w->leaf ? 1 : 0);
-    case YK_VALUE_ADD:
-        return yk_dag_add(g, derive(w, v.a), derive(w, v.b));
-    case YK_VALUE_SUBTRACT:
-        return yk_dag_subtract(g, derive(w, v.a), derive(w, v.b));
-    case YK_VALUE_MULTIPLY:
-        return yk_dag_add(g, yk_dag_multiply(g, derive(w, v.a), v.b), yk_dag_multiply(g, v.a, derive(w, v.b)));
+    case YK_VALUE_ADD: {
+        YkRef da = derive(w, v.a);
+        return yk_dag_add(g, da, derive(w, v.b));
+    }
+    case YK_VALUE_SUBTRACT: {
+        YkRef da = derive(w, v.a);
+        return yk_dag_subtract(g, da, derive(w, v.b));
+    }
+    case YK_VALUE_MULTIPLY: {
+        YkRef da_b = yk_dag_multiply(g, derive(w, v.a), v.b), a_db = yk_dag_multiply(g, v.a, derive(w, v.b));
+        return yk_dag_add(g, da_b, a_db);
+    }
     case YK_VALUE_DIVIDE: {
         YkRef slope = yk_dag_multiply(g, value, derive(w, v.b));
         return yk_dag_divide(g, yk_dag_subtract(g, derive(w, v.a), slope), v.b);
@@ -158,18 +166,27 @@ static YkRef find(Work *w, YkRef value)
         return of_function(w, v);
     case YK_VALUE_POWER:
         return of_power(w, v);
-    case YK_VALUE_SINE:
-        return yk_dag_multiply(g, derive(w, v.a), yk_dag_unit(g, v.a).x);
-    case YK_VALUE_COSINE:
-        return yk_dag_minus(g, yk_dag_multiply(g, derive(w, v.a), yk_dag_unit(g, v.a).y));
-    case YK_VALUE_CHOOSE:
-        return yk_dag_choose(g, v.a, derive(w, v.b), derive(w, v.c));
-    case YK_VALUE_SIZE:
-        return yk_dag_choose(g, v.a, yk_dag_minus(g, derive(w, v.a)), derive(w, v.a));
+    case YK_VALUE_SINE: {
+        YkRef da = derive(w, v.a);
+        return yk_dag_multiply(g, da, yk_dag_unit(g, v.a).x);
+    }
+    case YK_VALUE_COSINE: {
+        YkRef da = derive(w, v.a);
+        return yk_dag_minus(g, yk_dag_multiply(g, da, yk_dag_unit(g, v.a).y));
+    }
+    case YK_VALUE_CHOOSE: {
+        YkRef db = derive(w, v.b);
+        return yk_dag_choose(g, v.a, db, derive(w, v.c));
+    }
+    case YK_VALUE_SIZE: {
+        YkRef da = derive(w, v.a);
+        return yk_dag_choose(g, v.a, yk_dag_minus(g, da), da);
+    }
     case YK_VALUE_RESULT: { // of a law: the next derivative
         const YkCall *call = &g->calls[v.a];
         if (call->kind != YK_CALL_LAW || v.b > 1) return yk_dag_number(g, 0);
-        return yk_dag_multiply(g, yk_dag_result(g, v.a, (size_t)v.b + 1), derive(w, call->arguments[0]));
+        YkRef argument = call->arguments[0], slope = yk_dag_result(g, v.a, (size_t)v.b + 1);
+        return yk_dag_multiply(g, slope, derive(w, argument));
     }
     default: // numbers; what no derivative is asked of
         return yk_dag_number(g, 0);

@@ -5,7 +5,8 @@
 static YkRefVec vec_inverse(YkDag *g, YkRefVec a)
 {
     if (yk_dag_is_number(g, a.y, 0)) return (YkRefVec){yk_dag_inverse(g, a.x), a.y};
-    return yk_dag_vec_scale(g, yk_dag_inverse(g, yk_dag_dot(g, a, a)), yk_dag_vec_conjugate(g, a));
+    YkRef per_square = yk_dag_inverse(g, yk_dag_dot(g, a, a));
+    return yk_dag_vec_scale(g, per_square, yk_dag_vec_conjugate(g, a));
 }
 
 static YkRef not_negative(YkDag *g, YkRef a)
@@ -58,6 +59,13 @@ static void make_careful(YkProgram *p, YkPlaced *placed, YkRefVec U, YkRefVec W)
     placed->inverse = yk_dag_inverse(g, yk_dag_cross(g, placed->p, placed->q));
 }
 
+// 1 / sqrt(square), with the sign of the block's branch.
+static YkRef signed_per_root(YkProgram *p, size_t block, YkRef square)
+{
+    YkRef branch = yk_block_branch(p, block);
+    return yk_dag_multiply(&p->graph, branch, yk_dag_unary(&p->graph, YK_VALUE_PER_ROOT, square));
+}
+
 // RRR: two circles meet.
 void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
 {
@@ -73,9 +81,10 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
     yk_dag_name(g, outer, "%s_outer", placed->name);
     yk_dag_name(g, inner, "%s_inner", placed->name);
     yk_dag_name(g, product, "%s_product", placed->name);
-    YkRef square = yk_dag_multiply(g, yk_dag_subtract(g, outer, L2), yk_dag_subtract(g, L2, inner));
+    YkRef to_outer = yk_dag_subtract(g, outer, L2), to_inner = yk_dag_subtract(g, L2, inner);
+    YkRef square = yk_dag_multiply(g, to_outer, to_inner);
     yk_dag_name(g, square, "%s_square", placed->name);
-    YkRef per_root = yk_dag_multiply(g, yk_block_branch(p, index), yk_dag_unary(g, YK_VALUE_PER_ROOT, square));
+    YkRef per_root = signed_per_root(p, index, square);
     YkRef per_L2 = yk_dag_inverse(g, L2), half = yk_dag_multiply(g, yk_dag_number(g, 0.5), per_L2);
     YkRef root = yk_dag_multiply(g, not_negative(g, square), per_root);
     YkRef slope = yk_dag_multiply(g, root, half);
@@ -93,8 +102,8 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
     if (careful) make_careful(p, placed, U, W);
     yk_block_set_unit(p, b->column[0].index, placed->e[0]);
     yk_block_set_unit(p, b->column[1].index, placed->e[1]);
-    YkRef margin = yk_dag_multiply(
-        g, square, yk_dag_inverse(g, yk_dag_multiply(g, yk_dag_number(g, 4), yk_dag_multiply(g, U2, W2))));
+    YkRef four = yk_dag_number(g, 4), most = yk_dag_multiply(g, four, yk_dag_multiply(g, U2, W2));
+    YkRef margin = yk_dag_multiply(g, square, yk_dag_inverse(g, most));
     YkRef shortness = yk_dag_multiply(g, yk_dag_multiply(g, u, w), per_L2);
     YkRef longer = yk_dag_binary(g, YK_VALUE_LARGEST, shortness, yk_dag_number(g, 1));
     YkRef closing = margin;
@@ -114,10 +123,9 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
     YkRef W2 = yk_dag_dot(g, W, W), radius = yk_dag_function(g, YK_SQRT, W2, -1);
     YkRef h = yk_dag_minus(g, yk_dag_cross(g, e, K)), along = yk_dag_dot(g, e, K);
     yk_dag_name(g, h, "%s_h", placed->name);
-    YkRef g2 = yk_dag_multiply(g, yk_dag_subtract(g, radius, h), yk_dag_add(g, radius, h));
+    YkRef less = yk_dag_subtract(g, radius, h), more = yk_dag_add(g, radius, h), g2 = yk_dag_multiply(g, less, more);
     yk_dag_name(g, g2, "%s_g2", placed->name);
-    YkRef per_root =
-        yk_dag_minus(g, yk_dag_multiply(g, yk_block_branch(p, index), yk_dag_unary(g, YK_VALUE_PER_ROOT, g2)));
+    YkRef per_root = yk_dag_minus(g, signed_per_root(p, index, g2));
     YkRef minus_g = yk_dag_multiply(g, not_negative(g, g2), per_root);
     YkRef d = yk_dag_subtract(g, minus_g, along);
     placed->q = yk_dag_vec_multiply(g, (YkRefVec){yk_dag_minus(g, minus_g), h}, e);
@@ -152,7 +160,7 @@ void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
     YkRef r2 = yk_dag_subtract(g, K2, yk_dag_multiply(g, h, h));
     yk_dag_name(g, K2, "%s_K2", placed->name);
     placed->passes_pin = yk_dag_is_number(g, h, 0) && yk_dag_is_number(g, along, 0);
-    YkRef per_root = yk_dag_multiply(g, yk_block_branch(p, index), yk_dag_unary(g, YK_VALUE_PER_ROOT, r2));
+    YkRef per_root = signed_per_root(p, index, r2);
     YkRef r = yk_dag_name(g, yk_dag_multiply(g, not_negative(g, r2), per_root), "%s_r", placed->name);
     placed->inverse = yk_dag_name(g, per_root, "%s_per_r", placed->name);
     YkRef per_K2 = placed->passes_pin ? -1 : yk_dag_inverse(g, K2);

@@ -36,7 +36,7 @@ static void add_body(YkForces *f, int32_t body, YkEquations *out)
     for (size_t i = 0; i < n; i++) {
         YkRefVec v = yk_program_at_rate(p, body, at, &f->column[i]);
         YkRef w = f->column[i].turn[o];
-        YkRef part = yk_dag_add(g, yk_dag_dot(g, force, v), yk_dag_multiply(g, moment, w));
+        YkRef pushed = yk_dag_dot(g, force, v), part = yk_dag_add(g, pushed, yk_dag_multiply(g, moment, w));
         out->rest[i] = yk_dag_add(g, out->rest[i], part);
         for (size_t j = 0; j <= i; j++) {
             YkRefVec u = yk_program_at_rate(p, body, at, &f->column[j]);

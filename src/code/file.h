@@ -32,6 +32,7 @@ typedef struct YkLeafNote { // of the inputs or the configuration
     const char *name, *comment;
     double value;
     size_t count; // of an array
+    bool is_effort;
 } YkLeafNote;
 
 typedef struct YkFile {

@@ -19,9 +19,9 @@ void yk_file_write_head(YkFile *file)
 {
     const YkModel *m = file->program.model;
     YkText *out = &file->text;
-    char *name = yk_program_text(&file->program, "%s", m->name); // must not end the comment
+    char *name = yk_program_text(&file->program, "%s", m->name); // must neither end the comment nor begin another
     for (char *c = name; *c; c++)
-        if (*c == '*' && c[1] == '/') *c = ' ';
+        if ((*c == '*' && c[1] == '/') || (*c == '/' && c[1] == '*')) *c = ' ';
     yk_text_format(out, "/* %s\n\n", name);
     yk_file_template(
         file,
@@ -42,7 +42,7 @@ void yk_file_write_head(YkFile *file)
         "\n   Every function of a pose has a `_batch` over arrays; some have `_designs`, over arrays of parameters "
         "too. Loops\n"
         "   over arrays vectorise with `-O3 -march=native -fno-math-errno -fno-trapping-math`; never use -ffast-math.\n"
-        "   In other source files: #define @_DECLARATIONS_ONLY before including this one.\n"
+        "   In other source files, of C or C++: #define @_DECLARATIONS_ONLY before including this one.\n"
         "   With -D@_TEST the file is a program that tests itself against poses that yoke computed.\n");
     if (m->engaged) yk_text_format(out, "\n   Its lock %s is engaged.\n", m->engaged);
     if (file->has_forces && m->stop_count > 0)

@@ -15,7 +15,7 @@ static void write_defaults(YkFile *file)
     yk_file_template(file, "@_parameters @_defaults(void)\n{\n    const @_parameters p = {\n");
     for (size_t k = 0; k < m->parameter_count; k++) {
         if (!yk_file_is_own(file, k)) continue;
-        yk_text_format(out, "        .%s = ", yk_program_name(&file->program, m->parameters[k].name));
+        yk_text_format(out, "        .%s = ", file->program.names.parameter[k]);
         yk_printer_number(&file->printer, m->parameters[k].value);
         yk_text_puts(out, ",\n");
     }

@@ -203,7 +203,7 @@ static void write_arrays(YkFile *file, const YkRoutine *r, const Uses *uses, boo
                            file->inputs[k].name);
     for (size_t k = 0; designs && k < p->model->parameter_count; k++)
         if (yk_file_is_own(file, k)) {
-            const char *name = yk_program_name(p, p->model->parameters[k].name);
+            const char *name = p->names.parameter[k];
             yk_text_format(out, "    const %s *restrict p_%s = p->%s;\n", real, name, name);
         }
     for (size_t k = 0; k < r->count; k++)
@@ -219,7 +219,7 @@ static void write_own_machine(YkFile *file)
     yk_file_template(file, "            @_parameters own;\n");
     for (size_t k = 0; k < p->model->parameter_count; k++) {
         if (!yk_file_is_own(file, k)) continue;
-        const char *name = yk_program_name(p, p->model->parameters[k].name);
+        const char *name = p->names.parameter[k];
         yk_text_format(out, "            own.%s = p_%s[i];\n", name, name);
     }
     yk_file_template(file, "            const @_machine machine = @_prepared(&own);\n");

@@ -55,7 +55,7 @@ static void write_parameters(YkFile *file)
                            "typedef struct @_parameters {\n");
     for (size_t k = 0; k < m->parameter_count; k++)
         if (yk_file_is_own(file, k))
-            member(file, yk_program_name(&file->program, m->parameters[k].name), parameter_unit(&m->parameters[k]));
+            member(file, file->program.names.parameter[k], parameter_unit(&m->parameters[k]));
     if (yk_file_own_parameters(file) == 0) member(file, "none", "a struct cannot be empty");
     yk_file_template(file, "} @_parameters;\n\n");
 }
@@ -100,7 +100,7 @@ static void write_parameter_arrays(YkFile *file)
     for (size_t k = 0; k < m->parameter_count; k++)
         if (yk_file_is_own(file, k))
             yk_text_format(&file->text, "    const %s *%s;\n", yk_file_real(file),
-                           yk_program_name(&file->program, m->parameters[k].name));
+                           file->program.names.parameter[k]);
     yk_file_template(file, "} @_parameters_arrays;\n\n");
 }
 
@@ -143,7 +143,8 @@ static void write_prototypes(YkFile *file)
 
 void yk_file_write_types(YkFile *file)
 {
-    yk_file_template(file, "#ifndef @_DECLARED\n#define @_DECLARED\n#include <stddef.h>\n\n");
+    yk_file_template(file, "#ifndef @_DECLARED\n#define @_DECLARED\n#include <stddef.h>\n\n"
+                           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     yk_file_template(file,
                      "/* What a call says of its outcome. Below 0 the results mean nothing and may be no numbers. */\n"
                      "enum {\n"
@@ -171,5 +172,5 @@ void yk_file_write_types(YkFile *file)
         pointers(file, r->name, "", r->results, r->count, NULL);
     }
     write_prototypes(file);
-    yk_file_template(file, "#endif\n\n");
+    yk_file_template(file, "\n#ifdef __cplusplus\n}\n#endif\n#endif\n\n");
 }

@@ -124,5 +124,6 @@ void yk_block_place_group(YkProgram *p, size_t index, YkPlaced *placed)
     YkRef miss = yk_dag_result(g, placed->call, n), det = yk_dag_result(g, placed->call, n + 1);
     YkRef on_branch = yk_dag_multiply(g, det, yk_block_branch(p, index));
     p->missed = yk_dag_binary(g, YK_VALUE_LARGEST, p->missed, miss);
-    yk_block_keep_margin(p, yk_dag_choose(g, on_branch, yk_dag_number(g, -1), yk_dag_multiply(g, det, det)), miss);
+    YkRef minus_one = yk_dag_number(g, -1), square = yk_dag_multiply(g, det, det);
+    yk_block_keep_margin(p, yk_dag_choose(g, on_branch, minus_one, square), miss);
 }

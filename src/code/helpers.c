@@ -275,6 +275,6 @@ void yk_file_write_laws(YkFile *file)
             const YkCall *call = &file->program.graph.calls[i];
             if (call->kind == YK_CALL_LAW && call->index == (int32_t)k) is_used = true;
         }
-        if (is_used) write_law(file, yk_program_name(&file->program, m->laws[k].name), m->laws[k].law);
+        if (is_used) write_law(file, file->program.names.law[k], m->laws[k].law);
     }
 }

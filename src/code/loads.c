@@ -8,7 +8,7 @@ YkRefVec yk_forces_center(YkProgram *p, int32_t body)
     const YkBody *b = &p->model->bodies[body];
     if (!b->has_mass) return yk_dag_vec_number(g, 0, 0);
     if (b->rod[0] != YK_NONE && b->rod[1] != YK_NONE) {
-        YkRefVec sum = yk_dag_vec_add(g, yk_program_point(p, b->rod[0]), yk_program_point(p, b->rod[1]));
+        YkRefVec first = yk_program_point(p, b->rod[0]), sum = yk_dag_vec_add(g, first, yk_program_point(p, b->rod[1]));
         return yk_dag_vec_scale(g, yk_dag_number(g, 0.5), sum);
     }
     YkRef x = b->center_x ? yk_program_expr(p, b->center_x) : yk_dag_number(g, b->center.x);
@@ -28,8 +28,8 @@ YkRef yk_forces_inertia(YkProgram *p, int32_t body)
     const YkBody *b = &p->model->bodies[body];
     if (b->inertia_expr) return yk_program_expr(p, b->inertia_expr);
     if (b->rod[0] == YK_NONE || b->rod[1] == YK_NONE) return yk_dag_number(g, b->inertia);
-    YkRefVec rod = yk_dag_vec_subtract(g, yk_program_point(p, b->rod[1]), yk_program_point(p, b->rod[0]));
-    YkRef twelfth = yk_dag_divide(g, yk_forces_mass(p, body), yk_dag_number(g, 12));
+    YkRefVec end = yk_program_point(p, b->rod[1]), rod = yk_dag_vec_subtract(g, end, yk_program_point(p, b->rod[0]));
+    YkRef mass = yk_forces_mass(p, body), twelfth = yk_dag_divide(g, mass, yk_dag_number(g, 12));
     return yk_dag_multiply(g, twelfth, yk_dag_dot(g, rod, rod));
 }
 
@@ -88,7 +88,8 @@ static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effor
     YkRefVec arm = arm_to(p, j->body[0], yk_program_point(p, j->point[0]));
     YkRefVec out = yk_dag_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
     push(f, j->body[1], arm_to(p, j->body[1], yk_program_point(p, j->point[1])), force);
-    push(f, j->body[0], yk_dag_vec_add(g, arm, out), yk_dag_vec_scale(g, yk_dag_number(g, -1), force));
+    YkRefVec at = yk_dag_vec_add(g, arm, out);
+    push(f, j->body[0], at, yk_dag_vec_scale(g, yk_dag_number(g, -1), force));
 }
 
 static void add_efforts(YkForces *f)
@@ -110,7 +111,8 @@ static void add_forces(YkForces *f)
     YkDag *g = &p->graph;
     for (size_t k = 0; k < p->model->force_count; k++) {
         const YkForce *force = &p->model->forces[k];
-        YkRefVec v = {yk_program_expr_at(p, force->x, f->motion), yk_program_expr_at(p, force->y, f->motion)};
+        YkRefVec v = {.x = yk_program_expr_at(p, force->x, f->motion)};
+        v.y = yk_program_expr_at(p, force->y, f->motion);
         if (force->in_body_axes) v = in_world(p, force->body, v);
         push(f, force->body, arm_to(p, force->body, yk_program_point(p, force->point)), v);
         YkRef *moment = &f->load[force->body].moment;
@@ -146,8 +148,8 @@ static void add_spring(YkForces *f, const YkSpring *s)
         const YkCoordinate *c = &p->model->coordinates[s->coordinate];
         int32_t coordinate = yk_tree_coordinate(p->mech, c->joint, c->is_distance);
         YkRef stretch = yk_dag_subtract(g, f->motion[coordinate].position, free);
-        YkRef pull = yk_dag_add(g, yk_dag_multiply(g, stiffness, stretch),
-                                yk_dag_multiply(g, damping, f->motion[coordinate].velocity));
+        YkRef spring = yk_dag_multiply(g, stiffness, stretch);
+        YkRef pull = yk_dag_add(g, spring, yk_dag_multiply(g, damping, f->motion[coordinate].velocity));
         store(f, stiffness, stretch);
         push_along(f, c->joint, c->is_distance, yk_dag_minus(g, pull));
         return;
@@ -161,11 +163,12 @@ static void add_spring(YkForces *f, const YkSpring *s)
     }
     YkRefVec line = yk_dag_vec_subtract(g, at[1], at[0]);
     YkRef length = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1);
-    yk_dag_name(g, length, "%s_length", yk_program_name(p, s->name));
+    yk_dag_name(g, length, "%s_length", s->name);
     YkRef per = yk_dag_inverse(g, yk_dag_unary(g, YK_VALUE_NONZERO, length));
     YkRef stretch = yk_dag_subtract(g, length, free);
     YkRef speed = yk_dag_multiply(g, yk_dag_dot(g, yk_dag_vec_subtract(g, rate[1], rate[0]), line), per);
-    YkRef pull = yk_dag_add(g, yk_dag_multiply(g, stiffness, stretch), yk_dag_multiply(g, damping, speed));
+    YkRef spring = yk_dag_multiply(g, stiffness, stretch);
+    YkRef pull = yk_dag_add(g, spring, yk_dag_multiply(g, damping, speed));
     YkRef joined = yk_dag_subtract(g, length, yk_dag_number(g, no_length(p)));
     YkRefVec force = yk_dag_vec_scale(g, yk_dag_choose(g, joined, stiffness, yk_dag_multiply(g, pull, per)), line);
     store(f, stiffness, stretch);

@@ -56,7 +56,8 @@ static void put_sum(Work *w, const YkSum *sum, double sign)
         if (nodes[k] != YK_NONE) put_sum(w, &p->mech->node_sums[nodes[k]], k == 0 ? sign : -sign);
     for (uint32_t k = sum->first; k < sum->first + sum->count; k++) {
         const YkTerm *term = &p->mech->terms[k];
-        YkRefVec u = yk_dag_vec_scale(&p->graph, yk_dag_number(&p->graph, sign), yk_program_term(p, k));
+        YkRef factor = yk_dag_number(&p->graph, sign);
+        YkRefVec u = yk_dag_vec_scale(&p->graph, factor, yk_program_term(p, k));
         put(w, term->slot, term->distance, u);
     }
 }
@@ -158,7 +159,8 @@ static void accelerations_of(const Work *w, const YkRates *r, const YkRates *s, 
         YkRef turn = r->turn[arm->slot], inward = yk_dag_minus(g, yk_dag_multiply(g, turn, turn));
         z[a] = (YkRefVec){inward, s->turn[arm->slot]};
         if (arm->distance == YK_NONE) continue;
-        YkRef across = yk_dag_multiply(g, yk_dag_number(g, 2), yk_dag_multiply(g, r->slide[arm->distance], turn));
+        YkRef two = yk_dag_number(g, 2), speed = yk_dag_multiply(g, r->slide[arm->distance], turn),
+              across = yk_dag_multiply(g, two, speed);
         z[a] = yk_dag_vec_scale(g, p->distance[arm->distance], z[a]);
         z[a] = yk_dag_vec_add(g, z[a], (YkRefVec){s->slide[arm->distance], across});
     }
@@ -209,7 +211,8 @@ static void make_rest(const Work *w, const YkRefVec *z, const YkRefVec *bias, Yk
     YkDag *g = &w->f->program->graph;
     size_t n = w->f->program->mech->input_count;
     for (size_t a = 0; a < w->count; a++) {
-        YkRefVec push = yk_dag_vec_subtract(g, push_on(w, a, bias), weight_on(w, &w->arms[a]));
+        YkRefVec push = push_on(w, a, bias);
+        push = yk_dag_vec_subtract(g, push, weight_on(w, &w->arms[a]));
         for (size_t i = 0; i < n; i++)
             out->rest[i] = yk_dag_add(g, out->rest[i], yk_dag_dot(g, z[i * w->count + a], push));
     }

@@ -4,7 +4,7 @@
 
 static void add(YkLeafNote *notes, size_t *count, const char *name, const char *comment, double value, size_t of)
 {
-    notes[(*count)++] = (YkLeafNote){name, comment, value, of};
+    notes[(*count)++] = (YkLeafNote){.name = name, .comment = comment, .value = value, .count = of};
 }
 
 static void add_inputs(YkFile *file)
@@ -14,7 +14,7 @@ static void add_inputs(YkFile *file)
     add(file->inputs, &file->input_count, "t", "s: time, for drives and loads", yk_state_time(file->state), 0);
     for (size_t i = 0; i < p->mech->input_count; i++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
-        const char *name = yk_program_name(p, c->name);
+        const char *name = p->names.coordinate[p->mech->inputs[i]];
         YkMotion m = yk_state_input(file->state, i);
         const char *const *unit = units[c->is_distance];
         add(file->inputs, &file->input_count, name, unit[0], m.position, 0);
@@ -23,6 +23,7 @@ static void add_inputs(YkFile *file)
         if (!file->has_forces || c->drive != YK_NONE) continue;
         add(file->inputs, &file->input_count, yk_program_text(p, "%s_effort", name),
             c->is_distance ? "N, besides the loads: of a motor, say" : "N m, besides the loads: of a motor, say", 0, 0);
+        file->inputs[file->input_count - 1].is_effort = true;
     }
 }
 
@@ -31,7 +32,7 @@ static void add_branches(YkFile *file)
     YkProgram *p = &file->program;
     for (size_t b = 0; b < p->mech->block_count; b++) {
         const YkBlock *block = &p->mech->blocks[b];
-        const char *name = yk_program_block_name(p, b);
+        const char *name = p->names.block[b];
         if (block->kind > YK_BLOCK_RPR && block->kind != YK_BLOCK_GROUP) continue;
         add(file->configuration, &file->configuration_count, name,
             yk_program_text(p, "branch of %s: +1 or -1", block->label), yk_state_branch(file->state, b), 0);
@@ -47,14 +48,14 @@ static void add_references(YkFile *file)
     for (size_t k = 0; k < p->mech->coordinate_count; k++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         if (c->is_distance || c->input != YK_NONE) continue;
-        add(file->configuration, &file->configuration_count, yk_program_text(p, "near_%s", yk_program_name(p, c->name)),
+        add(file->configuration, &file->configuration_count, p->names.near_coordinate[k],
             "rad: of the angles that differ by turns, the nearest to this",
             yk_state_coordinate(file->state, k).position, 0);
     }
     for (size_t k = 0; k < p->mech->source_count; k++) {
         const YkSource *s = &p->mech->sources[k];
         if (s->kind != YK_SOURCE_SLOT) continue;
-        const char *name = yk_program_text(p, "near_%s", yk_program_slot_name(p, s->index));
+        const char *name = p->names.near_slot[s->index];
         bool is_there = false;
         for (size_t i = 0; i < file->configuration_count; i++)
             if (strcmp(file->configuration[i].name, name) == 0) is_there = true;

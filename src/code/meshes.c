@@ -31,8 +31,9 @@ static void enter_couples(YkBalance *w, size_t column, const int32_t *bodies, do
 {
     YkProgram *p = w->f->program;
     double unit = yk_program_size(p) / fmax(fabs(a), fmax(fabs(b), fabs(a + b)));
-    const YkRef couples[] = {yk_dag_number(&p->graph, a * unit), yk_dag_number(&p->graph, b * unit),
-                             yk_dag_number(&p->graph, -(a + b) * unit)};
+    const double sizes[] = {a * unit, b * unit, -(a + b) * unit};
+    YkRef couples[3];
+    for (size_t k = 0; k < 3; k++) couples[k] = yk_dag_number(&p->graph, sizes[k]);
     yk_meshes_couples(w, column, bodies, couples);
 }
 
@@ -81,7 +82,8 @@ static void enter_rack(YkBalance *w, size_t column, const YkRack *rack)
     double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way, and so is the sense
     YkRefVec u = yk_forces_line(p, slide);
     YkRef away = yk_dag_number(g, -sign * rack->sense * rack->radius);
-    YkRefVec pitch = yk_dag_vec_add(g, center_of(p, rack->pinion), yk_dag_vec_scale(g, away, yk_dag_vec_quarter(g, u)));
+    YkRefVec center = center_of(p, rack->pinion);
+    YkRefVec pitch = yk_dag_vec_add(g, center, yk_dag_vec_scale(g, away, yk_dag_vec_quarter(g, u)));
     const int32_t bodies[] = {rack->pinion, rack->rack};
     yk_meshes_force(w, column, bodies, pitch, yk_dag_vec_scale(g, yk_dag_number(g, sign), u));
 }

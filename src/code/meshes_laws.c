@@ -43,7 +43,8 @@ static void cam_couples(YkBalance *w, size_t column, const YkCam *cam, const Cam
 static void flat_face(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkDag *g = &w->f->program->graph;
-    YkRefVec off = yk_dag_vec_scale(g, times(g, -pose->turn, pose->slope), yk_dag_vec_quarter(g, pose->u));
+    YkRef aside = times(g, -pose->turn, pose->slope);
+    YkRefVec off = yk_dag_vec_scale(g, aside, yk_dag_vec_quarter(g, pose->u));
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_dag_vec_add(g, pose->center, off), pose->u);
 }
 
@@ -55,7 +56,8 @@ static YkRefVec roller_of(YkBalance *w, const YkCam *cam, const CamPose *pose)
     double reach = cam->base + cam->roller, start = sqrt(reach * reach - cam->offset * cam->offset);
     YkRef lift = p->distance[p->mech->joint_distance[cam->follower_joint]];
     YkRefVec along = yk_dag_vec_scale(g, yk_dag_add(g, yk_dag_number(g, start), lift), pose->u);
-    YkRefVec aside = yk_dag_vec_scale(g, yk_dag_number(g, -cam->offset), yk_dag_vec_quarter(g, pose->u));
+    YkRef offset = yk_dag_number(g, -cam->offset);
+    YkRefVec aside = yk_dag_vec_scale(g, offset, yk_dag_vec_quarter(g, pose->u));
     return yk_dag_vec_add(g, pose->center, yk_dag_vec_add(g, along, aside));
 }
 
@@ -67,7 +69,8 @@ static void roller_force(YkBalance *w, size_t column, const YkCam *cam, const Ca
     YkRefVec velocity = yk_dag_vec_scale(g, pose->slope, pose->u);
     if (cam->oscillates) {
         YkRefVec arm = yk_dag_vec_subtract(g, at, joint_on(p, cam->follower_joint, cam->follower));
-        velocity = yk_dag_vec_scale(g, times(g, pose->way, pose->slope), yk_dag_vec_quarter(g, arm));
+        YkRef spin = times(g, pose->way, pose->slope);
+        velocity = yk_dag_vec_scale(g, spin, yk_dag_vec_quarter(g, arm));
     }
     YkRefVec out = yk_dag_vec_quarter(g, yk_dag_vec_subtract(g, at, pose->center));
     YkRefVec against = yk_dag_vec_subtract(g, velocity, yk_dag_vec_scale(g, yk_dag_number(g, pose->turn), out));
@@ -82,7 +85,8 @@ void yk_meshes_cam(YkBalance *w, size_t column, const YkRelation *r, const YkCam
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
     const YkModel *m = p->model;
-    CamPose pose = {.slope = slope_of(w, r), .center = joint_on(p, cam->cam_joint, cam->cam)};
+    CamPose pose = {.slope = slope_of(w, r)};
+    pose.center = joint_on(p, cam->cam_joint, cam->cam);
     double reach = cam->base + cam->roller;
     pose.way = m->joints[cam->follower_joint].body[1] == cam->follower ? 1 : -1;
     pose.turn = m->joints[cam->cam_joint].body[1] == cam->cam ? 1 : -1;

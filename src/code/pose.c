@@ -58,7 +58,7 @@ static YkRef source_value(YkProgram *p, const YkSource *source, const YkRef *unk
     if (source->kind == YK_SOURCE_COLUMN) return unknown ? unknown[source->index] : yk_dag_number(g, 0);
     if (source->kind == YK_SOURCE_DISTANCE) return p->distance[source->index];
     YkRefVec e = p->unit[source->index];
-    YkRef near = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "c->near_%s", yk_program_slot_name(p, source->index)));
+    YkRef near = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "c->%s", p->names.near_slot[source->index]));
     return yk_dag_binary(g, YK_VALUE_NEAREST, yk_dag_binary(g, YK_VALUE_ANGLE, e.y, e.x), near);
 }
 
@@ -90,7 +90,7 @@ int32_t yk_program_call_law(YkProgram *p, int32_t law, YkRef argument)
                                            .arguments = arguments,
                                            .argument_count = 1,
                                            .result_count = 3,
-                                           .name = yk_program_name(p, p->model->laws[law].name)});
+                                           .name = p->names.law[law]});
 }
 
 YkRef yk_program_relation(YkProgram *p, size_t index, const YkRef *unknown)
@@ -177,7 +177,7 @@ static void start_inputs(YkProgram *p)
 {
     YkDag *g = &p->graph;
     for (size_t i = 0; i < p->mech->input_count; i++) {
-        const char *name = yk_program_name(p, p->mech->coordinates[p->mech->inputs[i]].name);
+        const char *name = p->names.coordinate[p->mech->inputs[i]];
         p->input[i].position = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "in->%s", name));
         p->input[i].velocity = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "in->%s_rate", name));
         p->input[i].acceleration = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "in->%s_accel", name));

@@ -39,7 +39,8 @@ typedef struct YkPrinter {
     bool in_machine;  // prints the machine's own values
     const YkRef *cut; // values that stand for array elements: `known[k]`, sorted; or NULL
     size_t cut_count;
-    YkNames taken; // names of variables
+    const char *unknowns; // of the group in work: the array that its function takes; or NULL
+    YkNames taken;        // names of variables
     int32_t section;
     bool failed;
 } YkPrinter;

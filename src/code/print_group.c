@@ -101,6 +101,7 @@ void yk_printer_group(YkPrinter *pr, size_t block)
     yk_text_format(pr->out, "    %s miss = 0;\n    (void)m;\n    (void)known;\n", real);
     pr->cut = known;
     pr->cut_count = count;
+    pr->unknowns = yk_program_text(p, "x_%s", name);
     yk_printer_body(pr, roots, (size_t)(n * (n + 1)));
     for (int k = 0; k < n * (n + 1); k++) {
         yk_text_format(pr->out, "    system[%d] = ", k);
@@ -109,6 +110,7 @@ void yk_printer_group(YkPrinter *pr, size_t block)
     }
     pr->cut = NULL;
     pr->cut_count = 0;
+    pr->unknowns = NULL;
     yk_text_format(pr->out,
                    "    for (int k = 0; k < %d; k++) {\n"
                    "        miss += fabs%s(system[k * %d + %d]);\n"

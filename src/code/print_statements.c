@@ -10,20 +10,30 @@ static const YkValue *value_of(const YkPrinter *pr, YkRef value)
     return &pr->program->graph.values[value];
 }
 
+// Variables of the printed functions, and functions of <math.h> that they call: a variable of that name would hide
+// them.
+static bool is_used(const YkPrinter *pr, const char *name)
+{
+    static const char *const words[] = {
+        "m",       "c",     "in",     "out",   "i",     "n",        "known",    "x",        "status", "margin",
+        "witness", "p",     "q",      "t",     "miss",  "finite",   "residual", "jacobian", "system", "machine",
+        "abs",     "acos",  "asin",   "atan",  "atan2", "copysign", "cos",      "cosh",     "exp",    "fabs",
+        "fmax",    "fmin",  "fmod",   "log",   "pow",   "sin",      "sinh",     "sqrt",     "tan",    "tanh",
+        "acosf",   "asinf", "atan2f", "atanf", "cosf",  "coshf",    "expf",     "fabsf",    "fmaxf",  "fminf",
+        "fmodf",   "logf",  "powf",   "rintf", "sinf",  "sinhf",    "sqrtf",    "tanf",     "tanhf"};
+    if (pr->unknowns && strcmp(pr->unknowns, name) == 0) return true;
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcmp(words[k], name) == 0) return true;
+    return false;
+}
+
 // A name for a variable that nothing else has.
 static const char *unique(YkPrinter *pr, const char *wish)
 {
-    static const char *const reserved[] = {"m",        "c",      "in",     "out",     "i",      "n", "known",
-                                           "x",        "status", "margin", "witness", "finite", "q", "residual",
-                                           "jacobian", "system", "miss",   "t",       NULL};
-    const char *name = wish;
+    const char *name = wish = yk_program_name(pr->program, wish);
     int32_t existing;
-    for (int k = 2;; k++) {
-        bool is_reserved = false;
-        for (size_t i = 0; reserved[i]; i++) is_reserved = is_reserved || strcmp(reserved[i], name) == 0;
-        if (!is_reserved && yk_names_find(&pr->taken, name) == YK_NONE) break;
-        name = yk_program_text(pr->program, "%s_%d", wish, k);
-    }
+    for (int k = 2; !pr->program->failed && (is_used(pr, name) || yk_names_find(&pr->taken, name) != YK_NONE); k++)
+        name = yk_program_name(pr->program, yk_program_text(pr->program, "%s_%d", wish, k));
     if (!yk_names_add(&pr->taken, name, 0, &existing)) pr->failed = true;
     return name;
 }

@@ -40,8 +40,21 @@ typedef struct YkPlaced {
     const char *name;
 } YkPlaced;
 
+// What the members and functions of the printed file are called; the same index as in the model or the mechanism.
+typedef struct YkCNames {
+    const char **parameter;
+    const char **coordinate;                   // of inputs and results, with _rate, _accel, _effort behind
+    const char **near_coordinate, **near_slot; // of the configuration: what an angle comes out nearest to; or NULL
+    const char **block;                        // of the configuration: the branch; with _guess behind
+    const char **point;                        // with _x, _y, _x_rate ... behind; NULL on the ground
+    const char **joint;                        // with _force_x, _force_y, _moment behind
+    const char **law;
+} YkCNames;
+
 typedef struct YkProgram {
     YkDag graph;
+    const char *prefix; // of all that the file has at its outermost level
+    YkCNames names;
     YkArena *arena;
     const YkModel *model;
     const YkMechanism *mech;
@@ -135,10 +148,14 @@ YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
-// The names of model things as C names: letters, digits and underscores.
+// names.c: chooses p->names, for the prefix. False when out of memory.
+bool yk_program_choose_names(YkProgram *program);
+// words.c: is it a word of C or C++, a macro of the headers, a name that they keep for themselves, or one of the file's own?
+bool yk_program_is_reserved(const YkProgram *program, const char *name);
+// A name as a C name that is not reserved: letters, digits and underscores, `name_` before it where it has to change.
 const char *yk_program_name(YkProgram *program, const char *name);
+// For variables: not yet unique.
 const char *yk_program_slot_name(YkProgram *program, int32_t slot);
 const char *yk_program_distance_name(YkProgram *program, int32_t distance);
-const char *yk_program_block_name(YkProgram *program, size_t block);
 
 #endif

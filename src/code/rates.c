@@ -59,7 +59,8 @@ YkRefVec yk_program_sum_accel(YkProgram *p, const YkSum *sum, const YkRates *r, 
         YkRefVec u = turned(p, sum->first + k);
         YkRef w = r->turn[term->slot], a = s->turn[term->slot];
         if (term->distance != YK_NONE) {
-            YkRef twice = yk_dag_multiply(g, yk_dag_number(g, 2), yk_dag_multiply(g, r->slide[term->distance], w));
+            YkRef two = yk_dag_number(g, 2), speed = yk_dag_multiply(g, r->slide[term->distance], w),
+                  twice = yk_dag_multiply(g, two, speed);
             total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, s->slide[term->distance], u));
             total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, twice, yk_dag_vec_quarter(g, u)));
             u = yk_dag_vec_scale(g, p->distance[term->distance], u);

@@ -88,7 +88,8 @@ static void add_relation(Work *w, const YkRelation *r)
 {
     YkProgram *p = &w->file->program;
     YkDag *g = &p->graph;
-    YkRef row = yk_dag_subtract(g, relation_sum(w, r->first_term, r->term_count), yk_dag_number(g, r->constant));
+    YkRef sum = relation_sum(w, r->first_term, r->term_count);
+    YkRef row = yk_dag_subtract(g, sum, yk_dag_number(g, r->constant));
     if (r->law) {
         YkRef argument = relation_sum(w, r->first_argument, r->argument_count);
         argument = yk_dag_add(g, argument, yk_dag_number(g, r->argument_constant));
@@ -138,7 +139,7 @@ static void write_about(YkFile *file)
         (int)file->row_count, (int)file->row_count, (int)file->coordinate_count);
     size_t k = 0;
     for (; k < mech->coordinate_count; k++)
-        yk_text_format(out, "%s%d %s", k == 0 ? "" : ", ", (int)k, yk_program_name(p, mech->coordinates[k].name));
+        yk_text_format(out, "%s%d %s", k == 0 ? "" : ", ", (int)k, p->names.coordinate[k]);
     for (size_t d = 0; d < mech->distance_count && k < file->coordinate_count; d++) {
         bool in_tree = false;
         for (size_t c = 0; c < mech->coordinate_count; c++)

@@ -81,7 +81,7 @@ static void add_motion(YkFile *file, const Rates *r)
     yk_dag_section(&p->graph, "Answers: angles between bodies, nearest to the configuration's.");
     for (size_t k = 0; k < n && !p->failed; k++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
-        const char *name = yk_program_name(p, c->name);
+        const char *name = p->names.coordinate[k];
         if (c->input != YK_NONE) continue;
         yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 0), unit_of(c->is_distance, 0),
                            yk_program_coordinate(p, k), "%s", name);
@@ -106,18 +106,17 @@ static void add_points(YkFile *file, const Rates *r)
     for (size_t k = 0; k < p->model->point_count && !p->failed; k++) {
         const YkPoint *point = &p->model->points[k];
         if (point->body == 0) continue;
-        const char *body = yk_program_name(p, p->model->bodies[point->body].name),
-                   *name = yk_program_name(p, point->name);
+        const char *name = p->names.point[k];
         YkRefVec at = yk_program_point(p, (int32_t)k);
         YkRefVec place = yk_program_at(p, point->body, at),
                  rate = yk_program_at_rate(p, point->body, at, &r->velocities);
         YkRefVec accel = yk_program_at_accel(p, point->body, at, &r->velocities, &r->accelerations);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 0), "m", place.x, "%s_%s_x", body, name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 0), "m", place.y, "%s_%s_y", body, name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 1), "m/s", rate.x, "%s_%s_x_rate", body, name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 1), "m/s", rate.y, "%s_%s_y_rate", body, name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 2), "m/s^2", accel.x, "%s_%s_x_accel", body, name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 2), "m/s^2", accel.y, "%s_%s_y_accel", body, name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 0), "m", place.x, "%s_x", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 0), "m", place.y, "%s_y", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 1), "m/s", rate.x, "%s_x_rate", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 1), "m/s", rate.y, "%s_y_rate", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 2), "m/s^2", accel.x, "%s_x_accel", name);
+        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 2), "m/s^2", accel.y, "%s_y_accel", name);
     }
     routine->witness = rates_witness(p);
     if (routine->count == 0) file->routine_count--;
@@ -134,7 +133,7 @@ static void add_efforts(YkFile *file)
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
         yk_file_add_result(file, routine, of(YK_CHANNEL_EFFORT, (size_t)p->mech->inputs[i], 0),
                            c->is_distance ? "N" : "N m", file->forces.effort[i], "%s_effort",
-                           yk_program_name(p, c->name));
+                           p->names.coordinate[p->mech->inputs[i]]);
     }
     yk_file_add_result(file, routine, of(YK_CHANNEL_KINETIC, 0, 0), "J", file->forces.kinetic, "kinetic");
     yk_file_add_result(file, routine, of(YK_CHANNEL_POTENTIAL, 0, 0), "J, of gravity and springs",
@@ -157,7 +156,7 @@ static void add_accelerations(YkFile *file)
         if (!file->forces.is_free[i]) continue;
         yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, (size_t)p->mech->inputs[i], 2),
                            unit_of(c->is_distance, 2), file->forces.acceleration[i], "%s_accel",
-                           yk_program_name(p, c->name));
+                           p->names.coordinate[p->mech->inputs[i]]);
     }
     routine->regular = file->forces.inertia;
     routine->kind = YK_ROUTINE_FORWARD;
@@ -180,7 +179,7 @@ static void add_reactions(YkFile *file, const Rates *r)
               "Reactions: the force of each joint's first body on its second, world axes; moment about its point.",
               3 * p->model->joint_count);
     for (size_t j = 0; j < p->model->joint_count; j++) {
-        const char *name = yk_program_name(p, p->model->joints[j].name);
+        const char *name = p->names.joint[j];
         yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_X, j, 0), "N", f->reaction[3 * j], "%s_force_x", name);
         yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_Y, j, 0), "N", f->reaction[3 * j + 1], "%s_force_y",
                            name);
@@ -208,8 +207,10 @@ static YkMotionRef drive_of(YkProgram *p, const YkDrive *drive)
     int32_t call = yk_program_call_law(p, drive->law, x);
     YkRef d1 = yk_dag_result(g, call, 1), d2 = yk_dag_result(g, call, 2);
     YkRef bend = yk_dag_multiply(g, d2, yk_dag_multiply(g, v, v));
-    return (YkMotionRef){yk_dag_result(g, call, 0), yk_dag_multiply(g, d1, v),
-                         yk_dag_add(g, yk_dag_multiply(g, d1, a), bend)};
+    YkMotionRef motion = {.position = yk_dag_result(g, call, 0)};
+    motion.velocity = yk_dag_multiply(g, d1, v);
+    motion.acceleration = yk_dag_add(g, yk_dag_multiply(g, d1, a), bend);
+    return motion;
 }
 
 static void add_drives(YkFile *file)
@@ -224,7 +225,7 @@ static void add_drives(YkFile *file)
     for (size_t i = 0; i < p->mech->input_count; i++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
         if (c->drive == YK_NONE) continue;
-        const char *name = yk_program_name(p, c->name);
+        const char *name = p->names.coordinate[p->mech->inputs[i]];
         YkMotionRef m = drive_of(p, &p->model->drives[c->drive]);
         file->drives[file->drive_count++] = (YkResult){.name = name, .value = m.position};
         file->drives[file->drive_count++] =

@@ -35,7 +35,7 @@ static void set_inputs(YkFile *file, YkState *state, size_t pose, double reach, 
         row[at++] = m.position;
         row[at++] = m.velocity;
         row[at++] = m.acceleration;
-        if (at < file->input_count && strstr(file->inputs[at].name, "_effort")) row[at++] = 0;
+        if (at < file->input_count && file->inputs[at].is_effort) row[at++] = 0;
     }
 }
 

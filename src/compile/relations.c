@@ -103,8 +103,9 @@ static void add_wheels(Build *b, YkRelationKind kind, size_t index, const char *
                        int32_t carrier, double factor_a, double factor_b)
 {
     YkRelation *r = begin(b, kind, index, name);
-    double turns =
-        add_body(b, body[0], factor_a) + add_body(b, body[1], factor_b) + add_body(b, carrier, -factor_a - factor_b);
+    double turns = add_body(b, body[0], factor_a);
+    turns += add_body(b, body[1], factor_b);
+    turns += add_body(b, carrier, -factor_a - factor_b);
     end_terms(b, r);
     r->constant = phase(b) - turns;
 }
@@ -128,7 +129,8 @@ static void add_gears(Build *b)
         YkRelation *r = begin(b, YK_RELATION_RACK, k, rack->name);
         double factor = -rack->sense * rack->radius;
         add_distance(b, rack->slide, 1);
-        double turns = add_body(b, rack->pinion, factor) + add_body(b, rack->carrier, -factor);
+        double turns = add_body(b, rack->pinion, factor);
+        turns += add_body(b, rack->carrier, -factor);
         end_terms(b, r);
         r->constant = phase(b) - turns;
     }
@@ -138,7 +140,8 @@ static void add_gears(Build *b)
 static double add_pin(Build *b, int32_t joint, double factor)
 {
     const YkJoint *j = &b->mech->model->joints[joint];
-    return add_body(b, j->body[1], factor) + add_body(b, j->body[0], -factor);
+    double turns = add_body(b, j->body[1], factor);
+    return turns + add_body(b, j->body[0], -factor);
 }
 
 static void add_cams(Build *b)

@@ -20,10 +20,9 @@ static bool collect(YkDerivePolynomial *p)
         for (int order = 0; order <= YK_LAW_ORDER; order++) {
             if (!given->d[order].expr) continue;
             if (p->count == YK_POLYNOMIAL_CONDITIONS_MAX) return false;
-            YkPolynomialCondition condition = {.at = yk_derive_given(d, given->at.expr),
-                                               .value = yk_derive_given(d, given->d[order].expr),
-                                               .place = given->at.value,
-                                               .order = order};
+            YkPolynomialCondition condition = {.place = given->at.value, .order = order};
+            condition.at = yk_derive_given(d, given->at.expr);
+            condition.value = yk_derive_given(d, given->d[order].expr);
             size_t k = p->count++;
             for (; k > 0 && comes_before(&condition, &p->conditions[k - 1]); k--)
                 p->conditions[k] = p->conditions[k - 1];

@@ -73,7 +73,8 @@ const YkForm *yk_equation_call(YkEquationReader *reader, int32_t symbol)
     const YkPoisson *place = inside ? yk_form_expand(d->ring, inside, 100) : NULL;
     yk_ring_clear(d->ring);
     if (!inside) return NULL;
-    if (place && yk_ring_is_same(yk_derive_in_joints(d, place), yk_derive_in_joints(d, tie->argument)))
+    const YkPoisson *given = place ? yk_derive_in_joints(d, place) : NULL;
+    if (given && yk_ring_is_same(given, yk_derive_in_joints(d, tie->argument)))
         return yk_form_of(d->ring, yk_ring_of(d->ring, symbol));
     if (place && is_place(d, place)) return yk_form_of(d->ring, value_at(d, tie, order, place));
     reader->at = start;

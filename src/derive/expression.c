@@ -131,11 +131,13 @@ const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr)
     case YK_EXPR_NEGATE:
         return yk_ring_negate(d->ring, yk_derive_expression(d, expr->a));
     case YK_EXPR_ADD:
-        return yk_ring_add(d->ring, yk_derive_expression(d, expr->a), yk_derive_expression(d, expr->b));
     case YK_EXPR_SUBTRACT:
-        return yk_ring_subtract(d->ring, yk_derive_expression(d, expr->a), yk_derive_expression(d, expr->b));
-    case YK_EXPR_MULTIPLY:
-        return yk_ring_multiply(d->ring, yk_derive_expression(d, expr->a), yk_derive_expression(d, expr->b));
+    case YK_EXPR_MULTIPLY: {
+        const YkPoisson *left = yk_derive_expression(d, expr->a), *right = yk_derive_expression(d, expr->b);
+        return expr->kind == YK_EXPR_ADD        ? yk_ring_add(d->ring, left, right)
+               : expr->kind == YK_EXPR_SUBTRACT ? yk_ring_subtract(d->ring, left, right)
+                                                : yk_ring_multiply(d->ring, left, right);
+    }
     case YK_EXPR_DIVIDE:
         return quotient(d, expr);
     case YK_EXPR_POWER:

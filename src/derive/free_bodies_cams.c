@@ -53,8 +53,8 @@ static const YkPoisson *offset_of(YkMeshMaking *m, const Cam *of, const YkPoisso
     YkRing *ring = m->ring;
     const YkCam *cam = of->cam;
     if (cam->offset_expr) return yk_derive_expression(m->d, cam->offset_expr);
-    const YkPoisson *apart = yk_ring_subtract(ring, yk_mesh_at(m, cam->follower_joint, of->way < 0),
-                                              yk_mesh_at(m, cam->cam_joint, of->turn < 0));
+    const YkPoisson *apart = yk_mesh_at(m, cam->follower_joint, of->way < 0);
+    apart = yk_ring_subtract(ring, apart, yk_mesh_at(m, cam->cam_joint, of->turn < 0));
     const YkPoisson *in_carrier = yk_ring_multiply(ring, yk_ring_conjugate(ring, m->d->bodies[cam->carrier].unit), u);
     return yk_ring_negate(ring, yk_ring_cross(ring, in_carrier, apart));
 }
@@ -106,8 +106,8 @@ static void make_turning(YkMeshMaking *m, const Cam *of)
     const YkPoisson *pin = yk_mesh_at(m, cam->follower_joint, of->way > 0);
     const YkPoisson *swing =
         yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->follower, cam->point), pin));
-    const YkPoisson *c = yk_ring_subtract(ring, yk_mesh_at(m, cam->follower_joint, of->way < 0),
-                                          yk_mesh_at(m, cam->cam_joint, of->turn < 0));
+    const YkPoisson *c = yk_mesh_at(m, cam->follower_joint, of->way < 0);
+    c = yk_ring_subtract(ring, c, yk_mesh_at(m, cam->cam_joint, of->turn < 0));
     c = yk_ring_multiply(ring, carrier, c);
     const YkPoisson *rest =
         yk_ring_subtract(ring, yk_ring_rational(ring, 1, 1), yk_ring_scale(ring, of->v, of->turn * of->way, 1));

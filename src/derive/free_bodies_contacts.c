@@ -191,10 +191,12 @@ static void enter_joint(YkDeriveForces *f, int32_t joint)
     const YkPart *part = yk_part(j->kind);
     const char *name = yk_derive_between(f, j->body, (size_t)joint, j->name), *letter = part->slides ? "N" : "F";
     const YkPoisson *force, *moment = yk_ring_rational(d->ring, 0, 1);
-    if (part->slides)
-        force = yk_ring_multiply(d->ring, unknown(f, "N", name, 'n', joint, YK_NONE), normal_of(d, joint));
-    else
+    if (part->slides) {
+        const YkPoisson *size = unknown(f, "N", name, 'n', joint, YK_NONE);
+        force = yk_ring_multiply(d->ring, size, normal_of(d, joint));
+    } else {
         force = unknown_vector(f, name, joint, YK_NONE);
+    }
     if (!part->turns) moment = unknown(f, "M", name, 'm', joint, YK_NONE);
     f->joint_force[joint] = force;
     f->joint_moment[joint] = moment;

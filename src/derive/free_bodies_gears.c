@@ -46,8 +46,8 @@ static const YkPoisson *line_of_centers(YkMeshMaking *m, const YkGear *gear, con
     YkRing *ring = m->ring;
     YkDerivation *d = m->d;
     if (axes[0].at && axes[1].at) return yk_ring_subtract(ring, axes[1].at, axes[0].at);
-    const YkPoisson *line =
-        yk_ring_subtract(ring, yk_derive_origin(d, gear->body[1]), yk_derive_origin(d, gear->body[0]));
+    const YkPoisson *second = yk_derive_origin(d, gear->body[1]), *first = yk_derive_origin(d, gear->body[0]);
+    const YkPoisson *line = yk_ring_subtract(ring, second, first);
     return yk_ring_multiply(ring, yk_ring_conjugate(ring, d->bodies[gear->carrier].unit), line);
 }
 
@@ -115,8 +115,8 @@ void yk_mesh_gear(YkMeshMaking *m, const YkRelation *of)
     yk_mesh_unknown(m, "N", gear->body,
                     yk_derive_text(m->d, "the force between these gears at their pitch point ", m->point,
                                    ", along their line of action"));
-    const YkMeshAxis axes[] = {yk_mesh_axis(m, gear->body[0], gear->carrier),
-                               yk_mesh_axis(m, gear->body[1], gear->carrier)};
+    YkMeshAxis axes[2];
+    for (int k = 0; k < 2; k++) axes[k] = yk_mesh_axis(m, gear->body[k], gear->carrier);
     const YkPoisson *direction, *distance = length_of(m, line_of_centers(m, gear, axes), &direction);
     int sign = gear->is_internal ? -1 : 1; // of a + b
     const YkPoisson *sum = yk_ring_scale(ring, yk_ring_add(ring, a, b), sign, 1);

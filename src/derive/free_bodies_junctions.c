@@ -18,10 +18,11 @@ static bool do_share_a_point(YkDerivation *d, int32_t a, int32_t b)
 {
     const YkJoint *first = &d->model->joints[a], *second = &d->model->joints[b];
     for (int s = 0; s < 2; s++)
-        for (int t = 0; t < 2; t++)
-            if (first->body[s] == second->body[t] && first->body[s] != 0 &&
-                yk_ring_is_same(at_of(d, a, s), at_of(d, b, t)))
-                return true;
+        for (int t = 0; t < 2; t++) {
+            if (first->body[s] != second->body[t] || first->body[s] == 0) continue;
+            const YkPoisson *at = at_of(d, a, s);
+            if (yk_ring_is_same(at, at_of(d, b, t))) return true;
+        }
     return false;
 }
 

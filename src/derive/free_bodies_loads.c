@@ -75,7 +75,8 @@ static const YkPoisson *freedom_of(YkDerivation *d, int32_t joint, bool is_dista
         return yk_ring_of(d->ring, rate ? c->rate : c->position);
     }
     if (rate) return yk_ring_subtract(d->ring, d->bodies[j->body[1]].spin, d->bodies[j->body[0]].spin);
-    return yk_ring_subtract(d->ring, yk_derive_axes_angle(d, j->body[1]), yk_derive_axes_angle(d, j->body[0]));
+    const YkPoisson *second = yk_derive_axes_angle(d, j->body[1]);
+    return yk_ring_subtract(d->ring, second, yk_derive_axes_angle(d, j->body[0]));
 }
 
 static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint, bool is_distance,
@@ -92,8 +93,8 @@ static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
     YkRing *ring = f->d->ring;
     const YkCoordinate *c = &f->d->model->coordinates[spring->coordinate];
     const YkPoisson *k = yk_derive_expression(f->d, spring->stiffness_expr);
-    const YkPoisson *stretch = yk_ring_subtract(ring, freedom_of(f->d, c->joint, c->is_distance, false),
-                                                yk_derive_expression(f->d, spring->length_expr));
+    const YkPoisson *stretch = freedom_of(f->d, c->joint, c->is_distance, false);
+    stretch = yk_ring_subtract(ring, stretch, yk_derive_expression(f->d, spring->length_expr));
     if (k && !yk_ring_is_zero(k)) {
         const YkPoisson *pull = yk_ring_negate(ring, yk_ring_multiply(ring, k, stretch));
         YkDeriveLoad *load = add_along(f, YK_DERIVE_SPRING, spring->name, c->joint, c->is_distance, pull);

@@ -164,7 +164,8 @@ static void push_along(YkMeshMaking *m, const YkCoordinate *coordinate, const Yk
     int32_t joint = coordinate->joint;
     const int32_t *body = m->d->model->joints[joint].body;
     if (coordinate->is_distance) {
-        const YkPoisson *arm[] = {yk_derive_joint_arm(m->f, joint, 0), yk_derive_joint_arm(m->f, joint, 1)};
+        const YkPoisson *arm[2];
+        for (int side = 0; side < 2; side++) arm[side] = yk_derive_joint_arm(m->f, joint, side);
         const YkPoisson *factors[] = {m->unknown, multiple, yk_mesh_line(m, joint)};
         yk_mesh_force(m, "Q", body, (YkMeshHeld[]){{NULL, 0}, yk_mesh_held_by(m, joint, 1)}, arm,
                       yk_ring_product(ring, factors, 3));

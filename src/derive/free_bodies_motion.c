@@ -42,8 +42,8 @@ static void enter_step(YkDeriveForces *f, int32_t b)
     YkDeriveMass *m = &f->bodies[b];
     int32_t joint = d->bodies[b].joint;
     int side = d->model->joints[joint].body[1] == b;
-    const YkPoisson *line =
-        yk_ring_subtract(ring, yk_derive_joint_arm(f, joint, !side), yk_derive_joint_arm(f, joint, side));
+    const YkPoisson *line = yk_derive_joint_arm(f, joint, !side);
+    line = yk_ring_subtract(ring, line, yk_derive_joint_arm(f, joint, side));
     m->step = yk_ring_time_derivative(ring, yk_ring_time_derivative(ring, line));
     const char *stem = yk_derive_text(d, "a_", yk_derive_center_name(d, b), "");
     m->symbols[0] = yk_derive_symbol(d, yk_derive_text(d, stem, "x", ""), YK_RING_ACCELERATION);
@@ -79,7 +79,8 @@ static void enter_mass(YkDeriveForces *f, int32_t b)
 {
     YkDerivation *d = f->d;
     YkDeriveMass *m = &f->bodies[b];
-    *m = (YkDeriveMass){.mass = yk_derive_mass(d, b), .inertia = yk_derive_inertia(d, b)};
+    *m = (YkDeriveMass){.mass = yk_derive_mass(d, b)};
+    m->inertia = yk_derive_inertia(d, b);
     m->center = d->model->bodies[b].has_mass ? yk_derive_center(d, b) : yk_ring_rational(d->ring, 0, 1);
     if (is_far(d, d->mech->tree.depth[b])) {
         enter_step(f, b);

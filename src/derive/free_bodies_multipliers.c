@@ -71,8 +71,8 @@ static void enter_loop(YkDeriveForces *f, const YkDeriveLoop *loop)
     add_row(f, loop->joint, yk_ring_real(ring, sum), yk_ring_real(ring, force));
     add_row(f, loop->joint, yk_ring_imaginary(ring, sum), yk_ring_imaginary(ring, force));
     if (!loop->angle) return;
-    const YkPoisson *angle =
-        yk_ring_subtract(ring, yk_derive_axes_angle(d, j->body[1]), yk_derive_axes_angle(d, j->body[0]));
+    const YkPoisson *angle = yk_derive_axes_angle(d, j->body[1]);
+    angle = yk_ring_subtract(ring, angle, yk_derive_axes_angle(d, j->body[0]));
     angle = yk_ring_subtract(ring, angle, yk_derive_expression(d, j->turned_expr));
     add_row(f, loop->joint, angle, yk_ring_negate(ring, all.moment));
 }

@@ -63,8 +63,10 @@ YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate)
 static YkDeriveLagrange in_joints(const YkDeriveForces *f, size_t coordinate)
 {
     YkDeriveLagrange *memo = &f->lagrange_in_joints[coordinate], own = yk_derive_lagrange(f, coordinate);
-    if (!memo->left)
-        *memo = (YkDeriveLagrange){yk_derive_in_joints(f->d, own.left), yk_derive_in_joints(f->d, own.right)};
+    if (!memo->left) {
+        memo->left = yk_derive_in_joints(f->d, own.left);
+        memo->right = yk_derive_in_joints(f->d, own.right);
+    }
     return *memo;
 }
 

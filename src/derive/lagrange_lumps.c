@@ -37,7 +37,8 @@ static int32_t symbol_of(void *context, const YkPoisson *lump)
     if (!is_worth_a_name(d, lump)) return -1;
     YkDeriveLump *made = YK_NEW(d->arena, YkDeriveLump, 1);
     if (!made) return -1;
-    *made = (YkDeriveLump){.symbol = yk_derive_symbol(d, lump_name(d, count), class_of(d, lump)), .value = lump};
+    const char *name = lump_name(d, count);
+    *made = (YkDeriveLump){.symbol = yk_derive_symbol(d, name, class_of(d, lump)), .value = lump};
     if (made->symbol < 0) return -1;
     *at = made;
     yk_derive_add_unknown(d, made->symbol);

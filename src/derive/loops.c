@@ -99,8 +99,8 @@ static void put_constraint(YkDerivation *d, YkPage *page, int32_t joint)
 {
     const YkJoint *j = &d->model->joints[joint];
     YkDerivePlace from = yk_derive_place(d, joint, 0), to = yk_derive_place(d, joint, 1);
-    const char *name =
-        joined(page, yk_derive_point_name(d, to.body, to.point), yk_derive_point_name(d, from.body, from.point));
+    const char *head = yk_derive_point_name(d, to.body, to.point),
+               *tail = yk_derive_point_name(d, from.body, from.point), *name = joined(page, head, tail);
     YkText words = {0};
     yk_text_format(&words, "%s", j->name);
     YkLine *line = yk_page_formula(page, yk_text_get(&words));

@@ -86,7 +86,8 @@ const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
     if (!yk_derive_is_rod(b)) return vector(d, b->center_x, b->center_y);
-    const YkPoisson *ends = yk_ring_add(d->ring, yk_derive_at(d, body, b->rod[0]), yk_derive_at(d, body, b->rod[1]));
+    const YkPoisson *ends = yk_derive_at(d, body, b->rod[0]);
+    ends = yk_ring_add(d->ring, ends, yk_derive_at(d, body, b->rod[1]));
     return yk_ring_scale(d->ring, ends, 1, 2);
 }
 
@@ -94,10 +95,10 @@ const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
 static const YkPoisson *inertia_of_rod(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
-    const YkPoisson *rod =
-        yk_ring_subtract(d->ring, yk_derive_at(d, body, b->rod[1]), yk_derive_at(d, body, b->rod[0]));
-    const YkPoisson *square = yk_ring_dot(d->ring, rod, rod);
-    return yk_ring_scale(d->ring, yk_ring_multiply(d->ring, yk_derive_mass(d, body), square), 1, 12);
+    const YkPoisson *rod = yk_derive_at(d, body, b->rod[1]);
+    rod = yk_ring_subtract(d->ring, rod, yk_derive_at(d, body, b->rod[0]));
+    const YkPoisson *square = yk_ring_dot(d->ring, rod, rod), *mass = yk_derive_mass(d, body);
+    return yk_ring_scale(d->ring, yk_ring_multiply(d->ring, mass, square), 1, 12);
 }
 
 const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body)

@@ -137,8 +137,9 @@ static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body,
     const YkPoisson *moved = yk_ring_multiply(ring, m->mass, yk_ring_cross(ring, arm, m->acceleration));
     const YkPoisson *inertia =
         yk_ring_subtract(ring, yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate), moved);
-    put_scalar(page, yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), ""),
-               yk_derive_shown(d, zero), yk_derive_shown(d, inertia));
+    const char *about = yk_derive_text(d, "moments about ", yk_derive_point_name(d, body, place.point), "");
+    const YkPoisson *left = yk_derive_shown(d, zero), *right = yk_derive_shown(d, inertia);
+    put_scalar(page, about, left, right);
 }
 
 static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
@@ -156,8 +157,9 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
     put_scalar(page, "x", yk_ring_real(ring, forces), yk_ring_real(ring, inertia));
     put_scalar(page, "y", yk_ring_imaginary(ring, forces), yk_ring_imaginary(ring, inertia));
     const YkPoisson *turning = yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate);
-    put_scalar(page, yk_derive_text(d, "moments about ", yk_derive_center_name(d, body), ""), yk_derive_shown(d, euler),
-               yk_derive_shown(d, turning));
+    const char *about = yk_derive_text(d, "moments about ", yk_derive_center_name(d, body), "");
+    const YkPoisson *left = yk_derive_shown(d, euler), *right = yk_derive_shown(d, turning);
+    put_scalar(page, about, left, right);
     put_about_joint(f, page, body, newton, euler);
     if (f->bodies[body].is_trivial)
         yk_page_words(

@@ -185,19 +185,27 @@ static void add_vector(Walk *walk, YkDeriveVector vector)
     }
 }
 
+// From a tail to a head, by their names.
+static YkDeriveVector between(YkDerivation *d, YkDerivePlace head, YkDerivePlace tail, const YkPoisson *value)
+{
+    YkDeriveVector vector = {.value = value};
+    vector.head = yk_derive_point_name(d, head.body, head.point);
+    vector.tail = yk_derive_point_name(d, tail.body, tail.point);
+    return vector;
+}
+
 // On one body from a place to a place. Bound away from where the body hangs in the tree, a vector keeps its sense;
 // towards it, the vector of the book points outwards and is subtracted.
 static void step_on(Walk *walk, YkDerivePlace from, YkDerivePlace to, bool inwards)
 {
     YkDerivation *d = walk->d;
     YkDerivePlace tail = inwards ? to : from, head = inwards ? from : to;
-    const YkPoisson *arm =
-        yk_ring_subtract(d->ring, yk_derive_at(d, head.body, head.point), yk_derive_at(d, tail.body, tail.point));
-    add_vector(walk, (YkDeriveVector){.head = yk_derive_point_name(d, head.body, head.point),
-                                      .tail = yk_derive_point_name(d, tail.body, tail.point),
-                                      .body = from.body,
-                                      .is_negative = inwards,
-                                      .value = yk_ring_multiply(d->ring, d->bodies[from.body].unit, arm)});
+    const YkPoisson *arm = yk_derive_at(d, head.body, head.point);
+    arm = yk_ring_subtract(d->ring, arm, yk_derive_at(d, tail.body, tail.point));
+    YkDeriveVector vector = between(d, head, tail, yk_ring_multiply(d->ring, d->bodies[from.body].unit, arm));
+    vector.body = from.body;
+    vector.is_negative = inwards;
+    add_vector(walk, vector);
 }
 
 // Over a slide: from the first body's place to the second's, or back.
@@ -207,12 +215,11 @@ static void step_over(Walk *walk, int32_t joint, bool inwards, bool to_second)
     if (d->joint_distance[joint] == YK_NONE) return;
     YkDerivePlace from = yk_derive_place(d, joint, 0), to = yk_derive_place(d, joint, 1);
     (void)inwards;
-    add_vector(walk, (YkDeriveVector){.head = yk_derive_point_name(d, to.body, to.point),
-                                      .tail = yk_derive_point_name(d, from.body, from.point),
-                                      .body = from.body,
-                                      .is_negative = !to_second,
-                                      .is_variable = true,
-                                      .value = yk_derive_slide(d, joint)});
+    YkDeriveVector vector = between(d, to, from, yk_derive_slide(d, joint));
+    vector.body = from.body;
+    vector.is_negative = !to_second;
+    vector.is_variable = true;
+    add_vector(walk, vector);
 }
 
 static int side_of(const YkDerivation *d, int32_t body)
@@ -306,11 +313,10 @@ static bool make_loop(YkDerivation *d, YkDeriveLoop *loop, int32_t joint)
     if (!yk_derive_path(d, second, first, &loop->path)) return false;
     if (d->joint_distance[joint] != YK_NONE) { // the first body's point moves along its line
         YkDerivePath *path = &loop->path;
-        path->vectors[path->count++] = (YkDeriveVector){.head = yk_derive_point_name(d, second.body, second.point),
-                                                        .tail = yk_derive_point_name(d, first.body, first.point),
-                                                        .body = first.body,
-                                                        .is_variable = true,
-                                                        .value = yk_derive_slide(d, joint)};
+        YkDeriveVector vector = between(d, second, first, yk_derive_slide(d, joint));
+        vector.body = first.body;
+        vector.is_variable = true;
+        path->vectors[path->count++] = vector;
         path->sum = yk_ring_add(d->ring, path->sum, yk_derive_slide(d, joint));
     }
     const YkPoisson *axes = yk_derive_in_joints(d, d->bodies[loop->axes].unit);

@@ -62,8 +62,8 @@ static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const 
 {
     const YkRack *r = &d->model->racks[of->index];
     YkRing *ring = d->ring;
-    const YkPoisson *angle =
-        yk_ring_subtract(ring, yk_derive_axes_angle(d, r->pinion), yk_derive_axes_angle(d, r->carrier));
+    const YkPoisson *angle = yk_derive_axes_angle(d, r->pinion);
+    angle = yk_ring_subtract(ring, angle, yk_derive_axes_angle(d, r->carrier));
     const YkPoisson *rolled = yk_ring_multiply(ring, yk_derive_expression(d, r->radius_expr), angle);
     double phase = of->constant - r->sense * r->radius * (turn(d, r->pinion) - turn(d, r->carrier));
     const YkPoisson *moved =
@@ -77,7 +77,8 @@ static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const 
 static const YkPoisson *pin_angle(YkDerivation *d, int32_t joint)
 {
     const int32_t *body = d->model->joints[joint].body;
-    return yk_ring_subtract(d->ring, yk_derive_axes_angle(d, body[1]), yk_derive_axes_angle(d, body[0]));
+    const YkPoisson *second = yk_derive_axes_angle(d, body[1]);
+    return yk_ring_subtract(d->ring, second, yk_derive_axes_angle(d, body[0]));
 }
 
 // The angle of a pin that closes a loop is no coordinate: a symbol with the rate and the derivatives that the tree

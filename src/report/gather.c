@@ -120,6 +120,7 @@ void yk_report_free(YkReportPage *report)
     yk_sweep_free(report->sweep);
     yk_simulation_free(report->simulation);
     yk_dynamics_free(report->dynamics);
+    yk_dynamics_free(report->along);
     yk_state_free(report->start);
     free(report->columns);
     free(report->at);

@@ -64,8 +64,9 @@ struct YkReportPage {
     YkState *start; // the pose at the start
     YkStatus status;
     const char *message;
-    YkDynamics *dynamics; // where the machine has masses or loads; prescribes what the motion prescribes
-    bool has_forces;      // they are solved at the start
+    YkDynamics *dynamics; // where the machine has masses or loads: stands at the start, solved there when has_forces
+    YkDynamics *along;    // the same machine's for sweeps, which leave it wherever their last row was
+    bool has_forces;
     const char *forces_message;
     YkRange ranges[YK_REPORT_RANGES_MAX]; // of the one input, in which the configuration closes
     size_t range_count;

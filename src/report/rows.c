@@ -36,11 +36,17 @@ static void pose(void *context, const YkState *state)
 // --- Sweeps
 // ---------------------------------------------------------------------------------------------------------------
 
-// The swept machine's forces are those of an imposed motion.
-static void prescribe_all(const YkReportPage *report)
+// The swept machine's forces are those of an imposed motion, at the start too. Sweeps get dynamics of their own: the
+// page tells the start's forces after they ran.
+static bool prescribe_all(YkReportPage *report)
 {
-    for (size_t i = 0; report->dynamics && i < yk_input_count(report->mech); i++)
+    if (!report->dynamics) return true;
+    report->along = yk_dynamics_new(report->mech, NULL);
+    for (size_t i = 0; report->along && i < yk_input_count(report->mech); i++) {
         yk_dynamics_prescribe(report->dynamics, i, true);
+        yk_dynamics_prescribe(report->along, i, true);
+    }
+    return report->along != NULL;
 }
 
 static YkSweep *sweep(YkReportPage *report, double from, double to, size_t steps, const YkChannel *channels,
@@ -53,7 +59,7 @@ static YkSweep *sweep(YkReportPage *report, double from, double to, size_t steps
     options.from = from;
     options.to = to;
     options.steps = steps;
-    options.dynamics = report->dynamics;
+    options.dynamics = report->along;
     if (poses) {
         options.visit = pose;
         options.context = report;
@@ -67,9 +73,8 @@ static YkSweep *sweep(YkReportPage *report, double from, double to, size_t steps
 static void run_sweep(YkReportPage *report, YkProblems *problems)
 {
     YkChannel *channels = calloc(report->column_count + 1, sizeof *channels);
-    if (channels) {
+    if (channels && prescribe_all(report)) {
         for (size_t c = 0; c < report->column_count; c++) channels[c] = report->columns[c].channel;
-        prescribe_all(report);
         report->sweep = sweep(report, report->motion.from, report->motion.to, report->motion.steps, channels,
                               report->column_count, true, problems);
     }

@@ -2,6 +2,8 @@
 import ast
 import math
 import os
+import random
+import resource
 import signal
 import statistics
 import struct
@@ -170,6 +172,69 @@ class Study(Case):
         self.good(*words)
         with open(path, encoding="utf-8") as file:
             self.assertEqual(sum(1 for _ in file), 60001)
+
+    def limited(self, size, *words):
+        """A run that may write no file larger than so many bytes: what a full disk does, at a place that is known."""
+        done = subprocess.run([YOKE, *words], capture_output=True, encoding="utf-8", timeout=120, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("[E0704]", done.stderr)
+        return done.stderr
+
+    def test_what_a_full_disk_leaves_is_told_and_goes_on(self):
+        path, whole = os.path.join(self.folder, "out.csv"), os.path.join(self.folder, "whole.csv")
+        words = ["study", self.four_bar, "--vary", "a=20:60:20000", "--of", "theta3,theta2", "--threads", "1", "-o"]
+        self.good(*words, whole)
+        size = os.path.getsize(whole)
+        said = self.limited(200000, *words, path) # the partial file does not fit
+        self.assertIn("out.csv.partial", said)
+        self.assertIn("goes on from there", said)
+        self.assertTrue(0 < os.path.getsize(path + ".partial") <= 200000)
+        said = self.limited(size - 1, *words, path) # the rows do, but not their text
+        self.assertIn("goes on from there", said)
+        self.assertFalse(os.path.exists(path))
+        self.assertTrue(os.path.exists(path + ".partial"))
+        self.good(*words, path)
+        self.assertFalse(os.path.exists(path + ".partial"))
+        with open(path, "rb") as a, open(whole, "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        said = self.limited(10, *words, path) # not even its head: nothing is left, and none is told
+        self.assertNotIn("goes on from there", said)
+        self.assertFalse(os.path.exists(path + ".partial"))
+
+    def test_what_was_overwritten_is_computed_again(self):
+        """64 bytes or a bit anywhere behind the head: it is noticed, and the table comes out the same."""
+        path, whole = os.path.join(self.folder, "out.csv"), os.path.join(self.folder, "whole.csv")
+        words = ["study", self.four_bar, "--vary", "a=20:60:8000", "--of", "theta3", "--threads", "1", "-o"]
+        self.good(*words, whole)
+        with open(whole, "rb") as file:
+            wanted = file.read()
+        self.limited(100000, *words, path)
+        with open(path + ".partial", "rb") as file:
+            left = file.read()
+        width = struct.calcsize("<4d") # of a row: the parameter, status, how many poses stand, the output
+        end = 64                       # of the blocks that are whole
+        while end + 16 <= len(left) and end + 16 + width * int.from_bytes(left[end:end + 8], "little") <= len(left):
+            end += 16 + width * int.from_bytes(left[end:end + 8], "little")
+        self.assertGreater(end, 20000)
+        numbers = random.Random(5)
+        places = [64, 65, 72, 80, 96, end // 2, end - 64] + [numbers.randrange(64, end - 64) for _ in range(6)]
+        damages = [left[:at] + bytes(numbers.randrange(256) for _ in range(64)) + left[at + 64:] for at in places]
+        damages += [left[:at] + bytes([left[at] ^ 1]) + left[at + 1:] for at in places] # one bit
+        damages += [left[:64] + bytes(len(left) - 64)]                                   # a disk that lost what was written
+        for damaged in damages:
+            with open(path + ".partial", "wb") as file:
+                file.write(damaged)
+            run = self.good(*words, path)
+            self.assertIn("W0828", run.err)
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(), wanted)
+        with open(path + ".partial", "wb") as file: # as it was left, its last block a half one: nothing is wrong with it
+            file.write(left)
+        run = self.good(*words, path)
+        self.assertNotIn("W0828", run.err)
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(), wanted)
 
     def test_what_is_wrong_is_told_with_its_place(self):
         def refuse(code, *words, file=None):
