@@ -53,6 +53,7 @@ static void add_events(const YkSweepAnswer *answer, YkJson *json)
         yk_json_end(json);
     }
     yk_json_end(json);
+    yk_json_integer(json, "event_total", answer->sweep ? (long long)yk_sweep_event_total(answer->sweep) : 0);
 }
 
 static void add_ranges(const YkSweepAnswer *answer, YkJson *json)

@@ -98,6 +98,10 @@ static void add_events(const YkSweepAnswer *answer)
     answer->session->out.failed |= words.failed;
     yk_text_free(&words);
     write_table(&answer->session->out, table, count > 0);
+    size_t total = answer->sweep ? yk_sweep_event_total(answer->sweep) : 0;
+    if (total > count)
+        yk_text_format(&answer->session->out, "\n%z more events were met: the first %z are told\n", total - count,
+                       count);
 }
 
 static void add_strokes(const YkSweepAnswer *answer)

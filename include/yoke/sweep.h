@@ -43,6 +43,8 @@ YK_API double yk_sweep_value(const YkSweep *sweep, size_t row, size_t channel);
 YK_API YkStatus yk_sweep_row_status(const YkSweep *sweep,
                                     size_t row); // OK, SINGULAR (rates are 0 and must not be shown), CHANGE_POINT
 YK_API size_t yk_sweep_event_count(const YkSweep *sweep);
+// How many there were in all: the first 10,000 that were found are kept.
+YK_API size_t yk_sweep_event_total(const YkSweep *sweep);
 YK_API YkEvent yk_sweep_event(const YkSweep *sweep, size_t index);
 // Returns a channel's value at an event; NaN where it is not determined there (rates at dead points and change points).
 YK_API double yk_sweep_event_value(const YkSweep *sweep, size_t event, size_t channel);

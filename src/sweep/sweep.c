@@ -144,6 +144,10 @@ YkStatus yk_sweep_row_status(const YkSweep *w, size_t row)
 {
     return (YkStatus)w->row_status[row];
 }
+size_t yk_sweep_event_total(const YkSweep *w)
+{
+    return w->walk.event_count + w->walk.more_events;
+}
 size_t yk_sweep_event_count(const YkSweep *w)
 {
     return w->walk.event_count;
