@@ -1,28 +1,29 @@
 // Allocations that are counted, and may fail: what tests of memory share.
 //
 // A test compiles sources in with `#define malloc try_malloc` and so on, or takes the whole program's allocator with
-// `interposed.h`.
+// `interposed.h`. Threads may allocate at the same time.
 #ifndef TESTS_ALLOCATIONS_H
 #define TESTS_ALLOCATIONS_H
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
-static volatile long countdown = -1; // allocations until one fails; below 0: none does
-static volatile bool fails_for_good; // from the one that fails on, all do
-static volatile bool has_failed;
-static volatile long requests; // since the start
-static volatile long live;     // blocks not yet freed
+static atomic_long countdown = -1; // allocations until one fails; below 0: none does
+static atomic_bool fails_for_good; // from the one that fails on, all do
+static atomic_bool has_failed;
+static atomic_long requests;     // since the start
+static atomic_long live;         // blocks not yet freed
+static void (*on_failure)(void); // called where one fails; may be NULL
 
 static inline bool must_fail(void)
 {
     requests++;
-    if (countdown < 0) return false;
-    if (countdown > 0) {
-        countdown--;
-        return false;
-    }
-    if (!fails_for_good) countdown = -1;
+    long left = countdown;
+    while (left > 0 && !atomic_compare_exchange_weak(&countdown, &left, left - 1)) {}
+    if (left != 0) return false;
+    if (!fails_for_good && !atomic_compare_exchange_strong(&countdown, &left, -1)) return false;
     has_failed = true;
+    if (on_failure) on_failure();
     return true;
 }
 

@@ -4,6 +4,7 @@
 // `skip_unless_interposed()`.
 #ifndef TESTS_INTERPOSED_H
 #define TESTS_INTERPOSED_H
+#include <errno.h>
 #include "allocations.h"
 #include "check.h"
 
@@ -42,23 +43,29 @@ void *__libc_realloc(void *memory, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 void __libc_free(void *memory);
 
+static bool must_fail_here(void)
+{
+    bool fails = must_fail();
+    if (fails) errno = ENOMEM;
+    return fails;
+}
 void *malloc(size_t size)
 {
-    return must_fail() ? NULL : counted(__libc_malloc(size));
+    return must_fail_here() ? NULL : counted(__libc_malloc(size));
 }
 void *calloc(size_t count, size_t size)
 {
-    return must_fail() ? NULL : counted(__libc_calloc(count, size));
+    return must_fail_here() ? NULL : counted(__libc_calloc(count, size));
 }
 void *realloc(void *old, size_t size)
 {
-    void *memory = must_fail() ? NULL : __libc_realloc(old, size);
+    void *memory = must_fail_here() ? NULL : __libc_realloc(old, size);
     live += memory && !old;
     return memory;
 }
 void *aligned_alloc(size_t alignment, size_t size)
 {
-    return must_fail() ? NULL : counted(__libc_memalign(alignment, size));
+    return must_fail_here() ? NULL : counted(__libc_memalign(alignment, size));
 }
 void free(void *memory)
 {

@@ -39,6 +39,11 @@ const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE])
     return word;
 }
 
+void yk_note_status(YkSession *session, YkStatus status)
+{
+    session->ran_out |= status == YK_NO_MEMORY;
+}
+
 int yk_status_exit(YkStatus status)
 {
     if (status >= 0) return YK_EXIT_DONE;
@@ -114,6 +119,7 @@ YkText yk_label_of(const YkState *state)
     yk_text_puts(&label, buffer);
     if (length < sizeof buffer) return label;
     char *whole = malloc(length + 1); // a machine of many blocks
+    if (!whole) yk_text_fail(&label);
     if (whole) {
         yk_state_label(state, whole, length + 1);
         yk_text_clear(&label);
@@ -147,7 +153,6 @@ bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, con
             session->problems, YK_CODE_CAM_PARTS, (YkPlace){0},
             "cam %q would have to pull its follower, which leaves the cam instead%s; what is told keeps them together",
             yk_dynamics_contact_name(dynamics, k), yk_text_get(&when));
-        session->out.failed |= when.failed;
         yk_text_free(&when);
         any = true;
     }

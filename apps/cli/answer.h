@@ -12,6 +12,8 @@ YkCode yk_status_code(YkStatus status);
 const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE]);
 // Adds a status other than YK_OK to the problems, in the words given.
 void yk_tell_status(YkSession *session, YkStatus status, const char *message);
+// Notes a status that is not told: want of memory leaves no answer.
+void yk_note_status(YkSession *session, YkStatus status);
 // 0 where the answer stands, 1 where the machine has none, 2 where the request was wrong.
 int yk_status_exit(YkStatus status);
 // The degrees of freedom: by rank where it could be measured, otherwise by Gruebler's count.

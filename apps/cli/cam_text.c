@@ -4,7 +4,6 @@
 #include "base/number.h"
 #include "cam_text.h"
 #include "out/table.h"
-#include "out/words.h"
 
 static const double to_rpm = 9.5492965855137201, to_degrees = 57.295779513082321;
 
@@ -36,7 +35,7 @@ void yk_cam_speed(const YkCamAnswer *answer, double speed)
 
 void yk_cam_table(YkText *out, YkTable *table)
 {
-    if (!yk_table_write(table, 2, out)) out->failed = true;
+    yk_table_write(table, 2, out);
     yk_table_free(table);
 }
 
@@ -186,15 +185,14 @@ static void add_peaks(const YkCamAnswer *answer)
         yk_model_unit(answer->session->model, column.quantity, &size);
         yk_table_word(table, names[k]);
         yk_table_number(table, peak.value / size, YK_DIGITS);
-        yk_words_renew(&words);
+        yk_text_clear(&words);
         yk_cam_unit(answer, &column, &words);
         yk_table_word(table, yk_text_get(&words));
         yk_table_number(table, yk_shown(answer->session, peak.angle, YK_QUANTITY_ANGLE), YK_DIGITS);
-        yk_words_renew(&words);
+        yk_text_clear(&words);
         if (answer->speed != 0) add_in_time(answer, peak.value, k, &words);
         yk_table_word(table, yk_text_get(&words));
     }
-    out->failed |= words.failed;
     yk_text_free(&words);
     yk_text_puts(out, "\n");
     yk_cam_table(out, table);

@@ -1,7 +1,6 @@
 // Tables of `yoke cam`: other laws side by side, rows over a turn.
 #include <math.h>
 #include "cam_text.h"
-#include "out/words.h"
 
 static void add_law(const YkCamAnswer *answer, YkTable *table, const char *law, const YkCamFactors *factors,
                     const YkCamSummary *s)
@@ -31,7 +30,7 @@ void yk_cam_add_others(const YkCamAnswer *answer)
     yk_table_head(table, "Cj", NULL);
     for (int k = 1; k <= 3; k++) {
         const YkCamColumn column = {"", yk_cam_lift_quantity(answer), k};
-        yk_words_renew(&unit);
+        yk_text_clear(&unit);
         yk_cam_unit(answer, &column, &unit);
         yk_table_head(table, names[k - 1], yk_text_get(&unit));
     }
@@ -43,7 +42,6 @@ void yk_cam_add_others(const YkCamAnswer *answer)
     yk_text_puts(out,
                  "\nThe same strokes by other laws: peak factors, largest values, pressure angle, sharpest surface\n");
     yk_cam_table(out, table);
-    out->failed |= unit.failed;
     yk_text_free(&unit);
 }
 
@@ -56,7 +54,7 @@ void yk_cam_add_rows(const YkCamAnswer *answer)
     if (answer->steps == 0) return;
     YkTable *table = yk_table_new(count);
     for (size_t c = 0; c < count; c++) {
-        yk_words_renew(&unit);
+        yk_text_clear(&unit);
         yk_cam_unit(answer, &columns[c], &unit);
         yk_table_head(table, columns[c].name, yk_text_get(&unit));
     }
@@ -67,6 +65,5 @@ void yk_cam_add_rows(const YkCamAnswer *answer)
     }
     yk_text_puts(out, "\n");
     yk_cam_table(out, table);
-    out->failed |= unit.failed;
     yk_text_free(&unit);
 }

@@ -1,7 +1,6 @@
 // The check for a reader who takes the first course: counts with their sum, loops by name, the order of solution.
 #include "check.h"
 #include "out/table.h"
-#include "out/words.h"
 #include "solve.h"
 
 enum { LIST_MAX = 400 }; // lines of a list; a machine of thousands of links is told by its counts
@@ -15,7 +14,7 @@ static void write_table(YkText *out, const char *title, YkTable *table, size_t r
 {
     if (rows > 0) {
         yk_text_format(out, "\n%s\n", title);
-        if (!yk_table_write(table, 2, out)) out->failed = true;
+        yk_table_write(table, 2, out);
         if (all > rows) yk_text_format(out, "  ... and %z more\n", all - rows);
     }
     yk_table_free(table);
@@ -130,7 +129,7 @@ static void add_names(const YkCheckAnswer *answer, size_t block, bool of_joints,
 {
     const YkMechanism *mech = answer->session->mech;
     size_t shown = at_most(count);
-    yk_words_renew(words);
+    yk_text_clear(words);
     for (size_t i = 0; i < shown; i++) {
         size_t index = of_joints ? yk_block_joint(mech, block, i) : yk_block_body(mech, block, i);
         yk_text_format(words, "%s%s", i > 0 ? ", " : "", of_joints ? joint(answer, index) : body(answer, index));
@@ -145,13 +144,13 @@ static void add_block(const YkCheckAnswer *answer, YkTable *table, size_t b, YkT
 {
     static const char *const classes[] = {"-", "I", "II", "III", "IV", "V", "VI"};
     YkBlockInfo block = yk_block_info(answer->session->mech, b);
-    yk_words_renew(words);
+    yk_text_clear(words);
     yk_text_format(words, "%z", b + 1);
     yk_table_word(table, yk_text_get(words));
     yk_table_word(table, yk_block_kind_name(block.kind));
     yk_table_word(table, block.assur_class >= 0 && block.assur_class <= 6 ? classes[block.assur_class] : "over VI");
     yk_table_word(table, block.label ? block.label : "");
-    yk_words_renew(words);
+    yk_text_clear(words);
     yk_text_format(words, "%z", block.unknowns);
     yk_table_word(table, yk_text_get(words));
     add_names(answer, b, true, block.joint_count, words);
@@ -168,7 +167,6 @@ static void add_blocks(const YkCheckAnswer *answer)
     YkText words = {0};
     for (size_t i = 0; i < 7; i++) yk_table_head(table, heads[i], NULL);
     for (size_t b = 0; b < count; b++) add_block(answer, table, b, &words);
-    answer->session->out.failed |= words.failed;
     yk_text_free(&words);
     write_table(&answer->session->out, "Order of solution (each step needs only the ones before)", table, count, all);
 }

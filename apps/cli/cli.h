@@ -84,6 +84,9 @@ struct YkSession {
     const YkColumns *columns;   // solve: those of --of; NULL: everything is told
     bool lacks_accelerations;   // the dynamics has none for the pose: those of the state mean nothing
     bool is_told;               // the problems are printed already
+    bool has_told_error;        // of these or of another list
+    bool ran_out;               // of memory: there is no answer
+    bool has_told_memory;       // E0100
     bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's
     YkProblems *file_problems; // then; otherwise NULL
     YkText out;                // for standard output; written once, at the end
@@ -116,7 +119,13 @@ int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
 
-// Prints a list of problems on standard error; with quiet, only where there is an error among them.
-void yk_print_problems(YkProblems *problems, bool quiet);
+// Was a request for memory refused since the start, anywhere in the program? watch.c; always false where the linker
+// cannot tell.
+bool yk_memory_ran_out(void);
+// Tells a list of problems on standard error; with --quiet, only where there is an error among them. NULL: there was no
+// memory for a list. A verb that returns YK_EXIT_WRONG without having told why ran out of memory, and main says so.
+void yk_tell_problems(YkSession *session, YkProblems *problems);
+// The same in words, "" for nothing. They are kept in the list: telling it afterwards needs no more memory.
+const char *yk_words_of_problems(const YkSession *session, YkProblems *problems);
 
 #endif

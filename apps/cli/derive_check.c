@@ -196,6 +196,7 @@ static void check_one(Checking *checking, const char *equation, const Source *so
     YkSession *session = checking->session;
     YkProblems *problems = yk_problems_new();
     if (!problems) {
+        yk_text_fail(&session->out);
         checking->exit_code = YK_EXIT_WRONG;
         return;
     }
@@ -208,7 +209,7 @@ static void check_one(Checking *checking, const char *equation, const Source *so
         say_json(checking, equation, &verdict, why);
     else
         say_text(checking, equation, &verdict, why);
-    yk_print_problems(problems, session->request->quiet);
+    yk_tell_problems(session, problems);
     yk_problems_free(problems);
     int exit_code = verdict.kind == YK_CHECK_UNREADABLE    ? YK_EXIT_WRONG
                     : verdict.kind <= YK_CHECK_TRUE_DRIVEN ? YK_EXIT_DONE
@@ -236,6 +237,7 @@ static void check_chain(Checking *checking, const char *equation, const Source *
         size_t length = end - start;
         while (length > 0 && equation[start + length - 1] == ' ') length--;
         const char *pair = yk_arena_copy(checking->derivation->arena, equation + start, length);
+        if (!pair) yk_text_fail(&checking->session->out);
         if (!pair) return;
         check_one(checking, pair, &(Source){source->name, pair, strlen(pair), 1});
         start = behind, middle = end;
@@ -255,6 +257,7 @@ static void check_lines(Checking *checking)
         size_t size = stop ? (size_t)(stop - line) : (size_t)(end - line);
         if (size > 0 && line[size - 1] == '\r') size--;
         const char *copy = yk_arena_copy(checking->derivation->arena, line, size);
+        if (!copy) yk_text_fail(&checking->session->out);
         if (copy && copy[strspn(copy, " \t")] != '\0' && *copy != '#') check_chain(checking, copy, &source);
         line = stop ? stop + 1 : end;
     }

@@ -52,6 +52,10 @@ int yk_derive_drawings(YkSession *session, YkDerivation *derivation)
     YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(derivation, session->state);
     if (!pictures) {
         const char *why = yk_ring_status_text(yk_ring_status(derivation->ring));
+        if (yk_derivation_ran_out(derivation)) {
+            refuse_memory(session);
+            return YK_EXIT_WRONG;
+        }
         yk_session_refuse(session, YK_CODE_DERIVATION, "--svg: the free bodies cannot be drawn: %s",
                           yk_ring_status(derivation->ring) == YK_RING_OK ? "the pose is not finite" : why);
         return YK_EXIT_NO_ANSWER;

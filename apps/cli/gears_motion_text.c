@@ -4,7 +4,6 @@
 #include "base/number.h"
 #include "gears.h"
 #include "out/table.h"
-#include "out/words.h"
 
 enum { EXACT_MAX = 24, FORMULA_MAX = 100 };
 static const double rpm = 30 / 3.14159265358979323846;
@@ -13,7 +12,7 @@ static void write_table(const YkGearsAnswer *answer, const char *title, YkTable 
 {
     YkText *out = &answer->session->out;
     yk_text_format(out, "\n%s\n", title);
-    if (!yk_table_write(table, 2, out)) out->failed = true;
+    yk_table_write(table, 2, out);
     yk_table_free(table);
 }
 
@@ -94,11 +93,10 @@ static void add_speeds(const YkGearsAnswer *answer)
         yk_table_word(table, body.is_determined ? short_exact(body.exact) : "open");
         yk_table_number(table, unit ? body.speed : body.speed * rpm, 7);
         if (!unit) yk_table_number(table, body.speed, 7);
-        yk_words_renew(&word);
+        yk_text_clear(&word);
         if (body.is_determined) write_relation(answer, i, &word);
         yk_table_word(table, yk_text_get(&word));
     }
-    answer->session->out.failed |= word.failed;
     yk_text_free(&word);
     write_table(answer, unit ? "Turns for one turn of the input" : "Speeds (counter-clockwise)", table);
 }

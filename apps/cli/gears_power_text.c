@@ -7,7 +7,7 @@ static void write_table(const YkGearsAnswer *answer, const char *title, YkTable 
 {
     YkText *out = &answer->session->out;
     yk_text_format(out, "\n%s\n", title);
-    if (!yk_table_write(table, 2, out)) out->failed = true;
+    yk_table_write(table, 2, out);
     yk_table_free(table);
 }
 

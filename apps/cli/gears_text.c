@@ -4,7 +4,6 @@
 #include "base/number.h"
 #include "gears.h"
 #include "out/table.h"
-#include "out/words.h"
 
 enum { EXACT_MAX = 24 }; // longer fractions are shown as decimals
 
@@ -12,14 +11,14 @@ static void write_table(const YkGearsAnswer *answer, const char *title, YkTable 
 {
     YkText *out = &answer->session->out;
     yk_text_format(out, "\n%s\n", title);
-    if (!yk_table_write(table, 2, out)) out->failed = true;
+    yk_table_write(table, 2, out);
     yk_table_free(table);
 }
 
 static void add_word(YkTable *table, YkText *word)
 {
     yk_table_word(table, yk_text_get(word));
-    yk_words_renew(word);
+    yk_text_clear(word);
 }
 
 static void add_head(const YkGearsAnswer *answer)
@@ -79,7 +78,6 @@ static void add_meshes(const YkGearsAnswer *answer)
         for (int k = 0; k < 2; k++) add_length(answer, table, mesh.radius[k]);
         add_length(answer, table, mesh.distance);
     }
-    answer->session->out.failed |= word.failed;
     yk_text_free(&word);
     write_table(answer, "Meshes", table);
 }
@@ -96,7 +94,7 @@ static void add_willis(const YkGearsAnswer *answer)
 
 static const char *times_x(const char *turns, YkText *word)
 {
-    yk_words_renew(word);
+    yk_text_clear(word);
     if (strcmp(turns, "1") == 0) {
         yk_text_puts(word, "x");
     } else if (strcmp(turns, "-1") == 0) {
@@ -110,7 +108,7 @@ static const char *times_x(const char *turns, YkText *word)
 static void add_row(YkTable *table, const YkTrainTable *t, int row, YkText *word)
 {
     static const char *const conditions[] = {"arm stands, the first wheel turns once", "times x", "plus y"};
-    yk_words_renew(word);
+    yk_text_clear(word);
     yk_text_puts(word, conditions[row]);
     add_word(table, word);
     yk_table_word(table, row < 2 ? "0" : "y");
@@ -145,7 +143,7 @@ static void add_tabular(const YkGearsAnswer *answer, size_t index)
     yk_table_head(table, yk_gears_body(answer, t.carrier), NULL);
     for (size_t k = 0; k < t.count; k++) yk_table_head(table, yk_gears_body(answer, t.body[k]), NULL);
     for (int row = 0; row < 3; row++) add_row(table, &t, row, &word);
-    yk_words_renew(&word);
+    yk_text_clear(&word);
     yk_text_format(&word, "Tabular method for the arm %s", yk_gears_body(answer, t.carrier));
     write_table(answer, yk_text_get(&word), table);
     yk_text_free(&word);

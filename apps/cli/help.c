@@ -42,7 +42,6 @@ static void add_option(YkText *text, const YkOption *option)
     yk_text_puts(text, "  ");
     add_padded(text, yk_text_get(&form), form.length, OPTION_COLUMN);
     yk_text_format(text, "%s\n", option->help);
-    text->failed |= form.failed;
     yk_text_free(&form);
 }
 

@@ -15,11 +15,20 @@ static int wants_colour(void)
     return isatty(STDERR_FILENO) && !(none && *none) && !(terminal && strcmp(terminal, "dumb") == 0);
 }
 
-void yk_print_problems(YkProblems *problems, bool quiet)
+const char *yk_words_of_problems(const YkSession *session, YkProblems *problems)
 {
-    if (yk_problems_count(problems) == 0) return;
-    if (quiet && yk_problems_error_count(problems) == 0) return;
-    fputs(yk_problems_text(problems, wants_colour()), stderr);
+    bool has_errors = yk_problems_error_count(problems) > 0;
+    if (yk_problems_count(problems) == 0 || (session->request->quiet && !has_errors)) return "";
+    return yk_problems_text(problems, wants_colour());
+}
+
+void yk_tell_problems(YkSession *session, YkProblems *problems)
+{
+    fputs(yk_words_of_problems(session, problems), stderr);
+    bool ran_out = yk_problems_ran_out(problems);
+    session->ran_out |= ran_out || !problems;
+    session->has_told_memory |= ran_out;
+    session->has_told_error |= ran_out || yk_problems_error_count(problems) > 0;
 }
 
 static int run(YkSession *session)
@@ -59,10 +68,13 @@ int main(int argc, char **argv)
         yk_problems_set_source(session.problems, "yoke", NULL, 0);
         yk_options_read(argc, argv, &request, session.problems);
         exit_code = run(&session);
-        if (!session.is_told) yk_print_problems(session.problems, request.quiet);
-    } else {
-        fputs("yoke: error: out of memory\n", stderr);
+        if (!session.is_told) yk_tell_problems(&session, session.problems);
+        session.ran_out |= yk_memory_ran_out();
+        if (session.ran_out) exit_code = YK_EXIT_WRONG;
     }
+    bool has_no_reason = exit_code == YK_EXIT_WRONG && !session.has_told_error;
+    if (has_no_reason || (session.ran_out && !session.has_told_memory))
+        fputs("yoke: error: out of memory [E0100]\n", stderr);
     yk_session_free(&session);
     yk_problems_free(session.problems);
     yk_request_free(&request);

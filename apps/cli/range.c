@@ -31,7 +31,7 @@ static const char *share_unit(YkArena *arena, const char *from, const char *to)
     if (!unit || number_length(from) != strlen(from)) return from;
     YkText whole = {0};
     yk_text_format(&whole, "%s %s", from, unit);
-    const char *copy = whole.failed ? NULL : yk_arena_copy(arena, yk_text_get(&whole), whole.length);
+    const char *copy = yk_arena_copy(arena, yk_text_get(&whole), whole.length);
     yk_text_free(&whole);
     return copy;
 }

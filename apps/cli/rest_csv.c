@@ -15,7 +15,6 @@ static void add_head(const YkRestAnswer *answer, YkCsv *csv)
         yk_csv_name(csv, yk_text_get(&name));
     }
     yk_csv_row(csv);
-    csv->text->failed |= name.failed;
     yk_text_free(&name);
 }
 

@@ -1,6 +1,5 @@
 #include <math.h>
 #include "out/table.h"
-#include "out/words.h"
 #include "rest.h"
 #include "session.h"
 
@@ -13,7 +12,7 @@ static void write_table(YkText *out, YkTable *table, bool has_rows)
 {
     if (has_rows) {
         yk_text_puts(out, "\n");
-        if (!yk_table_write(table, 2, out)) out->failed = true;
+        yk_table_write(table, 2, out);
     }
     yk_table_free(table);
 }
@@ -78,7 +77,7 @@ static void add_modes(const YkRestAnswer *answer, size_t index)
     for (size_t k = 0; k < freedom; k++) {
         YkMode mode = yk_rest_mode(answer->rest, index, k);
         double hertz = yk_mode_hertz(mode);
-        yk_words_renew(&words);
+        yk_text_clear(&words);
         yk_text_format(&words, "%z", k + 1);
         yk_table_word(table, yk_text_get(&words));
         yk_table_number(table, hertz, YK_DIGITS);
@@ -88,7 +87,6 @@ static void add_modes(const YkRestAnswer *answer, size_t index)
         for (size_t i = 0; i < columns; i++) yk_table_number(table, without_noise(mode.shape[i], noise), YK_DIGITS);
     }
     write_table(&answer->session->out, table, freedom > 0);
-    answer->session->out.failed |= words.failed;
     yk_text_free(&words);
 }
 

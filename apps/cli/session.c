@@ -121,7 +121,7 @@ static bool load(YkSession *session, bool compiles, const char *swept)
     if (session->is_simulation) {
         session->file_problems = problems;
     } else {
-        yk_print_problems(problems, session->request->quiet);
+        yk_tell_problems(session, problems);
         yk_problems_free(problems);
     }
     bool good = session->model && (session->mech || !compiles);
@@ -167,7 +167,7 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
     yk_text_format(&source, "%s%s%s", option, *name ? " " : "", name);
     yk_problems_set_source(problems, yk_text_get(&source), text, strlen(text));
     bool good = yk_model_value(session->model, text, quantity, value, problems) == YK_OK && isfinite(*value);
-    yk_print_problems(problems, session->request->quiet);
+    yk_tell_problems(session, problems);
     if (!good && yk_problems_error_count(problems) == 0)
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q is not a value that can be used here", text);
     yk_problems_free(problems);
@@ -200,6 +200,7 @@ static void hint_coordinate(YkSession *session, const char *name)
     size_t count = yk_coordinate_count(session->mech);
     const char **names = calloc(count + 1, sizeof *names);
     for (size_t i = 0; names && i < count; i++) names[i] = yk_coordinate_info(session->mech, i).name;
+    session->ran_out |= !names;
     const char *nearest = names ? yk_nearest(name, names, count) : NULL;
     if (nearest) {
         yk_problem_hint(session->problems, "did you mean %q?", nearest);
@@ -330,7 +331,9 @@ int yk_session_finish(YkSession *session, int exit_code)
 {
     const char *path = session->request->output;
     bool good;
-    if (session->out.failed) {
+    (void)yk_words_of_problems(session, session->problems); // before the answer, which must not stand beside E0100
+    session->ran_out |= yk_memory_ran_out();
+    if (session->out.failed || session->ran_out || yk_problems_ran_out(session->problems)) {
         good = run_out(session);
     } else if (path && strcmp(path, "-") != 0) {
         good = yk_file_write(path, yk_text_get(&session->out), session->out.length, session->problems);

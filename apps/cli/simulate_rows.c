@@ -104,7 +104,6 @@ void yk_simulate_head(YkSimulationAnswer *answer)
         for (size_t c = 0; c <= answer->column_count; c++) yk_csv_name(&csv, name_of(answer, c));
         yk_csv_row(&csv);
     }
-    answer->session->out.failed |= head.failed;
     yk_text_free(&head);
 }
 
@@ -136,7 +135,6 @@ bool yk_simulate_row(YkSimulationAnswer *answer)
     answer->row_count++;
     if (answer->session->request->format == YK_FORMAT_TEXT) add_text_row(answer, &head);
     if (answer->session->request->format == YK_FORMAT_CSV) add_csv_row(answer);
-    answer->session->out.failed |= head.failed;
     yk_text_free(&head);
     return true;
 }

@@ -32,7 +32,6 @@ static void add_point(YkSession *session, const YkState *state, const char *labe
         yk_text_format(&name, "%s.%s.%c", body, yk_model_point_name(session->model, point), "xy"[axis]);
         add_row(session, state, label, "point", yk_text_get(&name),
                 (YkMotion){motion.position[axis], motion.velocity[axis], motion.acceleration[axis]});
-        session->out.failed |= name.failed;
         yk_text_free(&name);
     }
 }
@@ -49,6 +48,5 @@ void yk_solve_csv(YkSession *session, const YkState *state, size_t index)
         add_row(session, state, word, "body", yk_model_body_name(session->model, i), yk_state_body(state, i));
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) add_point(session, state, word, i);
     if (session->dynamics) yk_forces_csv(session, word);
-    session->out.failed |= label.failed;
     yk_text_free(&label);
 }

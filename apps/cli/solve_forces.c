@@ -3,13 +3,13 @@
 #include "out/amount.h"
 #include "out/csv.h"
 #include "out/table.h"
-#include "out/words.h"
 #include "session.h"
 #include "solve.h"
 
 void yk_add_count(YkText *text, YkEquationCount c)
 {
     size_t equations = c.force + c.moment + c.acceleration;
+    if (c.ran_out) yk_text_fail(text);
     yk_text_format(text, "%z force + %z moment + %z acceleration = %z equations; %z unknowns", c.force, c.moment,
                    c.acceleration, equations, c.unknown_reactions + c.unknown_accelerations + c.unknown_efforts);
 }
@@ -132,7 +132,6 @@ void yk_add_equations_json(YkJson *json, YkEquationCount c)
     yk_json_integer(json, "unknown_efforts", (long long)c.unknown_efforts);
     yk_json_string(json, "text", yk_text_get(&text));
     yk_json_end(json);
-    json->text->failed |= text.failed;
     yk_text_free(&text);
 }
 
@@ -158,7 +157,7 @@ static void write_table(YkSession *session, YkTable *table, bool has_rows)
 {
     if (has_rows) {
         yk_text_puts(&session->out, "\n");
-        if (!yk_table_write(table, 2, &session->out)) session->out.failed = true;
+        yk_table_write(table, 2, &session->out);
     }
     yk_table_free(table);
 }
@@ -181,7 +180,7 @@ static void add_reaction_table(YkSession *session)
             is_joint ? yk_dynamics_reaction(session->dynamics, j) : yk_dynamics_contact(session->dynamics, j - joints);
         yk_table_word(table, is_joint ? yk_model_joint_name(session->model, j)
                                       : yk_dynamics_contact_name(session->dynamics, j - joints));
-        yk_words_renew(&words);
+        yk_text_clear(&words);
         yk_text_format(&words, "%s, %s%s", yk_model_body_name(session->model, r.by),
                        yk_model_body_name(session->model, r.on),
                        r.is_determinate                                     ? ""
@@ -193,7 +192,6 @@ static void add_reaction_table(YkSession *session)
         yk_table_number(table, yk_shown(session, hypot(r.force[0], r.force[1]), YK_QUANTITY_FORCE), YK_DIGITS);
         yk_table_number(table, yk_shown(session, r.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
     }
-    session->out.failed |= words.failed;
     yk_text_free(&words);
     write_table(session, table, joints > 0);
 }

@@ -1,5 +1,4 @@
 #include <math.h>
-#include "out/words.h"
 #include "reach.h"
 #include "solve.h"
 
@@ -51,7 +50,7 @@ static void add_points(YkSession *session, YkJson *json, const YkState *state)
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
         YkPointMotion motion = yk_state_point(state, i);
         const char *body = yk_model_body_name(session->model, yk_model_point_body(session->model, i));
-        yk_words_renew(&name);
+        yk_text_clear(&name);
         yk_text_format(&name, "%s.%s", body, yk_model_point_name(session->model, i));
         yk_json_object(json, yk_text_get(&name), YK_JSON_INLINE);
         add_vector(json, "position", motion.position, true);
@@ -60,7 +59,6 @@ static void add_points(YkSession *session, YkJson *json, const YkState *state)
         yk_json_end(json);
     }
     yk_json_end(json);
-    json->text->failed |= name.failed;
     yk_text_free(&name);
 }
 
@@ -90,6 +88,5 @@ void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
     if (session->dynamics) yk_forces_json(session, json, state);
     if (session->columns) yk_solve_of_json(session, json, state);
     yk_json_end(json);
-    json->text->failed |= label.failed;
     yk_text_free(&label);
 }

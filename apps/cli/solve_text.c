@@ -1,7 +1,6 @@
 #include <string.h>
 #include "out/amount.h"
 #include "out/table.h"
-#include "out/words.h"
 #include "session.h"
 #include "reach.h"
 #include "solve.h"
@@ -9,7 +8,7 @@
 static void write_table(YkSession *session, YkTable *table)
 {
     yk_text_puts(&session->out, "\n");
-    if (!yk_table_write(table, 2, &session->out)) session->out.failed = true;
+    yk_table_write(table, 2, &session->out);
     yk_table_free(table);
 }
 
@@ -55,12 +54,11 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++) {
         YkCoordinateInfo info = yk_coordinate_info(session->mech, i);
         if (info.is_distance != is_distance) continue;
-        yk_words_renew(&name);
+        yk_text_clear(&name);
         yk_text_format(&name, "%s%s", info.name, info.input >= 0 ? " (input)" : "");
         add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance, info.name);
         count++;
     }
-    session->out.failed |= name.failed;
     yk_text_free(&name);
     if (count > 0) {
         write_table(session, table);
@@ -91,7 +89,7 @@ static void add_points(YkSession *session, const YkState *state)
         count++;
         YkPointMotion m = yk_state_point(state, p);
         const double *values[] = {m.position, m.velocity, m.acceleration};
-        yk_words_renew(&name);
+        yk_text_clear(&name);
         yk_text_format(&name, "%s.%s", yk_model_body_name(session->model, body),
                        yk_model_point_name(session->model, p));
         yk_table_word(table, yk_text_get(&name));
@@ -101,7 +99,6 @@ static void add_points(YkSession *session, const YkState *state)
             yk_table_number(table, yk_shown(session, value, yk_quantity_of(true, i / 2)), YK_DIGITS);
         }
     }
-    session->out.failed |= name.failed;
     yk_text_free(&name);
     if (count > 0) {
         write_table(session, table);
@@ -166,6 +163,5 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
     } else {
         add_all(session, state);
     }
-    session->out.failed |= label.failed;
     yk_text_free(&label);
 }

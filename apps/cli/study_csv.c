@@ -24,6 +24,5 @@ void yk_study_csv(const YkStudyAnswer *a)
         for (size_t k = first - 1; k < a->width; k++) yk_csv_number(&csv, row[k]);
         yk_csv_row(&csv);
     }
-    a->session->out.failed |= name.failed;
     yk_text_free(&name);
 }

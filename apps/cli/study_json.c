@@ -48,7 +48,6 @@ static void add_answers(const YkStudyAnswer *a, YkJson *json)
         yk_json_end(json);
     }
     yk_json_end(json);
-    a->session->out.failed |= name.failed;
     yk_text_free(&name);
 }
 
@@ -97,7 +96,6 @@ static void add_columns(const YkStudyAnswer *a, YkJson *json)
         yk_json_string(json, NULL, yk_text_get(&name));
     }
     yk_json_end(json);
-    a->session->out.failed |= name.failed;
     yk_text_free(&name);
 }
 

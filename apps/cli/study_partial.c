@@ -43,9 +43,10 @@ static uint64_t add_pairs(uint64_t hash, const YkPairs *pairs)
     return hash;
 }
 
-static uint64_t add_file(uint64_t hash, const char *path)
+static uint64_t add_file(YkSession *session, uint64_t hash, const char *path)
 {
     FILE *file = path ? fopen(path, "rb") : NULL;
+    if (path && !file && errno == ENOMEM) session->ran_out = true;
     char block[8192];
     size_t length;
     while (file && (length = fread(block, 1, sizeof block, file)) > 0)
@@ -60,7 +61,7 @@ static uint64_t signature(const YkStudyAnswer *answer)
     uint64_t hash = add_word(add_word(0xcbf29ce484222325u, yk_version()), "blocks with checksums");
     const char *const words[] = {r->over, r->steps, r->of, r->time, r->lock};
     const YkPairs *const pairs[] = {&r->at, &r->rate, &r->accel, &r->param};
-    hash = add_file(add_file(hash, r->file), r->sample);
+    hash = add_file(answer->session, add_file(answer->session, hash, r->file), r->sample);
     for (size_t k = 0; k < sizeof words / sizeof *words; k++) hash = add_word(hash, words[k]);
     for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) hash = add_pairs(hash, pairs[k]);
     for (size_t k = 0; k < r->vary.count; k++) hash = add_word(hash, r->vary.items[k]);
@@ -160,7 +161,9 @@ bool yk_partial_open(YkStudyAnswer *answer)
     if (!is_kept(request->output, request->file)) return true;
     snprintf(partial.path, sizeof partial.path, "%s.partial", request->output);
     write_head(answer, head);
+    if (answer->session->ran_out) return false;
     partial.file = request->fresh ? NULL : fopen(partial.path, "r+b");
+    if (!partial.file && !request->fresh && errno == ENOMEM) return fail(answer); // what stands there stays
     if (!partial.file) return start(answer, head);
     size_t got = fread(found, 1, HEAD, partial.file);
     if (got < HEAD && (got == 0 || memcmp(found, head, got < 20 ? got : 20) == 0)) {

@@ -23,7 +23,7 @@ static bool read_value(YkSession *session, const char *name, const char *text, d
 {
     YkProblems *problems = yk_problems_new();
     bool good = problems && yk_model_parameter_read(session->model, name, text, value, problems) == YK_OK;
-    yk_print_problems(problems, session->request->quiet);
+    yk_tell_problems(session, problems);
     yk_problems_free(problems);
     session->is_told |= !good;
     return good;
@@ -72,7 +72,7 @@ static bool read_sample(YkStudyAnswer *answer)
     YkProblems *problems = yk_problems_new();
     answer->is_sample = true;
     answer->tolerances = problems ? yk_tolerances_load(request->sample, session->model, problems) : NULL;
-    yk_print_problems(problems, request->quiet);
+    yk_tell_problems(session, problems);
     yk_problems_free(problems);
     session->is_told |= !answer->tolerances;
     if (!answer->tolerances) return false;
@@ -222,7 +222,7 @@ static bool make_study(YkStudyAnswer *answer)
     for (size_t k = 0; names && k < answer->axis_count; k++) names[k] = answer->axes[k].name;
     YkStudyOptions options = {names, answer->axis_count, channels, answer->column_count, answer->threads};
     if (channels && names && problems) answer->study = yk_study_new(session->state, &options, problems);
-    yk_print_problems(problems, session->request->quiet);
+    yk_tell_problems(session, problems);
     session->is_told |= problems && !answer->study;
     yk_problems_free(problems);
     free(channels);

@@ -7,7 +7,7 @@ enum { ROWS_SHOWN = 60 };
 static void write_table(YkText *out, YkTable *table)
 {
     yk_text_puts(out, "\n");
-    if (!yk_table_write(table, 2, out)) out->failed = true;
+    yk_table_write(table, 2, out);
     yk_table_free(table);
 }
 
@@ -36,7 +36,6 @@ static void add_rows(const YkStudyAnswer *a)
         for (size_t k = first; k < a->width; k++)
             yk_table_number(table, yk_shown(a->session, row[k], yk_study_quantity(a, k - first)), YK_DIGITS);
     }
-    a->session->out.failed |= name.failed;
     yk_text_free(&name);
     write_table(&a->session->out, table);
 }
@@ -57,7 +56,6 @@ static void add_moments(const YkStudyAnswer *a)
         for (size_t v = 0; v < 4; v++)
             yk_table_number(table, m.count ? yk_shown(a->session, values[v], quantity) : NAN, YK_DIGITS);
     }
-    a->session->out.failed |= name.failed;
     yk_text_free(&name);
     write_table(&a->session->out, table);
 }

@@ -1,7 +1,6 @@
 #include <math.h>
 #include "out/amount.h"
 #include "out/table.h"
-#include "out/words.h"
 #include "sweep.h"
 
 enum { EVENT_DIGITS = 10 };
@@ -10,7 +9,7 @@ static void write_table(YkText *out, YkTable *table, bool has_rows)
 {
     if (has_rows) {
         yk_text_puts(out, "\n");
-        if (!yk_table_write(table, 2, out)) out->failed = true;
+        yk_table_write(table, 2, out);
     }
     yk_table_free(table);
 }
@@ -84,7 +83,7 @@ static void add_events(const YkSweepAnswer *answer)
         yk_table_head(table, answer->columns[c].name, yk_unit_of(answer->session, answer->columns[c].channel.quantity));
     for (size_t i = 0; i < count; i++) {
         YkEvent event = yk_sweep_event(answer->sweep, i);
-        yk_words_renew(&words);
+        yk_text_clear(&words);
         add_event_value(answer, event, &words);
         yk_table_word(table, yk_event_word(event));
         yk_table_number(table, shown_at(answer, event.at), EVENT_DIGITS);
@@ -95,7 +94,6 @@ static void add_events(const YkSweepAnswer *answer)
                 yk_column_shown(answer->session, yk_sweep_event_value(answer->sweep, i, c), answer->columns[c].channel),
                 YK_DIGITS);
     }
-    answer->session->out.failed |= words.failed;
     yk_text_free(&words);
     write_table(&answer->session->out, table, count > 0);
     size_t total = answer->sweep ? yk_sweep_event_total(answer->sweep) : 0;

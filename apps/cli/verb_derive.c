@@ -92,12 +92,12 @@ static int cannot(YkSession *session, const YkDerivation *derivation, const YkPa
 {
     YkRingStatus why = yk_ring_status(derivation->ring);
     size_t k = page->section ? find_section(page->section, strlen(page->section)) : section_count();
-    if (why == YK_RING_OK) why = YK_RING_MEMORY; // of the page
+    if (why == YK_RING_OK || yk_derivation_ran_out(derivation)) why = YK_RING_MEMORY; // of the page
     if (k == section_count()) {
-        yk_session_refuse(session, YK_CODE_DERIVATION, "%s", yk_ring_status_text(why));
-        return YK_EXIT_NO_ANSWER;
+        yk_session_refuse(session, yk_derive_code(why), "%s", yk_ring_status_text(why));
+        return why == YK_RING_MEMORY ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
     }
-    yk_problem(session->problems, YK_CODE_DERIVATION, (YkPlace){0}, "%s (--what %s): %s", yk_derive_sections[k].title,
+    yk_problem(session->problems, yk_derive_code(why), (YkPlace){0}, "%s (--what %s): %s", yk_derive_sections[k].title,
                page->section, yk_ring_status_text(why));
     if (why == YK_RING_SIZE)
         yk_problem_hint(session->problems, "ask for other parts with --what, as in `--what loops,jacobian`: products of "
@@ -105,7 +105,7 @@ static int cannot(YkSession *session, const YkDerivation *derivation, const YkPa
     if (why == YK_RING_OVERFLOW)
         yk_problem_hint(session->problems, "numbers of many digits can be given as `parameters:`, which are symbols; "
                                            "other parts may be asked for with --what");
-    return YK_EXIT_NO_ANSWER;
+    return why == YK_RING_MEMORY ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
 }
 
 // A page part by part: what a large machine needs is neither memory for the whole nor patience for its first lines. A
@@ -184,6 +184,7 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page
         if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
         // what is printed may enter a few more symbols, none of which stands in a formula
         values = calloc(yk_ring_symbol_count(derivation->ring) + 1, sizeof *values);
+        if (!values) yk_text_fail(&session->out);
         if (values) yk_derive_values(derivation, session->state, session->dynamics, values);
     }
     bool good = yk_page_write(page, format, yk_model_name(session->model), values, &session->out);

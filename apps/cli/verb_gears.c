@@ -33,7 +33,7 @@ static bool load(YkSession *session)
     options.parameters = overrides;
     options.parameter_count = param->count;
     if (good) session->model = yk_model_load(session->request->file, &options, problems);
-    if (problems) yk_print_problems(problems, session->request->quiet);
+    yk_tell_problems(session, problems);
     if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     yk_problems_free(problems);
     free(overrides);

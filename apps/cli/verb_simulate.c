@@ -130,7 +130,7 @@ static bool run(YkSimulationAnswer *answer, Watch *watch)
     yk_simulate_head(answer);
     bool good = run_rows(answer, watch);
     clear_progress(watch);
-    return yk_stream_close(&answer->stream, session->problems) && good;
+    return good;
 }
 
 // --- the end of it
@@ -150,31 +150,36 @@ static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
     return yk_text_get(message);
 }
 
-static void tell(YkSimulationAnswer *answer)
+// All that is to be told is in words before a file appears: it does not stand beside E0100.
+static bool close_rows(YkSimulationAnswer *answer, const YkText *summary)
 {
     YkSession *session = answer->session;
-    YkText text = {0};
-    yk_print_problems(session->problems, session->request->quiet);
-    session->is_told = true; // the summary is the last line
-    yk_simulate_tell(answer, &text);
-    fputs(yk_text_get(&text), stderr);
-    yk_text_free(&text);
+    (void)yk_words_of_problems(session, session->problems);
+    session->ran_out |= yk_memory_ran_out() || summary->failed || yk_problems_ran_out(session->problems);
+    if (!session->ran_out) return yk_stream_close(&answer->stream, session->problems);
+    yk_stream_drop(&answer->stream);
+    return false;
 }
 
 static int finish(YkSimulationAnswer *answer, bool good)
 {
     YkSession *session = answer->session;
-    YkText words = {0};
-    const char *message = explain_stop(answer, &words);
+    YkText words = {0}, summary = {0};
+    const char *plot = session->request->plot, *message = explain_stop(answer, &words);
+    yk_simulate_tell(answer, &summary);
+    yk_note_status(session, answer->status);
+    good = close_rows(answer, &summary) && good;
     int exit_code = !good ? YK_EXIT_WRONG : message ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
     if (session->request->format == YK_FORMAT_JSON && good) {
         yk_simulate_json(answer, message, !message ? NULL : answer->is_interrupted ? "E0821" : "E0820");
         exit_code = yk_session_finish(session, exit_code);
     }
-    const char *plot = session->request->plot;
     if (plot && good && !yk_simulate_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
-    tell(answer);
+    yk_tell_problems(session, session->problems);
+    session->is_told = true; // the summary is the last line
+    if (!session->ran_out) fputs(yk_text_get(&summary), stderr);
     yk_text_free(&words);
+    yk_text_free(&summary);
     return exit_code;
 }
 
@@ -231,7 +236,7 @@ static int simulate(YkSimulationAnswer *answer)
     if (good && reach(answer) < 0)
         return yk_problems_error_count(session->problems) > 0 ? YK_EXIT_WRONG : refuse_pose(answer);
     if (good) answer->simulation = yk_simulation_new(session->model, &answer->options, session->file_problems);
-    if (session->file_problems) yk_print_problems(session->file_problems, session->request->quiet);
+    if (session->file_problems) yk_tell_problems(session, session->file_problems);
     if (!good) return YK_EXIT_WRONG;
     if (!answer->simulation) return refuse(answer);
     if (!yk_simulate_prepare(answer)) return YK_EXIT_WRONG;

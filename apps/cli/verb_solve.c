@@ -70,7 +70,7 @@ static bool visit(void *context, YkState *state)
     yk_state_copy(writer->scratch, state);
     session->is_start = writer->own && yk_same_configuration(writer->own, state);
     session->is_chosen = !session->is_start;
-    find_forces(writer, writer->scratch);
+    yk_note_status(session, find_forces(writer, writer->scratch));
     write_one(writer, writer->scratch);
     return true;
 }
@@ -89,6 +89,7 @@ static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
     }
     if (yk_reach_ask(session) < 0) return YK_NO_MEMORY;
     YkStatus each = yk_state_each(session->state, visit, writer, is_complete);
+    yk_note_status(session, each);
     yk_state_free(writer->own);
     return each;
 }

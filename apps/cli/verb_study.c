@@ -127,7 +127,8 @@ static bool run(YkStudyAnswer *a)
         if (count > most) count = most;
         double start = now();
         run_chunk(a, &chunk, a->done, count);
-        good = yk_partial_add(a, a->done, a->done + count);
+        for (size_t k = 0; k < count; k++) yk_note_status(a->session, yk_study_status(a, a->done + k));
+        good = !a->session->ran_out && yk_partial_add(a, a->done, a->done + count);
         a->done += count;
         show_progress(a, false);
         if (now() - start < chunk_seconds / 2 && size < most) size *= 2;
@@ -147,6 +148,7 @@ static bool find_sensitivities(YkStudyAnswer *a)
     if (!a->derivative || !a->difference)
         return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     a->sensitivity_status = yk_study_sensitivities(a->study, a->derivative, a->difference);
+    yk_note_status(a->session, a->sensitivity_status);
     if (a->sensitivity_status < 0)
         yk_tell_status(a->session, a->sensitivity_status,
                        "no sensitivities: a design next to the file's own does not stand");

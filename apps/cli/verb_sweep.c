@@ -52,6 +52,8 @@ static void find_ranges(YkSweepAnswer *answer, YkState *start)
     if (coordinate < 0) return;
     YkCoordinateInfo info = yk_coordinate_info(answer->session->mech, (size_t)coordinate);
     size_t count = yk_closing_ranges(start, (size_t)coordinate, answer->ranges, YK_RANGES_MAX);
+    if (count == (size_t)-1) yk_text_fail(&answer->session->out);
+    if (count == (size_t)-1) return;
     answer->range_count = count < YK_RANGES_MAX ? count : YK_RANGES_MAX;
     answer->ranges_of = info.name;
     answer->ranges_quantity = yk_quantity_of(info.is_distance, 0);
@@ -66,8 +68,9 @@ static void find_strokes(YkSweepAnswer *answer, YkState *start)
     size_t input = (size_t)yk_coordinate_info(answer->session->mech, (size_t)answer->over.coordinate).input;
     for (size_t c = 0; answer->strokes && c < answer->column_count; c++) {
         YkChannel channel = answer->columns[c].channel;
-        if (channel.order > 0 || yk_stroke(start, input, channel, &answer->strokes[c]) != YK_OK)
-            answer->strokes[c].ratio = 0;
+        YkStatus status = channel.order > 0 ? YK_BAD_ARGUMENT : yk_stroke(start, input, channel, &answer->strokes[c]);
+        yk_note_status(answer->session, status);
+        if (status != YK_OK) answer->strokes[c].ratio = 0;
     }
 }
 

@@ -94,6 +94,7 @@ YK_API YkBalance yk_dynamics_balance(const YkDynamics *dynamics, size_t body);
 // trivial), of pins that join three bodies or more as massless junctions, and two acceleration equations a loop.
 typedef struct YkEquationCount {
     size_t force, moment, acceleration, unknown_reactions, unknown_accelerations, unknown_efforts;
+    bool ran_out; // of memory: nothing was counted
 } YkEquationCount;
 YK_API YkEquationCount yk_dynamics_count(const YkDynamics *dynamics);
 // Channels of forces (A.force.x, theta1.effort, energy, ...) and all others.

@@ -52,7 +52,7 @@ YK_API double yk_sweep_worst_residual(const YkSweep *sweep);
 
 // Every range of a coordinate in which the configuration of `state` closes, by its labels: for an angle within a turn
 // that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends to 1e-10. Returns the
-// count; a full turn is one range of 2 pi.
+// count, (size_t)-1 when out of memory; a full turn is one range of 2 pi.
 typedef struct YkRange {
     double from, to;
 } YkRange;

@@ -40,12 +40,15 @@ size_t yk_escape_one(YkText *text, const char *data, size_t length, size_t *colu
 
 void yk_escape(YkText *text, const char *data, size_t length)
 {
+    if (data == yk_text_lost) yk_text_fail(text);
+    if (text->failed) return;
     for (size_t i = 0, columns = 0; i < length;) i += yk_escape_one(text, data + i, length - i, &columns);
 }
 
 void yk_escape_quoted(YkText *text, const char *string)
 {
     size_t length = strlen(string), columns = 0, i = 0;
+    if (string == yk_text_lost) yk_text_fail(text);
     yk_text_add(text, "`", 1);
     while (i < length && columns < QUOTE_COLUMNS) i += yk_escape_one(text, string + i, length - i, &columns);
     if (i < length) yk_text_puts(text, "...");

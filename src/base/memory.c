@@ -2,6 +2,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/text.h"
 
 enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64 };
 
@@ -35,7 +36,6 @@ void yk_arena_clear(YkArena *arena)
         free(chunk);
     }
     kept->older = NULL;
-    arena->failed = false;
     arena->next = (unsigned char *)(kept + 1);
 }
 
@@ -82,6 +82,11 @@ void *yk_arena_alloc(YkArena *arena, size_t count, size_t size)
     return memory ? memset(memory + pad, 0, bytes) : NULL;
 }
 
+void yk_arena_fail(YkArena *arena)
+{
+    if (arena) arena->failed = true;
+}
+
 bool yk_arena_failed(const YkArena *arena)
 {
     return !arena || arena->failed;
@@ -89,7 +94,9 @@ bool yk_arena_failed(const YkArena *arena)
 
 char *yk_arena_copy(YkArena *arena, const char *text, size_t length)
 {
-    char *copy = arena && length < PTRDIFF_MAX ? yk_arena_take(arena, length + 1) : NULL;
+    if (arena && text == yk_text_lost) arena->failed = true;
+    if (!arena || text == yk_text_lost || length >= PTRDIFF_MAX) return NULL;
+    char *copy = yk_arena_take(arena, length + 1);
     if (!copy) return NULL;
     if (length > 0) memcpy(copy, text, length);
     copy[length] = '\0';

@@ -13,7 +13,8 @@ typedef struct YkArena {
 
 YkArena *yk_arena_new(void);
 void yk_arena_free(YkArena *arena);
-void yk_arena_clear(YkArena *arena); // all that was given is gone; memory is kept for what comes next
+void yk_arena_clear(YkArena *arena); // all that was given is gone; memory is kept for what comes next, and what failed
+void yk_arena_fail(YkArena *arena);  // what should stand in it is not there: its owner ran out of memory elsewhere
 // Zeroed memory for `count` things of `size` bytes, aligned to 64 bytes from 64 bytes on, to 16 below.
 // NULL on overflow or exhaustion; the arena then remembers: yk_arena_failed() stays true.
 void *yk_arena_alloc(YkArena *arena, size_t count, size_t size);
@@ -32,7 +33,8 @@ static inline void yk_arena_give_back(YkArena *arena, void *taken, size_t kept)
     arena->next = (unsigned char *)taken + ((kept + 15) & ~(size_t)15);
 }
 bool yk_arena_failed(const YkArena *arena);
-char *yk_arena_copy(YkArena *arena, const char *text, size_t length); // adds a final NUL
+// A copy with a final NUL; of what a failed text reads as, NULL, and the arena fails as well.
+char *yk_arena_copy(YkArena *arena, const char *text, size_t length);
 #define YK_NEW(arena, type, count) ((type *)yk_arena_alloc((arena), (count), sizeof(type)))
 
 // A growing array: capacity doubles. `items` is a pointer variable, `count` and `capacity` size_t variables.

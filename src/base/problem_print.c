@@ -48,8 +48,11 @@ const char *yk_problems_text(YkProblems *problems, int colour)
     if (!problems) return "";
     YkText *text = &problems->printed;
     YkSourceCursor cursor = yk_source_start(problems);
-    yk_text_clear(text);
+    if (text->failed)
+        yk_text_free(text); // with less to say there may be memory for it
+    else
+        yk_text_clear(text);
     for (size_t i = 0; i < problems->count; i++)
         print_problem(text, problems, yk_problems_get(problems, i), colour ? &ansi : &plain, &cursor);
-    return text->failed ? "error: out of memory while printing the problems\n" : yk_text_get(text);
+    return text->failed ? "error: out of memory while printing the problems [E0100]\n" : yk_text_get(text);
 }

@@ -4,6 +4,8 @@
 #include "base/escape.h"
 #include "base/problem_list.h"
 
+static const char ran_out[] = "out of memory";
+
 YkProblems *yk_problems_new(void)
 {
     YkProblems *problems = calloc(1, sizeof *problems);
@@ -26,9 +28,10 @@ void yk_problems_free(YkProblems *problems)
     free(problems);
 }
 
+// NULL for nothing, and when out of memory.
 static char *copy_bytes(const char *data, size_t length)
 {
-    char *copy = malloc(length + 1);
+    char *copy = data && data != yk_text_lost ? malloc(length + 1) : NULL;
     if (!copy) return NULL;
     if (length > 0) memcpy(copy, data, length);
     copy[length] = '\0';
@@ -44,13 +47,14 @@ void yk_problems_set_source(YkProblems *problems, const char *name, const char *
         text += 3;
         length -= 3;
     }
-    // Without memory for the copies problems are still told, only not quoted.
-    problems->source_name = name ? copy_bytes(name, strlen(name)) : NULL;
-    problems->source = text ? copy_bytes(text, length) : NULL;
+    problems->source_name = copy_bytes(name, name ? strlen(name) : 0);
+    problems->source = copy_bytes(text, length);
     problems->source_length = problems->source ? length : 0;
+    if ((name && !problems->source_name) || (text && !problems->source))
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "%s", ran_out);
 }
 
-// Formats into the arena, with control characters escaped; a fixed phrase when there is no memory for it.
+// Formats into the arena, with control characters escaped; NULL when out of memory.
 static const char *format_message(YkArena *arena, const char *format, va_list arguments)
 {
     YkText raw = {0}, safe = {0};
@@ -60,7 +64,7 @@ static const char *format_message(YkArena *arena, const char *format, va_list ar
     if (!raw.failed && !safe.failed) message = yk_arena_copy(arena, yk_text_get(&safe), safe.length);
     yk_text_free(&raw);
     yk_text_free(&safe);
-    return message ? message : "out of memory while describing a problem";
+    return message;
 }
 
 static bool is_before(YkPlace a, YkPlace b)
@@ -95,6 +99,12 @@ static void leave_out(YkProblems *problems, YkSeverity severity)
     if (more->severity < severity) more->severity = severity;
 }
 
+// What could not be described becomes an error, whatever it was: an answer beside it is not to be relied on.
+static void run_out(YkProblem *problem)
+{
+    *problem = (YkProblem){YK_ERROR, YK_CODE_OUT_OF_MEMORY, problem->place, ran_out, NULL};
+}
+
 void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...)
 {
     if (!problems) return;
@@ -109,6 +119,7 @@ void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *me
     const char *formatted = format_message(problems->arena, message, arguments);
     va_end(arguments);
     problems->items[index] = (YkProblem){severity, (int)code, place, formatted, NULL};
+    if (!formatted) run_out(&problems->items[index]);
     problems->last = &problems->items[index];
     insert_in_order(problems, index);
 }
@@ -120,6 +131,7 @@ void yk_problem_hint(YkProblems *problems, const char *hint, ...)
     va_start(arguments, hint);
     problems->last->hint = format_message(problems->arena, hint, arguments);
     va_end(arguments);
+    if (!problems->last->hint) run_out(problems->last);
 }
 
 size_t yk_problems_count(const YkProblems *problems)
@@ -137,4 +149,11 @@ size_t yk_problems_error_count(const YkProblems *problems)
 const YkProblem *yk_problems_get(const YkProblems *problems, size_t index)
 {
     return index < yk_problems_count(problems) ? &problems->items[problems->order[index]] : NULL;
+}
+
+bool yk_problems_ran_out(const YkProblems *problems)
+{
+    bool found = problems && problems->printed.failed;
+    for (size_t i = 0; i < yk_problems_count(problems); i++) found |= problems->items[i].code == YK_CODE_OUT_OF_MEMORY;
+    return found;
 }

@@ -2,6 +2,7 @@
 #ifndef BASE_PROBLEMS_H
 #define BASE_PROBLEMS_H
 #include <stdarg.h>
+#include <stdbool.h>
 #include <yoke/problem.h>
 #include "base/codes.h"
 
@@ -9,9 +10,12 @@ enum { YK_PROBLEMS_MAX = 200 }; // after so many, one last problem says that the
 // Names the source and keeps a copy of its text for quoting lines (text may be NULL).
 void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length);
 // Adds a problem; message takes the formats of yk_text_format. problems may be NULL (nothing is recorded).
-// Severity comes from the code's entry in codes.def.
+// Severity comes from the code's entry in codes.def. Where there is no memory to describe it, E0100 stands in its
+// place.
 void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...);
 // Adds a hint, formatted likewise, to the problem added last.
 void yk_problem_hint(YkProblems *problems, const char *hint, ...);
+// Is E0100 among them, or was there no memory to print them?
+bool yk_problems_ran_out(const YkProblems *problems);
 
 #endif

@@ -4,6 +4,8 @@
 
 enum { SIZE_MIN = 256 };
 
+const char yk_text_lost[] = "out of memory";
+
 void yk_text_free(YkText *text)
 {
     free(text->data);
@@ -12,14 +14,20 @@ void yk_text_free(YkText *text)
 
 const char *yk_text_get(const YkText *text)
 {
-    return text->data ? text->data : "";
+    return text->failed ? yk_text_lost : text->data ? text->data : "";
 }
 
 void yk_text_clear(YkText *text)
 {
     text->length = 0;
-    text->failed = false;
+    if (text->failed) text->capacity = 0;
     if (text->data) text->data[0] = '\0';
+}
+
+void yk_text_fail(YkText *text)
+{
+    text->failed = true;
+    text->capacity = text->length; // no room for anything
 }
 
 bool yk_text_reserve(YkText *text, size_t extra)
@@ -34,8 +42,7 @@ bool yk_text_reserve(YkText *text, size_t extra)
         grown = realloc(text->data, needed);
     }
     if (!grown) {
-        text->failed = true;
-        text->capacity = text->length; // no room for anything
+        yk_text_fail(text);
         return false;
     }
     text->data = grown;

@@ -1,4 +1,8 @@
 // Text: a growing string, and formatting without stdio or locale.
+//
+// Failure is kept and passed on, so that callers need to check only where a text is handed over (`failed`): a text that
+// once ran out of memory takes nothing more and says it failed until it is freed; its content is `yk_text_lost`, and
+// whatever is given that content - another text, an arena's copy, a writer of files - fails as well.
 #ifndef BASE_TEXT_H
 #define BASE_TEXT_H
 #include <stdarg.h>
@@ -7,19 +11,24 @@
 #include <string.h>
 
 typedef struct YkText {
-    char *data; // always NUL-terminated once anything was added; "" before (use yk_text_get)
+    char *data; // NUL-terminated once anything was added; read it by yk_text_get
     size_t length, capacity;
     bool failed; // an allocation failed; the text is then incomplete
 } YkText;
 
+// What a failed text reads as: words that are known by their address.
+extern const char yk_text_lost[];
+
 void yk_text_free(YkText *text);             // frees and zeroes; a zeroed YkText is an empty text
-const char *yk_text_get(const YkText *text); // never NULL
-void yk_text_clear(YkText *text);            // empties, keeps the memory
+const char *yk_text_get(const YkText *text); // never NULL; `yk_text_lost` where the text failed
+void yk_text_clear(YkText *text);            // empties, keeps the memory and what failed
+void yk_text_fail(YkText *text);             // what should have been added is not there
 // Makes room for so many more bytes and the final NUL; false when out of memory, now or before: a text with a hole
 // would be worse than one cut short.
 bool yk_text_reserve(YkText *text, size_t extra);
 static inline void yk_text_add(YkText *text, const char *data, size_t length)
 {
+    if (data == yk_text_lost) yk_text_fail(text);
     if (length >= text->capacity - text->length && !yk_text_reserve(text, length)) return;
     if (length > 0) memcpy(text->data + text->length, data, length);
     text->length += length;
@@ -37,9 +46,17 @@ static inline void yk_text_add_padded(YkText *text, const char *data, size_t len
     text->length += length;
     text->data[text->length] = '\0';
 }
+// NULL is a string for which there was no memory.
 static inline void yk_text_puts(YkText *text, const char *string)
 {
-    yk_text_add(text, string, strlen(string));
+    if (string)
+        yk_text_add(text, string, strlen(string));
+    else
+        yk_text_fail(text);
+}
+static inline void yk_text_join(YkText *text, const YkText *other)
+{
+    yk_text_add(text, yk_text_get(other), other->length);
 }
 void yk_text_repeat(YkText *text, char character, size_t count);
 // Formats: %s string, %q string in `backquotes` with bytes outside printable UTF-8 escaped and cut at 80 columns,

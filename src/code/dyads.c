@@ -108,8 +108,8 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
     YkRef longer = yk_dag_binary(g, YK_VALUE_LARGEST, shortness, yk_dag_number(g, 1));
     YkRef closing = margin;
     if (careful) {
-        YkRef share = yk_dag_binary(g, YK_VALUE_LEAST, arm_share(p, b, 0, U2), arm_share(p, b, 1, W2));
-        closing = with_share(p, margin, share);
+        YkRef of_u = arm_share(p, b, 0, U2), of_w = arm_share(p, b, 1, W2);
+        closing = with_share(p, margin, yk_dag_binary(g, YK_VALUE_LEAST, of_u, of_w));
     }
     yk_block_keep_margin(p, yk_dag_choose(g, margin, yk_dag_multiply(g, margin, longer), closing), placed->e[0].x);
 }

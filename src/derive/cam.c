@@ -90,7 +90,7 @@ bool yk_derive_fix(YkDerivation *d, int32_t symbol, double value)
 
 double yk_derive_fixed(YkDerivation *d, const YkPoisson *a)
 {
-    double *values = calloc(yk_ring_symbol_count(d->ring) + 1, sizeof *values);
+    double *values = yk_derive_scratch(d, yk_ring_symbol_count(d->ring) + 1, sizeof *values);
     if (!values) return NAN;
     for (size_t k = 0; k < d->model->parameter_count; k++) values[d->parameters[k]] = d->model->parameters[k].value;
     for (size_t k = 0; k < d->constant_count; k++) values[d->constants[k].symbol] = d->constants[k].value;

@@ -89,8 +89,9 @@ void yk_polynomial_put_system(const YkDerivePolynomial *p)
 static double condition_number(const YkDerivePolynomial *p)
 {
     size_t n = p->count;
-    double *A = malloc((n * n + n) * sizeof *A), *values = A + n * n, largest = 0, smallest = INFINITY;
+    double *A = yk_derive_scratch(p->law->d, n * n + n, sizeof *A), largest = 0, smallest = INFINITY;
     if (!A) return NAN;
+    double *values = A + n * n;
     for (size_t i = 0; i < n; i++) {
         const YkLawCondition row = {p->conditions[i].place, p->conditions[i].order, 0};
         yk_law_power_row(&row, n, A + i * n);

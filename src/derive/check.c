@@ -1,5 +1,6 @@
 // The verdict on an equation: identity, proof on the loops, many poses.
 #include <stdlib.h>
+#include "base/problems.h"
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
 #include "derive/equation.h"
@@ -89,8 +90,9 @@ static void decide(YkCheck *check, YkCheckVerdict *verdict)
 static bool prepare(YkDerivation *d, YkProblems *problems)
 {
     if (!yk_derive_blocks(d) || !yk_derive_enter_forces(d)) {
-        yk_problem(problems, YK_CODE_DERIVATION, (YkPlace){0}, "the machine cannot be written in symbols: %s",
-                   yk_ring_status_text(yk_ring_status(d->ring)));
+        YkRingStatus why = yk_derivation_ran_out(d) ? YK_RING_MEMORY : yk_ring_status(d->ring);
+        yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "the machine cannot be written in symbols: %s",
+                   yk_ring_status_text(why));
         return false;
     }
     yk_derive_train(d); // omega1, ...: names of speeds
@@ -108,8 +110,8 @@ static bool make_room(YkCheck *check)
     for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k);
     if (!yk_derive_is_long(d)) yk_derive_body_angle(d, 0);
     check->value_count = yk_ring_symbol_count(d->ring) + 64;
-    check->values = calloc(check->value_count, sizeof *check->values);
-    check->elsewhere = calloc(check->value_count, sizeof *check->elsewhere);
+    check->values = yk_derive_scratch(d, check->value_count, sizeof *check->values);
+    check->elsewhere = yk_derive_scratch(d, check->value_count, sizeof *check->elsewhere);
     return check->values && check->elsewhere && check->difference;
 }
 
@@ -136,7 +138,7 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
                                YkPlace place, YkProblems *problems)
 {
     YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
-    YkCheckSeen seen = {.motion = calloc(2 * d->tree_count * YK_CHECK_SEEN_MAX + 1, sizeof *seen.motion)};
+    YkCheckSeen seen = {.motion = yk_derive_scratch(d, 2 * d->tree_count * YK_CHECK_SEEN_MAX + 1, sizeof *seen.motion)};
     YkCheckShared *shared = yk_check_share(d, state, dynamics);
     YkCheck check = {.d = d,
                      .state = state,
@@ -151,7 +153,11 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
     if (shared) check.start = shared->start, check.points = &shared->points;
     if (opened != YK_CHECK_NOT_READ) verdict.kind = YK_CHECK_UNDECIDED;
     if (opened == YK_CHECK_OPEN) decide(&check, &verdict);
-    if (check.failed) verdict.kind = YK_CHECK_UNDECIDED;
+    if (opened == YK_CHECK_NO_ROOM || check.failed || yk_derivation_ran_out(d)) {
+        verdict = (YkCheckVerdict){.kind = YK_CHECK_UNREADABLE};
+        if (!yk_problems_ran_out(problems))
+            yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while the equation was checked");
+    }
     yk_check_close(&check);
     free(seen.motion);
     return verdict;

@@ -115,7 +115,7 @@ const YkLoopBonds *yk_check_find_bonds(YkCheck *check)
     const YkDerivation *d = check->d;
     Search s = {.check = check};
     const YkLoopBonds *bonds = NULL;
-    s.angle = calloc(d->tree_count + 1, sizeof *s.angle);
+    s.angle = yk_derive_scratch(check->d, d->tree_count + 1, sizeof *s.angle);
     for (size_t k = 0; s.angle && k < d->tree_count; k++)
         if (!d->coordinates[k].is_distance) s.angle[s.angles++] = (int32_t)k;
     // gears bind angles by numbers of teeth; too few poses bind anything
@@ -124,8 +124,8 @@ const YkLoopBonds *yk_check_find_bonds(YkCheck *check)
         return NULL;
     }
     size_t rows = check->seen->count;
-    s.size = calloc(3 * s.angles + rows * (s.angles + 1), sizeof *s.size);
-    s.order = calloc(s.angles, sizeof *s.order);
+    s.size = yk_derive_scratch(check->d, 3 * s.angles + rows * (s.angles + 1), sizeof *s.size);
+    s.order = yk_derive_scratch(check->d, s.angles, sizeof *s.order);
     if (s.size && s.order) {
         s.x = s.size + s.angles, s.tau = s.x + s.angles, s.b = s.tau + s.angles, s.A = s.b + rows;
         bonds = list_bonds(&s);

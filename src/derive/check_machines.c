@@ -39,7 +39,7 @@ static const char *name_machine(const YkCheckVariants *v, const double *target)
     for (size_t k = 0; k < v->count; k++)
         if (target[k] != v->own[k]) yk_text_format(&text, "%s%s = %e", text.length ? ", " : "", v->name[k], target[k]);
     YkArena *arena = v->check->d->arena;
-    const char *words = text.failed ? NULL : yk_arena_copy(arena, yk_text_get(&text), text.length);
+    const char *words = yk_arena_copy(arena, yk_text_get(&text), text.length);
     yk_text_free(&text);
     return words;
 }
@@ -47,7 +47,7 @@ static const char *name_machine(const YkCheckVariants *v, const double *target)
 // As few parameters beside the file's as show it.
 static void simplify(YkCheckVariants *v, const YkCheckMachine *m, YkCheckVerdict *verdict)
 {
-    double *target = calloc(v->count + 1, sizeof *target);
+    double *target = yk_derive_scratch(v->check->d, v->count + 1, sizeof *target);
     if (!target) return;
     memcpy(target, m->target, v->count * sizeof *target);
     for (size_t k = 0; k < v->count && v->count <= SHOWN_ONE_BY_ONE; k++) {

@@ -226,7 +226,7 @@ static bool reach(YkCheck *check, YkCheckPoses *poses, size_t index)
 static void try_pose(YkCheck *check, YkCheckPoses *poses)
 {
     if (!reach(check, poses, poses->tried++)) return;
-    YkCheckPose *pose = calloc(1, sizeof *pose);
+    YkCheckPose *pose = yk_derive_scratch(check->d, 1, sizeof *pose);
     bool is_kept = pose != NULL;
     if (pose) {
         *pose = (YkCheckPose){.state = yk_state_new(check->d->mech), .seed = poses->seed};
@@ -255,7 +255,8 @@ static void renew(YkCheck *check, YkCheckPoses *poses, YkCheckPose *pose)
 static bool prepare(YkCheck *check, YkCheckPoses *poses)
 {
     if (!poses->work) poses->work = yk_state_new(check->d->mech);
-    if (!poses->target) poses->target = calloc(check->d->mech->input_count + 1, sizeof *poses->target);
+    if (!poses->target)
+        poses->target = yk_derive_scratch(check->d, check->d->mech->input_count + 1, sizeof *poses->target);
     check->failed |= !poses->work || !poses->target;
     return poses->work && poses->target;
 }

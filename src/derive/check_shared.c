@@ -45,14 +45,14 @@ static bool is_same_dynamics(const YkCheckShared *shared, const YkDynamics *dyna
     return true;
 }
 
-static YkCheckShared *begin(const YkDerivation *d, const YkState *state, const YkDynamics *dynamics)
+static YkCheckShared *begin(YkDerivation *d, const YkState *state, const YkDynamics *dynamics)
 {
     enum { SEED = 2024, SEED_ANYWHERE = 17 };
     size_t inputs = d->mech->input_count;
-    YkCheckShared *shared = calloc(1, sizeof *shared);
+    YkCheckShared *shared = yk_derive_scratch(d, 1, sizeof *shared);
     if (!shared) return NULL;
     shared->start = yk_state_new(d->mech);
-    shared->is_prescribed = calloc(inputs + 1, sizeof *shared->is_prescribed);
+    shared->is_prescribed = yk_derive_scratch(d, inputs + 1, sizeof *shared->is_prescribed);
     shared->anywhere = yk_field_points_new(d->ring, SEED_ANYWHERE);
     shared->dynamics = dynamics;
     shared->poses.seed = SEED;

@@ -26,7 +26,7 @@ static const char *list_forces(YkCheck *check, YkArena *arena, const bool *is_na
         if (is_named[d->unknowns[k]])
             yk_text_format(&text, "%s%s = %e", text.length ? ", " : "", yk_ring_symbol_name(d->ring, d->unknowns[k]),
                            check->values[d->unknowns[k]]);
-    const char *list = text.length && !text.failed ? yk_arena_copy(arena, yk_text_get(&text), text.length) : NULL;
+    const char *list = text.length || text.failed ? yk_arena_copy(arena, yk_text_get(&text), text.length) : NULL;
     yk_text_free(&text);
     return list;
 }
@@ -41,7 +41,7 @@ static const YkMotion *list_motions(const YkCheck *check, YkArena *arena)
 void yk_check_show(YkCheck *check, YkArena *arena, YkCheckShown *shown)
 {
     YkRing *ring = check->d->ring;
-    bool *is_named = calloc(yk_ring_symbol_count(ring) + 1, sizeof *is_named);
+    bool *is_named = yk_derive_scratch(check->d, yk_ring_symbol_count(ring) + 1, sizeof *is_named);
     shown->left = yk_form_value(ring, check->equation.left, check->values).x;
     shown->right = yk_form_value(ring, check->equation.right, check->values).x;
     shown->positions = list_motions(check, arena);

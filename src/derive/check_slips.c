@@ -5,7 +5,7 @@
 static const char *keep(YkCheck *check, YkText *text)
 {
     if (check->points->ground != YK_GROUND_FIRM) yk_text_puts(text, " with this file's numbers");
-    const char *kept = text->failed ? NULL : yk_arena_copy(check->d->arena, yk_text_get(text), text->length);
+    const char *kept = yk_arena_copy(check->d->arena, yk_text_get(text), text->length);
     yk_text_free(text);
     return kept;
 }

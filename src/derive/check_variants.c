@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/mix.h"
+#include "base/problems.h"
 #include "compile/variant.h"
 #include "derive/blocks.h"
 #include "derive/check_inside.h"
@@ -21,10 +22,19 @@ static bool is_free(const YkModel *model, size_t parameter)
     return !yk_expr_has_names(model->parameters[parameter].expr) && isfinite(model->parameters[parameter].value);
 }
 
-static bool can_vary(const YkMechanism *mech, const char *name)
+// What is said where something cannot be made is no matter here, unless it is that memory ran out.
+static void forget(YkCheck *check, YkProblems *said)
 {
-    YkRedesign *redesign = yk_redesign_new(mech->model, &name, 1, NULL);
+    check->failed |= !said || yk_problems_ran_out(said);
+    yk_problems_free(said);
+}
+
+static bool can_vary(YkCheck *check, const char *name)
+{
+    YkProblems *said = yk_problems_new();
+    YkRedesign *redesign = said ? yk_redesign_new(check->d->mech->model, &name, 1, said) : NULL;
     yk_redesign_free(redesign);
+    forget(check, said);
     return redesign != NULL;
 }
 
@@ -34,9 +44,17 @@ static bool is_faithful(const YkVariant *variant)
     return variant && !variant->is_of_file;
 }
 
-static bool is_faithful_alone(const YkMechanism *mech, const char *name)
+static YkVariant *vary(YkCheck *check, const char *const *names, size_t count)
 {
-    YkVariant *variant = yk_variant_new(mech, &name, 1, NULL);
+    YkProblems *said = yk_problems_new();
+    YkVariant *variant = said ? yk_variant_new(check->d->mech, names, count, said) : NULL;
+    forget(check, said);
+    return variant;
+}
+
+static bool is_faithful_alone(YkCheck *check, const char *name)
+{
+    YkVariant *variant = vary(check, &name, 1);
     bool is = is_faithful(variant);
     yk_variant_free(variant);
     return is;
@@ -44,7 +62,7 @@ static bool is_faithful_alone(const YkMechanism *mech, const char *name)
 
 static YkVariant *new_variant(const YkCheckVariants *v)
 {
-    YkVariant *variant = v->count > 0 ? yk_variant_new(v->check->d->mech, v->name, v->count, NULL) : NULL;
+    YkVariant *variant = v->count > 0 ? vary(v->check, v->name, v->count) : NULL;
     if (is_faithful(variant)) return variant;
     yk_variant_free(variant);
     return NULL;
@@ -54,7 +72,7 @@ static void keep_faithful(YkCheckVariants *v)
 {
     size_t kept = 0;
     for (size_t k = 0; k < v->count; k++)
-        if (is_faithful_alone(v->check->d->mech, v->name[k])) v->name[kept++] = v->name[k];
+        if (is_faithful_alone(v->check, v->name[k])) v->name[kept++] = v->name[k];
     v->count = kept;
 }
 
@@ -72,7 +90,7 @@ const char *yk_check_list_names(const YkCheckVariants *v, YkArena *arena, bool v
     for (size_t k = 0; k < model->parameter_count; k++)
         if (is_free(model, k) && is_among(v, model->parameters[k].name) == varied)
             yk_text_format(&text, "%s%s", text.length ? ", " : "", model->parameters[k].name);
-    const char *list = text.length && !text.failed ? yk_arena_copy(arena, yk_text_get(&text), text.length) : NULL;
+    const char *list = text.length || text.failed ? yk_arena_copy(arena, yk_text_get(&text), text.length) : NULL;
     yk_text_free(&text);
     return list;
 }
@@ -112,7 +130,9 @@ static bool walk(const YkCheckVariants *v, YkCheckMachine *m)
     for (int step = 0; step <= STEPS; step++) {
         for (size_t k = 0; k < v->count; k++)
             v->value[k] = step == STEPS ? m->target[k] : v->own[k] + (m->target[k] - v->own[k]) * step / STEPS;
-        if (yk_variant_set(m->variant, v->value) < 0 || yk_state_solve(m->state) < 0) return false;
+        YkStatus status = yk_variant_set(m->variant, v->value);
+        v->check->failed |= status == YK_NO_MEMORY;
+        if (status < 0 || yk_state_solve(m->state) < 0) return false;
         yk_state_refer(m->state);
     }
     return true;
@@ -123,7 +143,7 @@ static bool closes(const YkCheckMachine *m)
 {
     const YkDeriveBlocks *blocks = yk_derive_blocks(m->d);
     yk_derive_body_angle(m->d, 0);
-    double *values = calloc(yk_ring_symbol_count(m->d->ring) + 1, sizeof *values);
+    double *values = yk_derive_scratch(m->d, yk_ring_symbol_count(m->d->ring) + 1, sizeof *values);
     bool does = blocks && values;
     if (does) yk_derive_values(m->d, m->state, m->dynamics, values);
     for (size_t r = 0; does && r < blocks->row_count; r++) {
@@ -136,7 +156,7 @@ static bool closes(const YkCheckMachine *m)
 
 static YkDynamics *dynamics_like(const YkDynamics *own, const YkMechanism *mech)
 {
-    YkDynamics *dynamics = own ? yk_dynamics_new(mech, NULL) : NULL;
+    YkDynamics *dynamics = own ? yk_dynamics_new(mech, NULL) : NULL; // fails for want of memory alone
     for (size_t i = 0; dynamics && i < mech->input_count; i++)
         yk_dynamics_prescribe(dynamics, i, yk_dynamics_is_prescribed(own, i));
     return dynamics;
@@ -152,13 +172,14 @@ static void clear(YkCheckMachine *m)
     m->is_machine = false;
 }
 
-static bool make_room_for(const YkCheckVariants *v, YkCheckMachine *m)
+static bool make_room_for(YkCheckVariants *v, YkCheckMachine *m)
 {
-    if (!m->target) m->target = calloc(v->count + 1, sizeof *m->target);
+    if (!m->target) m->target = yk_derive_scratch(v->check->d, v->count + 1, sizeof *m->target);
     if (!m->variant) m->variant = new_variant(v);
     const YkMechanism *mech = m->variant ? yk_variant_mechanism(m->variant) : NULL;
     if (!m->state && mech) m->state = yk_state_new(mech);
     if (!m->here && mech) m->here = yk_state_new(mech);
+    v->check->failed |= mech && (!m->state || !m->here);
     return m->target && m->state && m->here;
 }
 
@@ -168,9 +189,13 @@ static void stand(const YkCheckVariants *v, YkCheckMachine *m)
     const YkMechanism *mech = yk_variant_mechanism(m->variant);
     if (!walk(v, m)) return;
     m->dynamics = dynamics_like(v->check->dynamics, mech);
-    m->d = yk_derivation_new(mech->model, mech, NULL);
+    YkProblems *said = yk_problems_new();
+    m->d = said ? yk_derivation_new(mech->model, mech, said) : NULL;
+    forget(v->check, said);
+    v->check->failed |= v->check->dynamics && !m->dynamics;
     m->poses.seed = m->seed;
     m->is_machine = m->d && (m->dynamics || !v->check->dynamics) && closes(m);
+    v->check->failed |= m->d && yk_derivation_ran_out(m->d);
 }
 
 // --- For all equations
@@ -198,7 +223,7 @@ static void choose_names(YkCheckVariants *v)
 {
     const YkModel *model = v->check->d->model;
     for (size_t k = 0; k < model->parameter_count; k++)
-        if (is_free(model, k) && can_vary(v->check->d->mech, model->parameters[k].name))
+        if (is_free(model, k) && can_vary(v->check, model->parameters[k].name))
             v->name[v->count++] = model->parameters[k].name;
 }
 
@@ -206,11 +231,11 @@ static YkCheckVariants *begin(YkCheck *check)
 {
     enum { SEED = 77 };
     size_t n = check->d->model->parameter_count;
-    YkCheckVariants *v = calloc(1, sizeof *v);
+    YkCheckVariants *v = yk_derive_scratch(check->d, 1, sizeof *v);
     if (!v) return NULL;
     *v = (YkCheckVariants){.check = check, .seed = SEED, .reach = BESIDE};
-    v->name = (const char **)calloc(n + 1, sizeof *v->name);
-    v->own = calloc(2 * n + 1, sizeof *v->own);
+    v->name = (const char **)yk_derive_scratch(check->d, n + 1, sizeof *v->name);
+    v->own = yk_derive_scratch(check->d, 2 * n + 1, sizeof *v->own);
     if (!v->name || !v->own) return v;
     v->value = v->own + n;
     choose_names(v);

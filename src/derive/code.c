@@ -65,7 +65,7 @@ bool yk_derive_define_bodies(void *derivation, YkGraph *graph)
 {
     YkDerivation *d = derivation;
     size_t bodies = d->model->body_count;
-    YkGraphValue(*motions)[3] = calloc(bodies + 1, sizeof *motions);
+    YkGraphValue(*motions)[3] = yk_derive_scratch(d, bodies + 1, sizeof *motions);
     if (!motions) return false;
     for (int k = 0; k < 3; k++) motions[0][k] = yk_graph_number(graph, 0);
     for (size_t k = 0; k < bodies; k++) {

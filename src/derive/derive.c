@@ -14,6 +14,11 @@ static bool enter_all(YkDerivation *d)
     return yk_derivation_is_well(d);
 }
 
+YkCode yk_derive_code(YkRingStatus status)
+{
+    return status == YK_RING_MEMORY ? YK_CODE_OUT_OF_MEMORY : YK_CODE_DERIVATION;
+}
+
 YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems)
 {
     YkDerivation *d = calloc(1, sizeof *d);
@@ -22,7 +27,7 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
         if (d->arena && d->ring && enter_all(d) && yk_derivation_is_well(d)) return d;
     }
     YkRingStatus why = d && d->ring && yk_ring_status(d->ring) != YK_RING_OK ? yk_ring_status(d->ring) : YK_RING_MEMORY;
-    yk_problem(problems, YK_CODE_DERIVATION, (YkPlace){0}, "the machine cannot be written in symbols: %s",
+    yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "the machine cannot be written in symbols: %s",
                yk_ring_status_text(why));
     yk_derivation_free(d);
     return NULL;
@@ -40,6 +45,18 @@ void yk_derivation_free(YkDerivation *d)
     yk_ring_free(d->ring);
     yk_arena_free(d->arena);
     free(d);
+}
+
+void *yk_derive_scratch(YkDerivation *d, size_t count, size_t size)
+{
+    void *memory = calloc(count, size);
+    if (!memory) d->failed = true;
+    return memory;
+}
+
+bool yk_derivation_ran_out(const YkDerivation *d)
+{
+    return !d || d->failed || yk_arena_failed(d->arena) || yk_ring_status(d->ring) == YK_RING_MEMORY;
 }
 
 bool yk_derivation_is_well(const YkDerivation *d)

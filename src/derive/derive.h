@@ -143,6 +143,11 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
 void yk_derivation_free(YkDerivation *derivation);
 // Everything derived so far exists: memory, the ring's status.
 bool yk_derivation_is_well(const YkDerivation *derivation);
+YkCode yk_derive_code(YkRingStatus status); // of a problem that tells it
+// Zeroed memory for a while, for free(). NULL when out of memory, which the derivation keeps in mind.
+void *yk_derive_scratch(YkDerivation *derivation, size_t count, size_t size);
+// Did it run out of memory, in the ring or outside? It then remains so, and nothing that came of it is to be shown.
+bool yk_derivation_ran_out(const YkDerivation *derivation);
 
 // --- From the file (expression.c, symbols.c)
 // ------------------------------------------------------------------------------- An expression of the file in SI,

@@ -46,11 +46,11 @@ static int by_bodies(const void *a, const void *b)
 
 // Marks joints and relations (behind them) between two bodies that another joint or relation is between, too. False
 // when out of memory.
-static bool find_doubles(const YkDerivation *d, bool *is_double)
+static bool find_doubles(YkDerivation *d, bool *is_double)
 {
     const YkModel *model = d->model;
     size_t count = model->joint_count;
-    Pair *pairs = calloc(count + d->mech->relation_count + 1, sizeof *pairs);
+    Pair *pairs = yk_derive_scratch(d, count + d->mech->relation_count + 1, sizeof *pairs);
     if (!pairs) return false;
     for (size_t j = 0; j < count; j++) pairs[j] = (Pair){pair_of(model->joints[j].body), (int32_t)j};
     for (size_t k = 0; k < d->mech->relation_count; k++) {

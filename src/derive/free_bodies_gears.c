@@ -27,7 +27,7 @@ static bool follow_axis(YkMeshAxis *axis, int32_t body, const YkPoisson *at)
 YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier)
 {
     size_t bodies = m->d->model->body_count;
-    YkMeshAxis axis = {.m = m, .carrier = carrier, .seen = calloc(bodies, sizeof *axis.seen)};
+    YkMeshAxis axis = {.m = m, .carrier = carrier, .seen = yk_derive_scratch(m->d, bodies, sizeof *axis.seen)};
     axis.held.holders = YK_NEW(m->d->arena, YkDeriveHolder, bodies + 1);
     if (!axis.seen || !axis.held.holders)
         m->d->failed = true;
@@ -53,7 +53,7 @@ static const YkPoisson *line_of_centers(YkMeshMaking *m, const YkGear *gear, con
 
 static double constant_value(YkDerivation *d, const YkPoisson *a)
 {
-    double *values = calloc(yk_ring_symbol_count(d->ring) + 64, sizeof *values);
+    double *values = yk_derive_scratch(d, yk_ring_symbol_count(d->ring) + 64, sizeof *values);
     if (!values) {
         d->failed = true;
         return 0;

@@ -73,7 +73,7 @@ bool yk_derive_find_junctions(YkDeriveForces *f)
 {
     const YkModel *model = f->d->model;
     size_t joints = model->joint_count, bodies = model->body_count;
-    int32_t *block = calloc(5 * joints + bodies + 1, sizeof *block);
+    int32_t *block = yk_derive_scratch(f->d, 5 * joints + bodies + 1, sizeof *block);
     if (!block) return false;
     int32_t *parent = block, *size = block + joints;
     PinsOf pins = {block + 2 * joints, block + 2 * joints + bodies};

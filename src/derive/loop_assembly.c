@@ -32,11 +32,11 @@ static void scale_line(double *entry, size_t count, size_t step)
     for (size_t k = 0; k < count && most > 0; k++) entry[k * step] /= most;
 }
 
-static int rank_of(Matrix *m)
+static int rank_of(YkDerivation *d, Matrix *m)
 {
     size_t n = m->rows > m->columns ? m->rows : m->columns;
-    size_t *order = calloc(n + 1, sizeof *order);
-    double *tau = calloc(n + 1, sizeof *tau);
+    size_t *order = yk_derive_scratch(d, n + 1, sizeof *order);
+    double *tau = yk_derive_scratch(d, n + 1, sizeof *tau);
     int rank = -1;
     for (size_t k = 0; k < m->columns; k++) scale_line(m->entry + k, m->rows, m->columns);
     for (size_t r = 0; r < m->rows; r++) scale_line(m->entry + r * m->columns, m->columns, 1);
@@ -51,16 +51,16 @@ static int rank_of(Matrix *m)
 
 static int linear_rank(YkDerivation *d, const YkDeriveBlocks *blocks, const double *values)
 {
-    int32_t *unknowns = calloc(d->coordinate_count + d->model->parameter_count + 1, sizeof *unknowns);
+    int32_t *unknowns = yk_derive_scratch(d, d->coordinate_count + d->model->parameter_count + 1, sizeof *unknowns);
     Matrix m = {.rows = blocks->row_count};
     if (unknowns) m.columns = yk_loop_linear(d, blocks, unknowns);
-    m.entry = calloc(m.rows * m.columns + 1, sizeof *m.entry);
+    m.entry = yk_derive_scratch(d, m.rows * m.columns + 1, sizeof *m.entry);
     for (size_t r = 0; m.entry && r < m.rows; r++)
         for (size_t k = 0; k < m.columns; k++) {
             const YkPoisson *slope = yk_ring_coefficient(d->ring, blocks->rows[r].value, unknowns[k], 1);
             m.entry[r * m.columns + k] = value_of(d, slope, values);
         }
-    int rank = m.entry && unknowns ? rank_of(&m) : -1;
+    int rank = m.entry && unknowns ? rank_of(d, &m) : -1;
     free(unknowns);
     free(m.entry);
     return rank;
@@ -85,7 +85,7 @@ static void collect(YkDerivation *d, const YkDeriveBlocks *blocks, Equations *al
         all->zero[all->count++] = yk_ring_subtract(d->ring, own, definition);
         all->definitions++;
     }
-    bool *is_there = calloc(yk_ring_symbol_count(d->ring) + 1, sizeof *is_there);
+    bool *is_there = yk_derive_scratch(d, yk_ring_symbol_count(d->ring) + 1, sizeof *is_there);
     for (size_t r = 0; is_there && r < all->count; r++)
         for (int32_t s = yk_ring_next_symbol(d->ring, all->zero[r], -1); s >= 0;
              s = yk_ring_next_symbol(d->ring, all->zero[r], s)) {
@@ -99,15 +99,16 @@ static bool is_alone(YkDerivation *d, const YkDeriveBlocks *blocks, const YkLoop
                      const double *values)
 {
     Equations all = {0};
-    all.zero = (const YkPoisson **)calloc(blocks->row_count + d->model->parameter_count + 1, sizeof *all.zero);
-    all.variable = calloc(yk_ring_symbol_count(d->ring) + 1, sizeof *all.variable);
+    all.zero =
+        (const YkPoisson **)yk_derive_scratch(d, blocks->row_count + d->model->parameter_count + 1, sizeof *all.zero);
+    all.variable = yk_derive_scratch(d, yk_ring_symbol_count(d->ring) + 1, sizeof *all.variable);
     if (all.zero && all.variable) collect(d, blocks, &all);
     Matrix m = {.rows = all.count, .columns = all.variable_count};
-    m.entry = calloc(m.rows * m.columns + 1, sizeof *m.entry);
+    m.entry = yk_derive_scratch(d, m.rows * m.columns + 1, sizeof *m.entry);
     for (size_t r = 0; m.entry && r < m.rows; r++)
         for (size_t k = 0; k < m.columns; k++)
             m.entry[r * m.columns + k] = value_of(d, yk_ring_partial(d->ring, all.zero[r], all.variable[k]), values);
-    bool is = m.entry && all.zero && all.variable && rank_of(&m) == rank + (int)bonds->count + (int)all.definitions;
+    bool is = m.entry && all.zero && all.variable && rank_of(d, &m) == rank + (int)bonds->count + (int)all.definitions;
     free((void *)all.zero);
     free(all.variable);
     free(m.entry);

@@ -70,7 +70,7 @@ static bool is_angle_closed(YkLoopMaking *making, const YkDeriveRow *row)
 void yk_loop_close_angles(YkLoopMaking *making)
 {
     const YkDeriveBlocks *blocks = making->blocks;
-    bool *used = calloc(making->d->coordinate_count + 1, sizeof *used);
+    bool *used = yk_derive_scratch(making->d, making->d->coordinate_count + 1, sizeof *used);
     if (!used) making->failed = true;
     for (size_t k = 0; making->bonds && k < making->bonds->count; k++) bind(making, &making->bonds->bond[k]);
     for (size_t r = 0; used && r < blocks->row_count; r++) {

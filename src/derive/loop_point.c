@@ -54,9 +54,9 @@ static int solve(YkLoopMaking *making, const YkLoopSystem *system, size_t *first
 bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
 {
     size_t rows = system->row_count;
-    size_t *first = calloc(rows + 1, sizeof *first);
-    YkFieldEntry *entries = calloc(system->rows[rows].first + 1, sizeof *entries);
-    uint64_t *b = calloc(rows + system->unknown_count + 1, sizeof *b);
+    size_t *first = yk_derive_scratch(making->d, rows + 1, sizeof *first);
+    YkFieldEntry *entries = yk_derive_scratch(making->d, system->rows[rows].first + 1, sizeof *entries);
+    uint64_t *b = yk_derive_scratch(making->d, rows + system->unknown_count + 1, sizeof *b);
     making->failed |= !first || !entries || !b;
     *rank = making->failed ? -1 : solve(making, system, first, entries, b, b + rows);
     free(first);

@@ -135,7 +135,7 @@ const char *yk_derive_pitch_name(YkDerivation *d, size_t gear_or_rack)
     if (!d->pitch_stem) d->pitch_stem = stems[k];
     YkText text = {0};
     yk_text_format(&text, "%s%z", d->pitch_stem, gear_or_rack + 1);
-    const char *name = text.failed ? NULL : yk_arena_copy(d->arena, yk_text_get(&text), text.length);
+    const char *name = yk_arena_copy(d->arena, yk_text_get(&text), text.length);
     d->failed |= !name;
     yk_text_free(&text);
     return name ? name : "";

@@ -69,7 +69,7 @@ static const char *join(YkDerivation *d, const char *first, const char *between,
 {
     YkText text = {0};
     yk_text_format(&text, "%s%s%s", first, between, second);
-    const char *copy = text.failed ? NULL : yk_arena_copy(d->arena, yk_text_get(&text), text.length);
+    const char *copy = yk_arena_copy(d->arena, yk_text_get(&text), text.length);
     yk_text_free(&text);
     if (!copy) d->failed = true;
     return copy ? copy : "";

@@ -19,6 +19,8 @@ static void refuse_open(const char *path, int cause, YkProblems *problems)
 {
     if (cause == ENOENT || cause == ENOTDIR)
         yk_problem(problems, YK_CODE_FILE_NOT_FOUND, nowhere, "there is no file %q", path);
+    else if (cause == ENOMEM)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, nowhere, "out of memory");
     else
         yk_problem(problems, YK_CODE_FILE_UNREADABLE, nowhere, "cannot read %q: %s", path,
                    cause == EACCES ? "permission denied" : "the system refuses it");

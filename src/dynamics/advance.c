@@ -83,8 +83,14 @@ static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
     return sim->status = status;
 }
 
+static bool has_run_out(const YkSimulation *sim)
+{
+    return sim->dynamics->ran_out || yk_arena_failed(sim->arena);
+}
+
 static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
 {
+    if (has_run_out(sim)) sim->status = YK_NO_MEMORY;
     if (sim->status == YK_OK) sim->status = status == YK_ODE_NO_MEMORY ? YK_NO_MEMORY : YK_NOT_CONVERGED;
     yk_simulation_stand_still(sim);
     if (sim->report.message[0] == 0) yk_simulation_explain(sim);
@@ -210,7 +216,7 @@ YkStatus yk_simulation_advance(YkSimulation *sim, double to)
     sim->target = to;
     if (!sim->has_begun && !start_moving(sim)) return fail(sim, YK_ODE_FAILED);
     if (to == sim->options.start && yk_ode_time(sim->ode) == to) // the first row
-        return stand(sim, to, yk_ode_state(sim->ode)) ? YK_OK : fail(sim, YK_ODE_FAILED);
+        return stand(sim, to, yk_ode_state(sim->ode)) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
     while (!is_passed(sim, to)) {
         if (sim->pending != YK_PENDING_NONE) {
             if (!take_pending(sim)) return fail(sim, YK_ODE_FAILED);
@@ -236,5 +242,5 @@ YkStatus yk_simulation_advance(YkSimulation *sim, double to)
         if (sim->options.goes_on && !sim->options.goes_on(sim->options.context, reached)) to = fmin(to, reached);
     }
     if (yk_ode_dense(sim->ode, to, sim->dense) != YK_ODE_OK) return fail(sim, YK_ODE_FAILED);
-    return stand(sim, to, sim->dense) ? YK_OK : fail(sim, YK_ODE_FAILED);
+    return stand(sim, to, sim->dense) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
 }

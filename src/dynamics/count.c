@@ -94,12 +94,13 @@ static int by_place(const void *a, const void *b)
     return p->at.y != q->at.y ? (p->at.y < q->at.y ? -1 : 1) : p->joint - q->joint;
 }
 
-static size_t count_junctions(const YkModel *model)
+static size_t count_junctions(const YkModel *model, bool *ran_out)
 {
     PinEnd *ends = calloc(2 * model->joint_count + 1, sizeof *ends);
     int32_t *parent = calloc(model->joint_count + 1, sizeof *parent),
             *size = calloc(model->joint_count + 1, sizeof *size);
     size_t count = 0, junctions = 0;
+    *ran_out = !ends || !parent || !size;
     for (size_t j = 0; ends && parent && size && j < model->joint_count; j++) {
         const YkJoint *joint = &model->joints[j];
         parent[j] = (int32_t)j;
@@ -156,11 +157,12 @@ YkEquationCount yk_dynamics_count(const YkDynamics *d)
     if (!meetings || !parent) {
         free(meetings);
         free(parent);
+        c.ran_out = true;
         return c;
     }
     look_at_joints(d, meetings);
     look_at_meshes(model, meetings);
-    size_t junctions = count_junctions(model);
+    size_t junctions = count_junctions(model, &c.ran_out);
     c.force = 2 * (model->body_count - 1 + junctions);
     c.unknown_reactions = 2 * junctions;
     for (size_t j = 0; j < model->joint_count; j++)

@@ -120,15 +120,16 @@ static bool make_elimination(YkDynamics *d, size_t free_count)
 bool yk_dynamics_prepare(YkDynamics *d)
 {
     if (!d->is_stale) return true;
-    bool fits = true;
     size_t free_count = count_free(d);
+    bool fits = free_count == d->mech->input_count;
     forget_equations(d);
-    d->tree = free_count == d->mech->input_count ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
+    d->tree = fits ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
     for (size_t i = 0; i < d->mech->input_count; i++) { // for what may push there
         const YkJoint *j = &d->mech->model->joints[d->mech->coordinates[d->mech->inputs[i]].joint];
         if (d->is_free[i]) d->loads->is_loaded[j->body[0]] = d->loads->is_loaded[j->body[1]] = true;
     }
-    d->is_stale = !d->tree && !make_elimination(d, free_count);
+    bool ran_out = fits && !d->tree; // the elimination would give other bits
+    d->is_stale = ran_out || (!d->tree && !make_elimination(d, free_count));
     return !d->is_stale;
 }
 
@@ -145,6 +146,7 @@ static void append(char *message, size_t capacity, const char *part)
 YkStatus yk_dynamics_fail(YkDynamics *d, YkStatus status, const char *head, const char *name, const char *tail)
 {
     d->report = (YkReport){.status = status, .block = -1, .joint = -1};
+    d->ran_out |= status == YK_NO_MEMORY;
     const char *parts[] = {head, name, tail};
     for (int k = 0; k < 3; k++) append(d->report.message, sizeof d->report.message, parts[k]);
     return status;

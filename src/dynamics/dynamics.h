@@ -32,6 +32,7 @@ struct YkDynamics {
     double largest_force;
     int32_t pushed; // an input on which `push` acts besides all loads, for responses
     double push;
+    bool ran_out; // of memory, once: what came of it afterwards is not to be relied on
     YkReport report;
 };
 

@@ -80,6 +80,11 @@ static YkStatus set_accelerations(YkDynamics *d, YkState *state)
     return status >= 0 && !state->has_rates ? YK_SINGULAR : status;
 }
 
+static YkStatus run_out(YkDynamics *d)
+{
+    return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
+}
+
 YkStatus yk_dynamics_apply(YkDynamics *d, YkState *state)
 {
     YkStatus status = set_accelerations(d, state);
@@ -91,7 +96,7 @@ YkStatus yk_dynamics_apply(YkDynamics *d, YkState *state)
         yk_free_bodies_radial(d->bodies, d->load, -1); // told as forces of the mesh, not as loads
     }
     if (status >= 0 && status != YK_SINGULAR) take_results(d, state);
-    return status;
+    return status == YK_NO_MEMORY ? run_out(d) : status;
 }
 
 static YkStatus solve_reduced(YkDynamics *d, YkState *state)
@@ -118,7 +123,7 @@ static YkStatus solve_bodies(YkDynamics *d, YkState *state)
     }
     status = yk_free_bodies_forward(d->bodies, &state->space, d->load, is_prescribed, d->acceleration, &culprit);
     if (status == YK_SINGULAR) return yk_dynamics_fail_at_input(d, culprit);
-    if (status < 0) return status;
+    if (status < 0) return status == YK_NO_MEMORY ? run_out(d) : status;
     if (yk_free_bodies_radial(d->bodies, d->load, 1)) {
         status = yk_free_bodies_forward(d->bodies, &state->space, d->load, is_prescribed, d->acceleration, &culprit);
         yk_free_bodies_radial(d->bodies, d->load, -1);

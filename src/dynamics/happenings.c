@@ -8,7 +8,10 @@ enum { HAPPENINGS_MAX = 100000, PROBES = 5 };
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value)
 {
     if (sim->happening_count >= HAPPENINGS_MAX) return;
-    if (!YK_ROOM(sim->happenings, sim->happening_count, sim->happening_capacity)) return;
+    if (!YK_ROOM(sim->happenings, sim->happening_count, sim->happening_capacity)) {
+        yk_arena_fail(sim->arena);
+        return;
+    }
     const char *kept = yk_arena_copy(sim->arena, name, strlen(name)); // the mechanism may go
     if (kept) sim->happenings[sim->happening_count++] = (YkHappening){kind, time, kept, value};
 }

@@ -129,7 +129,9 @@ static bool search(YkRest *rest, size_t starts)
             }
             for (size_t i = 0; i < rest->freedom; i++)
                 yk_state_set_input(s, (size_t)rest->input[i], (YkMotion){s->guess[mech->inputs[rest->input[i]]], 0, 0});
-            if (yk_state_assemble(s) < 0) continue;
+            YkStatus status = yk_state_assemble(s);
+            if (status == YK_NO_MEMORY) return false;
+            if (status < 0) continue;
         }
         for (size_t i = 0; i < rest->freedom; i++) rest->q[i] = s->input[3 * rest->input[i]];
         if (descend(rest) && !keep(rest)) return false;
@@ -210,6 +212,7 @@ static bool assemble(YkRest *rest, double time, YkProblems *problems)
     for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     YkStatus status = yk_state_assemble(s);
     if (status >= 0) return true;
+    if (status == YK_NO_MEMORY) return false; // told with the rest
     yk_problem(problems, status == YK_LIMIT ? YK_CODE_POSE_LIMIT : YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0},
                "the search for equilibria cannot start: %s", s->report.message);
     return false;
@@ -229,7 +232,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
                    "no body has mass or inertia, so the machine has no motion of its own");
         ok = false;
     }
-    if (ok) ok = search(rest, starts) && has_inertia(rest, problems);
+    if (ok) ok = search(rest, starts) && has_inertia(rest, problems) && !rest->dynamics->ran_out;
     if (!ok) {
         if (problems && yk_problems_error_count(problems) == 0)
             yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");

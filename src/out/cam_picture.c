@@ -159,7 +159,6 @@ static void add_words(const YkCamPicture *picture, YkText *svg, YkVec at, double
     yk_number_write_fixed(height, 2, digits);
     yk_text_format(&style, "font-family=\"sans-serif\" font-size=\"%s\" fill=\"#333\"", digits);
     yk_svg_word(svg, at, yk_text_get(&words), yk_text_get(&style));
-    svg->failed |= words.failed || style.failed;
     yk_text_free(&words);
     yk_text_free(&style);
 }

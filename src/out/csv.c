@@ -12,6 +12,7 @@ static void separate(YkCsv *csv)
 void yk_csv_name(YkCsv *csv, const char *name)
 {
     separate(csv);
+    if (name == yk_text_lost) yk_text_fail(csv->text);
     if (!strpbrk(name, ",\"\r\n")) {
         yk_text_puts(csv->text, name);
         return;

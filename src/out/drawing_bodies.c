@@ -15,7 +15,6 @@ static void add_shape(YkDrawing *drawing, const YkVec *corners, size_t count, co
     } else {
         yk_svg_line(&drawing->svg, corners[0], corners[1], yk_text_get(&style));
     }
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
 

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include "out/drawing.h"
 #include "out/svg.h"
-#include "out/words.h"
 
 static const double tolerance = 2e-3; // of the base circle: what an outline may be off
 
@@ -182,7 +181,7 @@ YkVec yk_drawing_rider(const YkDrawing *drawing, const YkFrame *frames, size_t c
 
 static void set_style(YkText *style, const char *fill, const char *edge, double width)
 {
-    yk_words_renew(style);
+    yk_text_clear(style);
     yk_text_format(style, "fill=\"%s\" stroke=\"%s\" stroke-width=\"", fill, edge);
     yk_svg_number(style, width);
     yk_text_puts(style, "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"");
@@ -242,6 +241,5 @@ void yk_drawing_cams(YkDrawing *drawing, const YkFrame *frames)
         add_outline(drawing, frames, k, &style);
         add_rider(drawing, frames, k, &style);
     }
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }

@@ -2,12 +2,11 @@
 // joints.
 #include "out/drawing.h"
 #include "out/svg.h"
-#include "out/words.h"
 
 // A run of attributes: fill, edge and its width.
 static void set_style(YkText *style, const char *fill, const char *edge, double width)
 {
-    yk_words_renew(style);
+    yk_text_clear(style);
     yk_text_format(style, "fill=\"%s\" stroke=\"%s\" stroke-width=\"", fill, edge);
     yk_svg_number(style, width);
     yk_text_puts(style, "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"");
@@ -117,7 +116,6 @@ void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames)
     YkText style = {0};
     add_each(drawing, frames, YK_SLIDE, 0, false, add_rod, &style);
     add_each(drawing, frames, YK_PIN_SLOT, 0, false, add_rod, &style);
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
 
@@ -130,7 +128,6 @@ void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames)
     add_each(drawing, frames, YK_WELD, 1, true, add_weld, &style);
     add_each(drawing, frames, YK_PIN, 1, true, add_pin, &style);
     add_each(drawing, frames, YK_PIN_SLOT, 1, true, add_pin, &style);
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
 
@@ -142,6 +139,5 @@ void yk_drawing_joint_on(YkDrawing *drawing, const YkFrame *frames, const YkJoin
     if (side == 1 && joint->kind == YK_SLIDE) add_box(drawing, frames, joint, &style);
     if (joint->kind == YK_WELD) add_weld(drawing, frames, joint, &style);
     if (joint->kind == YK_PIN || (side == 1 && joint->kind == YK_PIN_SLOT)) add_pin(drawing, frames, joint, &style);
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }

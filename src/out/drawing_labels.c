@@ -82,7 +82,6 @@ static void name_bodies(YkDrawing *drawing, const YkFrame *frames, YkLabels *lab
         add_label(drawing, labels, yk_drawing_pixel(drawing, middle), reach, yk_model_body_name(drawing->model, b),
                   yk_text_get(&style));
         yk_drawing_ungroup(drawing);
-        drawing->svg.failed |= style.failed;
         yk_text_free(&style);
     }
 }

@@ -25,7 +25,6 @@ static void add_scale(YkDrawing *drawing)
     YkText words = {0};
     yk_text_format(&words, "%e %s", length, name);
     yk_svg_word(&drawing->svg, yk_vec(28 + pixels, y + 4), yk_text_get(&words), "fill=\"#55585c\" font-size=\"12\"");
-    drawing->svg.failed |= words.failed;
     yk_text_free(&words);
 }
 

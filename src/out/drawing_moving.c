@@ -139,6 +139,5 @@ void yk_drawing_keyframes(YkDrawing *drawing, double seconds, bool to_and_fro)
     for (size_t b = 1; drawing->options.labels && b < drawing->model->body_count; b++)
         add_keyframes(drawing, 'n', b, name_shift, yk_text_get(&timing));
     yk_text_puts(&drawing->svg, "@media (prefers-reduced-motion:reduce){g{animation:none!important}}\n</style>\n");
-    drawing->svg.failed |= timing.failed;
     yk_text_free(&timing);
 }

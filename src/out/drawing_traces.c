@@ -14,7 +14,6 @@ static void add_path(YkDrawing *drawing, size_t index, YkVec *pixels)
     if (drawing->options.moving) yk_text_format(&style, "class=\"trace t%z%s\" ", point, is_hidden ? " off" : "");
     yk_text_format(&style, "fill=\"none\" stroke=\"%s\" stroke-width=\"1.6\" stroke-linejoin=\"round\"", colour);
     yk_svg_polyline(&drawing->svg, pixels, drawing->trace_count, yk_text_get(&style));
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
 

@@ -4,7 +4,6 @@
 // each other by the same arc, they meet in every pose. A body has one set of marks for every mesh it takes part in.
 #include "out/drawing.h"
 #include "out/svg.h"
-#include "out/words.h"
 
 enum { MARKS_MAX = 400 };
 
@@ -22,7 +21,7 @@ double yk_drawing_pitch_radius(const YkGear *gear, int side)
 
 static void set_style(YkText *style, size_t body, double width, const char *dashes)
 {
-    yk_words_renew(style);
+    yk_text_clear(style);
     yk_text_format(style, "fill=\"none\" stroke=\"%s\" stroke-width=\"", yk_drawing_colour(body).edge);
     yk_svg_number(style, width);
     yk_text_format(style, "\"%s", dashes);
@@ -106,7 +105,6 @@ void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames)
         YkVec at = yk_drawing_joint(drawing, frames, pin, pin->body[1] == cam->cam);
         add_circle(drawing, at, cam->base, (size_t)cam->cam, " stroke-dasharray=\"4 3\"", &style);
     }
-    drawing->svg.failed |= style.failed;
     yk_text_free(&style);
 }
 
@@ -162,6 +160,5 @@ void yk_drawing_body_wheels(YkDrawing *drawing, const YkFrame *frames, int32_t b
 {
     WheelPen pen = {.drawing = drawing, .body = (size_t)body};
     yk_drawing_each_wheel(drawing, frames, body, draw_wheel, &pen);
-    drawing->svg.failed |= pen.style.failed;
     yk_text_free(&pen.style);
 }

@@ -36,6 +36,8 @@ bool yk_file_fail(const char *path, int error, YkProblems *problems)
         yk_problem(problems, YK_CODE_OUTPUT_DENIED, nowhere, "cannot write %q: permission denied", path);
     } else if (error == EISDIR) {
         yk_problem(problems, YK_CODE_OUTPUT_IS_FOLDER, nowhere, "cannot write %q: it is a folder", path);
+    } else if (error == ENOMEM) {
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, nowhere, "out of memory");
     } else if (error == EFBIG) {
         yk_problem(problems, YK_CODE_OUTPUT_FULL, nowhere,
                    "cannot write %q: it would be larger than a file may be here", path);
@@ -51,7 +53,7 @@ bool yk_file_fail(const char *path, int error, YkProblems *problems)
 int yk_file_write_all(int descriptor, const char *data, size_t length, size_t *written)
 {
     size_t done = 0;
-    int error = 0;
+    int error = data == yk_text_lost ? ENOMEM : 0;
     while (done < length && error == 0) {
         ssize_t count = write(descriptor, data + done, length - done);
         if (count >= 0)

@@ -1,4 +1,4 @@
-// Output files: they appear whole or not at all.
+// Output files: they appear whole or not at all. Of a text that failed (base/text.h) nothing is written: E0100.
 #ifndef OUT_FILE_H
 #define OUT_FILE_H
 #include <stdbool.h>

@@ -6,8 +6,8 @@
 #include "base/text.h"
 #include "out/file.h"
 
-// Writes everything; *written (may be NULL) says how much of it. Returns 0, or the error. A write of nothing finds no
-// fault, so an empty output is fine everywhere.
+// Writes everything; *written (may be NULL) says how much of it. Returns 0, or the error: ENOMEM for what a failed text
+// reads as. A write of nothing finds no fault, so an empty output is fine everywhere.
 int yk_file_write_all(int descriptor, const char *data, size_t length, size_t *written);
 // Opens a new file in the folder of `path`; its name goes to `name`. -1 with errno set.
 int yk_file_open_beside(const char *path, YkText *name);

@@ -32,7 +32,9 @@ static bool make(YkFreeBodyDrawings *p, const YkState *state)
     p->drawing = yk_drawing_new(p->d->mech, &options);
     if (!p->arena || !p->forces || !p->drawing) return false;
     p->drawing->keeps_followers = true;
-    if (yk_drawing_pose(p->drawing, state) < 0) return false;
+    YkStatus status = yk_drawing_pose(p->drawing, state);
+    p->is_infinite = status < 0 && status != YK_NO_MEMORY;
+    if (status < 0) return false;
     size_t bodies = p->d->model->body_count - 1;
     p->count = bodies + p->forces->junction_count;
     p->pictures = YK_NEW(p->arena, YkFreeBodyDrawing, p->count + 1);
@@ -47,9 +49,10 @@ static bool make(YkFreeBodyDrawings *p, const YkState *state)
 YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state)
 {
     YkFreeBodyDrawings *p = calloc(1, sizeof *p);
-    if (!p) return NULL;
-    p->d = d;
-    if (make(p, state)) return p;
+    if (p) p->d = d;
+    if (p && make(p, state)) return p;
+    // Nothing to draw, or no memory: then the derivation, whose equations they show, has failed.
+    if (!p || (!p->is_infinite && yk_ring_status(d->ring) == YK_RING_OK)) d->failed = true;
     yk_free_body_drawings_free(p);
     return NULL;
 }
@@ -291,7 +294,6 @@ const char *yk_free_body_drawings_svg(YkFreeBodyDrawings *p, size_t picture)
     add_names(p, of, &style);
     add_margin(svg, of);
     yk_text_puts(svg, "</svg>\n");
-    svg->failed |= title.failed || style.failed;
     yk_text_free(&title);
     yk_text_free(&style);
     return svg->failed ? NULL : yk_text_get(svg);

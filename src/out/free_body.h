@@ -8,8 +8,8 @@
 typedef struct YkFreeBodyDrawings YkFreeBodyDrawings;
 
 // Lays out all pictures at the pose of `state` (assembled; only positions are used). The derivation and what it stands
-// on must outlive them. NULL when out of memory, where the ring failed, or where the pose cannot be drawn. Cost
-// O(arrows^2) at worst, some microseconds an arrow.
+// on must outlive them. NULL when out of memory (the derivation then has run out, too), where the ring failed, or where
+// the pose cannot be drawn. Cost O(arrows^2) at worst, some microseconds an arrow.
 YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state);
 void yk_free_body_drawings_free(YkFreeBodyDrawings *pictures);
 size_t yk_free_body_drawings_count(const YkFreeBodyDrawings *pictures);

@@ -212,7 +212,7 @@ static void look_at(YkFreeBodyDrawings *p, YkFreeBodyDrawing *picture)
     for (size_t k = 0; k < picture->count; k++) {
         YkArrow *arrow = &p->arrows[picture->first + k];
         arrow->at = yk_drawing_pixel(p->drawing, arrow->at);
-        if (!isfinite(arrow->at.x) || !isfinite(arrow->at.y)) p->failed = true;
+        if (!isfinite(arrow->at.x) || !isfinite(arrow->at.y)) p->failed = p->is_infinite = true;
     }
     for (size_t k = 0; k < picture->spot_count; k++)
         picture->spots[k].at = yk_drawing_pixel(p->drawing, picture->spots[k].at);

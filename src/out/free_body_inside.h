@@ -54,7 +54,7 @@ struct YkFreeBodyDrawings {
     size_t count;
     YkArrow *arrows;
     size_t arrow_count, arrow_capacity;
-    bool failed;
+    bool failed, is_infinite; // out of memory, or the pose cannot be drawn
 };
 
 enum { YK_FREE_BODY_WIDTH = 560, YK_FREE_BODY_HEIGHT = 440, YK_ARROW_LENGTH = 62 };

@@ -6,6 +6,7 @@
 static void add_quoted(YkText *text, const char *string)
 {
     static const char hex[] = "0123456789abcdef";
+    if (string == yk_text_lost) yk_text_fail(text);
     yk_text_add(text, "\"", 1);
     for (const char *c = string; *c; c++) {
         unsigned char byte = (unsigned char)*c;

@@ -167,7 +167,6 @@ static void put_boxes(const YkLatexBoxes *boxes, YkText *text)
         width += own;
     }
     if (line.length > 0) put_display(yk_text_get(&line), text);
-    text->failed |= line.failed;
     yk_text_free(&line);
 }
 

@@ -129,7 +129,7 @@ static const char *name_of(Code *code, const YkPagePiece *piece)
         name.length = length;
         yk_text_format(&name, "_%u", number);
     }
-    const char *copy = name.failed ? NULL : yk_arena_copy(code->arena, yk_text_get(&name), name.length);
+    const char *copy = yk_arena_copy(code->arena, yk_text_get(&name), name.length);
     yk_text_free(&name);
     if (!copy) code->failed = true;
     return copy ? copy : "";
@@ -185,6 +185,7 @@ static void put_comment(YkText *text, const char *indent, const char *words)
 {
     yk_text_format(text, "%s// ", indent);
     size_t column = strlen(indent) + 3;
+    if (words == yk_text_lost) yk_text_fail(text);
     for (const char *c = words; *c; c++, column++) {
         bool is_break = *c == ' ' && column + strcspn(c + 1, " ") > 116;
         if (is_break) column = strlen(indent) + 2;

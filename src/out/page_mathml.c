@@ -4,6 +4,7 @@
 
 static void put_escaped(YkText *text, const char *words)
 {
+    if (words == yk_text_lost) yk_text_fail(text);
     for (const char *c = words; *c; c++) {
         if (*c == '<')
             yk_text_puts(text, "&lt;");

@@ -13,6 +13,7 @@ static const char *const colours[] = {"#1f6fb2", "#d1622b", "#2e8b57", "#8b4a9c"
 // A string in gnuplot's single quotes, in which only the quote itself is special.
 static void add_quoted(YkText *script, const char *string)
 {
+    if (string == yk_text_lost) yk_text_fail(script);
     yk_text_puts(script, "'");
     for (const char *c = string; *c; c++) yk_text_add(script, *c == '\'' ? "''" : c, *c == '\'' ? 2 : 1);
     yk_text_puts(script, "'");
@@ -100,7 +101,6 @@ static void add_axis(YkText *script, const char *axis, const char *name, const c
     yk_text_format(script, "set %slabel ", axis);
     add_quoted(script, yk_text_get(&label));
     yk_text_puts(script, "\n");
-    script->failed |= label.failed;
     yk_text_free(&label);
 }
 

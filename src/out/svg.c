@@ -16,6 +16,7 @@ void yk_svg_number(YkText *svg, double value)
 
 void yk_svg_escape(YkText *svg, const char *string)
 {
+    if (string == yk_text_lost) yk_text_fail(svg);
     for (const char *c = string; *c; c++) {
         unsigned char byte = (unsigned char)*c;
         if (byte == '&') {

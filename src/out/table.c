@@ -42,8 +42,8 @@ void yk_table_free(YkTable *table)
 static void add_cell(YkTable *table, const char *word, bool is_number)
 {
     if (!table) return;
-    if (!YK_ROOM(table->cells, table->count, table->capacity)) {
-        table->words.failed = true;
+    if (!word || !YK_ROOM(table->cells, table->count, table->capacity)) {
+        yk_text_fail(&table->words);
         return;
     }
     table->cells[table->count++] = (Cell){.start = table->words.length, .is_number = is_number};
@@ -55,7 +55,6 @@ void yk_table_head(YkTable *table, const char *name, const char *unit)
     YkText head = {0};
     yk_text_puts(&head, name);
     if (unit && *unit) yk_text_format(&head, " [%s]", unit);
-    if (head.failed && table) table->words.failed = true;
     add_cell(table, yk_text_get(&head), false);
     yk_text_free(&head);
 }
@@ -148,11 +147,18 @@ static void write_row(const YkTable *table, size_t first, const Width *widths, s
     yk_text_puts(text, "\n");
 }
 
+bool yk_table_failed(const YkTable *table)
+{
+    return !table || table->words.failed;
+}
+
 bool yk_table_write(const YkTable *table, size_t indent, YkText *text)
 {
-    if (!table || table->words.failed) return false;
-    Width *widths = calloc(table->columns + 1, sizeof *widths);
-    if (!widths) return false;
+    Width *widths = yk_table_failed(table) ? NULL : calloc(table->columns + 1, sizeof *widths);
+    if (!widths) {
+        yk_text_fail(text);
+        return false;
+    }
     measure(table, widths);
     for (size_t first = 0; first < table->count; first += table->columns) write_row(table, first, widths, indent, text);
     free(widths);
@@ -180,7 +186,10 @@ static void write_cell(const YkTable *table, size_t index, YkText *html)
 
 bool yk_table_write_html(const YkTable *table, const char *caption, YkText *html)
 {
-    if (!table || table->words.failed) return false;
+    if (yk_table_failed(table)) {
+        yk_text_fail(html);
+        return false;
+    }
     yk_text_puts(html, "<table>\n<caption>");
     yk_svg_escape(html, caption);
     yk_text_puts(html, "</caption>\n");

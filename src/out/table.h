@@ -5,7 +5,8 @@
 
 typedef struct YkTable YkTable;
 
-// A table of so many columns; NULL when out of memory (the other calls then do nothing).
+// A table of so many columns; NULL when out of memory (the other calls then do nothing). A table that ran out of
+// memory, or was given a text that did, makes the text fail into which it is written.
 YkTable *yk_table_new(size_t columns);
 void yk_table_free(YkTable *table);
 // Heads, from the left; as many as there are columns, before the first cell. unit may be NULL.
@@ -16,6 +17,7 @@ void yk_table_number(YkTable *table, double value, int digits); // significant d
 // Writes head and rows, `indent` blanks before each line. False when out of memory. Cost linear in the cells.
 bool yk_table_write(const YkTable *table, size_t indent, YkText *text);
 size_t yk_table_rows(const YkTable *table); // complete ones, without the heads
+bool yk_table_failed(const YkTable *table); // also where there is none
 // The same as an HTML table with a caption: the first column heads the rows. False when out of memory.
 bool yk_table_write_html(const YkTable *table, const char *caption, YkText *html);
 // How many columns of a terminal a text takes: code points, without those that combine.

@@ -230,6 +230,6 @@ const YkPoisson *yk_ring_read(YkRing *ring, YkRingFormat format, const char *tex
     bool has_names = format == YK_RING_TEXT || format == YK_RING_BOOK || yk_ring_typeset(ring);
     const YkPoisson *value = has_names ? yk_reader_sum(&reader) : checked(&reader, 0, NULL);
     if (value && reader.at < length) value = yk_reader_expected(&reader, "an operator or the end");
-    ring->status = before;
+    if (ring->status != YK_RING_MEMORY) ring->status = before;
     return value;
 }

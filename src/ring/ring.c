@@ -35,18 +35,19 @@ void yk_ring_free(YkRing *ring)
 
 const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status)
 {
-    if (ring->status == YK_RING_OK) ring->status = status;
+    if (ring->status == YK_RING_OK || status == YK_RING_MEMORY) ring->status = status;
     return NULL;
 }
 
 YkRingStatus yk_ring_status(const YkRing *ring)
 {
-    return ring->status;
+    bool ran_out = yk_arena_failed(ring->arena) || yk_arena_failed(ring->sheet);
+    return ran_out ? YK_RING_MEMORY : ring->status;
 }
 
 void yk_ring_clear(YkRing *ring)
 {
-    ring->status = YK_RING_OK;
+    if (ring->status != YK_RING_MEMORY) ring->status = YK_RING_OK;
 }
 
 void yk_ring_set_limit(YkRing *ring, size_t terms)

@@ -39,8 +39,10 @@ YkRing *yk_ring_new(void); // NULL when out of memory
 void yk_ring_free(YkRing *ring);
 YkRingStatus yk_ring_status(const YkRing *ring);
 const char *yk_ring_status_text(YkRingStatus status); // a phrase: "a coefficient is too large for exact arithmetic"
+// Forgets a failure, for elements that are done without. A ring that ran out of memory remembers it for good, so that
+// nobody takes what is missing for what does not exist.
 void yk_ring_clear(YkRing *ring);
-// Records a failure, unless another was first; returns NULL for the caller to return.
+// Records a failure, unless another was first (want of memory before any other); returns NULL for the caller to return.
 const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
 void yk_ring_set_limit(YkRing *ring, size_t terms); // most terms an element may have; at least 1
 

@@ -135,7 +135,7 @@ static const char *keep(YkRing *ring, YkNames *names, const YkText *text, bool *
 {
     int32_t existing = YK_NONE, index = (int32_t)ring->typeset_count;
     *taken = false;
-    const char *copy = text->failed ? NULL : yk_arena_copy(ring->arena, yk_text_get(text), text->length);
+    const char *copy = yk_arena_copy(ring->arena, yk_text_get(text), text->length);
     if (copy && names && !yk_names_add(names, copy, index, &existing)) return NULL;
     *taken = existing != YK_NONE;
     return copy;

@@ -273,6 +273,7 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
     if (!a) return false;
     if (a->count == 0 && format != YK_RING_MATHML) { // most entries of a matrix
         yk_text_puts(text, format == YK_RING_C ? "0.0" : "0");
+        if (text->failed) yk_ring_fail(ring, YK_RING_MEMORY);
         return !text->failed;
     }
     YkSheet sheet = {ring, ring->sheet, format, style, false};
@@ -285,7 +286,7 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
     else if (sum && !yk_arena_failed(sheet.arena))
         yk_write_linear(&sheet, sum, text);
     bool well = sum && !yk_arena_failed(sheet.arena) && !text->failed;
-    if (!well) yk_ring_fail(ring, YK_RING_MEMORY); // unless another failure was first
+    if (!well && (text->failed || yk_ring_status(ring) == YK_RING_OK)) yk_ring_fail(ring, YK_RING_MEMORY);
     return well;
 }
 

@@ -1,6 +1,9 @@
 #include "check.h"
 #include <limits.h>
 #include <stdlib.h>
+#include "base/escape.h"
+#include "base/memory.h"
+#include "base/problems.h"
 #include "base/text.h"
 
 static void an_empty_text_is_an_empty_string(void **state)
@@ -52,7 +55,7 @@ const char *__asan_default_options(void)
     return "allocator_may_return_null=1";
 }
 
-static void an_impossible_length_fails_and_keeps_what_was_there(void **state)
+static void an_impossible_length_fails_for_good(void **state)
 {
     (void)state;
     YkText text = {0};
@@ -61,10 +64,52 @@ static void an_impossible_length_fails_and_keeps_what_was_there(void **state)
     assert_true(text.failed);
     yk_text_repeat(&text, 'x', SIZE_MAX / 2 - 100);
     yk_text_puts(&text, " lever"); // after a hole nothing more is added
-    assert_string_equal(yk_text_get(&text), "crank");
+    assert_int_equal(text.length, 5);
+    assert_ptr_equal(yk_text_get(&text), yk_text_lost);
     yk_text_clear(&text);
-    assert_false(text.failed);
+    yk_text_puts(&text, "rod");
+    assert_true(text.failed);
+    assert_ptr_equal(yk_text_get(&text), yk_text_lost);
     yk_text_free(&text);
+    yk_text_puts(&text, "rod");
+    assert_string_equal(yk_text_get(&text), "rod");
+    yk_text_free(&text);
+}
+
+// Every way from one text into another.
+static void what_is_made_of_a_failed_text_fails(void **state)
+{
+    (void)state;
+    YkText lost = {0};
+    yk_text_puts(&lost, "two words");
+    yk_text_fail(&lost);
+    for (int way = 0; way < 8; way++) {
+        YkText text = {0};
+        const char *words = yk_text_get(&lost);
+        yk_text_puts(&text, "before");
+        if (way == 0) yk_text_puts(&text, words);
+        if (way == 1) yk_text_add(&text, words, lost.length);
+        if (way == 2) yk_text_join(&text, &lost);
+        if (way == 3) yk_text_format(&text, "[%s]", words);
+        if (way == 4) yk_text_format(&text, "[%q]", words);
+        if (way == 5) yk_escape(&text, words, lost.length);
+        if (way == 6) yk_text_add(&text, words, 0);
+        if (way == 7) yk_text_puts(&text, NULL);
+        assert_true(text.failed);
+        assert_ptr_equal(yk_text_get(&text), yk_text_lost);
+        yk_text_free(&text);
+    }
+    YkArena *arena = yk_arena_new();
+    assert_null(yk_arena_copy(arena, yk_text_get(&lost), lost.length));
+    assert_true(yk_arena_failed(arena));
+    yk_arena_free(arena);
+    YkProblems *problems = yk_problems_new();
+    yk_problem(problems, YK_CODE_EXPR_UNIT, (YkPlace){0}, "a warning about %q", yk_text_get(&lost));
+    assert_true(yk_problems_ran_out(problems));
+    assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_OUT_OF_MEMORY);
+    assert_int_equal(yk_problems_error_count(problems), 1);
+    yk_problems_free(problems);
+    yk_text_free(&lost);
 }
 
 // Formats with ours and with the C library, where both have the conversion.
@@ -134,7 +179,8 @@ int main(void)
         cmocka_unit_test(an_empty_text_is_an_empty_string),
         cmocka_unit_test(pieces_add_up_to_any_length),
         cmocka_unit_test(clearing_keeps_the_memory),
-        cmocka_unit_test(an_impossible_length_fails_and_keeps_what_was_there),
+        cmocka_unit_test(an_impossible_length_fails_for_good),
+        cmocka_unit_test(what_is_made_of_a_failed_text_fails),
         cmocka_unit_test(integers_strings_and_characters_are_formatted_as_by_printf),
         cmocka_unit_test(doubles_are_written_shortest_or_to_six_digits),
         cmocka_unit_test(a_null_string_is_empty),

@@ -83,6 +83,24 @@ static void no_line_ends_in_blanks_and_all_columns_line_up(void **state)
     yk_text_free(&text);
 }
 
+static void a_text_that_failed_makes_its_table_and_what_it_is_written_to_fail(void **state)
+{
+    (void)state;
+    YkText lost = {0}, text = {0}, html = {0};
+    YkTable *table = yk_table_new(1);
+    yk_text_fail(&lost);
+    assert_false(yk_table_failed(table));
+    yk_table_word(table, yk_text_get(&lost));
+    assert_true(yk_table_failed(table));
+    assert_false(yk_table_write(table, 0, &text));
+    assert_false(yk_table_write_html(table, "of one word", &html));
+    assert_true(text.failed && html.failed);
+    yk_table_free(table);
+    yk_text_free(&lost);
+    yk_text_free(&text);
+    yk_text_free(&html);
+}
+
 static void a_table_without_memory_or_cells_is_harmless(void **state)
 {
     (void)state;
@@ -90,6 +108,8 @@ static void a_table_without_memory_or_cells_is_harmless(void **state)
     yk_table_head(NULL, "x", NULL);
     yk_table_number(NULL, 1, 6);
     assert_false(yk_table_write(NULL, 0, &text));
+    assert_true(text.failed); // what should stand there does not
+    yk_text_free(&text);
     YkTable *table = yk_table_new(3);
     assert_true(yk_table_write(table, 0, &text));
     assert_string_equal(yk_text_get(&text), "");
@@ -128,6 +148,7 @@ int main(void)
         cmocka_unit_test(what_is_not_a_number_is_a_dash_and_zero_has_no_sign),
         cmocka_unit_test(names_beyond_ascii_are_measured_in_columns),
         cmocka_unit_test(no_line_ends_in_blanks_and_all_columns_line_up),
+        cmocka_unit_test(a_text_that_failed_makes_its_table_and_what_it_is_written_to_fail),
         cmocka_unit_test(a_table_without_memory_or_cells_is_harmless),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
