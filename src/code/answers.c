@@ -13,7 +13,7 @@ char *yk_program_text(YkProgram *p, const char *format, ...)
     va_start(arguments, format);
     yk_text_vformat(&text, format, arguments);
     va_end(arguments);
-    char *copy = text.failed ? NULL : yk_arena_copy(p->arena, yk_text_get(&text), text.length);
+    char *copy = yk_arena_copy(p->arena, yk_text_get(&text), text.length);
     if (!copy) p->failed = p->graph.failed = true;
     yk_text_free(&text);
     static char nothing[1];

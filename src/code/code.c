@@ -130,6 +130,13 @@ static bool write_body(YkFile *file)
     return !failed;
 }
 
+// Everything that takes part keeps in mind where it ran out of memory.
+static bool is_whole(const YkFile *file)
+{
+    const YkProgram *p = &file->program;
+    return !file->text.failed && !file->printer.failed && !p->failed && !p->graph.failed && !yk_arena_failed(p->arena);
+}
+
 static bool write_all(YkFile *file)
 {
     if (!yk_file_members(file) || !yk_file_routines(file)) return false;
@@ -138,7 +145,7 @@ static bool write_all(YkFile *file)
     if (!need_fields(file)) return false;
     yk_file_write_head(file);
     yk_file_write_types(file);
-    return write_body(file) && !file->text.failed && !file->printer.failed && !file->program.failed;
+    return write_body(file) && is_whole(file);
 }
 
 // Parameters of which the printed program may have others: given by the file alone, and nothing that is fixed.

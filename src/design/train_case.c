@@ -6,7 +6,7 @@ enum { NAMES_SHOWN = 12 };
 
 const char *yk_train_keep(YkArena *arena, YkText *text)
 {
-    const char *copy = text->failed ? NULL : yk_arena_copy(arena, yk_text_get(text), text->length);
+    const char *copy = yk_arena_copy(arena, yk_text_get(text), text->length);
     yk_text_free(text);
     return copy;
 }

@@ -68,6 +68,7 @@ static bool number_classes(Work *work)
 {
     const YkTrainNet *net = work->one->net;
     int32_t *parent = calloc((size_t)net->columns + 1, sizeof *parent);
+    if (!parent) yk_ring_fail(work->ring, YK_RING_MEMORY);
     if (!parent) return false;
     tie(work->one, parent);
     for (int32_t c = 0; c < net->columns; c++) {
@@ -191,7 +192,7 @@ static const YkPoisson *determinant(Work *work, const Square *all, int32_t witho
     Square square = {0};
     State *states = calloc(2 * (size_t)STATES_MAX, sizeof *states);
     size_t count = 1;
-    if (!states) return NULL;
+    if (!states) return yk_ring_fail(work->ring, YK_RING_MEMORY);
     for (int32_t k = 0; k < all->size; k++)
         if (all->column[k] != without_column) square.column[square.size++] = all->column[k];
     State *from = states, *to = states + STATES_MAX;
@@ -238,6 +239,7 @@ static bool choose(Work *work, int32_t target, Square *square)
     uint64_t basis[ROWS_MAX][ROWS_MAX];
     int32_t lead[ROWS_MAX], solving = -1, count = 0;
     Work *original = calloc(1, sizeof *original);
+    if (!original) yk_ring_fail(work->ring, YK_RING_MEMORY);
     if (!original) return false;
     memcpy(original, work, sizeof *original);
     reduce(work);
@@ -281,11 +283,14 @@ bool yk_train_share_in(const YkTrainCase *one, int32_t column, int32_t input, Yk
     if (net->symbol_count > SYMBOLS_MAX || net->mesh_count > ROWS_MAX) return false;
     Work *work = calloc(1, sizeof *work);
     bool good = false;
+    if (!work) yk_ring_fail(ring, YK_RING_MEMORY);
     if (!work) return false;
     work->one = one;
     work->ring = ring;
     work->class_of = calloc((size_t)net->columns + 1, sizeof *work->class_of);
-    if (work->class_of && number_classes(work)) {
+    if (!work->class_of) {
+        yk_ring_fail(ring, YK_RING_MEMORY);
+    } else if (number_classes(work)) {
         fill(work);
         yk_ring_set_limit(ring, TERMS_MAX);
         for (int32_t s = 0; s < net->symbol_count; s++) work->symbol[s] = symbols[s];
@@ -322,6 +327,7 @@ const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t inp
         symbols[s] = yk_ring_of(ring, yk_ring_symbol(ring, net->symbols[s].name, YK_RING_CONSTANT));
     if (ring && yk_train_share_in(one, column, input, ring, symbols, &over, &under))
         text = write(ring, over, under, is_inverse, arena);
+    if (!ring || yk_ring_status(ring) == YK_RING_MEMORY) yk_arena_fail(arena);
     yk_ring_free(ring);
     return text;
 }

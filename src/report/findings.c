@@ -1,11 +1,22 @@
 // Findings: what a reader wants to know first, in sentences. One file for each kind.
 #include <string.h>
 #include "base/number.h"
+#include "base/problems.h"
 #include "base/vec.h"
 #include "out/amount.h"
 #include "report/report.h"
 
 enum { DIGITS = 5 };
+
+void yk_report_note(YkReportPage *report, YkStatus status)
+{
+    report->failed |= status == YK_NO_MEMORY;
+}
+
+void yk_report_note_problems(YkReportPage *report, const YkProblems *problems)
+{
+    report->failed |= !problems || yk_problems_ran_out(problems);
+}
 
 void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text)
 {
@@ -15,7 +26,7 @@ void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text)
         report->failed = true;
         return;
     }
-    const char *own = yk_arena_copy(report->arena, text->data, text->length);
+    const char *own = yk_arena_copy(report->arena, yk_text_get(text), text->length);
     report->failed |= !own;
     report->findings[report->finding_count++] = (YkFinding){kind, own ? own : ""};
     yk_text_clear(text);

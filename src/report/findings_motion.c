@@ -76,7 +76,9 @@ static void find_stroke(YkReportPage *report, YkState *state, size_t coordinate,
     if (yk_state_copy(state, report->start) < 0) return;
     YkQuantity quantity = info.is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
     size_t input = (size_t)yk_coordinate_info(report->mech, (size_t)report->motion.coordinate).input;
-    if (yk_stroke(state, input, report->columns[column].channel, &stroke) != YK_OK) return;
+    YkStatus status = yk_stroke(state, input, report->columns[column].channel, &stroke);
+    yk_report_note(report, status);
+    if (status != YK_OK) return;
     if (stroke.high - stroke.low < rocks * (info.is_distance ? yk_mechanism_size(report->mech) : 1)) return;
     yk_text_format(text, "%s goes to and fro between ", info.name);
     yk_report_amount(report, text, stroke.low, quantity);
@@ -130,6 +132,7 @@ static void find_strokes(YkReportPage *report, YkText *text)
 {
     if (report->motion.kind != YK_REPORT_TURN || report->motion_status < 0) return;
     YkState *state = yk_state_new(report->mech);
+    report->failed |= !state;
     for (size_t c = 0; state && c < yk_coordinate_count(report->mech); c++) find_stroke(report, state, c, text);
     yk_state_free(state);
 }

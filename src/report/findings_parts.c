@@ -10,6 +10,7 @@ static void find_train(YkReportPage *report, YkText *text)
     if (model->gear_count + model->belt_count + model->rack_count == 0) return;
     YkProblems *problems = yk_problems_new();
     YkTrain *train = problems ? yk_train_new(model, NULL, problems) : NULL;
+    yk_report_note_problems(report, problems);
     yk_problems_free(problems);
     if (!train) return;
     YkTrainRatio ratio = yk_train_ratio(train);
@@ -36,6 +37,7 @@ static void find_train(YkReportPage *report, YkText *text)
 static void find_cam(YkReportPage *report, size_t cam, YkText *text)
 {
     YkCamDesign *design = yk_cam_design_new(report->model, cam);
+    report->failed |= !design;
     if (!design) return;
     YkCamSize size = yk_cam_size(design);
     YkCamSummary summary = yk_cam_summary(design);

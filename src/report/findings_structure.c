@@ -106,10 +106,12 @@ static void find_configurations(YkReportPage *report, YkText *text)
 {
     Count count = {0};
     bool complete = false;
+    if (report->status < 0 || yk_block_count(report->mech) > 10) return;
     YkState *state = yk_state_new(report->mech);
-    if (state && report->status >= 0 && yk_block_count(report->mech) <= 10 &&
-        yk_state_copy(state, report->start) >= 0 && yk_state_each(state, count_one, &count, &complete) >= 0 &&
-        count.count > 1) {
+    YkStatus status = state ? yk_state_copy(state, report->start) : YK_NO_MEMORY;
+    if (status >= 0) status = yk_state_each(state, count_one, &count, &complete);
+    yk_report_note(report, status);
+    if (status >= 0 && count.count > 1) {
         char label[128];
         yk_state_label(report->start, label, sizeof label);
         yk_text_format(

@@ -18,6 +18,7 @@ static void assemble(YkReportPage *report)
     const char *said = yk_state_report(report->start)->message;
     report->message = yk_arena_copy(report->arena, said, strlen(said));
     if (!report->message) report->message = "";
+    yk_report_note(report, report->status);
 }
 
 static void make_dynamics(YkReportPage *report, YkProblems *problems)
@@ -35,6 +36,7 @@ static void solve_start(YkReportPage *report)
 {
     if (!report->dynamics || report->status < 0) return;
     YkStatus status = yk_dynamics_solve(report->dynamics, report->start, YK_METHOD_REDUCED);
+    yk_report_note(report, status);
     report->has_forces = status == YK_OK || status == YK_REDUNDANT;
     if (!report->has_forces) report->forces_message = yk_dynamics_report(report->dynamics)->message;
 }
@@ -55,7 +57,10 @@ static void begin_drawing(YkReportPage *report)
 
 static void end_drawing(YkReportPage *report)
 {
-    if (!report->drawing || yk_drawing_pose(report->drawing, report->start) == YK_OK) return;
+    if (!report->drawing) return;
+    YkStatus status = yk_drawing_pose(report->drawing, report->start);
+    yk_report_note(report, status);
+    if (status == YK_OK) return;
     yk_drawing_free(report->drawing); // a pose that cannot be drawn: the page does without
     report->drawing = NULL;
 }

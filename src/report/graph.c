@@ -194,6 +194,7 @@ bool yk_graph_write(const YkMechanism *mech, YkText *svg)
 {
     const YkModel *model = yk_mechanism_model(mech);
     Graph *graph = model->body_count <= BODIES_MAX ? calloc(1, sizeof *graph) : NULL;
+    if (!graph && model->body_count <= BODIES_MAX) yk_text_fail(svg);
     if (!graph) return false;
     graph->mech = mech;
     graph->model = model;

@@ -15,10 +15,10 @@ void yk_html_table(YkText *html, YkTable *table, const char *caption)
         yk_text_puts(html, "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"");
         yk_html_words(html, caption);
         yk_text_puts(html, "\">\n");
-        if (!yk_table_write_html(table, caption, html)) html->failed = true;
+        yk_table_write_html(table, caption, html);
         yk_text_puts(html, "</div>\n");
     }
-    if (!table) html->failed = true;
+    if (yk_table_failed(table)) yk_text_fail(html);
     yk_table_free(table);
 }
 
@@ -37,6 +37,7 @@ static void close_figure(YkText *html, const char *caption)
 void yk_html_picture(YkText *html, const char *svg, const char *told, const char *caption)
 {
     const char *root = strstr(svg, "<svg"), *title = strstr(svg, "<title>"), *after = strstr(svg, "</title>");
+    if (svg == yk_text_lost) yk_text_fail(html);
     if (!root) return;
     open_figure(html, "paper");
     yk_text_puts(html, "<svg role=\"img\" aria-label=\"");
@@ -66,6 +67,8 @@ static void add_base64(YkText *html, const unsigned char *data, size_t length)
 
 void yk_html_image(YkText *html, const char *svg, size_t length, const char *told, const char *caption)
 {
+    if (svg == yk_text_lost) yk_text_fail(html);
+    if (html->failed) return;
     open_figure(html, "paper");
     yk_text_puts(html, "<img alt=\"");
     yk_html_words(html, told);

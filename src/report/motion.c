@@ -120,6 +120,8 @@ static void find_ranges(YkReportPage *report, YkState *scratch)
     if (yk_state_copy(scratch, report->start) < 0) return;
     size_t count =
         yk_closing_ranges(scratch, yk_input_coordinate(report->mech, 0), report->ranges, YK_REPORT_RANGES_MAX);
+    report->failed |= count == (size_t)-1;
+    if (report->failed) return;
     report->range_count = count < YK_REPORT_RANGES_MAX ? count : YK_REPORT_RANGES_MAX;
 }
 

@@ -68,7 +68,7 @@ static void add_section(const Section *section, const YkText *part, YkText *html
     if (part->length == 0) return;
     yk_text_format(html, "<section id=\"%s\" aria-labelledby=\"%s-title\">\n<h2 id=\"%s-title\">%s</h2>\n", section->id,
                    section->id, section->id, section->title);
-    yk_text_add(html, part->data, part->length);
+    yk_text_join(html, part);
     yk_text_puts(html, "</section>\n");
 }
 
@@ -87,7 +87,7 @@ static void add_data(YkReportPage *report, YkText *html)
     yk_text_puts(html, "</script>\n<script>\n");
     yk_text_add(html, (const char *)yk_report_script, yk_report_script_size);
     yk_text_puts(html, "</script>\n");
-    html->failed |= json.failed;
+    if (json.failed) yk_text_fail(html);
     yk_text_free(&json);
 }
 
@@ -97,7 +97,7 @@ static void write_page(YkReportPage *report, YkProblems *problems)
     for (size_t k = 0; k < SECTIONS; k++) {
         all[k] = &parts[k];
         sections[k].write(report, all[k], problems);
-        html->failed |= parts[k].failed;
+        if (parts[k].failed) yk_text_fail(html);
     }
     open_page(report, html);
     add_subtitle(report, html);

@@ -119,6 +119,9 @@ YkPeak yk_report_peak(YkReportPage *report, size_t column);
 YkPeak yk_report_least(YkReportPage *report, size_t column); // the same for the least value
 
 // findings.c: sentences. `text` is emptied.
+// Keep in mind that memory ran out below, whatever else is made of the answer: the page is then refused as a whole.
+void yk_report_note(YkReportPage *report, YkStatus status);
+void yk_report_note_problems(YkReportPage *report, const YkProblems *problems);
 void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text);
 void yk_report_findings(YkReportPage *report);
 void yk_findings_structure(YkReportPage *report, YkText *text); // freedom, redundant constraints, four-bars

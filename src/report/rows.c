@@ -29,7 +29,10 @@ static void pose(void *context, const YkState *state)
 {
     YkReportPage *report = context;
     if (!report->drawing || report->posed >= report->row_capacity) return;
-    if (yk_drawing_pose(report->drawing, state) != YK_OK || yk_drawing_trace(report->drawing, state) != YK_OK) return;
+    YkStatus status = yk_drawing_pose(report->drawing, state);
+    if (status == YK_OK) status = yk_drawing_trace(report->drawing, state);
+    yk_report_note(report, status);
+    if (status != YK_OK) return;
     report->posed++;
 }
 
@@ -82,6 +85,7 @@ static void run_sweep(YkReportPage *report, YkProblems *problems)
     report->failed |= !report->sweep;
     if (!report->sweep) return;
     report->motion_status = yk_sweep_status(report->sweep);
+    yk_report_note(report, report->motion_status);
     report->row_count = yk_sweep_row_count(report->sweep);
     for (size_t row = 0; row < report->row_count; row++) {
         bool is_singular = yk_sweep_row_status(report->sweep, row) == YK_SINGULAR;
@@ -120,6 +124,7 @@ static bool simulate(YkReportPage *report)
     options.pose = yk_state_has_pose(report->start) ? report->start : NULL;
     options.steps_max = STEPS_MAX;
     report->simulation = problems ? yk_simulation_new(report->model, &options, problems) : NULL;
+    yk_report_note_problems(report, problems);
     if (!report->simulation) {
         report->motion_status = YK_NOT_CONVERGED;
         say(report, problems && yk_problems_count(problems) > 0 ? yk_problems_get(problems, 0)->message : "");
@@ -129,6 +134,7 @@ static bool simulate(YkReportPage *report)
         double part = (double)k / (double)report->motion.steps,
                time = report->motion.from + (report->motion.to - report->motion.from) * part;
         report->motion_status = yk_simulation_advance(report->simulation, time);
+        yk_report_note(report, report->motion_status);
         if (report->motion_status < 0 || report->motion_status == YK_SINGULAR) {
             say(report, yk_simulation_report(report->simulation)->message);
             break;
@@ -217,6 +223,7 @@ static YkPeak best_of(YkReportPage *report, size_t column, bool least)
     for (int round = 0; round < 2; round++) {
         YkSweep *fine = sweep(report, from, to, PEAK_STEPS, &report->columns[column].channel, 1, false, NULL);
         double step = (to - from) / PEAK_STEPS;
+        yk_report_note(report, fine ? yk_sweep_status(fine) : YK_NO_MEMORY);
         for (size_t k = 0; fine && k < yk_sweep_row_count(fine); k++)
             if (beats(yk_sweep_value(fine, k, 0), best.value, least) && yk_sweep_row_status(fine, k) != YK_SINGULAR)
                 best = (YkPeak){yk_sweep_value(fine, k, 0), yk_sweep_at(fine, k)};

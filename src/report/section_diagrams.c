@@ -65,6 +65,8 @@ static bool add_plain(YkReportPage *report, const YkPanel *panel, const char *to
     YkProblems *problems = yk_problems_new();
     YkText svg = {0};
     bool good = draw_plain(report, panel, &svg, problems);
+    yk_report_note_problems(report, problems);
+    if (!good && problems && yk_problems_count(problems) == 0) yk_text_fail(html);
     if (good)
         yk_html_image(html, yk_text_get(&svg), svg.length, told, "");
     else if (problems && yk_problems_count(problems) > 0)
@@ -105,6 +107,5 @@ void yk_section_diagrams(YkReportPage *report, YkText *html, YkProblems *problem
             add_moving(&panels[k], yk_text_get(&told), html);
     }
     yk_text_puts(html, count > 0 ? "</div>\n" : "");
-    html->failed |= told.failed;
     yk_text_free(&told);
 }

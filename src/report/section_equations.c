@@ -23,9 +23,11 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
     bool good = page.arena && yk_derive_write(derivation, section, &page);
     if (good && report->status >= 0) {
         values = calloc(yk_ring_symbol_count(derivation->ring) + 1, sizeof *values);
+        if (!values) yk_text_fail(html);
         if (values) yk_derive_values(derivation, report->start, report->has_forces ? report->dynamics : NULL, values);
     }
     good = good && yk_page_write_part(&page, 3, values, &part);
+    if (part.failed || yk_arena_failed(page.arena) || yk_derivation_ran_out(derivation)) yk_text_fail(html);
     yk_text_format(html, "<div class=\"scroll equations\" tabindex=\"0\" role=\"region\" aria-label=\"%s\">\n",
                    entry->title);
     if (good && part.length <= LENGTH_MAX) {
@@ -36,7 +38,6 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
     }
     yk_text_puts(html, "</div>\n");
     free(values);
-    html->failed |= part.failed;
     yk_text_free(&part);
     yk_arena_free(page.arena);
 }
@@ -45,6 +46,7 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
 static void add_pictures(YkReportPage *report, YkDerivation *derivation, YkText *html)
 {
     YkFreeBodyDrawings *pictures = report->status >= 0 ? yk_free_body_drawings_new(derivation, report->start) : NULL;
+    if (!pictures && yk_derivation_ran_out(derivation)) yk_text_fail(html);
     size_t all = pictures ? yk_free_body_drawings_count(pictures) : 0, count = all < PICTURES_MAX ? all : PICTURES_MAX;
     YkText told = {0};
     if (count > 0) yk_text_puts(html, "<div class=\"charts\">\n");
@@ -52,10 +54,10 @@ static void add_pictures(YkReportPage *report, YkDerivation *derivation, YkText 
         const char *svg = yk_free_body_drawings_svg(pictures, k), *title = yk_free_body_drawings_title(pictures, k);
         yk_text_clear(&told);
         yk_text_format(&told, "Free body: %s with the forces that act on it, named as in the equations", title);
+        if (!svg) yk_text_fail(html);
         if (svg) yk_html_picture(html, svg, yk_text_get(&told), "");
     }
     if (count > 0) yk_text_puts(html, "</div>\n");
-    html->failed |= told.failed;
     yk_text_free(&told);
     yk_free_body_drawings_free(pictures);
 }
@@ -71,6 +73,7 @@ void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *proble
     }
     YkProblems *own = yk_problems_new();
     YkDerivation *derivation = own ? yk_derivation_new(report->model, report->mech, own) : NULL;
+    yk_report_note_problems(report, own);
     if (derivation) {
         yk_text_puts(html, "<p>In SI units and radians.");
         yk_text_puts(html, report->status >= 0 ? " Behind the last sign of equality: the value at the start.</p>\n"

@@ -102,6 +102,7 @@ void yk_section_gears(YkReportPage *report, YkText *html, YkProblems *problems)
     if (model->gear_count + model->belt_count + model->rack_count == 0) return;
     YkProblems *own = yk_problems_new(); // what it finds wrong is an answer here
     YkTrain *train = own ? yk_train_new(model, NULL, own) : NULL;
+    yk_report_note_problems(report, own);
     if (train) {
         if (*yk_train_message(train) && yk_train_gear_count(train) == 0)
             yk_html_element(html, "p", yk_train_message(train));

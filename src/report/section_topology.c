@@ -42,7 +42,6 @@ static void add_blocks(const YkReportPage *report, YkText *html)
         add_names(report, b, false, &words);
         yk_table_word(table, yk_text_get(&words));
     }
-    html->failed |= words.failed;
     yk_text_free(&words);
     yk_html_table(html, table, "Order of solution: each step needs only the ones before");
 }
@@ -97,7 +96,7 @@ void yk_section_topology(YkReportPage *report, YkText *html, YkProblems *problem
             "Bodies and joints. Dashed: joints that close a loop. The number beside a body is the step of the "
             "order of solution that places it.");
     }
-    html->failed |= svg.failed || told.failed;
+    if (svg.failed) yk_text_fail(html);
     yk_text_free(&svg);
     yk_text_free(&told);
     add_loops(report, html);
