@@ -292,5 +292,6 @@ int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
         yk_json_end(&checking.json);
     }
     yk_state_free(checking.start);
+    session->ran_out |= yk_derivation_ran_out(derivation);
     return yk_session_finish(session, checking.exit_code);
 }

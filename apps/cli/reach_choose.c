@@ -46,7 +46,7 @@ static bool count_namesake(void *context, YkState *state)
 static Namesakes namesakes(YkState *at, const YkState *sought)
 {
     Namesakes n = {.sought = sought, .label = yk_label_of(sought)};
-    yk_state_each(at, count_namesake, &n, NULL);
+    if (yk_state_each(at, count_namesake, &n, NULL) == YK_NO_MEMORY) yk_text_fail(&n.label);
     return n;
 }
 
@@ -142,6 +142,7 @@ static YkStatus refuse(YkSession *session, const Chooser *c)
 static bool is_own(YkSession *session, const YkState *chosen)
 {
     YkState *state = yk_reach_own(session);
+    session->ran_out |= yk_memory_ran_out();
     bool own = state && yk_same_configuration(state, chosen);
     yk_state_free(state);
     return own;

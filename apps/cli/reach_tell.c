@@ -92,6 +92,8 @@ static void hint_range(YkSession *session, YkText *text, double asked)
     size_t coordinate = yk_input_coordinate(session->mech, 0);
     double here = yk_state_coordinate(session->state, coordinate).position;
     size_t count = yk_closing_ranges(session->state, coordinate, ranges, RANGES_MAX);
+    session->ran_out |= count == (size_t)-1;
+    if (session->ran_out) return;
     for (size_t k = 0; k < count && k < RANGES_MAX; k++) {
         YkRange r = ranges[k];
         if (here < r.from - 1e-6 || here > r.to + 1e-6) continue;
@@ -122,7 +124,8 @@ size_t yk_reach_count(YkSession *session)
 {
     size_t count = 0;
     YkState *state = asked_state(session);
-    if (state) yk_state_each(state, count_one, &count, NULL);
+    session->ran_out |= !state;
+    if (state) yk_note_status(session, yk_state_each(state, count_one, &count, NULL));
     yk_state_free(state);
     return count;
 }

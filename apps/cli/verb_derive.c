@@ -143,6 +143,7 @@ static void put_part(void *context, YkPage *page)
 static int finish_parts(Parts *parts, YkDerivation *derivation, const YkPage *page, bool derived)
 {
     YkSession *session = parts->session;
+    derived = derived && !yk_derivation_ran_out(derivation);
     if (!derived || !parts->good) { // the latter has been said
         yk_stream_drop(&parts->stream);
         return parts->good ? cannot(session, derivation, page) : YK_EXIT_WRONG;
@@ -189,6 +190,7 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page
     }
     bool good = yk_page_write(page, format, yk_model_name(session->model), values, &session->out);
     free(values);
+    session->ran_out |= yk_derivation_ran_out(derivation);
     if (!good) return cannot(session, derivation, page);
     return yk_session_finish(session, YK_EXIT_DONE);
 }

@@ -206,7 +206,7 @@ static int refuse_pose(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
     char code[YK_CODE_SIZE];
-    yk_print_problems(session->file_problems, session->request->quiet);
+    yk_tell_problems(session, session->file_problems);
     yk_reach_tell(session, answer->status);
     if (session->request->format != YK_FORMAT_JSON) return yk_status_exit(answer->status);
     yk_simulate_json(answer, yk_reach_message(session), yk_code_word(yk_status_code(answer->status), code));

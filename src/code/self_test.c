@@ -61,6 +61,7 @@ static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const 
         for (size_t i = 0; i < mech->input_count; i++)
             yk_dynamics_prescribe(dynamics, i, r->kind == YK_ROUTINE_INVERSE || !file->forces.is_free[i]);
         YkStatus status = yk_dynamics_solve(dynamics, state, YK_METHOD_REDUCED);
+        file->program.failed |= status == YK_NO_MEMORY;
         if ((status != YK_OK && status != YK_REDUNDANT) || !yk_state_has_rates(state)) return false;
     }
     for (size_t k = 0; k < r->count; k++) {

@@ -123,10 +123,14 @@ const YkDeriveTrain *yk_derive_train(YkDerivation *d)
 {
     const YkModel *model = d->model;
     if (d->train || model->gear_count + model->belt_count + model->rack_count == 0) return d->train;
-    YkTrain *train = yk_train_new(model, NULL, NULL);
+    YkProblems *said = yk_problems_new(); // what is wrong with the train is told elsewhere
+    YkTrain *train = said ? yk_train_new(model, NULL, said) : NULL;
+    d->failed |= !said || yk_problems_ran_out(said);
+    yk_problems_free(said);
     if (!train) return NULL;
     YkDeriveTrain *made = YK_NEW(d->arena, YkDeriveTrain, 1);
     if (!made) {
+        d->failed = true;
         yk_train_free(train);
         return NULL;
     }

@@ -59,6 +59,8 @@ bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
     uint64_t *b = yk_derive_scratch(making->d, rows + system->unknown_count + 1, sizeof *b);
     making->failed |= !first || !entries || !b;
     *rank = making->failed ? -1 : solve(making, system, first, entries, b, b + rows);
+    making->failed |= *rank == YK_FIELD_NO_MEMORY;
+    making->d->failed |= making->failed;
     free(first);
     free(entries);
     free(b);
@@ -153,6 +155,7 @@ YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds
     yk_derive_enter_forces(d);
     making.plan = making.blocks ? yk_loop_plan(d) : NULL;
     making.point = making.plan ? yk_field_point_new(d->ring, seed) : NULL;
+    d->failed |= making.plan && !making.point;
     if (!making.point) return NULL;
     make(&making);
     *rank = making.rank;

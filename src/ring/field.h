@@ -35,8 +35,9 @@ uint64_t yk_field_invert(uint64_t a);           // of 0 it is 0
 uint64_t yk_field_of(int64_t value);            // a whole number
 bool yk_field_sqrt(uint64_t a, uint64_t *root); // false where there is none
 // Solves A x = b by elimination: row r of A has entries first[r] to first[r + 1], their columns ascending, and b has
-// `rows` entries. Free unknowns keep what stands in x. Returns the rank, or -1 where there is no solution (or no
-// memory).
+// `rows` entries. Free unknowns keep what stands in x. Returns the rank, -1 where there is no solution,
+// YK_FIELD_NO_MEMORY when out of memory.
+enum { YK_FIELD_NO_MEMORY = -2 };
 typedef struct YkFieldEntry {
     size_t column;
     uint64_t value;

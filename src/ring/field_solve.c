@@ -126,7 +126,7 @@ int yk_field_solve(const YkFieldEntry *entries, const size_t *first, const uint6
         if (!e.failed) enter(&e, r);
     }
     if (!e.failed) eliminate(&e);
-    int rank = e.failed || e.contradicts ? -1 : (int)e.rank;
+    int rank = e.failed ? YK_FIELD_NO_MEMORY : e.contradicts ? -1 : (int)e.rank;
     if (rank >= 0) substitute_back(&e, x);
     for (size_t r = 0; e.rows && r < rows; r++) free(e.rows[r].entry);
     free(e.rows);

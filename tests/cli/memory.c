@@ -65,7 +65,7 @@ static Bytes read_descriptor(int descriptor)
     struct stat about;
     Bytes bytes = {0};
     assert_int_equal(fstat(descriptor, &about), 0);
-    bytes.data = __libc_malloc((size_t)about.st_size + 1);
+    bytes.data = malloc((size_t)about.st_size + 1);
     bytes.length = (size_t)about.st_size;
     assert_int_equal(pread(descriptor, bytes.data, bytes.length, 0), about.st_size);
     bytes.data[bytes.length] = '\0';
@@ -107,9 +107,9 @@ static int by_name(const void *a, const void *b)
 
 static void forget(Outcome *outcome)
 {
-    __libc_free(outcome->out.data);
-    __libc_free(outcome->err.data);
-    for (size_t i = 0; i < outcome->file_count; i++) __libc_free(outcome->files[i].bytes.data);
+    free(outcome->out.data);
+    free(outcome->err.data);
+    for (size_t i = 0; i < outcome->file_count; i++) free(outcome->files[i].bytes.data);
 }
 
 static void note_where(void)
@@ -181,12 +181,21 @@ static bool is_beginning(Bytes part, Bytes whole)
     return is_part && (part.length == 0 || part.data[part.length - 1] == '\n');
 }
 
+// Of several files some may stand already, whole, and a study leaves what it goes on from.
+static bool is_whole(const Outcome *right, const File *file)
+{
+    bool is = strstr(file->name, ".partial") != NULL;
+    for (size_t i = 0; i < right->file_count && right->file_count > 1; i++)
+        is = is || (strcmp(file->name, right->files[i].name) == 0 && are_equal(file->bytes, right->files[i].bytes));
+    return is;
+}
+
 static bool is_refusal(const Run *given, const Outcome *right, const Outcome *outcome)
 {
     if (!WIFEXITED(outcome->status) || WEXITSTATUS(outcome->status) != 2) return false;
     if (!strstr(outcome->err.data, "[E0100]")) return false;
-    for (size_t i = 0; i < outcome->file_count; i++) // from which a study goes on
-        if (!strstr(outcome->files[i].name, ".partial")) return false;
+    for (size_t i = 0; i < outcome->file_count; i++)
+        if (!is_whole(right, &outcome->files[i])) return false;
     return outcome->out.length == 0 || (given->comes_in_lines && is_beginning(outcome->out, right->out));
 }
 
