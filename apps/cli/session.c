@@ -16,7 +16,7 @@ bool yk_session_refuse(YkSession *session, YkCode code, const char *format, cons
 
 void yk_session_run_out(YkSession *session)
 {
-    session->out.failed = true;
+    session->ran_out = true;
 }
 
 bool yk_ran_out(const YkProblems *problems)

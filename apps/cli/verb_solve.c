@@ -87,8 +87,8 @@ static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
         writer->own = session->state;
         session->state = NULL;
     }
-    if (yk_reach_ask(session) < 0) return YK_NO_MEMORY;
-    YkStatus each = yk_state_each(session->state, visit, writer, is_complete);
+    YkStatus each = yk_reach_ask(session) < 0 ? YK_NO_MEMORY
+                                              : yk_state_each(session->state, visit, writer, is_complete);
     yk_note_status(session, each);
     yk_state_free(writer->own);
     return each;
@@ -133,6 +133,8 @@ static int solve(Writer *writer)
     YkReport report = *yk_state_report(session->state);
     YkStatus forces = pose < 0 ? YK_OK : find_forces(writer, session->state);
     YkStatus status = forces == YK_OK ? pose : forces; // of the machine's own configuration
+    yk_note_status(session, pose);
+    yk_note_status(session, forces);
     const char *message = pose < 0          ? yk_reach_message(session)
                           : forces == YK_OK ? report.message
                                             : session->forces_message;
