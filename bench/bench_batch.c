@@ -177,7 +177,7 @@ static double run_study(const Machine *m, size_t threads, double *const *values,
     static const char *const names[] = {"a", "b", "c", "d"}, *const of[] = {"coupler.P.x", "coupler.P.y"};
     YkChannel channels[2];
     for (int c = 0; c < 2; c++) yk_channel_parse(m->mech, of[c], &channels[c], m->problems);
-    YkStudyOptions options = {names, 4, channels, 2, threads};
+    YkStudyOptions options = {names, 4, channels, 2, threads, NULL};
     YkStudy *study = yk_study_new(m->state, &options, m->problems);
     const double *inputs[] = {angles, NULL, NULL};
     YkStudyCase asked = {(const double *const *)values, DESIGNS, inputs, POSES, false};

@@ -194,13 +194,16 @@ static YkStatus enter(YkSession *session, const YkState *start)
     return YK_LIMIT;
 }
 
+static YkStatus stand(YkSession *session, const YkState *start, YkStatus status)
+{
+    if (status >= 0) return enter(session, start);
+    yk_text_format(&session->reach_message, "at the pose of `start:`, %s", yk_state_report(start)->message);
+    return status;
+}
+
 static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus status)
 {
-    if (status < 0) {
-        yk_text_format(&session->reach_message, "at the pose of `start:`, %s", yk_state_report(start)->message);
-        return status;
-    }
-    status = enter(session, start);
+    status = stand(session, start, status);
     if (status < 0) return status;
     status = move(session);
     session->is_start = status >= 0;
@@ -208,20 +211,30 @@ static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus st
     return status;
 }
 
-// is_untold: the file does not say where the machine was put together, and session->state has no pose.
-static YkStatus reach(YkSession *session, bool *is_untold)
+// The machine where it was put together, and a fresh session->state; NULL when out of memory. is_untold: the file does
+// not say where that is.
+static YkState *find_start(YkSession *session, YkStatus *status, bool *is_untold)
 {
-    YkStatus status = YK_NO_MEMORY;
-    YkState *start = yk_reach_start(session, &status), *fresh = yk_state_new(session->mech);
+    *status = YK_NO_MEMORY;
+    YkState *start = yk_reach_start(session, status), *fresh = yk_state_new(session->mech);
     if (!start || !fresh) {
         yk_state_free(start);
         yk_state_free(fresh);
-        return run_out(session);
+        return NULL;
     }
     yk_state_free(session->state);
     session->state = fresh;
-    *is_untold = (status == YK_NO_ASSEMBLY || status == YK_LIMIT) && session->hold_count > 0 &&
+    *is_untold = (*status == YK_NO_ASSEMBLY || *status == YK_LIMIT) && session->hold_count > 0 &&
                  !tells_start(yk_state_mechanism(start));
+    return start;
+}
+
+// is_untold: the file does not say where the machine was put together, and session->state has no pose.
+static YkStatus reach(YkSession *session, bool *is_untold)
+{
+    YkStatus status;
+    YkState *start = find_start(session, &status, is_untold);
+    if (!start) return run_out(session);
     if (!*is_untold) status = reach_from(session, start, status);
     yk_state_free(start);
     return status;
@@ -242,7 +255,8 @@ YkState *yk_reach_own(YkSession *session)
     return NULL;
 }
 
-YkStatus yk_session_reach(YkSession *session, const YkOver *over)
+// A range is asked for at its FROM.
+static void hold_range(YkSession *session, const YkOver *over)
 {
     if (over && over->coordinate >= 0) {
         int input = yk_coordinate_info(session->mech, (size_t)over->coordinate).input;
@@ -250,6 +264,27 @@ YkStatus yk_session_reach(YkSession *session, const YkOver *over)
     } else if (over) {
         session->time = over->from;
     }
+}
+
+YkStatus yk_session_stand(YkSession *session, const YkOver *over, YkState **start)
+{
+    bool is_untold = false;
+    YkStatus status;
+    *start = NULL;
+    hold_range(session, over);
+    if (session->request->assembly) return yk_reach_choose(session);
+    *start = find_start(session, &status, &is_untold);
+    if (!*start) return run_out(session);
+    if (!is_untold && (status < 0 || !session->base)) return stand(session, *start, status);
+    if (!is_untold) return yk_state_adopt(session->state, *start); // a design may stand beside the file's dead point
+    yk_state_free(*start);
+    *start = NULL;
+    return yk_reach_untold(session);
+}
+
+YkStatus yk_session_reach(YkSession *session, const YkOver *over)
+{
+    hold_range(session, over);
     bool is_untold = false;
     if (session->request->assembly) return yk_reach_choose(session);
     YkStatus status = reach(session, &is_untold);

@@ -8,6 +8,10 @@
 // Brings session->state to the asked pose: drives at --time, --at; of a range (over, or NULL) at its FROM. Notes change
 // points and ways round. Where the status is below 0, yk_reach_message says why and yk_reach_hint gives a hint.
 YkStatus yk_session_reach(YkSession *session, const YkOver *over);
+// Only puts session->state where the machine was put together, for a study whose designs move from there; *start (the
+// caller frees it) is its pose with the file's own inputs. Where that is not told, or by --assembly, session->state is
+// at the asked pose instead, and *start is NULL.
+YkStatus yk_session_stand(YkSession *session, const YkOver *over, YkState **start);
 // Why the pose was not reached, or what its state has to say.
 const char *yk_reach_message(const YkSession *session);
 // How many configurations close at the asked pose.

@@ -32,12 +32,13 @@ typedef struct YkStudyAnswer {
     const double **input_row; // NULL: the state's
     YkColumn *columns;        // --of
     size_t column_count;
+    YkState *start; // where other inputs say where the machine was put together: its pose with these; otherwise NULL
     YkStudy *study;
     double *rows; // [design][width]
     size_t width, done;
     bool is_interrupted;
     double *derivative, *difference; // [column][axis], with --sensitivities
-    YkStatus sensitivity_status;
+    YkStatus start_status, sensitivity_status; // below 0: the file itself does not stand, and no design does
 } YkStudyAnswer;
 
 // study_request.c: all that the command line asks for; the study is made. False with problems added.

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/number.h"
+#include "reach.h"
 #include "session.h"
 #include "study.h"
 
@@ -132,29 +133,32 @@ static bool read_columns(YkStudyAnswer *answer)
     return good;
 }
 
-// The inputs at every pose of the cycle. Over time all drives move, over a coordinate that alone.
+// The inputs at every pose: of the cycle, or the one that is asked. Over time all drives move, over a coordinate that
+// alone; what is held stays.
 static bool read_poses(YkStudyAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
-    size_t inputs = yk_input_count(session->mech), n = steps + 1;
-    answer->pose_count = answer->over.name ? n : 1;
+    size_t inputs = yk_input_count(session->mech), n = answer->over.name ? steps + 1 : 1;
+    answer->pose_count = n;
     answer->input = calloc(3 * inputs * n + 1, sizeof *answer->input);
     answer->input_row = calloc(3 * inputs + 1, sizeof *answer->input_row);
-    if (!answer->input || !answer->input_row)
-        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    if (!answer->over.name) return true;
     YkState *state = yk_state_new(session->mech);
-    if (!state) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = answer->input && answer->input_row && state;
+    if (!good) {
+        yk_state_free(state);
+        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    }
     yk_state_copy(state, session->state);
+    yk_session_hold(session, state);
     const YkOver *over = &answer->over;
+    bool is_time = over->name && over->coordinate < 0;
     for (size_t i = 0; i < 3 * inputs; i++) answer->input_row[i] = answer->input + i * n;
-    bool good = true;
     for (size_t k = 0; good && k < n; k++) {
         double at = k == steps ? over->to : over->from + (over->to - over->from) * (double)k / (double)steps;
-        if (over->coordinate < 0) good = yk_state_set_time(state, at, session->problems) >= 0;
+        if (k == 0 || is_time) good = yk_state_set_time(state, is_time ? at : session->time, session->problems) >= 0;
         for (size_t i = 0; good && i < inputs; i++) {
             YkMotion m = yk_state_input(state, i);
-            if ((int)yk_input_coordinate(session->mech, i) == over->coordinate) m.position = at;
+            if (over->name && (int)yk_input_coordinate(session->mech, i) == over->coordinate) m.position = at;
             answer->input[(3 * i) * n + k] = m.position;
             answer->input[(3 * i + 1) * n + k] = m.velocity;
             answer->input[(3 * i + 2) * n + k] = m.acceleration;
@@ -220,7 +224,8 @@ static bool make_study(YkStudyAnswer *answer)
     YkProblems *problems = yk_problems_new();
     for (size_t c = 0; channels && c < answer->column_count; c++) channels[c] = answer->columns[c].channel;
     for (size_t k = 0; names && k < answer->axis_count; k++) names[k] = answer->axes[k].name;
-    YkStudyOptions options = {names, answer->axis_count, channels, answer->column_count, answer->threads};
+    YkStudyOptions options = {names,           answer->axis_count, channels, answer->column_count,
+                              answer->threads, answer->start};
     if (channels && names && problems) answer->study = yk_study_new(session->state, &options, problems);
     yk_tell_problems(session, problems);
     session->is_told |= problems && !answer->study;
@@ -230,12 +235,13 @@ static bool make_study(YkStudyAnswer *answer)
     return answer->study != NULL;
 }
 
-static bool assemble(YkStudyAnswer *answer)
+static bool stand(YkStudyAnswer *answer)
 {
     YkSession *session = answer->session;
-    YkStatus status = yk_state_assemble(session->state);
+    YkStatus status = yk_session_stand(session, answer->over.name ? &answer->over : NULL, &answer->start);
     if (status >= 0) return true;
-    yk_tell_status(session, status, yk_state_report(session->state)->message);
+    answer->start_status = status;
+    yk_tell_status(session, status, yk_reach_message(session));
     return false;
 }
 
@@ -259,5 +265,5 @@ bool yk_study_read(YkStudyAnswer *answer)
             good = yk_session_refuse(session, YK_CODE_NO_FORCES,
                                      "the machine has neither masses nor loads, so there are no forces%s", "");
     }
-    return good && assemble(answer) && read_poses(answer, steps) && make_study(answer);
+    return good && stand(answer) && read_poses(answer, steps) && make_study(answer);
 }

@@ -92,7 +92,8 @@ static void fill_row(YkStudyAnswer *a, const Chunk *chunk, size_t k, size_t coun
     }
 }
 
-static void run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
+// False when out of memory: then these rows are no answer.
+static bool run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         double *row = yk_study_row(a, from + k);
@@ -104,7 +105,12 @@ static void run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
         yk_study_reduce(a->study, &asked, chunk->extents, chunk->status, chunk->standing);
     else
         yk_study_run(a->study, &asked, chunk->outputs, chunk->status);
-    for (size_t k = 0; k < count; k++) fill_row(a, chunk, k, count, yk_study_row(a, from + k));
+    for (size_t k = 0; k < count; k++) {
+        if (chunk->status[k] == YK_NO_MEMORY)
+            return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        fill_row(a, chunk, k, count, yk_study_row(a, from + k));
+    }
+    return true;
 }
 
 static void show_progress(const YkStudyAnswer *a, bool is_last)
@@ -126,9 +132,9 @@ static bool run(YkStudyAnswer *a)
         size_t count = a->design_count - a->done < size ? a->design_count - a->done : size;
         if (count > most) count = most;
         double start = now();
-        run_chunk(a, &chunk, a->done, count);
+        good = run_chunk(a, &chunk, a->done, count);
         for (size_t k = 0; k < count; k++) yk_note_status(a->session, yk_study_status(a, a->done + k));
-        good = !a->session->ran_out && yk_partial_add(a, a->done, a->done + count);
+        good = good && !a->session->ran_out && yk_partial_add(a, a->done, a->done + count);
         a->done += count;
         show_progress(a, false);
         if (now() - start < chunk_seconds / 2 && size < most) size *= 2;
@@ -147,7 +153,7 @@ static bool find_sensitivities(YkStudyAnswer *a)
     a->difference = calloc(count, sizeof *a->difference);
     if (!a->derivative || !a->difference)
         return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    a->sensitivity_status = yk_study_sensitivities(a->study, a->derivative, a->difference);
+    a->sensitivity_status = yk_study_sensitivities(a->study, a->input_row, a->derivative, a->difference);
     yk_note_status(a->session, a->sensitivity_status);
     if (a->sensitivity_status < 0)
         yk_tell_status(a->session, a->sensitivity_status,
@@ -211,7 +217,9 @@ int yk_run_study(YkSession *session)
     a->session = session;
     catch_signals();
     if (yk_study_read(a)) exit_code = answer_study(a);
+    else if (a->start_status < 0) exit_code = yk_status_exit(a->start_status);
     yk_study_free(a->study);
+    yk_state_free(a->start);
     yk_tolerances_free(a->tolerances);
     free(a->axes);
     free(a->columns);

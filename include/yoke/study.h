@@ -14,11 +14,14 @@ typedef struct YkStudyOptions {
     const YkChannel *channels; // what is computed; forces too (slower: the equations of motion are made anew a design)
     size_t channel_count;
     size_t threads; // 0: one
+    // Where other inputs than the state's say where the machine was put together: that state, of a mechanism compiled
+    // with them; each design starts at its inputs. NULL: the state itself. Its mechanism must outlive the study.
+    const YkState *start;
 } YkStudyOptions;
 
 typedef struct YkStudy YkStudy;
-// With the branches, reference angles and inputs of an assembled state, whose model and mechanism must outlive it.
-// NULL with problems added. All memory is taken here.
+// The pose of the state is where the machine was put together: it tells the inputs at which every design is put
+// together, and in which configuration. Its model and mechanism must outlive the study. NULL with problems added.
 YK_API YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkProblems *problems);
 YK_API void yk_study_free(YkStudy *study);
 
@@ -31,11 +34,15 @@ typedef struct YkStudyCase {
     bool inputs_per_design; // inputs[...][design * pose_count + pose]: every design at inputs of its own
 } YkStudyCase;
 
-// Every pose: outputs[channel][design * pose_count + pose], and status[...] (may be NULL): as of yk_batch_run, and
-// YK_BAD_MODEL where the values make no machine, YK_NO_ASSEMBLY where none closes; outputs are 0 there, never NaN.
-// Returns the worst status. A machine with groups is assembled anew for every design, nearest to `start:`; all others
-// keep the state's branches. Cost a design: the expressions that vary, then as yk_batch_run. Allocates nothing but the
-// threads' stacks.
+// Every pose: outputs[channel][design * pose_count + pose], and status[...] (may be NULL). A design is put together at
+// the inputs of the start, by the state's branches, where it consists of dyads; larger groups are carried along from
+// the file's values (yk_state_carry). From there it moves straight to its first pose (a way round is tried where there
+// are several inputs), then from pose to pose, straight: branch and circuit are kept, change points passed, turns
+// counted. Status: YK_OK, YK_SINGULAR; YK_BAD_MODEL where the values make no machine, YK_NO_ASSEMBLY where it cannot be
+// put together, YK_LIMIT for a pose to which it does not come (the next one is sought from the last to which it came);
+// outputs are 0 there, never NaN. Returns the worst status. The bits are those of yk_state_move_to for dyads. Cost a
+// design: the expressions that vary, then as yk_batch_run for every 2 degrees of the way or every pose, whichever are
+// more; as yk_state_move_to where branches may meet, with groups, gears, belts, cams, and forces. That allocates.
 YK_API YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status);
 
 // Over the poses of one design that stand: least, largest and mean value of a channel.
@@ -47,16 +54,20 @@ typedef struct YkExtent {
 YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExtent *extents, signed char *status,
                                 size_t *standing);
 
-// Derivatives at the state's pose and the file's values. by_derivative[channel * parameters + parameter]: by the
+// Derivatives at the file's values and one pose, inputs[3 * input + k] (a NULL array, or NULL: the state's), to which the
+// machine moves as in yk_study_run. by_derivative[channel * parameters + parameter]: by the
 // implicit function theorem on the loops of the tree (positions only, machines of at most 300 unknowns without gears,
 // belts and cams; otherwise as by_difference); by_difference: of the solved pose, extrapolated from central differences
 // (Richardson 1911). The two share only the pose. YK_OK, or the status of a neighbouring pose that does not stand.
-YK_API YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *by_difference);
+YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
+                                       double *by_difference);
 
 // Forward dynamics of many states, each with parameters of its own: the accelerations of all inputs. Open trees of pins
 // under gravity and efforts run over lanes; other machines state by state, their equations made anew for each.
 typedef struct YkMotionBatch YkMotionBatch;
-// Free and driven inputs are those of yk_dynamics_new; branches those of the state. NULL with problems added.
+// Free and driven inputs are those of yk_dynamics_new. Branches are those of the state; the assembly of groups is
+// carried along from the file's values, then tracked straight to the positions. Whether a machine could come to its
+// positions is not asked: they are those of a motion. NULL with problems added.
 YK_API YkMotionBatch *yk_motion_batch_new(const YkState *state, const char *const *parameters, size_t parameter_count,
                                           size_t threads, YkProblems *problems);
 YK_API void yk_motion_batch_free(YkMotionBatch *batch);

@@ -2,7 +2,7 @@
 #include "solve/batch.h"
 #include <stdlib.h>
 #include <string.h>
-#include "solve/state.h"
+#include "solve/watch.h"
 
 // Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache.
 // Tunable. Rows lie a little further apart: rows a multiple of 4096 bytes from each other get in each other's way.
@@ -23,6 +23,10 @@ struct YkBatch {
     const double **lanes_of; // the runner's view of this block's inputs
     YkPlane point;           // scratch: one point's lanes
     double *point_lanes;
+    bool is_along; // the poses are those of one way:
+    YkWatch watch; // where its branches could have met
+    double *next;  // [coordinate]: angles at the end of this block of lanes, references of the next one
+    size_t clear;  // lanes of this block that are the way's for sure
 };
 
 static size_t lanes_for(const YkMechanism *mech)
@@ -80,12 +84,13 @@ static void fill_constants(YkBatch *b)
         for (size_t k = 0; k < b->lanes; k++) b->constant[i * b->lanes + k] = b->state->input[i];
 }
 
-YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count)
+static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_t channel_count, bool is_along)
 {
     for (size_t k = 0; k < channel_count; k++)
         if (yk_channel_needs_forces(channels[k])) return NULL;
     YkBatch *b = calloc(1, sizeof *b);
     if (!b) return NULL;
+    b->is_along = is_along;
     size_t inputs = 3 * state->mech->input_count;
     b->mech = state->mech;
     b->lanes = lanes_for(b->mech);
@@ -99,7 +104,12 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
     b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
     if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->constant || !b->lanes_of ||
-        !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, false)) {
+        !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along)) {
+        yk_batch_free(b);
+        return NULL;
+    }
+    if (is_along) b->next = calloc(b->mech->coordinate_count + 1, sizeof *b->next);
+    if (is_along && (!b->next || !yk_watch_start(&b->watch, b->mech))) {
         yk_batch_free(b);
         return NULL;
     }
@@ -113,6 +123,16 @@ YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t ch
     }
     yk_batch_restart(b, state);
     return b;
+}
+
+YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count)
+{
+    return new_batch(state, channels, channel_count, false);
+}
+
+YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count)
+{
+    return new_batch(state, channels, channel_count, true);
 }
 
 void yk_batch_restart(YkBatch *b, const YkState *state)
@@ -134,11 +154,34 @@ void yk_batch_free(YkBatch *b)
     free(b->constant);
     free(b->lanes_of);
     free(b->point_lanes);
+    yk_watch_end(&b->watch);
+    free(b->next);
     free(b);
 }
 
 // --- channels
 // -----------------------------------------------------------------------------------------------------------
+
+// Along a way: from lane to lane by less than half a turn.
+static void count_turns(const YkBatch *b, size_t coordinate, double *out, size_t n)
+{
+    const YkTreeCoordinate *q = &b->mech->coordinates[coordinate];
+    YkTurn from = yk_space_turn(&b->space, q->angle.a), to = yk_space_turn(&b->space, q->angle.b);
+    double last = b->state->reference[coordinate];
+    bool turns = false;
+    for (size_t k = 0; k < n; k++) {
+        turns |= fabs(out[k] - last) > YK_PI;
+        last = out[k];
+    }
+    last = b->state->reference[coordinate];
+    for (size_t k = 0; turns && k < n; k++) {
+        YkTurn one = {from.c ? from.c + k : NULL, from.s ? from.s + k : NULL, NULL, NULL},
+               other = {to.c ? to.c + k : NULL, to.s ? to.s + k : NULL, NULL, NULL};
+        yk_lanes_angle(out + k, one, other, q->angle.offset, last, 1);
+        last = out[k];
+    }
+    if (b->clear > 0) b->next[coordinate] = out[b->clear - 1];
+}
 
 static void write_coordinate_angle(const YkBatch *b, const YkRun *run, size_t coordinate, double *out, size_t n)
 {
@@ -148,6 +191,7 @@ static void write_coordinate_angle(const YkBatch *b, const YkRun *run, size_t co
         memcpy(out, run->inputs[3 * q->input], n * sizeof *out);
     else
         yk_lanes_angle(out, from, to, q->angle.offset, b->state->reference[coordinate], n);
+    if (b->is_along && q->input == YK_NONE) count_turns(b, coordinate, out, n);
 }
 
 // A body's angle: the sum along the tree, as yk_state_body adds it.
@@ -319,6 +363,16 @@ static bool needs_state(const YkBatch *b)
     return false;
 }
 
+bool yk_batch_can_follow(const YkMechanism *mech, const YkChannel *channels, size_t channel_count)
+{
+    if (mech->has_groups || mech->relation_count + mech->derived_count > 0) return false;
+    for (size_t c = 0; c < mech->coordinate_count; c++)
+        if (mech->coordinates[c].is_sum) return false;
+    for (size_t k = 0; k < channel_count; k++)
+        if (channels[k].kind == YK_CHANNEL_TRANSMISSION || yk_channel_needs_forces(channels[k])) return false;
+    return true;
+}
+
 static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
                           size_t count)
 {
@@ -331,23 +385,76 @@ static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const
     return worst;
 }
 
+static size_t clear_lanes(YkBatch *b, YkStatus worst, size_t n)
+{
+    size_t clear = yk_watch_lanes(&b->watch, &b->space, n);
+    for (size_t k = 0; worst != YK_OK && k < clear; k++)
+        if (!(b->space.margin[k] > YK_SINGULAR_MARGIN)) clear = k; // of those that gape too: see judge
+    return clear;
+}
+
+// One block of lanes from `at`.
+static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs,
+                          signed char *status, size_t at)
+{
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++)
+        b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
+    for (size_t k = 0; k < b->channel_count; k++)
+        if (b->row[k]) *b->row[k] = outputs[k] + at;
+    yk_run_begin(run);
+    yk_run_steps(run, 0, b->mech->step_count);
+    YkStatus here = judge(b, status ? status + at : NULL, run->lanes);
+    if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
+    for (size_t k = 0; k < b->channel_count; k++) write_channel(b, run, k, here != YK_OK, outputs[k] + at);
+    return here;
+}
+
+static YkRun run_of(const YkBatch *b)
+{
+    return (YkRun){b->mech, (YkSpace *)(uintptr_t)&b->space, b->lanes_of, b->state->branch, NULL,
+                   0,       b->home->slot_reference};
+}
+
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
                       size_t count)
 {
     YkStatus worst = YK_OK;
     if (needs_state(b)) return run_poses(b, inputs, outputs, status, count);
-    YkRun run = {b->mech, &b->space, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference};
+    YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        for (size_t i = 0; i < 3 * b->mech->input_count; i++)
-            b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
-        for (size_t k = 0; k < b->channel_count; k++)
-            if (b->row[k]) *b->row[k] = outputs[k] + at;
-        yk_run_begin(&run);
-        yk_run_steps(&run, 0, b->mech->step_count);
-        YkStatus here = judge(b, status ? status + at : NULL, run.lanes);
-        worst = worse(worst, here);
-        for (size_t k = 0; k < b->channel_count; k++) write_channel(b, &run, k, here != YK_OK, outputs[k] + at);
+        worst = worse(worst, run_lanes(b, &run, inputs, outputs, status, at));
     }
     return worst;
+}
+
+// --- along a way
+// --------------------------------------------------------------------------------------------------------
+
+void yk_batch_begin(YkBatch *b, const YkState *state)
+{
+    const YkMechanism *mech = b->mech;
+    memcpy(b->state->branch, state->branch, mech->block_count);
+    memcpy(b->state->reference, state->reference, mech->coordinate_count * sizeof *state->reference);
+    memcpy(b->next, state->reference, mech->coordinate_count * sizeof *state->reference);
+    b->watch.seen = 0;
+}
+
+size_t yk_batch_run_along(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
+                          size_t count)
+{
+    YkRun run = run_of(b);
+    for (size_t at = 0; at < count; at += b->lanes) {
+        run.lanes = count - at < b->lanes ? count - at : b->lanes;
+        run_lanes(b, &run, inputs, outputs, status, at);
+        memcpy(b->state->reference, b->next, b->mech->coordinate_count * sizeof *b->next);
+        if (b->clear == run.lanes) continue;
+        return at + b->clear;
+    }
+    return count;
+}
+
+void yk_batch_refer(const YkBatch *b, YkState *state)
+{
+    memcpy(state->reference, b->state->reference, b->mech->coordinate_count * sizeof *state->reference);
 }

@@ -124,6 +124,9 @@ void yk_lanes_angle(double *out, YkTurn a, YkTurn b, double offset, double refer
 void yk_lanes_difference(double *out, const double *b, const double *a, size_t n); // b - a; either may be NULL (zero)
 // value = margin >= least ? value : 0 (and NaN never passes).
 void yk_lanes_mask(double *value, const double *margin, double least, size_t n);
+// *dips = whether of any lane's margin and the two after it the least is at most `zero`, they differ by more than
+// `most`, or they could reach zero between them (yk_margin_may_vanish). margin has n + 2 lanes.
+void yk_lanes_dip(bool *dips, const double *margin, double zero, double most, size_t n);
 // *well = whether every lane has margin > least and gap <= most (NaN has not): the usual case, in which nothing need be
 // masked.
 void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);

@@ -57,3 +57,20 @@ YK_INLINE void yk_lanes_well_body(bool *well, const double *margin, const double
 }
 YK_KERNEL(yk_lanes_well, (bool *well, const double *margin, const double *gap, double least, double most, size_t n),
           (well, margin, gap, least, most))
+
+YK_INLINE void yk_lanes_dip_body(bool *dips, const double *margin, double zero, double most, size_t n)
+{
+    uint64_t bad = 0;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) {
+        double a = margin[i], m = margin[i + 1], b = margin[i + 2];
+        double low = a < m ? a : m, high = a > m ? a : m;
+        low = low < b ? low : b;
+        high = high > b ? high : b;
+        double range = high - low;
+        bad |= low > zero && range <= most && low >= 0.2 * range ? 0u : 1u;
+    }
+    *dips = bad != 0;
+}
+YK_KERNEL(yk_lanes_dip, (bool *dips, const double *margin, double zero, double most, size_t n),
+          (dips, margin, zero, most))

@@ -59,6 +59,15 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
 // near a change point, or where a base vanishes, they stay as they are, and errors swallow them long before the margin
 // says so.
 bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space);
+// Could a margin reach zero between its three samples? Not if it stays well above its own variation; nor where it is
+// zero at an end and rises from there as a parabola or a line does.
+static inline bool yk_margin_may_vanish(double a, double m, double b)
+{
+    double least = fmin(a, fmin(m, b)), most = fmax(a, fmax(m, b));
+    if (a <= YK_SINGULAR_MARGIN || b <= YK_SINGULAR_MARGIN) return m < 0.1 * most;
+    return least < 0.2 * (most - least);
+}
+
 // The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a
 // redundant loop gapes).
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);

@@ -6,6 +6,7 @@
 #include <yoke/dynamics.h>
 #include "base/problems.h"
 #include "solve/state.h"
+#include "study/start.h"
 #include "study/tree_batch.h"
 
 enum { CHUNK = 1024 }; // states handed out at a time, a multiple of the lanes
@@ -17,6 +18,7 @@ typedef struct Worker {
     YkState *home, *state;
     YkDynamics *dynamics;
     double *value, *acceleration;
+    YkMotion *goal;
     YkStatus worst;
 } Worker;
 
@@ -47,9 +49,9 @@ static bool start(YkMotionBatch *batch, Worker *w, const YkState *state, const c
     w->state = yk_state_new(w->variant->mech);
     w->value = calloc(count + 1, sizeof *w->value);
     w->acceleration = calloc(state->mech->input_count + 1, sizeof *w->acceleration);
-    if (!w->home || !w->state || !w->value || !w->acceleration) return false;
-    yk_state_take(w->home, state);
-    return true;
+    w->goal = calloc(state->mech->input_count + 1, sizeof *w->goal);
+    if (!w->home || !w->state || !w->value || !w->acceleration || !w->goal) return false;
+    return yk_study_take_home(w->home, state) != YK_NO_MEMORY;
 }
 
 static void end(Worker *w)
@@ -61,6 +63,7 @@ static void end(Worker *w)
     yk_variant_free(w->variant);
     free(w->value);
     free(w->acceleration);
+    free(w->goal);
 }
 
 YkMotionBatch *yk_motion_batch_new(const YkState *state, const char *const *parameters, size_t parameter_count,
@@ -122,8 +125,7 @@ static YkStatus run_one(Worker *w, const YkMotionCase *asked, size_t k)
 {
     YkStatus status = set_design(w, asked, k);
     if (status < 0) return status;
-    yk_state_copy(w->state, w->home);
-    if (w->variant->mech->has_groups) status = yk_state_assemble(w->state);
+    status = yk_study_carry(w->variant, w->home, w->state, w->batch->own, w->value, w->batch->parameter_count, w->goal);
     for (size_t i = 0; status >= 0 && i < w->batch->input_count; i++) {
         if (asked->positions && asked->positions[i]) w->state->input[3 * i] = asked->positions[i][k];
         if (asked->rates && asked->rates[i]) w->state->input[3 * i + 1] = asked->rates[i][k];

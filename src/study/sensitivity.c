@@ -46,9 +46,8 @@ static YkStatus channels_at(YkWorker *w, const double *values, double *out)
 {
     YkStatus status = yk_worker_set(w, values);
     signed char one = YK_OK;
-    for (size_t i = 0; i < 3 * w->mech->input_count; i++) w->inputs[i] = NULL;
     for (size_t c = 0; c < w->study->channel_count; c++) w->outputs[c] = out + c;
-    if (status >= 0) status = yk_worker_poses(w, w->outputs, &one, 1);
+    if (status >= 0) status = yk_worker_go(w, w->outputs, &one, 1);
     return status;
 }
 
@@ -247,7 +246,20 @@ static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *d
 // --- the door
 // -----------------------------------------------------------------------------------------------------------
 
-YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *by_difference_out)
+// The file's own machine at the pose.
+static YkStatus stand_at_pose(YkWorker *w)
+{
+    YkStatus status = yk_worker_set(w, w->study->own);
+    if (status >= 0) status = yk_worker_stand(w);
+    for (size_t i = 0; i < w->mech->input_count; i++) {
+        const double *const *x = w->inputs + 3 * i, *own = w->home->input + 3 * i;
+        w->goal[i] = (YkMotion){x[0] ? *x[0] : own[0], x[1] ? *x[1] : own[1], x[2] ? *x[2] : own[2]};
+    }
+    return status < 0 ? status : yk_state_move_to(w->state, w->goal, NULL, NULL);
+}
+
+YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
+                                double *by_difference_out)
 {
     YkWorker *w = &study->worker[0];
     size_t channels = study->channel_count, parameters = study->parameter_count;
@@ -256,12 +268,9 @@ YkStatus yk_study_sensitivities(YkStudy *study, double *by_derivative, double *b
     Linear l = {0};
     bool is_linear = can_linearise(study, w->mech);
     if (status == YK_OK && is_linear && !start_linear(&l, w->mech)) status = YK_NO_MEMORY;
-    if (status == YK_OK) status = yk_worker_set(w, study->own);
-    if (status >= 0 && is_linear) {
-        yk_state_copy(w->state, w->home);
-        status = w->mech->has_groups ? yk_state_assemble(w->state) : yk_state_solve(w->state);
-        if (status >= 0) linearise(&l, w->state);
-    }
+    for (size_t i = 0; i < 3 * w->mech->input_count; i++) w->inputs[i] = inputs ? inputs[i] : NULL;
+    if (status == YK_OK) status = stand_at_pose(w);
+    if (status >= 0 && is_linear) linearise(&l, w->state);
     for (size_t p = 0; status >= 0 && p < parameters; p++) {
         status = by_difference(study, p, column, scratch + channels);
         for (size_t c = 0; c < channels; c++)

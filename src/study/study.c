@@ -10,30 +10,39 @@
 // --- workers
 // ------------------------------------------------------------------------------------------------------------
 
-static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options,
-                         YkProblems *problems)
+static bool make_room(YkWorker *w, size_t parameters, size_t channels)
 {
-    size_t channels = options->channel_count, parameters = options->parameter_count;
-    w->study = study;
-    w->variant = yk_variant_new(state->mech, options->parameters, parameters, problems);
-    if (!w->variant) return false;
-    w->mech = yk_variant_mechanism(w->variant);
-    w->state = yk_state_new(w->mech);
-    w->home = yk_state_new(w->mech);
+    size_t inputs = 3 * w->mech->input_count;
     w->value = calloc(parameters + 1, sizeof *w->value);
-    w->inputs = calloc(3 * w->mech->input_count + 1, sizeof *w->inputs);
+    w->inputs = calloc(inputs + 1, sizeof *w->inputs);
     w->outputs = calloc(channels + 1, sizeof *w->outputs);
     w->extent = calloc(channels + 1, sizeof *w->extent);
     w->count = calloc(channels + 1, sizeof *w->count);
     w->block = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->block);
     w->block_status = calloc(YK_STUDY_BLOCK, 1);
-    if (!w->state || !w->home || !w->value || !w->inputs || !w->outputs || !w->extent || !w->count || !w->block ||
-        !w->block_status)
-        return false;
-    yk_state_take(w->home, state);
-    yk_state_copy(w->state, w->home);
-    if (!study->needs_forces) w->batch = yk_batch_new(w->home, options->channels, channels);
-    return study->needs_forces || w->batch;
+    w->last = calloc(inputs + 1, sizeof *w->last);
+    w->end = calloc(inputs + 1, sizeof *w->end);
+    w->lane = calloc(inputs * YK_STUDY_BLOCK + 1, sizeof *w->lane);
+    w->lane_output = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->lane_output);
+    w->lane_pose = calloc(YK_STUDY_BLOCK, sizeof *w->lane_pose);
+    w->row = calloc(inputs + 1, sizeof *w->row);
+    w->row_output = calloc(channels + 1, sizeof *w->row_output);
+    return w->value && w->inputs && w->outputs && w->extent && w->count && w->block && w->block_status && w->last &&
+           w->end && w->lane && w->lane_output && w->lane_pose && w->row && w->row_output;
+}
+
+static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options,
+                         YkProblems *problems)
+{
+    w->study = study;
+    w->variant = yk_variant_new(state->mech, options->parameters, options->parameter_count, problems);
+    if (!w->variant) return false;
+    w->mech = yk_variant_mechanism(w->variant);
+    if (!make_room(w, options->parameter_count, options->channel_count)) return false;
+    if (!yk_worker_start(w, state, options, problems)) return false;
+    if (!yk_batch_can_follow(w->mech, options->channels, options->channel_count)) return true;
+    w->batch = yk_batch_new_along(w->home, options->channels, options->channel_count);
+    return w->batch != NULL;
 }
 
 static void end_worker(YkWorker *w)
@@ -41,8 +50,14 @@ static void end_worker(YkWorker *w)
     yk_batch_free(w->batch);
     yk_dynamics_free(w->dynamics);
     yk_state_free(w->state);
+    yk_state_free(w->kept);
+    yk_state_free(w->begun);
     yk_state_free(w->home);
+    yk_state_free(w->base);
+    yk_state_free(w->base_home);
+    yk_variant_free(w->base_variant);
     yk_variant_free(w->variant);
+    free(w->goal);
     free(w->value);
     free((void *)w->inputs);
     free((void *)w->outputs);
@@ -50,6 +65,13 @@ static void end_worker(YkWorker *w)
     free(w->count);
     free(w->block);
     free(w->block_status);
+    free(w->last);
+    free(w->end);
+    free(w->lane);
+    free(w->lane_output);
+    free(w->lane_pose);
+    free((void *)w->row);
+    free((void *)w->row_output);
 }
 
 // A drive, or the start value of a held input, that varies: the state's inputs would not follow.
@@ -98,7 +120,8 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
     for (size_t t = 0; good && t < threads; t++) {
         study->thread_count++;
         good = start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
-        good = good && (t > 0 || inputs_follow(study, state, problems));
+        if (good && t == 0) good = inputs_follow(study, state, problems);
+        if (good && t == 0 && options->start) good = inputs_follow(study, options->start, problems);
     }
     if (good) return study;
     yk_study_free(study);
@@ -121,22 +144,6 @@ void yk_study_free(YkStudy *study)
 // --- a design
 // -----------------------------------------------------------------------------------------------------------
 
-static YkStatus worse(YkStatus a, YkStatus b)
-{
-    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
-}
-
-// Groups have no branch that carries over: the nearest configuration to `start:`, as for the file itself.
-static YkStatus assemble(YkWorker *w)
-{
-    yk_state_copy(w->state, w->home);
-    memcpy(w->state->input, w->home->input, 3 * w->mech->input_count * sizeof *w->state->input);
-    YkStatus status = yk_state_assemble(w->state);
-    if (status < 0) return status;
-    if (w->batch) yk_batch_restart(w->batch, w->state);
-    return YK_OK;
-}
-
 // Forces: the machine's equations hold its masses, so they are made anew.
 static YkStatus prepare_forces(YkWorker *w)
 {
@@ -150,39 +157,9 @@ static YkStatus prepare_forces(YkWorker *w)
 YkStatus yk_worker_set(YkWorker *w, const double *values)
 {
     YkStatus status = yk_variant_set(w->variant, values);
-    if (status >= 0 && w->mech->has_groups) status = assemble(w);
+    if (status >= 0) status = yk_worker_begin(w, values);
     if (status >= 0 && w->study->needs_forces) status = prepare_forces(w);
     return status;
-}
-
-// A pose with forces, from the inputs w->inputs at `pose`.
-static YkStatus solve_forces(YkWorker *w, size_t pose, double *const *outputs)
-{
-    if (!w->mech->has_groups) yk_state_copy(w->state, w->home);
-    for (size_t i = 0; i < 3 * w->mech->input_count; i++)
-        w->state->input[i] = w->inputs[i] ? w->inputs[i][pose] : w->home->input[i];
-    YkStatus status = yk_state_solve(w->state);
-    if (status >= 0) status = yk_dynamics_solve(w->dynamics, w->state, YK_METHOD_REDUCED);
-    if (status == YK_REDUNDANT) status = YK_OK;
-    for (size_t c = 0; c < w->study->channel_count; c++) {
-        double value = status < 0 ? 0 : yk_dynamics_channel(w->dynamics, w->state, w->study->channels[c]);
-        bool is_number = value - value == 0;
-        outputs[c][pose] = is_number ? value : 0;
-        if (!is_number) status = YK_SINGULAR;
-    }
-    return status;
-}
-
-YkStatus yk_worker_poses(YkWorker *w, double *const *outputs, signed char *status, size_t count)
-{
-    if (w->batch) return yk_batch_run(w->batch, w->inputs, outputs, status, count);
-    YkStatus worst = YK_OK;
-    for (size_t k = 0; k < count; k++) {
-        YkStatus one = solve_forces(w, k, outputs);
-        if (status) status[k] = (signed char)one;
-        worst = worse(worst, one);
-    }
-    return worst;
 }
 
 static void point_inputs(YkWorker *w, const YkStudyCase *asked, size_t design, size_t from)
@@ -211,7 +188,7 @@ static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
     }
     point_inputs(w, asked, design, 0);
     for (size_t c = 0; c < w->study->channel_count; c++) w->outputs[c] = job->outputs[c] + at;
-    return yk_worker_poses(w, w->outputs, job->status ? job->status + at : NULL, n);
+    return yk_worker_go(w, w->outputs, job->status ? job->status + at : NULL, n);
 }
 
 // --- reducing
@@ -226,15 +203,18 @@ static bool counts(YkChannel channel, signed char status)
 
 static void add_row(YkWorker *w, size_t c, size_t n, bool all_count)
 {
-    YkExtent *e = &w->extent[c];
+    const double *row = w->outputs[c];
+    YkExtent e = w->count[c] > 0 ? w->extent[c] : (YkExtent){INFINITY, -INFINITY, 0};
+    size_t added = 0;
     for (size_t k = 0; k < n; k++) {
-        double x = w->outputs[c][k];
         if (!all_count && !counts(w->study->channels[c], w->block_status[k])) continue;
-        e->least = w->count[c] > 0 && e->least <= x ? e->least : x;
-        e->largest = w->count[c] > 0 && e->largest >= x ? e->largest : x;
-        e->mean += x;
-        w->count[c]++;
+        e.least = e.least <= row[k] ? e.least : row[k];
+        e.largest = e.largest >= row[k] ? e.largest : row[k];
+        e.mean += row[k];
+        added++;
     }
+    w->count[c] += added;
+    if (w->count[c] > 0) w->extent[c] = e;
 }
 
 static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
@@ -242,15 +222,15 @@ static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
     const YkStudyCase *asked = job->asked;
     size_t channels = w->study->channel_count, standing = 0;
     YkStatus worst = set_design(w, asked, design);
+    bool has_start = worst >= 0;
     memset(w->extent, 0, channels * sizeof *w->extent);
     memset(w->count, 0, channels * sizeof *w->count);
     for (size_t c = 0; c < channels; c++) w->outputs[c] = w->block + c * YK_STUDY_BLOCK;
-    for (size_t from = 0; worst != YK_BAD_MODEL && worst != YK_NO_ASSEMBLY && from < asked->pose_count;
-         from += YK_STUDY_BLOCK) {
+    for (size_t from = 0; has_start && from < asked->pose_count; from += YK_STUDY_BLOCK) {
         size_t n = asked->pose_count - from < YK_STUDY_BLOCK ? asked->pose_count - from : YK_STUDY_BLOCK, stand = n;
         point_inputs(w, asked, design, from);
-        YkStatus here = yk_worker_poses(w, w->outputs, w->block_status, n);
-        worst = worse(worst, here);
+        YkStatus here = yk_worker_go(w, w->outputs, w->block_status, n);
+        worst = yk_worse(worst, here);
         for (size_t k = 0; here < 0 && k < n; k++) stand -= w->block_status[k] < 0;
         for (size_t c = 0; c < channels; c++) add_row(w, c, n, here == YK_OK);
         standing += stand;
@@ -277,7 +257,7 @@ static void *work(void *context)
         size_t from = atomic_fetch_add(&job->next, job->chunk), to = from + job->chunk;
         if (from >= designs) return NULL;
         for (size_t d = from; d < to && d < designs; d++)
-            w->worst = worse(w->worst, job->extents ? reduce_design(w, job, d) : run_design(w, job, d));
+            w->worst = yk_worse(w->worst, job->extents ? reduce_design(w, job, d) : run_design(w, job, d));
     }
 }
 
@@ -288,7 +268,14 @@ static YkStatus run(YkStudy *study, YkJob *job)
     job->chunk = designs / (study->thread_count * 16) + 1;
     if (job->chunk > 256) job->chunk = 256;
     atomic_init(&job->next, 0);
-    for (size_t t = 0; t < study->thread_count; t++) study->worker[t].job = job, study->worker[t].worst = YK_OK;
+    const YkStudyCase *asked = job->asked;
+    bool is_fine = asked->inputs && !asked->inputs_per_design &&
+                   yk_poses_are_fine(study->worker[0].mech, asked->inputs, 0, asked->pose_count);
+    for (size_t t = 0; t < study->thread_count; t++) {
+        study->worker[t].job = job;
+        study->worker[t].worst = YK_OK;
+        study->worker[t].is_fine = is_fine;
+    }
     while (started + 1 < study->thread_count && started + 1 < designs &&
            pthread_create(&study->thread[started], NULL, work, &study->worker[started + 1]) == 0)
         started++;
@@ -296,7 +283,7 @@ static YkStatus run(YkStudy *study, YkJob *job)
     YkStatus worst = study->worker[0].worst;
     for (size_t t = 0; t < started; t++) {
         pthread_join(study->thread[t], NULL);
-        worst = worse(worst, study->worker[t + 1].worst);
+        worst = yk_worse(worst, study->worker[t + 1].worst);
     }
     return worst;
 }

@@ -139,15 +139,6 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
     return false;
 }
 
-// Could the margin reach zero between its three samples? Not if it stays well above its own variation; nor where it is
-// zero at an end and rises from there as a parabola or a line does.
-static bool may_vanish(double a, double m, double b)
-{
-    double least = fmin(a, fmin(m, b)), most = fmax(a, fmax(m, b));
-    if (a <= YK_SINGULAR_MARGIN || b <= YK_SINGULAR_MARGIN) return m < 0.1 * most;
-    return least < 0.2 * (most - least);
-}
-
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
@@ -157,7 +148,7 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
                  *mb = yk_walk_margins(w, depth, 2);
     bool narrow = fabs(b - a) < 4e-7 * yk_path_scale(&w->path) || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
-        if (!yk_walk_has_margin(w, k) || !may_vanish(ma[k], mm[k], mb[k])) continue;
+        if (!yk_walk_has_margin(w, k) || !yk_margin_may_vanish(ma[k], mm[k], mb[k])) continue;
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
         if (yk_walk_was_flipped_near(w, k, b)) continue;

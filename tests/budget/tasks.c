@@ -63,7 +63,7 @@ static void run_study(Machine *m)
     static YkExtent extents[DESIGNS];
     YkChannel channel;
     if (yk_channel_parse(m->mech, "coupler.P.x", &channel, m->problems) != YK_OK) die("no channel");
-    YkStudyOptions options = {names, 2, &channel, 1, 1};
+    YkStudyOptions options = {names, 2, &channel, 1, 1, NULL};
     YkStudy *study = yk_study_new(m->state, &options, m->problems);
     const double *parameters[] = {a, b}, *inputs[] = {angle, NULL, NULL};
     for (size_t k = 0; k < 360; k++) angle[k] = 0.0174532925 * (double)k;

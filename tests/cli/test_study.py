@@ -11,7 +11,9 @@ import subprocess
 import time
 import unittest
 
-from harness import Case, Run, YOKE
+from harness import Case, Run, ROOT, YOKE
+
+EXAMPLES = os.path.join(ROOT, "examples")
 
 SUM = """\
 units: {length: mm, angle: deg}
@@ -28,6 +30,65 @@ parameters:
   a: {normal: [40, 0.5]}
   b: {uniform: [29, 32]}
   c: {triangular: [18, 20, 23]}
+"""
+
+
+# A six-bar without a dyad, and a five-bar whose wheels, on its links, close one group with its loops.
+TRIAD = """\
+parameters: {l: 4.5 m, r: 3 m}
+bodies:
+  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [6, 2.5]}}
+  crank: {points: {O2: [0, 0], A: [1, 0]}}
+  coupler: {points: {A: [0, 0], B: [3.5, 0], C: [2, 1.5]}}
+  rocker: {points: {O4: [0, 0], B: [r, 0]}}
+  link: {points: {C: [0, 0], D: [l, 0]}}
+  output: {points: {O6: [0, 0], D: [2.5, 0]}}
+joints:
+  O6: {pin: [ground, output], angle: theta6}
+  D: {pin: [output, link], angle: theta5}
+  O2: {pin: [ground, crank], angle: theta2}
+  A: {pin: [crank, coupler], angle: theta3}
+  O4: {pin: [ground, rocker], angle: theta4}
+  B: {pin: [coupler, rocker]}
+  C: {pin: [coupler, link]}
+drives: {theta6: 120 deg + 0.1 rad/s * t}
+start: {theta2: 120 deg, theta3: -90 deg, theta4: 119 deg, theta5: -101 deg}
+"""
+
+GEARED = """\
+parameters: {p: 2.5 m, q: 2 m}
+bodies:
+  ground: {points: {A: [0, 0], E: [3, 0]}}
+  a: {points: {A: [0, 0], B: [1, 0]}}
+  b: {points: {C: [0, 0], B: [-p, 0]}}
+  c: {points: {C: [0, 0], D: [q, 0]}}
+  d: {points: {D: [0, 0], E: [2.2, 0]}}
+joints:
+  A: {pin: [ground, a], angle: t1}
+  B: {pin: [a, b], angle: t2}
+  C: {pin: [b, c], angle: t3}
+  D: {pin: [c, d], angle: t4}
+  E: {pin: [ground, d]}
+gears: {g: {mesh: [b, d], teeth: [20, 30], carrier: c}}
+drives: {t1: 60 deg + 1 rad/s * t}
+start: {t2: -30 deg, t3: -60 deg, t4: -60 deg}
+"""
+
+CRANK = """\
+parameters: {r: 50 mm, l: 180 mm}
+bodies:
+  ground: {points: {O: [0, 0]}}
+  crank:  {points: {O: [0, 0], A: [r, 0]}}
+  rod:    {points: {A: [0, 0], B: [l, 0]}}
+  piston: {points: {B: [0, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, rod], angle: phi}
+  B: {pin: [rod, piston]}
+  S: {slide: [ground, piston], along: x, distance: s}
+drives: {theta: 60 deg + 300 rpm * t}
+start: {phi: -75 deg, s: 200 mm}
+units: {length: mm, angle: deg}
 """
 
 
@@ -98,10 +159,10 @@ class Study(Case):
         head, rows = self.table("--vary", "a=20:300:7", "--of", "theta3,theta3.rate", file=self.four_bar)
         statuses = [row[2] for row in rows]
         self.assertIn("ok", statuses)
-        self.assertIn("limit", statuses)
+        self.assertIn("no-assembly", statuses)  # at the pose of `start:`
         for row in rows:
-            self.assertEqual(row[4:] == ["", ""], row[2] == "limit")
-            self.assertEqual(row[3], "0" if row[2] == "limit" else "1")
+            self.assertEqual(row[4:] == ["", ""], row[2] == "no-assembly")
+            self.assertEqual(row[3], "0" if row[2] == "no-assembly" else "1")
         self.assertNotIn("nan", str(rows).lower())
         run = Run("study", self.four_bar, "--vary", "a=280:300:3", "--of", "theta3")
         self.assertEqual(run.code, 1)
@@ -122,8 +183,89 @@ class Study(Case):
         _, rows = self.table("--vary", "a=20:300:7", "--of", "theta3", file=self.four_bar)
         for k, row in enumerate(rows):
             self.assertEqual(values[4 * k], float(row[1]))
-            self.assertEqual(values[4 * k + 1], {"ok": 0, "limit": -1}[row[2]])
+            self.assertEqual(values[4 * k + 1], {"ok": 0, "no-assembly": -2}[row[2]])
             self.assertEqual(repr(values[4 * k + 3]), row[4] and repr(float(row[4])) or "nan")
+
+    def agree(self, file, grids, where, of, most=0.0):
+        """Every design of the grids at a place is what `solve` says of the file with these parameters there."""
+        study = Run("study", file, *(word for grid in grids for word in ("--vary", grid)), *where, "--of", of, "--format", "csv", "-q")
+        self.assertIn(study.code, (0, 1), study.err)  # 1: none stands
+        head, *rows = [line.split(",") for line in study.out.splitlines()]
+        stand = 0
+        for row in rows:
+            params = [word for k in range(len(grids)) for word in ("--param", f"{head[1 + k]}={row[1 + k]} m")]
+            alone = Run("solve", file, *params, *where, "--of", of, "--format", "csv", "-q")
+            design = (file, params, where)
+            status, answers = row[1 + len(grids)], row[3 + len(grids):]
+            self.assertEqual(alone.code, 0 if status in ("ok", "singular") else 1, design)
+            if alone.code != 0:
+                self.assertIn(status, ("limit", "no-assembly"), design)
+                continue
+            stand += 1
+            exact = alone.out.splitlines()[-1].split(",")[1:]
+            if most == 0:
+                self.assertEqual(answers, exact, design)
+            for mine, theirs in zip(answers, exact):
+                self.assertLessEqual(abs(float(mine) - float(theirs)), most * max(1, abs(float(theirs))), design)
+        return stand, len(rows) - stand
+
+    def test_every_design_is_what_solve_says_of_it(self):
+        four_bar, jansen, quick, five, peaucellier = (
+            os.path.join(EXAMPLES, name + ".yaml") for name in ("four-bar", "jansen", "quick-return", "five-bar", "peaucellier"))
+        triad, geared = self.write("triad.yaml", TRIAD), self.write("geared.yaml", GEARED)
+        of = "gamma,theta4,theta4.rate,theta4.accel,coupler.P.x"
+        stand, fall = 0, 0
+        for words in ((four_bar, ["a=30mm:75mm:4"], ["--at", "theta2=500deg"], of),
+                      (four_bar, ["a=30mm:45mm:3", "c=70mm:90mm:2"], ["--time", "1.7s"], of),
+                      (four_bar, ["a=38mm:44mm:3"], ["--at", "theta4=100deg"], "theta2,gamma,coupler.P.y"),
+                      (four_bar, ["a=38mm:44mm:3"], ["--at", "theta4=-90deg"], "theta2,gamma,coupler.P.y"),
+                      (four_bar, ["d=20mm:140mm:4"], ["--at", "theta2=-400deg", "--rate", "theta2=3rad/s"], of),
+                      (jansen, ["m=12mm:20mm:3"], ["--at", "theta=-300deg"], "theta,thetaJ,thetaK,thetaG,thetaG.rate"),
+                      (quick, ["l1=0.6m:1.2m:3"], ["--at", "theta1=-250deg"], "theta2,theta4,d5,d5.accel"),
+                      (peaucellier, ["s=1.2m:1.6m:3"], ["--at", "theta=-25deg"], "theta,theta.rate"),
+                      (five, ["a=190mm:230mm:3"], ["--at", "theta1=150deg", "--at", "theta2=20deg"], "phi1,phi2,phi2.rate")):
+            here, gone = self.agree(*words)
+            stand, fall = stand + here, fall + gone
+        self.assertGreater(stand, 20)
+        self.assertGreater(fall, 5)
+        for words in ((triad, ["l=4.4m:4.6m:3", "r=2.95m:3.05m:2"], ["--at", "theta6=112deg"], "theta2,theta3,theta5,theta5.rate"),
+                      (geared, ["p=2.3m:2.6m:3"], ["--at", "t1=200deg"], "t2,t3,t4,t4.rate")):
+            self.agree(*words, most=1e-12)
+
+    def test_a_cycle_is_that_of_the_sweep(self):
+        crank = self.write("crank.yaml", CRANK)
+        for steps, way in (("36", "0:360deg"), ("7", "-90deg:800deg"), ("360", "360deg:0")):
+            _, rows = self.table("--vary", "r=40mm:60mm:3", "--over", "theta=" + way, "--steps", steps, "--of",
+                                 "s,phi,s.rate", file=crank)
+            for row in rows:
+                swept = self.good("sweep", crank, "--param", f"r={row[1]} m", "--over", "theta=" + way, "--steps", steps,
+                                  "--of", "s,phi,s.rate", "--format", "csv", "-q").csv()[1]
+                self.assertEqual(row[3], str(len(swept)))
+                for c in range(3):
+                    column = [line[1 + c] for line in swept]
+                    self.assertEqual([float(x) for x in row[4 + 4 * c:6 + 4 * c]], [min(column), max(column)])
+                    self.assertAlmostEqual(float(row[6 + 4 * c]), statistics.fmean(column), 12)
+
+    def test_a_design_keeps_to_the_range_in_which_it_was_put_together(self):
+        """The rocker's label is the same in [-128.7, -54.9] and in [54.9, 128.7] deg."""
+        _, rows = self.table("--vary", "a=39mm:41mm:3", "--over", "theta4=-180deg:180deg", "--steps", "360", "--of",
+                             "theta4,theta2", "-q", file=os.path.join(EXAMPLES, "four-bar.yaml"))
+        for row in rows:
+            a = float(row[1])
+            low, high = (math.acos(((0.12 + way * a)**2 - 0.01 - 0.0064) / 0.016) for way in (1, -1))
+            within = [k for k in range(-180, 181) if low < math.radians(k) < high]
+            self.assertEqual((row[2], row[3]), ("limit", str(len(within))))
+            self.assertAlmostEqual(math.degrees(float(row[4])), within[0], 9)
+            self.assertAlmostEqual(math.degrees(float(row[5])), within[-1], 9)
+
+    def test_sensitivities_are_those_of_the_asked_pose(self):
+        crank = self.write("crank.yaml", CRANK)
+        found = self.good("study", crank, "--vary", "r=49mm:51mm:2", "--at", "theta=240deg", "--of", "s", "--sensitivities",
+                          "--format", "json").json()["sensitivities"]["s"]["r"]
+        sine, cosine = math.sin(math.radians(240)), math.cos(math.radians(240))
+        exact = cosine - 0.05 * sine**2 / math.sqrt(0.18**2 - (0.05 * sine)**2)
+        self.assertAlmostEqual(found["derivative"], exact, 9)
+        self.assertAlmostEqual(found["difference"], exact, 9)
 
     def test_an_interrupted_study_goes_on_to_the_same_bytes(self):
         path, whole = os.path.join(self.folder, "out.csv"), os.path.join(self.folder, "whole.csv")

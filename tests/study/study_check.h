@@ -31,7 +31,7 @@ static inline YkStudy *study_of(const Machine *m, const char *const *parameters,
 {
     YkChannel channels[NAMES_MAX];
     for (size_t c = 0; c < count; c++) channels[c] = machine_channel(m, of[c]);
-    YkStudyOptions options = {parameters, parameter_count, channels, count, threads};
+    YkStudyOptions options = {parameters, parameter_count, channels, count, threads, NULL};
     YkStudy *study = yk_study_new(m->state, &options, m->problems);
     if (!study) print_error("%s", yk_problems_text(m->problems, 0));
     assert_non_null(study);

@@ -24,10 +24,10 @@ static void test_derivatives_of_a_slider_crank_are_the_closed_form(void **unused
                               true);
     const char *names[] = {"r", "l", "e"}, *of[] = {"s", "piston.B.x", "piston.B.y", "s.rate"};
     YkStudy *study = study_of(&m, names, 3, of, 4, 1);
-    assert_int_equal(yk_study_sensitivities(study, derivative, difference), YK_OK);
+    assert_int_equal(yk_study_sensitivities(study, NULL, derivative, difference), YK_OK);
     yk_study_free(study);
     study = study_of(&m, names, 3, of, 3, 1); // positions alone: by the implicit function theorem
-    assert_int_equal(yk_study_sensitivities(study, derivative, difference), YK_OK);
+    assert_int_equal(yk_study_sensitivities(study, NULL, derivative, difference), YK_OK);
     double r = 0.05, l = 0.18, sine = sin(YK_PI / 3), cosine = cos(YK_PI / 3), h = r * sine, root = sqrt(l * l - h * h);
     double exact[] = {cosine - h * sine / root, l / root, h / root};
     for (int p = 0; p < 3; p++) {
@@ -56,7 +56,7 @@ static void check_machine(const char *file, Machine m, size_t *checked)
         return;
     }
     YkStudy *study = study_of(&m, names, parameters, of, channels, 1);
-    YkStatus status = yk_study_sensitivities(study, derivative, difference);
+    YkStatus status = yk_study_sensitivities(study, NULL, derivative, difference);
     for (size_t k = 0; status >= 0 && k < parameters * channels; k++) {
         double size = 1e-7 * (1 + fabs(difference[k]));
         if (!(fabs(derivative[k] - difference[k]) <= size))

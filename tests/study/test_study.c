@@ -28,6 +28,19 @@ static bool four_bar(double crank, double coupler, double rocker, double at, dou
     return true;
 }
 
+// Where the four-bar comes from its start at 40 deg, straight: it closes as long as the diagonal from A to O4 does,
+// which grows from 0 to 180 deg and shrinks from there.
+static YkStatus reach(double crank, double coupler, double rocker, double at)
+{
+    double start = 40 * YK_PI / 180, ends[] = {start, at, at > YK_PI ? YK_PI : at}, low = INFINITY, high = 0;
+    for (int k = 0; k < 3; k++) {
+        double L = yk_norm(yk_sub(yk_scale(crank, yk_unit(ends[k])), yk_vec(0.1, 0)));
+        if (k == 0 && !(L <= coupler + rocker && L >= fabs(coupler - rocker))) return YK_NO_ASSEMBLY;
+        low = fmin(low, L), high = fmax(high, L);
+    }
+    return high <= coupler + rocker && low >= fabs(coupler - rocker) ? YK_OK : YK_LIMIT;
+}
+
 static const char *const LENGTHS[] = {"a", "b", "c"}, *const OF[] = {"theta4", "coupler.P.x", "coupler.P.y"};
 
 static YkStudyCase ask(const double *const *parameters, const double *const *inputs, size_t poses, bool per_design)
@@ -69,18 +82,20 @@ static void test_designs_that_do_not_close_have_a_status_and_no_nan(void **unuse
     a[3] = NAN;
     YkStudyCase asked = ask(parameters, inputs, POSES, true);
     assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_BAD_MODEL);
-    size_t good = 0, bad = 0;
+    size_t count[3] = {0, 0, 0}, beyond = 0;
     for (size_t k = 0; k < DESIGNS * POSES; k++) {
         double angle;
         YkVec P;
         size_t d = k / POSES;
+        YkStatus reached = d == 3 ? YK_BAD_MODEL : reach(a[d], b[d], c[d], theta[k]);
         bool closes = four_bar(a[d], b[d], c[d], theta[k], &angle, &P);
-        assert_int_equal(status[k], d == 3 ? YK_BAD_MODEL : closes ? YK_OK : YK_LIMIT);
-        if (!closes) assert_true(out[0][k] == 0 && out[1][k] == 0 && out[2][k] == 0);
-        if (closes) CHECK_NEAR(out[1][k], P.x, 1e-10);
-        *(closes ? &good : &bad) += 1;
+        assert_int_equal(status[k], reached);
+        if (reached < 0) assert_true(out[0][k] == 0 && out[1][k] == 0 && out[2][k] == 0);
+        if (reached == YK_OK) CHECK_NEAR(out[1][k], P.x, 1e-10);
+        if (reached > YK_BAD_MODEL) count[-reached]++;
+        beyond += reached == YK_LIMIT && closes;
     }
-    assert_true(good > 1000 && bad > 1000);
+    assert_true(count[0] > 1000 && count[1] > 1000 && count[2] > 1000 && beyond > 100);
     yk_study_free(study);
     machine_free(&m);
 }
@@ -145,7 +160,9 @@ static void test_extents_are_those_of_the_poses(void **unused)
         }
         YkExtent e = extent[DESIGNS + d];
         assert_int_equal(standing[d], stand);
-        assert_int_equal(worst[d], stand == POSES ? YK_OK : YK_LIMIT);
+        assert_int_equal(worst[d], stand == POSES                        ? YK_OK
+                                   : status[d * POSES] == YK_NO_ASSEMBLY ? YK_NO_ASSEMBLY
+                                                                         : YK_LIMIT);
         if (stand == 0) assert_true(e.least == 0 && e.largest == 0 && e.mean == 0);
         if (stand == 0) continue;
         assert_true(e.least == least && e.largest == largest);
@@ -179,6 +196,113 @@ static void test_forces_follow_masses_and_lengths(void **unused)
     machine_free(&m);
 }
 
+// A four-bar driven at its rocker turns to and fro between 54.9 and 128.7 deg, or, put together on the other side,
+// between -128.7 and -54.9 deg; the labels are the same there.
+static void test_a_pose_in_another_range_of_the_same_label_is_a_limit(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 5 };
+    Machine m = machine_parse("units: {length: mm, angle: deg}\n"
+                              "parameters: {a: 40, b: 120, c: 80, d: 100}\n"
+                              "bodies:\n"
+                              "  ground:  {points: {O2: [0, 0], O4: [d, 0]}}\n"
+                              "  crank:   {points: {O2: [0, 0], A: [a, 0]}}\n"
+                              "  coupler: {points: {A: [0, 0], B: [b, 0]}}\n"
+                              "  rocker:  {points: {O4: [0, 0], B: [c, 0]}}\n"
+                              "joints:\n"
+                              "  O4: {pin: [ground, rocker], angle: theta4}\n"
+                              "  O2: {pin: [ground, crank], angle: theta2}\n"
+                              "  A:  {pin: [crank, coupler], angle: gamma}\n"
+                              "  B:  {pin: [coupler, rocker]}\n"
+                              "drives: {theta4: 90 + 1 rad/s * t}\n"
+                              "start: {theta2: 60, gamma: -40}\n",
+                              true);
+    const char *name = "a", *of = "theta2";
+    double length[] = {0.039, 0.04, 0.041}, degrees[COUNT] = {60, -90, 120, 140, 57}, at[COUNT], *outputs[] = {out[0]};
+    for (int k = 0; k < COUNT; k++) at[k] = degrees[k] * YK_PI / 180;
+    const double *parameters[] = {length}, *inputs[] = {at, NULL, NULL};
+    YkStudy *study = study_of(&m, &name, 1, &of, 1, 1);
+    YkStudyCase asked = {parameters, 3, inputs, COUNT, false};
+    assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_LIMIT);
+    for (int k = 0; k < 3 * COUNT; k++) {
+        assert_int_equal(status[k], k % COUNT == 1 || k % COUNT == 3 ? YK_LIMIT : YK_OK);
+        if (status[k] < 0) continue;
+        YkVec B = yk_add(yk_vec(0.1, 0), yk_scale(0.08, yk_unit(at[k % COUNT]))),
+              A = yk_scale(length[k / COUNT], yk_unit(out[0][k]));
+        CHECK_NEAR(yk_norm(yk_sub(B, A)), 0.12, 1e-15); // it closes,
+        assert_true(yk_cross(A, yk_sub(B, A)) < 0);     // on the side of the start
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+// A parallelogram stays one through its change points at 0 and 180 deg, its cranks parallel for turn after turn; fine
+// poses and far ones, forth and back.
+static void test_a_parallelogram_stays_one_through_its_change_points(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 400 };
+    Machine m = machine_parse("units: {length: mm, angle: deg}\n"
+                              "parameters: {a: 40, d: 100}\n"
+                              "bodies:\n"
+                              "  ground:  {points: {O2: [0, 0], O4: [d, 0]}}\n"
+                              "  crank:   {points: {O2: [0, 0], A: [a, 0]}}\n"
+                              "  coupler: {points: {A: [0, 0], B: [d, 0]}}\n"
+                              "  rocker:  {points: {O4: [0, 0], B: [a, 0]}}\n"
+                              "joints:\n"
+                              "  O2: {pin: [ground, crank], angle: theta2}\n"
+                              "  A:  {pin: [crank, coupler], angle: gamma}\n"
+                              "  O4: {pin: [ground, rocker], angle: theta4}\n"
+                              "  B:  {pin: [coupler, rocker]}\n"
+                              "drives: {theta2: 60 + 1 rad/s * t}\n"
+                              "start: {gamma: -60, theta4: 60}\n",
+                              true);
+    const char *names[] = {"a", "d"}, *of[] = {"theta4", "theta4.rate"};
+    double first[] = {0.03, 0.04, 0.07}, second[] = {0.1, 0.11, 0.08}, at[COUNT], one[COUNT];
+    double *outputs[] = {out[0], out[1]};
+    const double *parameters[] = {first, second}, *inputs[] = {at, one, NULL};
+    YkStudy *study = study_of(&m, names, 2, of, 2, 2);
+    for (int way = 0; way < 3; way++) {
+        for (int k = 0; k < COUNT; k++) {
+            double step = way == 1 ? 0.5 : 0.03;
+            at[k] = 1.1 + (way == 2 ? -1 : 1) * step * k, one[k] = 1;
+        }
+        YkStudyCase asked = {parameters, 3, inputs, COUNT, false};
+        assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_OK);
+        for (int k = 0; k < 3 * COUNT; k++) {
+            CHECK_NEAR(out[0][k], at[k % COUNT], 1e-9);
+            CHECK_NEAR(out[1][k], 1, 1e-6);
+        }
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+// Angles that turn with the crank are counted, on lanes as on states.
+static void test_turns_are_counted_along_the_poses(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 300 };
+    Machine m = machine_load("drag-link");
+    YkChannel channels[] = {machine_channel(&m, "theta4"), machine_channel(&m, "B.transmission")};
+    double at[COUNT], *outputs[] = {out[0], out[1]}, *again[] = {out[2], out[1]};
+    for (int k = 0; k < COUNT; k++) at[k] = 2 + 0.1 * k;
+    const double *inputs[] = {at, NULL, NULL};
+    YkStudyCase asked = {NULL, 1, inputs, COUNT, false};
+    for (int by_state = 0; by_state < 2; by_state++) {
+        YkStudyOptions options = {NULL, 0, channels, by_state ? 2 : 1, 1, NULL};
+        YkStudy *study = yk_study_new(m.state, &options, m.problems);
+        assert_non_null(study);
+        assert_int_equal(yk_study_run(study, &asked, by_state ? again : outputs, status), YK_OK);
+        yk_study_free(study);
+    }
+    assert_memory_equal(out[0], out[2], COUNT * sizeof(double));
+    double turned = out[0][COUNT - 1] - out[0][0];
+    CHECK_NEAR(turned, at[COUNT - 1] - at[0], 2); // it goes round with the crank, faster and slower
+    for (int k = 1; k < COUNT; k++) assert_true(fabs(out[0][k] - out[0][k - 1]) < 0.5);
+    machine_free(&m);
+}
+
 static void test_a_machine_with_a_group_is_assembled_for_every_design(void **unused)
 {
     (void)unused;
@@ -205,6 +329,9 @@ int main(void)
         cmocka_unit_test(test_any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(test_extents_are_those_of_the_poses),
         cmocka_unit_test(test_forces_follow_masses_and_lengths),
+        cmocka_unit_test(test_a_pose_in_another_range_of_the_same_label_is_a_limit),
+        cmocka_unit_test(test_a_parallelogram_stays_one_through_its_change_points),
+        cmocka_unit_test(test_turns_are_counted_along_the_poses),
         cmocka_unit_test(test_a_machine_with_a_group_is_assembled_for_every_design),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

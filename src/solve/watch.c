@@ -1,0 +1,61 @@
+// The margins of every dyad in threes, as a walk looks at them.
+#include "solve/watch.h"
+#include <stdlib.h>
+#include <string.h>
+
+bool yk_watch_start(YkWatch *w, const YkMechanism *mech)
+{
+    *w = (YkWatch){.mech = mech};
+    w->before = calloc(2 * mech->block_count + 1, sizeof *w->before);
+    return w->before != NULL;
+}
+
+void yk_watch_end(YkWatch *w)
+{
+    free(w->before);
+    *w = (YkWatch){0};
+}
+
+// Two poses at which a margin differs by more than this are too far apart to tell what lies between them.
+static const double CHANGE_MOST = 0.4;
+
+static bool is_doubtful(double a, double m, double b)
+{
+    double least = fmin(a, fmin(m, b)), most = fmax(a, fmax(m, b));
+    return !(least > YK_SINGULAR_MARGIN) || most - least > CHANGE_MOST || yk_margin_may_vanish(a, m, b);
+}
+
+static double sample(const double *before, const double *m, ptrdiff_t k)
+{
+    return k < 0 ? before[2 + k] : m[k];
+}
+
+// The first of n lanes that is not clear; n where all are. Two poses stand before them. A zero is seen by the first
+// three poses round it: it lies after the last but one of them, or after the last.
+static size_t first_doubt(const double *before, const double *m, size_t seen, size_t n)
+{
+    bool dips = false;
+    for (size_t k = seen < 2 ? 2 - seen : 0; k < n; k++) {
+        ptrdiff_t at = (ptrdiff_t)k;
+        if (is_doubtful(sample(before, m, at - 2), sample(before, m, at - 1), m[k])) return k >= 1 ? k - 1 : 0;
+        if (k == 1 && n > 2) yk_lanes_dip(&dips, m, YK_SINGULAR_MARGIN, CHANGE_MOST, n - 2);
+        if (k == 1 && !dips) return n;
+    }
+    return n;
+}
+
+size_t yk_watch_lanes(YkWatch *w, const YkSpace *space, size_t n)
+{
+    size_t clear = n;
+    for (size_t b = 0; b < w->mech->block_count; b++) {
+        if (w->mech->blocks[b].kind > YK_BLOCK_RPR) continue; // the larger groups have no margin
+        double *before = w->before + 2 * b;
+        const double *m = space->block_margin + b * space->stride;
+        size_t first = first_doubt(before, m, w->seen, n);
+        if (first < clear) clear = first;
+        before[0] = n > 1 ? m[n - 2] : before[1];
+        before[1] = m[n - 1];
+    }
+    w->seen += n;
+    return clear;
+}

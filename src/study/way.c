@@ -1,0 +1,265 @@
+// The way of a design from its start through its poses. Lanes run along it, at most some degrees apart, as long as no
+// branches can have met; where they can, and for machines that lanes do not follow, the state moves pose by pose.
+#include <string.h>
+#include "study/study.h"
+
+static const double STEP = 2 * YK_PI / 180, FINE = 2.5 * YK_PI / 180; // rad, or lengths over the size
+static const double LANES_MAX = 1e5;                                  // of one stretch; moving may count whole turns
+
+// Input 3 * i + k at a pose.
+static double input_at(const YkWorker *w, size_t input, size_t pose)
+{
+    return w->inputs[input] ? w->inputs[input][pose] : w->home->input[input];
+}
+
+// --- by lanes
+// -----------------------------------------------------------------------------------------------------------
+
+// How many lanes it takes to a pose from the last lane that was put.
+static double steps_to(const YkWorker *w, size_t pose)
+{
+    double longest = 0;
+    if (w->mech->block_count == 0) return 1; // without loops nothing can close otherwise
+    for (size_t i = 0; i < w->mech->input_count; i++) {
+        double way = fabs(input_at(w, 3 * i, pose) - w->end[3 * i]);
+        if (!(way - way == 0)) return INFINITY;
+        longest = fmax(longest, way / (w->mech->coordinates[w->mech->inputs[i]].is_distance ? w->mech->size : 1));
+    }
+    bool is_second = w->way.lanes == 1; // three lanes at least tell what lies between them
+    return fmax(longest <= FINE ? 1 : ceil(longest / STEP), is_second ? 2 : 1);
+}
+
+typedef struct Answers { // of one call
+    double *const *outputs;
+    signed char *status;
+    size_t count, done; // poses
+} Answers;
+
+// Runs the lanes that were put. False where not all of them are the way's for sure.
+static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
+{
+    size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count, n = *put;
+    for (size_t i = 0; i < inputs; i++) w->row[i] = w->lane + i * YK_STUDY_BLOCK;
+    for (size_t c = 0; c < channels; c++) w->row_output[c] = w->lane_output + c * YK_STUDY_BLOCK;
+    size_t clear = n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, n) : 0;
+    for (size_t k = 0; k < clear; k++) {
+        if (w->lane_pose[k] < 0) continue;
+        size_t pose = (size_t)w->lane_pose[k];
+        for (size_t c = 0; c < channels; c++) a->outputs[c][pose] = w->row_output[c][k];
+        if (a->status) a->status[pose] = YK_OK;
+        a->done = pose + 1;
+    }
+    for (size_t i = 0; clear > 0 && i < inputs; i++) w->last[i] = w->row[i][clear - 1];
+    w->way.lanes += clear;
+    *put = 0;
+    return clear == n;
+}
+
+// Puts a lane at `part` of the way from the last pose to the next one; at 1 it is that one.
+static void put_lane(YkWorker *w, size_t *put, size_t pose, double part)
+{
+    size_t k = (*put)++;
+    for (size_t i = 0; i < w->mech->input_count; i++) {
+        double from = w->end[3 * i], to = input_at(w, 3 * i, pose);
+        w->lane[3 * i * YK_STUDY_BLOCK + k] = part == 1 ? to : from + part * (to - from);
+        for (size_t o = 1; o < 3; o++) w->lane[(3 * i + o) * YK_STUDY_BLOCK + k] = input_at(w, 3 * i + o, pose);
+    }
+    w->lane_pose[k] = part == 1 ? (ptrdiff_t)pose : -1;
+}
+
+static bool is_there(const YkWorker *w, const double *from, size_t pose)
+{
+    for (size_t i = 0; i < w->mech->input_count; i++)
+        if (from[3 * i] != input_at(w, 3 * i, pose)) return false;
+    return true;
+}
+
+// The first lane: the start itself, which may be the first pose.
+static bool run_start(YkWorker *w, Answers *a)
+{
+    size_t put = 0;
+    bool is_pose = is_there(w, w->begun->valid_input, 0);
+    memcpy(w->end, w->begun->valid_input, 3 * w->mech->input_count * sizeof *w->end);
+    put_lane(w, &put, 0, is_pose ? 1 : 0);
+    yk_batch_begin(w->batch, w->begun);
+    return run_lanes(w, &put, a);
+}
+
+static void end_at(YkWorker *w, size_t pose)
+{
+    for (size_t i = 0; i < 3 * w->mech->input_count; i++) w->end[i] = input_at(w, i, pose);
+}
+
+// To a pose, with lanes between; they run when there is no room for more.
+static bool add_lanes(YkWorker *w, size_t *put, size_t pose, double steps, Answers *a)
+{
+    for (double k = 1; k <= steps; k++) {
+        put_lane(w, put, pose, k == steps ? 1 : k / steps);
+        if (*put == YK_STUDY_BLOCK && !run_lanes(w, put, a)) return false;
+    }
+    end_at(w, pose);
+    return true;
+}
+
+bool yk_poses_are_fine(const YkMechanism *mech, const double *const *inputs, size_t from, size_t to)
+{
+    bool is_far = false;
+    for (size_t i = 0; mech->block_count > 0 && i < mech->input_count; i++) {
+        const double *x = inputs[3 * i];
+        double most = FINE * (mech->coordinates[mech->inputs[i]].is_distance ? mech->size : 1);
+        for (size_t k = from + 1; x && k < to; k++) is_far |= !(fabs(x[k] - x[k - 1]) <= most);
+    }
+    return !is_far;
+}
+
+// All poses from `pose` on lie close together, the first to where the lanes end.
+static bool is_fine(const YkWorker *w, size_t pose, size_t count)
+{
+    return !(steps_to(w, pose) > 1) && (w->is_fine || yk_poses_are_fine(w->mech, w->inputs, pose, count));
+}
+
+// Straight from the caller's arrays to the caller's arrays.
+static bool run_poses(YkWorker *w, Answers *a)
+{
+    size_t pose = a->done, inputs = 3 * w->mech->input_count;
+    for (size_t i = 0; i < inputs; i++) w->row[i] = w->inputs[i] ? w->inputs[i] + pose : NULL;
+    for (size_t c = 0; c < w->study->channel_count; c++) w->row_output[c] = a->outputs[c] + pose;
+    size_t clear =
+        yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL, a->count - pose);
+    a->done += clear;
+    w->way.lanes += clear;
+    if (clear > 0) end_at(w, a->done - 1);
+    if (clear > 0) memcpy(w->last, w->end, inputs * sizeof *w->last);
+    return a->done == a->count;
+}
+
+// As far as lanes tell; false where the rest is to be moved.
+static bool go_by_lanes(YkWorker *w, Answers *a)
+{
+    size_t put = 0, pose;
+    if (w->way.lanes == 0 && !run_start(w, a)) return false;
+    if (w->way.lanes == 1 && a->done < a->count) { // the first stretch
+        double steps = steps_to(w, a->done);
+        if (!(steps <= LANES_MAX) || !add_lanes(w, &put, a->done, steps, a) || !run_lanes(w, &put, a)) return false;
+    }
+    if (a->done == a->count) return true;
+    if (is_fine(w, a->done, a->count)) return run_poses(w, a);
+    for (pose = a->done; pose < a->count; pose++) {
+        double steps = steps_to(w, pose);
+        if (!(steps <= LANES_MAX)) {
+            run_lanes(w, &put, a);
+            return false;
+        }
+        if (!add_lanes(w, &put, pose, steps, a)) return false;
+    }
+    return run_lanes(w, &put, a);
+}
+
+// --- pose by pose
+// -------------------------------------------------------------------------------------------------------
+
+// Puts the state where the lanes have come to, or, where they have come to no pose yet, at the start.
+static YkStatus take_over(YkWorker *w)
+{
+    w->way.is_stepwise = true;
+    if (!w->way.has_answered) return yk_worker_stand(w);
+    yk_state_copy(w->state, w->begun);
+    yk_batch_refer(w->batch, w->state);
+    memcpy(w->state->input, w->last, 3 * w->mech->input_count * sizeof *w->last);
+    return yk_state_solve(w->state);
+}
+
+// The only input that the goal moves; the number of inputs where there is none, or more than one.
+static size_t moving_input(const YkWorker *w)
+{
+    size_t moving = w->mech->input_count;
+    for (size_t i = 0; i < w->mech->input_count; i++) {
+        if (w->goal[i].position == w->state->valid_input[3 * i]) continue;
+        if (moving < w->mech->input_count) return w->mech->input_count;
+        moving = i;
+    }
+    return moving;
+}
+
+// Beyond a barrier that is known?
+static bool is_blocked(const YkWorker *w, size_t moving)
+{
+    if (moving == w->mech->input_count || moving != w->way.input) return false;
+    double at = w->goal[moving].position, tolerance = 1e-9 * fmax(1, fabs(at));
+    const YkBarrier *below = &w->way.barrier[0], *above = &w->way.barrier[1];
+    return (below->is_set && at < below->at - tolerance) || (above->is_set && at > above->at + tolerance);
+}
+
+static void note_barrier(YkWorker *w, size_t moving, double from, double part)
+{
+    if (moving != w->way.input) w->way.barrier[0].is_set = w->way.barrier[1].is_set = false;
+    double to = w->goal[moving].position;
+    w->way.input = moving;
+    w->way.barrier[to > from] = (YkBarrier){true, from + part * (to - from)};
+}
+
+// Moves the state to a pose; where it does not come there, it stays at the last one that it came to.
+static YkStatus move(YkWorker *w, size_t pose)
+{
+    YkMoveOptions options = yk_default_move_options();
+    YkMove way;
+    if (w->way.has_answered) options.detours = 0; // later poses follow the first one along their range
+    for (size_t i = 0; i < w->mech->input_count; i++)
+        w->goal[i] = (YkMotion){input_at(w, 3 * i, pose), input_at(w, 3 * i + 1, pose), input_at(w, 3 * i + 2, pose)};
+    size_t moving = moving_input(w);
+    if (is_blocked(w, moving)) return YK_LIMIT;
+    yk_state_copy(w->kept, w->state);
+    YkStatus status = yk_state_move_to(w->state, w->goal, &options, &way);
+    if (status >= 0) {
+        bool is_same_line = w->mech->input_count == 1 || moving == w->way.input;
+        if (!is_same_line) w->way.barrier[0].is_set = w->way.barrier[1].is_set = false;
+        return status == YK_REDUNDANT ? YK_OK : status;
+    }
+    yk_state_copy(w->state, w->kept);
+    if (status == YK_LIMIT && moving < w->mech->input_count)
+        note_barrier(w, moving, w->state->valid_input[3 * moving], way.part);
+    return status == YK_BAD_ARGUMENT ? YK_LIMIT : status; // inputs that are no numbers close nothing
+}
+
+static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const *outputs)
+{
+    if (status >= 0 && w->dynamics) status = yk_dynamics_solve(w->dynamics, w->state, YK_METHOD_REDUCED);
+    if (status == YK_REDUNDANT) status = YK_OK;
+    for (size_t c = 0; c < w->study->channel_count; c++) {
+        YkChannel channel = w->study->channels[c];
+        double value = status < 0    ? 0
+                       : w->dynamics ? yk_dynamics_channel(w->dynamics, w->state, channel)
+                                     : yk_state_channel(w->state, channel);
+        bool is_number = value - value == 0;
+        outputs[c][pose] = is_number ? value : 0;
+        if (!is_number) status = YK_SINGULAR;
+    }
+    return status;
+}
+
+static YkStatus go_stepwise(YkWorker *w, Answers *a)
+{
+    YkStatus worst = YK_OK;
+    for (; a->done < a->count; a->done++) {
+        YkStatus one = w->way.status;
+        if (one >= 0) one = move(w, a->done);
+        one = answer(w, a->done, one, a->outputs);
+        w->way.has_answered = true;
+        if (a->status) a->status[a->done] = (signed char)one;
+        worst = yk_worse(worst, one);
+    }
+    return worst;
+}
+
+YkStatus yk_worker_go(YkWorker *w, double *const *outputs, signed char *status, size_t count)
+{
+    Answers a = {outputs, status, count, 0};
+    if (count == 0) return YK_OK;
+    if (w->batch && !w->way.is_stepwise && go_by_lanes(w, &a)) {
+        w->way.has_answered = true;
+        return YK_OK;
+    }
+    if (a.done > 0) w->way.has_answered = true;
+    if (!w->way.is_stepwise) w->way.status = take_over(w);
+    return go_stepwise(w, &a);
+}
