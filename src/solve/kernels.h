@@ -127,6 +127,8 @@ void yk_lanes_mask(double *value, const double *margin, double least, size_t n);
 // *dips = whether of any lane's margin and the two after it the least is at most `zero`, they differ by more than
 // `most`, or they could reach zero between them (yk_margin_may_vanish). margin has n + 2 lanes.
 void yk_lanes_dip(bool *dips, const double *margin, double zero, double most, size_t n);
+// *swings = whether from any lane to the next the unit vectors' product is less than `least`. They have n + 1 lanes.
+void yk_lanes_swing(bool *swings, const double *c, const double *s, double least, size_t n);
 // *well = whether every lane has margin > least and gap <= most (NaN has not): the usual case, in which nothing need be
 // masked.
 void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);

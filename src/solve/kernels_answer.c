@@ -74,3 +74,13 @@ YK_INLINE void yk_lanes_dip_body(bool *dips, const double *margin, double zero, 
 }
 YK_KERNEL(yk_lanes_dip, (bool *dips, const double *margin, double zero, double most, size_t n),
           (dips, margin, zero, most))
+
+YK_INLINE void yk_lanes_swing_body(bool *swings, const double *c, const double *s, double least, size_t n)
+{
+    uint64_t bad = 0;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) bad |= c[i] * c[i + 1] + s[i] * s[i + 1] >= least ? 0u : 1u;
+    *swings = bad != 0;
+}
+YK_KERNEL(yk_lanes_swing, (bool *swings, const double *c, const double *s, double least, size_t n),
+          (swings, c, s, least))

@@ -7,12 +7,14 @@ bool yk_watch_start(YkWatch *w, const YkMechanism *mech)
 {
     *w = (YkWatch){.mech = mech};
     w->before = calloc(2 * mech->block_count + 1, sizeof *w->before);
-    return w->before != NULL;
+    w->unit = calloc(2 * mech->block_count + 1, sizeof *w->unit);
+    return w->before && w->unit;
 }
 
 void yk_watch_end(YkWatch *w)
 {
     free(w->before);
+    free(w->unit);
     *w = (YkWatch){0};
 }
 
@@ -44,6 +46,21 @@ static size_t first_doubt(const double *before, const double *m, size_t seen, si
     return n;
 }
 
+static const double SWING_COSINE = 0.99; // 8.1 deg
+
+// The first of n lanes to which a body turns far from the one before; n where there is none.
+static size_t first_swing(YkTurn t, YkVec *before, bool is_first, size_t n)
+{
+    bool swings = false;
+    YkVec last = is_first ? yk_vec(t.c[0], t.s[0]) : *before;
+    *before = yk_vec(t.c[n - 1], t.s[n - 1]);
+    if (!(last.x * t.c[0] + last.y * t.s[0] >= SWING_COSINE)) return 0;
+    if (n > 1) yk_lanes_swing(&swings, t.c, t.s, SWING_COSINE, n - 1);
+    for (size_t k = 1; swings && k < n; k++)
+        if (!(t.c[k - 1] * t.c[k] + t.s[k - 1] * t.s[k] >= SWING_COSINE)) return k;
+    return n;
+}
+
 size_t yk_watch_lanes(YkWatch *w, const YkSpace *space, size_t n)
 {
     size_t clear = n;
@@ -53,6 +70,12 @@ size_t yk_watch_lanes(YkWatch *w, const YkSpace *space, size_t n)
         const double *m = space->block_margin + b * space->stride;
         size_t first = first_doubt(before, m, w->seen, n);
         if (first < clear) clear = first;
+        for (size_t k = 0; k < 2; k++) {
+            YkColumn column = w->mech->blocks[b].column[k];
+            if (column.is_distance) continue;
+            first = first_swing(yk_space_turn(space, column.index), &w->unit[2 * b + k], w->seen == 0, n);
+            if (first < clear) clear = first;
+        }
         before[0] = n > 1 ? m[n - 2] : before[1];
         before[1] = m[n - 1];
     }

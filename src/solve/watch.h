@@ -1,4 +1,5 @@
-// Watching the margins of poses that follow each other on one way: could a block's branches have met between them?
+// Watching the poses that follow each other on one way: could a block's branches have met between them? Its margins
+// tell in threes, as long as no body turns far from one pose to the next.
 #ifndef SOLVE_WATCH_H
 #define SOLVE_WATCH_H
 #include "solve/state.h"
@@ -6,6 +7,7 @@
 typedef struct YkWatch {
     const YkMechanism *mech;
     double *before; // [block][2]: of the last two poses
+    YkVec *unit;    // [block][2]: directions of the bodies that it turns, at the last pose
     size_t seen;    // poses on the way so far
 } YkWatch;
 
