@@ -46,7 +46,7 @@ typedef struct Watch {
     bool shows_progress, has_shown;
     double last_flush, last_progress;
     size_t steps;
-    bool quiet;
+    YkSession *session;
 } Watch;
 
 // Said once, after the first steps, where there would be very many at their pace.
@@ -61,7 +61,7 @@ static void foretell(const Watch *watch, double time)
     yk_problem(problems, YK_CODE_MOTION_LONG, (YkPlace){0}, "at the pace of its first steps this takes %s of them",
                number);
     yk_problem_hint(problems, "Ctrl-C ends it, and the rows so far are complete; a nearer --to costs less");
-    yk_print_problems(problems, watch->quiet);
+    yk_tell_problems(watch->session, problems);
     yk_problems_free(problems);
 }
 
@@ -229,7 +229,7 @@ static int simulate(YkSimulationAnswer *answer)
     session->is_simulation = true;
     bool good = yk_simulate_read(answer);
     Watch watch = {.from = answer->from, .to = answer->to, .shows_progress = wants_progress(session)};
-    watch.quiet = session->request->quiet;
+    watch.session = session;
     watch.last_flush = watch.last_progress = now();
     answer->options.goes_on = look;
     answer->options.context = &watch;
