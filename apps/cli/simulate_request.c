@@ -208,7 +208,10 @@ static bool set_event(YkSimulationAnswer *answer, YkPair pair)
     if (yk_channel_parse(session->mech, pair.name, &channel, session->problems) != YK_OK) return false;
     if (!yk_session_value(session, "--event", pair.name, pair.value, channel.quantity, &value)) return false;
     yk_text_format(&name, "%s=%s", pair.name, pair.value);
-    bool good = !name.failed && yk_simulation_watch(answer->simulation, yk_text_get(&name), channel, value, 0) >= 0;
+    YkStatus status = name.failed ? YK_NO_MEMORY
+                                  : yk_simulation_watch(answer->simulation, yk_text_get(&name), channel, value, 0);
+    bool good = status >= 0;
+    yk_note_status(session, status);
     yk_text_free(&name);
     return good || yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q cannot be watched", pair.name);
 }

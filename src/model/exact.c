@@ -5,7 +5,7 @@
 #include "base/number.h"
 #include "model/model.h"
 
-enum { PARAMETERS_DEEP = 64, POWER_MAX = 64 };
+enum { PARAMETERS_DEEP = 64, POWER_MAX = 64, LOOKS_MAX = 20000 };
 static const YkExact inexact = {.is_exact = false};
 
 static YkExact whole(int64_t value)
@@ -141,7 +141,13 @@ static bool is_zero(YkExact a)
     return a.is_exact && a.numerator == 0;
 }
 
-static Line eval(const YkModel *model, const YkExpr *expr, int depth);
+// One evaluation. Parameters that are twice others, many deep, stand for more numbers than can be looked at.
+typedef struct Evaluation {
+    const YkModel *model;
+    size_t looks_left;
+} Evaluation;
+
+static Line eval(Evaluation *evaluation, const YkExpr *expr, int depth);
 
 static Line eval_number(const YkExpr *expr)
 {
@@ -151,8 +157,9 @@ static Line eval_number(const YkExpr *expr)
     return constant_line(size == 1 ? value : multiply(value, size_of_unit(size)));
 }
 
-static Line eval_name(const YkModel *model, const YkExpr *expr, int depth)
+static Line eval_name(Evaluation *evaluation, const YkExpr *expr, int depth)
 {
+    const YkModel *model = evaluation->model;
     if (strcmp(expr->name, "pi") == 0) {
         YkExact pi = whole(1);
         pi.pi = 1;
@@ -161,7 +168,7 @@ static Line eval_name(const YkModel *model, const YkExpr *expr, int depth)
     if (strcmp(expr->name, "t") == 0) return (Line){whole(0), whole(1)};
     int32_t index = yk_names_find(&model->parameter_names, expr->name);
     if (index == YK_NONE || depth > PARAMETERS_DEEP || !model->parameters[index].expr) return no_line;
-    return eval(model, model->parameters[index].expr, depth + 1);
+    return eval(evaluation, model->parameters[index].expr, depth + 1);
 }
 
 static Line product(Line a, Line b)
@@ -170,12 +177,14 @@ static Line product(Line a, Line b)
     return (Line){multiply(a.constant, b.constant), add(multiply(a.rate, b.constant), multiply(b.rate, a.constant))};
 }
 
-static Line eval(const YkModel *model, const YkExpr *expr, int depth)
+static Line eval(Evaluation *evaluation, const YkExpr *expr, int depth)
 {
+    if (evaluation->looks_left == 0) return no_line;
+    evaluation->looks_left--;
     if (expr->kind == YK_EXPR_NUMBER) return eval_number(expr);
-    if (expr->kind == YK_EXPR_NAME) return eval_name(model, expr, depth);
+    if (expr->kind == YK_EXPR_NAME) return eval_name(evaluation, expr, depth);
     if (expr->kind == YK_EXPR_CALL) return no_line;
-    Line a = eval(model, expr->a, depth), b = expr->b ? eval(model, expr->b, depth) : no_line;
+    Line a = eval(evaluation, expr->a, depth), b = expr->b ? eval(evaluation, expr->b, depth) : no_line;
     switch (expr->kind) {
     case YK_EXPR_NEGATE:
         return (Line){negative(a.constant), negative(a.rate)};
@@ -194,18 +203,19 @@ static Line eval(const YkModel *model, const YkExpr *expr, int depth)
     }
 }
 
+YkExactLine yk_model_exact_line(const YkModel *model, const YkExpr *expr)
+{
+    Evaluation evaluation = {model, LOOKS_MAX};
+    return eval(&evaluation, expr, 0);
+}
+
 YkExact yk_model_exact(const YkModel *model, const YkExpr *expr)
 {
-    Line line = eval(model, expr, 0);
+    Line line = yk_model_exact_line(model, expr);
     return is_zero(line.rate) ? line.constant : inexact;
 }
 
 YkExact yk_model_exact_rate(const YkModel *model, const YkExpr *expr)
 {
-    return eval(model, expr, 0).rate;
-}
-
-YkExactLine yk_model_exact_line(const YkModel *model, const YkExpr *expr)
-{
-    return eval(model, expr, 0);
+    return yk_model_exact_line(model, expr).rate;
 }

@@ -86,6 +86,27 @@ static void phases_add_up(void **unused)
     }
 }
 
+// Forty parameters, each the sum of the one before and itself: 2^40 numbers stand in the last. It is given up, not
+// counted out.
+static void parameters_that_double_are_given_up(void **unused)
+{
+    (void)unused;
+    char parameters[1024];
+    int at = snprintf(parameters, sizeof parameters, "p0: 1");
+    for (int k = 1; k < 40; k++)
+        at += snprintf(parameters + at, sizeof parameters - (size_t)at, ", p%d: p%d + p%d", k, k - 1, k - 1);
+    char text[1500];
+    snprintf(text, sizeof text,
+             "parameters: {%s}\nbodies: {ground: {points: {O: [0, 0]}}, arm: {points: {O: [0, 0]}}}\n"
+             "joints: {O: {pin: [ground, arm], angle: q}}\ndrives: {q: p39/p39 * t * 1 rad/s}\n",
+             parameters);
+    YkModel *model = yk_model_parse(text, strlen(text), "test.yaml", NULL, NULL);
+    assert_non_null(model);
+    double phase;
+    assert_false(yk_model_drive_phase(model, 0, 1e3, &phase));
+    yk_model_free(model);
+}
+
 static void other_drives_have_none(void **unused)
 {
     (void)unused;
@@ -121,9 +142,13 @@ static void rounding_is_told_as_it_is(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_turns_are_nothing),         cmocka_unit_test(parts_of_turns_follow_whole_numbers),
-        cmocka_unit_test(radians_follow_the_digits_of_pi), cmocka_unit_test(phases_add_up),
-        cmocka_unit_test(other_drives_have_none),          cmocka_unit_test(rounding_is_told_as_it_is),
+        cmocka_unit_test(whole_turns_are_nothing),
+        cmocka_unit_test(parts_of_turns_follow_whole_numbers),
+        cmocka_unit_test(radians_follow_the_digits_of_pi),
+        cmocka_unit_test(phases_add_up),
+        cmocka_unit_test(parameters_that_double_are_given_up),
+        cmocka_unit_test(other_drives_have_none),
+        cmocka_unit_test(rounding_is_told_as_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
