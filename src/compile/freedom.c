@@ -18,6 +18,7 @@ typedef struct Work { // on one part; x holds all variables of the machine
     const YkMechanism *mech;
     const int32_t *variables, *loops, *relations, *column;
     const YkCandidates *wish;
+    const double *told; // [coordinate]: the guesses
     const int32_t *members; // of the candidates, those of this part
     size_t member_count;
     size_t loop_count, m, n;
@@ -491,13 +492,28 @@ static bool work_start(Work *w)
     return true;
 }
 
+// Do the variables say what the guesses do? Coordinates of bodies that never turn against each other share an angle: of
+// two that differ only one can be kept.
+static bool stands_as_told(const Work *w)
+{
+    for (size_t k = 0; k < w->member_count; k++) {
+        int32_t coordinate = w->wish->items[w->members[k]];
+        const YkTreeCoordinate *c = &w->mech->coordinates[coordinate];
+        if (c->is_distance) continue;
+        YkJointAngle angle = yk_joint_angle(w->mech, c->joint);
+        double value = angle.offset + (angle.b > 0 ? w->x[angle.b - 1] : 0) - (angle.a > 0 ? w->x[angle.a - 1] : 0);
+        if (!(fabs(yk_nearest_turn(value - w->told[coordinate], 0)) <= 1e-9)) return false;
+    }
+    return true;
+}
+
 // From the guesses with the inputs held, from the guesses, then from about them: the first pose that closes and moves;
 // -1 when none closes. A machine with repeated constraints can often be put together in rigid ways as well: these count
 // only when nothing else is found, or when the guesses close as they are.
 static int measure(Work *w)
 {
     int freedom = -1;
-    w->is_given = evaluate(w) <= 1e-9;
+    w->is_given = evaluate(w) <= 1e-9 && stands_as_told(w);
     if (w->wish->is_peeled && (!w->is_given || (w->m + count_inputs(w) == w->n && inputs_determine(w)))) return -1;
     save(w, w->guess);
     for (int attempt = 0; attempt < 7 && (freedom < 0 || (freedom == 0 && !w->is_given)); attempt++) {
@@ -562,7 +578,7 @@ bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const YkCa
 {
     Parts parts = {0};
     YkArena *arena = yk_arena_new();
-    Work w = {.mech = mech, .wish = wish, .seed = 20261121};
+    Work w = {.mech = mech, .wish = wish, .told = guess, .seed = 20261121};
     bool ok = arena && (w.x = YK_NEW(arena, double, yk_variable_count(mech) + 1)) &&
               sort_parts(&parts, mech, wish->items, wish->count, arena);
     *freedom = 0;

@@ -164,7 +164,8 @@ static const YkPoint *point_off_origin(const YkModel *model, const YkBody *body)
     return NULL;
 }
 
-// Both wheels turn about one axis, which is no way to mesh: one of their pins should lie elsewhere on the carrier.
+// More than one body could carry wheels that turn about one axis, which is no way to mesh: one of their pins should lie
+// elsewhere.
 static bool report_one_axis(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
 {
     const YkBody *bodies = loader->model->bodies;
@@ -196,10 +197,10 @@ static int32_t infer(YkLoader *loader, const YkWheelPair *pair, const Axis axes[
 {
     const YkModel *model = loader->model;
     int32_t found = YK_NONE;
-    if (report_one_axis(loader, pair, axes)) return YK_NONE;
     for (int32_t b = 0; b < (int32_t)model->body_count; b++) {
         if (!axes[0].has[b] || !axes[1].has[b] || b == pair->body[0] || b == pair->body[1]) continue;
         if (found != YK_NONE) {
+            if (report_one_axis(loader, pair, axes)) return YK_NONE;
             yk_problem(loader->problems, YK_CODE_NO_CARRIER, pair->place, "%s %q: both %q and %q hold the two centres",
                        pair->noun, pair->name, model->bodies[found].name, model->bodies[b].name);
             yk_problem_hint(loader->problems, "say which with `carrier: %s`", model->bodies[found].name);

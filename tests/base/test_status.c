@@ -26,7 +26,7 @@ static void a_number_that_is_no_status_is_unknown(void **state)
 {
     (void)state;
     assert_string_equal(yk_status_name((YkStatus)4), "unknown");
-    assert_string_equal(yk_status_name((YkStatus)-8), "unknown");
+    assert_string_equal(yk_status_name((YkStatus)-9), "unknown");
 }
 
 int main(void)

@@ -249,6 +249,9 @@ class Code(Printed):
             other = Run("code", path, "--prefix", "m", "--quiet", *words)
             if other.code != 0 or not words:  # in other units, or it does not close
                 continue
+            given = dict(re.findall(r"\.(\w+) = ([^,]*),", parts(other.out)[1]["defaults"]))
+            if any(abs(float(given[n]) - float(v)) > 0.1 * abs(float(v)) + 0.01 for n, v in members):
+                continue # bare numbers are in the file's units: another machine, whose links may all but vanish
             with self.subTest(name):
                 other_body, other_cut, other_test = parts(other.out)
                 self.assertEqual(NUMBER.sub("#", body), NUMBER.sub("#", other_body), "the text hangs on values")

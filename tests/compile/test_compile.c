@@ -4,60 +4,51 @@
 #include "machine.h"
 #include "table.h"
 
-static double seconds(void)
-{
-    return (double)clock() / CLOCKS_PER_SEC;
-}
-
-// Seconds a link, the best of a few runs: the processor's time, since other programs run beside.
-static double cost_per_link(Story story, size_t links, int runs, size_t blocks, size_t inputs)
+// What a link comes to in the mechanism: steps, terms, nodes and members, which compiling makes and solving reads. The
+// time that compiling took is told, and judged by nothing: it is the machine's beneath as much as ours.
+static double cost_per_link(Story story, size_t links, size_t blocks, size_t inputs)
 {
     YkProblems *problems = yk_problems_new();
     YkModel *model = yk_model_parse(story.text, story.length, "long.yaml", NULL, problems);
     if (!model) print_error("%s", yk_problems_text(problems, 0));
     assert_non_null(model);
-    double best = INFINITY;
-    for (int run = 0; run < runs; run++) {
-        double start = seconds();
-        YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
-        double taken = seconds() - start;
-        if (!mech) print_error("%s", yk_problems_text(problems, 0));
-        assert_non_null(mech);
-        assert_int_equal(yk_block_count(mech), blocks);
-        assert_int_equal(yk_input_count(mech), inputs);
-        best = fmin(best, taken);
-        yk_mechanism_free(mech);
-    }
+    clock_t start = clock();
+    YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+    double taken = (double)(clock() - start) / CLOCKS_PER_SEC;
+    if (!mech) print_error("%s", yk_problems_text(problems, 0));
+    assert_non_null(mech);
+    assert_int_equal(yk_block_count(mech), blocks);
+    assert_int_equal(yk_input_count(mech), inputs);
+    double cost = (double)(mech->step_count + mech->term_count + mech->node_count + mech->member_count);
+    print_message("%zu links: %.0f ns a link\n", links, 1e9 * taken / (double)links);
+    yk_mechanism_free(mech);
     yk_model_free(model);
     yk_problems_free(problems);
     free(story.text);
-    return best / (double)links;
+    return cost / (double)links;
 }
 
-static void check_growth(const char *what, double few, double many)
+static void check_growth(double few, double many)
 {
-    print_message("%s: %.0f and %.0f ns a link\n", what, 1e9 * few, 1e9 * many);
-    assert_true(many <= 4 * few);
+    assert_true(many <= 1.1 * few);
 }
 
 static void a_ladder_of_four_bars_costs_the_same_per_link_however_long(void **state)
 {
     (void)state;
-    double first = cost_per_link(ladder(1000), 2001, 20, 1000, 1);
-    double second = cost_per_link(ladder(10000), 20001, 8, 10000, 1);
-    double third = cost_per_link(ladder(100000), 200001, 3, 100000, 1);
-    check_growth("ladder of 1e3, 1e4 four-bars", first, second);
-    check_growth("ladder of 1e4, 1e5 four-bars", second, third);
+    double first = cost_per_link(ladder(1000), 2001, 1000, 1);
+    double second = cost_per_link(ladder(10000), 20001, 10000, 1);
+    check_growth(first, second);
+    check_growth(second, cost_per_link(ladder(100000), 200001, 100000, 1));
 }
 
 static void a_driven_chain_costs_the_same_per_link_however_long(void **state)
 {
     (void)state;
-    double first = cost_per_link(chain(1000), 1000, 20, 0, 1000);
-    double second = cost_per_link(chain(10000), 10000, 8, 0, 10000);
-    double third = cost_per_link(chain(100000), 100000, 3, 0, 100000);
-    check_growth("chain of 1e3, 1e4 driven links", first, second);
-    check_growth("chain of 1e4, 1e5 driven links", second, third);
+    double first = cost_per_link(chain(1000), 1000, 0, 1000);
+    double second = cost_per_link(chain(10000), 10000, 0, 10000);
+    check_growth(first, second);
+    check_growth(second, cost_per_link(chain(100000), 100000, 0, 100000));
 }
 
 // The origin of the last body of a chain must not be a sum over all before it.
