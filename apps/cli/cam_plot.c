@@ -124,7 +124,9 @@ bool yk_cam_write_profile(const YkCamAnswer *answer, const char *path)
     YkCamPicture picture;
     YkText text = {0};
     const char *ending = path + strlen(path) - 3;
-    if (!yk_cam_picture_take(&picture, answer->design, answer->tolerance, answer->cutter))
+    bool can = yk_cam_picture_take(&picture, answer->design, answer->tolerance, answer->cutter);
+    if (picture.ran_out) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!can)
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the profile cannot be made with this tolerance%s", "");
     if (strcmp(ending, "dxf") == 0) {
         yk_cam_picture_dxf(&picture, &text);

@@ -168,6 +168,7 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
     yk_problems_set_source(problems, yk_text_get(&source), text, strlen(text));
     bool good = yk_model_value(session->model, text, quantity, value, problems) == YK_OK && isfinite(*value);
     yk_tell_problems(session, problems);
+    good = good && yk_problems_error_count(problems) == 0; // memory for the messages' source may be short
     if (!good && yk_problems_error_count(problems) == 0)
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q is not a value that can be used here", text);
     yk_problems_free(problems);

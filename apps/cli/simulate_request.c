@@ -213,6 +213,7 @@ static bool set_event(YkSimulationAnswer *answer, YkPair pair)
     bool good = status >= 0;
     yk_note_status(session, status);
     yk_text_free(&name);
+    if (status == YK_NO_MEMORY) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     return good || yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q cannot be watched", pair.name);
 }
 

@@ -218,14 +218,15 @@ static int write_answer(YkCamAnswer *answer)
         yk_cam_csv(answer);
         break;
     }
+    bool is_undercut = answer->summary.undercut_count > 0 || answer->second.undercut_count > 0;
+    bool has_profile = request->profile && !is_undercut && !session->out.failed;
+    // before the answer: a profile that memory has no room for leaves none
+    if (has_profile && !yk_cam_write_profile(answer, request->profile)) return YK_EXIT_WRONG;
     int exit_code = yk_session_finish(session, YK_EXIT_DONE);
     if (request->plot && exit_code == YK_EXIT_DONE && !yk_cam_plot(answer, request->plot)) exit_code = YK_EXIT_WRONG;
-    if (!request->profile || exit_code != YK_EXIT_DONE) return exit_code;
-    if (answer->summary.undercut_count > 0 || answer->second.undercut_count > 0) {
-        yk_session_refuse(session, YK_CODE_CAM_NO_PROFILE, "cam %q has no profile: it is undercut", answer->size.name);
-        return YK_EXIT_NO_ANSWER;
-    }
-    return yk_cam_write_profile(answer, request->profile) ? exit_code : YK_EXIT_WRONG;
+    if (!request->profile || !is_undercut || exit_code != YK_EXIT_DONE) return exit_code;
+    yk_session_refuse(session, YK_CODE_CAM_NO_PROFILE, "cam %q has no profile: it is undercut", answer->size.name);
+    return YK_EXIT_NO_ANSWER;
 }
 
 int yk_run_cam(YkSession *session)

@@ -11,10 +11,13 @@ static bool add_curve(YkCamPicture *picture, YkCamCurve curve, const char *layer
 {
     YkCamVertex *vertices;
     size_t count;
-    if (yk_cam_profile(picture->design, curve, tolerance, picture->cutter, &vertices, &count) != YK_OK) return false;
+    YkStatus status = yk_cam_profile(picture->design, curve, tolerance, picture->cutter, &vertices, &count);
+    if (status == YK_NO_MEMORY) picture->ran_out = true;
+    if (status != YK_OK) return false;
     YkVec *points = malloc((count + 1) * sizeof *points);
     for (size_t i = 0; points && i < count; i++) points[i] = yk_vec(vertices[i].x, vertices[i].y);
     yk_cam_vertices_free(vertices);
+    picture->ran_out |= !points;
     if (points) picture->outlines[picture->count++] = (YkCamOutline){layer, points, count};
     return points != NULL;
 }

@@ -18,6 +18,7 @@ typedef struct YkCamPicture {
     YkCamOutline outlines[YK_CAM_OUTLINES_MAX];
     size_t count;
     double cutter; // radius, m; 0: none
+    bool ran_out;  // of memory
 } YkCamPicture;
 
 // All curves of the cam within a tolerance (m). False when out of memory or the tolerance is too small.
