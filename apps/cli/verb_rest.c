@@ -1,7 +1,7 @@
 // yoke rest: where the machine stands still under its loads, and how it vibrates there.
 #include <math.h>
 #include "rest.h"
-#include "session.h"
+#include "reach.h"
 
 enum { STARTS_MAX = 100000 };
 static const double full_turn = 6.28318530717958647692;
@@ -22,7 +22,8 @@ static bool has_no_assembly(const YkProblems *problems)
 {
     for (size_t i = 0; i < yk_problems_count(problems); i++) {
         int code = yk_problems_get(problems, i)->code;
-        if (code == YK_CODE_POSE_NO_ASSEMBLY || code == YK_CODE_POSE_LIMIT) return true;
+        if (code == YK_CODE_POSE_NO_ASSEMBLY || code == YK_CODE_POSE_LIMIT || code == YK_CODE_NO_SUCH_ASSEMBLY)
+            return true;
     }
     return false;
 }
@@ -36,6 +37,14 @@ static bool find(YkRestAnswer *answer)
         return false;
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &options.time))
         return false;
+    if (request->assembly || request->time) { // another assembly, or the machine where its drives have brought it
+        YkStatus status = yk_session_inputs(session) ? yk_session_reach(session, NULL) : YK_BAD_ARGUMENT;
+        if (status < 0) {
+            yk_reach_tell(session, status);
+            return false;
+        }
+        options.pose = session->state;
+    }
     answer->rest = yk_rest_find(session->model, &options, session->problems);
     if (answer->rest) answer->mech = yk_rest_mechanism(answer->rest);
     if (answer->rest && yk_rest_reach(answer->rest) < 0) {

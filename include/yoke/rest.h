@@ -9,6 +9,8 @@ typedef struct YkRestOptions {
     const YkCompileOptions *compile; // NULL: defaults
     size_t starts;                   // poses from which the search begins besides `start:` (default 100; 0: only there)
     double time;                     // at which drives and loads are evaluated
+    const YkState *pose; // where it starts, of the same machine, which must outlive the answer; NULL: assembled
+                         // as `start:` says
 } YkRestOptions;
 YK_API YkRestOptions yk_default_rest_options(void);
 

@@ -2,12 +2,13 @@
 #include "dynamics/rest.h"
 #include <stdlib.h>
 #include <string.h>
+#include <yoke/move.h>
 #include "base/problems.h"
 #include "num/dense.h"
 
 YkRestOptions yk_default_rest_options(void)
 {
-    return (YkRestOptions){NULL, 100, 0};
+    return (YkRestOptions){.starts = 100};
 }
 
 static double norm(const YkRest *rest, const double *a)
@@ -210,7 +211,8 @@ static bool assemble(YkRest *rest, double time, YkProblems *problems)
     YkState *s = rest->state;
     if (yk_state_set_time(s, time, problems) < 0) return false;
     for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
-    YkStatus status = yk_state_assemble(s);
+    YkStatus status = rest->pose ? yk_state_adopt(s, rest->pose) : yk_state_assemble(s);
+    for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     if (status >= 0) return true;
     if (status == YK_NO_MEMORY) return false; // told with the rest
     yk_problem(problems, status == YK_LIMIT ? YK_CODE_POSE_LIMIT : YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0},
@@ -226,6 +228,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     if (!rest) return NULL;
     size_t starts = options->starts;
     rest->time = options->time;
+    rest->pose = options->pose;
     bool ok = prepare(rest, model, options, &starts, problems) && assemble(rest, options->time, problems);
     if (ok && !rest->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},

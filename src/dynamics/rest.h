@@ -20,6 +20,7 @@ struct YkRest {
     YkState *state;
     YkDynamics *dynamics;
     double time;
+    const YkState *pose; // of the caller, or NULL
     size_t freedom;
     int32_t *input; // free ones
     YkRestPoint *points;

@@ -173,7 +173,7 @@ static bool prepare(YkReach *r)
     if (!r->state[0] || !r->trial[0] || !r->place || yk_state_set_time(r->state[0], rest->time, NULL) < 0) return false;
     for (size_t i = 0; i < rest->mech->input_count; i++)
         r->state[0]->input[3 * i + 1] = r->state[0]->input[3 * i + 2] = 0;
-    YkStatus status = yk_state_assemble(r->state[0]);
+    YkStatus status = rest->pose ? yk_state_adopt(r->state[0], rest->pose) : yk_state_assemble(r->state[0]);
     if (status < 0) return status != YK_NO_MEMORY; // it has no start, so nothing is reached
     return add_place(r, r->state[0]) && add_ways(r) && (rest->freedom != 1 || find_places(r));
 }

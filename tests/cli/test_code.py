@@ -162,6 +162,12 @@ class Printed(Case):
         return ctypes.CDLL(self.compile(text, "-shared", "-fPIC"))
 
 
+def unit_of(section, parameter, value):
+    """What a bare number of the file is in SI, where a parameter is given as one; 1 otherwise."""
+    number = re.search(r"\b%s: (-?[\d.]+)\s*(,|$)" % re.escape(parameter), section)
+    return value / float(number.group(1)) if number and float(number.group(1)) != 0 and value != 0 else 1
+
+
 class Code(Printed):
     def test_every_example_compiles_clean_and_agrees_with_the_engine(self):
         for path in EXAMPLES:
@@ -245,7 +251,7 @@ class Code(Printed):
             for parameter, value in members:
                 size = numbers.uniform(0.97, 1.03) * float(value) if float(value) != 0 else 0.001
                 if parameter != "none":
-                    words += ["--param", "%s=%r" % (parameter, size)]
+                    words += ["--param", "%s=%r" % (parameter, size / unit_of(section.group(1), parameter, float(value)))]
             other = Run("code", path, "--prefix", "m", "--quiet", *words)
             if other.code != 0 or not words:  # in other units, or it does not close
                 continue
