@@ -73,8 +73,23 @@ static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
     }
 }
 
+// Bodies that a group of their own has placed relative to each other hang together by its joints, whose equations are
+// spent: such joints come first.
+static void follow_used(Rest *r, size_t *next)
+{
+    const YkPlan *plan = r->plan;
+    while (*next < r->tail) {
+        int32_t b = r->queue[(*next)++];
+        for (uint32_t e = plan->incidence->first[b]; e < plan->incidence->first[b + 1]; e++) {
+            int32_t j = plan->incidence->joint[e], other = yk_other_body(plan->mech->model, j, b);
+            if (plan->joint_used[j] && !r->is_reached[other]) reach_cluster(r, other, b, j);
+        }
+    }
+}
+
 static void grow(Rest *r)
 {
+    size_t next = 0; // in the queue, whose used joints are not followed yet
     YkPlan *plan = r->plan;
     const YkModel *model = plan->mech->model;
     for (size_t b = 0; b < model->body_count; b++) {
@@ -84,13 +99,17 @@ static void grow(Rest *r)
     for (size_t j = 0; j < model->joint_count; j++)
         for (int end = 0; end < 2; end++) {
             int32_t a = model->joints[j].body[end], b = model->joints[j].body[1 - end];
-            if (yk_plan_body_known(plan, a) && !r->is_reached[b]) reach_cluster(r, b, a, (int32_t)j);
+            if (!yk_plan_body_known(plan, a) || r->is_reached[b]) continue;
+            reach_cluster(r, b, a, (int32_t)j);
+            follow_used(r, &next);
         }
     for (size_t head = 0; head < r->tail; head++) {
         int32_t b = r->queue[head];
         for (uint32_t e = plan->incidence->first[b]; e < plan->incidence->first[b + 1]; e++) {
             int32_t j = plan->incidence->joint[e], other = yk_other_body(model, j, b);
-            if (!r->is_reached[other]) reach_cluster(r, other, b, j);
+            if (r->is_reached[other]) continue;
+            reach_cluster(r, other, b, j);
+            follow_used(r, &next);
         }
     }
 }

@@ -19,11 +19,8 @@ class Events(Case):
         self.assertEqual(once["event_total"], len(once["events"]))
         self.assertNotIn("more events", self.sweep(1).out)
         turns = KEPT // len(once["events"]) + 3
-        many = self.sweep(turns, "--format", "json").json()
-        self.assertEqual(len(many["events"]), KEPT)
-        self.assertEqual(many["event_total"], turns * len(once["events"]))
-        self.assertIn("%d more events were met: the first %d are told" % (many["event_total"] - KEPT, KEPT),
-                      self.sweep(turns).out)
+        more = turns * len(once["events"]) - KEPT
+        self.assertIn("%d more events were met: the first %d are told" % (more, KEPT), self.sweep(turns).out)
 
 
 if __name__ == "__main__":

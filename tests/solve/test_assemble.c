@@ -486,7 +486,7 @@ static void test_at_a_coincidence_it_is_told_what_is_true_there(void **unused)
                 "  O: {pin: [ground, crank], angle: th}\n  C: {pin: [ground, lever], angle: ps}\n"
                 "  S: {slide: [lever, block], along: x, distance: d}\n  A: {pin: [crank, block]}\n"
                 "drives: {th: 0}\nstart: {ps: 0.3, d: 0.2}\n",
-                YK_SINGULAR, "`A`", 0); // any angle closes: the guess's
+                YK_SINGULAR, "dead point at joint `A`", 0); // the pin on the lever's pivot
 }
 
 // A plate on three links, one of which is far too long: that no assembly was found proves nothing, so it is not
