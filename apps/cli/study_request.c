@@ -241,6 +241,7 @@ static bool stand(YkStudyAnswer *answer)
     YkStatus status = yk_session_stand(session, answer->over.name ? &answer->over : NULL, &answer->start);
     if (status >= 0) return true;
     answer->start_status = status;
+    yk_note_status(session, status);
     yk_tell_status(session, status, yk_reach_message(session));
     return false;
 }

@@ -330,7 +330,8 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
     for (size_t k = 0; k < n; k++) {
         bool closes =
             b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
-        if (closes && b->space.margin[k] <= YK_BLUR_MARGIN && is_blurred(b, k))
+        bool is_close = closes && b->space.margin[k] <= YK_BLUR_MARGIN; // along a way the state judges it, not a lane
+        if (is_close && (b->is_along || is_blurred(b, k)))
             b->space.margin[k] = fmin(b->space.margin[k], YK_SINGULAR_MARGIN); // masks its rates
         YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
         if (!closes) b->space.margin[k] = -1; // masks its answers

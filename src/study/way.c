@@ -4,6 +4,7 @@
 #include "study/study.h"
 
 static const double STEP = 2 * YK_PI / 180, FINE = 2.5 * YK_PI / 180; // rad, or lengths over the size
+static const double MEETING_MARGIN = 1e-10;                           // sin^2: within 1e-5 of a change point or a limit
 static const double LANES_MAX = 1e5;                                  // of one stretch; moving may count whole turns
 
 // Input 3 * i + k at a pose.
@@ -237,13 +238,21 @@ static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const 
     return status;
 }
 
+// Does the state stand where branches meet? From there the next move would not know on which of them it came.
+static bool is_between_branches(const YkWorker *w, YkStatus status)
+{
+    return status == YK_SINGULAR || w->state->space.margin[0] <= MEETING_MARGIN;
+}
+
 static YkStatus go_stepwise(YkWorker *w, Answers *a)
 {
     YkStatus worst = YK_OK;
     for (; a->done < a->count; a->done++) {
         YkStatus one = w->way.status;
         if (one >= 0) one = move(w, a->done);
+        bool meets = one >= 0 && is_between_branches(w, one);
         one = answer(w, a->done, one, a->outputs);
+        if (meets) yk_state_copy(w->state, w->kept); // the next one is sought from the pose before
         w->way.has_answered = true;
         if (a->status) a->status[a->done] = (signed char)one;
         worst = yk_worse(worst, one);

@@ -1,4 +1,5 @@
 // Studies: closed forms, the same bits on any number of threads, a status for every design, extents.
+#include <yoke/move.h>
 #include "study_check.h"
 
 enum { DESIGNS = 700, POSES = 37 };
@@ -303,6 +304,58 @@ static void test_turns_are_counted_along_the_poses(void **unused)
     machine_free(&m);
 }
 
+// A drag link's output, which has turned by more than half a turn where a parallelogram on the same crank comes to its
+// change point: counted before it and beyond.
+static void test_turns_are_counted_up_to_a_change_point(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 500 };
+    Machine m = machine_parse("bodies:\n"
+                              "  ground: {points: {O2: [0, 0], O4: [1, 0], Q: [5, 0]}}\n"
+                              "  input: {points: {O2: [0, 0], A: [2, 0]}}\n"
+                              "  coupler: {points: {A: [0, 0], B: [1.8, 0]}}\n"
+                              "  output: {points: {O4: [0, 0], B: [2.4, 0]}}\n"
+                              "  bar: {points: {A: [0, 0], D: [5, 0]}}\n"
+                              "  follower: {points: {Q: [0, 0], D: [2, 0]}}\n"
+                              "joints:\n"
+                              "  O2: {pin: [ground, input], angle: theta2}\n"
+                              "  A: {pin: [input, coupler], angle: theta3}\n"
+                              "  O4: {pin: [ground, output], angle: theta4}\n"
+                              "  B: {pin: [coupler, output]}\n"
+                              "  C: {pin: [input, bar], at: A, angle: gamma}\n"
+                              "  Q: {pin: [ground, follower], angle: phi}\n"
+                              "  D: {pin: [bar, follower]}\n"
+                              "drives: {theta2: 90 deg + 1 rad/s * t}\n"
+                              "start: {theta3: -80 deg, theta4: 60 deg, gamma: -90 deg, phi: 90 deg}\n",
+                              true);
+    YkChannel channels[] = {machine_channel(&m, "theta4"), machine_channel(&m, "phi"),
+                            machine_channel(&m, "B.transmission")};
+    static double first[2][COUNT], second[3][COUNT], at[COUNT];
+    double farthest = 0;
+    double *outputs[] = {first[0], first[1]}, *again[] = {second[0], second[1], second[2]};
+    const double *inputs[] = {at, NULL, NULL};
+    for (int start = 0; start < 4; start++) { // from both sides of both change points, and away from each
+        bool is_back = start % 2;
+        for (int k = 0; k < COUNT; k++) at[k] = (start / 2 * 180 + (is_back ? -1 - k : 1 + k)) * YK_PI / 180;
+        assert_true(yk_state_move_to(m.state, &(YkMotion){at[0], 1, 0}, NULL, NULL) >= 0);
+        YkStudyCase asked = {NULL, 1, inputs, COUNT, false};
+        for (int by_state = 0; by_state < 2; by_state++) {
+            YkStudyOptions options = {NULL, 0, channels, by_state ? 3 : 2, 1, NULL};
+            YkStudy *study = yk_study_new(m.state, &options, m.problems);
+            assert_non_null(study);
+            assert_true(yk_study_run(study, &asked, by_state ? again : outputs, status) >= 0);
+            yk_study_free(study);
+        }
+        farthest = fmax(farthest, fabs(first[0][178] - first[0][0]));
+        for (int k = 0; k < COUNT; k++) {
+            CHECK_NEAR(first[0][k], second[0][k], 1e-12);
+            CHECK_NEAR(first[1][k], at[k], 1e-6);
+        }
+    }
+    assert_true(farthest > YK_PI);
+    machine_free(&m);
+}
+
 static void test_a_machine_with_a_group_is_assembled_for_every_design(void **unused)
 {
     (void)unused;
@@ -332,6 +385,7 @@ int main(void)
         cmocka_unit_test(test_a_pose_in_another_range_of_the_same_label_is_a_limit),
         cmocka_unit_test(test_a_parallelogram_stays_one_through_its_change_points),
         cmocka_unit_test(test_turns_are_counted_along_the_poses),
+        cmocka_unit_test(test_turns_are_counted_up_to_a_change_point),
         cmocka_unit_test(test_a_machine_with_a_group_is_assembled_for_every_design),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
