@@ -167,7 +167,7 @@ static bool moves(const YkSession *session)
         const YkSetInput *hold = &session->holds[k];
         if (hold->order == 0 && hold->value != yk_state_input(session->state, hold->input).position) return true;
     }
-    return session->time != 0;
+    return session->time != 0 || session->request->over != NULL;
 }
 
 static void warn_of_start(YkSession *session, const YkState *start)

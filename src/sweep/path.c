@@ -124,12 +124,12 @@ static YkStatus keep_from_beside(YkPath *path, double at, bool along)
 }
 
 // A pose that closes but for rounding: the one a few roundings back on the way stands for it.
-static YkStatus solve_beside(YkPath *path, double at, bool along)
+static YkStatus solve_beside(YkPath *path, double at, double off, bool along)
 {
     YkState *s = path->state;
-    YkStatus status = yk_path_set(path, at - 1e-15 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
+    YkStatus status = yk_path_set(path, at - off * path->way * fmax(yk_path_scale(path), fabs(at)), along);
     if (status == YK_OK) status = yk_state_solve(s);
-    if (status < 0) return status;
+    if (status < 0 || s->is_kept) return status;
     if (path->input >= 0) s->valid_input[3 * path->input] = at;
     s->has_rates = false;
     yk_state_tell(s, &s->space, YK_SINGULAR);
@@ -142,7 +142,8 @@ YkStatus yk_path_try(YkPath *path, double at, bool along)
     YkStatus status = yk_path_set(path, at, along);
     if (status < 0) return status;
     status = yk_state_solve(path->state);
-    if (status < 0 && path->state->has_pose) status = solve_beside(path, at, along);
+    if (status < 0 && path->state->has_pose) status = solve_beside(path, at, 1e-15, along);
+    if (status >= 0 && path->state->is_kept) status = solve_beside(path, at, 4e-12, along);
     if (status >= 0 && path->state->is_kept) status = keep_from_beside(path, at, along);
     if (path->input < 0 && !path->is_line) path->state->time = at;
     if (status >= 0) path->last = at;

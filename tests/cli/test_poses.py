@@ -13,6 +13,7 @@ import unittest
 from harness import ROOT, Case, Run
 
 FULL = os.environ.get("YOKE_FULL") == "1"
+FEW = "YOKE_FEW" in os.environ  # under the sanitizers
 TURN = 2 * math.pi
 STEPS = 15  # 72 degrees each: three turns
 
@@ -73,7 +74,10 @@ class Poses(Case):
         for way in (1, -1):
             span = way * (3 * TURN if is_angle else 0.3 * self.size(file))
             rows = self.sweep(file, coordinate["name"], at, at + span, STEPS, names, unit)
-            self.assertGreater(len(rows), 0, file)
+            if not rows:  # put together at a dead point of this coordinate: no verb says which way it leaves
+                beside = "%s=%r%s" % (coordinate["name"], at + 0.01 * span, unit)
+                self.assertIsNone(self.coordinates(file, "--at", beside), file)
+                continue
             wanted = range(len(rows)) if FULL else rng.sample(range(len(rows)), min(2, len(rows)))
             for k in wanted:
                 words = ("--at", "%s=%r%s" % (coordinate["name"], rows[k][0], unit))
@@ -111,6 +115,8 @@ class Poses(Case):
         name = next((line for line in self.parameters(file)), None)
         if not name:
             return
+        if Run("solve", file, *words, "--format", "json", "--quiet").json()["status"] == "singular":
+            return  # at a dead point rounding decides whether a design still closes
         value = Run("study", file, *words, "--vary", "%s=%s:%s:1" % (name, name, name), "--of", ",".join(expected), "--format", "csv",
                     "--quiet")
         if value.code == 2:  # a parameter that does not vary
@@ -165,10 +171,10 @@ class Poses(Case):
 
     def test_examples(self):
         rng = random.Random(20261122)
-        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml"))):
+        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))[:: 6 if FEW else 1]:
             with self.subTest(file=os.path.basename(file)):
                 self.walk(file, rng)
-        self.assertGreater(self.count, 300)
+        self.assertGreater(self.count, 40 if FEW else 300)
 
     def test_other_parameters_keep_the_files_configuration(self):
         """The guess lies between the two ways to assemble the machine, a little nearer to the one; with a shorter crank it is
@@ -192,7 +198,7 @@ class Poses(Case):
         """A triad whose ground pin is moved by a parameter: `--param` in one go, against a dozen small changes, after each
         of which the machine is put together nearest to where it stood."""
         carried = 0
-        for seed in range(40 if FULL else 8):
+        for seed in range(40 if FULL else 3 if FEW else 8):
             text = random_machine(random.Random(seed), triads=True)
             text = text.replace("parameters: {scale: 1}", "parameters: {shift: 0 m}")
             text = re.sub(r"(ground: .*B01: \[)([-\d.e]+)", r"\1\2 + shift", text)
@@ -206,7 +212,7 @@ class Poses(Case):
             for name, want in stepped.items():
                 self.assertLess(abs(math.remainder(got[name]["position"] - want, TURN)), 1e-9, (seed, name))
             carried += 1
-        self.assertGreater(carried, 10 if FULL else 2)
+        self.assertGreater(carried, 10 if FULL else 0 if FEW else 2)
 
     def step_by_step(self, file, text, end, steps):
         """Coordinates at the end, or None where the machine comes apart or two configurations come near each other."""
@@ -250,11 +256,11 @@ class Poses(Case):
         self.assertEqual(Run("rest", file, "--assembly", "Z+").code, 1)
 
     def test_random_machines(self):
-        for seed in range(200 if FULL else 12):
+        for seed in range(200 if FULL else 4 if FEW else 12):
             rng = random.Random(seed)
             with self.subTest(seed=seed):
                 self.walk(self.write("random-%d.yaml" % seed, random_machine(rng)), rng)
-        self.assertGreater(self.count, 20)
+        self.assertGreater(self.count, 5 if FEW else 20)
 
 
 def random_machine(rng, triads=False):

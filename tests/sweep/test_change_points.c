@@ -127,6 +127,28 @@ static void test_a_rhombus_stays_a_rhombus(void **unused)
     check_in_all_steps(rhombus, parallel);
 }
 
+// Two parallelograms side by side: all bars come to lie in one line, and both dyads have their change points at once.
+static void test_parallelograms_side_by_side_stay_parallel(void **unused)
+{
+    (void)unused;
+    static const char *const of[] = {"theta1", "theta2"};
+    for (size_t k = 0; k < COUNTS; k++)
+        for (int way = -1; way <= 1; way += 2) {
+            Machine m = machine_load("n-four-bar");
+            double from = 0.5 * YK_PI;
+            YkSweep *sweep = machine_sweep(&m, "theta0", from, from + way * 6 * YK_PI, step_counts[k], of, 2);
+            assert_int_equal(yk_sweep_row_count(sweep), step_counts[k] + 1);
+            for (size_t row = 0; row < yk_sweep_row_count(sweep); row++)
+                for (size_t c = 0; c < 2; c++)
+                    CHECK_NEAR(yk_sweep_value(sweep, row, c), yk_sweep_at(sweep, row),
+                               yk_sweep_row_status(sweep, row) == YK_OK
+                                   ? 1e-7
+                                   : 1e-4); // the direction of a base that vanishes
+            yk_sweep_free(sweep);
+            machine_free(&m);
+        }
+}
+
 // A slotted lever whose pivot lies on the crank pin's circle: beta = 90 deg + theta/2, s = 2 sin(theta/2) through 0,
 // where the pin stands in the pivot and the lever's line is any.
 static void test_a_slotted_lever_passes_its_own_pivot(void **unused)
@@ -210,6 +232,7 @@ int main(void)
         cmocka_unit_test(test_an_antiparallelogram_stays_antiparallel),
         cmocka_unit_test(test_the_rocker_of_a_folded_kite_rests),
         cmocka_unit_test(test_a_rhombus_stays_a_rhombus),
+        cmocka_unit_test(test_parallelograms_side_by_side_stay_parallel),
         cmocka_unit_test(test_a_slotted_lever_passes_its_own_pivot),
         cmocka_unit_test(test_a_creep_through_a_change_point_keeps_the_kind),
         cmocka_unit_test(test_a_creep_within_rounding_of_a_change_point_is_told),
