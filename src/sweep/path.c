@@ -130,7 +130,9 @@ static YkStatus solve_beside(YkPath *path, double at, double off, bool along)
     YkStatus status = yk_path_set(path, at - off * path->way * fmax(yk_path_scale(path), fabs(at)), along);
     if (status == YK_OK) status = yk_state_solve(s);
     if (status < 0 || s->is_kept) return status;
-    if (path->input >= 0) s->valid_input[3 * path->input] = at;
+    status = yk_path_set(path, at, along); // it stands for this place: the inputs are those asked for, to the last bit
+    if (status < 0) return status;
+    memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
     s->has_rates = false;
     yk_state_tell(s, &s->space, YK_SINGULAR);
     return YK_SINGULAR;

@@ -283,6 +283,21 @@ static void test_a_parallelogram_passes_its_change_points(void **unused)
     }
 }
 
+// Where a base vanishes the pose a little before stands for the one that was asked; the input is the one asked, to the
+// last bit.
+static void test_an_input_ends_exactly_where_a_base_vanishes(void **unused)
+{
+    (void)unused;
+    for (int turn = -2; turn <= 2; turn++) {
+        Machine m = machine_load("n-four-bar");
+        double to = 2 * YK_PI * turn;
+        assert_true(move_one(m.state, 0, to, NULL) >= 0);
+        assert_true(machine_ask(&m, "theta0") == to);
+        CHECK_NEAR(machine_ask(&m, "theta1"), to, 1e-9);
+        machine_free(&m);
+    }
+}
+
 static bool stop_half_way(void *context, double part)
 {
     (void)context;
@@ -381,6 +396,7 @@ int main(void)
         cmocka_unit_test(test_another_input_makes_room),
         cmocka_unit_test(test_a_pose_where_nothing_closes_is_out_of_reach),
         cmocka_unit_test(test_a_parallelogram_passes_its_change_points),
+        cmocka_unit_test(test_an_input_ends_exactly_where_a_base_vanishes),
         cmocka_unit_test(test_a_move_can_be_stopped),
         cmocka_unit_test(test_no_example_jumps),
     };
