@@ -1,10 +1,14 @@
 // A product whose numbers lack their units, written as it may have been meant: `10*theta.rate` as a torque is
 // `10 N*m*s/rad * theta.rate`.
+#include <math.h>
 #include <string.h>
 #include "base/text.h"
 #include "expr/dimension.h"
 
-enum { NUMBERS_MAX = 16 }; // of one product
+enum {
+    NUMBERS_MAX = 16, // of one product
+    POWER_MAX = 16,   // of a base that a unit may repair
+};
 
 // A bare number that is a factor, or the base of a power.
 typedef struct Factor {
@@ -53,8 +57,8 @@ static void find_factors(const YkExpr *expr, int sign, Product *product)
         find_factors(expr->b, expr->kind == YK_EXPR_DIVIDE ? -sign : sign, product);
         break;
     case YK_EXPR_POWER:
-        if (expr->a->kind == YK_EXPR_NUMBER && !expr->a->has_unit && yk_dim_literal(expr->b, &power) &&
-            power == (int)power && power > 1)
+        if (expr->a->kind == YK_EXPR_NUMBER && !expr->a->has_unit && yk_dim_literal(expr->b, &power) && power > 1 &&
+            power <= POWER_MAX && power == floor(power))
             add_factor(product, expr->a, sign * (int)power);
         break;
     default:
