@@ -2,7 +2,7 @@
 // for this chain alone. Time a link; all ways take turns in one run, the median of the rounds counts.
 #include <math.h>
 #include <stdlib.h>
-#include "dynamics/tree.h"
+#include "equations/tree.h"
 #include "machine.h"
 #include "reference/common/bench.h"
 #include "reference/d3.h"

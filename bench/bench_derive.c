@@ -4,7 +4,7 @@
 #include <string.h>
 #include "derive/derive.h"
 #include "machine.h"
-#include "out/page_print.h"
+#include "page/print.h"
 #include "reference/common/bench.h"
 
 enum { ROUNDS = 25, SECTIONS_MAX = 16, FRAME = SECTIONS_MAX, PRINT, PARTS };

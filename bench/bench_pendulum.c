@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "dynamics/tree.h"
+#include "equations/tree.h"
 #include "machine.h"
 #include "reference/common/bench.h"
 #include "reference/d1.h"

@@ -1,5 +1,5 @@
 #include "chain.h"
-#include "solve/kernels.h"
+#include "solve/kernels/kernels.h"
 
 // Rows lie a little further apart than they are long: rows that start a multiple of 4096 bytes apart get in each
 // other's way.

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "out/amount.h"
+#include "write/amount.h"
 
 YkCode yk_status_code(YkStatus status)
 {

@@ -2,7 +2,7 @@
 #ifndef CLI_ANSWER_H
 #define CLI_ANSWER_H
 #include "cli.h"
-#include "out/json.h"
+#include "write/json.h"
 
 enum { YK_CODE_SIZE = 6, YK_DIGITS = 6, YK_LABEL_SIZE = 256, YK_NAME_SIZE = 256 };
 

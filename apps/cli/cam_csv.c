@@ -1,5 +1,5 @@
 #include "cam.h"
-#include "out/csv.h"
+#include "write/csv.h"
 
 void yk_cam_csv(const YkCamAnswer *answer)
 {

@@ -4,10 +4,10 @@
 #include <string.h>
 #include "base/number.h"
 #include "cam.h"
-#include "out/cam_picture.h"
-#include "out/csv.h"
-#include "out/plot.h"
+#include "picture/cam_picture.h"
+#include "picture/plot.h"
 #include "session.h"
+#include "write/csv.h"
 
 enum { POINTS = 1441, CURVES = 5 };
 static const double full_turn = 6.28318530717958647692;

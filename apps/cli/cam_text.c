@@ -3,7 +3,7 @@
 #include <string.h>
 #include "base/number.h"
 #include "cam_text.h"
-#include "out/table.h"
+#include "write/table.h"
 
 static const double to_rpm = 9.5492965855137201, to_degrees = 57.295779513082321;
 

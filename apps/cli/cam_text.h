@@ -2,7 +2,7 @@
 #ifndef CLI_CAM_TEXT_H
 #define CLI_CAM_TEXT_H
 #include "cam.h"
-#include "out/table.h"
+#include "write/table.h"
 
 void yk_cam_number(YkText *text, double value);
 void yk_cam_value(const YkCamAnswer *answer, double of, YkQuantity quantity); // with its unit, to the answer

@@ -1,6 +1,6 @@
 // The check as a list of facts with a number each: what, value.
 #include "check.h"
-#include "out/csv.h"
+#include "write/csv.h"
 
 static void add_fact(const YkCheckAnswer *answer, const char *what, double value)
 {

@@ -1,7 +1,7 @@
 // The check for a reader who takes the first course: counts with their sum, loops by name, the order of solution.
 #include "check.h"
-#include "out/table.h"
 #include "solve.h"
+#include "write/table.h"
 
 enum { LIST_MAX = 400 }; // lines of a list; a machine of thousands of links is told by its counts
 

@@ -51,8 +51,8 @@ typedef struct YkRequest {
     const char *sample, *designs, *seed, *threads;                         // study
     YkFormat format;
     bool sensitivities, fresh; // study
-    const char *prefix;                                                    // code
-    bool single, kinematics;                                               // code
+    const char *prefix;        // code
+    bool single, kinematics;   // code
     bool all, modes, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
@@ -74,11 +74,11 @@ struct YkSession {
     YkState *state;
     YkSetInput *holds; // [hold_count]
     size_t hold_count;
-    double time;          // --time, s
-    YkMove move;          // how the pose was reached
-    YkText reach_message; // why it was not
-    bool is_chosen;       // --assembly took the configuration
-    bool is_start;        // the configuration that is written is the machine's own
+    double time;                // --time, s
+    YkMove move;                // how the pose was reached
+    YkText reach_message;       // why it was not
+    bool is_chosen;             // --assembly took the configuration
+    bool is_start;              // the configuration that is written is the machine's own
     YkDynamics *dynamics;       // where forces are asked for and the machine has masses or loads; otherwise NULL
     const char *forces_message; // why the pose has no forces, though the machine has loads; otherwise NULL
     const YkColumns *columns;   // solve: those of --of; NULL: everything is told

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
-#include "out/amount.h"
 #include "session.h"
+#include "write/amount.h"
 
 bool yk_columns_add(YkSession *session, YkColumns *columns, const char *name)
 {

@@ -2,9 +2,9 @@
 #ifndef CLI_DERIVE_H
 #define CLI_DERIVE_H
 #include "answer.h"
+#include "page/print.h"
+#include "prove/check.h"
 #include "session.h"
-#include "derive/check.h"
-#include "out/page_print.h"
 
 // Assembles at the inputs and solves the forces too; false (told) where the machine does not close.
 bool yk_derive_pose(YkSession *session);

@@ -1,9 +1,9 @@
 // yoke derive --svg DIR: the free bodies as drawings, one file for each body and junction.
 #include <stdlib.h>
 #include "derive.h"
-#include "out/file_set.h"
-#include "out/free_body.h"
+#include "picture/free_body.h"
 #include "reach.h"
+#include "write/file_set.h"
 
 enum { DRAWINGS_MAX = 2000 };
 

@@ -1,7 +1,7 @@
 // The train as rows of numbers: the shift table where there is one, the speeds otherwise.
 #include <math.h>
 #include "gears.h"
-#include "out/csv.h"
+#include "write/csv.h"
 
 static void add_gears(const YkGearsAnswer *answer)
 {

@@ -1,6 +1,6 @@
 #include <math.h>
 #include "gears.h"
-#include "out/json.h"
+#include "write/json.h"
 
 static void add_code(const YkGearsAnswer *answer, YkJson *json)
 {

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "base/number.h"
 #include "gears.h"
-#include "out/table.h"
+#include "write/table.h"
 
 enum { EXACT_MAX = 24, FORMULA_MAX = 100 };
 static const double rpm = 30 / 3.14159265358979323846;

@@ -1,7 +1,7 @@
 // A gear train's torques for people.
 #include <math.h>
 #include "gears.h"
-#include "out/table.h"
+#include "write/table.h"
 
 static void write_table(const YkGearsAnswer *answer, const char *title, YkTable *table)
 {

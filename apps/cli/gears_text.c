@@ -3,7 +3,7 @@
 #include <string.h>
 #include "base/number.h"
 #include "gears.h"
-#include "out/table.h"
+#include "write/table.h"
 
 enum { EXACT_MAX = 24 }; // longer fractions are shown as decimals
 

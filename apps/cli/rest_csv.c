@@ -1,6 +1,6 @@
 // One line an equilibrium: its number, stability, potential, coordinates, and the frequencies of its modes in Hz.
-#include "out/csv.h"
 #include "rest.h"
+#include "write/csv.h"
 
 static void add_head(const YkRestAnswer *answer, YkCsv *csv)
 {

@@ -1,7 +1,7 @@
 #include <math.h>
-#include "out/table.h"
 #include "rest.h"
 #include "session.h"
+#include "write/table.h"
 
 static const double noise = 1e-12;         // of the largest: stiffnesses are differences
 static const double damping_noise = 1e-20; // far less is left where nothing damps

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/names.h"
-#include "out/file.h"
+#include "write/file.h"
 
 static const YkPlace nowhere = {0};
 

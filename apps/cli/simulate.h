@@ -2,8 +2,8 @@
 #ifndef CLI_SIMULATE_H
 #define CLI_SIMULATE_H
 #include "answer.h"
-#include "out/stream.h"
 #include "sweep.h"
+#include "write/stream.h"
 
 typedef struct YkSimulationAnswer {
     YkSession *session;

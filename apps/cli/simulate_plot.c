@@ -1,6 +1,6 @@
 // The columns of a simulation as a plot over time, in the file's units.
 #include <stdlib.h>
-#include "out/plot.h"
+#include "picture/plot.h"
 #include "session.h"
 #include "simulate.h"
 

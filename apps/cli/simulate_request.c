@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "out/file.h"
 #include "session.h"
 #include "simulate.h"
+#include "write/file.h"
 
 enum { STEPS_MAX = 10000000, STEPS = 100 };
 static const double tolerance_least = 1e-15, tolerance_most = 0.1;
@@ -208,8 +208,8 @@ static bool set_event(YkSimulationAnswer *answer, YkPair pair)
     if (yk_channel_parse(session->mech, pair.name, &channel, session->problems) != YK_OK) return false;
     if (!yk_session_value(session, "--event", pair.name, pair.value, channel.quantity, &value)) return false;
     yk_text_format(&name, "%s=%s", pair.name, pair.value);
-    YkStatus status = name.failed ? YK_NO_MEMORY
-                                  : yk_simulation_watch(answer->simulation, yk_text_get(&name), channel, value, 0);
+    YkStatus status =
+        name.failed ? YK_NO_MEMORY : yk_simulation_watch(answer->simulation, yk_text_get(&name), channel, value, 0);
     bool good = status >= 0;
     yk_note_status(session, status);
     yk_text_free(&name);

@@ -3,11 +3,11 @@
 #include <string.h>
 #include "base/number.h"
 #include "columns.h"
-#include "out/amount.h"
-#include "out/csv.h"
-#include "out/table.h"
 #include "session.h"
 #include "simulate.h"
+#include "write/amount.h"
+#include "write/csv.h"
+#include "write/table.h"
 
 enum { NUMBER_WIDTH = 12, GAP = 2 }; // "-1.23457e-10"
 

@@ -1,6 +1,6 @@
 // One line a quantity: configuration, kind, name, position, velocity, acceleration. A point has two, for x and y.
-#include "out/csv.h"
 #include "solve.h"
+#include "write/csv.h"
 
 void yk_solve_csv_head(YkSession *session)
 {

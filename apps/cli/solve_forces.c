@@ -1,10 +1,10 @@
 // Forces of a configuration: reactions, efforts, energy, balances, the count of equations.
 #include <math.h>
-#include "out/amount.h"
-#include "out/csv.h"
-#include "out/table.h"
 #include "session.h"
 #include "solve.h"
+#include "write/amount.h"
+#include "write/csv.h"
+#include "write/table.h"
 
 void yk_add_count(YkText *text, YkEquationCount c)
 {

@@ -1,10 +1,10 @@
 // The columns of `solve --of`: what was asked for at the pose, in each format.
 #include <string.h>
 #include "columns.h"
-#include "out/amount.h"
-#include "out/csv.h"
-#include "out/table.h"
 #include "solve.h"
+#include "write/amount.h"
+#include "write/csv.h"
+#include "write/table.h"
 
 void yk_solve_of_warn(YkSession *session)
 {

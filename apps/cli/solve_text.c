@@ -1,9 +1,9 @@
 #include <string.h>
-#include "out/amount.h"
-#include "out/table.h"
-#include "session.h"
 #include "reach.h"
+#include "session.h"
 #include "solve.h"
+#include "write/amount.h"
+#include "write/table.h"
 
 static void write_table(YkSession *session, YkTable *table)
 {

@@ -37,7 +37,7 @@ typedef struct YkStudyAnswer {
     double *rows; // [design][width]
     size_t width, done;
     bool is_interrupted;
-    double *derivative, *difference; // [column][axis], with --sensitivities
+    double *derivative, *difference;           // [column][axis], with --sensitivities
     YkStatus start_status, sensitivity_status; // below 0: the file itself does not stand, and no design does
 } YkStudyAnswer;
 

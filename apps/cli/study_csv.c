@@ -1,5 +1,5 @@
-#include "out/csv.h"
 #include "study.h"
+#include "write/csv.h"
 
 // design, the parameters, status, poses, then the answers; SI and radians. Answers that do not stand are empty.
 void yk_study_csv(const YkStudyAnswer *a)

@@ -6,9 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/mix.h"
-#include "out/file.h"
 #include "session.h"
 #include "study.h"
+#include "write/file.h"
 
 enum { HEAD = 64 };
 typedef struct BlockHead {

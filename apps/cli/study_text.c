@@ -1,6 +1,6 @@
 #include <math.h>
-#include "out/table.h"
 #include "study.h"
+#include "write/table.h"
 
 enum { ROWS_SHOWN = 60 };
 

@@ -1,5 +1,5 @@
-#include "out/csv.h"
 #include "sweep.h"
+#include "write/csv.h"
 
 void yk_sweep_csv(const YkSweepAnswer *answer)
 {

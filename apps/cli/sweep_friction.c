@@ -1,7 +1,7 @@
 // Rows of a sweep in which the machine stands under dry friction: an effort has no single answer there.
-#include "out/amount.h"
 #include "session.h"
 #include "sweep.h"
+#include "write/amount.h"
 
 void yk_sweep_look_at_friction(void *context, const YkState *state)
 {

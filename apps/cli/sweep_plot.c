@@ -1,6 +1,6 @@
 // The columns of a sweep as a plot, in the file's units.
 #include <stdlib.h>
-#include "out/plot.h"
+#include "picture/plot.h"
 #include "session.h"
 #include "sweep.h"
 

@@ -1,7 +1,7 @@
 #include <math.h>
-#include "out/amount.h"
-#include "out/table.h"
 #include "sweep.h"
+#include "write/amount.h"
+#include "write/table.h"
 
 enum { EVENT_DIGITS = 10 };
 

@@ -4,8 +4,8 @@
 #include <string.h>
 #include "base/names.h"
 #include "cam.h"
-#include "out/file.h"
 #include "session.h"
+#include "write/file.h"
 
 enum { STEPS_MAX = 1000000, STEPS = 72, LAW_NAMES_MAX = 32 };
 static const YkPlace nowhere = {0};

@@ -1,8 +1,8 @@
 // yoke code: C for this machine.
 #include <string.h>
 #include "answer.h"
-#include "out/json.h"
 #include "reach.h"
+#include "write/json.h"
 
 // A prefix begins a C name and is none of C's own.
 static bool is_prefix(const char *text)

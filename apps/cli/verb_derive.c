@@ -3,8 +3,8 @@
 #include <string.h>
 #include "base/names.h"
 #include "derive.h"
-#include "out/stream.h"
 #include "reach.h"
+#include "write/stream.h"
 
 enum { SECTIONS_MAX = 32 };
 
@@ -100,8 +100,9 @@ static int cannot(YkSession *session, const YkDerivation *derivation, const YkPa
     yk_problem(session->problems, yk_derive_code(why), (YkPlace){0}, "%s (--what %s): %s", yk_derive_sections[k].title,
                page->section, yk_ring_status_text(why));
     if (why == YK_RING_SIZE)
-        yk_problem_hint(session->problems, "ask for other parts with --what, as in `--what loops,jacobian`: products of "
-                                           "long sums take no part in them");
+        yk_problem_hint(session->problems,
+                        "ask for other parts with --what, as in `--what loops,jacobian`: products of "
+                        "long sums take no part in them");
     if (why == YK_RING_OVERFLOW)
         yk_problem_hint(session->problems, "numbers of many digits can be given as `parameters:`, which are symbols; "
                                            "other parts may be asked for with --what");

@@ -2,11 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
-#include "out/convert.h"
-#include "out/file.h"
-#include "out/movie.h"
+#include "picture/convert.h"
+#include "picture/movie.h"
 #include "range.h"
 #include "reach.h"
+#include "write/file.h"
 
 enum { POSES_MAX = 1000, TRACE_STEPS = 720 };
 static const double full_turn = 6.28318530717958647692;

@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
-#include "out/print.h"
 #include "range.h"
 #include "reach.h"
+#include "write/pdf.h"
 
 enum { STEPS_MAX = 2000 };
 

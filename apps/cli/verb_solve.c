@@ -87,8 +87,8 @@ static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
         writer->own = session->state;
         session->state = NULL;
     }
-    YkStatus each = yk_reach_ask(session) < 0 ? YK_NO_MEMORY
-                                              : yk_state_each(session->state, visit, writer, is_complete);
+    YkStatus each =
+        yk_reach_ask(session) < 0 ? YK_NO_MEMORY : yk_state_each(session->state, visit, writer, is_complete);
     yk_note_status(session, each);
     yk_state_free(writer->own);
     return each;

@@ -216,8 +216,10 @@ int yk_run_study(YkSession *session)
     }
     a->session = session;
     catch_signals();
-    if (yk_study_read(a)) exit_code = answer_study(a);
-    else if (a->start_status < 0) exit_code = yk_status_exit(a->start_status);
+    if (yk_study_read(a))
+        exit_code = answer_study(a);
+    else if (a->start_status < 0)
+        exit_code = yk_status_exit(a->start_status);
     yk_study_free(a->study);
     yk_state_free(a->start);
     yk_tolerances_free(a->tolerances);

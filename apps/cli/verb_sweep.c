@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "out/file.h"
 #include "reach.h"
 #include "sweep.h"
+#include "write/file.h"
 
 enum { STEPS_MAX = 10000000, STEPS = 36 };
 static const double full_turn = 6.28318530717958647692;

@@ -25,7 +25,8 @@ typedef struct YkSimulationOptions {
     const YkStartValue *values; // in place of what `start:` says
     size_t value_count;
     const YkCompileOptions *compile; // NULL: defaults
-    const YkState *pose; // where it begins: a state of the machine, whatever its inputs; NULL: assembled as `start:` says
+    const YkState
+        *pose; // where it begins: a state of the machine, whatever its inputs; NULL: assembled as `start:` says
 } YkSimulationOptions;
 YK_API YkSimulationOptions yk_default_simulation_options(void);
 

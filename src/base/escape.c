@@ -54,3 +54,24 @@ void yk_escape_quoted(YkText *text, const char *string)
     if (i < length) yk_text_puts(text, "...");
     yk_text_add(text, "`", 1);
 }
+
+void yk_escape_xml(YkText *xml, const char *string)
+{
+    if (string == yk_text_lost) yk_text_fail(xml);
+    for (const char *c = string; *c; c++) {
+        unsigned char byte = (unsigned char)*c;
+        if (byte == '&') {
+            yk_text_puts(xml, "&amp;");
+        } else if (byte == '<') {
+            yk_text_puts(xml, "&lt;");
+        } else if (byte == '>') {
+            yk_text_puts(xml, "&gt;");
+        } else if (byte == '"') {
+            yk_text_puts(xml, "&quot;");
+        } else if (byte < 0x20) {
+            yk_text_puts(xml, "\xef\xbf\xbd");
+        } else {
+            yk_text_add(xml, c, 1);
+        }
+    }
+}

@@ -10,5 +10,6 @@ size_t yk_escape_one(YkText *text, const char *data, size_t length, size_t *colu
 void yk_escape(YkText *text, const char *data, size_t length);
 // Adds `string` in `backquotes`, escaped, cut at 80 columns (then "..." stands before the closing quote).
 void yk_escape_quoted(YkText *text, const char *string);
+void yk_escape_xml(YkText *xml, const char *string); // for element text and attributes; what XML forbids becomes U+FFFD
 
 #endif

@@ -25,7 +25,7 @@ void yk_balance_add(YkBalance *balance, size_t column, int32_t body, YkRefVec fo
 // A force on a body at a place of the world; its opposite where the sign is -1.
 void yk_balance_push(YkBalance *balance, size_t column, int32_t body, double sign, YkRefVec place, YkRefVec force);
 
-// meshes.c: what dynamics/free_bodies_meshes has gears and the like transmit. Their columns, behind those of the
+// meshes.c: what free_bodies/meshes has gears and the like transmit. Their columns, behind those of the
 // joints; what those hold.
 void yk_meshes_columns(YkBalance *balance);
 void yk_meshes_enter(YkBalance *balance, size_t column);

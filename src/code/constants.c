@@ -3,7 +3,7 @@
 #include <string.h>
 #include "code/program.h"
 #include "expr/function.h"
-#include "model/laws.h"
+#include "model/laws/laws.h"
 
 // --- expressions
 // ----------------------------------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ typedef struct YkFile {
     YkText text;
 } YkFile;
 
-// members.c: what the inputs and the configuration hold.
+// struct_members.c: what the inputs and the configuration hold.
 bool yk_file_members(YkFile *file);
 // routines.c: the routines, drives and residuals as values.
 bool yk_file_routines(YkFile *file);

@@ -54,8 +54,7 @@ static void write_parameters(YkFile *file)
     yk_file_template(file, "/* Parameters of the model file. Those that follow from others are computed from them. */\n"
                            "typedef struct @_parameters {\n");
     for (size_t k = 0; k < m->parameter_count; k++)
-        if (yk_file_is_own(file, k))
-            member(file, file->program.names.parameter[k], parameter_unit(&m->parameters[k]));
+        if (yk_file_is_own(file, k)) member(file, file->program.names.parameter[k], parameter_unit(&m->parameters[k]));
     if (yk_file_own_parameters(file) == 0) member(file, "none", "a struct cannot be empty");
     yk_file_template(file, "} @_parameters;\n\n");
 }
@@ -99,8 +98,7 @@ static void write_parameter_arrays(YkFile *file)
                      "/* For `_designs`: an array for each parameter. */\ntypedef struct @_parameters_arrays {\n");
     for (size_t k = 0; k < m->parameter_count; k++)
         if (yk_file_is_own(file, k))
-            yk_text_format(&file->text, "    const %s *%s;\n", yk_file_real(file),
-                           file->program.names.parameter[k]);
+            yk_text_format(&file->text, "    const %s *%s;\n", yk_file_real(file), file->program.names.parameter[k]);
     yk_file_template(file, "} @_parameters_arrays;\n\n");
 }
 

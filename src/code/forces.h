@@ -47,7 +47,7 @@ YkRef yk_forces_mass(YkProgram *program, int32_t body);
 YkRef yk_forces_inertia(YkProgram *program, int32_t body);
 // equations.c: M and the rest.
 bool yk_forces_equations(YkForces *forces);
-// lumped.c: adds all masses and their weight; false where the machine is no tree, or not all its bodies have mass.
+// lumped_masses.c: adds all masses and their weight; false where the machine is no tree or a body has no mass.
 bool yk_forces_lumped(YkForces *forces, YkEquations *out);
 // accelerations.c: of the free inputs.
 void yk_forces_accelerations(YkForces *forces);

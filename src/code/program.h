@@ -138,7 +138,7 @@ YkRefVec yk_program_sum_accel(YkProgram *program, const YkSum *sum, const YkRate
 // block_rates.c: one block; accelerations NULL: its velocities.
 void yk_program_block_rates(YkProgram *program, size_t block, YkRates *velocities, YkRates *accelerations);
 
-// answers.c
+// asked_values.c
 YkRef yk_program_coordinate(YkProgram *program, size_t coordinate); // its position
 // Its rate from first derivatives, or its acceleration from second ones: the same sum.
 YkRef yk_program_coordinate_rate(YkProgram *program, size_t coordinate, const YkRates *rates);
@@ -150,7 +150,8 @@ YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, cons
                              const YkRates *accelerations);
 // names.c: chooses p->names, for the prefix. False when out of memory.
 bool yk_program_choose_names(YkProgram *program);
-// words.c: is it a word of C or C++, a macro of the headers, a name that they keep for themselves, or one of the file's own?
+// words.c: whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one of the
+// file's own.
 bool yk_program_is_reserved(const YkProgram *program, const char *name);
 // A name as a C name that is not reserved: letters, digits and underscores, `name_` before it where it has to change.
 const char *yk_program_name(YkProgram *program, const char *name);

@@ -1,5 +1,5 @@
-// Reactions: Newton's and Euler's equations of every body, all reactions and efforts unknown, as dynamics/free_bodies
-// has them: a pin transmits two forces, a slide a normal force and a couple, a pin-slot a normal force, a weld all
+// Reactions: Newton's and Euler's equations of every body, all reactions and efforts unknown, as free_bodies/ has
+// them: a pin transmits two forces, a slide a normal force and a couple, a pin-slot a normal force, a weld all
 // three.
 #include "code/balance.h"
 

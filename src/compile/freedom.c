@@ -18,7 +18,7 @@ typedef struct Work { // on one part; x holds all variables of the machine
     const YkMechanism *mech;
     const int32_t *variables, *loops, *relations, *column;
     const YkCandidates *wish;
-    const double *told; // [coordinate]: the guesses
+    const double *told;     // [coordinate]: the guesses
     const int32_t *members; // of the candidates, those of this part
     size_t member_count;
     size_t loop_count, m, n;

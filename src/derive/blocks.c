@@ -1,7 +1,7 @@
 // Rows of J, and the blocks in which its unknown columns are solved.
 #include "derive/blocks.h"
 #include <string.h>
-#include "derive/frame.h"
+#include "derive/inside.h"
 #include "derive/relations.h"
 #include "num/components.h"
 #include "num/matching.h"

@@ -1,6 +1,6 @@
 // Bodies: each that turns has an angle of its own; the way from body form to joint form.
 #include <string.h>
-#include "derive/frame.h"
+#include "derive/inside.h"
 
 enum { ANGLE_TERMS_MAX = 3000000 };
 

@@ -1,7 +1,7 @@
 // Constants under names of their own: what is no polynomial of parameters, and numbers of many digits. Formulas with
 // those would be hard to read, and products of a few of them too large to be exact.
 #include <string.h>
-#include "derive/frame.h"
+#include "derive/inside.h"
 
 // --- What the ring cannot hold
 

@@ -1,9 +1,8 @@
 // A derivation from its beginning to its end.
 #include <stdlib.h>
 #include "base/problems.h"
-#include "derive/check.h"
-#include "derive/frame.h"
-#include "derive/gears.h"
+#include "derive/gears/gears.h"
+#include "derive/inside.h"
 
 static bool enter_all(YkDerivation *d)
 {
@@ -36,7 +35,7 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
 void yk_derivation_free(YkDerivation *d)
 {
     if (!d) return;
-    yk_check_forget(d);
+    if (d->forget_checks) d->forget_checks(d);
     yk_derive_train_free(d->train);
     free(d->constants);
     free(d->sources);

@@ -14,10 +14,10 @@
 #define DERIVE_DERIVE_H
 #include <yoke/dynamics.h>
 #include "compile/mechanism.h"
+#include "derive/page.h"
 #include "model/model.h"
 #include "num/whole.h"
 #include "ring/ring.h"
-#include "derive/page.h"
 
 // A coordinate of the machine and its derivatives. First those of the spanning tree in the mechanism's order (the
 // file's), then the distances of slides and pin-slots that close a loop (JOINT.distance).
@@ -119,20 +119,21 @@ struct YkDerivation {
         void *context;
     } * sources;
     size_t source_count, source_capacity;
-    YkDeriveBlocks *blocks;        // made at first use
-    struct YkCheckShared *checked; // what equations share that are checked: check_shared.c
-    struct YkLoopPlan *loop_plan;  // of random points, made at first use: loop_plan.c
-    struct YkDeriveTrain *train;   // gears, made at first use: gears.h
-    int32_t *speeds;               // per body: the symbol of its angular speed, omega1; made with the train
-    struct YkDeriveOwn *own;       // symbols of the section of cams: cam.c
+    YkDeriveBlocks *blocks;                 // made at first use
+    struct YkCheckShared *checked;          // what equations share that are checked: prove/check_shared.c
+    void (*forget_checks)(YkDerivation *d); // frees it; set with it
+    struct YkLoopPlan *loop_plan;           // of random points, made at first use: prove/loop_plan.c
+    struct YkDeriveTrain *train;            // gears, made at first use: derive/gears/gears.h
+    int32_t *speeds;                        // per body: the symbol of its angular speed, omega1; made with the train
+    struct YkDeriveOwn *own;                // symbols of the section of cams: derive/cams/cams.c
     int32_t *influence; // per coordinate: the symbol of its influence coefficient; made by the section of velocities
     // What sections add for proofs: elements that are 0 on the machine, linear in accelerations and in these symbols.
     const YkPoisson **relations;
     size_t relation_count, relation_capacity;
     int32_t *unknowns;
     size_t unknown_count, unknown_capacity;
-    struct YkDerivePages *pages; // names that sections alone have, for --check; made at first use: equation_pages.c
-    struct YkEquationOwn *own_of_equations; // angles, roots: equation_angles.c
+    struct YkDerivePages *pages; // names that sections alone have; made at first use: prove/equation_pages.c
+    struct YkEquationOwn *own_of_equations; // angles, roots: prove/equation_angles.c
     bool has_names;                         // JOINT.angle, BODY.rate, ... are entered as other names of symbols
     bool failed;                            // out of memory outside of the ring
 };
@@ -182,7 +183,7 @@ bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning)
 // What a parameter stands for in terms of others: NULL where it is a number of its own (or no polynomial).
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 
-// --- The machine (machine.c, path.c)
+// --- The machine (geometry.c, path.c)
 // -----------------------------------------------------------------------------------------
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
 const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes
@@ -221,7 +222,7 @@ bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDer
 // The place at which joint j holds body side 0 or 1: `from` or `at` on the first, `to` or `at` on the second.
 YkDerivePlace yk_derive_place(const YkDerivation *d, int32_t joint, int side);
 
-// --- Values (values.c)
+// --- Values (numeric_values.c)
 // ---------------------------------------------------------------------------------------------------
 // values[yk_ring_symbol_count(d->ring)]: parameters and constants from the file, coordinates and bodies from the state,
 // what sources know; 0 for the rest. dynamics may be NULL. Completed: ready for yk_ring_value.

@@ -1,6 +1,6 @@
 // Section: kinetic energy of every body and in total, potential energy, Lagrangian.
 #include <string.h>
-#include "derive/free_bodies.h"
+#include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
 // 1/2 m v^2 + 1/2 I w^2

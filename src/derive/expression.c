@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
-#include "derive/frame.h"
+#include "derive/inside.h"
 #include "expr/formula.h"
 
 enum { DIGITS_EXACT = 1000000000, DENOMINATOR_MAX = 1000000 };

@@ -7,9 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/memory.h"
-#include "ring/graph.h"
+#include "ring/graph/graph.h"
+#include "ring/print/write.h"
 #include "ring/ring.h"
-#include "ring/write.h"
 
 typedef enum YkPagePieceKind {
     YK_PIECE_ELEMENT,  // an element; in brackets where it is a sum and `is_factor`

@@ -1,7 +1,7 @@
 // Names of points, and walks from point to point as sums of named vectors.
 #include <stdlib.h>
 #include <string.h>
-#include "derive/frame.h"
+#include "derive/inside.h"
 
 // Places: the model's points, then each body's origin. Places that coincide for ever share a root.
 struct YkDeriveNames {

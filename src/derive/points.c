@@ -1,5 +1,5 @@
 // Section: positions, velocities and accelerations of centres of mass and of points that no joint holds.
-#include "derive/free_bodies.h"
+#include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
 // Marks the points that joints hold.

@@ -1,8 +1,8 @@
 // Gears, belts, racks, cams and coordinates that follow a law: what they demand of angles and distances, joint form.
 #include "derive/relations.h"
 #include <math.h>
-#include "derive/frame.h"
-#include "derive/free_bodies.h"
+#include "derive/forces/free_bodies.h"
+#include "derive/inside.h"
 #include "law/law.h"
 
 // A relation's constant: where the teeth met first. 0 where that is no more than rounding.

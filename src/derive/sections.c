@@ -1,6 +1,6 @@
 // The sections of a derivation. To add one: write it, declare it in sections.h, name it here.
 #include "derive/sections.h"
-#include "derive/code.h"
+#include "derive/printed_code.h"
 
 static bool has_train(const YkModel *model)
 {

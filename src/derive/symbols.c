@@ -1,6 +1,6 @@
 // Names and symbols: parameters by their dimension, coordinates with rates, time.
 #include <string.h>
-#include "derive/frame.h"
+#include "derive/inside.h"
 
 static bool fits(char c)
 {

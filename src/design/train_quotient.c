@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "design/train.h"
-#include "ring/write.h"
+#include "ring/print/write.h"
 
 enum { FACTORS_MAX = YK_TRAIN_FACTORS_MAX, TERMS_SPLIT_MAX = 200 };
 typedef YkTrainFactors Factors;

@@ -1,10 +1,10 @@
 // The inside of YkDynamics.
 #ifndef DYNAMICS_DYNAMICS_H
 #define DYNAMICS_DYNAMICS_H
-#include "dynamics/free_bodies.h"
-#include "dynamics/influence.h"
-#include "dynamics/reduced.h"
-#include "dynamics/tree.h"
+#include "equations/influence.h"
+#include "equations/reduced.h"
+#include "equations/tree.h"
+#include "free_bodies/free_bodies.h"
 
 struct YkHolding;
 

@@ -159,29 +159,29 @@ void yk_load_locks(YkLoader *loader);
 void yk_load_engage(YkLoader *loader); // options->lock, after all else
 
 // The second pass.
-void yk_load_check_uses(YkLoader *loader);      // uses.c: the names in every expression
-void yk_load_infer(YkLoader *loader);           // uses.c: dimensions
+void yk_load_check_uses(YkLoader *loader);      // expressions.c: the names in every expression
+void yk_load_infer(YkLoader *loader);           // expressions.c: dimensions
 void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, those it needs first
 void yk_load_check_overrides(YkLoader *loader); // overrides.c: against the dimension in the file
-void yk_load_eval_uses(YkLoader *loader);       // uses.c
+void yk_load_eval_uses(YkLoader *loader);       // expressions.c
 void yk_load_keep_uses(YkLoader *loader);       // in the model, for redesigns
-void yk_load_check_gravity(YkLoader *loader);   // gravity.c: warns of units that nobody would mean
-void yk_load_finish_laws(YkLoader *loader);     // laws_build.c
-void yk_load_finish_cams(YkLoader *loader);     // cams_finish.c: after joints and laws
-void yk_load_finish_masses(YkLoader *loader);   // mass.c
+void yk_load_check_gravity(YkLoader *loader);   // model/loads/gravity.c: warns of units that nobody would mean
+void yk_load_finish_laws(YkLoader *loader);     // model/laws/build.c
+void yk_load_finish_cams(YkLoader *loader);     // model/transmissions/cams_finish.c: after joints and laws
+void yk_load_finish_masses(YkLoader *loader);   // model/loads/mass.c
 void yk_load_finish_joints(YkLoader *loader);   // joint_points.c
-void yk_load_finish_forces(YkLoader *loader);   // forces.c
-void yk_load_finish_springs(YkLoader *loader);  // springs.c
-void yk_load_finish_stops(YkLoader *loader);    // stops.c
-void yk_load_finish_friction(YkLoader *loader); // friction.c
-void yk_load_finish_gears(YkLoader *loader);    // gears.c: after the joints, as the next two
-void yk_load_finish_racks(YkLoader *loader);    // racks.c
-void yk_load_finish_belts(YkLoader *loader);    // belts.c
+void yk_load_finish_forces(YkLoader *loader);   // model/loads/forces.c
+void yk_load_finish_springs(YkLoader *loader);  // model/loads/springs.c
+void yk_load_finish_stops(YkLoader *loader);    // model/loads/stops.c
+void yk_load_finish_friction(YkLoader *loader); // model/loads/friction.c
+void yk_load_finish_gears(YkLoader *loader);    // model/transmissions/gears.c: after the joints, as the next two
+void yk_load_finish_racks(YkLoader *loader);    // model/transmissions/racks.c
+void yk_load_finish_belts(YkLoader *loader);    // model/transmissions/belts.c
 void yk_load_check_connected(YkLoader *loader); // connected.c
 void yk_load_check_links(YkLoader *loader);     // links.c
 bool yk_load_size(YkModel *model);              // size.c; false when out of memory
 
-// wheels.c: what gears, racks and belts share.
+// model/transmissions/wheels.c: what gears, racks and belts share.
 // Reads a list of two different bodies under `key`; reports anything else. The node may be NULL (reported already).
 void yk_load_two_bodies(YkLoader *loader, const YkNode *list, const YkSubject *subject, int32_t body[2]);
 // The list of two values under a key that must be there; NULL with the mistake reported.
@@ -200,8 +200,8 @@ typedef struct YkWheelPair {
 } YkWheelPair;
 int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance);
 
-// outside.c: passes on what was found wrong in a value that stands nowhere in the file, each message beginning with the
-// value and, unless NULL, what it is for.
+// placeless_problems.c: passes on what was found wrong in a value that stands nowhere in the file, each message
+// beginning with the value and, unless NULL, what it is for.
 void yk_load_pass_on(YkProblems *problems, const YkProblems *found, const char *value, const char *name);
 
 // The value of an expression at time t with what the model knows; a fault is reported unless it comes from a parameter

@@ -150,7 +150,7 @@ typedef struct YkModelLaw {
     YkPlace place;
     YkLaw *law;                 // argument and value in SI
     YkDimension of, value;      // dimensions of both
-    struct YkLawSource *source; // as the file gives it: model/laws.h
+    struct YkLawSource *source; // as the file gives it: model/laws/laws.h
 } YkModelLaw;
 
 // A number kept exactly where the file writes it so: numerator / denominator * pi^pi.
@@ -291,7 +291,7 @@ struct YkModel {
     YkLock *locks;
     size_t lock_count;
     const char *engaged; // the name of the lock that acts, or NULL
-    YkModelUse *uses; // where expressions, not plain numbers, give a value: model/redesign.h evaluates them again
+    YkModelUse *uses;    // where expressions, not plain numbers, give a value: model/redesign.h evaluates them again
     size_t use_count;
     bool has_gravity;
     YkVec gravity; // m/s^2

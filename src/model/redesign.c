@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
-#include "model/cam_place.h"
 #include "model/load.h"
 #include "model/size.h"
+#include "model/transmissions/cam_place.h"
 
 // An array of the model and its copy.
 typedef struct Span {

@@ -14,7 +14,7 @@ typedef struct YkRedesign YkRedesign;
 // enters what cannot follow, a name twice, out of memory.
 YkRedesign *yk_redesign_new(const YkModel *model, const char *const *names, size_t count, YkProblems *problems);
 void yk_redesign_free(YkRedesign *redesign);
-void yk_redesign_hint(YkProblems *problems); // of a problem that says what cannot follow
+void yk_redesign_hint(YkProblems *problems);      // of a problem that says what cannot follow
 YkModel *yk_redesign_model(YkRedesign *redesign); // the copy; valid until freed
 // values[count], SI, into the copy. YK_OK; YK_BAD_MODEL where the machine makes no sense with them: a value is not
 // finite or beyond 1e100, a mass is not positive, an inertia negative, a rod without length, a restitution or friction

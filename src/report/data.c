@@ -2,9 +2,9 @@
 // places in pixels of the drawing.
 #include <math.h>
 #include "base/number.h"
-#include "out/json.h"
 #include "report/panels.h"
 #include "report/report.h"
+#include "write/json.h"
 
 enum { DIGITS = 7 }; // a page does not show more
 

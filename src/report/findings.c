@@ -3,8 +3,8 @@
 #include "base/number.h"
 #include "base/problems.h"
 #include "base/vec.h"
-#include "out/amount.h"
 #include "report/report.h"
+#include "write/amount.h"
 
 enum { DIGITS = 5 };
 

@@ -14,7 +14,8 @@ YkReportOptions yk_default_report_options(void)
 static void assemble(YkReportPage *report)
 {
     // A pose that the caller's state has stands; inputs alone are assembled.
-    report->status = yk_state_has_pose(report->start) ? yk_state_solve(report->start) : yk_state_assemble(report->start);
+    report->status =
+        yk_state_has_pose(report->start) ? yk_state_solve(report->start) : yk_state_assemble(report->start);
     const char *said = yk_state_report(report->start)->message;
     report->message = yk_arena_copy(report->arena, said, strlen(said));
     if (!report->message) report->message = "";

@@ -6,9 +6,9 @@
 #include <string.h>
 #include "base/vec.h"
 #include "model/model.h"
-#include "out/drawing.h"
-#include "out/svg.h"
-#include "out/table.h"
+#include "picture/drawing.h"
+#include "picture/svg.h"
+#include "write/table.h"
 
 enum { BODIES_MAX = 40, ROUNDS = 300, LINKS_MAX = 160 };
 static const double step = 150, margin = 90, tall = 30; // px: between neighbours, round the picture, of a box

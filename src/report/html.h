@@ -1,13 +1,13 @@
 // HTML out: small pieces that sections share.
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H
-#include "out/svg.h"
-#include "out/table.h"
+#include "base/escape.h"
+#include "write/table.h"
 
 // Adds text, escaped for elements and attributes.
 static inline void yk_html_words(YkText *html, const char *words)
 {
-    yk_svg_escape(html, words);
+    yk_escape_xml(html, words);
 }
 // "<p>words</p>", and parts of other kinds.
 void yk_html_element(YkText *html, const char *tag, const char *words);

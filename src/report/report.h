@@ -10,7 +10,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "model/model.h"
-#include "out/drawing.h"
+#include "picture/drawing.h"
 
 typedef enum YkReportMotionKind {
     YK_REPORT_STILL,     // nothing moves: no freedom, or no pose

@@ -1,9 +1,9 @@
 // Every cam: its outline to scale, its lift and pressure angle over a turn.
 #include <math.h>
-#include "out/amount.h"
-#include "out/cam_picture.h"
+#include "picture/cam_picture.h"
 #include "report/html.h"
 #include "report/report.h"
+#include "write/amount.h"
 
 enum { DIGITS = 6, ROWS = 24 };
 static const double outline_tolerance = 1e-3; // of the base circle

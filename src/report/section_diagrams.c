@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/problems.h"
-#include "out/plot.h"
+#include "picture/plot.h"
 #include "report/html.h"
 #include "report/panels.h"
 

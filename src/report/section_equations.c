@@ -3,8 +3,8 @@
 #include <string.h>
 #include "base/problems.h"
 #include "derive/derive.h"
-#include "out/free_body.h"
-#include "out/page_print.h"
+#include "page/print.h"
+#include "picture/free_body.h"
 #include "report/html.h"
 #include "report/report.h"
 

@@ -1,8 +1,8 @@
 // Forces at the start: reactions, efforts, and every body's balance.
 #include <math.h>
-#include "out/amount.h"
 #include "report/html.h"
 #include "report/report.h"
+#include "write/amount.h"
 
 enum { DIGITS = 6, ROWS_MAX = 200 };
 

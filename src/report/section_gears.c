@@ -3,9 +3,9 @@
 #include <string.h>
 #include <yoke/train.h>
 #include "base/problems.h"
-#include "out/amount.h"
 #include "report/html.h"
 #include "report/report.h"
+#include "write/amount.h"
 
 enum { DIGITS = 6 };
 static const double rpm = 30 / YK_PI;

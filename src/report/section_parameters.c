@@ -1,8 +1,8 @@
 // Parameters with their units; bodies with their points and masses.
 #include <math.h>
-#include "out/amount.h"
 #include "report/html.h"
 #include "report/report.h"
+#include "write/amount.h"
 
 enum { DIGITS = 8, ROWS_MAX = 300 };
 

@@ -112,8 +112,8 @@ struct YkRing {
 // --- symbols.c: the symbol of pi / pi_over, `pi_7`; entered where new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
 
-// --- typeset.c: names in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in their ring, of all
-// symbols that have none yet. False with the status: no memory.
+// --- print/typeset.c: names in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in their ring, of
+// all symbols that have none yet. False with the status: no memory.
 bool yk_ring_typeset(YkRing *ring);
 
 // --- substitute.c
@@ -151,12 +151,12 @@ static inline bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uin
     return monomial != YK_NO_PRODUCT && phase != YK_NO_PRODUCT;
 }
 
-// --- lump.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as the product of
-// those and of the rest; false on failure.
+// --- print/lumped_constants.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as
+// the product of those and of the rest; false on failure.
 bool yk_ring_is_constant(const YkRing *ring, int32_t symbol);
 bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant, uint32_t *rest);
 
-// --- gather.c: begin, add any terms over one denominator, end. No other operation of the ring in between.
+// --- collect_terms.c: begin, add any terms over one denominator, end. No other operation of the ring in between.
 void yk_gather_begin(YkRing *ring, int64_t denominator);
 void yk_gather_begin_distinct(YkRing *ring, int64_t denominator); // no key will come twice
 bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number);

@@ -17,8 +17,8 @@ typedef struct YkLevel { // a block with branches, in the order of solution
 typedef struct YkSearch {
     YkLevel *levels;
     size_t level_count;
-    int gave_up_at; // the block at which the last search gave up: a cap was reached, or a group found nothing; or -1
-    size_t first_step;    // of level 0: steps before it have no choice
+    int gave_up_at;    // the block at which the last search gave up: a cap was reached, or a group found nothing; or -1
+    size_t first_step; // of level 0: steps before it have no choice
     int32_t *coordinates; // by the level after which they are known
     signed char *best_branch;
     double *best_x, *kept_x, *kept_reference, *path, *wanted;

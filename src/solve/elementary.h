@@ -5,7 +5,7 @@
 // Microsystems 1993: k_sin, k_cos, s_atan), evaluated in our own order.
 #ifndef SOLVE_ELEMENTARY_H
 #define SOLVE_ELEMENTARY_H
-#include "solve/lanes.h"
+#include "solve/kernels/lanes.h"
 
 #define YK_SINCOS_LIMIT 1e5 // rad: at most 2^16 quarter turns, so that the products with 37-bit parts of pi/2 are exact
 

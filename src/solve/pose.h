@@ -1,7 +1,7 @@
 // The space of one pose (a stride of 1) as records: what belongs together lies side by side there.
 #ifndef SOLVE_POSE_H
 #define SOLVE_POSE_H
-#include "solve/lanes.h"
+#include "solve/kernels/lanes.h"
 #include "solve/space.h"
 
 typedef struct Slide {

@@ -1,11 +1,11 @@
 // One pose: every record of the space is read where it lies, and what a step needs of another stays in registers.
 #include "solve/single.h"
 #include "solve/elementary.h"
+#include "solve/kernels/rpr.h"
+#include "solve/kernels/rrp.h"
+#include "solve/kernels/rrr.h"
+#include "solve/kernels/term.h"
 #include "solve/pose.h"
-#include "solve/rpr.h"
-#include "solve/rrp.h"
-#include "solve/rrr.h"
-#include "solve/term.h"
 
 typedef struct Pose {
     const YkTerm *terms;

@@ -3,7 +3,7 @@
 #ifndef SOLVE_SPACE_H
 #define SOLVE_SPACE_H
 #include "compile/mechanism.h"
-#include "solve/kernels.h"
+#include "solve/kernels/kernels.h"
 
 typedef struct YkSpace {
     size_t stride; // lanes there is room for

@@ -16,8 +16,8 @@ struct YkState {
     double *valid_input;        // inputs of the valid pose
     double *held;               // [3 * input + k]: what stands in place of a drive's value, where is_held says so
     bool *is_held;
-    YkPhase *phases; // [input]
-    bool has_phases; // some input has had one
+    YkPhase *phases;        // [input]
+    bool has_phases;        // some input has had one
     double *reference;      // per coordinate: its angle comes out nearest to this
     double *slot_reference; // [mech->reference_count]: the same of orientations that relations start from
     double *guess;          // per coordinate, from `start:`

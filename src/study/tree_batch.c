@@ -3,7 +3,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "expr/formula.h"
-#include "solve/kernels.h"
+#include "solve/kernels/kernels.h"
 #include "solve/state.h"
 
 enum { LANES = YK_FORMULA_LANES };

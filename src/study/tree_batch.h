@@ -3,7 +3,7 @@
 #define STUDY_TREE_BATCH_H
 #include <yoke/study.h>
 #include "compile/variant.h"
-#include "dynamics/kernels_tree.h"
+#include "equations/kernels_tree.h"
 
 typedef struct YkTreeBatch YkTreeBatch;
 // NULL where the machine is not of this kind (*fits false), or when out of memory.

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <yoke/move.h>
 #include "base/problems.h"
-#include "dynamics/rest.h"
+#include "rest/rest.h"
 
 enum { WAYS_MAX = 16, PLACES_MAX = 48 };
 static const double SAME = 1e-6; // rad, or sizes of the machine

@@ -6,9 +6,9 @@
 #include <yoke/yoke.h>
 #include "../../bench/machine.h"
 #include "base/text.h"
-#include "derive/check.h"
 #include "derive/derive.h"
-#include "out/page_print.h"
+#include "page/print.h"
+#include "prove/check.h"
 
 enum { POSES = 1024, LOOPS = 200, LINKS = 500, DESIGNS = 50 };
 

@@ -116,7 +116,8 @@ static int freedom_from(const YkMechanism *mech, const double *guess, bool *acce
     for (size_t k = 0; k < count; k++) candidates[k] = (int32_t)k;
     memset(accepted, 0, 64 * sizeof *accepted);
     int freedom;
-    assert_true(yk_closure_freedom(mech, guess, &(YkCandidates){candidates, count, 0, accepted, false}, &freedom, NULL));
+    assert_true(
+        yk_closure_freedom(mech, guess, &(YkCandidates){candidates, count, 0, accepted, false}, &freedom, NULL));
     return freedom;
 }
 
@@ -286,7 +287,8 @@ static void only_what_moves_independently_is_accepted(void **state)
     for (size_t k = 0; k < 3; k++) {
         bool accepted[4] = {false};
         int freedom;
-        assert_true(yk_closure_freedom(m.mech, guess, &(YkCandidates){orders[k], 4, 0, accepted, false}, &freedom, NULL));
+        assert_true(
+            yk_closure_freedom(m.mech, guess, &(YkCandidates){orders[k], 4, 0, accepted, false}, &freedom, NULL));
         assert_int_equal(freedom, 1);
         for (size_t c = 0; c < 4; c++) assert_int_equal(accepted[c], c == 0);
     }

@@ -1,5 +1,5 @@
 // Gears, racks, belts, cams and laws as relations: when they are solved, from what, and what is refused.
-#include "../check.h"
+#include "check.h"
 #include <yoke/yoke.h>
 #include "solve/state.h"
 

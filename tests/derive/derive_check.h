@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <yoke/yoke.h>
 #include "derive/blocks.h"
-#include "derive/check.h"
 #include "derive/derive.h"
-#include "out/page_print.h"
+#include "page/print.h"
+#include "prove/check.h"
 
 typedef struct Machine {
     YkProblems *problems;

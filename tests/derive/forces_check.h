@@ -2,9 +2,9 @@
 // poses.
 #ifndef TESTS_DERIVE_FORCES_CHECK_H
 #define TESTS_DERIVE_FORCES_CHECK_H
+#include "derive/forces/free_bodies.h"
+#include "derive/forces/newton_euler.h"
 #include "derive_check.h"
-#include "derive/free_bodies.h"
-#include "derive/newton_euler.h"
 
 // Values at the pose of the state, forces included.
 static inline bool take_forces(Machine *m, YkDynamics *dynamics, YkDynamicsMethod method)

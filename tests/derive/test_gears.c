@@ -1,9 +1,9 @@
 // Gear trains in symbols: the textbook's lines, every line true of the engine and of the relations, read back, random
 // trains.
-#include "derive_check.h"
-#include "derive/gears.h"
+#include "derive/gears/gears.h"
 #include "derive/relations.h"
-#include "ring/field.h"
+#include "derive_check.h"
+#include "ring/proof/field.h"
 
 static const char *text_of(Machine *m, bool numbers)
 {

@@ -1,7 +1,7 @@
 // Lagrange's equations: as the books print them, the same as Newton-Euler's by proof, and true with the engine's
 // numbers.
+#include "derive/forces/lagrange.h"
 #include "forces_check.h"
-#include "derive/lagrange.h"
 
 static size_t equations_seen, poses_seen;
 

@@ -1,6 +1,6 @@
 // Every load of the model file in the equations: as a polynomial, or as a symbol whose meaning is told.
+#include "derive/forces/lagrange.h"
 #include "forces_check.h"
-#include "derive/lagrange.h"
 
 // Efforts by a law of a rate, by an expression that is no polynomial; forces in the body's own axes, with a moment;
 // springs with dampers between points and along an angle; viscous friction.

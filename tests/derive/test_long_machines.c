@@ -1,6 +1,6 @@
 // Machines of many bodies: what goes from body to body is written for all of them, what speaks of all at once says
 // where it ends, and a page that comes in parts is the page.
-#include "derive/frame.h"
+#include "derive/inside.h"
 #include "forces_check.h"
 
 // n rods, each pinned to the one before.

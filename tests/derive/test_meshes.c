@@ -1,11 +1,11 @@
 // What gears, racks, belts, cams and laws transmit, in symbols: true with the numeric engine's forces, proved to do the
 // work that the relation asks for, readable.
+#include "dynamics/meshes.h"
+#include "dynamics/random_geared.h"
+#include "derive/forces/lagrange.h"
+#include "derive/relations.h"
 #include "forces_check.h"
 #include "solve/state.h"
-#include "../dynamics/meshes.h"
-#include "../dynamics/random_geared.h"
-#include "derive/lagrange.h"
-#include "derive/relations.h"
 
 #define LIFT                                                                                                           \
     "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, "                      \

@@ -158,11 +158,13 @@ static void a_weld_to_the_ground_holds_as_a_lock_does(void **state)
     static const char *const welds[] = {"W: {weld: [ground, R]}", "W: {weld: [R, ground]}"};
     for (int k = 0; k < 2; k++) {
         char text[1200];
-        snprintf(text, sizeof text,
-                 "bodies: {S: {}, P: {}, R: {}, " ARM "}\njoints:\n  " COAXIAL(S) COAXIAL(arm) ON_ARM(P) "\n  %s\n"
-                 "gears: {s: {mesh: [S, P], teeth: [16, 24]}, r: {mesh: [P, R], teeth: [24, 64], internal: true}}\n"
-                 "drives: {q_S: 100 rpm * t}\nefforts: {q_S: 100 N*m}\n",
-                 welds[k]);
+        snprintf(
+            text, sizeof text,
+            "bodies: {S: {}, P: {}, R: {}, " ARM "}\njoints:\n  " COAXIAL(S) COAXIAL(arm) ON_ARM(
+                P) "\n  %s\n"
+                   "gears: {s: {mesh: [S, P], teeth: [16, 24]}, r: {mesh: [P, R], teeth: [24, 64], internal: true}}\n"
+                   "drives: {q_S: 100 rpm * t}\nefforts: {q_S: 100 N*m}\n",
+            welds[k]);
         Train t = train_of(text, OPTIONS(.out = "arm"));
         CHECK_NEAR(train_torque(&t, "R").torque, 400, 1e-11);
         CHECK_NEAR(train_torque(&t, "R").power, 0, 0);

@@ -4,7 +4,7 @@
 #ifndef TESTS_DYNAMICS_RANDOM_GEARED_H
 #define TESTS_DYNAMICS_RANDOM_GEARED_H
 #include <stdbool.h>
-#include "../check.h"
+#include "check.h"
 #include "base/vec.h"
 
 enum { GEARED_LINKS = 7, GEARED_TEXT = 12000 };

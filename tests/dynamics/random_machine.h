@@ -4,7 +4,7 @@
 #ifndef TESTS_DYNAMICS_RANDOM_MACHINE_H
 #define TESTS_DYNAMICS_RANDOM_MACHINE_H
 #include <stdbool.h>
-#include "../check.h"
+#include "check.h"
 
 enum { RANDOM_BODIES = 40, RANDOM_POINTS = 200, RANDOM_TEXT = 60000 };
 

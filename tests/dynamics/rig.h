@@ -3,7 +3,7 @@
 #define TESTS_DYNAMICS_RIG_H
 #include <stdlib.h>
 #include <yoke/yoke.h>
-#include "../check.h"
+#include "check.h"
 #include "dynamics/dynamics.h"
 
 typedef struct Rig {

@@ -1,7 +1,7 @@
 // Efforts that hold a machine at rest under dry friction: closed forms, every combination of frictions, and motion.
 #include "dynamics/holding.h"
 #include "rig.h"
-#include "run.h"
+#include "simulate/run.h"
 
 static YkEffortRange range_of(const Rig *rig, const char *name)
 {

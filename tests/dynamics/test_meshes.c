@@ -2,7 +2,7 @@
 // power.
 #include "rig.h"
 #include "meshes.h"
-#include "run.h"
+#include "simulate/run.h"
 
 static const char *const machines[] = {GEARED_FIVE_BAR, RACK, CAM, FOLLOW, PLANETARY_SET, PLANETARY_LINKAGE, BELT,
                                        RACK_BACKWARDS,  FLAT};

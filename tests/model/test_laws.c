@@ -1,7 +1,7 @@
 // `laws:` motion programs and tables.
 #include <stdlib.h>
 #include "model/fixture.h"
-#include "model/laws.h"
+#include "model/laws/laws.h"
 
 #define MACHINE                                                                                                        \
     "bodies: {crank: {}, ram: {}}\n"                                                                                   \
@@ -223,7 +223,8 @@ static void mistakes_of_value_are_told_with_their_place(void **state)
             "later");
     refused("{from: 1, segments: [{polynomial: [{at: 2, s: 0}, {at: 3, s: 0}]}]}", YK_CODE_LAW_ORDER, 33, "earlier");
     refused("{from: 1, table: [[0, 1], [1, 2]]}", YK_CODE_LAW_ORDER, 18, "begins");
-    refused("{table: [[0, 1], [1, 2], [1, 3]]}", YK_CODE_LAW_ORDER, 37, "1 rad (57.2958 deg) follows 1 rad (57.2958 deg)");
+    refused("{table: [[0, 1], [1, 2], [1, 3]]}", YK_CODE_LAW_ORDER, 37,
+            "1 rad (57.2958 deg) follows 1 rad (57.2958 deg)");
     refused("{table: [[0, 1]]}", YK_CODE_LAW_CONDITIONS, 8, "two points");
     refused("{table: []}", YK_CODE_LAW_CONDITIONS, 8, "two points");
     refused("{period: 2, table: [[0, 1], [3, 1]]}", YK_CODE_LAW_PERIOD, 20, "one period");

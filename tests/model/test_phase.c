@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include <yoke/yoke.h>
-#include "../check.h"
+#include "check.h"
 #include "base/mix.h"
 #include "base/vec.h"
 #include "model/model.h"

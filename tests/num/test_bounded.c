@@ -1,6 +1,6 @@
 // Bounded systems against what defines their answer, on random ones, singular ones too.
 #include "num/bounded.h"
-#include "../check.h"
+#include "check.h"
 
 enum { MOST = 6 };
 

@@ -1,7 +1,7 @@
 // Linear programs against all their corners.
 #include "num/linear_program.h"
 #include "num/dense.h"
-#include "../check.h"
+#include "check.h"
 
 enum { ROWS = 9, MOST = 3 };
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_RING_FIELD_CHECK_H
 #define TESTS_RING_FIELD_CHECK_H
 #include <stdlib.h>
-#include "ring/field.h"
+#include "ring/proof/field.h"
 
 // A x = b with all entries of A, row after row.
 static inline int solve_dense(const uint64_t *A, const uint64_t *b, size_t rows, size_t columns, uint64_t *x)

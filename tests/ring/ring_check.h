@@ -4,9 +4,9 @@
 #include "check.h"
 #include <stdbool.h>
 #include <stdlib.h>
-#include "ring/field.h"
+#include "ring/print/write.h"
+#include "ring/proof/field.h"
 #include "ring/ring.h"
-#include "ring/write.h"
 
 typedef const YkPoisson *Element;
 

@@ -1,6 +1,6 @@
 // Values of elements: in doubles and modulo p, both homomorphisms.
 #include "ring/field_check.h"
-#include "ring/form.h"
+#include "ring/proof/form.h"
 #include "ring/ring_check.h"
 
 static YkVec value(Fixture *f, Element a, const double *values)

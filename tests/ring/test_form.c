@@ -1,5 +1,5 @@
 // Structured forms: expanded, evaluated and compared.
-#include "ring/form.h"
+#include "ring/proof/form.h"
 #include "ring/ring_check.h"
 
 // A random form and, where it has one, its element: both built by the same operations.

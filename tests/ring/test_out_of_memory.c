@@ -1,8 +1,8 @@
 // The ring survives the failure of any one allocation: the status says so, nothing leaks, nothing crashes, and what
 // comes out is right.
 #include "interposed.h"
-#include "ring/form.h"
 #include "ring/machines.h"
+#include "ring/proof/form.h"
 
 // Symbols of all kinds, arithmetic, derivatives, substitution, forms, points and reading; writes one equation.
 static bool use(YkRing *r, YkRingFormat format, YkText *out)

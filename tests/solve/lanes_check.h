@@ -5,7 +5,7 @@
 #include <complex.h>
 #include <stdbool.h>
 #include "check.h"
-#include "solve/kernels.h"
+#include "solve/kernels/kernels.h"
 
 #define LANES 257 // not a multiple of any vector's width
 typedef long double complex Complex;

@@ -2,7 +2,7 @@
 #include <float.h>
 #include <stdlib.h>
 #include "check.h"
-#include "solve/kernels.h"
+#include "solve/kernels/kernels.h"
 
 // How many units in the last place `got` is off.
 static double units_off(double got, long double exact)

@@ -1,6 +1,6 @@
 // Equilibria that a machine can get to, against what is known of the circuits of linkages.
 #include <yoke/yoke.h>
-#include "../check.h"
+#include "check.h"
 
 static YkRest *rest_of(const char *text, YkModel **model)
 {

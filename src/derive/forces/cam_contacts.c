@@ -1,0 +1,132 @@
+// Cams: where the follower is touched, and the common normal along which it is pushed. The geometry is that of
+// design/cam_point.c, with the law's value and slope as symbols. Source: Norton 2009, Cam Design and Manufacturing
+// Handbook, ch. 7 (pressure angle).
+#include <math.h>
+#include "derive/forces/meshes.h"
+#include "derive/inside.h"
+
+// What all kinds of followers share.
+typedef struct Cam {
+    const YkCam *cam;
+    int32_t body[2];      // cam, follower
+    int turn, way;        // 1 where the joint's coordinate counts forwards for the cam, for the follower
+    const YkPoisson *v;   // the law's slope
+    const YkPoisson *arm; // from the cam's reference to its centre
+} Cam;
+
+static Cam cam_of(YkMeshMaking *m, const YkCam *cam)
+{
+    const YkJoint *shaft = &m->d->model->joints[cam->cam_joint], *guide = &m->d->model->joints[cam->follower_joint];
+    Cam of = {.cam = cam, .body = {cam->cam, cam->follower}, .v = yk_ring_of(m->ring, m->tie->function + 1)};
+    of.turn = shaft->body[1] == cam->cam ? 1 : -1;
+    of.way = guide->body[1] == cam->follower ? 1 : -1;
+    of.arm = yk_derive_arm(m->f, cam->cam, yk_mesh_at(m, cam->cam_joint, of.turn > 0));
+    return of;
+}
+
+// A force at `reach` from the cam's centre.
+static void push_follower(YkMeshMaking *m, const Cam *of, const YkPoisson *reach, const YkPoisson *force)
+{
+    YkRing *ring = m->ring;
+    const YkPoisson *arm = yk_ring_add(ring, of->arm, reach);
+    const YkPoisson *place = yk_ring_add(ring, m->f->bodies[of->body[0]].position, arm);
+    const YkPoisson *arms[] = {arm, yk_mesh_arm(m, of->body[1], place)};
+    const YkMeshHeld held[] = {yk_mesh_held_by(m, of->cam->cam_joint, of->turn > 0),
+                               yk_mesh_held_by(m, of->cam->follower_joint, of->way > 0)};
+    yk_mesh_force(m, "N", of->body, held, arms, force);
+}
+
+// The unknown force times a direction: e^(i phi) of the normal's angle phi, which the direction defines.
+static const YkPoisson *along(YkMeshMaking *m, const YkPoisson *direction)
+{
+    YkRing *ring = m->ring;
+    m->mesh->lean = yk_derive_angle(m->d, yk_derive_force_name(m->f, "phi", m->between, ""));
+    m->mesh->direction = direction;
+    m->mesh->length = yk_derive_root(m->f, yk_derive_text(m->d, "rho_", m->tie->name, ""), "",
+                                     yk_ring_dot(ring, direction, direction));
+    return m->mesh->lean < 0 ? NULL : yk_ring_multiply(ring, m->unknown, yk_ring_unit(ring, m->mesh->lean));
+}
+
+// How far the line of motion passes the cam's centre, to its right.
+static const YkPoisson *offset_of(YkMeshMaking *m, const Cam *of, const YkPoisson *u)
+{
+    YkRing *ring = m->ring;
+    const YkCam *cam = of->cam;
+    if (cam->offset_expr) return yk_derive_expression(m->d, cam->offset_expr);
+    const YkPoisson *apart = yk_mesh_at(m, cam->follower_joint, of->way < 0);
+    apart = yk_ring_subtract(ring, apart, yk_mesh_at(m, cam->cam_joint, of->turn < 0));
+    const YkPoisson *in_carrier = yk_ring_multiply(ring, yk_ring_conjugate(ring, m->d->bodies[cam->carrier].unit), u);
+    return yk_ring_negate(ring, yk_ring_cross(ring, in_carrier, apart));
+}
+
+// The follower slides along u. Its roller is h from the cam's centre along u, e beside it.
+static void make_sliding(YkMeshMaking *m, const Cam *of)
+{
+    YkRing *ring = m->ring;
+    const YkCam *cam = of->cam;
+    const YkPoisson *u = yk_ring_scale(ring, yk_mesh_line(m, cam->follower_joint), of->way, 1);
+    const YkPoisson *iu = yk_ring_multiply(ring, yk_ring_i(ring), u);
+    const YkPoisson *v = yk_ring_scale(ring, of->v, of->turn, 1);
+    const YkPoisson *lift = yk_derive_distance(m->d, cam->follower_joint);
+    const YkPoisson *base = yk_derive_expression(m->d, cam->base_expr);
+    double size = cam->base + cam->roller;
+    m->mesh->effort = m->unknown;
+    if (cam->face == YK_CAM_FLAT || !(fabs(cam->offset) < size)) { // touched where the cam rises as fast as the lift
+        const YkPoisson *touch = yk_ring_multiply(ring, yk_ring_add(ring, base, lift), u);
+        touch = yk_ring_subtract(ring, touch, yk_ring_multiply(ring, v, iu));
+        push_follower(m, of, touch, yk_ring_multiply(ring, m->unknown, u));
+        return;
+    }
+    const YkPoisson *e = offset_of(m, of, u), *start = base;
+    if (cam->roller_expr) start = yk_ring_add(ring, base, yk_derive_expression(m->d, cam->roller_expr));
+    if (e && !yk_ring_is_zero(e))
+        start = yk_derive_root(m->f, yk_derive_text(m->d, "h_", m->tie->name, ""),
+                               "height of the roller over the cam's centre at lift 0",
+                               yk_ring_subtract(ring, yk_ring_power(ring, start, 2), yk_ring_power(ring, e, 2)));
+    const YkPoisson *h = yk_ring_add(ring, start, lift);
+    const YkPoisson *reach = yk_ring_subtract(ring, yk_ring_multiply(ring, h, u), yk_ring_multiply(ring, e, iu));
+    const YkPoisson *aside = yk_ring_multiply(ring, yk_ring_i(ring), yk_ring_subtract(ring, v, e));
+    const YkPoisson *force = along(m, yk_ring_add(ring, h, aside));
+    push_follower(m, of, reach, yk_ring_multiply(ring, u, force));
+    m->mesh->effort = yk_ring_real(ring, force);
+}
+
+// The follower turns about a pin at c from the cam's centre; its roller is at `swing` from there.
+static void make_turning(YkMeshMaking *m, const Cam *of)
+{
+    YkRing *ring = m->ring;
+    const YkCam *cam = of->cam;
+    if (cam->point == YK_NONE) {
+        const YkPoisson *back = yk_ring_scale(ring, of->v, -of->turn, 1);
+        yk_mesh_couples(m, of->body, cam->carrier, back, yk_ring_rational(ring, of->way, 1));
+        m->mesh->effort = m->unknown;
+        return;
+    }
+    const YkPoisson *unit = m->d->bodies[cam->follower].unit, *carrier = m->d->bodies[cam->carrier].unit;
+    const YkPoisson *pin = yk_mesh_at(m, cam->follower_joint, of->way > 0);
+    const YkPoisson *swing =
+        yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->follower, cam->point), pin));
+    const YkPoisson *c = yk_mesh_at(m, cam->follower_joint, of->way < 0);
+    c = yk_ring_subtract(ring, c, yk_mesh_at(m, cam->cam_joint, of->turn < 0));
+    c = yk_ring_multiply(ring, carrier, c);
+    const YkPoisson *rest =
+        yk_ring_subtract(ring, yk_ring_rational(ring, 1, 1), yk_ring_scale(ring, of->v, of->turn * of->way, 1));
+    const YkPoisson *normal = yk_ring_add(ring, c, yk_ring_multiply(ring, rest, swing));
+    const YkPoisson *force =
+        yk_ring_multiply(ring, carrier, along(m, yk_ring_multiply(ring, yk_ring_conjugate(ring, carrier), normal)));
+    push_follower(m, of, yk_ring_add(ring, c, swing), force);
+    m->mesh->effort = yk_ring_scale(ring, yk_ring_cross(ring, swing, force), of->way, 1);
+}
+
+void yk_mesh_cam(YkMeshMaking *m, const YkRelation *of)
+{
+    Cam cam = cam_of(m, &m->d->model->cams[of->index]);
+    bool is_couple = cam.cam->oscillates && cam.cam->point == YK_NONE;
+    yk_mesh_unknown(m, is_couple ? "T" : "N", cam.body,
+                    is_couple ? "the moment by which the cam turns its follower"
+                              : "the force by which the cam pushes its follower, along their common normal");
+    if (cam.cam->oscillates)
+        make_turning(m, &cam);
+    else
+        make_sliding(m, &cam);
+}

@@ -1,0 +1,275 @@
+// Loads: gravity, springs and dampers, friction, forces, efforts, and what drives must exert.
+#include <string.h>
+#include "derive/forces/free_bodies.h"
+
+const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third)
+{
+    const char *const parts[] = {first, second, third};
+    for (size_t k = 0; k < 3; k++) d->failed |= parts[k] == yk_text_lost;
+    const size_t lengths[] = {strlen(first), strlen(second), strlen(third)};
+    char *text = yk_arena_alloc(d->arena, lengths[0] + lengths[1] + lengths[2] + 1, 1), *end = text;
+    if (!text) {
+        d->failed = true;
+        return "";
+    }
+    for (size_t k = 0; k < 3; end += lengths[k++]) memcpy(end, parts[k], lengths[k]);
+    return text;
+}
+
+// --- Building
+
+static YkDeriveLoad *add_load(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name)
+{
+    YkDeriveLoad *load = &f->loads[f->load_count++];
+    *load = (YkDeriveLoad){.kind = kind, .name = name, .joint = YK_NONE, .symbol = YK_NONE};
+    return load;
+}
+
+static void push(YkDeriveForces *f, YkDeriveLoad *load, int32_t body, const YkPoisson *arm, const YkPoisson *force,
+                 const YkPoisson *moment)
+{
+    const YkPoisson *zero = yk_ring_rational(f->d->ring, 0, 1);
+    load->push[load->push_count++] =
+        (YkDerivePush){body, arm ? arm : zero, force ? force : zero, moment ? moment : zero};
+}
+
+static void add_gravity(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkPoisson *g = yk_derive_gravity(d);
+    for (size_t b = 1; g && b < d->model->body_count; b++) {
+        if (!d->model->bodies[b].has_mass || yk_ring_is_zero(g)) continue;
+        YkDeriveLoad *load = add_load(f, YK_DERIVE_GRAVITY, d->model->bodies[b].name);
+        const YkPoisson *weight = yk_ring_multiply(d->ring, f->bodies[b].mass, g);
+        push(f, load, (int32_t)b, NULL, weight, NULL);
+        if (f->bodies[b].position)
+            load->energy = yk_ring_negate(d->ring, yk_ring_dot(d->ring, weight, f->bodies[b].position));
+    }
+}
+
+// An effort along a joint's freedom: on the second body, and its reaction on the first.
+static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint,
+                               bool is_distance, const YkPoisson *effort)
+{
+    YkDerivation *d = f->d;
+    const YkJoint *j = &d->model->joints[joint];
+    YkDeriveLoad *load = add_load(f, kind, name);
+    load->joint = joint;
+    const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[j->body[0]].unit, yk_derive_along(d, joint));
+    for (int side = 1; side >= 0; side--) {
+        const YkPoisson *signed_effort = side ? effort : yk_ring_negate(d->ring, effort);
+        if (is_distance)
+            push(f, load, j->body[side], yk_derive_joint_arm(f, joint, side),
+                 yk_ring_multiply(d->ring, signed_effort, line), NULL);
+        else
+            push(f, load, j->body[side], NULL, NULL, signed_effort);
+    }
+    return load;
+}
+
+// A joint's freedom and its rate, body form.
+static const YkPoisson *freedom_of(YkDerivation *d, int32_t joint, bool is_distance, bool rate)
+{
+    const YkJoint *j = &d->model->joints[joint];
+    if (is_distance) {
+        const YkDeriveCoordinate *c = &d->coordinates[d->joint_distance[joint]];
+        return yk_ring_of(d->ring, rate ? c->rate : c->position);
+    }
+    if (rate) return yk_ring_subtract(d->ring, d->bodies[j->body[1]].spin, d->bodies[j->body[0]].spin);
+    const YkPoisson *second = yk_derive_axes_angle(d, j->body[1]);
+    return yk_ring_subtract(d->ring, second, yk_derive_axes_angle(d, j->body[0]));
+}
+
+static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint, bool is_distance,
+                             const YkExpr *damping)
+{
+    const YkPoisson *c = yk_derive_expression(f->d, damping), *rate = freedom_of(f->d, joint, is_distance, true);
+    if (!c || yk_ring_is_zero(c)) return;
+    add_along(f, YK_DERIVE_DAMPER, name, joint, is_distance,
+              yk_ring_negate(f->d->ring, yk_ring_multiply(f->d->ring, c, rate)));
+}
+
+static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
+{
+    YkRing *ring = f->d->ring;
+    const YkCoordinate *c = &f->d->model->coordinates[spring->coordinate];
+    const YkPoisson *k = yk_derive_expression(f->d, spring->stiffness_expr);
+    const YkPoisson *stretch = freedom_of(f->d, c->joint, c->is_distance, false);
+    stretch = yk_ring_subtract(ring, stretch, yk_derive_expression(f->d, spring->length_expr));
+    if (k && !yk_ring_is_zero(k)) {
+        const YkPoisson *pull = yk_ring_negate(ring, yk_ring_multiply(ring, k, stretch));
+        YkDeriveLoad *load = add_along(f, YK_DERIVE_SPRING, spring->name, c->joint, c->is_distance, pull);
+        load->energy = yk_ring_scale(ring, yk_ring_product(ring, (const YkPoisson *[]){k, stretch, stretch}, 3), 1, 2);
+    }
+    add_damper_along(f, spring->name, c->joint, c->is_distance, spring->damping_expr);
+}
+
+// Pulls both ends together by `tension` times the vector from the first to the second.
+static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const YkSpring *spring,
+                                 const YkPoisson *tension, const YkPoisson *line)
+{
+    YkDerivation *d = f->d;
+    YkDeriveLoad *load = add_load(f, kind, spring->name);
+    const YkPoisson *pull = yk_ring_multiply(d->ring, tension, line);
+    for (int end = 0; end < 2; end++) {
+        const YkPoisson *arm =
+            yk_derive_arm(f, spring->body[end], yk_derive_at(d, spring->body[end], spring->point[end]));
+        push(f, load, spring->body[end], arm, end ? yk_ring_negate(d->ring, pull) : pull, NULL);
+    }
+    return load;
+}
+
+// The spring's length: a symbol whose square is known. Of its rate a symbol, too: written out it would fill pages.
+static const YkDeriveLength *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square,
+                                       bool is_damped)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    YkDeriveLength *length = &f->lengths[f->length_count];
+    *length = (YkDeriveLength){.symbol = -1, .rate_symbol = YK_NONE, .square = square};
+    for (const char *stem = "L_"; length->symbol < 0; stem = yk_derive_text(d, stem, "_", "")) {
+        const char *name = yk_derive_text(d, stem, spring->name, ""), *rate = yk_derive_text(d, name, "'", "");
+        if (d->failed || yk_ring_status(ring) != YK_RING_OK) return NULL;
+        if (yk_ring_find(ring, name) >= 0 || yk_ring_find(ring, rate) >= 0) continue;
+        length->symbol = yk_ring_root(ring, name, square);
+        if (is_damped) length->rate_symbol = yk_ring_symbol(ring, rate, YK_RING_RATE);
+    }
+    length->rate = yk_ring_time_derivative(ring, yk_ring_of(ring, length->symbol));
+    f->length_count++;
+    return yk_ring_status(ring) == YK_RING_OK ? length : NULL;
+}
+
+static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkPoisson *end[2];
+    for (int e = 0; e < 2; e++)
+        end[e] = yk_derive_position(d, spring->body[e], yk_derive_at(d, spring->body[e], spring->point[e]));
+    const YkPoisson *line = yk_ring_subtract(ring, end[1], end[0]), *square = yk_ring_dot(ring, line, line);
+    const YkPoisson *k = yk_derive_expression(d, spring->stiffness_expr),
+                    *c = yk_derive_expression(d, spring->damping_expr);
+    const YkPoisson *free_length = yk_derive_expression(d, spring->length_expr);
+    if (!k || !c || !free_length) return;
+    if (yk_ring_is_zero(free_length) && yk_ring_is_zero(c)) { // needs no direction
+        YkDeriveLoad *load = add_between(f, YK_DERIVE_SPRING, spring, k, line);
+        load->energy = yk_ring_scale(ring, yk_ring_multiply(ring, k, square), 1, 2);
+        return;
+    }
+    const YkDeriveLength *of = length_of(f, spring, square, !yk_ring_is_zero(c));
+    if (!of) return;
+    const YkPoisson *length = yk_ring_of(ring, of->symbol);
+    if (!yk_ring_is_zero(k)) {
+        const YkPoisson *stretch = yk_ring_subtract(ring, length, free_length);
+        const YkPoisson *tension = yk_ring_divide(ring, yk_ring_multiply(ring, k, stretch), length);
+        YkDeriveLoad *load = add_between(f, YK_DERIVE_SPRING, spring, tension, line);
+        load->energy = yk_ring_scale(ring, yk_ring_product(ring, (const YkPoisson *[]){k, stretch, stretch}, 3), 1, 2);
+    }
+    if (yk_ring_is_zero(c)) return;
+    const YkPoisson *rate = yk_ring_of(ring, of->rate_symbol);
+    add_between(f, YK_DERIVE_DAMPER, spring, yk_ring_divide(ring, yk_ring_multiply(ring, c, rate), length), line);
+}
+
+// Dry friction and stops at one freedom: what the pose makes them.
+static void add_dry(YkDeriveForces *f, const char *letter, int32_t joint, bool is_distance)
+{
+    YkDerivation *d = f->d;
+    int32_t symbol = yk_derive_symbol(d, yk_derive_text(d, letter, d->model->joints[joint].name, ""), YK_RING_FORCE);
+    if (symbol < 0) return;
+    add_along(f, YK_DERIVE_DRY, d->model->joints[joint].name, joint, is_distance, yk_ring_of(d->ring, symbol))->symbol =
+        symbol;
+}
+
+static void add_friction(YkDeriveForces *f)
+{
+    const YkModel *model = f->d->model;
+    for (size_t j = 0; j < model->joint_count; j++) {
+        const YkJoint *joint = &model->joints[j];
+        if (!joint->has_friction) continue;
+        bool slides = yk_part(joint->kind)->slides;
+        add_damper_along(f, joint->name, (int32_t)j, slides, joint->friction.viscous_expr);
+        if (joint->friction.coulomb_expr) add_dry(f, "R_", (int32_t)j, slides);
+    }
+    for (size_t k = 0; k < model->stop_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->stops[k].coordinate];
+        add_dry(f, "S_", c->joint, c->is_distance);
+    }
+}
+
+static void add_forces(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    for (size_t k = 0; k < d->model->force_count; k++) {
+        const YkForce *force = &d->model->forces[k];
+        YkDeriveLoad *load = add_load(f, YK_DERIVE_FORCE, force->name);
+        const YkPoisson *x = yk_derive_load_value(f, force->x, NULL, force->name, "x");
+        const YkPoisson *y = yk_derive_load_value(f, force->y, NULL, force->name, "y");
+        const YkPoisson *moment = yk_derive_load_value(f, force->moment, NULL, force->name, "m");
+        const YkPoisson *vector = yk_ring_add(d->ring, x, yk_ring_multiply(d->ring, yk_ring_i(d->ring), y));
+        if (force->in_body_axes) vector = yk_ring_multiply(d->ring, d->bodies[force->body].unit, vector);
+        push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->body, force->point)), vector,
+             moment);
+    }
+}
+
+static void add_efforts(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkModel *model = d->model;
+    for (size_t k = 0; k < model->effort_count; k++) {
+        const YkEffort *effort = &model->efforts[k];
+        const YkCoordinate *c = &model->coordinates[effort->coordinate];
+        bool is_law = effort->law.of != NULL;
+        const YkPoisson *value = yk_derive_load_value(f, is_law ? effort->law.of : effort->expr,
+                                                      is_law ? model->laws[effort->law.law].law : NULL,
+                                                      c->is_distance ? "F_" : "tau_", c->name);
+        if (value) add_along(f, YK_DERIVE_EFFORT, c->name, c->joint, c->is_distance, value);
+    }
+}
+
+// Inputs that are given, and of a machine without masses all, need an effort.
+static void add_drives(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    bool has_mass = false;
+    for (size_t b = 1; b < d->model->body_count; b++) has_mass = has_mass || d->model->bodies[b].has_mass;
+    for (size_t k = 0; k < d->tree_count; k++) {
+        const YkDeriveCoordinate *c = &d->coordinates[k];
+        if (!c->is_input || (has_mass && c->drive == YK_NONE)) continue;
+        int32_t symbol =
+            yk_derive_symbol(d, yk_derive_text(d, c->is_distance ? "F_" : "tau_", c->name, ""), YK_RING_FORCE);
+        if (symbol < 0) return;
+        add_along(f, YK_DERIVE_DRIVE, c->name, c->joint, c->is_distance, yk_ring_of(d->ring, symbol))->symbol = symbol;
+        f->effort_coordinate[f->effort_count] = (int32_t)k;
+        f->efforts[f->effort_count++] = symbol;
+    }
+}
+
+bool yk_derive_enter_loads(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkModel *model = d->model;
+    size_t most =
+        model->body_count + model->effort_count + model->force_count + 2 * model->spring_count + model->stop_count + 1;
+    for (size_t j = 0; j < model->joint_count; j++) most += model->joints[j].has_friction ? 2 : 0;
+    for (size_t k = 0; k < d->tree_count; k++) most += d->coordinates[k].is_input;
+    f->loads = YK_NEW(d->arena, YkDeriveLoad, most);
+    f->opaques = YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + 1);
+    f->lengths = YK_NEW(d->arena, YkDeriveLength, model->spring_count + 2 * d->mech->relation_count + 1);
+    f->ratios = YK_NEW(d->arena, YkDeriveRatio, d->mech->relation_count + 1);
+    f->efforts = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    f->effort_coordinate = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
+    if (yk_arena_failed(d->arena)) return false;
+    add_gravity(f);
+    for (size_t k = 0; k < model->spring_count; k++) {
+        if (model->springs[k].coordinate != YK_NONE)
+            add_spring_along(f, &model->springs[k]);
+        else
+            add_spring_between(f, &model->springs[k]);
+    }
+    add_friction(f);
+    add_forces(f);
+    add_efforts(f);
+    add_drives(f);
+    return yk_derive_sort_pushes(f) && yk_derivation_is_well(d);
+}

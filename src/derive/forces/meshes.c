@@ -1,0 +1,216 @@
+// What gears, racks, belts, cams and laws transmit: one unknown each, of which the forces on all bodies are multiples.
+// By virtual work the force belongs to the relation that it enforces, so its multiplier is minus the unknown times the
+// lever by which that acts.
+// - gears: N along the line of action, through the pitch point, which divides the line of centres as the teeth do.
+//   Flanks push their wheels apart: the pressure angle alpha has the sign of N, N > 0 pushing the second wheel to the
+//   left of the line of centres. Wheels on one axis: couples, T for each tooth.
+// - racks: F along the rack at the pitch line
+// - belts: couples T r, T the pull of one span less that of the other
+// - cams: N along the common normal, at phi from the line of motion of a follower that slides (the pressure angle,
+//   tan phi = (v - e) / h), from the carrier's x axis otherwise; a flat face that slides is pushed along its line of
+//   motion. Where a follower that turns names no point, couples.
+// - laws: an effort along the coordinate that follows, and minus the law's slope times it along the other
+// The same model as that of free_bodies/meshes.c, derived afresh.
+#include "derive/forces/meshes.h"
+#include "derive/inside.h"
+
+// --- Names and symbols
+
+void yk_mesh_unknown(YkMeshMaking *m, const char *letter, const int32_t body[2], const char *word)
+{
+    YkDeriveForces *f = m->f;
+    m->between = yk_derive_between(f, body, f->d->model->joint_count + m->index, m->tie->name);
+    m->mesh->symbol = yk_derive_symbol(m->d, yk_derive_force_name(f, letter, m->between, ""), YK_RING_FORCE);
+    m->mesh->word = word;
+    if (m->mesh->symbol < 0) return;
+    f->reaction_joint[f->reaction_count] = f->reaction_body[f->reaction_count] = YK_NONE;
+    f->reaction_part[f->reaction_count] = 'r';
+    f->reactions[f->reaction_count++] = m->mesh->symbol;
+    m->unknown = yk_ring_of(m->ring, m->mesh->symbol);
+}
+
+static const char *body_name(const YkMeshMaking *m, int32_t body)
+{
+    return m->d->model->bodies[body].name;
+}
+
+// --- Pushes
+
+static void add_contact(YkMeshMaking *m, YkDeriveContact contact)
+{
+    contact.joint = contact.junction = YK_NONE;
+    contact.point = m->point;
+    m->f->contacts[m->f->contact_count++] = contact;
+}
+
+YkMeshHeld yk_mesh_held_by(YkMeshMaking *m, int32_t joint, int side)
+{
+    YkMeshHeld held = {YK_NEW(m->d->arena, YkDeriveHolder, 1), 1};
+    if (held.holders) held.holders[0] = (YkDeriveHolder){joint, side};
+    m->d->failed |= !held.holders;
+    return held;
+}
+
+// A force on body[1], its opposite on body[0]; arms from their references to where it acts.
+void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], const YkMeshHeld held[2],
+                   const YkPoisson *const arm[2], const YkPoisson *force)
+{
+    const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1);
+    for (int k = 0; k < 2; k++) {
+        YkDerivePush push = {body[k], arm[k], k ? force : yk_ring_negate(m->ring, force), zero};
+        add_contact(m, (YkDeriveContact){.by = body_name(m, body[!k]),
+                                         .letter = letter,
+                                         .between = m->between,
+                                         .is_negative = k == 0,
+                                         .holders = held[k].holders,
+                                         .holder_count = held[k].holders ? held[k].count : 0,
+                                         .push = push});
+        if (k) m->mesh->push = push;
+    }
+}
+
+// A couple under a name of its own: of the wheels of a belt neither is the other's opposite.
+void yk_mesh_couple(YkMeshMaking *m, int32_t body, const YkPoisson *moment)
+{
+    const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1);
+    YkText number = {0};
+    yk_text_format(&number, "%d", (int)body);
+    const char *between = yk_derive_text(m->d, m->tie->name, "_", yk_text_get(&number));
+    m->d->failed |= number.failed;
+    yk_text_free(&number);
+    if (!moment || yk_ring_is_zero(moment)) return;
+    add_contact(m, (YkDeriveContact){.by = m->tie->name,
+                                     .between = between,
+                                     .moment = "M",
+                                     .push = {body, zero, zero, yk_ring_multiply(m->ring, moment, m->unknown)}});
+}
+
+// Couples on two bodies, what is left over on a third; the unknown's value is that of the second.
+void yk_mesh_couples(YkMeshMaking *m, const int32_t body[2], int32_t third, const YkPoisson *a, const YkPoisson *b)
+{
+    const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1), *c = yk_ring_negate(m->ring, yk_ring_add(m->ring, a, b));
+    yk_mesh_couple(m, body[0], a);
+    yk_mesh_couple(m, body[1], b);
+    yk_mesh_couple(m, third, c);
+    m->mesh->push = (YkDerivePush){body[1], zero, zero, yk_ring_multiply(m->ring, b, m->unknown)};
+}
+
+const YkPoisson *yk_mesh_center(YkMeshMaking *m, int32_t body)
+{
+    return yk_derive_arm(m->f, body, yk_ring_rational(m->ring, 0, 1));
+}
+
+// From a body's reference to a place of the world.
+const YkPoisson *yk_mesh_arm(YkMeshMaking *m, int32_t body, const YkPoisson *place)
+{
+    return yk_ring_subtract(m->ring, place, m->f->bodies[body].position);
+}
+
+// Where a joint holds its first or second body, in that body's axes.
+const YkPoisson *yk_mesh_at(YkMeshMaking *m, int32_t joint, int side)
+{
+    YkDerivePlace place = yk_derive_place(m->d, joint, side);
+    return yk_derive_at(m->d, place.body, place.point);
+}
+
+// The unit vector along a slide's line, in the world: forwards for its second body.
+const YkPoisson *yk_mesh_line(YkMeshMaking *m, int32_t joint)
+{
+    return yk_ring_multiply(m->ring, m->d->bodies[m->d->model->joints[joint].body[0]].unit,
+                            yk_derive_along(m->d, joint));
+}
+
+// --- Racks and belts
+
+static void make_rack(YkMeshMaking *m, const YkRelation *of)
+{
+    const YkRack *rack = &m->d->model->racks[of->index];
+    YkRing *ring = m->ring;
+    const int32_t body[] = {rack->pinion, rack->rack};
+    int sign = m->d->model->joints[rack->slide].body[1] == rack->rack ? 1 : -1;
+    m->point = yk_derive_pitch_name(m->d, m->d->model->gear_count + (size_t)of->index);
+    yk_mesh_unknown(
+        m, "F", body,
+        yk_derive_text(m->d, "the force between pinion and rack at their pitch point ", m->point, ", along the rack"));
+    const YkPoisson *u = yk_ring_scale(ring, yk_mesh_line(m, rack->slide), sign, 1);
+    const YkPoisson *across = yk_ring_product(
+        ring, (const YkPoisson *[]){yk_ring_i(ring), u, yk_derive_expression(m->d, rack->radius_expr)}, 3);
+    const YkPoisson *down = yk_ring_scale(ring, across, -rack->sense, 1);
+    const YkPoisson *pitch = yk_ring_add(ring, yk_derive_origin(m->d, rack->pinion), down);
+    const YkPoisson *arm[] = {yk_ring_add(ring, yk_mesh_center(m, rack->pinion), down),
+                              yk_mesh_arm(m, rack->rack, pitch)};
+    const YkMeshHeld held[] = {yk_mesh_axis(m, rack->pinion, rack->carrier).held,
+                               yk_mesh_held_by(m, rack->slide, sign > 0)};
+    yk_mesh_force(m, "F", body, held, arm, yk_ring_multiply(ring, m->unknown, u));
+    m->mesh->effort = m->unknown;
+}
+
+static void make_belt(YkMeshMaking *m, const YkRelation *of)
+{
+    const YkBelt *belt = &m->d->model->belts[of->index];
+    const YkPoisson *second = yk_derive_expression(m->d, belt->radius_expr[1]);
+    yk_mesh_unknown(m, "T", belt->body, "the pull of one span of the belt less that of the other");
+    yk_mesh_couples(m, belt->body, belt->carrier, yk_derive_expression(m->d, belt->radius_expr[0]),
+                    yk_ring_scale(m->ring, second, belt->is_crossed ? 1 : -1, 1));
+    m->mesh->effort = m->unknown;
+}
+
+// --- Laws
+
+// Along a coordinate, a multiple of the unknown: on its joint's second body, back on the first.
+static void push_along(YkMeshMaking *m, const YkCoordinate *coordinate, const YkPoisson *multiple)
+{
+    YkRing *ring = m->ring;
+    int32_t joint = coordinate->joint;
+    const int32_t *body = m->d->model->joints[joint].body;
+    if (coordinate->is_distance) {
+        const YkPoisson *arm[2];
+        for (int side = 0; side < 2; side++) arm[side] = yk_derive_joint_arm(m->f, joint, side);
+        const YkPoisson *factors[] = {m->unknown, multiple, yk_mesh_line(m, joint)};
+        yk_mesh_force(m, "Q", body, (YkMeshHeld[]){{NULL, 0}, yk_mesh_held_by(m, joint, 1)}, arm,
+                      yk_ring_product(ring, factors, 3));
+        return;
+    }
+    const YkPoisson *zero = yk_ring_rational(ring, 0, 1), *moment = yk_ring_multiply(ring, multiple, m->unknown);
+    for (int k = 0; k < 2; k++) {
+        YkDerivePush push = {body[k], zero, zero, k ? moment : yk_ring_negate(ring, moment)};
+        add_contact(m, (YkDeriveContact){.by = body_name(m, body[!k]),
+                                         .between = m->between,
+                                         .moment = "M",
+                                         .is_negative = k == 0,
+                                         .push = push});
+        m->mesh->push = push;
+    }
+}
+
+static void make_follow(YkMeshMaking *m, const YkRelation *of)
+{
+    const YkModel *model = m->d->model;
+    const YkFollow *follow = &model->follows[of->index];
+    const YkCoordinate *own = &model->coordinates[follow->coordinate], *other = &model->coordinates[follow->of];
+    YkRing *ring = m->ring;
+    yk_mesh_unknown(m, own->is_distance ? "F" : "T", model->joints[own->joint].body,
+                    "what the law's drive exerts along the coordinate that follows");
+    m->mesh->effort = m->unknown;
+    m->between = other->name;
+    push_along(m, other, yk_ring_negate(ring, yk_ring_of(ring, m->tie->function + 1)));
+    m->between = own->name;
+    push_along(m, own, yk_ring_rational(ring, 1, 1)); // last: the unknown's value is taken from it
+}
+
+bool yk_derive_enter_meshes(YkDeriveForces *f)
+{
+    typedef void (*Maker)(YkMeshMaking *, const YkRelation *);
+    static const Maker makers[] = {yk_mesh_gear, make_rack, make_belt, yk_mesh_cam, make_follow}; // as YkRelationKind
+    YkDerivation *d = f->d;
+    const YkDeriveRelation *ties = yk_derive_ties(d);
+    f->meshes = YK_NEW(d->arena, YkDeriveMesh, d->tie_count + 1);
+    if (!f->meshes) return false;
+    for (size_t k = 0; k < d->tie_count && yk_derivation_is_well(d); k++) {
+        YkMeshMaking m = {
+            .f = f, .d = d, .ring = d->ring, .index = k, .tie = &ties[k], .mesh = &f->meshes[k], .point = ties[k].name};
+        *m.mesh = (YkDeriveMesh){.symbol = YK_NONE, .lean = YK_NONE};
+        makers[ties[k].kind](&m, &d->mech->relations[k]);
+    }
+    return yk_derivation_is_well(d);
+}

@@ -1,0 +1,63 @@
+// What the files share that write what gears, racks, belts, cams and laws transmit.
+#ifndef DERIVE_FORCES_MESHES_H
+#define DERIVE_FORCES_MESHES_H
+#include "derive/forces/free_bodies.h"
+#include "derive/relations.h"
+
+// One relation in work.
+typedef struct YkMeshMaking {
+    YkDeriveForces *f;
+    YkDerivation *d;
+    YkRing *ring;
+    size_t index;
+    const YkDeriveRelation *tie;
+    YkDeriveMesh *mesh;
+    const char *between, *point; // point: the name of where it acts
+    const YkPoisson *unknown;
+} YkMeshMaking;
+
+// The joints that keep a body where a relation takes it to be.
+typedef struct YkMeshHeld {
+    YkDeriveHolder *holders;
+    size_t count;
+} YkMeshHeld;
+YkMeshHeld yk_mesh_held_by(YkMeshMaking *m, int32_t joint, int side);
+
+// A wheel's axis, from body to body over the pins and welds that lie on it.
+typedef struct YkMeshAxis {
+    YkMeshMaking *m;
+    int32_t carrier;
+    bool *seen;
+    YkMeshHeld held;     // from the wheel to the carrier
+    const YkPoisson *at; // on the carrier
+} YkMeshAxis;
+// `at` is NULL where the axis cannot be followed in symbols.
+YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier);
+
+// The unknown that the relation transmits, named by a letter and "12" of the two bodies; word: what it is.
+void yk_mesh_unknown(YkMeshMaking *m, const char *letter, const int32_t body[2], const char *word);
+
+// --- Pushes
+// A force on body[1], its opposite on body[0]; arms from their references to where it acts.
+void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], const YkMeshHeld held[2],
+                   const YkPoisson *const arm[2], const YkPoisson *force);
+// A couple, as a multiple of the unknown, under a name of its own: of the wheels of a belt neither is the other's
+// opposite.
+void yk_mesh_couple(YkMeshMaking *m, int32_t body, const YkPoisson *multiple);
+// Couples on two bodies, what is left over on a third; the unknown's value is that of the second.
+void yk_mesh_couples(YkMeshMaking *m, const int32_t body[2], int32_t third, const YkPoisson *a, const YkPoisson *b);
+
+// --- Places
+// From a body's reference to its origin, and to a place of the world.
+const YkPoisson *yk_mesh_center(YkMeshMaking *m, int32_t body);
+const YkPoisson *yk_mesh_arm(YkMeshMaking *m, int32_t body, const YkPoisson *place);
+// Where a joint holds its first or second body, in that body's axes.
+const YkPoisson *yk_mesh_at(YkMeshMaking *m, int32_t joint, int side);
+// The unit vector along a slide's line, in the world: forwards for its second body.
+const YkPoisson *yk_mesh_line(YkMeshMaking *m, int32_t joint);
+
+// --- Kinds that fill files
+void yk_mesh_gear(YkMeshMaking *m, const YkRelation *of);
+void yk_mesh_cam(YkMeshMaking *m, const YkRelation *of);
+
+#endif

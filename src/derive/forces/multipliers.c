@@ -1,0 +1,101 @@
+// Multipliers: one for each scalar equation of the loops and for each relation, and the force that it is.
+//
+// The convention is M q'' + ... + J^T lambda = Q. A loop is the first body's point minus the second's, so lambda is the
+// force that the first body exerts on the second (of a row of angles: the moment that the second exerts on the first).
+#include "derive/forces/free_bodies.h"
+#include "derive/relations.h"
+
+static const char *multiplier_name(YkDerivation *d, size_t number)
+{
+    YkText text = {0};
+    yk_text_format(&text, "lambda%z", number);
+    const char *name = yk_derive_text(d, yk_text_get(&text), "", "");
+    yk_text_free(&text);
+    return name;
+}
+
+static void add_row(YkDeriveForces *f, int32_t joint, const YkPoisson *row, const YkPoisson *is)
+{
+    size_t k = f->row_count++;
+    f->rows[k] = row;
+    f->identities[k] = is;
+    f->row_joint[k] = joint;
+    f->multipliers[k] = yk_derive_symbol(f->d, multiplier_name(f->d, k + 1), YK_RING_FORCE);
+}
+
+// What else acts across a joint that closes a loop. A spring along the joint's own distance pulls, too: its energy is
+// part of the equations, its force of the multiplier. And relations take for granted that the joint holds its bodies
+// together: what they exert on one of them counts as if it came over the joint.
+typedef struct Across {
+    const YkPoisson *force, *moment; // on the second body
+} Across;
+
+static void add_held(const YkDeriveForces *f, const YkDeriveContact *c, const YkDeriveHolder *holder, Across *sum)
+{
+    YkRing *ring = f->d->ring;
+    sum->force = (holder->side ? yk_ring_add : yk_ring_subtract)(ring, sum->force, c->push.force);
+    if (f->d->model->joints[holder->joint].kind != YK_SLIDE) return; // the relation counts with the body's own angle
+    const YkPoisson *arm = yk_derive_joint_arm((YkDeriveForces *)f, holder->joint, holder->side);
+    const YkPoisson *moment =
+        yk_ring_subtract(ring, yk_derive_moment_of(f, &c->push), yk_ring_cross(ring, arm, c->push.force));
+    sum->moment = (holder->side ? yk_ring_add : yk_ring_subtract)(ring, sum->moment, moment);
+}
+
+static Across across(const YkDeriveForces *f, int32_t joint)
+{
+    YkRing *ring = f->d->ring;
+    Across sum = {f->joint_force[joint], f->joint_moment[joint]};
+    size_t count;
+    const int32_t *pushes = yk_derive_pushes_on(f, f->d->model->joints[joint].body[1], &count);
+    for (size_t k = 0; k < count; k++) {
+        const YkDeriveLoad *load = &f->loads[pushes[k] / 2];
+        if (pushes[k] % 2 == 0 && load->joint == joint && load->energy)
+            sum.force = yk_ring_add(ring, sum.force, load->push[0].force);
+    }
+    for (size_t k = f->joint_contact_count; k < f->contact_count; k++)
+        for (size_t h = 0; h < f->contacts[k].holder_count; h++)
+            if (f->contacts[k].holders[h].joint == joint)
+                add_held(f, &f->contacts[k], &f->contacts[k].holders[h], &sum);
+    return sum;
+}
+
+static void enter_loop(YkDeriveForces *f, const YkDeriveLoop *loop)
+{
+    YkDerivation *d = f->d;
+    YkRing *ring = d->ring;
+    const YkJoint *j = &d->model->joints[loop->joint];
+    const Across all = across(f, loop->joint);
+    const YkPoisson *axes = yk_ring_conjugate(ring, d->bodies[loop->axes].unit);
+    const YkPoisson *sum = yk_ring_multiply(ring, axes, loop->path.sum);
+    const YkPoisson *force = yk_ring_multiply(ring, axes, all.force);
+    add_row(f, loop->joint, yk_ring_real(ring, sum), yk_ring_real(ring, force));
+    add_row(f, loop->joint, yk_ring_imaginary(ring, sum), yk_ring_imaginary(ring, force));
+    if (!loop->angle) return;
+    const YkPoisson *angle = yk_derive_axes_angle(d, j->body[1]);
+    angle = yk_ring_subtract(ring, angle, yk_derive_axes_angle(d, j->body[0]));
+    angle = yk_ring_subtract(ring, angle, yk_derive_expression(d, j->turned_expr));
+    add_row(f, loop->joint, angle, yk_ring_negate(ring, all.moment));
+}
+
+bool yk_derive_enter_multipliers(YkDeriveForces *f)
+{
+    YkDerivation *d = f->d;
+    const YkDeriveLoop *loops = yk_derive_loops(d);
+    if (!loops) return false;
+    size_t most = 3 * d->loop_count + d->tie_count + 1;
+    f->rows = YK_NEW(d->arena, const YkPoisson *, most);
+    f->identities = YK_NEW(d->arena, const YkPoisson *, most);
+    f->multipliers = YK_NEW(d->arena, int32_t, most);
+    f->row_joint = YK_NEW(d->arena, int32_t, most);
+    if (yk_arena_failed(d->arena)) return false;
+    for (size_t k = 0; k < d->loop_count; k++) enter_loop(f, &loops[k]);
+    for (size_t k = 0; k < d->tie_count; k++) add_row(f, YK_NONE, NULL, yk_ring_negate(d->ring, f->meshes[k].effort));
+    return yk_derivation_is_well(d);
+}
+
+const char *yk_derive_row_name(const YkDeriveForces *f, size_t row)
+{
+    const YkDerivation *d = f->d;
+    int32_t joint = f->row_joint[row];
+    return joint != YK_NONE ? d->model->joints[joint].name : d->ties[row - (f->row_count - d->tie_count)].name;
+}

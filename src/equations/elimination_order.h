@@ -1,0 +1,62 @@
+// The inside of yk_elimination_new: what is known while the order of elimination is being found.
+#ifndef EQUATIONS_ELIMINATION_ORDER_H
+#define EQUATIONS_ELIMINATION_ORDER_H
+#include "base/memory.h"
+#include "equations/elimination.h"
+#include "equations/gradient.h"
+
+typedef struct YkOrder {
+    YkElimination *e;
+    const YkMechanism *mech;
+    const bool *is_free, *is_loaded;
+    YkColumns columns;
+    // operations as the steps give them, before they are put in order
+    YkOperation *raw;
+    int32_t *raw_columns; // unknowns of each, U then W
+    size_t raw_count, raw_column_count, raw_column_capacity;
+    uint32_t *raw_first;
+    int32_t *defined_by; // per unknown: raw operation, YK_NONE
+    bool *is_needed;     // per raw operation
+    int32_t *place;      // per raw operation: its place in forward order, YK_NONE
+    int32_t *element_columns;
+    size_t element_column_count, element_column_capacity;
+    uint32_t *element_first;
+    int32_t *element_place;
+    // the fill: per unknown its entries with others that are eliminated after it
+    int32_t *head;
+    struct YkOrderLink {
+        int32_t next, unknown, entry;
+    } * links;
+    size_t link_count, link_capacity;
+    bool failed;
+} YkOrder;
+
+// Keeps a number at the end of a list that grows.
+static inline bool yk_order_keep(int32_t **items, size_t *count, size_t *capacity, int32_t value)
+{
+    if (!yk_grow((void **)items, *count, capacity, sizeof **items)) return false;
+    (*items)[(*count)++] = value;
+    return true;
+}
+
+static inline void yk_order_start_columns(YkOrder *o)
+{
+    o->columns.count = 0;
+}
+
+// The place of the operation that defines an unknown, in forward order.
+static inline int32_t yk_order_place(const YkOrder *o, int32_t unknown)
+{
+    return o->place[o->defined_by[unknown]];
+}
+
+// Each of these marks the order as failed where memory runs out.
+void yk_order_add_steps(YkOrder *order);     // operations, as the steps give them
+void yk_order_add_elements(YkOrder *order);  // bodies with mass or load
+void yk_order_mark_needed(YkOrder *order);   // what bodies and inputs depend on
+void yk_order_put(YkOrder *order);           // operations in forward order, free inputs as late as possible
+bool yk_order_sort_elements(YkOrder *order); // by the operation that defines their latest unknown
+void yk_order_find_fill(YkOrder *order);     // the addresses of the form's entries
+void yk_order_mark_back(YkOrder *order);     // what a free input's acceleration depends on
+
+#endif

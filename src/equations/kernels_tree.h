@@ -1,0 +1,58 @@
+// Open trees of pins over lanes: one lane a state, with a machine of its own. The recursion of tree_pins.c for a few
+// lanes at a time, all links: what one link hands to the next never leaves the first cache. Featherstone 1983.
+#ifndef EQUATIONS_KERNELS_TREE_H
+#define EQUATIONS_KERNELS_TREE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// What is given of a link, each a row of lanes: its pin on the parent from the parent's own pin, the centre of mass
+// from its own pin, mass, inertia about the centre of mass.
+enum {
+    YK_GIVEN_AT_X,
+    YK_GIVEN_AT_Y,
+    YK_GIVEN_CENTER_X,
+    YK_GIVEN_CENTER_Y,
+    YK_GIVEN_MASS,
+    YK_GIVEN_INERTIA,
+    YK_GIVEN_COUNT
+};
+
+// What is found of a link, a few lanes at a time.
+enum { YK_TREE_LANES = 32 };
+typedef double YkFew[YK_TREE_LANES];
+typedef struct YkTreeFound {
+    YkFew c, s, w;                                               // absolute
+    YkFew J, h_x, h_y, xx, xy, yy, f_x, f_y, n, mass_out, least; // of its children, about its pin: see tree_pins.c
+    YkFew by, turn, on_x, on_y, bias_x, bias_y, across_x, across_y;
+    YkFew pin_x, pin_y, alpha; // accelerations: of its pin, of its turning
+} YkTreeFound;
+
+typedef struct YkTreeRows { // of a link; links stand after their parents
+    const double *given[YK_GIVEN_COUNT];
+    const double *q, *v, *torque; // of its coordinate
+    double *a;                    // found: the coordinate's acceleration
+    int32_t parent;               // link, or -1: the ground
+    bool has_children, is_first;  // is_first: of its parent's children, the last in order, which is looked at first
+    bool has_mass;                // the file gives one
+    double sense;                 // of the coordinate: +1 or -1
+} YkTreeRows;
+
+typedef struct YkTreeLanes {
+    const YkTreeRows *link;
+    YkTreeFound *found; // [link]
+    size_t link_count;
+    const double *gravity[2];
+    const double *const *checked; // rows that must hold numbers of a measure
+    size_t checked_count;
+} YkTreeLanes;
+
+// The accelerations of n states. ok[lane] comes with 1, or -1 where something is wrong already; it goes with 1, with 0
+// where no inertia resists, with -1 where a row that is checked holds no number or one beyond all measure, where a mass
+// is not positive or an inertia negative. Accelerations are 0 where not ok. *well: whether all are.
+void yk_lanes_tree(bool *well, const YkTreeLanes *tree, double *ok, size_t n);
+
+// row = sign * value, or more by that.
+void yk_lanes_tree_part(double *row, const double *value, double sign, bool adds, size_t n);
+
+#endif

@@ -1,0 +1,17 @@
+// Open trees of pins, slides and welds: forward dynamics by one pass in and one pass out, cost linear, for chains of
+// any length. The articulated-body method (Featherstone 1983), planar: with absolute angles as unknowns a pin transmits
+// a force alone, so what a subtree shows its parent through a pin is a 2 x 2 inertia.
+#ifndef EQUATIONS_TREE_H
+#define EQUATIONS_TREE_H
+#include "loads/loads.h"
+
+typedef struct YkTreeDynamics YkTreeDynamics;
+// NULL when the machine has loops, or is not of this kind (its only loads are gravity and efforts; no drives), or when
+// out of memory: *fits tells which.
+YkTreeDynamics *yk_tree_dynamics_new(const YkMechanism *mech, bool *fits);
+void yk_tree_dynamics_free(YkTreeDynamics *tree);
+// q[input], v[input]: positions and rates; effort[input]: along each coordinate (NULL: none). Writes a[input]. Returns
+// -1, or the input of a freedom without inertia. Allocates nothing.
+int yk_tree_accelerate(YkTreeDynamics *tree, const double *q, const double *v, const double *effort, double *a);
+
+#endif

@@ -1,0 +1,86 @@
+// Articulated inertia of the plane: what a subtree shows at a point, once its joints have been let go.
+//
+// For an acceleration a of the point and an angular acceleration alpha of the link it asks there for
+//     force = M a + h alpha + f,    moment = J alpha + h . a + n.
+// Featherstone 1983, "The calculation of robot dynamics using articulated-body inertias"; after a pin, J and h are 0.
+#ifndef EQUATIONS_TREE_ARTICULATED_H
+#define EQUATIONS_TREE_ARTICULATED_H
+#include <stdbool.h>
+#include "base/vec.h"
+
+typedef struct YkArticulated {
+    double J;
+    YkVec h;
+    double xx, xy, yy; // M
+    YkVec f;
+    double n;
+} YkArticulated;
+
+// A joint's acceleration once those of its point are known: by - on . (alpha, a).
+typedef struct YkAnswer {
+    double by, turn;
+    YkVec on;
+} YkAnswer;
+
+// A pivot is no inertia where it is not above this part of the inertia that stands behind it.
+#define YK_LEAST_PIVOT 1e-14
+
+static inline YkVec yk_articulated_times(const YkArticulated *A, YkVec v)
+{
+    return yk_vec(A->xx * v.x + A->xy * v.y, A->xy * v.x + A->yy * v.y);
+}
+
+static inline YkVec yk_quarter_back(YkVec a)
+{
+    return yk_vec(a.y, -a.x);
+}
+
+// Adds a rigid body: mass, mass * (centre - point) in world axes, inertia about the point, rate of turning.
+static inline void yk_articulated_add_body(YkArticulated *A, double mass, YkVec moment, double inertia, double w)
+{
+    A->J += inertia;
+    A->h = yk_add(A->h, yk_quarter(moment));
+    A->xx += mass;
+    A->yy += mass;
+    A->f = yk_sub(A->f, yk_scale(w * w, moment));
+}
+
+static inline void yk_articulated_add(YkArticulated *A, const YkArticulated *b)
+{
+    A->J += b->J;
+    A->h = yk_add(A->h, b->h);
+    A->xx += b->xx;
+    A->xy += b->xy;
+    A->yy += b->yy;
+    A->f = yk_add(A->f, b->f);
+    A->n += b->n;
+}
+
+// Lets the turning go under a known moment: afterwards the point asks for a force alone, and the moment. J must not be
+// 0.
+static inline YkAnswer yk_articulated_release_turn(YkArticulated *A, double moment)
+{
+    double over = 1 / A->J;
+    YkVec h = A->h, on = yk_scale(over, h);
+    double by = (moment - A->n) * over;
+    A->xx -= h.x * h.x * over;
+    A->xy -= h.x * h.y * over;
+    A->yy -= h.y * h.y * over;
+    A->f = yk_add(A->f, yk_scale(by, h));
+    A->J = 0;
+    A->h = yk_vec(0, 0);
+    A->n = moment;
+    return (YkAnswer){.by = by, .on = on};
+}
+
+// The same about another point of the rigid parent, `arm` back from here: J and h 0 here (a pin).
+// bias: what this point accelerates beyond a + alpha x arm of the parent's point.
+static inline YkArticulated yk_articulated_move_force(const YkArticulated *A, YkVec arm, YkVec bias)
+{
+    YkVec across = yk_quarter(arm), q = yk_articulated_times(A, across);
+    YkVec f = yk_add(A->f, yk_articulated_times(A, bias));
+    double J = (across.x * across.x * A->xx + across.y * across.y * A->yy) + 2 * (across.x * across.y) * A->xy;
+    return (YkArticulated){J, q, A->xx, A->xy, A->yy, f, A->n + yk_dot(across, f)};
+}
+
+#endif

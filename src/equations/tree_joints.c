@@ -1,0 +1,156 @@
+// A link's point is its joint's point at this instant. Where the line is the link's own, that is another point of the
+// link from pose to pose; the equations hold for whatever point of the body stands there.
+//
+// One joint: the link's point accelerates by a + alpha x arm - w^2 arm (as a point of the parent) + 2 w x line rate
+// (Coriolis; w of whichever link has the line) + line acceleration; slides keep the parent's alpha.
+#include "equations/tree_joints.h"
+#include "equations/tree_articulated.h"
+
+typedef struct Pose {
+    YkVec shift;     // the link's point, in its own axes
+    YkVec arm, line; // from the parent's point; the line's direction: world axes
+    YkVec bias;      // of the acceleration, as above
+    YkArticulated A;
+    double mass_out, inertia_out; // what stands behind the joint, as if all joints were stiff
+    YkAnswer turn, slide;
+    YkVec a;
+    double alpha;
+} Pose;
+
+struct YkTreeJoints {
+    YkTreeAngles angles;
+    const YkTreeLinks *links;
+    Pose *pose; // [link]
+    YkVec gravity;
+};
+
+YkTreeJoints *yk_tree_joints_new(const YkTreeLinks *links, YkVec gravity, YkArena *arena)
+{
+    YkTreeJoints *joints = YK_NEW(arena, YkTreeJoints, 1);
+    if (!joints || !yk_tree_angles_start(&joints->angles, links, arena)) return NULL;
+    joints->links = links;
+    joints->gravity = gravity;
+    joints->pose = YK_NEW(arena, Pose, links->count);
+    return yk_arena_failed(arena) ? NULL : joints;
+}
+
+// Parents before children: where every joint stands, and each link by itself.
+static void place(const YkTreeJoints *joints, const double *q, const double *v)
+{
+    const YkTreeAngles *angles = &joints->angles;
+    joints->pose[0] = (Pose){.a = yk_scale(-1, joints->gravity)}; // the ground accelerates against gravity
+    for (size_t k = 1; k < angles->count; k++) {
+        const YkTreeLink *link = &joints->links->link[k];
+        Pose *pose = &joints->pose[k];
+        size_t p = (size_t)link->parent, l = link->line_is_own ? k : p; // l: has the line
+        YkVec e = yk_vec(angles->c[k], angles->s[k]), e_p = yk_vec(angles->c[p], angles->s[p]);
+        double w_p = angles->w[p], d = 0, rate = 0;
+        if (link->distance != YK_NONE) d = q[link->distance], rate = v[link->distance];
+        YkVec along = yk_scale(d, link->line), at = yk_sub(link->at, joints->pose[p].shift);
+        pose->shift = link->line_is_own ? yk_scale(-1, along) : yk_vec(0, 0);
+        pose->arm = yk_mul(e_p, link->line_is_own ? at : yk_add(at, along));
+        pose->line = yk_mul(l == k ? e : e_p, link->line);
+        pose->bias = yk_add(yk_scale(-w_p * w_p, pose->arm), yk_scale(2 * angles->w[l] * rate, yk_quarter(pose->line)));
+        YkVec center = yk_sub(link->center, pose->shift);
+        double inertia = link->inertia + link->mass * yk_dot(center, center);
+        pose->A = (YkArticulated){0};
+        yk_articulated_add_body(&pose->A, link->mass, yk_scale(link->mass, yk_mul(e, center)), inertia, angles->w[k]);
+        pose->mass_out = link->mass;
+        pose->inertia_out = inertia;
+    }
+}
+
+// Lets the sliding along a unit vector go under a known force along it. The pivot line . M line must not be 0.
+static YkAnswer release_slide(YkArticulated *A, YkVec line, double force)
+{
+    YkVec on = yk_articulated_times(A, line);
+    double turn = yk_dot(A->h, line), over = 1 / yk_dot(line, on), by = (force - yk_dot(line, A->f)) * over;
+    A->J -= turn * turn * over;
+    A->h = yk_sub(A->h, yk_scale(turn * over, on));
+    A->xx -= on.x * on.x * over;
+    A->xy -= on.x * on.y * over;
+    A->yy -= on.y * on.y * over;
+    A->f = yk_add(A->f, yk_scale(by, on));
+    A->n += by * turn;
+    return (YkAnswer){.by = by, .turn = turn * over, .on = yk_scale(over, on)};
+}
+
+// About the parent's point, `arm` back from here.
+static YkArticulated move_back(const YkArticulated *A, YkVec arm)
+{
+    YkVec across = yk_quarter(arm), q = yk_articulated_times(A, across);
+    double J = A->J + 2 * yk_dot(A->h, across) + yk_dot(across, q);
+    return (YkArticulated){J, yk_add(A->h, q), A->xx, A->xy, A->yy, A->f, A->n + yk_dot(across, A->f)};
+}
+
+static double along(const double *effort, int32_t input)
+{
+    return effort ? effort[input] : 0;
+}
+
+// Lets go what a link's joint leaves free. Returns -1, or the input without inertia.
+static int release(const YkTreeLink *link, Pose *pose, const double *effort)
+{
+    YkArticulated *A = &pose->A;
+    if (link->angle != YK_NONE) {
+        if (!(A->J > YK_LEAST_PIVOT * pose->inertia_out)) return link->angle;
+        pose->turn = yk_articulated_release_turn(A, link->sense * along(effort, link->angle));
+    }
+    A->f = yk_add(A->f, yk_articulated_times(A, pose->bias));
+    A->n += yk_dot(A->h, pose->bias);
+    if (link->distance != YK_NONE) {
+        double pivot = yk_dot(pose->line, yk_articulated_times(A, pose->line));
+        if (!(pivot > YK_LEAST_PIVOT * pose->mass_out)) return link->distance;
+        pose->slide = release_slide(A, pose->line, along(effort, link->distance));
+    }
+    return -1;
+}
+
+static int inward(const YkTreeJoints *joints, const double *effort)
+{
+    for (size_t k = joints->angles.count - 1; k > 0; k--) {
+        const YkTreeLink *link = &joints->links->link[k];
+        Pose *pose = &joints->pose[k], *parent = &joints->pose[link->parent];
+        int culprit = release(link, pose, effort);
+        if (culprit >= 0) return culprit;
+        YkArticulated moved = move_back(&pose->A, pose->arm);
+        yk_articulated_add(&parent->A, &moved);
+        parent->mass_out += pose->mass_out;
+        parent->inertia_out += pose->mass_out * yk_dot(pose->arm, pose->arm);
+        if (link->angle == YK_NONE) parent->inertia_out += pose->inertia_out;
+    }
+    return -1;
+}
+
+static void outward(const YkTreeJoints *joints, double *out)
+{
+    for (size_t k = 1; k < joints->angles.count; k++) {
+        const YkTreeLink *link = &joints->links->link[k];
+        const Pose *parent = &joints->pose[link->parent];
+        Pose *pose = &joints->pose[k];
+        double alpha = parent->alpha;
+        YkVec a = yk_add(yk_add(parent->a, pose->bias), yk_scale(alpha, yk_quarter(pose->arm)));
+        if (link->distance != YK_NONE) {
+            // The slide was let go with the bias inside: it answers to what comes without it.
+            YkAnswer s = pose->slide;
+            double slide = s.by - s.turn * alpha - yk_dot(s.on, yk_sub(a, pose->bias));
+            a = yk_add(a, yk_scale(slide, pose->line));
+            out[link->distance] = slide;
+        }
+        if (link->angle != YK_NONE) {
+            alpha = pose->turn.by - yk_dot(pose->turn.on, a);
+            out[link->angle] = link->sense * (alpha - parent->alpha);
+        }
+        pose->a = a;
+        pose->alpha = alpha;
+    }
+}
+
+int yk_tree_joints_accelerate(YkTreeJoints *joints, const double *q, const double *v, const double *effort, double *a)
+{
+    yk_tree_angles_find(&joints->angles, q, v);
+    place(joints, q, v);
+    int culprit = inward(joints, effort);
+    if (culprit < 0) outward(joints, a);
+    return culprit;
+}

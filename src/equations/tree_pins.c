@@ -1,0 +1,137 @@
+#include "equations/tree_pins.h"
+#include "equations/tree_articulated.h"
+
+typedef struct Link {     // constant
+    YkVec at;             // its pin on the parent, in the parent's axes from the parent's pin
+    YkVec moment;         // mass * centre
+    double mass, inertia; // about the pin
+    double least;         // pivot
+} Link;
+
+// Of the way in, for the way out: what the parent's pin (a) and the parent's turning (alpha) make of this link's.
+typedef struct Answer {
+    YkVec bias, across; // its pin: a + bias + alpha across
+    double by, turn;    // its turning: by - on . a - turn alpha
+    YkVec on;
+} Answer;
+
+typedef struct Fork { // where a link has a child that does not stand right after it
+    YkArticulated sum;
+    YkVec a;
+    double alpha;
+} Fork;
+
+struct YkTreePins {
+    YkTreeAngles angles;
+    Link *link;     // [link]
+    Answer *answer; // [link]
+    Fork *fork;     // [fork]
+    YkVec gravity;
+};
+
+// The inertia that stands behind each pin: the link's own and, at their arms, all masses further out.
+static void find_least(const YkTreeLinks *links, Link *link, double *mass_out)
+{
+    for (size_t k = 0; k < links->count; k++) {
+        mass_out[k] = links->link[k].mass;
+        link[k].least = link[k].inertia;
+    }
+    for (size_t k = links->count - 1; k > 0; k--) {
+        int32_t parent = links->link[k].parent;
+        mass_out[parent] += mass_out[k];
+        link[parent].least += mass_out[k] * yk_dot(link[k].at, link[k].at);
+        link[k].least *= YK_LEAST_PIVOT;
+    }
+}
+
+YkTreePins *yk_tree_pins_new(const YkTreeLinks *links, YkVec gravity, YkArena *arena)
+{
+    size_t n = links->count;
+    YkTreePins *pins = YK_NEW(arena, YkTreePins, 1);
+    if (!pins || !yk_tree_angles_start(&pins->angles, links, arena)) return NULL;
+    pins->gravity = gravity;
+    pins->link = YK_NEW(arena, Link, n);
+    pins->answer = YK_NEW(arena, Answer, n);
+    pins->fork = YK_NEW(arena, Fork, pins->angles.fork_count);
+    double *mass_out = (double *)pins->answer; // for now
+    if (yk_arena_failed(arena)) return NULL;
+    for (size_t k = 0; k < n; k++) {
+        const YkTreeLink *l = &links->link[k];
+        pins->link[k] = (Link){.at = l->at,
+                               .moment = yk_scale(l->mass, l->center),
+                               .mass = l->mass,
+                               .inertia = l->inertia + l->mass * yk_dot(l->center, l->center)};
+    }
+    find_least(links, pins->link, mass_out);
+    return pins;
+}
+
+// Children before parents: lets each pin go and shows what is left to the parent. The child that stands right after its
+// parent hands it over in registers.
+static int inward(const YkTreePins *pins, const double *effort)
+{
+    const YkTreeAngles angles = pins->angles;
+    const double *c = angles.c, *s = angles.s, *w = angles.w;
+    const YkArticulated nothing = {0};
+    YkArticulated A = nothing;
+    for (size_t k = angles.count - 1; k > 0; k--) {
+        const Link *link = &pins->link[k];
+        YkLinkTurn t = angles.turn[k];
+        size_t p = (size_t)t.parent;
+        double torque = effort ? (double)t.sense * effort[t.input] : 0;
+        if (t.fork != YK_NONE) yk_articulated_add(&A, &pins->fork[t.fork].sum);
+        yk_articulated_add_body(&A, link->mass, yk_mul(yk_vec(c[k], s[k]), link->moment), link->inertia, w[k]);
+        if (!(A.J > link->least)) return t.input;
+        YkAnswer answer = yk_articulated_release_turn(&A, torque);
+        if (p == 0) { // the ground asks for nothing
+            pins->answer[k] = (Answer){.by = answer.by, .on = answer.on};
+            A = nothing;
+            continue;
+        }
+        YkVec arm = yk_mul(yk_vec(c[p], s[p]), link->at), bias = yk_scale(-w[p] * w[p], arm);
+        YkVec across = yk_quarter(arm);
+        double by = answer.by - yk_dot(answer.on, bias);
+        pins->answer[k] = (Answer){bias, across, by, yk_dot(answer.on, across), answer.on};
+        A = yk_articulated_move_force(&A, arm, bias);
+        if (p != k - 1) {
+            yk_articulated_add(&pins->fork[angles.turn[p].fork].sum, &A);
+            A = nothing;
+        }
+    }
+    return -1;
+}
+
+// Parents before children. The ground accelerates against gravity, which so acts on every mass.
+static void outward(const YkTreePins *pins, double *out)
+{
+    const YkLinkTurn *turn = pins->angles.turn;
+    YkVec a = yk_scale(-1, pins->gravity); // of the pin of the link before
+    double alpha = 0;
+    if (turn[0].fork != YK_NONE) pins->fork[turn[0].fork].a = a;
+    for (size_t k = 1; k < pins->angles.count; k++) {
+        const Answer *answer = &pins->answer[k];
+        YkLinkTurn t = turn[k];
+        if (t.parent != (int32_t)k - 1) {
+            const Fork *fork = &pins->fork[turn[t.parent].fork];
+            a = fork->a;
+            alpha = fork->alpha;
+        }
+        double own = (answer->by - yk_dot(answer->on, a)) - answer->turn * alpha;
+        a = yk_add(yk_add(a, answer->bias), yk_scale(alpha, answer->across));
+        out[t.input] = (double)t.sense * (own - alpha);
+        alpha = own;
+        if (t.fork != YK_NONE) {
+            pins->fork[t.fork].a = a;
+            pins->fork[t.fork].alpha = alpha;
+        }
+    }
+}
+
+int yk_tree_pins_accelerate(YkTreePins *pins, const double *q, const double *v, const double *effort, double *a)
+{
+    yk_tree_angles_find(&pins->angles, q, v);
+    for (size_t k = 0; k < pins->angles.fork_count; k++) pins->fork[k].sum = (YkArticulated){0};
+    int culprit = inward(pins, effort);
+    if (culprit < 0) outward(pins, a);
+    return culprit;
+}

@@ -1,0 +1,308 @@
+// What gears, racks, belts and cams transmit. By virtual work the force belongs to the relation that it enforces:
+//   gears    a force at the pitch point across the line of centres, where the centres are apart; otherwise couples
+//   racks    a force along the rack at the pitch line
+//   belts    couples on both pulleys and what carries them
+//   cams     a force along the common normal through the follower's roller (or edge), on a flat face that slides - and
+//            where no base tells more - where the face touches; of followers that turn and name no point, couples
+// Flanks of gears lean by the pressure angle: with the force across comes one along the line of centres, towards the
+// first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
+// applied as a load.
+#include "free_bodies/inside.h"
+
+static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
+{
+    const YkGear *gear = r->kind == YK_RELATION_GEAR ? &model->gears[r->index] : NULL;
+    switch (r->kind) {
+    case YK_RELATION_GEAR:
+        c->body[0] = gear->body[0];
+        c->body[1] = gear->body[1];
+        c->third = gear->center_distance > 0 ? 0 : gear->carrier;
+        break;
+    case YK_RELATION_BELT:
+        c->body[0] = model->belts[r->index].body[0];
+        c->body[1] = model->belts[r->index].body[1];
+        c->third = model->belts[r->index].carrier;
+        break;
+    case YK_RELATION_RACK:
+        c->body[0] = model->racks[r->index].pinion;
+        c->body[1] = model->racks[r->index].rack;
+        break;
+    case YK_RELATION_LAW:
+        for (int k = 0; k < 2; k++)
+            c->body[k] = model->joints[model->coordinates[model->follows[r->index].coordinate].joint].body[k];
+        c->third = model->joints[model->coordinates[model->follows[r->index].of].joint].body[1];
+        c->fourth = model->joints[model->coordinates[model->follows[r->index].of].joint].body[0];
+        break;
+    case YK_RELATION_CAM:
+        c->body[0] = model->cams[r->index].cam;
+        c->body[1] = model->cams[r->index].follower;
+        c->third = model->cams[r->index].carrier;
+        break;
+    }
+}
+
+void yk_meshes_build(YkFreeBodies *f)
+{
+    f->first_mesh = f->column_count;
+    for (size_t k = 0; k < f->mech->relation_count; k++) {
+        YkWrenchColumn c = {.joint = YK_NONE, .input = YK_NONE, .relation = (int32_t)k, .kind = YK_WRENCH_MESH};
+        bodies_of(f->mech->model, &f->mech->relations[k], &c);
+        f->columns[f->column_count++] = c;
+    }
+}
+
+// The place of a body's point and its axes.
+typedef struct Place {
+    YkVec at, e;
+} Place;
+
+static Place place_of(const YkFreeBodies *f, const YkSpace *space, int32_t body, YkVec point)
+{
+    YkBodyMotion m = yk_body_motion(f->mech, space, (size_t)body);
+    return (Place){yk_add(m.at, yk_mul(m.e, yk_sub(point, f->reference[body]))), m.e};
+}
+
+static YkVec center_of(const YkFreeBodies *f, const YkSpace *space, int32_t joint, int32_t body)
+{
+    const YkJoint *j = &f->mech->model->joints[joint];
+    return place_of(f, space, body, j->at[j->body[1] == body]).at;
+}
+
+// A wheel's centre is the origin of its body.
+static YkVec wheel_center(const YkFreeBodies *f, const YkSpace *space, int32_t body)
+{
+    return place_of(f, space, body, yk_vec(0, 0)).at;
+}
+
+// A force on the second body at a place of the world, its opposite on the first.
+static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec at, YkVec force)
+{
+    c->force = force;
+    c->at = at;
+    c->third_moment = 0;
+    for (int k = 0; k < 2; k++) {
+        YkVec arm = yk_sub(at, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
+        c->moment[k] = (k ? 1 : -1) * yk_cross(arm, force) / f->size;
+    }
+}
+
+static void set_radial(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec pitch,
+                       double slope)
+{
+    YkVec out = yk_sub(pitch, center);
+    c->radial = yk_scale(slope / yk_norm(out), out);
+    for (int k = 0; k < 2; k++) {
+        YkVec arm = yk_sub(pitch, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
+        c->radial_moment[k] = (k ? 1 : -1) * yk_cross(arm, c->radial);
+    }
+}
+
+static void set_couples(YkWrenchColumn *c, double a, double b, double third)
+{
+    double most = fmax(fabs(a), fmax(fabs(b), fabs(third)));
+    c->force = yk_vec(0, 0);
+    c->moment[0] = a / most;
+    c->moment[1] = b / most;
+    c->third_moment = third / most;
+}
+
+static void pose_gear(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkGear *gear)
+{
+    double a = (double)gear->teeth[0], b = gear->is_internal ? -(double)gear->teeth[1] : (double)gear->teeth[1];
+    if (c->third != 0 || !(gear->center_distance > 0)) {
+        set_couples(c, a, b, -a - b);
+        return;
+    }
+    YkVec A = wheel_center(f, space, gear->body[0]), B = wheel_center(f, space, gear->body[1]), line = yk_sub(B, A);
+    YkVec pitch = yk_add(A, yk_scale(a / (a + b), line)); // internal: beyond A
+    set_force(f, space, c, pitch, yk_scale(1 / yk_norm(line), yk_quarter(line)));
+    set_radial(f, space, c, A, pitch, tan(gear->pressure_angle));
+}
+
+static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRack *rack)
+{
+    const YkModel *model = f->mech->model;
+    const YkJoint *slide = &model->joints[rack->slide];
+    YkVec u = yk_mul(place_of(f, space, slide->body[0], slide->at[0]).e, slide->along);
+    YkVec center = wheel_center(f, space, rack->pinion);
+    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way, and so is the sense
+    YkVec pitch = yk_add(center, yk_scale(-sign * rack->sense * rack->radius, yk_quarter(u)));
+    set_force(f, space, c, pitch, yk_scale(sign, u));
+}
+
+// A flat face is pushed along its line of motion, where it touches: off that line by the slope of the lift.
+static void pose_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec u, double way)
+{
+    YkVec touch = yk_add(center, yk_scale(-way, yk_quarter(u)));
+    set_force(f, space, c, touch, u); // how far along u does not matter to a force along u
+}
+
+// Where the follower's roller or edge is; false where it is not known.
+static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift,
+                      YkVec *at)
+{
+    if (cam->point != YK_NONE) {
+        *at = place_of(f, space, cam->follower, f->mech->model->points[cam->point].at).at;
+        return true;
+    }
+    double reach = cam->base + cam->roller, start = reach * reach - cam->offset * cam->offset;
+    if (cam->oscillates) return false;
+    *at = yk_add(center, yk_add(yk_scale(sqrt(start) + lift, u), yk_scale(-cam->offset, yk_quarter(u))));
+    return true;
+}
+
+static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r,
+                     const YkCam *cam)
+{
+    const YkModel *model = f->mech->model;
+    const YkJoint *guide = &model->joints[cam->follower_joint], *shaft = &model->joints[cam->cam_joint];
+    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain,
+           way = guide->body[1] == cam->follower ? 1 : -1, turn = shaft->body[1] == cam->cam ? 1 : -1, lift = 0;
+    YkVec center = center_of(f, space, cam->cam_joint, cam->cam), u = {0, 0}, velocity = {0, 0}, at;
+    Place carrier = place_of(f, space, cam->carrier, yk_vec(0, 0));
+    if (!cam->oscillates) {
+        u = yk_mul(carrier.e, cam->along);
+        lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
+        double reach = cam->base + cam->roller;
+        if (cam->face == YK_CAM_FLAT || !(reach * reach > cam->offset * cam->offset)) {
+            pose_flat(f, space, c, center, u, slope * turn);
+            return;
+        }
+    }
+    if (!roller_of(f, space, cam, center, u, lift, &at)) {
+        set_couples(c, -slope * turn, way, slope * turn - way);
+        return;
+    }
+    if (cam->oscillates)
+        velocity =
+            yk_scale(way * slope, yk_quarter(yk_sub(at, center_of(f, space, cam->follower_joint, cam->follower))));
+    else
+        velocity = yk_scale(slope, u);
+    YkVec against = yk_sub(velocity, yk_scale(turn, yk_quarter(yk_sub(at, center)))); // of the roller on the cam
+    double speed = yk_norm(against);
+    if (!(speed > 0)) {
+        set_couples(c, -slope * turn, way, slope * turn - way);
+        return;
+    }
+    set_force(f, space, c, at, yk_scale(1 / speed, yk_quarter(against)));
+}
+
+// A unit effort along a coordinate: on its joint's second body, and back on the first; about their reference points.
+typedef struct Effort {
+    YkVec force;      // N, 0 along an angle
+    double moment[2]; // N m
+} Effort;
+
+static Effort effort_along(const YkFreeBodies *f, const YkSpace *space, const YkCoordinate *coordinate)
+{
+    const YkJoint *joint = &f->mech->model->joints[coordinate->joint];
+    Effort effort = {{0, 0}, {-1, 1}};
+    if (!coordinate->is_distance) return effort;
+    YkVec at = place_of(f, space, joint->body[1], joint->at[1]).at;
+    effort.force = yk_mul(place_of(f, space, joint->body[0], joint->at[0]).e, joint->along);
+    for (int k = 0; k < 2; k++) {
+        YkVec arm = yk_sub(at, place_of(f, space, joint->body[k], f->reference[joint->body[k]]).at);
+        effort.moment[k] = (k ? 1 : -1) * yk_cross(arm, effort.force);
+    }
+    return effort;
+}
+
+// What follows a coordinate by a law pushes along its own, and the other's two bodies feel the law's slope of it.
+static void pose_follow(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r)
+{
+    const YkModel *model = f->mech->model;
+    const YkCoordinate *own = &model->coordinates[model->follows[r->index].coordinate];
+    const YkCoordinate *of = &model->coordinates[model->follows[r->index].of];
+    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain;
+    Effort on = effort_along(f, space, own), back = effort_along(f, space, of);
+    double unit = own->is_distance ? 1 : f->size; // N or N m: a couple is measured over the size
+    c->force = yk_scale(unit, on.force);
+    c->other = yk_scale(-slope * unit, back.force);
+    for (int k = 0; k < 2; k++) c->moment[k] = unit * on.moment[k] / f->size;
+    c->third_moment = -slope * unit * back.moment[1] / f->size;
+    c->fourth_moment = -slope * unit * back.moment[0] / f->size;
+}
+
+// All accelerations that the relation allows give the same product with its forces: those of the pose do.
+static double bias_of(const YkFreeBodies *f, const YkSpace *space, const YkWrenchColumn *c)
+{
+    const int32_t bodies[] = {c->body[0], c->body[1], c->third, c->fourth};
+    double sum = 0;
+    for (int k = 0; k < 4; k++) {
+        if (bodies[k] == 0) continue;
+        YkBodyMotion m = yk_body_motion(f->mech, space, (size_t)bodies[k]);
+        double moment = k < 2 ? c->moment[k] : k == 2 ? c->third_moment : c->fourth_moment;
+        YkVec force = k < 2 ? c->force : c->other;
+        sum += (k == 1 || k == 2 ? 1 : -1) * yk_dot(force, m.acceleration) + moment * m.a * f->size;
+    }
+    return sum / f->size;
+}
+
+void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c)
+{
+    const YkModel *model = f->mech->model;
+    const YkRelation *r = &f->mech->relations[c->relation];
+    if (r->kind == YK_RELATION_GEAR)
+        pose_gear(f, space, c, &model->gears[r->index]);
+    else if (r->kind == YK_RELATION_RACK)
+        pose_rack(f, space, c, &model->racks[r->index]);
+    else if (r->kind == YK_RELATION_CAM)
+        pose_cam(f, space, c, r, &model->cams[r->index]);
+    else if (r->kind == YK_RELATION_LAW)
+        pose_follow(f, space, c, r);
+    else {
+        const YkBelt *belt = &model->belts[r->index];
+        double b = belt->is_crossed ? belt->radius[1] : -belt->radius[1];
+        set_couples(c, belt->radius[0], b, -belt->radius[0] - b);
+    }
+    c->bias = bias_of(f, space, c);
+}
+
+static bool add_radial(const YkWrenchColumn *c, YkLoad *load, double sign)
+{
+    double size = sign * fabs(c->share);
+    if (c->radial.x == 0 && c->radial.y == 0) return false;
+    for (int i = 0; i < 2; i++) {
+        YkLoad *l = &load[c->body[i]];
+        l->force = yk_add(l->force, yk_scale(i ? size : -size, c->radial));
+        l->moment += size * c->radial_moment[i];
+    }
+    return size != 0;
+}
+
+bool yk_free_bodies_radial(const YkFreeBodies *f, YkLoad *load, double sign)
+{
+    bool any = false;
+    for (size_t k = 0; k < f->column_count; k++)
+        if (f->columns[k].kind == YK_WRENCH_MESH) any = add_radial(&f->columns[k], load, sign) || any;
+    return any;
+}
+
+YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, const YkSpace *space, size_t relation)
+{
+    const YkWrenchColumn *c = &f->columns[f->first_mesh + relation];
+    YkVec force = yk_add(yk_scale(c->share, c->force), yk_scale(fabs(c->share), c->radial));
+    bool is_couple = c->force.x == 0 && c->force.y == 0;
+    YkVec at = is_couple ? yk_body_motion(f->mech, space, (size_t)c->body[1]).at : c->at;
+    return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0, is_couple,
+                         at,    {c->body[0], c->body[1]}};
+}
+
+void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
+{
+    for (size_t k = 0; k < f->column_count; k++) {
+        const YkWrenchColumn *c = &f->columns[k];
+        if (c->kind != YK_WRENCH_MESH) continue;
+        for (int i = 0; i < 2; i++) {
+            YkLoad *l = &load[c->body[i]];
+            l->force = yk_add(l->force, yk_scale(i ? c->share : -c->share, c->force));
+            l->moment += c->share * c->moment[i] * f->size;
+        }
+        add_radial(c, load, 1);
+        YkLoad *third = &load[c->third], *fourth = &load[c->fourth];
+        third->force = yk_add(third->force, yk_scale(c->share, c->other));
+        third->moment += c->share * c->third_moment * f->size;
+        fourth->force = yk_sub(fourth->force, yk_scale(c->share, c->other));
+        fourth->moment += c->share * c->fourth_moment * f->size;
+    }
+}

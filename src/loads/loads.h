@@ -1,0 +1,110 @@
+// Loads at a pose: what gravity, forces, springs, dampers, efforts and friction exert on every body, as one force and
+// one moment a body; and what they store and take.
+#ifndef LOADS_LOADS_H
+#define LOADS_LOADS_H
+#include <yoke/dynamics.h>
+#include "compile/mechanism.h"
+#include "expr/formula.h"
+#include "solve/space.h"
+#include "solve/state.h"
+
+// On a body: force, and moment about its reference point: the centre of mass, or the origin where it has no mass.
+typedef struct YkLoad {
+    YkVec force;
+    double moment;
+} YkLoad;
+
+// Where a body's reference point is and how it moves, lane 0 of a space.
+typedef struct YkBodyMotion {
+    YkVec at, velocity, acceleration; // of the reference point, world axes
+    YkVec e;                          // the body's x axis as a unit vector
+    double w, a;                      // angular velocity and acceleration
+} YkBodyMotion;
+YkVec yk_reference_point(const YkModel *model, size_t body); // in the body's axes
+YkBodyMotion yk_body_motion(const YkMechanism *mech, const YkSpace *space, size_t body);
+
+// A number in a load: constant, a formula, or a law of a formula.
+typedef struct YkLoadValue {
+    double constant;
+    const YkFormula *formula; // NULL: constant
+    const YkLaw *law;         // of the formula
+} YkLoadValue;
+
+// A point of a body on which something pulls, prepared: in the axes of the body's orientation.
+typedef struct YkLoadEnd {
+    int32_t body;
+    YkVec from_origin, arm; // to the point, from the body's origin and from its reference point
+} YkLoadEnd;
+
+typedef enum YkLoadKind {
+    YK_LOAD_EFFORT,  // along a joint's angle or distance
+    YK_LOAD_FORCE,   // at a point of a body
+    YK_LOAD_SPRING,  // between two points, with a damper
+    YK_LOAD_ALONG,   // spring and damper along a joint's angle or distance
+    YK_LOAD_VISCOUS, // friction that grows with the rate
+    YK_LOAD_COULOMB, // dry friction: enters as `dry` says
+    YK_LOAD_STOP     // what a stop exerts: likewise
+} YkLoadKind;
+
+typedef struct YkLoadItem {
+    YkLoadKind kind;
+    const char *name; // of the coordinate, force, spring or joint
+    int32_t joint;    // EFFORT, ALONG, VISCOUS, COULOMB
+    bool is_distance;
+    int32_t coordinate; // of the tree, where the joint has it there; otherwise YK_NONE
+    int32_t body[2];    // FORCE: body[0]; SPRING
+    YkLoadEnd end[2];   // likewise
+    bool in_body_axes;
+    YkLoadValue value[3]; // EFFORT: [0]; FORCE: x, y, moment
+    double stiffness, length, damping;
+    double coulomb, radius; // COULOMB
+    const YkStop *stop;     // STOP
+    double direction;       // COULOMB: of the sliding, +1 or -1; 0: as the rate says
+    double last;            // EFFORT: its value when last added
+    double dry;             // COULOMB, STOP: the moment or force now
+    bool is_held;           // COULOMB: sticks; `dry` is given from outside
+} YkLoadItem;
+
+typedef struct YkVariable { // of the formulas: [0] is the time
+    int32_t coordinate;     // of the tree; YK_NONE: time
+    bool is_rate;
+} YkVariable;
+
+typedef struct YkLoads {
+    const YkMechanism *mech;
+    YkArena *arena;
+    YkLoadItem *items;
+    size_t item_count;
+    YkVariable *variables;
+    size_t variable_count, variable_capacity;
+    double *value;   // of the variables
+    bool *is_loaded; // per body: some item may act on it
+    bool has_dry;
+    bool failed;
+} YkLoads;
+
+YkLoads *yk_loads_new(const YkMechanism *mech);
+void yk_loads_free(YkLoads *loads);
+// Replaces the effort along a tree coordinate.
+bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort);
+// Adds all items to load[body], without gravity, at a pose of the space (positions and velocities; the inputs and
+// references are the state's). power[item] (may be NULL): what it delivers to the machine now, W. False where a value
+// is not finite: *culprit names the item.
+bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power,
+                  size_t *culprit);
+// An effort along a joint's freedom, added to both bodies.
+void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
+                         YkLoad *load);
+// Open trees whose only items are efforts, one a coordinate: effort[input] at the state's inputs, and their power.
+bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit);
+// What `efforts:` gave along a tree coordinate when the items were last added.
+double yk_loads_effort(const YkLoads *loads, int32_t coordinate);
+// What the springs hold, J.
+double yk_loads_stored(const YkLoads *loads, const YkState *state, const YkSpace *space);
+// A tree coordinate at a pose of the space, whose inputs are the state's. The acceleration of an input is left out.
+YkMotion yk_loads_coordinate(const YkState *state, const YkSpace *space, int32_t coordinate);
+// The rate of a joint's freedom; with its acceleration.
+YkMotion yk_joint_motion(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance); // no position
+double yk_joint_rate(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance);
+
+#endif

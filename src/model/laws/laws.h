@@ -1,0 +1,40 @@
+// A law as the file gives it: what `laws:` reads, from which the law is built once all values are known, and which a
+// derivation shows.
+#ifndef MODEL_LAWS_LAWS_H
+#define MODEL_LAWS_LAWS_H
+#include "law/build.h"
+#include "model/model.h"
+
+typedef struct YkLawNumber {
+    YkExpr *expr; // NULL where not given
+    double value; // SI; NaN where it could not be had (reported)
+    YkPlace place;
+} YkLawNumber;
+
+// {at: ..., s: ..., v: ..., a: ..., j: ..., p: ...}
+typedef struct YkLawGiven {
+    YkPlace place;
+    YkLawNumber at, d[YK_LAW_ORDER + 1];
+} YkLawGiven;
+
+typedef struct YkLawPart { // a segment
+    YkLawKind kind;        // a rise or fall with `law: spline` too is a rise or fall here
+    YkPlace place;
+    YkLawNumber to, by, v, blend, b, c, d, degree;
+    YkRise rise;
+    bool is_spline;    // rise, fall: `law: spline`
+    YkLawGiven *given; // conditions of a polynomial or spline; points that a spline rise goes through
+    size_t given_count;
+} YkLawPart;
+
+typedef struct YkLawSource {
+    bool is_bad; // a mistake that is reported: not to be built
+    YkLawNumber from, period;
+    YkLawPart *parts; // of `segments`
+    size_t part_count;
+    YkLawNumber (*points)[2]; // of `table`
+    size_t point_count;
+    YkTableShape between;
+} YkLawSource;
+
+#endif

@@ -1,0 +1,73 @@
+#include "model/transmissions/cam_place.h"
+#include <math.h>
+
+enum { LIFT_SAMPLES = 720 };
+
+static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
+{
+    cam->along = side == 0 ? guide->along : yk_scale(-1, yk_mul(guide->along, yk_unit(-guide->turned)));
+    if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along))); // of the guide's line
+}
+
+// Arm and centres from points or keys; two pins at one place are apart by what the file says.
+static void place_pivot(const YkModel *model, const YkJoint *pin, YkVec apart, YkCam *cam)
+{
+    cam->pivot = apart;
+    if (cam->point != YK_NONE) {
+        int side = pin->body[0] == cam->follower ? 0 : 1;
+        cam->arm = yk_norm(yk_sub(model->points[cam->point].at, pin->at[side]));
+    }
+    if (!cam->centers_expr)
+        cam->centers = yk_norm(apart);
+    else if (yk_norm(apart) <= 1e-12 * (cam->base + cam->roller))
+        cam->pivot = yk_vec(cam->centers, 0);
+    if (cam->is_conjugate && !cam->other_arm_expr) cam->other_arm = cam->arm;
+}
+
+void yk_cam_place(const YkModel *model, YkCam *cam)
+{
+    const YkJoint *pin = &model->joints[cam->cam_joint], *guide = &model->joints[cam->follower_joint];
+    int pin_side = pin->body[0] == cam->carrier ? 0 : 1, guide_side = guide->body[0] == cam->carrier ? 0 : 1;
+    YkVec apart = yk_sub(guide->at[guide_side], pin->at[pin_side]);
+    cam->turn = pin_side == 0 ? 1 : -1;
+    cam->swing = guide_side == 0 ? 1 : -1;
+    if (cam->oscillates)
+        place_pivot(model, guide, apart, cam);
+    else
+        place_slide(guide, guide_side, apart, cam);
+}
+
+bool yk_cam_centers_agree(const YkCam *cam)
+{
+    double apart = yk_norm(cam->pivot);
+    return !cam->oscillates || fabs(cam->centers - apart) <= 1e-9 * apart;
+}
+
+double yk_cam_lowest_lift(const YkLaw *law)
+{
+    YkLawRange range = yk_law_range(law);
+    double low = INFINITY, d[YK_LAW_ORDER + 1];
+    for (int i = 0; i <= LIFT_SAMPLES; i++) {
+        yk_law_eval(law, range.from + (range.to - range.from) * i / LIFT_SAMPLES, d);
+        low = fmin(low, d[0]);
+    }
+    return low;
+}
+
+static YkCamFault fault_of_slide(const YkCam *cam, double lowest)
+{
+    double size = cam->base + cam->roller;
+    double start = cam->face == YK_CAM_FLAT ? cam->base : sqrt(fmax(size * size - cam->offset * cam->offset, 0));
+    if (cam->face != YK_CAM_FLAT && !(fabs(cam->offset) < size)) return YK_CAM_OFFSET;
+    return start + lowest > 0 ? YK_CAM_FITS : YK_CAM_LIFT;
+}
+
+YkCamFault yk_cam_fault(const YkCam *cam, double lowest)
+{
+    double size = cam->base + cam->roller;
+    if (!cam->oscillates) return fault_of_slide(cam, lowest);
+    if (!(cam->centers > 0)) return YK_CAM_CENTERS;
+    if (cam->face == YK_CAM_FLAT) return fabs(cam->base + cam->offset) < cam->centers ? YK_CAM_FITS : YK_CAM_FLAT_LARGE;
+    if (!(cam->arm > 0)) return YK_CAM_ARM;
+    return size > fabs(cam->centers - cam->arm) && size < cam->centers + cam->arm ? YK_CAM_FITS : YK_CAM_REACH;
+}

@@ -1,0 +1,148 @@
+// What all printers of pages share, and the choice among them.
+#include "page/print.h"
+#include <math.h>
+#include <string.h>
+#include "base/number.h"
+
+static const char *const names[YK_PAGE_FORMATS] = {"text", "latex", "mathml", "json", "c"};
+
+YkPageFormat yk_page_format_find(const char *name)
+{
+    size_t format = 0;
+    while (format < YK_PAGE_FORMATS && strcmp(names[format], name) != 0) format++;
+    return (YkPageFormat)format;
+}
+
+// Of a format that comes in parts.
+typedef struct Printer {
+    void (*head)(YkPrinting *printing);
+    void (*part)(YkPrinting *printing, const YkPage *part);
+    void (*end)(YkPrinting *printing);
+} Printer;
+static const Printer printers[YK_PAGE_FORMATS] = {
+    [YK_PAGE_TEXT] = {yk_print_text_head, yk_print_text_part, yk_print_text_end},
+    [YK_PAGE_LATEX] = {yk_print_latex_head, yk_print_latex_part, yk_print_latex_end},
+    [YK_PAGE_MATHML] = {yk_print_mathml_head, yk_print_mathml_part, yk_print_mathml_end},
+    [YK_PAGE_JSON] = {yk_print_json_head, yk_print_json_part, yk_print_json_end},
+};
+
+bool yk_page_has_parts(YkPageFormat format)
+{
+    return format < YK_PAGE_FORMATS && printers[format].part;
+}
+
+bool yk_page_add_part(YkPrinting *printing, const YkPage *part)
+{
+    const Printer *printer = &printers[printing->format];
+    if (part->failed) return false;
+    if (!printing->has_begun) printer->head(printing);
+    printing->has_begun = true;
+    if (!printing->failed) printer->part(printing, part);
+    return !printing->failed && !printing->text->failed;
+}
+
+bool yk_page_end_parts(YkPrinting *printing)
+{
+    if (printing->has_begun) printers[printing->format].end(printing);
+    printing->has_begun = false;
+    return !printing->failed && !printing->text->failed;
+}
+
+bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text)
+{
+    YkPrinting printing = {.ring = page->ring, .text = text, .values = values, .title = title, .format = format};
+    if (page->failed || format >= YK_PAGE_FORMATS) return false;
+    if (!yk_page_has_parts(format)) {
+        yk_print_c(&printing, page);
+        return !printing.failed && !text->failed;
+    }
+    bool good = yk_page_add_part(&printing, page);
+    return yk_page_end_parts(&printing) && good;
+}
+
+void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
+{
+    if (!a) a = yk_ring_rational(printing->ring, 0, 1);
+    if (!a || !yk_ring_write(printing->ring, a, format, style, text)) printing->failed = true;
+}
+
+bool yk_print_has_sum(const char *text)
+{
+    int depth = 0;
+    for (const char *c = text; *c; c++) {
+        depth += (*c == '(') - (*c == ')');
+        if (depth == 0 && (*c == '+' || *c == '-')) return true;
+    }
+    return false;
+}
+
+bool yk_print_is_one_factor(const char *text)
+{
+    int depth = 0;
+    for (const char *c = text; *c; c++) {
+        depth += (*c == '(') - (*c == ')');
+        if (depth == 0 && strchr(" */+-", *c)) return false;
+    }
+    return true;
+}
+
+void yk_print_brackets(YkText *text, size_t start)
+{
+    size_t length = text->length - start;
+    yk_text_puts(text, "()");
+    if (text->failed) return;
+    memmove(text->data + start + 1, text->data + start, length);
+    text->data[start] = '(';
+}
+
+bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a)
+{
+    YkText text = {0};
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, &text);
+    bool is_sum = yk_print_has_sum(yk_text_get(&text));
+    yk_text_free(&text);
+    return is_sum;
+}
+
+double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry)
+{
+    return entry ? yk_ring_value(printing->ring, entry, printing->values).x : 0;
+}
+
+bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value)
+{
+    if (!printing->values || !line->value) return false;
+    double within = line->within ? yk_ring_value(printing->ring, line->within, printing->values).x : 0;
+    if (!(within >= 0 && within <= 1)) return false;
+    *value = yk_ring_value(printing->ring, line->value, printing->values);
+    if (line->value_under) {
+        double under = yk_ring_value(printing->ring, line->value_under, printing->values).x;
+        *value = yk_scale(1 / under, *value);
+    }
+    return isfinite(value->x) && isfinite(value->y);
+}
+
+const YkShownMatrix *yk_print_only_matrix(const YkLine *line)
+{
+    const YkShownMatrix *matrix = NULL;
+    for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
+        if (piece->kind != YK_PIECE_MATRIX) continue;
+        if (matrix) return NULL;
+        matrix = piece->matrix;
+    }
+    return matrix;
+}
+
+void yk_print_number(YkText *text, double value)
+{
+    char digits[YK_NUMBER_SIZE];
+    if (fabs(value) < 1e-14) value = 0; // what rounding leaves of 0
+    yk_number_write_digits(value, 6, digits);
+    yk_text_puts(text, digits);
+}
+
+bool yk_print_is_letter_name(const char *name)
+{
+    bool is_letter = (name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z');
+    return is_letter && strspn(name + 1, "0123456789") == strlen(name + 1);
+}

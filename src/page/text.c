@@ -1,0 +1,399 @@
+// Pages as plain text: a formula is a row of parts - words and elements, or a matrix - each a few lines high.
+#include <stdlib.h>
+#include <string.h>
+#include "page/print.h"
+
+// A line of a part: a piece of the sheet's text.
+typedef struct Slice {
+    size_t start, length;
+} Slice;
+
+// Lines of one width, the middle of which stands beside the middles of other parts.
+typedef struct Part {
+    size_t first, height, width; // first of its lines
+} Part;
+
+// One formula before it is put in rows; its memory is used again for the next.
+typedef struct YkTextSheet {
+    YkPrinting *printing;
+    YkText text, cells; // of the lines, and of a matrix's entries
+    Slice *lines, *entries;
+    size_t line_count, line_capacity, entry_count, entry_capacity;
+    Part *parts;
+    size_t part_count, part_capacity;
+    bool has_lines; // something was printed
+} YkTextSheet;
+typedef YkTextSheet Sheet;
+
+static void clear_sheet(Sheet *sheet)
+{
+    yk_text_clear(&sheet->text);
+    sheet->line_count = sheet->part_count = 0;
+}
+
+void yk_print_text_end(YkPrinting *printing)
+{
+    Sheet *sheet = printing->sheet;
+    printing->sheet = NULL;
+    if (!sheet) return;
+    printing->failed |= sheet->text.failed || sheet->cells.failed;
+    yk_text_free(&sheet->text);
+    yk_text_free(&sheet->cells);
+    free(sheet->lines);
+    free(sheet->entries);
+    free(sheet->parts);
+    free(sheet);
+}
+
+// Ends a line of the last part; it began at `start`.
+static void end_line(Sheet *sheet, size_t start)
+{
+    if (!YK_ROOM(sheet->lines, sheet->line_count, sheet->line_capacity)) {
+        sheet->printing->failed = true;
+        return;
+    }
+    Part *part = &sheet->parts[sheet->part_count - 1];
+    Slice line = {start, sheet->text.length - start};
+    sheet->lines[sheet->line_count++] = line;
+    part->height++;
+    if (line.length > part->width) part->width = line.length;
+}
+
+static bool add_part(Sheet *sheet)
+{
+    if (!YK_ROOM(sheet->parts, sheet->part_count, sheet->part_capacity)) return !(sheet->printing->failed = true);
+    sheet->parts[sheet->part_count++] = (Part){.first = sheet->line_count};
+    return true;
+}
+
+// What was written since `start` is a part of one line.
+static void add_line(Sheet *sheet, size_t start)
+{
+    if (sheet->text.length > start && add_part(sheet)) end_line(sheet, start);
+}
+
+static size_t middle(size_t height)
+{
+    return height > 0 ? (height - 1) / 2 : 0;
+}
+
+// All parts side by side, without blanks at the ends of lines.
+static void put_rows(const Sheet *sheet)
+{
+    YkText *out = sheet->printing->text;
+    size_t height = 1;
+    for (size_t k = 0; k < sheet->part_count; k++)
+        if (sheet->parts[k].height > height) height = sheet->parts[k].height;
+    for (size_t row = 0; row < height && !sheet->printing->failed; row++) {
+        size_t blanks = 0;
+        for (size_t k = 0; k < sheet->part_count; k++) {
+            const Part *part = &sheet->parts[k];
+            size_t above = middle(height) - middle(part->height);
+            const Slice none = {0, 0};
+            Slice line = row < above || row - above >= part->height ? none : sheet->lines[part->first + row - above];
+            const char *data = yk_text_get(&sheet->text) + line.start;
+            size_t length = line.length;
+            while (length > 0 && data[length - 1] == ' ') length--;
+            if (length > 0) {
+                yk_text_repeat(out, ' ', blanks);
+                yk_text_add(out, data, length);
+                blanks = 0;
+            }
+            blanks += part->width - length;
+        }
+        yk_text_add(out, "\n", 1);
+    }
+}
+
+// --- Pieces in one line
+
+static void put_factor(YkPrinting *printing, const YkPoisson *a, YkText *text)
+{
+    size_t start = text->length;
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+    if (yk_print_has_sum(yk_text_get(text) + start)) yk_print_brackets(text, start);
+}
+
+// A minus before a single product needs none.
+static void put_dividend(YkPrinting *printing, const YkPoisson *a, YkText *text)
+{
+    size_t start = text->length;
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+    const char *written = yk_text_get(text) + start;
+    if (yk_print_has_sum(written + (*written == '-'))) yk_print_brackets(text, start);
+}
+
+// A divisor of more than one symbol needs brackets.
+static void put_divisor(YkPrinting *printing, const YkPoisson *a, YkText *text)
+{
+    size_t start = text->length;
+    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+    if (!yk_print_is_one_factor(yk_text_get(text) + start)) yk_print_brackets(text, start);
+}
+
+// A product of factors; under the line in brackets where there are several.
+static void put_factors(YkPrinting *printing, const YkPagePiece *piece, int side, YkText *text)
+{
+    size_t count = piece->factor_count[side];
+    bool brackets = side == 1 && count > 1;
+    if (brackets) yk_text_puts(text, "(");
+    for (size_t k = 0; k < count; k++) {
+        if (k > 0) yk_text_puts(text, " ");
+        if (side == 1 && count == 1)
+            put_divisor(printing, piece->factors[side][k], text);
+        else
+            put_factor(printing, piece->factors[side][k], text);
+    }
+    if (brackets) yk_text_puts(text, ")");
+}
+
+static void put_quotient(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
+{
+    if (piece->factors[0])
+        put_factors(printing, piece, 0, text);
+    else
+        put_dividend(printing, piece->over, text);
+    yk_text_puts(text, " / ");
+    if (piece->factors[1])
+        put_factors(printing, piece, 1, text);
+    else
+        put_divisor(printing, piece->under, text);
+}
+
+static void put_name(const YkPagePiece *piece, YkText *text)
+{
+    yk_text_puts(text, piece->text);
+    if (piece->sub) {
+        yk_text_puts(text, "_");
+        yk_text_puts(text, piece->sub);
+    }
+    if (!piece->super) return;
+    yk_text_puts(text, "^{");
+    yk_text_puts(text, piece->super);
+    yk_text_puts(text, "}");
+}
+
+static bool is_sign_of(const YkPagePiece *piece, const char *signs)
+{
+    if (piece->kind != YK_PIECE_SIGN) return false;
+    while (*signs && *signs != *piece->text) signs++;
+    return *signs != '\0';
+}
+
+static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPagePiece *before, YkText *text)
+{
+    bool is_spaced = before && !is_sign_of(piece, ",)]") && !is_sign_of(before, "([");
+    if (before && before->kind == YK_PIECE_QUOTIENT && piece->kind == YK_PIECE_ELEMENT) yk_text_puts(text, " *");
+    if (is_spaced) yk_text_puts(text, " ");
+    switch (piece->kind) {
+    case YK_PIECE_ELEMENT:
+        if (piece->is_factor)
+            put_factor(printing, piece->over, text);
+        else
+            yk_print_element(printing, piece->over, YK_RING_BOOK, piece->style, text);
+        break;
+    case YK_PIECE_QUOTIENT:
+        put_quotient(printing, piece, text);
+        break;
+    case YK_PIECE_VECTOR:
+        put_name(piece, text);
+        break;
+    case YK_PIECE_SIGN:
+    case YK_PIECE_WORDS:
+        yk_text_puts(text, piece->text);
+        break;
+    case YK_PIECE_MATRIX:
+        break;
+    }
+}
+
+// --- Matrices
+
+static void write_entries(Sheet *sheet, const YkShownMatrix *matrix, bool numbers)
+{
+    YkPrinting *printing = sheet->printing;
+    yk_text_clear(&sheet->cells);
+    sheet->entry_count = 0;
+    for (size_t k = 0; k < matrix->rows * matrix->columns; k++) {
+        size_t start = sheet->cells.length;
+        if (numbers)
+            yk_print_number(&sheet->cells, yk_print_entry(printing, matrix->entries[k]));
+        else
+            yk_print_element(printing, matrix->entries[k], YK_RING_BOOK, YK_RING_TEXTBOOK, &sheet->cells);
+        if (!YK_ROOM(sheet->entries, sheet->entry_count, sheet->entry_capacity)) {
+            printing->failed = true;
+            return;
+        }
+        sheet->entries[sheet->entry_count++] = (Slice){start, sheet->cells.length - start};
+    }
+}
+
+static size_t column_width(const Sheet *sheet, const YkShownMatrix *matrix, size_t column)
+{
+    size_t width = 1;
+    for (size_t i = column; i < sheet->entry_count; i += matrix->columns)
+        if (sheet->entries[i].length > width) width = sheet->entries[i].length;
+    return width;
+}
+
+static void put_cell(Sheet *sheet, const Slice *cell, size_t width)
+{
+    size_t free_space = width - cell->length;
+    yk_text_repeat(&sheet->text, ' ', free_space / 2);
+    yk_text_add(&sheet->text, yk_text_get(&sheet->cells) + cell->start, cell->length);
+    yk_text_repeat(&sheet->text, ' ', free_space - free_space / 2);
+}
+
+// A row of entries, or of dashes below it.
+static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, const size_t *widths, bool dashes)
+{
+    YkText *text = &sheet->text;
+    size_t start = text->length;
+    yk_text_puts(text, "[ ");
+    for (size_t k = 0; k < matrix->columns; k++) {
+        bool is_last = k + 1 == matrix->columns, is_cut = matrix->column_cut[k];
+        if (dashes)
+            yk_text_repeat(text, '-', widths[k]);
+        else
+            put_cell(sheet, &sheet->entries[row * matrix->columns + k], widths[k]);
+        yk_text_puts(text, is_last ? " ]" : dashes ? is_cut ? "-+-" : "--" : is_cut ? " | " : "  ");
+    }
+    end_line(sheet, start);
+}
+
+// Rows with cuts between blocks as lines of dashes.
+static void add_matrix(Sheet *sheet, const YkShownMatrix *matrix, bool numbers)
+{
+    size_t *widths = calloc(matrix->columns + 1, sizeof *widths);
+    if (!widths) sheet->printing->failed = true;
+    if (widths) write_entries(sheet, matrix, numbers);
+    if (!sheet->printing->failed && add_part(sheet)) {
+        for (size_t k = 0; k < matrix->columns; k++) widths[k] = column_width(sheet, matrix, k);
+        for (size_t i = 0; i < matrix->rows; i++) {
+            put_row(sheet, matrix, i, widths, false);
+            if (matrix->row_cut[i] && i + 1 < matrix->rows) put_row(sheet, matrix, i, widths, true);
+        }
+    }
+    free(widths);
+}
+
+static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
+{
+    if (matrix->columns == 0 || matrix->column_symbols[0] < 0) return;
+    yk_text_puts(printing->text, "      columns:");
+    for (size_t k = 0; k < matrix->columns; k++)
+        yk_text_format(printing->text, "%s %s%s", k ? "," : "",
+                       yk_ring_symbol_name(printing->ring, matrix->column_symbols[k]),
+                       k + 1 < matrix->columns && matrix->column_cut[k] ? " |" : "");
+    yk_text_puts(printing->text, "\n      rows:");
+    for (size_t i = 0; i < matrix->rows; i++)
+        yk_text_format(printing->text, "%s %s%s", i ? "," : "", matrix->row_labels[i] ? matrix->row_labels[i] : "",
+                       i + 1 < matrix->rows && matrix->row_cut[i] ? " |" : "");
+    yk_text_puts(printing->text, "\n");
+}
+
+// --- Lines
+
+static void add_value(Sheet *sheet, const YkLine *line)
+{
+    YkVec value;
+    YkText *text = &sheet->text;
+    size_t start = text->length;
+    const YkShownMatrix *matrix = yk_print_only_matrix(line);
+    if (sheet->printing->values && matrix) {
+        yk_text_puts(text, " = ");
+        add_line(sheet, start);
+        add_matrix(sheet, matrix, true);
+    } else if (yk_print_value(sheet->printing, line, &value)) {
+        yk_text_puts(text, line->is_vector ? " = [" : " = ");
+        yk_print_number(text, value.x);
+        if (line->is_vector) {
+            yk_text_puts(text, ", ");
+            yk_print_number(text, value.y);
+            yk_text_puts(text, "]");
+        }
+        add_line(sheet, start);
+    }
+}
+
+static void put_formula(Sheet *sheet, const YkLine *line)
+{
+    YkText *text = &sheet->text;
+    const YkPagePiece *before = NULL;
+    clear_sheet(sheet);
+    yk_text_puts(text, "  ");
+    if (line->text) {
+        yk_text_puts(text, line->text);
+        yk_text_puts(text, ":  ");
+    }
+    size_t start = 0;
+    for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next) {
+        if (piece->kind != YK_PIECE_MATRIX) {
+            put_piece(sheet->printing, piece, before, text);
+            continue;
+        }
+        if (before) yk_text_puts(text, " ");
+        add_line(sheet, start);
+        add_matrix(sheet, piece->matrix, false);
+        start = text->length;
+    }
+    add_line(sheet, start);
+    add_value(sheet, line);
+    put_rows(sheet);
+    const YkShownMatrix *matrix = yk_print_only_matrix(line);
+    if (matrix) put_matrix_names(sheet->printing, matrix);
+}
+
+void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text)
+{
+    const YkPagePiece *before = NULL;
+    for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next) {
+        put_piece(printing, piece, before, text);
+        if (piece->kind != YK_PIECE_MATRIX) continue;
+        const YkShownMatrix *matrix = piece->matrix;
+        yk_text_puts(text, "[");
+        for (size_t k = 0; k < matrix->rows * matrix->columns; k++) {
+            if (k > 0) yk_text_puts(text, k % matrix->columns == 0 ? "; " : ", ");
+            yk_print_element(printing, matrix->entries[k], YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+        }
+        yk_text_puts(text, "]");
+    }
+}
+
+static void put_words(YkText *text, const char *before, const char *words)
+{
+    yk_text_puts(text, before);
+    yk_text_puts(text, words);
+    yk_text_puts(text, "\n");
+}
+
+static void put_heading(YkPrinting *printing, const YkLine *line, bool first)
+{
+    put_words(printing->text, first ? "" : "\n", line->text);
+    if (line->level > 1) return;
+    yk_text_repeat(printing->text, '=', strlen(line->text));
+    yk_text_puts(printing->text, "\n");
+}
+
+void yk_print_text_head(YkPrinting *printing)
+{
+    printing->sheet = calloc(1, sizeof *printing->sheet);
+    if (!printing->sheet) {
+        printing->failed = true;
+        return;
+    }
+    printing->sheet->printing = printing;
+    if (printing->title) yk_text_format(printing->text, "%s\n\n", printing->title);
+}
+
+void yk_print_text_part(YkPrinting *printing, const YkPage *part)
+{
+    Sheet *sheet = printing->sheet;
+    for (const YkLine *line = part->first; line && !printing->failed; line = line->next) {
+        if (line->kind == YK_LINE_HEADING) put_heading(printing, line, !sheet->has_lines);
+        if (line->kind == YK_LINE_WORDS) put_words(printing->text, "  ", line->text);
+        if (line->kind == YK_LINE_FORMULA) put_formula(sheet, line);
+        sheet->has_lines = true;
+    }
+    printing->failed |= sheet->text.failed || sheet->cells.failed;
+}

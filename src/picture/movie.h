@@ -1,0 +1,18 @@
+// Drawings that move, as files: SVG by itself, GIF, MP4 and WebM by rsvg-convert and ffmpeg.
+#ifndef PICTURE_MOVIE_H
+#define PICTURE_MOVIE_H
+#include <yoke/draw.h>
+#include <yoke/problem.h>
+#include "base/text.h"
+
+typedef enum YkMovieKind { YK_MOVIE_SVG, YK_MOVIE_GIF, YK_MOVIE_MP4, YK_MOVIE_WEBM, YK_MOVIE_OTHER } YkMovieKind;
+YkMovieKind yk_movie_kind(const char *path); // by its ending
+// How many poses a second a movie of this kind is made of.
+double yk_movie_rate(YkMovieKind kind);
+
+// Adds the movie of a drawing's poses (options.moving), which take so many seconds, for ever; to_and_fro: and back.
+// False with a problem added: E0710 when a program is missing, E0711 when it fails. Cost: a run of rsvg-convert a pose.
+bool yk_movie_write(YkDrawing *drawing, YkMovieKind kind, double seconds, bool to_and_fro, YkText *output,
+                    YkProblems *problems);
+
+#endif

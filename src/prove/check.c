@@ -1,0 +1,164 @@
+// The verdict on an equation: identity, proof on the loops, many poses.
+#include <stdlib.h>
+#include "base/problems.h"
+#include "derive/blocks.h"
+#include "derive/forces/free_bodies.h"
+#include "derive/gears/gears.h"
+#include "derive/inside.h"
+#include "prove/check_inside.h"
+#include "prove/equation.h"
+
+static bool is_identity(YkCheck *check)
+{
+    enum { TERMS_MAX = 2000 };
+    YkRing *ring = check->d->ring;
+    const YkDeriveForces *forces = yk_derive_forces(check->d);
+    bool has_roots = forces && forces->length_count > 0;
+    int points = has_roots ? YK_CHECK_POINTS_OF_ROOTS : YK_CHECK_POINTS;
+    YkFormVerdict verdict =
+        yk_form_compare_at(ring, check->equation.left, check->equation.right, points, check->shared->anywhere);
+    if (verdict != YK_FORM_UNDECIDED) return verdict == YK_FORM_EQUAL;
+    // roots that the field has not: they are what they are
+    const YkPoisson *difference = yk_form_expand(ring, check->difference, TERMS_MAX);
+    bool is = difference && yk_ring_is_equal(ring, difference, yk_ring_rational(ring, 0, 1));
+    yk_ring_clear(ring);
+    return is;
+}
+
+static void refute(YkCheck *check, YkCheckVerdict *verdict)
+{
+    verdict->kind = YK_CHECK_FALSE;
+    yk_check_show(check, check->d->arena, &verdict->shown);
+    verdict->slip = yk_check_slip(check);
+}
+
+// False where inputs move in any way. What the drives' motion is, and all that speaks of t, is asked of that motion.
+static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
+{
+    size_t times = 0;
+    YkCheckShown shown = {0};
+    yk_check_show(check, check->d->arena, &shown);
+    bool differs = yk_check_has_drives(check) && yk_check_differs_in_drive(check, &times);
+    if (!differs && times >= YK_CHECK_POSES_MIN) {
+        verdict->kind = YK_CHECK_TRUE_DRIVEN;
+        verdict->poses = times;
+        return;
+    }
+    if (differs && check->has_time) yk_check_show(check, check->d->arena, &shown);
+    verdict->kind = YK_CHECK_FALSE;
+    verdict->shown = shown;
+    verdict->slip = yk_check_slip(check);
+}
+
+// True with the file's numbers, and not proved for others: others are tried, and tell what binds the angles.
+static void look_farther(YkCheck *check, YkProof proof, YkCheckVerdict *verdict)
+{
+    verdict->kind = verdict->poses >= YK_CHECK_POSES_MIN ? YK_CHECK_TRUE_HERE : YK_CHECK_UNDECIDED;
+    verdict->is_too_large = yk_loop_is_large(check->d);
+    if (verdict->is_too_large) return;
+    yk_check_machines(check, verdict);
+    if (!verdict->is_false_there && check->points->ground != YK_GROUND_FIRM) {
+        const YkLoopBonds *bonds = yk_check_find_bonds(check);
+        if (bonds) yk_check_bind(check, bonds);
+        if (bonds) proof = yk_check_prove(check, check->difference);
+    }
+    if (proof == YK_PROVED) verdict->kind = YK_CHECK_TRUE;
+    verdict->is_refuted = proof == YK_REFUTED;
+}
+
+static void decide(YkCheck *check, YkCheckVerdict *verdict)
+{
+    verdict->is_identity = is_identity(check);
+    verdict->is_in_segment = check->within_count > 0;
+    bool differs = !verdict->is_identity && yk_check_differs(check, YK_CHECK_POSES, &verdict->poses);
+    YkProof proof = verdict->is_identity ? YK_PROVED : yk_check_prove(check, check->difference);
+    if (proof == YK_PROVED) {
+        verdict->kind = differs ? YK_CHECK_UNDECIDED : YK_CHECK_TRUE;
+    } else if (differs) {
+        ask_drives(check, verdict);
+    } else if (yk_check_exactly(check) == YK_EXACT_DIFFERENT) {
+        yk_state_copy(check->state, check->start);
+        yk_check_solve(check);
+        yk_check_fill_values(check);
+        refute(check, verdict);
+    } else {
+        look_farther(check, proof, verdict);
+    }
+}
+
+// All symbols there will be, and all names.
+static bool prepare(YkDerivation *d, YkProblems *problems)
+{
+    if (!yk_derive_blocks(d) || !yk_derive_enter_forces(d)) {
+        YkRingStatus why = yk_derivation_ran_out(d) ? YK_RING_MEMORY : yk_ring_status(d->ring);
+        yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "the machine cannot be written in symbols: %s",
+                   yk_ring_status_text(why));
+        return false;
+    }
+    yk_derive_train(d); // omega1, ...: names of speeds
+    yk_derive_enter_names(d);
+    return true;
+}
+
+static bool make_room(YkCheck *check)
+{
+    YkDerivation *d = check->d;
+    check->within_count = yk_equation_segments(d, &check->equation, check->within, YK_CHECK_SEGMENTS);
+    check->has_time = yk_equation_speaks_of(d, check->equation.left, d->time) ||
+                      yk_equation_speaks_of(d, check->equation.right, d->time);
+    check->difference = yk_form_subtract(d->ring, check->equation.left, check->equation.right);
+    for (size_t k = 0; k < d->model->parameter_count; k++) yk_derive_definition(d, k);
+    if (!yk_derive_is_long(d)) yk_derive_body_angle(d, 0);
+    check->value_count = yk_ring_symbol_count(d->ring) + 64;
+    check->values = yk_derive_scratch(d, check->value_count, sizeof *check->values);
+    check->elsewhere = yk_derive_scratch(d, check->value_count, sizeof *check->elsewhere);
+    return check->values && check->elsewhere && check->difference;
+}
+
+YkCheckOpened yk_check_open(YkCheck *check, YkCheckPoses *poses, YkPlace place, YkProblems *problems)
+{
+    if (!prepare(check->d, problems) ||
+        !yk_equation_read(check->d, check->text, check->length, place, problems, &check->equation))
+        return YK_CHECK_NOT_READ;
+    if (!make_room(check)) return YK_CHECK_NO_ROOM;
+    check->poses = check->within_count > 0 ? &check->own_poses : poses;
+    check->own_poses.is_of_segment = true;
+    check->own_poses.seed = check->seed;
+    return YK_CHECK_OPEN;
+}
+
+void yk_check_close(YkCheck *check)
+{
+    yk_check_free_poses(&check->own_poses);
+    free(check->values);
+    free(check->elsewhere);
+}
+
+YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
+                               YkPlace place, YkProblems *problems)
+{
+    YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
+    YkCheckSeen seen = {.motion = yk_derive_scratch(d, 2 * d->tree_count * YK_CHECK_SEEN_MAX + 1, sizeof *seen.motion)};
+    YkCheckShared *shared = yk_check_share(d, state, dynamics);
+    YkCheck check = {.d = d,
+                     .state = state,
+                     .dynamics = dynamics,
+                     .text = text,
+                     .length = length,
+                     .seed = 2024,
+                     .seen = &seen,
+                     .shared = shared};
+    YkCheckOpened opened =
+        shared && seen.motion ? yk_check_open(&check, &shared->poses, place, problems) : YK_CHECK_NO_ROOM;
+    if (shared) check.start = shared->start, check.points = &shared->points;
+    if (opened != YK_CHECK_NOT_READ) verdict.kind = YK_CHECK_UNDECIDED;
+    if (opened == YK_CHECK_OPEN) decide(&check, &verdict);
+    if (opened == YK_CHECK_NO_ROOM || check.failed || yk_derivation_ran_out(d)) {
+        verdict = (YkCheckVerdict){.kind = YK_CHECK_UNREADABLE};
+        if (!yk_problems_ran_out(problems))
+            yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while the equation was checked");
+    }
+    yk_check_close(&check);
+    free(seen.motion);
+    return verdict;
+}

@@ -1,0 +1,86 @@
+// Reading an equation: what equation.c (sums, products, powers) and equation_words.c (numbers, names, functions) share.
+#ifndef PROVE_EQUATION_H
+#define PROVE_EQUATION_H
+#include "prove/quantities.h"
+#include "base/units.h"
+#include "derive/inside.h"
+#include "prove/check.h"
+
+// The physical dimension of what was read.
+typedef enum YkEquationSizeKind {
+    YK_SIZE_OPEN, // not known
+    YK_SIZE_BARE, // numbers without a unit are in it: it takes any
+    YK_SIZE_KNOWN
+} YkEquationSizeKind;
+typedef struct YkEquationSize {
+    YkEquationSizeKind kind;
+    YkDimension dimension;
+    bool has_unit; // a unit is written in it
+} YkEquationSize;
+
+typedef struct YkEquationReader {
+    YkDerivation *d;
+    const char *text;
+    size_t length, at;
+    YkPlace place;
+    YkProblems *problems;
+    int depth;
+    bool is_right, failed;
+    YkEquationSize size;  // of what was read last
+    YkEquation *equation; // takes the summands of the sides
+} YkEquationReader;
+
+// The next character that is no blank; '\0' at the end.
+char yk_equation_peek(YkEquationReader *reader);
+// Reports a problem, the first only; returns NULL.
+const YkForm *yk_equation_refuse(YkEquationReader *reader, size_t start, const char *message, const char *hint);
+const YkForm *yk_equation_bracket(YkEquationReader *reader); // ( ... ) or [ ... ]
+// base, or its power where ^ follows. NULL base: NULL.
+const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base);
+// A bracket, a function, a name, a number with or without a unit.
+const YkForm *yk_equation_atom(YkEquationReader *reader);
+
+// --- equation_sizes.c
+YkEquationSize yk_equation_size_of(const YkDerivation *d, int32_t symbol);
+YkEquationSize yk_equation_size_of_quantity(const YkDerivation *d, const char *name); // of yk_derive_quantity
+YkEquationSize yk_equation_size_times(YkEquationSize a, YkEquationSize b, int power); // a b^power, power 1 or -1
+YkEquationSize yk_equation_size_power(YkEquationSize a, int exponent);
+YkEquationSize yk_equation_size_root(YkEquationSize a);
+// The same of a sum; what does not fit is reported, b beginning at `start`.
+YkEquationSize yk_equation_size_sum(YkEquationReader *reader, size_t start, YkEquationSize a, YkEquationSize b);
+void yk_equation_compare_sides(YkEquationReader *reader, size_t start, YkEquationSize left, YkEquationSize right);
+bool yk_equation_size_is_angle(YkEquationReader *reader, size_t start, YkEquationSize size); // or reported
+
+// --- equation_angles.c: e^(i angle) of any angle; and does an element speak of an angle or root of
+// which nothing can be proved?
+const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle);
+bool yk_equation_has_own(const YkDerivation *d, const YkPoisson *a);
+const YkPoisson *yk_equation_root(YkDerivation *d, const YkPoisson *square); // positive
+// Does the element speak of a symbol, in such angles, too?
+bool yk_equation_mentions(const YkDerivation *d, const YkPoisson *a, int32_t symbol);
+
+// --- equation_laws.c: the bracket behind a law's name, where it says at which angle; NULL with the reader where it was
+// otherwise.
+const YkForm *yk_equation_call(YkEquationReader *reader, int32_t symbol);
+
+// --- equation_pages.c
+// The symbol of this name, also of one that only sections have on their pages; -1 where there is none. And what it
+// stands for.
+int32_t yk_equation_find(YkDerivation *d, const char *name);
+const YkForm *yk_equation_meaning(YkDerivation *d, int32_t symbol);
+bool yk_equation_speaks_of(const YkDerivation *d, const YkForm *form, int32_t symbol);
+// Elements that must lie in 0 to 1 where the equation is to hold: it speaks of a segment of a motion program. Returns
+// how many there are.
+size_t yk_equation_segments(YkDerivation *d, const YkEquation *equation, const YkPoisson **within, size_t most);
+
+static inline bool yk_is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static inline bool yk_is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+#endif

@@ -1,0 +1,83 @@
+// What the files share that make random points of the machine's motion over the prime field: loop_point.c, loop_close.c
+// (angles and lengths that close the loops), loop_assembly.c (is it the machine's own assembly?).
+#ifndef PROVE_LOOP_POINT_H
+#define PROVE_LOOP_POINT_H
+#include "derive/blocks.h"
+#include "prove/check.h"
+
+// On one assembly of a machine angles may be bound that are free on another: in a parallelogram with the same symbol
+// for both cranks these stay parallel, and what is left, the contra-parallelogram, is another machine. A bond is a sum
+// of whole multiples of the tree's angles that stays turns * 15 deg; its pivot's factor is 1, and 0 in all others.
+typedef struct YkLoopBond {
+    int32_t pivot; // a coordinate
+    int32_t turns;
+    int32_t *factor; // [tree_count]
+} YkLoopBond;
+typedef struct YkLoopBonds {
+    YkLoopBond *bond;
+    size_t count;
+} YkLoopBonds;
+
+// yk_derive_loop_point on such an assembly (NULL: no bonds). *rank: of the equations for what enters the loops
+// linearly; -1 where these do not close.
+YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
+                                       bool *is_possible);
+
+// Linear equations for symbols: in row r, rest + sum of slope * symbol = 0.
+typedef struct YkLoopEntry {
+    int32_t unknown; // in the list of these
+    const YkPoisson *slope;
+} YkLoopEntry;
+typedef struct YkLoopRow {
+    const YkPoisson *rest; // without the unknowns, but for a row that is not split
+    size_t first;          // its entries; they end where those of the next row begin
+    bool is_split;
+} YkLoopRow;
+typedef struct YkLoopSystem {
+    const int32_t *unknowns; // symbols
+    size_t unknown_count, row_count;
+    YkLoopRow *rows; // [row_count + 1]
+    YkLoopEntry *entries;
+    size_t held; // rows of what locks hold
+} YkLoopSystem;
+
+// loop_plan.c: what closes the loops, what moves them, what accelerates them and acts on them. In the derivation's
+// arena, made at first use and again where sections have added relations; NULL when out of memory.
+typedef struct YkLoopPlan {
+    YkLoopSystem closing, rates, accelerations;
+    size_t relations, unknowns;
+} YkLoopPlan;
+const YkLoopPlan *yk_loop_plan(YkDerivation *d);
+// So many unknowns that points would take more than a second.
+bool yk_loop_is_large(const YkDerivation *d);
+
+typedef struct YkLoopMaking {
+    YkDerivation *d;
+    YkFieldPoint *point;
+    const YkDeriveBlocks *blocks;
+    const YkLoopPlan *plan;
+    const YkLoopBonds *bonds;
+    int rank;
+    bool is_possible, failed;
+} YkLoopMaking;
+
+static inline uint64_t yk_loop_field(const YkLoopMaking *making, const YkPoisson *a)
+{
+    return yk_ring_field(making->d->ring, a, making->point, false);
+}
+
+// Solves it over the field; false where rows contradict each other.
+bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank);
+
+// --- loop_close.c
+bool yk_loop_is_defined(YkDerivation *d, size_t parameter); // by others, or in a definition
+void yk_loop_close_angles(YkLoopMaking *making);            // by bonds, or by slides and welds that close loops
+// The symbols for which they are solved: all that enter them linearly. Returns the count; unknowns has room for all
+// coordinates and parameters.
+size_t yk_loop_linear(YkDerivation *d, const YkDeriveBlocks *blocks, int32_t *unknowns);
+
+// --- loop_assembly.c: do the points of that rank with these bonds lie on the assembly on which the machine is at the
+// pose of these values?
+bool yk_loop_is_assembly(YkDerivation *d, const YkLoopBonds *bonds, int rank, const double *values);
+
+#endif

@@ -1,0 +1,181 @@
+// The linearised equations at an equilibrium, and their modes.
+#include <string.h>
+#include "num/dense.h"
+#include "num/eigen.h"
+#include "rest/rest.h"
+
+bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a)
+{
+    YkState *s = rest->state;
+    for (size_t k = 0; k < rest->freedom; k++)
+        yk_state_set_input(s, (size_t)rest->input[k], (YkMotion){q[k], rates ? rates[k] : 0, 0});
+    YkStatus status = yk_dynamics_reduce(rest->dynamics, s);
+    if (status < 0 || status == YK_SINGULAR) return false;
+    for (size_t k = 0; k < rest->freedom; k++) a[k] = rest->dynamics->acceleration[rest->input[k]];
+    return true;
+}
+
+bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double *matrix)
+{
+    static const double weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12}; // at -2h, -h, h, 2h
+    static const int place[] = {-2, -1, 1, 2};
+    size_t f = rest->freedom;
+    double *x = rest->trial, *a = rest->step;
+    memset(matrix, 0, f * f * sizeof *matrix);
+    for (size_t j = 0; j < f; j++) {
+        double h = 1e-3 * rest->scale[j];
+        for (int p = 0; p < 4; p++) {
+            for (size_t k = 0; k < f; k++) x[k] = of_rates ? 0 : q[k];
+            x[j] += place[p] * h;
+            if (!yk_rest_accelerations(rest, of_rates ? q : x, of_rates ? x : NULL, a)) return false;
+            for (size_t i = 0; i < f; i++) matrix[i * f + j] += weight[p] / h * a[i];
+        }
+    }
+    return true;
+}
+
+// M is the inverse of what unit efforts along the free inputs accelerate.
+static bool find_mass(YkRest *rest, double *mass)
+{
+    YkDynamics *d = rest->dynamics;
+    size_t f = rest->freedom;
+    double *inverse = rest->jacobian, *a = rest->step, *base = rest->trial;
+    if (!yk_rest_accelerations(rest, rest->q, NULL, base)) return false;
+    for (size_t j = 0; j < f; j++) {
+        d->pushed = rest->input[j];
+        d->push = 1;
+        bool ok = yk_rest_accelerations(rest, rest->q, NULL, a);
+        d->push = 0;
+        if (!ok) return false;
+        for (size_t i = 0; i < f; i++) inverse[i * f + j] = a[i] - base[i];
+    }
+    if (yk_lu_factor(f, inverse, rest->pivot, rest->trial) == 0) return false;
+    for (size_t j = 0; j < f; j++) {
+        for (size_t i = 0; i < f; i++) a[i] = i == j;
+        yk_lu_solve(f, inverse, rest->pivot, a);
+        for (size_t i = 0; i < f; i++) mass[i * f + j] = a[i];
+    }
+    for (size_t i = 0; i < f; i++) // symmetric by nature
+        for (size_t j = 0; j < i; j++) mass[i * f + j] = mass[j * f + i] = 0.5 * (mass[i * f + j] + mass[j * f + i]);
+    return true;
+}
+
+// out = -M A.
+static void times_mass(size_t f, const double *mass, const double *A, double *out)
+{
+    for (size_t i = 0; i < f; i++)
+        for (size_t j = 0; j < f; j++) {
+            double sum = 0;
+            for (size_t k = 0; k < f; k++) sum -= mass[i * f + k] * A[k * f + j];
+            out[i * f + j] = sum;
+        }
+}
+
+// M = L L^T; false where it is not positive.
+static bool cholesky(size_t f, const double *mass, double *L)
+{
+    memset(L, 0, f * f * sizeof *L);
+    for (size_t j = 0; j < f; j++)
+        for (size_t i = j; i < f; i++) {
+            double sum = mass[i * f + j];
+            for (size_t k = 0; k < j; k++) sum -= L[i * f + k] * L[j * f + k];
+            if (i == j && !(sum > 0)) return false;
+            L[i * f + j] = i == j ? sqrt(sum) : sum / L[j * f + j];
+        }
+    return true;
+}
+
+// L^-1 S L^-T, S the symmetric part of K.
+static void to_standard(size_t f, const double *L, const double *K, double *S)
+{
+    for (size_t i = 0; i < f; i++)
+        for (size_t j = 0; j < f; j++) S[i * f + j] = 0.5 * (K[i * f + j] + K[j * f + i]);
+    for (int side = 0; side < 2; side++) // rows, then (transposed) columns
+        for (size_t c = 0; c < f; c++)
+            for (size_t i = 0; i < f; i++) {
+                double *x = side ? &S[c * f + i] : &S[i * f + c], sum = *x;
+                for (size_t k = 0; k < i; k++) sum -= L[i * f + k] * (side ? S[c * f + k] : S[k * f + c]);
+                *x = sum / L[i * f + i];
+            }
+}
+
+static void find_shape(YkRestPoint *p, size_t f, size_t mode, const double *L, const double *vectors)
+{
+    double *shape = p->shape + mode * f, largest = 0, damping = 0, mass = 0;
+    for (size_t i = f; i-- > 0;) { // L^T shape = vector
+        double sum = vectors[mode * f + i];
+        for (size_t k = i + 1; k < f; k++) sum -= L[k * f + i] * shape[k];
+        shape[i] = sum / L[i * f + i];
+    }
+    for (size_t i = 0; i < f; i++) {
+        if (fabs(shape[i]) > fabs(largest)) largest = shape[i];
+        for (size_t j = 0; j < f; j++) {
+            damping += shape[i] * p->damping[i * f + j] * shape[j];
+            mass += shape[i] * p->mass[i * f + j] * shape[j];
+        }
+    }
+    for (size_t i = 0; i < f; i++) shape[i] /= largest;
+    double omega = fabs(p->frequency[mode]);
+    p->ratio[mode] = omega > 0 ? damping / (2 * mass * omega) : 0;
+}
+
+static bool find_modes(YkRest *rest, YkRestPoint *p)
+{
+    size_t f = rest->freedom;
+    double *L = YK_NEW(rest->arena, double, f *f), *S = YK_NEW(rest->arena, double, f *f),
+           *vectors = YK_NEW(rest->arena, double, f *f);
+    if (!L || !S || !vectors || !cholesky(f, p->mass, L)) return false;
+    to_standard(f, L, p->stiffness, S);
+    if (!yk_eigen_symmetric(f, S, p->frequency, vectors)) return false;
+    for (size_t k = 0; k < f; k++) {
+        double square = p->frequency[k];
+        p->frequency[k] = square < 0 ? -sqrt(-square) : sqrt(square);
+        find_shape(p, f, k, L, vectors);
+    }
+    return true;
+}
+
+// Roots of the damped motion: eigenvalues of [0 I; -M^-1 K, -M^-1 C], whose blocks below are the derivatives
+// themselves.
+static bool find_roots(YkRest *rest, YkRestPoint *p, const double *by_position, const double *by_rate)
+{
+    size_t f = rest->freedom, n = 2 * f;
+    double *A = YK_NEW(rest->arena, double, n *n);
+    if (!A) return false;
+    for (size_t i = 0; i < f; i++) {
+        A[i * n + f + i] = 1;
+        for (size_t j = 0; j < f; j++) {
+            A[(f + i) * n + j] = by_position[i * f + j];
+            A[(f + i) * n + f + j] = by_rate[i * f + j];
+        }
+    }
+    return yk_eigen_general(n, A, p->real, p->imaginary);
+}
+
+static YkStability judge(const YkRest *rest, const YkRestPoint *p)
+{
+    size_t n = 2 * rest->freedom;
+    double size = 0;
+    YkStability stability = YK_STABLE;
+    for (size_t k = 0; k < n; k++) size = fmax(size, hypot(p->real[k], p->imaginary[k]));
+    for (size_t k = 0; k < n; k++) {
+        if (p->real[k] > 1e-5 * size) return YK_UNSTABLE;
+        if (hypot(p->real[k], p->imaginary[k]) <= 1e-5 * size) stability = YK_NEUTRAL;
+    }
+    return size > 0 ? stability : YK_NEUTRAL;
+}
+
+bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
+{
+    size_t f = rest->freedom;
+    double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f);
+    if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
+    if (!yk_rest_differentiate(rest, rest->q, false, by_position) ||
+        !yk_rest_differentiate(rest, rest->q, true, by_rate))
+        return false;
+    times_mass(f, p->mass, by_position, p->stiffness);
+    times_mass(f, p->mass, by_rate, p->damping);
+    if (!find_modes(rest, p) || !find_roots(rest, p, by_position, by_rate)) return false;
+    p->at.stability = judge(rest, p);
+    return true;
+}

@@ -1,0 +1,322 @@
+// Equilibria: poses in which nothing accelerates.
+#include "rest/rest.h"
+#include <stdlib.h>
+#include <string.h>
+#include <yoke/move.h>
+#include "base/problems.h"
+#include "num/dense.h"
+
+YkRestOptions yk_default_rest_options(void)
+{
+    return (YkRestOptions){.starts = 100};
+}
+
+static double norm(const YkRest *rest, const double *a)
+{
+    double sum = 0;
+    for (size_t k = 0; k < rest->freedom; k++) sum += a[k] / rest->scale[k] * (a[k] / rest->scale[k]);
+    return sqrt(sum);
+}
+
+// Newton's method with a line search on the size of the accelerations. True at an equilibrium, whose inputs are in
+// rest->q.
+static bool descend(YkRest *rest)
+{
+    enum { STEPS_MAX = 60 };
+    size_t f = rest->freedom;
+    double *q = rest->q, *a = rest->a, *J = rest->jacobian;
+    bool has_inertia = yk_rest_accelerations(rest, q, NULL, a);
+    if (!has_inertia && rest->lack.status == YK_OK) rest->lack = rest->dynamics->report;
+    if (!has_inertia) return false;
+    rest->has_inertia = true;
+    double size = norm(rest, a);
+    rest->force_scale = fmax(rest->force_scale, size);
+    for (int k = 0; k < STEPS_MAX; k++) {
+        if (size <= 1e-13 * rest->force_scale) return true;
+        if (!yk_rest_differentiate(rest, q, false, J)) return false;
+        double *step = rest->step;
+        for (size_t i = 0; i < f; i++) step[i] = -a[i];
+        if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return false;
+        yk_lu_solve(f, J, rest->pivot, step);
+        double longest = 0, most = 0.7; // rad, or sizes
+        for (size_t i = 0; i < f; i++) longest = fmax(longest, fabs(step[i]) / rest->scale[i]);
+        if (!isfinite(longest)) return false;
+        double way = longest > most ? most / longest : 1, next = HUGE_VAL;
+        double *there = rest->a + f, *trial = rest->a + 2 * f, *kept = rest->a + 3 * f;
+        memcpy(kept, step, f * sizeof *kept);
+        for (int half = 0; half < 12; half++, way *= 0.5) {
+            for (size_t i = 0; i < f; i++) trial[i] = q[i] + way * kept[i];
+            next = yk_rest_accelerations(rest, trial, NULL, there) ? norm(rest, there) : HUGE_VAL;
+            if (next < size) break;
+        }
+        if (!(next < size)) return size <= 1e-9 * rest->force_scale;
+        memcpy(q, trial, f * sizeof *q);
+        memcpy(a, there, f * sizeof *a);
+        size = next;
+    }
+    return size <= 1e-9 * rest->force_scale;
+}
+
+// The same pose as one that was found? Angles modulo a turn.
+static bool is_known(const YkRest *rest, const double *coordinates)
+{
+    const YkMechanism *mech = rest->mech;
+    for (size_t p = 0; p < rest->count; p++) {
+        double off = 0;
+        for (size_t c = 0; c < mech->coordinate_count; c++) {
+            double d = coordinates[c] - rest->points[p].coordinates[c];
+            off = fmax(off, fabs(mech->coordinates[c].is_distance ? d / mech->size : yk_nearest_turn(d, 0)));
+        }
+        if (off < 1e-5) return true;
+    }
+    return false;
+}
+
+static YkRestPoint new_point(YkRest *rest)
+{
+    size_t f = rest->freedom, inputs = 3 * rest->mech->input_count + 1;
+    YkRestPoint p = {.inputs = YK_NEW(rest->arena, double, inputs),
+                     .branch = YK_NEW(rest->arena, signed char, rest->mech->block_count + 1),
+                     .coordinates = YK_NEW(rest->arena, double, rest->mech->coordinate_count + 1),
+                     .mass = YK_NEW(rest->arena, double, 4 * f * f + 6 * f + 6)};
+    if (!p.mass) return p;
+    p.damping = p.mass + f * f;
+    p.stiffness = p.damping + f * f;
+    p.shape = p.stiffness + f * f;
+    p.frequency = p.shape + f * f;
+    p.ratio = p.frequency + f;
+    p.real = p.ratio + f;
+    p.imaginary = p.real + 2 * f;
+    return p;
+}
+
+// The pose in rest->q is an equilibrium: kept unless it is known.
+static bool keep(YkRest *rest)
+{
+    YkState *s = rest->state;
+    if (!yk_rest_accelerations(rest, rest->q, NULL, rest->a) || yk_state_solve(s) < 0) return true;
+    YkRestPoint p = new_point(rest);
+    if (yk_arena_failed(rest->arena) || !YK_ROOM(rest->points, rest->count, rest->capacity)) return false;
+    for (size_t c = 0; c < rest->mech->coordinate_count; c++) p.coordinates[c] = yk_state_coordinate(s, c).position;
+    if (is_known(rest, p.coordinates)) return true;
+    memcpy(p.inputs, s->input, 3 * rest->mech->input_count * sizeof *p.inputs);
+    memcpy(p.branch, s->branch, rest->mech->block_count);
+    p.at.potential = yk_dynamics_energy_at(rest->dynamics, s).potential;
+    p.at.force = rest->force_scale > 0 ? norm(rest, rest->a) / rest->force_scale : 0;
+    if (yk_rest_linearise(rest, &p)) rest->points[rest->count++] = p;
+    return true;
+}
+
+// A seeded number in [0, 1): xorshift64* (Vigna 2016).
+static double next_random(uint64_t *seed)
+{
+    *seed ^= *seed >> 12;
+    *seed ^= *seed << 25;
+    *seed ^= *seed >> 27;
+    return (double)((*seed * 0x2545F4914F6CDD1Dull) >> 11) * 0x1p-53;
+}
+
+static bool search(YkRest *rest, size_t starts)
+{
+    YkState *s = rest->state;
+    const YkMechanism *mech = rest->mech;
+    uint64_t seed = 0x9E3779B97F4A7C15ull;
+    for (size_t k = 0; k <= starts; k++) {
+        if (k > 0) {
+            for (size_t c = 0; c < mech->coordinate_count; c++) {
+                double x = 2 * next_random(&seed) - 1;
+                s->guess[c] = x * (mech->coordinates[c].is_distance ? mech->size : YK_PI);
+                s->is_guessed[c] = true;
+            }
+            for (size_t i = 0; i < rest->freedom; i++)
+                yk_state_set_input(s, (size_t)rest->input[i], (YkMotion){s->guess[mech->inputs[rest->input[i]]], 0, 0});
+            YkStatus status = yk_state_assemble(s);
+            if (status == YK_NO_MEMORY) return false;
+            if (status < 0) continue;
+        }
+        for (size_t i = 0; i < rest->freedom; i++) rest->q[i] = s->input[3 * rest->input[i]];
+        if (descend(rest) && !keep(rest)) return false;
+        if (k == 0) rest->of_start = rest->count;
+    }
+    return true;
+}
+
+static int by_energy(const void *a, const void *b)
+{
+    const YkRestPoint *p = a, *q = b;
+    return (p->at.potential > q->at.potential) - (p->at.potential < q->at.potential);
+}
+
+// How many of the starts can be tried: a start takes some twenty factorisations, and each equilibrium its modes. Told
+// where they are fewer; none where even the start pose would be too much.
+static bool limit_starts(const YkRest *rest, size_t *starts, YkProblems *problems)
+{
+    const double work_max = 2e10; // multiplications: about ten seconds
+    double f = (double)rest->freedom, n = (double)(rest->mech->step_count + rest->freedom + 1);
+    double work = 40 * f * f * f + 80 * f * 40 * n, most = work_max / work;
+    if (most < 1) {
+        yk_problem(problems, YK_CODE_REST_TOO_LARGE, (YkPlace){0},
+                   "equilibria are looked for in all freedoms at once, and %z of them are too many", rest->freedom);
+        yk_problem_hint(problems, "hold or drive some coordinates, or let `yoke simulate` swing it out with dampers");
+        return false;
+    }
+    if ((double)*starts + 1 <= most) return true;
+    *starts = (size_t)most - 1;
+    yk_problem(problems, YK_CODE_REST_FEW_STARTS, (YkPlace){0},
+               "with %z freedoms only %z starts beside `start:` are tried: there may be other equilibria",
+               rest->freedom, *starts);
+    return true;
+}
+
+static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *options, size_t *starts,
+                    YkProblems *problems)
+{
+    rest->arena = yk_arena_new();
+    rest->mech = yk_mechanism_compile(model, options->compile, problems);
+    if (!rest->arena || !rest->mech) return false;
+    rest->state = yk_state_new(rest->mech);
+    rest->dynamics = yk_dynamics_new(rest->mech, problems);
+    size_t n = rest->mech->input_count + 1;
+    if (!rest->state || !rest->dynamics) return false;
+    for (size_t i = 0; i < rest->mech->input_count; i++) rest->freedom += rest->dynamics->is_free[i];
+    if (!limit_starts(rest, starts, problems)) return false;
+    rest->input = YK_NEW(rest->arena, int32_t, n);
+    rest->q = YK_NEW(rest->arena, double, 9 * n + n * n);
+    rest->pivot = YK_NEW(rest->arena, int, n);
+    if (yk_arena_failed(rest->arena)) return false;
+    rest->a = rest->q + n;
+    rest->step = rest->a + 4 * n;
+    rest->trial = rest->step + n;
+    rest->scale = rest->trial + n;
+    rest->jacobian = rest->scale + n;
+    for (size_t i = 0, k = 0; i < rest->mech->input_count; i++) {
+        if (!rest->dynamics->is_free[i]) continue;
+        rest->scale[k] = rest->mech->coordinates[rest->mech->inputs[i]].is_distance ? rest->mech->size : 1;
+        rest->input[k++] = (int32_t)i;
+    }
+    return true;
+}
+
+// A freedom may lack inertia in one pose and have it in all others, as an arm of no length: the machine is refused
+// where no pose that was tried has it.
+static bool has_inertia(const YkRest *rest, YkProblems *problems)
+{
+    if (rest->has_inertia || rest->lack.status != YK_SINGULAR) return true;
+    yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0}, "%s", rest->lack.message);
+    return false;
+}
+
+static bool assemble(YkRest *rest, double time, YkProblems *problems)
+{
+    YkState *s = rest->state;
+    if (yk_state_set_time(s, time, problems) < 0) return false;
+    for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+    YkStatus status = rest->pose ? yk_state_adopt(s, rest->pose) : yk_state_assemble(s);
+    for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+    if (status >= 0) return true;
+    if (status == YK_NO_MEMORY) return false; // told with the rest
+    yk_problem(problems, status == YK_LIMIT ? YK_CODE_POSE_LIMIT : YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0},
+               "the search for equilibria cannot start: %s", s->report.message);
+    return false;
+}
+
+YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems)
+{
+    YkRestOptions defaults = yk_default_rest_options();
+    if (!options) options = &defaults;
+    YkRest *rest = calloc(1, sizeof *rest);
+    if (!rest) return NULL;
+    size_t starts = options->starts;
+    rest->time = options->time;
+    rest->pose = options->pose;
+    bool ok = prepare(rest, model, options, &starts, problems) && assemble(rest, options->time, problems);
+    if (ok && !rest->dynamics->has_mass) {
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
+                   "no body has mass or inertia, so the machine has no motion of its own");
+        ok = false;
+    }
+    if (ok) ok = search(rest, starts) && has_inertia(rest, problems) && !rest->dynamics->ran_out;
+    if (!ok) {
+        if (problems && yk_problems_error_count(problems) == 0)
+            yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");
+        yk_rest_free(rest);
+        return NULL;
+    }
+    size_t first = rest->of_start; // that of `start:` stays in front
+    if (rest->count > first + 1) qsort(rest->points + first, rest->count - first, sizeof *rest->points, by_energy);
+    return rest;
+}
+
+void yk_rest_free(YkRest *rest)
+{
+    if (!rest) return;
+    yk_dynamics_free(rest->dynamics);
+    yk_state_free(rest->state);
+    yk_mechanism_free(rest->mech);
+    free(rest->points);
+    yk_arena_free(rest->arena);
+    free(rest);
+}
+
+size_t yk_rest_count(const YkRest *rest)
+{
+    return rest->count;
+}
+const YkMechanism *yk_rest_mechanism(const YkRest *rest)
+{
+    return rest->mech;
+}
+size_t yk_rest_freedom(const YkRest *rest)
+{
+    return rest->freedom;
+}
+size_t yk_rest_input(const YkRest *rest, size_t k)
+{
+    return (size_t)rest->mech->inputs[rest->input[k]];
+}
+YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index)
+{
+    return rest->points[index].at;
+}
+
+YkState *yk_rest_state(YkRest *rest, size_t index)
+{
+    YkState *s = rest->state;
+    memcpy(s->input, rest->points[index].inputs, 3 * rest->mech->input_count * sizeof *s->input);
+    memcpy(s->reference, rest->points[index].coordinates, rest->mech->coordinate_count * sizeof *s->reference);
+    memcpy(s->branch, rest->points[index].branch, rest->mech->block_count);
+    if (rest->mech->has_groups) { // tracked from where they are: brought there by the guesses
+        for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+            s->guess[c] = rest->points[index].coordinates[c];
+            s->is_guessed[c] = true;
+        }
+        yk_state_assemble(s);
+    }
+    yk_state_solve(s);
+    return s;
+}
+
+const double *yk_rest_mass(const YkRest *rest, size_t index)
+{
+    return rest->points[index].mass;
+}
+const double *yk_rest_damping(const YkRest *rest, size_t index)
+{
+    return rest->points[index].damping;
+}
+const double *yk_rest_stiffness(const YkRest *rest, size_t index)
+{
+    return rest->points[index].stiffness;
+}
+
+YkMode yk_rest_mode(const YkRest *rest, size_t index, size_t k)
+{
+    const YkRestPoint *p = &rest->points[index];
+    return (YkMode){p->frequency[k], p->ratio[k], p->shape + k * rest->freedom};
+}
+
+void yk_rest_root(const YkRest *rest, size_t index, size_t k, double *real, double *imaginary)
+{
+    *real = rest->points[index].real[k];
+    *imaginary = rest->points[index].imaginary[k];
+}

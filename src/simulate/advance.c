@@ -1,0 +1,246 @@
+// Through time: steps, what is looked at between them, events that end one.
+#include <string.h>
+#include "simulate/simulation.h"
+
+// The pose at (t, y), counted.
+static bool stand(YkSimulation *sim, double t, const double *y)
+{
+    if (!yk_simulation_pose(sim, t, y)) return false;
+    sim->is_elsewhere = true;
+    memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
+    yk_simulation_count_energy(sim);
+    return true;
+}
+
+// Contacts that cannot hold let go at once.
+static bool settle_contacts(YkSimulation *sim)
+{
+    if (sim->contact_count == 0) return true;
+    bool ok;
+    do {
+        sim->is_testing = true;
+        ok = yk_simulation_pose(sim, sim->time, sim->y);
+        sim->is_testing = false;
+    } while (ok && yk_simulation_contacts_check(sim));
+    return ok;
+}
+
+// Starts the stepper at the time and inputs that stand.
+static bool restart(YkSimulation *sim)
+{
+    double end = sim->options.horizon > sim->time ? sim->options.horizon : sim->target;
+    yk_simulation_contacts_start(sim);
+    if (!settle_contacts(sim)) return false;
+    if (!(end > sim->time)) end = sim->time + 1;
+    sim->is_new_step = false;
+    YkOdeStatus status = yk_ode_start(sim->ode, sim->time, sim->y, end, false);
+    if (status == YK_ODE_OK) return true;
+    sim->status = YK_NOT_CONVERGED;
+    if (sim->report.message[0] == 0) sim->report = sim->dynamics->report;
+    return false;
+}
+
+static const double POOR = 0.2; // sin^2 of the worst block, from which other coordinates are looked for
+
+// Better coordinates where these are near a dead point; which blocks are near a singular position.
+static bool look_round(YkSimulation *sim)
+{
+    bool changed = false;
+    if (yk_simulation_margin(sim) < POOR) {
+        if (yk_simulation_margin(sim) > 1e-8 && !yk_simulation_recoordinate(sim, &changed)) return false;
+        if (changed && !yk_simulation_pose(sim, sim->time, sim->y)) return false;
+    }
+    yk_simulation_look_near(sim, sim->time);
+    return !changed || restart(sim);
+}
+
+// On first use, when efforts are set and watches known.
+static bool start_moving(YkSimulation *sim)
+{
+    sim->has_begun = true;
+    yk_simulation_contacts_start(sim);
+    yk_simulation_look_near(sim, sim->time);
+    if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
+    if (!sim->is_flat) sim->near_count = 0; // with accelerations they are known better
+    yk_simulation_look_near(sim, sim->time);
+    if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y) || !look_round(sim)) return false;
+    yk_simulation_watch_start(sim);
+    return true;
+}
+
+// --- failures -------------------------------------------------------------------------------------
+
+static void take_step_end(YkSimulation *sim)
+{
+    memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
+    sim->time = yk_ode_time(sim->ode);
+}
+
+static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
+{
+    yk_dynamics_fail(sim->dynamics, status, why, "", "");
+    sim->report = sim->dynamics->report;
+    return sim->status = status;
+}
+
+static bool has_run_out(const YkSimulation *sim)
+{
+    return sim->dynamics->ran_out || yk_arena_failed(sim->arena);
+}
+
+static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
+{
+    if (has_run_out(sim)) sim->status = YK_NO_MEMORY;
+    if (sim->status == YK_OK) sim->status = status == YK_ODE_NO_MEMORY ? YK_NO_MEMORY : YK_NOT_CONVERGED;
+    yk_simulation_stand_still(sim);
+    if (sim->report.message[0] == 0) yk_simulation_explain(sim);
+    return sim->status;
+}
+
+// --- events ---------------------------------------------------------------------------------------
+
+// Events that follow each other in no time at all would go on for ever.
+static bool is_going_on(YkSimulation *sim)
+{
+    enum { STALLED_MAX = 500 };
+    bool same = sim->events > 0 && sim->pending_time - sim->last_event <= 1e-15 * fabs(sim->pending_time);
+    sim->stalled = same ? sim->stalled + 1 : 0;
+    sim->last_event = sim->pending_time;
+    sim->events++;
+    if (sim->stalled <= STALLED_MAX) return true;
+    give_up(sim, YK_NOT_CONVERGED, "stops and dry friction follow each other without end at this time");
+    return false;
+}
+
+// A happening that ends a step: the state is put there, changed, and the stepper started anew.
+static bool take_pending(YkSimulation *sim)
+{
+    size_t all = 2 * sim->free_count + sim->work_count;
+    if (!is_going_on(sim) || yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
+    memcpy(sim->y, sim->dense, all * sizeof *sim->y);
+    bool is_hit = sim->pending != YK_PENDING_RELEASE; // otherwise the new start lets go what cannot hold
+    sim->pending = YK_PENDING_NONE;
+    if (!yk_simulation_pose(sim, sim->pending_time, sim->y)) return false;
+    if (is_hit && !yk_simulation_hit(sim, sim->pending_item)) return false;
+    sim->near_count = 0; // its rates have changed
+    sim->first_rate = 0;
+    return restart(sim) && stand(sim, sim->time, sim->y) && look_round(sim);
+}
+
+// --- steps ----------------------------------------------------------------------------------------
+
+static bool has_contacts(const YkSimulation *sim)
+{
+    for (size_t k = 0; k < sim->item_count; k++)
+        if (sim->dynamics->loads->items[k].kind >= YK_LOAD_COULOMB) return true;
+    return false;
+}
+
+// Right after an accepted step: what happened in it. Rows within the step may still be asked for.
+static void look_back(YkSimulation *sim)
+{
+    if (sim->is_lean && sim->watch_count == 0) return;
+    if (sim->watch_count == 0 && !has_contacts(sim)) return;
+    yk_simulation_look(sim);
+    sim->is_elsewhere = true;
+}
+
+// The pose at the end of the last step; most often the last evaluation left it there, without accelerations.
+static bool return_to_end(YkSimulation *sim, double t)
+{
+    memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
+    if (sim->contact_count > 0 || sim->near_count > 0 || yk_simulation_margin(sim) < 0.25)
+        return yk_simulation_pose(sim, t, sim->y);
+    if (sim->is_elsewhere && (!yk_simulation_set(sim, t, sim->y) || yk_state_solve(sim->state) < 0)) return false;
+    if (sim->is_elsewhere && yk_simulation_margin(sim) < 0.25) return yk_simulation_pose(sim, t, sim->y);
+    sim->time = t;
+    yk_state_refer(sim->state);
+    return true;
+}
+
+// Before the next step: contacts that let go, coordinates that no longer do, positions where branches meet.
+static bool look_ahead(YkSimulation *sim)
+{
+    double t = yk_ode_time(sim->ode);
+    size_t before = sim->contact_count;
+    sim->is_new_step = false;
+    if (sim->is_lean) return true;
+    if (!return_to_end(sim, t)) return false;
+    if (yk_simulation_look_dead(sim)) {
+        sim->is_elsewhere = true;
+        if (!return_to_end(sim, t)) return false;
+    }
+    sim->is_elsewhere = false;
+    if (before > 0) {
+        if (!settle_contacts(sim)) return false;
+        if (sim->contact_count < before) return restart(sim) && yk_simulation_pose(sim, t, sim->y) && look_round(sim);
+    }
+    return yk_simulation_margin(sim) < 0.25 || sim->near_count > 0 ? look_round(sim) : true;
+}
+
+static bool is_spent(const YkSimulation *sim)
+{
+    size_t most = sim->options.steps_max;
+    return most > 0 && yk_ode_counts(sim->ode).steps + sim->counts.steps + sim->events >= most;
+}
+
+// A step must not pass a singular position that is not watched yet: branches might change unseen.
+static void set_end(YkSimulation *sim, double to)
+{
+    double end = sim->options.horizon >= to ? sim->options.horizon : to, t = yk_ode_time(sim->ode);
+    bool may_cross = !sim->is_lean && sim->options.integrator != YK_INTEGRATOR_RK4 && sim->mech->block_count > 0;
+    if (may_cross) end = fmin(end, fmax(t + yk_simulation_reach(sim), t + 1e-9 * fabs(t)));
+    yk_ode_set_end(sim->ode, end);
+}
+
+static bool is_passed(const YkSimulation *sim, double to)
+{
+    double reached = yk_ode_time(sim->ode);
+    return sim->pending != YK_PENDING_NONE ? sim->pending_time >= to : reached >= to;
+}
+
+// Rows may all meet the machine at the same phase of its motion - every one at standstill -, so the energy is looked at
+// between them too: at the end of each of the first steps, then of some.
+static bool sample_energy(YkSimulation *sim)
+{
+    enum { EACH = 64, SOME = 16 };
+    size_t steps = yk_ode_counts(sim->ode).steps;
+    if (sim->pending != YK_PENDING_NONE || (steps > EACH && steps % SOME != 0)) return true;
+    return stand(sim, yk_ode_time(sim->ode), yk_ode_state(sim->ode));
+}
+
+YkStatus yk_simulation_advance(YkSimulation *sim, double to)
+{
+    if (sim->status != YK_OK) return sim->status;
+    if (!isfinite(to) || to < sim->time) return YK_BAD_ARGUMENT;
+    sim->target = to;
+    if (!sim->has_begun && !start_moving(sim)) return fail(sim, YK_ODE_FAILED);
+    if (to == sim->options.start && yk_ode_time(sim->ode) == to) // the first row
+        return stand(sim, to, yk_ode_state(sim->ode)) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
+    while (!is_passed(sim, to)) {
+        if (sim->pending != YK_PENDING_NONE) {
+            if (!take_pending(sim)) return fail(sim, YK_ODE_FAILED);
+            continue;
+        }
+        if (sim->is_new_step && !look_ahead(sim)) return fail(sim, YK_ODE_FAILED);
+        if (is_spent(sim)) {
+            give_up(sim, YK_NOT_CONVERGED, "the steps allowed are used up");
+            take_step_end(sim);
+            return fail(sim, YK_ODE_FAILED);
+        }
+        set_end(sim, to);
+        YkOdeStatus status = yk_ode_step(sim->ode);
+        if (status != YK_ODE_OK) {
+            take_step_end(sim);
+            return fail(sim, status);
+        }
+        sim->report.message[0] = 0;
+        sim->is_new_step = true;
+        look_back(sim);
+        if (!sample_energy(sim)) return fail(sim, YK_ODE_FAILED);
+        double reached = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
+        if (sim->options.goes_on && !sim->options.goes_on(sim->options.context, reached)) to = fmin(to, reached);
+    }
+    if (yk_ode_dense(sim->ode, to, sim->dense) != YK_ODE_OK) return fail(sim, YK_ODE_FAILED);
+    return stand(sim, to, sim->dense) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
+}

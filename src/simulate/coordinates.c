@@ -1,0 +1,288 @@
+// Independent coordinates: everything that belongs to a choice of them, and another choice where this one comes to a
+// dead point.
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+#include "num/dense.h"
+#include "simulate/simulation.h"
+
+static size_t driven_count(const YkDynamics *d)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < d->mech->input_count; i++) count += !d->is_free[i];
+    return count;
+}
+
+static bool allocate(YkSimulation *sim)
+{
+    size_t inputs = sim->mech->input_count, items = sim->item_count, all = 2 * sim->free_count + sim->work_count;
+    sim->free_input = calloc(inputs + 1, sizeof *sim->free_input);
+    sim->y = calloc(7 * (all + 1), sizeof *sim->y);
+    sim->response = calloc((items + 1) * (inputs + items + 5) + YK_BOUNDED_WORK(items), sizeof *sim->response);
+    sim->bounds = calloc(items + 1, sizeof *sim->bounds);
+    sim->contact_order = calloc(YK_BOUNDED_ORDER(items) + 1, sizeof *sim->contact_order);
+    sim->contacts = calloc(items + 1, sizeof *sim->contacts);
+    sim->near = sim->near_memory = calloc(2 * (sim->mech->block_count + 1), sizeof *sim->near);
+    size_t pose = 4 * sim->mech->slot_count + 3 * sim->mech->distance_count + 6 * sim->mech->node_count;
+    sim->pose_sum = calloc(pose + 1, sizeof *sim->pose_sum);
+    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->bounds ||
+        !sim->contact_order || !sim->pose_sum)
+        return false;
+    sim->dense = sim->y + all + 1;
+    sim->rate = sim->dense + all + 1;
+    sim->moved = sim->rate + all + 1;
+    sim->sampled = sim->moved + all + 1;
+    sim->looked = sim->sampled + all + 1;
+    sim->work = sim->looked + all + 1;
+    sim->matrix = sim->response + (items + 1) * inputs;
+    sim->bias = sim->matrix + (items + 1) * items;
+    sim->lambda = sim->bias + items + 1;
+    sim->wanted = sim->lambda + items + 1;
+    sim->kept = sim->wanted + items + 1;
+    sim->contact_work = sim->kept + items + 1;
+    sim->near_next = sim->near + sim->mech->block_count + 1;
+    return true;
+}
+
+// The machine as one lump that turns at 1 rad/s.
+static double energy_scale(const YkSimulation *sim)
+{
+    double inertia = 0;
+    for (size_t b = 1; b < sim->model->body_count; b++)
+        inertia += sim->model->bodies[b].mass * sim->mech->size * sim->mech->size + sim->model->bodies[b].inertia;
+    return inertia > 0 ? inertia : 1;
+}
+
+bool yk_simulation_stepper(YkSimulation *sim)
+{
+    static const YkOdeMethod methods[] = {YK_ODE_DOP853, YK_ODE_SDIRK4, YK_ODE_RK4};
+    size_t n = sim->free_count, all = 2 * n + sim->work_count;
+    double *scale = sim->sampled, energy = energy_scale(sim);
+    for (size_t k = 0; k < all; k++) {
+        bool is_distance = k < 2 * n && sim->mech->coordinates[sim->mech->inputs[sim->free_input[k % n]]].is_distance;
+        scale[k] = k >= 2 * n ? energy : is_distance ? sim->mech->size : 1;
+    }
+    // What drives do is no consequence of the free motion: works are under control too then. The mean of the errors is
+    // not to be made smaller by works that are always 0.
+    size_t controlled = sim->has_drives ? all : 2 * n;
+    double share = n > 0 ? sqrt(2 * (double)n / (double)controlled) : 1;
+    YkOdeOptions options = {.method = methods[sim->options.integrator],
+                            .relative = share * sim->options.tolerance,
+                            .absolute = share * sim->options.tolerance,
+                            .scale = scale,
+                            .controlled = controlled,
+                            .fixed_step = sim->options.step};
+    sim->ode = yk_ode_new(all, &options, yk_simulation_motion, sim);
+    return sim->ode != NULL;
+}
+
+static bool is_lean(const YkSimulation *sim)
+{
+    return sim->dynamics->tree != NULL;
+}
+
+bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems)
+{
+    sim->mech = yk_mechanism_compile(sim->model, compile, problems);
+    if (!sim->mech) return false;
+    sim->state = yk_state_new(sim->mech);
+    sim->dynamics = sim->state ? yk_dynamics_new(sim->mech, problems) : NULL;
+    if (!sim->dynamics) return false;
+    for (size_t c = 0; sim->has_effort && c < sim->mech->coordinate_count; c++)
+        if (sim->has_effort[c]) yk_dynamics_set_effort(sim->dynamics, c, sim->effort[c]);
+    size_t driven = driven_count(sim->dynamics);
+    sim->item_count = sim->dynamics->loads->item_count;
+    sim->free_count = sim->mech->input_count - driven;
+    sim->work_count = sim->item_count + driven + 1;
+    sim->has_drives = driven > 0;
+    if (!yk_dynamics_prepare(sim->dynamics) || !allocate(sim)) return false;
+    sim->is_lean = is_lean(sim);
+    size_t k = 0;
+    for (size_t i = 0; i < sim->mech->input_count; i++)
+        if (sim->dynamics->is_free[i]) sim->free_input[k++] = (int32_t)i;
+    return true;
+}
+
+void yk_simulation_unbuild(YkSimulation *sim)
+{
+    if (sim->ode) {
+        YkOdeCounts c = yk_ode_counts(sim->ode);
+        sim->counts.steps += c.steps;
+        sim->counts.rejected += c.rejected;
+        sim->counts.evaluations += c.evaluations;
+        sim->counts.jacobians += c.jacobians;
+    }
+    yk_ode_free(sim->ode);
+    yk_dynamics_free(sim->dynamics);
+    yk_state_free(sim->state);
+    yk_mechanism_free(sim->mech);
+    free(sim->free_input);
+    free(sim->y);
+    free(sim->response);
+    free(sim->contacts);
+    free(sim->bounds);
+    free(sim->contact_order);
+    free(sim->near_memory);
+    free(sim->pose_sum);
+    sim->ode = NULL;
+    sim->dynamics = NULL;
+    sim->state = NULL;
+    sim->mech = NULL;
+    sim->free_input = NULL;
+    sim->y = sim->response = NULL;
+    sim->contacts = NULL;
+    sim->bounds = NULL;
+    sim->contact_order = NULL;
+    sim->near = sim->near_next = sim->near_memory = NULL;
+    sim->pose_sum = NULL;
+    sim->near_count = sim->contact_count = 0;
+}
+
+// --- choosing
+// -----------------------------------------------------------------------------------------------------------
+
+// rates[free][coordinate]: of all coordinates for a unit rate of each free input; distances over the machine's size.
+static bool find_rates(YkSimulation *sim, double *rates)
+{
+    YkState *s = sim->state;
+    const YkMechanism *mech = sim->mech;
+    size_t n = mech->coordinate_count;
+    bool ok = true;
+    for (size_t j = 0; j < sim->free_count && ok; j++) {
+        for (size_t i = 0; i < mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
+        s->input[3 * sim->free_input[j] + 1] = 1;
+        ok = yk_state_solve(s) >= 0 && s->has_rates;
+        for (size_t c = 0; c < n && ok; c++) {
+            const YkTreeCoordinate *q = &mech->coordinates[c];
+            bool is_driven = q->input != YK_NONE && !sim->dynamics->is_free[q->input];
+            double rate = is_driven ? 0 : yk_state_coordinate(s, c).velocity;
+            rates[j * n + c] = q->is_distance ? rate / mech->size : rate;
+            ok = isfinite(rate);
+        }
+    }
+    return ok;
+}
+
+// The coordinates that the pivots of the rates choose, and how much larger their determinant is than that of the
+// present.
+static double choose(const YkSimulation *sim, double *rates, size_t *order, double *tau)
+{
+    size_t f = sim->free_count, n = sim->mech->coordinate_count;
+    double gain = 1;
+    for (size_t j = 0; j < f; j++) // the present coordinates have the unit matrix, but for their size
+        if (sim->mech->coordinates[sim->mech->inputs[sim->free_input[j]]].is_distance) gain *= sim->mech->size;
+    yk_qr_factor(f, n, rates, order, tau, 1e-12);
+    for (size_t j = 0; j < f; j++) gain *= fabs(rates[j * n + j]);
+    return gain;
+}
+
+static void carry_over(YkSimulation *to, YkSimulation *from)
+{
+    YkState *s = to->state;
+    for (size_t c = 0; c < to->mech->coordinate_count; c++) {
+        s->guess[c] = s->reference[c] = yk_state_coordinate(from->state, c).position;
+        s->is_guessed[c] = true;
+    }
+    for (size_t k = 0; k < from->item_count; k++) {
+        const YkLoadItem *old = &from->dynamics->loads->items[k];
+        YkLoadItem *item = &to->dynamics->loads->items[k];
+        item->dry = old->dry;
+        item->is_held = old->is_held;
+        item->direction = old->direction;
+    }
+    memcpy(to->contacts, from->contacts, from->contact_count * sizeof *to->contacts);
+    memcpy(to->lambda, from->lambda, from->contact_count * sizeof *to->lambda);
+    size_t works = to->work_count < from->work_count ? to->work_count : from->work_count;
+    memcpy(to->y + 2 * to->free_count, from->y + 2 * from->free_count, works * sizeof *to->y);
+}
+
+// Puts the new machine in the pose of the old one; false where it is not the same.
+static bool move_over(YkSimulation *to, YkSimulation *from)
+{
+    YkState *s = to->state;
+    carry_over(to, from);
+    if (yk_state_set_time(s, from->time, NULL) < 0) return false;
+    for (size_t k = 0; k < to->free_count; k++) {
+        size_t i = (size_t)to->free_input[k], c = (size_t)to->mech->inputs[i];
+        YkMotion m = yk_state_coordinate(from->state, c);
+        to->y[k] = m.position;
+        to->y[to->free_count + k] = m.velocity;
+        yk_state_set_input(s, i, (YkMotion){m.position, m.velocity, 0});
+    }
+    if (yk_state_assemble(s) < 0) return false;
+    for (size_t c = 0; c < to->mech->coordinate_count; c++) {
+        double scale = to->mech->coordinates[c].is_distance ? to->mech->size : 1;
+        if (!(fabs(yk_state_coordinate(s, c).position - s->guess[c]) < 1e-5 * scale)) return false;
+    }
+    yk_state_refer(s);
+    return true;
+}
+
+// Was it memory that a build lacked? Nothing else fails without an error of its own.
+static bool is_out_of_memory(const YkProblems *problems)
+{
+    if (!problems || yk_problems_error_count(problems) == 0) return true;
+    for (size_t k = 0; k < yk_problems_count(problems); k++)
+        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) return true;
+    return false;
+}
+
+bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
+{
+    YkSimulation next = *sim;
+    const char **names = calloc(sim->free_count + 1, sizeof *names);
+    if (!names) return false;
+    for (size_t j = 0; j < sim->free_count; j++) names[j] = sim->mech->coordinates[order[j]].name;
+    next.ode = NULL;
+    next.mech = NULL;
+    next.state = NULL;
+    next.dynamics = NULL;
+    next.free_input = NULL;
+    next.y = next.response = NULL;
+    next.contacts = NULL;
+    next.bounds = NULL;
+    next.contact_order = NULL;
+    next.near = next.near_next = next.near_memory = NULL;
+    next.pose_sum = NULL;
+    next.near_count = 0;
+    YkProblems *quiet = yk_problems_new();
+    bool is_built = yk_simulation_build(&next, &(YkCompileOptions){names, sim->free_count}, quiet);
+    bool has_memory = is_built || !is_out_of_memory(quiet);
+    bool ok = is_built && next.free_count == sim->free_count && move_over(&next, sim);
+    yk_problems_free(quiet);
+    free(names);
+    if (!ok) {
+        yk_simulation_unbuild(&next);
+        return has_memory; // stay
+    }
+    yk_simulation_unbuild(sim);
+    next.counts = sim->counts;
+    *sim = next;
+    sim->summary.recoordinations++;
+    *changed = true;
+    return yk_simulation_stepper(sim);
+}
+
+bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed)
+{
+    enum { ENTRIES_MAX = 4000000 };
+    const double GAIN = 2;
+    size_t f = sim->free_count, n = sim->mech->coordinate_count;
+    *changed = false;
+    if (f == 0 || f * n > ENTRIES_MAX) return true;
+    double *rates = calloc(f * n + 2 * n + f, sizeof *rates);
+    size_t *order = calloc(n + 1, sizeof *order);
+    double *kept = calloc(3 * sim->mech->input_count + 1, sizeof *kept);
+    bool ok = rates && order && kept;
+    if (ok) {
+        memcpy(kept, sim->state->input, 3 * sim->mech->input_count * sizeof *kept);
+        bool found = find_rates(sim, rates) && choose(sim, rates, order, rates + f * n) > GAIN;
+        memcpy(sim->state->input, kept, 3 * sim->mech->input_count * sizeof *kept);
+        yk_state_solve(sim->state);
+        if (found) ok = yk_simulation_take(sim, order, changed);
+    }
+    free(rates);
+    free(order);
+    free(kept);
+    return ok;
+}

@@ -1,0 +1,231 @@
+// What happens between two accepted steps: stops hit, joints that come to rest, watched values that cross their level.
+#include <string.h>
+#include "base/memory.h"
+#include "simulate/simulation.h"
+
+enum { HAPPENINGS_MAX = 100000, PROBES = 5 };
+
+void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value)
+{
+    if (sim->happening_count >= HAPPENINGS_MAX) return;
+    if (!YK_ROOM(sim->happenings, sim->happening_count, sim->happening_capacity)) {
+        yk_arena_fail(sim->arena);
+        return;
+    }
+    const char *kept = yk_arena_copy(sim->arena, name, strlen(name)); // the mechanism may go
+    if (kept) sim->happenings[sim->happening_count++] = (YkHappening){kind, time, kept, value};
+}
+
+// A function of time within the last step: above 0 once it has happened.
+typedef struct Event {
+    YkSimulation *sim;
+    const YkLoadItem *item; // STOP or COULOMB
+    const YkWatch *watch;
+    double way; // watch: +1 rising, -1 falling
+} Event;
+
+static double event_here(const Event *e)
+{
+    YkSimulation *sim = e->sim;
+    const YkLoadItem *item = e->item;
+    if (!item) return e->way * (yk_simulation_channel(sim, e->watch->channel) - e->watch->level);
+    if (item->kind == YK_LOAD_COULOMB)
+        return -item->direction * yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
+    double value = yk_loads_coordinate(sim->state, &sim->state->space, item->coordinate).position;
+    return fmax(item->stop->low - value, value - item->stop->high);
+}
+
+// Puts the state at a time within the last step.
+static bool visit(YkSimulation *sim, double t, bool with_accelerations)
+{
+    if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return false;
+    if (with_accelerations) return yk_simulation_pose(sim, t, sim->dense);
+    if (!yk_simulation_set(sim, t, sim->dense) || yk_state_solve(sim->state) < 0) return false;
+    sim->time = t;
+    return true;
+}
+
+static double event_at(const Event *e, double t, bool *ok)
+{
+    *ok = *ok && visit(e->sim, t, e->watch != NULL);
+    return *ok ? event_here(e) : 0;
+}
+
+// The time at which the event's function passes 0 between a (not above) and b (above): Illinois' variant of the false
+// position.
+static double locate(const Event *e, double a, double fa, double b, double fb, bool *ok)
+{
+    int side = 0;
+    for (int k = 0; k < 100 && *ok && fabs(b - a) > 4e-16 * fmax(fabs(a), fabs(b)); k++) {
+        double t = fb != fa ? b - fb * (b - a) / (fb - fa) : 0.5 * (a + b);
+        if (!(t > fmin(a, b) && t < fmax(a, b)) || k > 60) t = 0.5 * (a + b);
+        if (t == a || t == b) break;
+        double f = event_at(e, t, ok);
+        if (f == 0) return t;
+        if (f > 0) {
+            b = t;
+            fb = f;
+            if (side > 0) fa *= 0.5;
+            side = 1;
+        } else {
+            a = t;
+            fa = f;
+            if (side < 0) fb *= 0.5;
+            side = -1;
+        }
+    }
+    return a; // the last time at which it had not happened
+}
+
+static bool is_in_contact(const YkSimulation *sim, const YkLoadItem *item)
+{
+    for (size_t c = 0; c < sim->contact_count; c++)
+        if (&sim->dynamics->loads->items[sim->contacts[c].item] == item) return true;
+    return false;
+}
+
+// The first time in the last step at which the event happens, by probes of the step; HUGE_VAL where it does not.
+static double first_time(const Event *e, bool *ok)
+{
+    double from = yk_ode_previous(e->sim->ode), to = yk_ode_time(e->sim->ode), a = from, fa = event_at(e, from, ok);
+    for (int k = 1; k <= PROBES && *ok; k++) {
+        double t = k == PROBES ? to : from + (to - from) * k / PROBES, f = event_at(e, t, ok);
+        if (f > 0 && fa <= 0) return locate(e, a, fa, t, f, ok);
+        a = t;
+        fa = f;
+    }
+    return fa > 0 && *ok ? from : HUGE_VAL; // it had happened all the while: a rebound too small to see
+}
+
+// --- contacts that can no longer hold -------------------------------------------------------------
+
+// Can the contacts hold at a time within the last step? *asked: the sum of the efforts that this takes of them.
+static bool holds_at(YkSimulation *sim, double t, double *asked)
+{
+    bool holds = true;
+    *asked = 0;
+    if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return true; // asked again at the end of the step
+    sim->is_testing = true;
+    bool failed = yk_simulation_motion(sim, t, sim->dense, sim->rate) != 0;
+    sim->is_testing = false;
+    if (failed) return sim->near_count > 0 && yk_simulation_in_zone(sim, t);
+    for (size_t c = 0; c < sim->contact_count; c++) {
+        double inverse = sim->matrix[c * sim->contact_count + c];
+        if (inverse > 0) *asked += sim->bias[c] / inverse;
+        holds = holds && yk_simulation_contact_acceleration(sim, c) == 0;
+    }
+    return holds;
+}
+
+// From a, where they hold, to b, where they do not: the first time at which they do not, as near as times are told
+// apart.
+static double locate_failure(YkSimulation *sim, double a, double b)
+{
+    double asked, least = 1e-14 * (yk_ode_time(sim->ode) - yk_ode_previous(sim->ode));
+    while (b - a > fmax(least, 4e-16 * fabs(b))) {
+        double t = 0.5 * (a + b);
+        if (t <= a || t >= b) break;
+        *(holds_at(sim, t, &asked) ? &a : &b) = t;
+    }
+    return b;
+}
+
+typedef struct Probe {
+    double t, asked;
+} Probe;
+
+// Between two times at which they hold: do they hold halfway too, and so on where the efforts asked for are not on a
+// straight line? Returns a time at which they do not, or HUGE_VAL.
+static double look_between(YkSimulation *sim, Probe a, Probe b, double most, int depth)
+{
+    Probe middle = {.t = 0.5 * (a.t + b.t)};
+    if (!holds_at(sim, middle.t, &middle.asked)) return locate_failure(sim, a.t, middle.t);
+    most = fmax(most, fabs(middle.asked));
+    bool is_straight = fabs(middle.asked - 0.5 * (a.asked + b.asked)) <= 0.02 * most;
+    if (is_straight || depth == 0) return HUGE_VAL;
+    double t = look_between(sim, a, middle, most, depth - 1);
+    return t < HUGE_VAL ? t : look_between(sim, middle, b, most, depth - 1);
+}
+
+// The first time in the last step at which the contacts can no longer hold; HUGE_VAL where they hold to its end.
+static double first_failure(YkSimulation *sim)
+{
+    enum { DEPTH = 7 };
+    double from = yk_ode_previous(sim->ode), to = yk_ode_time(sim->ode);
+    Probe a = {.t = from}, b = {.t = to}, quarter = {.t = from + 0.25 * (to - from)};
+    holds_at(sim, from, &a.asked);
+    if (!holds_at(sim, quarter.t, &quarter.asked)) return locate_failure(sim, from, quarter.t);
+    bool holds = holds_at(sim, to, &b.asked);
+    double most = fmax(fabs(quarter.asked), fmax(fabs(a.asked), fabs(b.asked)));
+    double t = look_between(sim, a, quarter, most, DEPTH);
+    if (t == HUGE_VAL) t = look_between(sim, quarter, b, most, DEPTH);
+    return t < HUGE_VAL || holds ? t : locate_failure(sim, quarter.t, to);
+}
+
+static void look_at_items(YkSimulation *sim, bool *ok)
+{
+    YkLoads *loads = sim->dynamics->loads;
+    sim->pending = YK_PENDING_NONE;
+    double t_release = sim->contact_count > 0 ? first_failure(sim) : HUGE_VAL;
+    if (t_release < HUGE_VAL) {
+        sim->pending = YK_PENDING_RELEASE;
+        sim->pending_time = t_release;
+    }
+    for (size_t k = 0; k < loads->item_count && *ok; k++) {
+        YkLoadItem *item = &loads->items[k];
+        bool is_stop = item->kind == YK_LOAD_STOP, slides = item->kind == YK_LOAD_COULOMB && item->direction != 0;
+        if ((!is_stop && !slides) || is_in_contact(sim, item)) continue;
+        double t = first_time(&(Event){sim, item, NULL, 0}, ok);
+        if (t == HUGE_VAL || (sim->pending != YK_PENDING_NONE && t >= sim->pending_time)) continue;
+        sim->pending = is_stop ? YK_PENDING_STOP : YK_PENDING_STICK;
+        sim->pending_item = k;
+        sim->pending_time = t;
+    }
+}
+
+static void look_at_watch(YkSimulation *sim, YkWatch *watch, double end, bool *ok)
+{
+    Event e = {sim, NULL, watch, 1};
+    double now = event_at(&e, end, ok), last = watch->last;
+    watch->last = now;
+    if (!*ok || (last <= 0) == (now <= 0)) return;
+    double from = yk_ode_previous(sim->ode), way = now > 0 ? 1 : -1;
+    if (watch->direction != 0 && way != watch->direction) return;
+    e.way = way;
+    double t = locate(&e, from, way * last, end, way * now, ok);
+    if (*ok) yk_simulation_note(sim, YK_HAPPENING_CROSSING, t, watch->name, watch->level);
+}
+
+// A machine with one freedom passes a dead point of the coordinate that it was started by where that one turns round
+// while the rest goes on. The state stands at the end of the last step; true: it was moved.
+bool yk_simulation_look_dead(YkSimulation *sim)
+{
+    YkWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
+    Event e = {sim, NULL, &watch, 1};
+    if (sim->first == YK_NONE) return false;
+    double last = sim->first_rate, now = event_here(&e);
+    sim->first_rate = now;
+    if (!(last * now < 0)) return false;
+    bool ok = true;
+    double end = yk_ode_time(sim->ode);
+    e.way = now > 0 ? 1 : -1;
+    double t = locate(&e, yk_ode_previous(sim->ode), e.way * last, end, e.way * now, &ok);
+    double kinetic = ok && visit(sim, t, false) ? yk_dynamics_energy_at(sim->dynamics, sim->state).kinetic : 0;
+    if (kinetic > 1e-9 * sim->kinetic_high)
+        yk_simulation_note(sim, YK_HAPPENING_DEAD_POINT, t, sim->mech->coordinates[sim->first].name, 0);
+    return true;
+}
+
+void yk_simulation_watch_start(YkSimulation *sim)
+{
+    for (size_t k = 0; k < sim->watch_count; k++)
+        sim->watches[k].last = event_here(&(Event){sim, NULL, &sim->watches[k], 1});
+}
+
+void yk_simulation_look(YkSimulation *sim)
+{
+    bool ok = true;
+    look_at_items(sim, &ok);
+    double end = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
+    for (size_t k = 0; k < sim->watch_count; k++) look_at_watch(sim, &sim->watches[k], end, &ok);
+}

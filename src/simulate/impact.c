@@ -1,0 +1,141 @@
+// Blows: stops that are hit, all at once where several are reached together; what rests, rebounds or is struck away.
+#include "simulate/contact.h"
+
+// Impulses that bring the contacts' rates to `wanted`, within the contacts' bounds. False where none were found.
+static bool strike(YkSimulation *sim)
+{
+    YkDynamics *d = sim->dynamics;
+    size_t n = sim->mech->input_count;
+    double before = yk_dynamics_energy_at(d, sim->state).kinetic;
+    for (size_t c = 0; c < sim->contact_count; c++) {
+        const YkLoadItem *item = yk_simulation_item(sim, c);
+        if (item->kind == YK_LOAD_COULOMB) sim->contacts[c].low = sim->contacts[c].high = 0; // friction gives no blow
+        sim->bias[c] = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance) - sim->wanted[c];
+        sim->lambda[c] = 0;
+    }
+    if (!yk_simulation_solve_contacts(sim)) return false;
+    for (size_t k = 0; k < sim->free_count; k++) {
+        size_t i = (size_t)sim->free_input[k];
+        for (size_t c = 0; c < sim->contact_count; c++)
+            sim->y[sim->free_count + k] += sim->lambda[c] * sim->response[c * n + i];
+        sim->state->input[3 * i + 1] = sim->y[sim->free_count + k];
+    }
+    yk_state_solve(sim->state);
+    sim->y[2 * sim->free_count + sim->work_count - 1] += yk_dynamics_energy_at(d, sim->state).kinetic - before;
+    for (size_t c = 0; c < sim->contact_count; c++) sim->lambda[c] = 0;
+    return true;
+}
+
+// The factors of the pose, for responses.
+static bool factor_here(YkSimulation *sim)
+{
+    for (size_t c = 0; c < sim->contact_count; c++) yk_simulation_item(sim, c)->dry = 0;
+    YkStatus status = yk_dynamics_reduce(sim->dynamics, sim->state);
+    if (status < 0 || status == YK_SINGULAR) return false;
+    yk_simulation_find_responses(sim);
+    return true;
+}
+
+static double rate_of(const YkSimulation *sim, const YkLoadItem *item)
+{
+    return yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
+}
+
+static double slowest(const YkSimulation *sim, const YkLoadItem *item)
+{
+    return yk_simulation_rate_floor(sim) * yk_simulation_scale(sim, item);
+}
+
+// Does the coordinate come to this stop here, to rounding?
+static bool comes_to(const YkSimulation *sim, const YkLoadItem *item)
+{
+    double value = yk_loads_coordinate(sim->state, &sim->state->space, item->coordinate).position;
+    double low = value - item->stop->low, high = item->stop->high - value, rate = rate_of(sim, item);
+    double near = 1e-9 * yk_simulation_scale(sim, item);
+    return (low <= near && rate < -slowest(sim, item)) || (high <= near && rate > slowest(sim, item));
+}
+
+// Takes a stop among the contacts, with the rate at which it will rebound as its wanted one: 0 where it stays.
+static void meet(YkSimulation *sim, size_t index)
+{
+    const YkLoadItem *item = &sim->dynamics->loads->items[index];
+    double rate = rate_of(sim, item), rebound = -item->stop->restitution * rate;
+    bool rests = fabs(rebound) <= 1e-6 * fabs(sim->fastest) || fabs(rebound) <= slowest(sim, item);
+    yk_simulation_note(sim, YK_HAPPENING_STOP, sim->time, item->name, rate);
+    yk_simulation_rest_on_stop(sim, index);
+    for (size_t c = 0; c < sim->contact_count; c++)
+        if (sim->contacts[c].item == index) sim->wanted[c] = rests ? 0 : rebound;
+}
+
+// The stop that ended the step, and all others that are reached at the same time.
+static void meet_stops(YkSimulation *sim, size_t first)
+{
+    const YkLoads *loads = sim->dynamics->loads;
+    double fastest = sim->fastest;
+    for (size_t c = 0; c < sim->contact_count; c++) sim->wanted[c] = 0;
+    for (size_t k = 0; k < loads->item_count; k++) {
+        const YkLoadItem *item = &loads->items[k];
+        bool is_met = k == first || (item->kind == YK_LOAD_STOP && comes_to(sim, item));
+        if (!is_met) continue;
+        double rate = rate_of(sim, item);
+        if (fabs(rate) > fabs(fastest)) fastest = rate;
+        meet(sim, k);
+    }
+    sim->fastest = fastest;
+}
+
+// A stop that is passed although it pushes as it can: nothing that is free could keep the coordinate from it. NULL
+// where all keep to theirs.
+static const YkLoadItem *passed(const YkSimulation *sim)
+{
+    for (size_t c = 0; c < sim->contact_count; c++) {
+        const YkLoadItem *item = yk_simulation_item(sim, c);
+        double after = rate_of(sim, item);
+        bool is_low = sim->contacts[c].low == 0;
+        if (item->kind == YK_LOAD_STOP &&
+            (is_low ? -after : after) > fmax(slowest(sim, item), 1e-6 * fabs(sim->fastest)))
+            return item;
+    }
+    return NULL;
+}
+
+// After a blow: what rebounds or was struck away from its stop is free, and dry joints slide.
+static void part_contacts(YkSimulation *sim)
+{
+    for (size_t c = sim->contact_count; c-- > 0;) {
+        const YkLoadItem *item = yk_simulation_item(sim, c);
+        double after = rate_of(sim, item);
+        if (item->kind == YK_LOAD_COULOMB) {
+            yk_simulation_let_go(sim, c, after > 0 ? 1 : after < 0 ? -1 : 0); // it sticks again where it does not move
+        } else if (fabs(after) > slowest(sim, item)) {
+            if (sim->wanted[c] == 0) yk_simulation_note(sim, YK_HAPPENING_RELEASE, sim->time, item->name, after);
+            yk_simulation_let_go(sim, c, 0);
+        }
+    }
+}
+
+bool yk_simulation_hit(YkSimulation *sim, size_t index)
+{
+    YkLoadItem *item = &sim->dynamics->loads->items[index];
+    if (item->kind != YK_LOAD_STOP) {
+        double rate = rate_of(sim, item);
+        yk_simulation_stick(sim, index, rate);
+        if (fabs(rate) > fabs(sim->fastest)) sim->fastest = rate;
+        return yk_simulation_contacts_start(sim);
+    }
+    meet_stops(sim, index);
+    if (!factor_here(sim) || !strike(sim)) {
+        sim->report = sim->dynamics->report;
+        sim->status = sim->report.status < 0 ? sim->report.status : YK_NOT_CONVERGED;
+        return false;
+    }
+    const YkLoadItem *beyond = passed(sim);
+    if (beyond) {
+        yk_dynamics_fail(sim->dynamics, YK_LIMIT, "a drive moves `", beyond->name, "` past its stop");
+        sim->report = sim->dynamics->report;
+        sim->status = YK_LIMIT;
+        return false;
+    }
+    part_contacts(sim);
+    return yk_simulation_contacts_start(sim);
+}

@@ -1,0 +1,121 @@
+// What a simulation tells of the pose where it stands, and of the way there: happenings, energies and works.
+#include "simulate/simulation.h"
+
+double yk_simulation_time(const YkSimulation *sim)
+{
+    return sim->time;
+}
+YkState *yk_simulation_state(YkSimulation *sim)
+{
+    return sim->state;
+}
+const YkReport *yk_simulation_report(const YkSimulation *sim)
+{
+    return &sim->report;
+}
+
+YkDynamics *yk_simulation_dynamics(YkSimulation *sim)
+{
+    YkDynamics *d = sim->dynamics;
+    if (sim->has_forces) return d;
+    for (size_t k = 0; k < sim->free_count; k++)
+        d->acceleration[sim->free_input[k]] = sim->state->input[3 * sim->free_input[k] + 2];
+    yk_dynamics_apply(d, sim->state);
+    sim->has_forces = true;
+    return d;
+}
+
+// On a change point itself the loops do not give the rates; those of the inputs are known, and the kinetic energy of a
+// start there.
+static bool is_known(const YkSimulation *sim, YkChannel channel)
+{
+    bool is_energy = channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL;
+    if (sim->state->has_rates || channel.kind == YK_CHANNEL_TIME || (is_energy && sim->is_flat)) return true;
+    bool is_input = channel.kind == YK_CHANNEL_COORDINATE && sim->mech->coordinates[channel.index].input != YK_NONE;
+    return is_input || (channel.order == 0 && channel.kind < YK_CHANNEL_POINT_SPEED) ||
+           channel.kind == YK_CHANNEL_TRANSMISSION;
+}
+
+static YkEnergy energy_here(const YkSimulation *sim)
+{
+    YkEnergy e = yk_dynamics_energy_at(sim->dynamics, sim->state);
+    if (sim->is_flat && !sim->state->has_rates && sim->time == sim->options.start) e.kinetic = sim->flat_kinetic;
+    return e;
+}
+
+double yk_simulation_channel(YkSimulation *sim, YkChannel channel)
+{
+    bool is_gone = channel.kind == YK_CHANNEL_TRANSMISSION && (size_t)channel.index >= sim->mech->block_count;
+    if (is_gone) return 0; // other coordinates make other blocks
+    if (!is_known(sim, channel)) return (double)NAN;
+    if (!yk_channel_needs_forces(channel)) return yk_state_channel(sim->state, channel);
+    if (channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL) {
+        YkEnergy e = energy_here(sim);
+        return (channel.kind != YK_CHANNEL_POTENTIAL ? e.kinetic : 0) +
+               (channel.kind != YK_CHANNEL_KINETIC ? e.potential : 0);
+    }
+    return yk_dynamics_channel(yk_simulation_dynamics(sim), sim->state, channel);
+}
+
+size_t yk_simulation_happening_count(const YkSimulation *sim)
+{
+    return sim->happening_count;
+}
+YkHappening yk_simulation_happening(const YkSimulation *sim, size_t index)
+{
+    return sim->happenings[index];
+}
+
+// --- energies and works ---------------------------------------------------------------------------
+
+void yk_simulation_count_energy(YkSimulation *sim)
+{
+    YkEnergy e = energy_here(sim);
+    YkSimulationSummary *s = &sim->summary;
+    double total = e.kinetic + e.potential, works = 0;
+    for (size_t k = 0; k < sim->work_count; k++) works += sim->work[k];
+    if (!sim->has_energy) {
+        s->energy_start = total;
+        sim->energy_low = sim->energy_high = e.potential;
+        sim->has_energy = true;
+    }
+    s->energy_end = total;
+    sim->energy_low = fmin(sim->energy_low, e.potential);
+    sim->energy_high = fmax(sim->energy_high, e.potential);
+    sim->kinetic_high = fmax(sim->kinetic_high, e.kinetic);
+    sim->energy_off = fmax(sim->energy_off, fabs(total - s->energy_start - works));
+    s->worst_residual = fmax(s->worst_residual, yk_state_residuals(sim->state).position);
+}
+
+YkSimulationSummary yk_simulation_summary(const YkSimulation *sim)
+{
+    YkSimulationSummary s = sim->summary;
+    YkOdeCounts c = sim->ode ? yk_ode_counts(sim->ode) : (YkOdeCounts){0};
+    s.steps = c.steps + sim->counts.steps;
+    s.rejected = c.rejected + sim->counts.rejected;
+    s.evaluations = c.evaluations + sim->counts.evaluations;
+    double span = sim->kinetic_high + (sim->energy_high - sim->energy_low);
+    s.energy_error = span > 0 ? sim->energy_off / span : sim->energy_off;
+    return s;
+}
+
+// Works that are nothing but the potential's are left out: the first `item_count` that may take or give energy.
+size_t yk_simulation_work_count(const YkSimulation *sim)
+{
+    return sim->work_count;
+}
+
+const char *yk_simulation_work_name(const YkSimulation *sim, size_t index)
+{
+    if (index < sim->item_count) return sim->dynamics->loads->items[index].name;
+    if (index + 1 == sim->work_count) return "stops";
+    size_t at = sim->item_count;
+    for (size_t i = 0; i < sim->mech->input_count; i++)
+        if (!sim->dynamics->is_free[i] && at++ == index) return sim->mech->coordinates[sim->mech->inputs[i]].name;
+    return "";
+}
+
+double yk_simulation_work(const YkSimulation *sim, size_t index)
+{
+    return sim->work[index];
+}

@@ -1,0 +1,110 @@
+// The right-hand side: rates and accelerations of the independent coordinates, and the power of every load.
+#include <string.h>
+#include "simulate/simulation.h"
+
+bool yk_simulation_set(YkSimulation *sim, double t, const double *y)
+{
+    YkState *s = sim->state;
+    bool ok = true;
+    if (sim->has_drives)
+        ok = yk_state_set_time(s, t, NULL) >= 0;
+    else
+        s->time = t;
+    for (size_t k = 0; k < sim->free_count; k++) {
+        double *input = s->input + 3 * sim->free_input[k];
+        input[0] = y[k];
+        input[1] = y[sim->free_count + k];
+        input[2] = 0;
+    }
+    if (sim->near_count > 0) yk_simulation_set_signs(sim, t);
+    return ok;
+}
+
+void yk_simulation_powers(YkSimulation *sim, double *power)
+{
+    YkDynamics *d = sim->dynamics;
+    power[sim->work_count - 1] = 0; // stops take energy in impacts alone
+    if (sim->item_count > 0) memcpy(power, d->power, sim->item_count * sizeof *power);
+    if (!sim->has_drives) return;
+    bool by_bodies = sim->contact_count > 0 || d->loads->has_dry; // then the reduced equations lack what contacts exert
+    if (by_bodies && !d->loads->has_dry) yk_dynamics_apply(d, sim->state);
+    if (!by_bodies) yk_reduced_solve(d->reduced, d->acceleration, true);
+    size_t at = sim->item_count;
+    for (size_t i = 0; i < sim->mech->input_count; i++) {
+        if (d->is_free[i]) continue;
+        double effort = by_bodies ? d->drive[i] : yk_reduced_effort(d->reduced, i);
+        power[at++] = effort * sim->state->input[3 * i + 1];
+    }
+}
+
+// Open trees need no pose.
+static int move_lean(YkSimulation *sim, double t, const double *y, double *dydt)
+{
+    YkDynamics *d = sim->dynamics;
+    size_t n = sim->free_count, culprit;
+    memcpy(dydt, y + n, n * sizeof *dydt);
+    dydt[2 * n + sim->work_count - 1] = 0;
+    if (sim->item_count > 0) {
+        yk_simulation_set(sim, t, y);
+        if (!yk_loads_efforts(d->loads, sim->state, d->effort, d->power, &culprit)) {
+            yk_dynamics_fail_at_load(d, culprit);
+            sim->report = d->report;
+            return 1;
+        }
+        memcpy(dydt + 2 * n, d->power, sim->item_count * sizeof *dydt);
+    }
+    int failed = yk_tree_accelerate(d->tree, y, y + n, sim->item_count > 0 ? d->effort : NULL, dydt + n);
+    if (failed < 0) return 0;
+    yk_dynamics_fail_at_input(d, failed);
+    sim->report = d->report;
+    return 1;
+}
+
+int yk_simulation_motion(void *context, double t, const double *y, double *dydt)
+{
+    YkSimulation *sim = context;
+    size_t n = sim->free_count;
+    if (sim->dynamics->tree && sim->contact_count == 0 && !sim->dynamics->loads->has_dry)
+        return move_lean(sim, t, y, dydt);
+    if (sim->near_count > 0 && yk_simulation_in_zone(sim, t)) {
+        YkInterpolation found = yk_simulation_interpolate(sim, t, y, dydt);
+        if (found != YK_INTERPOLATION_LEFT) return found == YK_INTERPOLATION_DONE ? 0 : 1;
+    }
+    if (!yk_simulation_set(sim, t, y)) return 1;
+    YkStatus status = yk_simulation_accelerate(sim);
+    if (status < 0 || status == YK_SINGULAR) {
+        sim->report = sim->dynamics->report;
+        return 1;
+    }
+    memcpy(dydt, y + n, n * sizeof *dydt);
+    for (size_t k = 0; k < n; k++) dydt[n + k] = sim->dynamics->acceleration[sim->free_input[k]];
+    yk_simulation_powers(sim, dydt + 2 * n);
+    return 0;
+}
+
+bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
+{
+    YkState *s = sim->state;
+    size_t n = sim->free_count;
+    double *rate = sim->rate;
+    bool ok = yk_simulation_motion(sim, t, y, rate) == 0;
+    bool is_summed = ok && yk_simulation_sum_poses(sim, t, y, rate + n);
+    ok = yk_simulation_set(sim, t, y) && ok;
+    for (size_t k = 0; k < n; k++) s->input[3 * sim->free_input[k] + 2] = rate[n + k];
+    YkStatus status = yk_state_solve(s);
+    if (status >= 0 && is_summed) yk_simulation_take_sum(sim);
+    if (ok && status >= 0) return true;
+    sim->status = status < 0 ? status : YK_NOT_CONVERGED;
+    if (status < 0) sim->report = s->report;
+    return false;
+}
+
+bool yk_simulation_pose(YkSimulation *sim, double t, const double *y)
+{
+    if (sim->near_count > 0) yk_simulation_look_closer(sim, t);
+    if (!yk_simulation_stand_at(sim, t, y)) return false;
+    if (sim->state->has_rates) yk_state_refer(sim->state); // where branches meet, an angle may be any
+    sim->time = t;
+    sim->has_forces = false;
+    return true;
+}

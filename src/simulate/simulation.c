@@ -1,0 +1,168 @@
+// From a model to its start.
+#include "simulate/simulation.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/problems.h"
+
+YkSimulationOptions yk_default_simulation_options(void)
+{
+    return (YkSimulationOptions){.integrator = YK_INTEGRATOR_DOP853, .tolerance = 1e-9, .step = 1e-3};
+}
+
+static bool refuse(YkSimulation *sim, YkProblems *problems, YkStatus status, const char *message)
+{
+    YkCode code = status == YK_LIMIT         ? YK_CODE_POSE_LIMIT
+                  : status == YK_NO_ASSEMBLY ? YK_CODE_POSE_NO_ASSEMBLY
+                                             : YK_CODE_CANNOT_START;
+    yk_problem(problems, code, (YkPlace){0}, "the simulation cannot start: %s", message);
+    sim->status = status;
+    return false;
+}
+
+static bool set_positions(YkSimulation *sim, YkProblems *problems)
+{
+    YkState *s = sim->state;
+    if (yk_state_set_time(s, sim->options.start, problems) < 0) return false;
+    for (size_t k = 0; k < sim->options.value_count; k++) {
+        const YkStartValue *value = &sim->options.values[k];
+        int c = yk_coordinate_find(sim->mech, value->coordinate);
+        if (c < 0) {
+            yk_problem(problems, YK_CODE_UNKNOWN_INPUT, (YkPlace){0}, "there is no coordinate %q", value->coordinate);
+            return false;
+        }
+        if (value->is_rate) continue;
+        s->guess[c] = value->value;
+        s->is_guessed[c] = true;
+        int32_t input = sim->mech->coordinates[c].input;
+        if (input != YK_NONE && sim->dynamics->is_free[input]) s->input[3 * input] = value->value;
+    }
+    const YkState *pose = sim->options.pose;
+    YkStatus status = pose ? yk_state_adopt(s, pose) : yk_state_assemble(s);
+    if (status < 0) return refuse(sim, problems, status, s->report.message);
+    yk_state_refer(s);
+    return true;
+}
+
+static bool check_stops(YkSimulation *sim, YkProblems *problems)
+{
+    bool ok = true;
+    for (size_t k = 0; k < sim->item_count; k++) {
+        const YkLoadItem *item = &sim->dynamics->loads->items[k];
+        if (item->kind != YK_LOAD_STOP) continue;
+        double value = yk_loads_coordinate(sim->state, &sim->state->space, item->coordinate).position;
+        double off = fmax(item->stop->low - value, value - item->stop->high);
+        if (off <= 1e-9 * (item->is_distance ? sim->mech->size : 1)) continue;
+        yk_problem(problems, YK_CODE_STOP_EXCLUDES_START, item->stop->place,
+                   "%q starts at %g, outside of its stops (%g to %g, SI)", item->name, value, item->stop->low,
+                   item->stop->high);
+        ok = false;
+    }
+    return ok;
+}
+
+static void read_inputs(YkSimulation *sim)
+{
+    for (size_t k = 0; k < sim->free_count; k++) {
+        sim->y[k] = sim->state->input[3 * sim->free_input[k]];
+        sim->y[sim->free_count + k] = sim->state->input[3 * sim->free_input[k] + 1];
+    }
+}
+
+static bool begin(YkSimulation *sim, YkProblems *problems)
+{
+    if (!set_positions(sim, problems)) return false;
+    sim->time = sim->target = sim->options.start;
+    sim->is_flat = false;
+    if (sim->free_count > 0 && yk_simulation_is_singular(sim) && !yk_simulation_start_singular(sim, problems))
+        return false;
+    bool has_dead_points = sim->free_count == 1 && sim->mech->block_count > 0;
+    sim->first = has_dead_points ? (int32_t)sim->mech->inputs[sim->free_input[0]] : YK_NONE;
+    if (!sim->is_flat && !yk_simulation_start_rates(sim, problems))
+        return refuse(sim, problems, YK_SINGULAR,
+                      "it stands at a dead point, where the rates of `start:` are not determined");
+    read_inputs(sim);
+    if (!check_stops(sim, problems)) return false;
+    return true;
+}
+
+static bool are_options_good(const YkSimulationOptions *o, YkProblems *problems)
+{
+    bool is_fixed = o->integrator == YK_INTEGRATOR_RK4;
+    double size = is_fixed ? o->step : o->tolerance;
+    bool good =
+        o->integrator <= YK_INTEGRATOR_RK4 && size > 0 && isfinite(size) && isfinite(o->start) && !isnan(o->horizon);
+    for (size_t k = 0; k < o->value_count; k++) good = good && isfinite(o->values[k].value);
+    if (!good)
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
+                   "the simulation cannot start: the %s must be positive and all times and values finite",
+                   is_fixed ? "step" : "tolerance");
+    return good;
+}
+
+YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems)
+{
+    YkSimulation *sim = calloc(1, sizeof *sim);
+    if (!sim) return NULL;
+    sim->model = model;
+    sim->sweeps_max = 5000;
+    sim->options = options ? *options : yk_default_simulation_options();
+    sim->arena = yk_arena_new();
+    if (!are_options_good(&sim->options, problems)) {
+        yk_simulation_free(sim);
+        return NULL;
+    }
+    bool ok = sim->arena && yk_simulation_build(sim, sim->options.compile, problems) && yk_simulation_stepper(sim);
+    if (ok && !sim->dynamics->has_mass) {
+        yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
+                   "no body has mass or inertia, so nothing says how the machine moves");
+        yk_problem_hint(problems,
+                        "give bodies `mass:` and `inertia:`, or use `yoke sweep` for motion that drives prescribe");
+        ok = false;
+    }
+    if (ok && begin(sim, problems)) return sim;
+    if (problems && yk_problems_error_count(problems) == 0)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the simulation");
+    yk_simulation_free(sim);
+    return NULL;
+}
+
+void yk_simulation_free(YkSimulation *sim)
+{
+    if (!sim) return;
+    yk_simulation_unbuild(sim);
+    yk_arena_free(sim->arena);
+    free(sim->watches);
+    free(sim->happenings);
+    free(sim->effort);
+    free(sim->has_effort);
+    free(sim->work_name);
+    free(sim);
+}
+
+YkStatus yk_simulation_watch(YkSimulation *sim, const char *name, YkChannel channel, double value, int direction)
+{
+    if (!YK_ROOM(sim->watches, sim->watch_count, sim->watch_capacity)) return YK_NO_MEMORY;
+    const char *kept = yk_arena_copy(sim->arena, name, strlen(name));
+    if (!kept) return YK_NO_MEMORY;
+    sim->watches[sim->watch_count++] = (YkWatch){kept, channel, value, direction, 0};
+    return YK_OK;
+}
+
+YkStatus yk_simulation_set_effort(YkSimulation *sim, const char *coordinate, double effort)
+{
+    if (sim->status != YK_OK) return sim->status;
+    size_t n = sim->mech->coordinate_count;
+    int c = yk_coordinate_find(sim->mech, coordinate);
+    if (c < 0 || sim->has_begun || !isfinite(effort)) return YK_BAD_ARGUMENT;
+    if (!sim->has_effort) sim->has_effort = calloc(n, sizeof *sim->has_effort);
+    if (!sim->effort) sim->effort = calloc(n, sizeof *sim->effort);
+    if (!sim->has_effort || !sim->effort) return YK_NO_MEMORY;
+    sim->has_effort[c] = true;
+    sim->effort[c] = effort;
+    YkProblems *quiet = yk_problems_new();
+    yk_simulation_unbuild(sim);
+    bool ok = yk_simulation_build(sim, sim->options.compile, quiet) && yk_simulation_stepper(sim) && begin(sim, quiet);
+    yk_problems_free(quiet);
+    if (!ok) sim->status = YK_NO_MEMORY; // nothing but freeing it is left to do
+    return sim->status;
+}

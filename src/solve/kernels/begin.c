@@ -1,0 +1,24 @@
+// Inputs that are no numbers close nothing.
+#include "solve/kernels/lanes.h"
+
+YK_INLINE void begin(double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n)
+{
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) {
+        double before = is_first ? 1 : margin[i], zero = 0 * x[i];
+        zero += 0 * (rate[i] * YK_RATE_GUARD) + 0 * (accel[i] * YK_ACCELERATION_GUARD);
+        margin[i] = zero == 0 ? before : -1;
+    }
+}
+
+YK_INLINE void yk_lanes_begin_body(double *margin, const double *x, const double *rate, const double *accel,
+                                   bool is_first, size_t n)
+{
+    if (is_first)
+        begin(margin, x, rate, accel, true, n);
+    else
+        begin(margin, x, rate, accel, false, n);
+}
+YK_KERNEL(yk_lanes_begin,
+          (double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n),
+          (margin, x, rate, accel, is_first))

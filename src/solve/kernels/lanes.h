@@ -1,0 +1,246 @@
+// Lanes: how a kernel's loop is written once and runs on any instruction set with the same bits.
+//
+// A kernel is a body that is inlined into one function per instruction set; the public function chooses at run time.
+// Every operation is IEEE basic arithmetic in a fixed order (no fused operations, no reassociation), so that all of
+// them, and one lane or many, give the same bits. This file is the only place that knows about instruction sets.
+#ifndef SOLVE_KERNELS_LANES_H
+#define SOLVE_KERNELS_LANES_H
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+#include "compile/arms.h"
+#include "solve/kernels/kernels.h"
+
+// A function that must vanish into its caller, so that it is compiled for the caller's instruction set.
+#if defined(__GNUC__)
+#define YK_INLINE static inline __attribute__((always_inline))
+#define YK_APART static __attribute__((noinline))
+#else
+#define YK_INLINE static inline
+#define YK_APART static
+#endif
+
+// Before a loop over lanes: no lane depends on another one.
+// YK_ONE_PASS: whether a loop that both places and differentiates is worth it; clang 14 vectorises the two only apart.
+#if defined(__clang__)
+#define YK_ONE_PASS false
+#pragma clang diagnostic ignored "-Wpass-failed" // a loop that stays scalar is slower, not wrong
+#define YK_EACH_LANE _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define YK_ONE_PASS true
+#define YK_EACH_LANE _Pragma("GCC ivdep")
+#else
+#define YK_ONE_PASS true
+#define YK_EACH_LANE
+#endif
+
+// YK_KERNEL(name, parameters, arguments) defines the public function `name` from the body name##_body; the last
+// parameter is the count n, which the arguments leave out. One lane takes a copy without a loop; few lanes take the
+// plain copy, since for them the call costs more than the width gains.
+#define YK_SPREAD(...) __VA_ARGS__
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES)
+#define YK_FEW_LANES 8
+#define YK_KERNEL(name, parameters, arguments)                                                                         \
+    __attribute__((target("avx512f"), noinline)) static void name##_avx512 parameters                                  \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }                                                                                                                  \
+    __attribute__((target("avx2"), noinline)) static void name##_avx2 parameters                                       \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }                                                                                                                  \
+    YK_APART void name##_plain parameters                                                                              \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }                                                                                                                  \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        if (n == 1)                                                                                                    \
+            name##_body(YK_SPREAD arguments, 1);                                                                       \
+        else if (n >= YK_FEW_LANES && __builtin_cpu_supports("avx512f"))                                               \
+            name##_avx512(YK_SPREAD arguments, n);                                                                     \
+        else if (n >= YK_FEW_LANES && __builtin_cpu_supports("avx2"))                                                  \
+            name##_avx2(YK_SPREAD arguments, n);                                                                       \
+        else                                                                                                           \
+            name##_plain(YK_SPREAD arguments, n);                                                                      \
+    }
+#else
+#define YK_KERNEL(name, parameters, arguments)                                                                         \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        name##_body(YK_SPREAD arguments, n);                                                                           \
+    }
+#endif
+
+// One lane of a vector, its rate and its acceleration; of an orientation; of a distance.
+YK_INLINE YkVec lane_place(YkPlane p, size_t i)
+{
+    return yk_vec(p.x[i], p.y[i]);
+}
+YK_INLINE YkVec lane_rate(YkPlane p, size_t i)
+{
+    return yk_vec(p.vx[i], p.vy[i]);
+}
+YK_INLINE YkVec lane_accel(YkPlane p, size_t i)
+{
+    return yk_vec(p.ax[i], p.ay[i]);
+}
+YK_INLINE YkVec lane_unit(YkTurn t, size_t i)
+{
+    return yk_vec(t.c[i], t.s[i]);
+}
+
+YK_INLINE void lane_set_unit(YkTurn t, size_t i, YkVec e)
+{
+    t.c[i] = e.x;
+    t.s[i] = e.y;
+}
+
+// One lane of a vector that is known with its rate and acceleration.
+typedef struct Known {
+    YkVec place, rate, accel;
+} Known;
+
+// rates: whether they are asked.
+YK_INLINE Known lane_known(YkPlane p, bool rates, size_t i)
+{
+    const YkVec none = {0, 0};
+    return (Known){lane_place(p, i), rates ? lane_rate(p, i) : none, rates ? lane_accel(p, i) : none};
+}
+
+// One lane of the rates and accelerations of an orientation and a distance.
+typedef struct Rates {
+    double w, v, turn_accel, slide_accel;
+} Rates;
+
+// What a dyad of an orientation and a distance finds.
+typedef struct Found {
+    YkVec e;
+    double d, margin;
+    Rates rates;
+} Found;
+
+YK_INLINE void lane_set_rates(YkTurn t, YkSlide d, size_t i, Rates rates)
+{
+    t.w[i] = rates.w;
+    t.a[i] = rates.turn_accel;
+    d.v[i] = rates.v;
+    d.a[i] = rates.slide_accel;
+}
+
+YK_INLINE bool arm_varies(YkArm arm)
+{
+    return arm.lanes.x != NULL;
+}
+YK_INLINE YkVec arm_place(YkArm arm, bool varies, size_t i)
+{
+    return varies ? lane_place(arm.lanes, i) : arm.constant;
+}
+
+// Whether a constant arm is too short for the short way.
+YK_INLINE bool arm_is_short(YkArm arm)
+{
+    return yk_arm_share(yk_dot(arm.constant, arm.constant), arm.per_enough2) < 1;
+}
+
+// What a loop over lanes is compiled for: what is asked of it, what varies from lane to lane.
+typedef struct Form {
+    bool places, rates; // finds positions; velocities and accelerations
+    bool varies;        // an arm has lanes
+    bool turns;         // a line turns
+    bool careful;       // an arm is short, or may be: yk_arm_share
+    bool axial;         // constant vectors point along x, as yk_is_axial says: half the products go
+} Form;
+
+// Products with a constant v that is real where `axial`.
+YK_INLINE YkVec times(YkVec a, YkVec v, bool axial)
+{
+    return axial ? yk_scale(v.x, a) : yk_mul(a, v);
+}
+YK_INLINE double dot_with(YkVec v, YkVec a, bool axial)
+{
+    return axial ? v.x * a.x : yk_dot(v, a);
+}
+YK_INLINE double cross_with(YkVec v, YkVec a, bool axial)
+{
+    return axial ? v.x * a.y : yk_cross(v, a);
+}
+
+YK_INLINE Known arm_known(YkArm arm, bool varies, bool rates, size_t i)
+{
+    return varies ? lane_known(arm.lanes, rates, i) : (Known){.place = arm.constant};
+}
+
+// The unit vector e = u e^(i line).
+YK_INLINE YkVec line_unit(YkTurn line, YkVec u, bool turns, size_t i)
+{
+    return turns ? yk_mul(lane_unit(line, i), u) : u;
+}
+
+// A direction, and how it turns.
+typedef struct Line {
+    YkVec e;
+    double w, a;
+} Line;
+
+YK_INLINE Line lane_turning(YkTurn turn, size_t i)
+{
+    return (Line){lane_unit(turn, i), turn.w[i], turn.a[i]};
+}
+YK_INLINE Line lane_line(YkTurn line, YkVec u, bool turns, bool rates, size_t i)
+{
+    return (Line){line_unit(line, u, turns, i), turns && rates ? line.w[i] : 0, turns && rates ? line.a[i] : 0};
+}
+
+// sqrt of a, of 0 where a is negative or NaN. The root need not wait for the choice.
+YK_INLINE double root_of(double a)
+{
+    double root = sqrt(a);
+    return a > 0 ? root : 0;
+}
+
+// The same with a sign: that of a branch, +1 or -1; or of a number. +0 where a is negative or NaN, with both.
+YK_INLINE double root_on_branch(double a, double branch)
+{
+    double root = branch * sqrt(a);
+    return a > 0 ? root : 0;
+}
+YK_INLINE double root_like(double a, double sign)
+{
+    double root = copysign(sqrt(a), sign);
+    return a > 0 ? root : 0;
+}
+
+// |a|, or something tiny and harmless for 0. (A choice between a and 1 would tempt compilers into dividing twice.)
+YK_INLINE double not_zero(double a)
+{
+    return fabs(a) + 1e-200;
+}
+
+// Keeps the least margin of a lane. `own` gets the block's, and is the same array where nobody asks for it. It counts
+// as -1 where the witness, a part of the solution, is NaN.
+YK_INLINE void lane_margin(double *margin, double *own, size_t i, double m, double witness)
+{
+    double before = margin[i], known = witness == witness ? m : -1;
+    own[i] = known;
+    margin[i] = known < before ? known : before;
+}
+
+YK_INLINE void lane_set_found(Form form, YkTurn out, YkSlide d, size_t i, Found found, double *margin, double *own)
+{
+    if (form.places) {
+        d.d[i] = found.d;
+        lane_set_unit(out, i, found.e);
+        lane_margin(margin, own, i, found.margin, found.e.x);
+    }
+    if (form.rates) lane_set_rates(out, d, i, found.rates);
+}
+
+// Keeps the largest gap of a lane. NaN counts as infinite.
+YK_INLINE void lane_gap(double *gap, size_t i, double g)
+{
+    double known = g == g ? g : (double)INFINITY;
+    gap[i] = known > gap[i] ? known : gap[i];
+}
+
+#endif

@@ -1,0 +1,77 @@
+#include "write/amount.h"
+#include <math.h>
+#include <string.h>
+#include "base/number.h"
+
+static const double noise = 1e-13; // of the machine's size: what rounding leaves of a zero
+
+const char *yk_amount_unit(const YkModel *model, YkQuantity quantity, double *size)
+{
+    static const char *const si[] = {
+        [YK_QUANTITY_FORCE] = "N", [YK_QUANTITY_TORQUE] = "N*m", [YK_QUANTITY_ENERGY] = "J"};
+    double own = 1;
+    const char *unit = yk_model_unit(model, quantity, &own);
+    bool is_of_force = quantity >= YK_QUANTITY_FORCE && quantity <= YK_QUANTITY_ENERGY;
+    bool is_joule = quantity == YK_QUANTITY_ENERGY && own == 1;
+    if (is_of_force && (strchr(unit, '/') || is_joule)) {
+        own = 1;
+        unit = si[quantity];
+    }
+    if (size) *size = own;
+    return unit;
+}
+
+static bool is_length(YkQuantity quantity)
+{
+    return quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
+}
+
+double yk_amount_of(const YkModel *model, double value, YkQuantity quantity)
+{
+    double size = 1;
+    yk_amount_unit(model, quantity, &size);
+    return value / size;
+}
+
+double yk_amount_in_unit(const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity)
+{
+    double scale = is_length(quantity) && mech ? yk_mechanism_size(mech) : 1;
+    return fabs(value) < noise * scale ? 0 : yk_amount_of(model, value, quantity);
+}
+
+static void add_number(YkText *text, double value, int digits)
+{
+    char number[YK_NUMBER_SIZE];
+    yk_text_add(text, number, yk_number_write_digits(value, digits, number));
+}
+
+void yk_amount_write(YkText *text, const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity,
+                     int digits)
+{
+    yk_amount_write_shown(text, model, yk_amount_in_unit(model, mech, value, quantity), quantity, digits);
+}
+
+void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits)
+{
+    const char *unit = yk_amount_unit(model, quantity, NULL);
+    add_number(text, shown, digits);
+    if (*unit) yk_text_format(text, " %s", unit);
+    if (quantity != YK_QUANTITY_ANGLE || strcmp(unit, "rad") != 0) return;
+    yk_text_puts(text, " (");
+    add_number(text, shown * (180 / 3.14159265358979323846), digits);
+    yk_text_puts(text, " deg)");
+}
+
+void yk_amount_between(YkText *text, double low, double high, int digits)
+{
+    if (!isfinite(low) && !isfinite(high)) {
+        yk_text_puts(text, "any");
+        return;
+    }
+    if (!isfinite(low)) yk_text_puts(text, "up to ");
+    add_number(text, isfinite(low) ? low : high, digits);
+    if (!isfinite(high)) yk_text_puts(text, " or more");
+    if (!isfinite(low) || !isfinite(high)) return;
+    yk_text_puts(text, " to ");
+    add_number(text, high, digits);
+}

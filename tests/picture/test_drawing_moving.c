@@ -1,0 +1,132 @@
+// Drawings that move: a group's transform takes what is written at the reference pose to where it is at any other.
+#include "check.h"
+#include <stdlib.h>
+#include <yoke/yoke.h>
+#include "picture/drawing.h"
+
+typedef struct Machine {
+    YkModel *model;
+    YkMechanism *mech;
+    YkState *state;
+    YkDrawing *drawing;
+} Machine;
+
+// The machine of a file with its first input turned in so many steps through an angle.
+static Machine open_machine(const char *name, size_t steps, double angle)
+{
+    char path[500];
+    Machine m = {0};
+    YkDrawOptions options = yk_default_draw_options();
+    snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, name);
+    YkProblems *problems = yk_problems_new();
+    m.model = yk_model_load(path, NULL, problems);
+    m.mech = yk_mechanism_compile(m.model, NULL, problems);
+    m.state = yk_state_new(m.mech);
+    assert_non_null(m.state);
+    options.moving = true;
+    m.drawing = yk_drawing_new(m.mech, &options);
+    assert_non_null(m.drawing);
+    assert_true(yk_state_set_time(m.state, 0, problems) >= 0 && yk_state_assemble(m.state) >= 0);
+    double start = yk_state_input(m.state, 0).position;
+    for (size_t k = 0; k <= steps; k++) {
+        yk_state_set_input(m.state, 0, (YkMotion){start + angle * (double)k / (double)steps, 0, 0});
+        assert_true(yk_state_solve(m.state) >= 0);
+        assert_int_equal(yk_drawing_pose(m.drawing, m.state), YK_OK);
+    }
+    yk_problems_free(problems);
+    return m;
+}
+
+static void close_machine(Machine *m)
+{
+    yk_drawing_free(m->drawing);
+    yk_state_free(m->state);
+    yk_mechanism_free(m->mech);
+    yk_model_free(m->model);
+}
+
+static YkVec moved(YkShift shift, YkVec at)
+{
+    return yk_add(yk_add(shift.center, shift.by), yk_mul(yk_unit(shift.turn), yk_sub(at, shift.center)));
+}
+
+static void shifts_take_points_to_where_they_are(void **state)
+{
+    (void)state;
+    Machine m = open_machine("quick-return", 20, 2);
+    assert_non_null(yk_drawing_svg(m.drawing)); // fits the page
+    const YkFrame *drawn = yk_drawing_frames(m.drawing, yk_drawing_reference(m.drawing));
+    for (size_t pose = 0; pose < m.drawing->pose_count; pose++) {
+        const YkFrame *frames = yk_drawing_frames(m.drawing, pose);
+        for (size_t p = 0; p < m.model->point_count; p++) {
+            const YkPoint *point = &m.model->points[p];
+            YkVec at = yk_drawing_pixel(m.drawing, yk_frame_apply(drawn[point->body], point->at));
+            YkVec there = yk_drawing_pixel(m.drawing, yk_frame_apply(frames[point->body], point->at));
+            YkVec own = moved(yk_drawing_shift(m.drawing, (size_t)point->body, pose), at);
+            CHECK_NEAR(own.x, there.x, 1e-9);
+            CHECK_NEAR(own.y, there.y, 1e-9);
+        }
+    }
+    close_machine(&m);
+}
+
+static size_t occurrences(const char *text, const char *word)
+{
+    size_t count = 0;
+    for (const char *at = strstr(text, word); at; at = strstr(at + 1, word)) count++;
+    return count;
+}
+
+static void frames_are_the_same_page_with_its_groups_moved(void **state)
+{
+    (void)state;
+    Machine m = open_machine("quick-return", 6, 1);
+    char *last = strdup(yk_drawing_svg(m.drawing));
+    assert_non_null(last);
+    assert_int_equal(occurrences(last, " transform="), 0);
+    assert_string_equal(yk_drawing_frame(m.drawing, 6), last);
+    const char *first = yk_drawing_frame(m.drawing, 0);
+    assert_int_equal(occurrences(first, " transform="), occurrences(last, "<g class=\"b") +
+                                                            occurrences(last, "<g class=\"j") +
+                                                            occurrences(last, "<g class=\"n"));
+    assert_int_equal(occurrences(first, "<g"), occurrences(first, "</g>"));
+    assert_null(yk_drawing_frame(m.drawing, 7));
+    free(last);
+    close_machine(&m);
+}
+
+// Over one turn the crank's keyframes go through 360 degrees without a jump; what stands still has none.
+static void keyframes_count_turns_on(void **state)
+{
+    (void)state;
+    Machine m = open_machine("gas-engine", 24, 2 * YK_PI);
+    const char *svg = yk_drawing_animation(m.drawing, 3, false), *at = strstr(svg, "@keyframes b1 {");
+    assert_non_null(at);
+    const char *end = strchr(at, '\n');
+    double first = NAN, last = NAN;
+    size_t count = 0;
+    for (at = strstr(at, "rotate("); at && at < end; at = strstr(at + 1, "rotate("), count++) {
+        double turn = atof(at + 7);
+        if (count == 0) first = turn;
+        if (count > 0) CHECK_NEAR(turn - last, -15, 0.011); // clockwise in SVG is backwards here
+        last = turn;
+    }
+    assert_int_equal(count, 25);
+    CHECK_NEAR(last - first, -360, 0.011);
+    assert_null(strstr(svg, "@keyframes b0 "));
+    assert_null(strstr(svg, "@keyframes j0 ")); // the crank's pin on the ground
+    assert_non_null(strstr(svg, "3s linear infinite"));
+    assert_null(strstr(svg, "alternate"));
+    assert_non_null(strstr(yk_drawing_animation(m.drawing, 3, true), "alternate"));
+    close_machine(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shifts_take_points_to_where_they_are),
+        cmocka_unit_test(frames_are_the_same_page_with_its_groups_moved),
+        cmocka_unit_test(keyframes_count_turns_on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

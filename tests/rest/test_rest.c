@@ -1,0 +1,179 @@
+// Equilibria and small vibrations against closed forms.
+#include "check.h"
+#include <yoke/yoke.h>
+#include "base/problems.h"
+#include "simulate/run.h"
+
+static YkRest *rest_of(const char *text, YkModel **model)
+{
+    YkProblems *problems = yk_problems_new();
+    *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+    assert_non_null(*model);
+    YkRest *rest = yk_rest_find(*model, NULL, problems);
+    assert_non_null(rest);
+    yk_problems_free(problems);
+    return rest;
+}
+
+// Two pendulums of unit mass and length: omega^2 = g (2 +- sqrt 2); four equilibria, one stable.
+#define DOUBLE                                                                                                         \
+    "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                                                    \
+    "  a: {points: {O: [0, 0], P: [0, -1]}, mass: 1, center: [0, -1]}\n"                                               \
+    "  b: {points: {P: [0, 0]}, mass: 1, center: [0, -1]}\njoints:\n  O: {pin: [ground, a], angle: x}\n  P: {pin: "    \
+    "[a, b], angle: y}\n"
+
+static void a_double_pendulum_rests_in_four_places(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of(DOUBLE, &model);
+    assert_int_equal(yk_rest_count(rest), 4);
+    static const double heights[] = {-30, -10, 10, 30};
+    for (size_t k = 0; k < 4; k++) {
+        CHECK_NEAR(yk_rest_equilibrium(rest, k).potential, heights[k], 1e-9);
+        assert_int_equal(yk_rest_equilibrium(rest, k).stability, k == 0 ? YK_STABLE : YK_UNSTABLE);
+    }
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, sqrt(10 * (2 - sqrt(2))), 1e-8);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 1).frequency, sqrt(10 * (2 + sqrt(2))), 1e-8);
+    const double *M = yk_rest_mass(rest, 0), *K = yk_rest_stiffness(rest, 0);
+    static const double mass[] = {5, 2, 2, 1}, stiffness[] = {30, 10, 10, 10}; // in the joint angles
+    for (int k = 0; k < 4; k++) {
+        CHECK_NEAR(M[k], mass[k], 1e-10);
+        CHECK_NEAR(K[k], stiffness[k], 1e-7);
+        CHECK_NEAR(yk_rest_damping(rest, 0)[k], 0, 1e-8);
+    }
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
+static void a_damped_spring_has_its_roots(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of(
+        "bodies:\n  b: {points: {P: [0, 0]}, mass: 2}\njoints:\n  s: {slide: [ground, b], along: x, distance: d}\n"
+        "springs: {k: {along: d, stiffness: 50, length: 0.3, damping: 4}}\nforces: {F: {body: b, at: P, value: [5, "
+        "0]}}\nstart: {d: 0.1}\n",
+        &model);
+    assert_int_equal(yk_rest_count(rest), 1);
+    CHECK_NEAR(yk_state_coordinate(yk_rest_state(rest, 0), 0).position, 0.4, 1e-12);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 5, 1e-9);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).damping_ratio, 0.2, 1e-9);
+    double real, imaginary;
+    yk_rest_root(rest, 0, 0, &real, &imaginary);
+    CHECK_NEAR(real, -1, 1e-8);
+    CHECK_NEAR(fabs(imaginary), sqrt(24), 1e-8);
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
+static void a_wheel_is_neutral(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of(
+        "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  w: {points: {O: [0, 0]}, mass: 1, inertia: 1}\n"
+        "joints:\n  O: {pin: [ground, w], angle: x}\n",
+        &model);
+    assert_true(yk_rest_count(rest) >= 1);
+    assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_NEUTRAL);
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
+// A bead on a light arm, held by a spring: where the arm has no length nothing resists its turning. That it has none at
+// coordinates of 0 does not matter, nor that the machine starts there.
+static void inertia_is_judged_where_the_machine_stands(void **unused)
+{
+    (void)unused;
+    static const char *const starts[] = {"{q: -1, d: 1}", "{q: -1, d: 0}"};
+    for (int k = 0; k < 2; k++) {
+        char text[800];
+        snprintf(text, sizeof text,
+                 "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0]}}\n"
+                 "  bead: {points: {B: [0, 0]}, mass: 2}\njoints:\n  O: {pin: [ground, arm], angle: q}\n"
+                 "  S: {slide: [arm, bead], along: x, distance: d}\n"
+                 "springs: {k: {along: d, stiffness: 100, length: 1}}\nstart: %s\n",
+                 starts[k]);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 2); // hanging and standing
+        bool hangs = false;
+        for (size_t p = 0; p < 2; p++) {
+            const YkState *s = yk_rest_state(rest, p);
+            double q = yk_state_coordinate(s, 0).position, d = yk_state_coordinate(s, 1).position;
+            CHECK_NEAR(cos(q), 0, 1e-9);
+            CHECK_NEAR(100 * (d - 1), -20 * sin(q), 1e-7); // the spring carries the weight
+            if (fabs(d - 1.2) > 1e-9) continue;
+            hangs = true;
+            assert_int_equal(yk_rest_equilibrium(rest, p).stability, YK_STABLE);
+            CHECK_NEAR(yk_rest_mode(rest, p, 0).frequency, sqrt(10 / 1.2), 1e-7);
+            CHECK_NEAR(yk_rest_mode(rest, p, 1).frequency, sqrt(50), 1e-7);
+        }
+        assert_true(hangs);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
+static void a_freedom_that_never_has_inertia_is_refused(void **unused)
+{
+    (void)unused;
+    const char *text =
+        "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0]}, mass: 1}\n"
+        "joints:\n  O: {pin: [ground, a], angle: q}\n";
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+    assert_null(yk_rest_find(model, NULL, problems));
+    assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_CANNOT_START);
+    assert_non_null(strstr(yk_problems_get(problems, 0)->message, "no inertia resists `q`"));
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
+// In a loop: small swings last as long as the mode says.
+static void a_mode_is_how_it_swings(void **unused)
+{
+    (void)unused;
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/toggle.yaml", NULL, problems);
+    YkRest *rest = yk_rest_find(model, NULL, problems);
+    assert_non_null(rest);
+    size_t stable = 0;
+    while (stable < yk_rest_count(rest) && yk_rest_equilibrium(rest, stable).stability != YK_STABLE) stable++;
+    assert_true(stable < yk_rest_count(rest));
+    YkState *s = yk_rest_state(rest, stable);
+    YkStartValue values[8];
+    size_t n = yk_coordinate_count(yk_rest_mechanism(rest));
+    for (size_t c = 0; c < n; c++)
+        values[c] = (YkStartValue){yk_coordinate_info(yk_rest_mechanism(rest), c).name, false,
+                                   yk_state_coordinate(s, c).position};
+    values[n] = (YkStartValue){values[yk_rest_input(rest, 0)].coordinate, true, 1e-6};
+    YkSimulationOptions options = run_options(1e-12);
+    options.values = values;
+    options.value_count = n + 1;
+    YkSimulation *sim = yk_simulation_new(model, &options, problems);
+    assert_non_null(sim);
+    double period = 2 * acos(-1) / yk_rest_mode(rest, stable, 0).frequency;
+    assert_int_equal(yk_simulation_advance(sim, period), YK_OK);
+    YkMotion back = yk_state_coordinate(yk_simulation_state(sim), yk_rest_input(rest, 0));
+    CHECK_NEAR(back.position, values[yk_rest_input(rest, 0)].value, 1e-10);
+    CHECK_NEAR(back.velocity, 1e-6, 1e-10);
+    yk_simulation_free(sim);
+    yk_rest_free(rest);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_double_pendulum_rests_in_four_places),
+        cmocka_unit_test(a_damped_spring_has_its_roots),
+        cmocka_unit_test(a_wheel_is_neutral),
+        cmocka_unit_test(inertia_is_judged_where_the_machine_stands),
+        cmocka_unit_test(a_freedom_that_never_has_inertia_is_refused),
+        cmocka_unit_test(a_mode_is_how_it_swings),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
