@@ -23,5 +23,5 @@ foreach(line IN LISTS lines)
     string(APPEND rows "    {\"${family}\", \"${name}\", \"${machine}\", \"${shows}\", ${symbol}, sizeof ${symbol}},\n")
   endif()
 endforeach()
-file(WRITE ${OUTPUT} "// Made by cmake/gallery.cmake from examples/.\n#include \"gallery.h\"\n\n${texts}\n"
+file(WRITE ${OUTPUT} "// Made by cmake/gallery.cmake from examples/.\n#include \"verbs/new/gallery.h\"\n\n${texts}\n"
   "const YkExample yk_gallery[] = {\n${rows}};\nconst size_t yk_gallery_count = sizeof yk_gallery / sizeof *yk_gallery;\n")

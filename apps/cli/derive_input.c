@@ -1,8 +1,0 @@
-// Standard input as a text; apart, because doc/ and the command both have a YkPair.
-#include "derive_input.h"
-#include "doc/node.h"
-
-char *yk_derive_read_input(size_t *length, YkProblems *problems)
-{
-    return yk_doc_read_file("-", length, problems);
-}

@@ -1,0 +1,8 @@
+// Standard input as a text; apart, because doc/ and the command both have a YkPair.
+#include "doc/node.h"
+#include "verbs/derive/input.h"
+
+char *yk_derive_read_input(size_t *length, YkProblems *problems)
+{
+    return yk_doc_read_file("-", length, problems);
+}

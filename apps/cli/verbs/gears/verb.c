@@ -1,0 +1,118 @@
+// yoke gears: the speeds and torques of a gear train. It asks the model, not the engine: no pose is needed.
+#include <stdlib.h>
+#include <string.h>
+#include "verbs/gears/gears.h"
+
+static const YkPlace nowhere = {0};
+
+const char *yk_gears_body(const YkGearsAnswer *answer, size_t body)
+{
+    return yk_model_body_name(answer->session->model, body);
+}
+
+const char *yk_gears_kind(YkTrainKind kind)
+{
+    return kind == YK_TRAIN_GEARS ? "gears" : kind == YK_TRAIN_BELT ? "belt" : "rack";
+}
+
+// Loads the model alone; false when that failed, all is printed then.
+static bool load(YkSession *session)
+{
+    const YkPairs *param = &session->request->param;
+    if (!session->request->file) {
+        yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke gears` needs a model file");
+        yk_problem_hint(session->problems, "yoke gears train.yaml");
+        return false;
+    }
+    YkProblems *problems = yk_problems_new();
+    YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
+    bool good = problems && overrides;
+    for (size_t i = 0; good && i < param->count; i++)
+        overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
+    YkLoadOptions options = yk_default_load_options();
+    options.parameters = overrides;
+    options.parameter_count = param->count;
+    if (good) session->model = yk_model_load(session->request->file, &options, problems);
+    yk_tell_problems(session, problems);
+    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    yk_problems_free(problems);
+    free(overrides);
+    return session->model != NULL;
+}
+
+static bool read_efforts(YkSession *session, YkTrainEffort *efforts)
+{
+    const YkPairs *pairs = &session->request->effort;
+    for (size_t i = 0; i < pairs->count; i++) {
+        efforts[i].coordinate = pairs->items[i].name;
+        if (!yk_session_value(session, "--effort", pairs->items[i].name, pairs->items[i].value, YK_QUANTITY_TORQUE,
+                              &efforts[i].value))
+            return false;
+    }
+    return true;
+}
+
+static bool read_options(YkSession *session, YkTrainOptions *options, YkTrainEffort *efforts)
+{
+    const YkRequest *request = session->request;
+    *options = yk_default_train_options();
+    options->lock = request->lock;
+    options->in = request->in;
+    options->out = request->out;
+    options->efforts = efforts;
+    options->effort_count = request->effort.count;
+    if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &options->time))
+        return false;
+    if (request->efficiency &&
+        !yk_session_value(session, "--efficiency", "", request->efficiency, YK_QUANTITY_NUMBER, &options->efficiency))
+        return false;
+    return read_efforts(session, efforts);
+}
+
+// A train that several drives leave open is no answer; one that nothing drives has relations only, which were asked
+// for.
+static int judge(YkSession *session, const YkTrain *train)
+{
+    YkTrainStatus status = yk_train_status(train);
+    YkCode code = status == YK_TRAIN_LOCKED ? YK_CODE_TRAIN_LOCKED : YK_CODE_TRAIN_UNDETERMINED;
+    bool has_table = yk_train_gear_count(train) > 0 || yk_train_ratio(train).is_known;
+    if (status == YK_TRAIN_OK || status == YK_TRAIN_FREE) return YK_EXIT_DONE;
+    if (status == YK_TRAIN_UNDETERMINED && has_table) return YK_EXIT_DONE; // each row tells of itself
+    yk_problem(session->problems, code, nowhere, "%s", yk_train_message(train));
+    return YK_EXIT_NO_ANSWER;
+}
+
+static void write_answer(const YkGearsAnswer *answer)
+{
+    switch (answer->session->request->format) {
+    case YK_FORMAT_TEXT:
+        yk_gears_text(answer);
+        break;
+    case YK_FORMAT_JSON:
+        yk_gears_json(answer);
+        break;
+    case YK_FORMAT_CSV:
+        yk_gears_csv(answer);
+        break;
+    }
+}
+
+int yk_run_gears(YkSession *session)
+{
+    int exit_code = YK_EXIT_WRONG;
+    if (!load(session)) return exit_code;
+    YkTrainEffort *efforts = calloc(session->request->effort.count + 1, sizeof *efforts);
+    YkTrainOptions options;
+    if (!efforts) {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    } else if (read_options(session, &options, efforts)) {
+        YkTrain *train = yk_train_new(session->model, &options, session->problems);
+        if (train) {
+            write_answer(&(YkGearsAnswer){session, train});
+            exit_code = yk_session_finish(session, judge(session, train));
+        }
+        yk_train_free(train);
+    }
+    free(efforts);
+    return exit_code;
+}

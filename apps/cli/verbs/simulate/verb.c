@@ -1,0 +1,257 @@
+// yoke simulate: motion in time.
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+#include "base/number.h"
+#include "base/problems.h"
+#include "reach.h"
+#include "verbs/simulate/simulate.h"
+
+enum { CHUNK = 16384 };
+static const double flush_after = 0.1, progress_after = 0.2; // s of the clock on the wall
+
+// Set by the first Ctrl-C (or a polite kill): what there is comes out whole. A second one ends the program at once.
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int signal_number)
+{
+    (void)signal_number;
+    interrupted = 1;
+}
+
+static void catch_signals(void)
+{
+    struct sigaction once = {.sa_handler = interrupt}, ignore = {.sa_handler = SIG_IGN};
+    once.sa_flags = (int)SA_RESETHAND;
+    sigaction(SIGINT, &once, NULL);
+    sigaction(SIGTERM, &once, NULL);
+    sigaction(SIGPIPE, &ignore, NULL); // a closed pipe is a failed write, which is told
+}
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+// --- after every step: does it go on? And progress, for people who look on
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct Watch {
+    double from, to; // s
+    bool shows_progress, has_shown;
+    double last_flush, last_progress;
+    size_t steps;
+    YkSession *session;
+} Watch;
+
+// Said once, after the first steps, where there would be very many at their pace.
+static void foretell(const Watch *watch, double time)
+{
+    const double many = 1e7;
+    double steps = (double)watch->steps * (watch->to - watch->from) / (time - watch->from);
+    YkProblems *problems = steps > many ? yk_problems_new() : NULL;
+    char number[YK_NUMBER_SIZE];
+    if (!problems) return;
+    yk_number_write_digits(steps, 1, number);
+    yk_problem(problems, YK_CODE_MOTION_LONG, (YkPlace){0}, "at the pace of its first steps this takes %s of them",
+               number);
+    yk_problem_hint(problems, "Ctrl-C ends it, and the rows so far are complete; a nearer --to costs less");
+    yk_tell_problems(watch->session, problems);
+    yk_problems_free(problems);
+}
+
+// Not where the rows come to the same terminal.
+static bool wants_progress(const YkSession *session)
+{
+    const char *terminal = getenv("TERM"), *output = session->request->output;
+    bool rows_are_seen = isatty(STDOUT_FILENO) && (!output || strcmp(output, "-") == 0);
+    bool is_dumb = terminal && strcmp(terminal, "dumb") == 0;
+    return isatty(STDERR_FILENO) && !session->request->quiet && !rows_are_seen && !is_dumb;
+}
+
+static bool look(void *context, double time)
+{
+    enum { FIRST_STEPS = 1000 };
+    Watch *watch = context;
+    if (++watch->steps == FIRST_STEPS && time > watch->from) foretell(watch, time);
+    if (watch->shows_progress && now() - watch->last_progress > progress_after) {
+        fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time,
+                100 * (time - watch->from) / (watch->to - watch->from));
+        watch->has_shown = true;
+        watch->last_progress = now();
+    }
+    return !interrupted;
+}
+
+static void clear_progress(const Watch *watch)
+{
+    if (watch->has_shown) fputs("\r                                              \r", stderr);
+}
+
+// --- running
+// ---------------------------------------------------------------------------------------------------------------
+
+// Rows go out when there are many of them, or when somebody may wait for them.
+static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
+{
+    if (answer->session->out.length < CHUNK && now() - watch->last_flush < flush_after) return true;
+    watch->last_flush = now();
+    return yk_simulate_flush(answer);
+}
+
+// False when memory or the output is at its end; told.
+static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
+{
+    bool streams = answer->session->request->format != YK_FORMAT_JSON;
+    for (size_t k = 0; k <= answer->steps; k++) {
+        double time = yk_simulate_time_of(answer, k);
+        answer->status = yk_simulation_advance(answer->simulation, time);
+        bool has_row = answer->status == YK_OK && yk_simulation_time(answer->simulation) >= time;
+        answer->is_interrupted = interrupted && (!has_row || k < answer->steps);
+        if (has_row && !yk_simulate_row(answer)) return false;
+        if (streams && has_row && !flush_if_due(answer, watch)) return false;
+        if (!has_row || answer->is_interrupted) break;
+    }
+    return !streams || yk_simulate_flush(answer);
+}
+
+static bool run(YkSimulationAnswer *answer, Watch *watch)
+{
+    YkSession *session = answer->session;
+    if (session->request->format != YK_FORMAT_JSON &&
+        !yk_stream_open(&answer->stream, session->request->output, session->problems))
+        return false;
+    catch_signals();
+    yk_simulate_head(answer);
+    bool good = run_rows(answer, watch);
+    clear_progress(watch);
+    return good;
+}
+
+// --- the end of it
+// ---------------------------------------------------------------------------------------------------------------
+
+// What stopped it, as a problem; the message, or NULL where it came to its end.
+static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
+{
+    YkSession *session = answer->session;
+    if (!answer->is_interrupted && answer->status == YK_OK) return NULL;
+    const char *why = answer->is_interrupted ? "" : yk_simulation_report(answer->simulation)->message;
+    yk_text_puts(message, answer->is_interrupted ? "interrupted at t = " : "the motion ends at t = ");
+    yk_add_value(session, message, yk_simulation_time(answer->simulation), YK_QUANTITY_TIME, 10);
+    if (*why) yk_text_format(message, ": %s", why);
+    yk_problem(session->problems, answer->is_interrupted ? YK_CODE_INTERRUPTED : YK_CODE_MOTION_ENDS, (YkPlace){0},
+               "%s", yk_text_get(message));
+    return yk_text_get(message);
+}
+
+// All that is to be told is in words before a file appears: it does not stand beside E0100.
+static bool close_rows(YkSimulationAnswer *answer, const YkText *summary)
+{
+    YkSession *session = answer->session;
+    (void)yk_words_of_problems(session, session->problems);
+    session->ran_out |= yk_memory_ran_out() || summary->failed || yk_problems_ran_out(session->problems);
+    if (!session->ran_out) return yk_stream_close(&answer->stream, session->problems);
+    yk_stream_drop(&answer->stream);
+    return false;
+}
+
+static int finish(YkSimulationAnswer *answer, bool good)
+{
+    YkSession *session = answer->session;
+    YkText words = {0}, summary = {0};
+    const char *plot = session->request->plot, *message = explain_stop(answer, &words);
+    yk_simulate_tell(answer, &summary);
+    yk_note_status(session, answer->status);
+    good = close_rows(answer, &summary) && good;
+    int exit_code = !good ? YK_EXIT_WRONG : message ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
+    if (session->request->format == YK_FORMAT_JSON && good) {
+        yk_simulate_json(answer, message, !message ? NULL : answer->is_interrupted ? "E0821" : "E0820");
+        exit_code = yk_session_finish(session, exit_code);
+    }
+    if (plot && good && !yk_simulate_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
+    yk_tell_problems(session, session->problems);
+    session->is_told = true; // the summary is the last line
+    if (!session->ran_out) fputs(yk_text_get(&summary), stderr);
+    yk_text_free(&words);
+    yk_text_free(&summary);
+    return exit_code;
+}
+
+// A machine that does not go together has no motion: that is an answer. Everything else is a mistake in the file.
+static int refuse(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const YkProblem *first = NULL;
+    for (size_t i = 0; i < yk_problems_count(session->file_problems); i++) {
+        const YkProblem *problem = yk_problems_get(session->file_problems, i);
+        bool is_answer = problem->code == YK_CODE_POSE_NO_ASSEMBLY || problem->code == YK_CODE_POSE_LIMIT;
+        if (!first && is_answer) first = problem;
+    }
+    if (!first) return YK_EXIT_WRONG;
+    answer->status = first->code == YK_CODE_POSE_LIMIT ? YK_LIMIT : YK_NO_ASSEMBLY;
+    if (session->request->format != YK_FORMAT_JSON) return YK_EXIT_NO_ANSWER;
+    yk_simulate_json(answer, first->message, answer->status == YK_LIMIT ? "E0602" : "E0601");
+    return yk_session_finish(session, YK_EXIT_NO_ANSWER);
+}
+
+// The pose at --from, on the machine's own assembly or that of --assembly. Where it is not reached there is no motion,
+// which is an answer.
+static int refuse_pose(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    char code[YK_CODE_SIZE];
+    yk_tell_problems(session, session->file_problems);
+    yk_reach_tell(session, answer->status);
+    if (session->request->format != YK_FORMAT_JSON) return yk_status_exit(answer->status);
+    yk_simulate_json(answer, yk_reach_message(session), yk_code_word(yk_status_code(answer->status), code));
+    return yk_session_finish(session, yk_status_exit(answer->status));
+}
+
+static YkStatus reach(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    if (!yk_session_inputs(session)) return YK_BAD_ARGUMENT;
+    session->time = answer->from;
+    answer->status = yk_session_reach(session, NULL);
+    answer->options.pose = session->state;
+    return answer->status;
+}
+
+static int simulate(YkSimulationAnswer *answer)
+{
+    YkSession *session = answer->session;
+    session->is_simulation = true;
+    bool good = yk_simulate_read(answer);
+    Watch watch = {.from = answer->from, .to = answer->to, .shows_progress = wants_progress(session)};
+    watch.session = session;
+    watch.last_flush = watch.last_progress = now();
+    answer->options.goes_on = look;
+    answer->options.context = &watch;
+    if (good && reach(answer) < 0)
+        return yk_problems_error_count(session->problems) > 0 ? YK_EXIT_WRONG : refuse_pose(answer);
+    if (good) answer->simulation = yk_simulation_new(session->model, &answer->options, session->file_problems);
+    if (session->file_problems) yk_tell_problems(session, session->file_problems);
+    if (!good) return YK_EXIT_WRONG;
+    if (!answer->simulation) return refuse(answer);
+    if (!yk_simulate_prepare(answer)) return YK_EXIT_WRONG;
+    return finish(answer, run(answer, &watch));
+}
+
+int yk_run_simulate(YkSession *session)
+{
+    YkSimulationAnswer answer = {.session = session};
+    int exit_code = simulate(&answer);
+    yk_simulation_free(answer.simulation);
+    free(answer.columns);
+    free(answer.values);
+    free((void *)answer.inputs);
+    free(answer.row);
+    free(answer.rows);
+    return exit_code;
+}

@@ -1,0 +1,191 @@
+// yoke solve: one pose, or every one that the inputs allow.
+#include "columns.h"
+#include "reach.h"
+#include "verbs/solve/solve.h"
+
+// The writer that the format asks for, and what it writes of a configuration.
+typedef struct Writer {
+    YkSession *session;
+    YkJson json;
+    size_t count; // configurations written
+    YkDynamics *dynamics;
+    YkDynamicsMethod method;
+    YkState *scratch;
+    YkState *own; // --all: the machine's own pose; NULL where it does not come there
+} Writer;
+
+// Has the machine inputs whose accelerations are sought?
+static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics)
+{
+    for (size_t i = 0; i < yk_input_count(session->mech); i++)
+        if (!yk_dynamics_is_prescribed(dynamics, i)) return true;
+    return false;
+}
+
+// Forces at a pose, and the accelerations that they give to free inputs. A pose without (a dead point, a freedom
+// without inertia) keeps its motion. session->dynamics is NULL where there are none, and the status says why.
+static YkStatus find_forces(Writer *writer, YkState *state)
+{
+    YkSession *session = writer->session;
+    YkDynamics *dynamics = writer->dynamics;
+    session->dynamics = NULL;
+    session->forces_message = NULL;
+    session->lacks_accelerations = false;
+    if (!dynamics || !yk_state_has_rates(state)) return YK_OK;
+    YkStatus status = yk_dynamics_solve(dynamics, state, writer->method);
+    if (status == YK_OK || status == YK_REDUNDANT) {
+        session->dynamics = dynamics;
+        return YK_OK;
+    }
+    session->forces_message = yk_dynamics_report(dynamics)->message;
+    session->lacks_accelerations = has_free_inputs(session, dynamics);
+    return status;
+}
+
+static void write_one(Writer *writer, const YkState *state)
+{
+    switch (writer->session->request->format) {
+    case YK_FORMAT_TEXT:
+        yk_solve_text(writer->session, state, writer->count);
+        break;
+    case YK_FORMAT_JSON:
+        yk_solve_json(writer->session, &writer->json, state);
+        break;
+    case YK_FORMAT_CSV:
+        if (writer->session->columns) {
+            yk_solve_of_csv(writer->session, state);
+        } else {
+            yk_solve_csv(writer->session, state, writer->count);
+        }
+        break;
+    }
+    writer->count++;
+}
+
+// One of several configurations: its forces are found in a state of their own, since the search goes on from this one.
+static bool visit(void *context, YkState *state)
+{
+    Writer *writer = context;
+    YkSession *session = writer->session;
+    yk_state_copy(writer->scratch, state);
+    session->is_start = writer->own && yk_same_configuration(writer->own, state);
+    session->is_chosen = !session->is_start;
+    yk_note_status(session, find_forces(writer, writer->scratch));
+    write_one(writer, writer->scratch);
+    return true;
+}
+
+// Poses that stand get written; a failure leaves the list empty.
+static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
+{
+    YkSession *session = writer->session;
+    if (!session->request->all) {
+        if (status >= 0) write_one(writer, session->state);
+        return status;
+    }
+    if (status >= 0 && session->is_start) {
+        writer->own = session->state;
+        session->state = NULL;
+    }
+    YkStatus each =
+        yk_reach_ask(session) < 0 ? YK_NO_MEMORY : yk_state_each(session->state, visit, writer, is_complete);
+    yk_note_status(session, each);
+    yk_state_free(writer->own);
+    return each;
+}
+
+static void begin(Writer *writer, YkStatus status, const char *message)
+{
+    YkSession *session = writer->session;
+    if (session->request->format == YK_FORMAT_JSON) {
+        yk_json_object(&writer->json, NULL, YK_JSON_LINES);
+        yk_json_head(&writer->json, session, status, message);
+        yk_json_list(&writer->json, "configurations", YK_JSON_LINES);
+    } else if (session->request->format == YK_FORMAT_TEXT) {
+        yk_solve_text_head(session, status);
+    } else if (session->columns) {
+        yk_solve_of_csv_head(session);
+    } else {
+        yk_solve_csv_head(session);
+    }
+}
+
+static void end(Writer *writer, bool is_complete)
+{
+    YkSession *session = writer->session;
+    bool all = session->request->all;
+    if (session->request->format == YK_FORMAT_JSON) {
+        yk_json_end(&writer->json);
+        if (all) yk_json_bool(&writer->json, "complete", is_complete);
+        yk_json_end(&writer->json);
+    } else if (session->request->format == YK_FORMAT_TEXT && all) {
+        yk_text_format(&session->out, "\n%z configuration%s%s\n", writer->count, writer->count == 1 ? "" : "s",
+                       is_complete ? "; there are no others"
+                                   : "; there may be others: a larger group was searched, not enumerated");
+    }
+}
+
+static int solve(Writer *writer)
+{
+    YkSession *session = writer->session;
+    bool is_complete = true;
+    YkStatus pose = yk_session_reach(session, NULL);
+    YkReport report = *yk_state_report(session->state);
+    YkStatus forces = pose < 0 ? YK_OK : find_forces(writer, session->state);
+    YkStatus status = forces == YK_OK ? pose : forces; // of the machine's own configuration
+    yk_note_status(session, pose);
+    yk_note_status(session, forces);
+    const char *message = pose < 0          ? yk_reach_message(session)
+                          : forces == YK_OK ? report.message
+                                            : session->forces_message;
+    if (pose < 0 && session->request->all && yk_reach_count(session) > 0) {
+        yk_problem(session->problems, YK_CODE_NONE_IS_OWN, (YkPlace){0},
+                   "none of these is the machine's own configuration, which does not come here: %s", message);
+        status = YK_OK;
+        message = "";
+    } else if (pose < 0) {
+        yk_reach_tell(session, pose);
+    } else {
+        yk_tell_status(session, status, message);
+    }
+    begin(writer, status, message);
+    if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics, NULL);
+    yk_solve_of_warn(session);
+    YkStatus written = write_all(writer, pose, &is_complete);
+    end(writer, is_complete);
+    return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));
+}
+
+// --of: the columns; forces among them need a machine that has some.
+static bool read_columns(YkSession *session, YkColumns *columns)
+{
+    if (!session->request->of) return true;
+    if (!yk_columns_read(session, columns)) return false;
+    session->columns = columns;
+    if (session->dynamics || !yk_columns_need_forces(columns)) return true;
+    return yk_session_refuse(session, YK_CODE_NO_FORCES,
+                             "the machine has neither masses nor loads, so there are no forces%s", "");
+}
+
+int yk_run_solve(YkSession *session)
+{
+    YkColumns columns = {0};
+    Writer writer = {.session = session, .json = {.text = &session->out}};
+    if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
+    if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
+        return YK_EXIT_WRONG;
+    bool good = read_columns(session, &columns);
+    writer.dynamics = session->dynamics;
+    writer.scratch = yk_state_new(session->mech);
+    int exit_code = YK_EXIT_WRONG;
+    if (good && writer.scratch) {
+        exit_code = solve(&writer);
+    } else if (good) {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    }
+    yk_state_free(writer.scratch);
+    session->columns = NULL;
+    yk_columns_free(&columns);
+    session->dynamics = writer.dynamics; // the session frees it
+    return exit_code;
+}

@@ -1,0 +1,270 @@
+// What a study is asked: which parameters vary and how, at which poses, with which columns.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "base/number.h"
+#include "reach.h"
+#include "session.h"
+#include "verbs/study/study.h"
+
+enum { DESIGNS_MAX = 10000000, DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36, THREADS_MAX = 1024 };
+
+// --- --vary NAME=FROM:TO:N
+// ----------------------------------------------------------------------------------------------
+
+static bool refuse_vary(YkSession *session, const char *text)
+{
+    yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--vary takes NAME=FROM:TO:N, not %q", text);
+    yk_problem_hint(session->problems, "as in --vary l2=0.9m:1.1m:200; N values, both ends included");
+    return false;
+}
+
+static bool read_value(YkSession *session, const char *name, const char *text, double *value)
+{
+    YkProblems *problems = yk_problems_new();
+    bool good = problems && yk_model_parameter_read(session->model, name, text, value, problems) == YK_OK;
+    yk_tell_problems(session, problems);
+    yk_problems_free(problems);
+    session->is_told |= !good;
+    return good;
+}
+
+static bool read_axis(YkStudyAnswer *answer, const char *text, YkAxis *axis)
+{
+    YkSession *session = answer->session;
+    YkArena *arena = session->request->arena;
+    const char *equals = strchr(text, '='), *first = equals ? strchr(equals, ':') : NULL,
+               *second = first ? strchr(first + 1, ':') : NULL;
+    if (!second || equals == text) return refuse_vary(session, text);
+    const char *name = yk_arena_copy(arena, text, (size_t)(equals - text)),
+               *from = yk_arena_copy(arena, equals + 1, (size_t)(first - equals - 1)),
+               *to = yk_arena_copy(arena, first + 1, (size_t)(second - first - 1));
+    if (!name || !from || !to) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    *axis = (YkAxis){.name = name};
+    return yk_session_count(session, "--vary", second + 1, DESIGNS_MAX, 1, &axis->count) &&
+           read_value(session, name, from, &axis->from) && read_value(session, name, to, &axis->to);
+}
+
+static bool read_grid(YkStudyAnswer *answer)
+{
+    const YkWords *vary = &answer->session->request->vary;
+    double designs = 1;
+    answer->axes = calloc(vary->count + 1, sizeof *answer->axes);
+    answer->axis_count = vary->count;
+    for (size_t k = 0; answer->axes && k < vary->count; k++) {
+        if (!read_axis(answer, vary->items[k], &answer->axes[k])) return false;
+        designs *= (double)answer->axes[k].count;
+    }
+    if (designs > DESIGNS_MAX)
+        return yk_session_refuse(answer->session, YK_CODE_OPTION_VALUE,
+                                 "--vary: the grid has more than 10 million designs%s", "");
+    answer->design_count = (size_t)designs;
+    return answer->axes != NULL;
+}
+
+// --- --sample FILE
+// ------------------------------------------------------------------------------------------------------
+
+static bool read_sample(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const YkRequest *request = session->request;
+    YkProblems *problems = yk_problems_new();
+    answer->is_sample = true;
+    answer->tolerances = problems ? yk_tolerances_load(request->sample, session->model, problems) : NULL;
+    yk_tell_problems(session, problems);
+    yk_problems_free(problems);
+    session->is_told |= !answer->tolerances;
+    if (!answer->tolerances) return false;
+    size_t designs = DESIGNS, seed = 0;
+    if (yk_tolerances_designs(answer->tolerances) > 0) designs = (size_t)yk_tolerances_designs(answer->tolerances);
+    if (!yk_session_count(session, "--designs", request->designs, DESIGNS_MAX, designs, &answer->design_count))
+        return false;
+    if (answer->design_count > DESIGNS_MAX)
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q: a study has at most 10 million designs",
+                                 request->sample);
+    answer->seed = yk_tolerances_seed(answer->tolerances);
+    if (!yk_session_count(session, "--seed", request->seed, (size_t)1 << 53, 0, &seed)) return false;
+    if (request->seed) answer->seed = seed;
+    answer->axis_count = yk_tolerances_count(answer->tolerances);
+    answer->axes = calloc(answer->axis_count + 1, sizeof *answer->axes);
+    for (size_t k = 0; answer->axes && k < answer->axis_count; k++)
+        answer->axes[k] = (YkAxis){.name = yk_tolerances_name(answer->tolerances, k),
+                                   .distribution = yk_tolerances_at(answer->tolerances, k)};
+    return answer->axes != NULL;
+}
+
+void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *values)
+{
+    size_t rest = design;
+    for (size_t k = answer->axis_count; k-- > 0;) { // the last axis goes fastest
+        const YkAxis *axis = &answer->axes[k];
+        if (answer->is_sample) {
+            values[k] = yk_distribution_draw(&axis->distribution, answer->seed, design, k);
+        } else {
+            size_t at = rest % axis->count, last = axis->count - 1;
+            rest /= axis->count;
+            values[k] = at == 0      ? axis->from
+                        : at == last ? axis->to
+                                     : axis->from + (axis->to - axis->from) * (double)at / (double)last;
+        }
+    }
+}
+
+// --- columns and poses
+// --------------------------------------------------------------------------------------------------
+
+static bool read_columns(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    size_t capacity = 0;
+    bool good = true;
+    for (const char *at = session->request->of; *at;) {
+        size_t length = strcspn(at, ",");
+        const char *name = yk_arena_copy(session->request->arena, at, length);
+        if (!name || !YK_ROOM(answer->columns, answer->column_count, capacity))
+            return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        YkColumn *column = &answer->columns[answer->column_count++];
+        column->name = name;
+        good &= yk_channel_parse(session->mech, name, &column->channel, session->problems) == YK_OK;
+        at += length + (at[length] == ',');
+    }
+    return good;
+}
+
+// The inputs at every pose: of the cycle, or the one that is asked. Over time all drives move, over a coordinate that
+// alone; what is held stays.
+static bool read_poses(YkStudyAnswer *answer, size_t steps)
+{
+    YkSession *session = answer->session;
+    size_t inputs = yk_input_count(session->mech), n = answer->over.name ? steps + 1 : 1;
+    answer->pose_count = n;
+    answer->input = calloc(3 * inputs * n + 1, sizeof *answer->input);
+    answer->input_row = calloc(3 * inputs + 1, sizeof *answer->input_row);
+    YkState *state = yk_state_new(session->mech);
+    bool good = answer->input && answer->input_row && state;
+    if (!good) {
+        yk_state_free(state);
+        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    }
+    yk_state_copy(state, session->state);
+    yk_session_hold(session, state);
+    const YkOver *over = &answer->over;
+    bool is_time = over->name && over->coordinate < 0;
+    for (size_t i = 0; i < 3 * inputs; i++) answer->input_row[i] = answer->input + i * n;
+    for (size_t k = 0; good && k < n; k++) {
+        double at = k == steps ? over->to : over->from + (over->to - over->from) * (double)k / (double)steps;
+        if (k == 0 || is_time) good = yk_state_set_time(state, is_time ? at : session->time, session->problems) >= 0;
+        for (size_t i = 0; good && i < inputs; i++) {
+            YkMotion m = yk_state_input(state, i);
+            if (over->name && (int)yk_input_coordinate(session->mech, i) == over->coordinate) m.position = at;
+            answer->input[(3 * i) * n + k] = m.position;
+            answer->input[(3 * i + 1) * n + k] = m.velocity;
+            answer->input[(3 * i + 2) * n + k] = m.acceleration;
+        }
+    }
+    yk_state_free(state);
+    return good;
+}
+
+static bool has_force(const YkStudyAnswer *answer)
+{
+    for (size_t c = 0; c < answer->column_count; c++)
+        if (yk_channel_needs_forces(answer->columns[c].channel)) return true;
+    return false;
+}
+
+// --- the whole
+// ----------------------------------------------------------------------------------------------------------
+
+static bool missing(YkSession *session, const char *what, const char *hint)
+{
+    yk_session_refuse(session, YK_CODE_OPTION_MISSING, "`yoke study` needs %s", what);
+    yk_problem_hint(session->problems, "%s", hint);
+    return false;
+}
+
+static bool read_format(YkStudyAnswer *answer)
+{
+    static const char *const words[] = {"text", "json", "csv", "npy"};
+    const YkRequest *request = answer->session->request;
+    const char *output = request->output, *dot = output ? strrchr(output, '.') : NULL;
+    if (!request->format_word && dot) // the output's ending tells
+        for (size_t k = 1; k < 4; k++)
+            if (strcmp(dot + 1, words[k]) == 0) answer->format = (YkStudyFormat)k;
+    if (!request->format_word) return true;
+    for (size_t k = 0; k < 4; k++) {
+        answer->format = (YkStudyFormat)k;
+        if (strcmp(request->format_word, words[k]) == 0) return true;
+    }
+    return yk_session_refuse(answer->session, YK_CODE_OPTION_VALUE,
+                             "--format takes text, json, csv or npy here, not %q", request->format_word);
+}
+
+static bool check_request(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const YkRequest *request = session->request;
+    if (!request->file) return true; // that is what will be said
+    if (request->vary.count == 0 && !request->sample)
+        return missing(session, "--vary or --sample", "as in --vary l2=0.9m:1.1m:200, or --sample tolerance.yaml");
+    if (request->vary.count > 0 && request->sample)
+        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "--vary and --sample are two studies: give one%s",
+                                 "");
+    if (!request->of || !*request->of) return missing(session, "--of", "as in --of theta4,coupler.P.y");
+    return read_format(answer);
+}
+
+static bool make_study(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
+    const char **names = calloc(answer->axis_count + 1, sizeof *names);
+    YkProblems *problems = yk_problems_new();
+    for (size_t c = 0; channels && c < answer->column_count; c++) channels[c] = answer->columns[c].channel;
+    for (size_t k = 0; names && k < answer->axis_count; k++) names[k] = answer->axes[k].name;
+    YkStudyOptions options = {names,           answer->axis_count, channels, answer->column_count,
+                              answer->threads, answer->start};
+    if (channels && names && problems) answer->study = yk_study_new(session->state, &options, problems);
+    yk_tell_problems(session, problems);
+    session->is_told |= problems && !answer->study;
+    yk_problems_free(problems);
+    free(channels);
+    free((void *)names);
+    return answer->study != NULL;
+}
+
+static bool stand(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    YkStatus status = yk_session_stand(session, answer->over.name ? &answer->over : NULL, &answer->start);
+    if (status >= 0) return true;
+    answer->start_status = status;
+    yk_note_status(session, status);
+    yk_tell_status(session, status, yk_reach_message(session));
+    return false;
+}
+
+bool yk_study_read(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const YkRequest *request = session->request;
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    size_t steps = STEPS, fallback = processors > 0 && processors <= THREADS_MAX ? (size_t)processors : 1;
+    bool good = check_request(answer);
+    good = good && (!request->over || yk_over_split(session, request->over, &answer->over));
+    good = good && yk_session_count(session, "--steps", request->steps, STEPS_MAX, STEPS, &steps);
+    good = good && yk_session_count(session, "--threads", request->threads, THREADS_MAX, fallback, &answer->threads);
+    const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
+    good = good && yk_session_load(session, swept) && yk_session_inputs(session);
+    good = good && (!answer->over.name || yk_over_read(session, &answer->over));
+    good = good && read_columns(answer) && (request->sample ? read_sample(answer) : read_grid(answer));
+    if (good && has_force(answer)) {
+        good = yk_session_forces(session, true);
+        if (good && !session->dynamics)
+            good = yk_session_refuse(session, YK_CODE_NO_FORCES,
+                                     "the machine has neither masses nor loads, so there are no forces%s", "");
+    }
+    return good && stand(answer) && read_poses(answer, steps) && make_study(answer);
+}

@@ -1,0 +1,135 @@
+#include <math.h>
+#include "verbs/sweep/sweep.h"
+#include "write/amount.h"
+#include "write/table.h"
+
+enum { EVENT_DIGITS = 10 };
+
+static void write_table(YkText *out, YkTable *table, bool has_rows)
+{
+    if (has_rows) {
+        yk_text_puts(out, "\n");
+        yk_table_write(table, 2, out);
+    }
+    yk_table_free(table);
+}
+
+// The scale of the whole table: its values, and the pose at its end.
+static void find_scale(const YkSweepAnswer *answer)
+{
+    YkSession *session = answer->session;
+    yk_scale_begin(session);
+    if (!answer->sweep) return;
+    yk_scale_add_pose(session, session->state);
+    for (size_t row = 0; row < yk_sweep_row_count(answer->sweep); row++)
+        for (size_t c = 0; c < answer->column_count; c++)
+            yk_scale_add(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel.quantity);
+}
+
+// The swept value in the file's unit; 0 where only the steps' rounding is left of it.
+static double shown_at(const YkSweepAnswer *answer, double at)
+{
+    double largest = fmax(fabs(answer->over.from), fabs(answer->over.to));
+    return fabs(at) <= 1e-15 * largest ? 0 : yk_amount_of(answer->session->model, at, answer->over.quantity);
+}
+
+static void add_rows(const YkSweepAnswer *answer)
+{
+    const YkSession *session = answer->session;
+    size_t rows = answer->sweep ? yk_sweep_row_count(answer->sweep) : 0;
+    YkTable *table = yk_table_new(answer->column_count + 1);
+    yk_table_head(table, answer->over.name, yk_unit_of(session, answer->over.quantity));
+    for (size_t c = 0; c < answer->column_count; c++)
+        yk_table_head(table, answer->columns[c].name, yk_unit_of(session, answer->columns[c].channel.quantity));
+    for (size_t row = 0; row < rows; row++) {
+        yk_table_number(table, shown_at(answer, yk_sweep_at(answer->sweep, row)), YK_DIGITS);
+        for (size_t c = 0; c < answer->column_count; c++)
+            yk_table_number(table, yk_column_shown(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel),
+                            YK_DIGITS);
+    }
+    write_table(&answer->session->out, table, rows > 0);
+}
+
+// "d5 = 1.2 m", or "at joint C".
+static void add_event_value(const YkSweepAnswer *answer, YkEvent event, YkText *text)
+{
+    if (event.kind == YK_EVENT_EXTREME) {
+        const YkColumn *column = &answer->columns[event.channel];
+        yk_text_format(text, "%s = ", column->name);
+        yk_add_value(answer->session, text, event.value, column->channel.quantity, EVENT_DIGITS);
+    } else if (event.block >= 0) {
+        yk_text_format(text, "at joint %s", yk_block_info(answer->session->mech, (size_t)event.block).label);
+    }
+}
+
+// With --of every column stands beside its events; not so where each is an extreme of the one column.
+static size_t columns_at_events(const YkSweepAnswer *answer, size_t count)
+{
+    bool has_more = answer->column_count > 1;
+    for (size_t i = 0; i < count; i++) has_more |= yk_sweep_event(answer->sweep, i).kind != YK_EVENT_EXTREME;
+    return answer->session->request->of && has_more ? answer->column_count : 0;
+}
+
+static void add_events(const YkSweepAnswer *answer)
+{
+    size_t count = answer->sweep ? yk_sweep_event_count(answer->sweep) : 0;
+    size_t columns = columns_at_events(answer, count);
+    YkTable *table = yk_table_new(3 + columns);
+    YkText words = {0};
+    yk_table_head(table, "event", NULL);
+    yk_table_head(table, answer->over.name, yk_unit_of(answer->session, answer->over.quantity));
+    yk_table_head(table, "", NULL);
+    for (size_t c = 0; c < columns; c++)
+        yk_table_head(table, answer->columns[c].name, yk_unit_of(answer->session, answer->columns[c].channel.quantity));
+    for (size_t i = 0; i < count; i++) {
+        YkEvent event = yk_sweep_event(answer->sweep, i);
+        yk_text_clear(&words);
+        add_event_value(answer, event, &words);
+        yk_table_word(table, yk_event_word(event));
+        yk_table_number(table, shown_at(answer, event.at), EVENT_DIGITS);
+        yk_table_word(table, yk_text_get(&words));
+        for (size_t c = 0; c < columns; c++)
+            yk_table_number(
+                table,
+                yk_column_shown(answer->session, yk_sweep_event_value(answer->sweep, i, c), answer->columns[c].channel),
+                YK_DIGITS);
+    }
+    yk_text_free(&words);
+    write_table(&answer->session->out, table, count > 0);
+    size_t total = answer->sweep ? yk_sweep_event_total(answer->sweep) : 0;
+    if (total > count)
+        yk_text_format(&answer->session->out, "\n%z more events were met: the first %z are told\n", total - count,
+                       count);
+}
+
+static void add_strokes(const YkSweepAnswer *answer)
+{
+    YkText *out = &answer->session->out;
+    for (size_t c = 0; answer->strokes && c < answer->column_count; c++) {
+        YkStroke stroke = answer->strokes[c];
+        if (stroke.ratio <= 0) continue;
+        yk_text_format(out, "\n%s: stroke ", answer->columns[c].name);
+        yk_add_value(answer->session, out, stroke.high - stroke.low, answer->columns[c].channel.quantity, EVENT_DIGITS);
+        yk_text_format(out, ", time ratio %e at constant speed", stroke.ratio);
+    }
+    yk_text_puts(out, "\n");
+}
+
+void yk_sweep_text(const YkSweepAnswer *answer)
+{
+    YkText *out = &answer->session->out;
+    yk_text_format(out, "%s: sweep over %s", yk_model_name(answer->session->model), answer->over.name);
+    if (answer->label.length > 0) yk_text_format(out, ", configuration %s", yk_text_get(&answer->label));
+    yk_text_puts(out, "\n");
+    find_scale(answer);
+    add_rows(answer);
+    add_events(answer);
+    add_strokes(answer);
+    if (answer->status != YK_OK)
+        yk_text_format(out, "%s: %s\n", yk_status_name(answer->status), yk_text_get(&answer->message));
+    if (answer->range_count > 0) {
+        yk_text_puts(out, "closes for ");
+        yk_sweep_add_ranges(answer, out);
+        yk_text_puts(out, "\n");
+    }
+}

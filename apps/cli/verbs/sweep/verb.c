@@ -1,0 +1,228 @@
+// yoke sweep: a coordinate, or time, through a range.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "reach.h"
+#include "verbs/sweep/sweep.h"
+#include "write/file.h"
+
+enum { STEPS_MAX = 10000000, STEPS = 36 };
+static const double full_turn = 6.28318530717958647692;
+
+static bool add_column(YkSweepAnswer *answer, size_t *capacity, const char *name)
+{
+    if (!YK_ROOM(answer->columns, answer->column_count, *capacity))
+        return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    YkColumn *column = &answer->columns[answer->column_count++];
+    column->name = name;
+    return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
+}
+
+// --of a,b,c; without it all coordinates but the swept one. All bad names are reported.
+static bool read_columns(YkSweepAnswer *answer)
+{
+    YkSession *session = answer->session;
+    size_t capacity = 0;
+    bool good = true;
+    for (const char *at = session->request->of; at && *at;) {
+        size_t length = strcspn(at, ",");
+        const char *name = yk_arena_copy(session->request->arena, at, length);
+        if (length > 0 || at[length] == ',') good &= name && add_column(answer, &capacity, name);
+        at += length + (at[length] == ',');
+    }
+    if (session->request->of) return good;
+    for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)
+        if ((int)i != answer->over.coordinate)
+            good &= add_column(answer, &capacity, yk_coordinate_info(session->mech, i).name);
+    return good;
+}
+
+// The coordinate whose closing ranges are of interest: the swept one, or the one that time drives; -1 where there are
+// several.
+static int ranged_coordinate(const YkSweepAnswer *answer)
+{
+    if (answer->over.coordinate >= 0) return answer->over.coordinate;
+    const YkMechanism *mech = answer->session->mech;
+    return yk_input_count(mech) == 1 ? (int)yk_input_coordinate(mech, 0) : -1;
+}
+
+static void find_ranges(YkSweepAnswer *answer, YkState *start)
+{
+    int coordinate = ranged_coordinate(answer);
+    if (coordinate < 0) return;
+    YkCoordinateInfo info = yk_coordinate_info(answer->session->mech, (size_t)coordinate);
+    size_t count = yk_closing_ranges(start, (size_t)coordinate, answer->ranges, YK_RANGES_MAX);
+    if (count == (size_t)-1) yk_text_fail(&answer->session->out);
+    if (count == (size_t)-1) return;
+    answer->range_count = count < YK_RANGES_MAX ? count : YK_RANGES_MAX;
+    answer->ranges_of = info.name;
+    answer->ranges_quantity = yk_quantity_of(info.is_distance, 0);
+}
+
+// Time ratios of quick-returns: only where the sweep is one whole turn of an input.
+static void find_strokes(YkSweepAnswer *answer, YkState *start)
+{
+    if (answer->over.quantity != YK_QUANTITY_ANGLE ||
+        fabs(fabs(answer->over.to - answer->over.from) - full_turn) > 1e-9)
+        return;
+    size_t input = (size_t)yk_coordinate_info(answer->session->mech, (size_t)answer->over.coordinate).input;
+    for (size_t c = 0; answer->strokes && c < answer->column_count; c++) {
+        YkChannel channel = answer->columns[c].channel;
+        YkStatus status = channel.order > 0 ? YK_BAD_ARGUMENT : yk_stroke(start, input, channel, &answer->strokes[c]);
+        yk_note_status(answer->session, status);
+        if (status != YK_OK) answer->strokes[c].ratio = 0;
+    }
+}
+
+// "limit at theta1 = 190.09 deg: dyad C (RRP) closes no further".
+static void word_limit(YkSweepAnswer *answer)
+{
+    YkText *text = &answer->message;
+    for (size_t i = yk_sweep_event_count(answer->sweep); i-- > 0;) {
+        YkEvent event = yk_sweep_event(answer->sweep, i);
+        if (event.kind != YK_EVENT_LIMIT) continue;
+        yk_text_format(text, "%s goes no further than ", answer->over.name);
+        yk_add_value(answer->session, text, event.at, answer->over.quantity, 12);
+        if (event.block < 0) return;
+        YkBlockInfo block = yk_block_info(answer->session->mech, (size_t)event.block);
+        yk_text_format(text, ": beyond, joint %q (%s) does not close", block.label, yk_block_kind_name(block.kind));
+        return;
+    }
+    yk_text_puts(text, yk_state_report(answer->session->state)->message);
+}
+
+static void tell(YkSweepAnswer *answer)
+{
+    YkText ranges = {0};
+    yk_tell_status(answer->session, answer->status, yk_text_get(&answer->message));
+    yk_sweep_add_ranges(answer, &ranges);
+    if (answer->range_count > 0 && answer->status < 0)
+        yk_problem_hint(answer->session->problems, "this configuration (%s) closes for %s", yk_text_get(&answer->label),
+                        yk_text_get(&ranges));
+    yk_text_free(&ranges);
+}
+
+static bool run(YkSweepAnswer *answer, size_t steps)
+{
+    YkSession *session = answer->session;
+    YkState *start = yk_state_new(session->mech);
+    YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
+    answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
+    if (start && channels && answer->strokes) {
+        YkSweepOptions options = yk_default_sweep_options();
+        options.coordinate = answer->over.coordinate;
+        options.from = answer->over.from;
+        options.to = answer->over.to;
+        options.steps = steps;
+        options.dynamics = session->dynamics;
+        options.method = answer->method;
+        options.visit = yk_sweep_look_at_friction;
+        options.context = answer;
+        for (size_t i = 0; i < answer->column_count; i++) channels[i] = answer->columns[i].channel;
+        yk_state_copy(start, session->state);
+        answer->label = yk_label_of(start);
+        answer->sweep = yk_sweep_run(session->state, &options, channels, answer->column_count, session->problems);
+        if (answer->sweep) {
+            answer->status = yk_sweep_status(answer->sweep);
+            if (answer->status == YK_LIMIT) find_ranges(answer, start);
+            if (answer->status >= 0) find_strokes(answer, start);
+        }
+    }
+    free(channels);
+    yk_state_free(start);
+    if (!answer->sweep && yk_problems_error_count(session->problems) == 0)
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return answer->sweep != NULL;
+}
+
+static int write_answer(YkSweepAnswer *answer)
+{
+    YkSession *session = answer->session;
+    switch (session->request->format) {
+    case YK_FORMAT_TEXT:
+        yk_sweep_text(answer);
+        break;
+    case YK_FORMAT_JSON:
+        yk_sweep_json(answer);
+        break;
+    case YK_FORMAT_CSV:
+        yk_sweep_csv(answer);
+        break;
+    }
+    int exit_code = yk_session_finish(session, yk_status_exit(answer->status));
+    const char *plot = session->request->plot;
+    if (plot && exit_code != YK_EXIT_WRONG && !yk_sweep_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
+    return exit_code;
+}
+
+// From a good request to the answer; where nothing assembles, an empty sweep says so.
+static int answer_sweep(YkSweepAnswer *answer, size_t steps)
+{
+    YkSession *session = answer->session;
+    answer->status = yk_session_reach(session, &answer->over);
+    if (answer->status < 0) {
+        yk_text_puts(&answer->message, yk_reach_message(session));
+        yk_reach_tell(session, answer->status);
+        return write_answer(answer);
+    } else if (!run(answer, steps)) {
+        return YK_EXIT_WRONG;
+    } else if (answer->status == YK_LIMIT) {
+        word_limit(answer);
+    } else if (answer->status != YK_OK) {
+        yk_text_puts(&answer->message, yk_state_report(session->state)->message);
+    }
+    tell(answer);
+    yk_sweep_warn_of_friction(answer);
+    return write_answer(answer);
+}
+
+static bool check_request(YkSession *session)
+{
+    const YkRequest *request = session->request;
+    if (!request->over) {
+        yk_session_refuse(session, YK_CODE_OPTION_MISSING, "`yoke sweep` needs --over NAME=FROM:TO%s", "");
+        yk_problem_hint(session->problems,
+                        "as in --over theta1=0:360deg, or --over t=0:2s; `yoke check` lists the coordinates");
+        return false;
+    }
+    if (!request->plot || yk_file_kind(request->plot) != YK_FILE_OTHER) return true;
+    return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q", request->plot);
+}
+
+static bool wants_forces(const YkSweepAnswer *answer)
+{
+    for (size_t c = 0; c < answer->column_count; c++)
+        if (yk_channel_needs_forces(answer->columns[c].channel)) return true;
+    return false;
+}
+
+int yk_run_sweep(YkSession *session)
+{
+    YkSweepAnswer *answer = calloc(1, sizeof *answer);
+    size_t steps = STEPS;
+    int exit_code = YK_EXIT_WRONG;
+    if (!answer) {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return exit_code;
+    }
+    answer->session = session;
+    bool good = yk_session_method(session, &answer->method);
+    good = good && (!session->request->file || check_request(session)); // without a file, that is what to say
+    good = good && (!session->request->over || yk_over_split(session, session->request->over, &answer->over));
+    good = good && yk_session_count(session, "--steps", session->request->steps, STEPS_MAX, STEPS, &steps);
+    const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
+    good =
+        good && yk_session_load(session, swept) && yk_session_inputs(session) && yk_over_read(session, &answer->over);
+    good = good && read_columns(answer) && (!wants_forces(answer) || yk_session_forces(session, true));
+    if (good && wants_forces(answer) && !session->dynamics)
+        good = yk_session_refuse(session, YK_CODE_NO_FORCES,
+                                 "the machine has neither masses nor loads, so there are no forces%s", "");
+    if (good) exit_code = answer_sweep(answer, steps);
+    yk_sweep_free(answer->sweep);
+    yk_text_free(&answer->message);
+    yk_text_free(&answer->label);
+    free(answer->columns);
+    free(answer->strokes);
+    free(answer);
+    return exit_code;
+}
