@@ -18,10 +18,10 @@ static bool is_rate(YkChannel c)
     return c.order > 0 || c.kind == YK_CHANNEL_POINT_SPEED;
 }
 
-static void read_event(YkSweep *w, size_t event, double here)
+static void read_event(YkSweep *w, size_t event)
 {
     double *values = w->event_values + event * w->channel_count;
-    bool stands = yk_sweep_look_back(w, w->walk.events[event].at, here, false) >= 0;
+    bool stands = yk_sweep_look_back(w, w->walk.events[event].at, false) >= 0;
     if (stands) yk_sweep_read_channels(w, values);
     for (size_t c = 0; c < w->channel_count; c++)
         if (!stands || (is_rate(w->channels[c]) && !yk_state_has_rates(w->walk.path.state))) values[c] = (double)NAN;
@@ -34,7 +34,7 @@ void yk_sweep_read_events(YkSweep *w, double here)
         w->walk.failed = true;
         return;
     }
-    while (w->events_read < w->walk.event_count) read_event(w, w->events_read++, here);
+    while (w->events_read < w->walk.event_count) read_event(w, w->events_read++);
     yk_path_try(&w->walk.path, here, true);
     yk_path_probe(&w->walk.path, here, true);
 }

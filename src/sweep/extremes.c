@@ -17,22 +17,27 @@ static double slope_here(const YkSweep *w, YkChannel c)
                                                                                                                : 0;
 }
 
-// Takes the signs of the blocks from before the change points between `at` and `here` to after them, or back.
-static void exchange_signs(YkSweep *w, double at, double here)
+// Takes the signs of the blocks from after the change points that were passed since `at` to before them, or back. A
+// change point at `at` itself is seen from where the walk stands, beyond it: its signs stay.
+static void exchange_signs(YkSweep *w, double at)
 {
+    double way = w->options.to > w->options.from ? 1 : -1;
     for (size_t k = 0; k < w->walk.event_count; k++) {
         const YkEvent *e = &w->walk.events[k];
-        bool between = (e->at - at) * (here - e->at) >= 0;
-        if (e->kind == YK_EVENT_CHANGE_POINT && between)
+        if (e->kind == YK_EVENT_CHANGE_POINT && (e->at - at) * way > 0)
             w->walk.path.state->branch[e->block] = (signed char)-w->walk.path.state->branch[e->block];
     }
+    if ((w->walk.path.passed - at) * way > 0) w->walk.path.side = -w->walk.path.side;
 }
 
-YkStatus yk_sweep_look_back(YkSweep *w, double at, double here, bool along)
+YkStatus yk_sweep_look_back(YkSweep *w, double at, bool along)
 {
-    exchange_signs(w, at, here);
+    double last = w->walk.path.last, way = w->options.to > w->options.from ? 1 : -1;
+    exchange_signs(w, at);
+    w->walk.path.last = at + way; // where two configurations meet, the one that is seen from beyond
     YkStatus status = yk_path_try(&w->walk.path, at, along);
-    exchange_signs(w, at, here);
+    if (status < 0) w->walk.path.last = last;
+    exchange_signs(w, at);
     return status;
 }
 
@@ -49,11 +54,10 @@ static double at_change_point(const YkSweep *w, double at)
 static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, double slope)
 {
     YkChannel value = w->channels[channel], rate = value;
-    double here = to;
     rate.order = 1;
     for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->walk.path); k++) {
         double middle = 0.5 * (from + to);
-        if (yk_sweep_look_back(w, middle, here, true) < 0) break;
+        if (yk_sweep_look_back(w, middle, true) < 0) break;
         if (yk_state_channel(w->walk.path.state, rate) * slope > 0)
             from = middle;
         else
@@ -61,7 +65,7 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
     }
     double at = 0.5 * (from + to);
     if (w->walk.path.state->space.margin[0] < 2 * YK_BLUR_MARGIN) at = at_change_point(w, at);
-    if (yk_sweep_look_back(w, at, here, true) < 0) return;
+    if (yk_sweep_look_back(w, at, true) < 0) return;
     yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_EXTREME,
                                      .at = at,
                                      .block = -1,

@@ -112,12 +112,20 @@ YkStatus yk_path_set(YkPath *path, double at, bool along)
     return YK_OK;
 }
 
+// Back on the way - but on that side of the change point passed last for which the signs are.
+static double beside(const YkPath *path, double at, double off)
+{
+    double step = off * fmax(yk_path_scale(path), fabs(at)), back = at - path->way * step;
+    bool is_near = path->side != 0 && fabs(at - path->passed) <= step;
+    return is_near && (back - path->passed) * path->side <= 0 ? at + path->side * step : back;
+}
+
 // Where a dyad's base vanishes, at a folded rhombus say, any angle closes it: it keeps the one it has a little back on
 // the way, where the base is long enough to tell it.
 static YkStatus keep_from_beside(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
-    YkStatus status = yk_path_set(path, at - 1e-8 * path->way * fmax(yk_path_scale(path), fabs(at)), along);
+    YkStatus status = yk_path_set(path, beside(path, at, 1e-8), along);
     if (status == YK_OK) status = yk_state_solve(s);
     if (status >= 0) status = yk_path_set(path, at, along);
     return status < 0 ? status : yk_state_solve(s);
@@ -127,7 +135,7 @@ static YkStatus keep_from_beside(YkPath *path, double at, bool along)
 static YkStatus solve_beside(YkPath *path, double at, double off, bool along)
 {
     YkState *s = path->state;
-    YkStatus status = yk_path_set(path, at - off * path->way * fmax(yk_path_scale(path), fabs(at)), along);
+    YkStatus status = yk_path_set(path, beside(path, at, off), along);
     if (status == YK_OK) status = yk_state_solve(s);
     if (status < 0 || s->is_kept) return status;
     status = yk_path_set(path, at, along); // it stands for this place: the inputs are those asked for, to the last bit

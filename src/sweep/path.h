@@ -6,11 +6,12 @@
 
 typedef struct YkPath {
     YkState *state;
-    int input;          // -1: time, or a line
-    bool is_line;       // from `others` (at 0) to `goal` (at 1)
-    double last, way;   // where the last pose that closed stands; +1 or -1: the way to it
-    double *others;     // the inputs as they were: [3 * input + k]
-    const double *goal; // [3 * input + k], the caller's
+    int input;           // -1: time, or a line
+    bool is_line;        // from `others` (at 0) to `goal` (at 1)
+    double last, way;    // where the last pose that closed stands; +1 or -1: the way to it
+    double passed, side; // the last change point, and on which side of it the signs hold (0: none yet)
+    double *others;      // the inputs as they were: [3 * input + k]
+    const double *goal;  // [3 * input + k], the caller's
 } YkPath;
 
 // A path of one coordinate, or of time (-1), from where the state stands. False when out of memory.

@@ -59,7 +59,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
 {
     enum { SIDE = 4 };
     YkState *s = w->walk.path.state;
-    double at = w->at[row], h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums;
+    double at = w->at[row], h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums, *beside = w->beside;
     bool ok = true;
     for (size_t c = 0; c < w->channel_count; c++) sums[c] = 0;
     for (int side = 1; side >= -1; side -= 2) {
@@ -68,8 +68,8 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
             for (int j = 1; j <= SIDE; j++)
                 if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
             ok = ok && yk_path_probe(&w->walk.path, at + side * k * h, false) >= 0;
-            if (ok) yk_sweep_read_channels(w, w->slope); // scratch here: extremes are looked for between rows
-            for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * w->slope[c];
+            if (ok) yk_sweep_read_channels(w, beside);
+            for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * beside[c];
         }
         for (size_t k = 0; k < w->walk.margin_count; k++) // to the near side, and back
             if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN)

@@ -69,8 +69,9 @@ static bool allocate(YkSweep *w)
     w->slope = calloc(w->channel_count + 1, sizeof *w->slope);
     w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
     w->sums = calloc(w->channel_count + 1, sizeof *w->sums);
+    w->beside = calloc(w->channel_count + 1, sizeof *w->beside);
     w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->at && w->values && w->row_status && w->slope && w->slope_at && w->sums && w->channels;
+    return w->at && w->values && w->row_status && w->slope && w->slope_at && w->sums && w->beside && w->channels;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -119,6 +120,7 @@ void yk_sweep_free(YkSweep *w)
     free(w->slope);
     free(w->slope_at);
     free(w->sums);
+    free(w->beside);
     free(w->event_values);
     free(w->channels);
     free(w);

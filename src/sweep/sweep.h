@@ -13,15 +13,15 @@ struct YkSweep {
     double *at, *values;
     signed char *row_status;
     double *slope, *slope_at; // per channel: last nonzero derivative along the path, and where
-    double *sums;             // per channel: scratch
+    double *sums, *beside;    // per channel: scratch
     double *event_values;     // per event and channel
     size_t events_read, event_capacity;
     double worst_residual;
 };
 
-// Solves at a place that the sweep has passed, on the branch that it had there; `here` is where it has come to. along:
-// with rates along the path, otherwise with the motion's own.
-YkStatus yk_sweep_look_back(YkSweep *sweep, double at, double here, bool along);
+// Solves at a place that the sweep has passed, on the branch that it had there. along: with rates along the path,
+// otherwise with the motion's own.
+YkStatus yk_sweep_look_back(YkSweep *sweep, double at, bool along);
 // The channels at the pose that stands; forces are NaN where they are not determined.
 void yk_sweep_read_channels(const YkSweep *sweep, double *values);
 // The state stands at `here`, verified: reads the channels at the events noted since the last call.

@@ -58,13 +58,6 @@ bool yk_walk_has_margin(const YkWalk *w, size_t block)
     return w->margin_count != mech->block_count || mech->blocks[block].kind <= YK_BLOCK_RPR;
 }
 
-// Where a double zero lies between a and b: the root of the margin runs through it as a straight line.
-static double touch(double a, double ma, double b, double mb)
-{
-    double ra = sqrt(fmax(ma, 0)), rb = sqrt(fmax(mb, 0));
-    return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
-}
-
 void yk_walk_end_at(YkWalk *w, double at, double bad)
 {
     w->status = yk_path_set(&w->path, bad, true) < 0 ? YK_BAD_MODEL : YK_LIMIT;
@@ -78,32 +71,13 @@ bool yk_walk_was_flipped_near(const YkWalk *w, size_t block, double at)
     return fabs(w->flipped_at[block] - at) < 1e-4 * yk_path_scale(&w->path); // false for NaN
 }
 
-static double sine_at(YkWalk *w, size_t block, double at)
-{
-    const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
-    const YkSpace *space =
-        yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
-    return sqrt(fmax(0, space->block_margin[block]));
-}
-
-// Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
-static double refine_touch(YkWalk *w, size_t block, double at)
-{
-    double d = 2e-4 * yk_path_scale(&w->path);
-    for (int k = 0; k < 2; k++) {
-        double before = sine_at(w, block, at - d), after = sine_at(w, block, at + d);
-        if (!(before + after > 0)) return at;
-        double moved = d * (before - after) / (before + after);
-        if (fabs(moved) > 1e-3 * d + 1e-6 * yk_path_scale(&w->path)) return at;
-        at += moved;
-    }
-    return at;
-}
-
-static void flip(YkWalk *w, size_t block, double at)
+// way: that of the motion, +1 or -1.
+static void flip(YkWalk *w, size_t block, double at, double way)
 {
     YkState *s = w->path.state;
-    at = refine_touch(w, block, at);
+    at = yk_walk_refine_touch(w, block, at, 1.2e-6);
+    w->path.passed = at;
+    w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
     yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
@@ -130,13 +104,25 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
         bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
         s->branch[k] = (signed char)-s->branch[k];
         if (!passes) continue;
-        flip(w, k, touch(at, margins[k], beyond, s->space.block_margin[k]));
+        flip(w, k, yk_walk_touch(at, margins[k], beyond, s->space.block_margin[k]), copysign(1, bad - at));
         yk_path_probe(&w->path, beyond, true);
         yk_walk_read_margins(w, yk_walk_margins(w, depth + 1, 0));
         return advance(w, beyond, bad, depth + 1);
     }
     yk_walk_end_at(w, at, bad);
     return false;
+}
+
+// An interval that ends all but at a change point: has it been passed? The state stands at b again.
+static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
+{
+    double at, way = copysign(1, b - a);
+    if (w->margin_count != w->path.state->mech->block_count || yk_walk_was_flipped_near(w, block, b)) return false;
+    bool has_passed = yk_walk_has_just_passed(w, block, b, way, &at);
+    if (has_passed) flip(w, block, at, way);
+    w->path.last = a; // it is come to from there
+    yk_path_try(&w->path, b, true);
+    return has_passed;
 }
 
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
@@ -148,11 +134,15 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
                  *mb = yk_walk_margins(w, depth, 2);
     bool narrow = fabs(b - a) < 4e-7 * yk_path_scale(&w->path) || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
-        if (!yk_walk_has_margin(w, k) || !yk_margin_may_vanish(ma[k], mm[k], mb[k])) continue;
+        if (!yk_walk_has_margin(w, k)) continue;
+        if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
+            touched |= mb[k] <= YK_SINGULAR_MARGIN && flip_at_end(w, k, a, b);
+            continue;
+        }
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
         if (yk_walk_was_flipped_near(w, k, b)) continue;
-        flip(w, k, touch(a, ma[k], b, mb[k]));
+        flip(w, k, yk_walk_touch(a, ma[k], b, mb[k]), copysign(1, b - a));
         touched = true;
     }
     return touched ? TOUCHED : CLEAR;
@@ -161,9 +151,10 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
 void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
 {
     if (a == w->from || w->margin_count != w->path.state->mech->block_count) return;
+    double way = w->path.way;
     for (size_t k = 0; k < w->margin_count; k++)
         if (yk_walk_has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && !yk_walk_was_flipped_near(w, k, a))
-            flip(w, k, a);
+            flip(w, k, a, way);
 }
 
 // Over time: do the drives go farther between a and b than the path may be left unseen?

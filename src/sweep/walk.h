@@ -44,6 +44,11 @@ void yk_walk_read_margins(const YkWalk *walk, double *margins);
 bool yk_walk_has_margin(const YkWalk *walk, size_t block);
 // Blocks that are singular at `a`, where the motion has come to and goes on: double zeros, passed with the other sign.
 void yk_walk_flip_at(YkWalk *walk, double a, const double *margins);
+double yk_walk_touch(double a, double ma, double b, double mb); // a double zero of a margin between a and b, roughly
+// A double zero at `at`, precisely: as far as `reach` from there, in radians or sizes. Where there is none, `at`.
+double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach);
+// Does b, where the margin is all but zero, lie a little beyond a double zero? Then that is `at`.
+bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
 
 #endif

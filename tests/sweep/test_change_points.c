@@ -13,6 +13,20 @@ static void check_no_nan(const YkSweep *sweep)
         for (size_t c = 0; c < NAMES; c++) assert_true(isfinite(yk_sweep_value(sweep, row, c)));
 }
 
+// At an event every angle is the motion's, and the rocker, which never turns round, has no extreme.
+static void check_events(const YkSweep *sweep, void (*motion)(double, double *, double *, double *),
+                         const double *turns)
+{
+    for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+        YkEvent e = yk_sweep_event(sweep, k);
+        double coupler, rocker, rocker_rate;
+        motion(e.at, &coupler, &rocker, &rocker_rate);
+        CHECK_NEAR(yk_sweep_event_value(sweep, k, 0), coupler + turns[0], 1e-6);
+        CHECK_NEAR(yk_sweep_event_value(sweep, k, 1), rocker + turns[1], 1e-6);
+        assert_false(e.kind == YK_EVENT_EXTREME && e.channel == 1);
+    }
+}
+
 // What a motion must be: coupler and rocker at a crank angle (continuous), and the rocker's rate per crank rate.
 typedef void (*Motion)(double theta, double *coupler, double *rocker, double *rocker_rate);
 
@@ -74,6 +88,7 @@ static void check_motion(FourBar f, Motion motion, double start, double to, size
         if (yk_sweep_row_status(sweep, row) != YK_SINGULAR)
             CHECK_NEAR(yk_sweep_value(sweep, row, 3), rocker_rate * rate, 1e-6);
     }
+    check_events(sweep, motion, turns);
     // every multiple of pi strictly inside the sweep is told
     double low = fmin(start, to), high = fmax(start, to);
     for (double at = YK_PI * ceil(low / YK_PI + 1e-9); at < high - 1e-9; at += YK_PI) {
@@ -181,6 +196,12 @@ static void test_a_slotted_lever_passes_its_own_pivot(void **unused)
                 CHECK_NEAR(yk_sweep_value(sweep, row, 3), 2 * cos(0.5 * theta), 1e-6);
             }
             assert_int_equal(count_events(sweep, YK_EVENT_CHANGE_POINT), 1);
+            for (size_t e = 0; e < yk_sweep_event_count(sweep); e++) {
+                YkEvent event = yk_sweep_event(sweep, e);
+                CHECK_NEAR(yk_sweep_event_value(sweep, e, 0), 0.5 * YK_PI + 0.5 * event.at, 1e-7);
+                CHECK_NEAR(yk_sweep_event_value(sweep, e, 1), 2 * sin(0.5 * event.at), 1e-7);
+                if (event.kind == YK_EVENT_EXTREME) CHECK_NEAR(fabs(cos(0.5 * event.at)), 0, 1e-6); // of s alone
+            }
             yk_sweep_free(sweep);
             machine_free(&m);
         }

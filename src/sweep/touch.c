@@ -1,0 +1,39 @@
+// Where a block's margin touches zero: the change point, found from the poses on both sides of it.
+#include "sweep/walk.h"
+
+// Where a double zero lies between a and b: the root of the margin runs through it as a straight line.
+double yk_walk_touch(double a, double ma, double b, double mb)
+{
+    double ra = sqrt(fmax(ma, 0)), rb = sqrt(fmax(mb, 0));
+    return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
+}
+
+static double sine_at(YkWalk *w, size_t block, double at)
+{
+    const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
+    const YkSpace *space =
+        yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
+    return sqrt(fmax(0, space->block_margin[block]));
+}
+
+// Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
+double yk_walk_refine_touch(YkWalk *w, size_t block, double at, double reach)
+{
+    static const double sides[] = {2e-4, 2e-4, 1e-5};
+    double scale = yk_path_scale(&w->path);
+    for (int k = 0; k < 3; k++) {
+        double d = sides[k] * scale, before = sine_at(w, block, at - d), after = sine_at(w, block, at + d);
+        if (!(before + after > 0)) return at;
+        double moved = d * (before - after) / (before + after);
+        if (fabs(moved) > fmin(reach * scale, 0.2 * d)) return at;
+        at += moved;
+    }
+    return at;
+}
+
+// So far beyond a change point that its margin is all but zero still, a pose has the signs beyond it.
+bool yk_walk_has_just_passed(YkWalk *w, size_t block, double b, double way, double *at)
+{
+    *at = yk_walk_refine_touch(w, block, b, 4e-5);
+    return (b - *at) * way > 0 && sine_at(w, block, *at) < 3e-7;
+}
