@@ -66,7 +66,7 @@ class Schema(Case):
                     keys(value, found)
             return found
         sources = ""
-        for path in glob.glob(os.path.join(ROOT, "src", "model", "*.c")) + glob.glob(os.path.join(ROOT, "src", "part", "*.c")):
+        for path in glob.glob(os.path.join(ROOT, "src", "model", "**", "*.c"), recursive=True) + glob.glob(os.path.join(ROOT, "src", "part", "*.c")):
             with open(path, encoding="utf-8") as file:
                 sources += file.read()
         lists = re.findall(r"const char \*const (?:\w*keys|turns|slides)\[\] = \{(.*?)\}", sources, re.S)
