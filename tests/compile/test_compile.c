@@ -1,26 +1,23 @@
-// Compiling: what it costs as machines grow, and that the same model gives the same mechanism.
-#include <time.h>
+// Compiling: what it costs as machines grow (to 1e5 links with YOKE_FULL=1 in the environment), and that the same model
+// gives the same mechanism.
+#include <stdlib.h>
 #include "ladder.h"
 #include "machine.h"
 #include "table.h"
 
-// What a link comes to in the mechanism: steps, terms, nodes and members, which compiling makes and solving reads. The
-// time that compiling took is told, and judged by nothing: it is the machine's beneath as much as ours.
+// What a link comes to in the mechanism: steps, terms, nodes and members, which compiling makes and solving reads.
 static double cost_per_link(Story story, size_t links, size_t blocks, size_t inputs)
 {
     YkProblems *problems = yk_problems_new();
     YkModel *model = yk_model_parse(story.text, story.length, "long.yaml", NULL, problems);
     if (!model) print_error("%s", yk_problems_text(problems, 0));
     assert_non_null(model);
-    clock_t start = clock();
     YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
-    double taken = (double)(clock() - start) / CLOCKS_PER_SEC;
     if (!mech) print_error("%s", yk_problems_text(problems, 0));
     assert_non_null(mech);
     assert_int_equal(yk_block_count(mech), blocks);
     assert_int_equal(yk_input_count(mech), inputs);
     double cost = (double)(mech->step_count + mech->term_count + mech->node_count + mech->member_count);
-    print_message("%zu links: %.0f ns a link\n", links, 1e9 * taken / (double)links);
     yk_mechanism_free(mech);
     yk_model_free(model);
     yk_problems_free(problems);
@@ -39,7 +36,7 @@ static void a_ladder_of_four_bars_costs_the_same_per_link_however_long(void **st
     double first = cost_per_link(ladder(1000), 2001, 1000, 1);
     double second = cost_per_link(ladder(10000), 20001, 10000, 1);
     check_growth(first, second);
-    check_growth(second, cost_per_link(ladder(100000), 200001, 100000, 1));
+    if (getenv("YOKE_FULL")) check_growth(second, cost_per_link(ladder(100000), 200001, 100000, 1));
 }
 
 static void a_driven_chain_costs_the_same_per_link_however_long(void **state)
@@ -48,7 +45,7 @@ static void a_driven_chain_costs_the_same_per_link_however_long(void **state)
     double first = cost_per_link(chain(1000), 1000, 0, 1000);
     double second = cost_per_link(chain(10000), 10000, 0, 10000);
     check_growth(first, second);
-    check_growth(second, cost_per_link(chain(100000), 100000, 0, 100000));
+    if (getenv("YOKE_FULL")) check_growth(second, cost_per_link(chain(100000), 100000, 0, 100000));
 }
 
 // The origin of the last body of a chain must not be a sum over all before it.
