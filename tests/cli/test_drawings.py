@@ -3,6 +3,7 @@ import glob
 import math
 import os
 import re
+import subprocess
 import unittest
 import xml.etree.ElementTree as tree
 
@@ -165,6 +166,16 @@ class Drawings(Case):
             self.good("derive", example, "--svg", self.path(name), "--at", "theta=" + at)
         self.assertEqual(self.read("a/2-rod.svg"), self.read("b/2-rod.svg"))
         self.assertNotEqual(self.read("a/2-rod.svg"), self.read("c/2-rod.svg"))
+
+    def test_the_pictures_of_the_readme_are_what_the_command_draws(self):
+        script = os.path.join(ROOT, "tools", "draw-pictures")
+        subprocess.run(["sh", script, os.path.abspath(os.environ["YOKE"]), self.path("")], check=True, stdin=subprocess.DEVNULL)
+        with open(os.path.join(ROOT, "docs", "pictures", "jansen-leg.svg"), "rb") as kept:
+            self.assertEqual(self.read("jansen-leg.svg"), kept.read())
+        # The plot is gnuplot's own drawing, which changes with its versions; of ours are the curves and their names.
+        with open(os.path.join(ROOT, "docs", "pictures", "jansen-foot.svg"), encoding="utf-8") as kept:
+            words = re.findall(r"<text[^>]*>(.*?)</text>", kept.read(), re.S)
+        self.assertEqual(re.findall(r"<text[^>]*>(.*?)</text>", self.read("jansen-foot.svg").decode(), re.S), words)
 
 
 if __name__ == "__main__":
