@@ -6,20 +6,19 @@
 #include <yoke/status.h>
 
 typedef struct YkCSourceOptions {
-    const char *prefix;        // of all names in the file; NULL: made of the model's name
-    bool single;               // float in place of double
-    bool kinematics;           // motion alone, no forces
+    const char *prefix;        // starts every name in the file; NULL: made from the model's name
+    bool single;               // float instead of double
+    bool kinematics;           // only motion, no forces
     const char *const *inputs; // coordinates that are inputs, by name, before the file's drives
     size_t input_count;
-    const YkState
-        *pose; // in whose configuration the machine begins, of the same machine; NULL: assembled as `start:` says
+    const YkState *pose; // gives the configuration in which the machine begins; NULL: assembled as `start:` says
 } YkCSourceOptions;
 YK_API YkCSourceOptions yk_default_c_source_options(void);
 
 typedef struct YkCSource YkCSource;
 // Prints C11 for the machine: its parameters as a struct, kinematics, forces, residuals, batches, and a self-test with
-// poses computed here. NULL with problems added where the machine has what cannot be printed (E09xx) or cannot be
-// assembled. The model may go afterwards. Cost: linear in the steps, quadratic in the freedoms.
+// poses computed here. Returns NULL with problems added if the machine cannot be assembled or has something that cannot
+// be printed (E09xx). The model may be freed afterwards. Cost: linear in the steps, quadratic in the freedoms.
 YK_API YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *options, YkProblems *problems);
 YK_API const char *yk_c_source_text(const YkCSource *code);
 YK_API const char *yk_c_source_prefix(const YkCSource *code);

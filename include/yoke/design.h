@@ -1,10 +1,10 @@
-// Questions of design that a mechanism's kinematics answers.
+// Design questions that a mechanism's kinematics answers.
 #ifndef YOKE_DESIGN_H
 #define YOKE_DESIGN_H
 
 #include <yoke/sweep.h>
 
-// A four-bar inside the machine: four pins, four bodies in a ring.
+// A four-bar inside the machine: four pins and four bodies in a ring.
 typedef enum YkFourBarClass {
     YK_CRANK_ROCKER,
     YK_ROCKER_CRANK,
@@ -14,24 +14,24 @@ typedef enum YkFourBarClass {
     YK_TRIPLE_ROCKER
 } YkFourBarClass;
 typedef struct YkFourBar {
-    size_t body[4];      // frame link, one neighbour (the input when one is driven), coupler, the other neighbour
+    size_t body[4];      // frame link, one neighbour (the input if one is driven), coupler, the other neighbour
     size_t joint[4];     // between body[k] and body[(k + 1) % 4]
     double length[4];    // m
     YkFourBarClass kind; // with body[0] as the frame and body[1] as the input
 } YkFourBar;
-// Four-bars of the machine whose frame link is the ground or, failing that, any ring of four pins. Returns how many
-// there are, of those found in 2e7 looks: bodies joined by very many pins have more rings than can be told.
+// Finds the machine's four-bars whose frame link is the ground or, if there are none, any ring of four pins. Returns
+// their count. The search ends after 2e7 looks, since bodies joined by very many pins have too many rings to list.
 YK_API size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capacity);
 YK_API const char *yk_four_bar_name(YkFourBarClass kind); // "crank-rocker (Grashof)", ...
 
-// One turn of an input: extremes of a channel and the time ratio of a quick-return.
+// One turn of an input: extremes of a channel and the time ratio of a quick-return mechanism.
 typedef struct YkStroke {
     double low, high;       // extreme values of the channel
     double low_at, high_at; // input angles there, rad, to 1e-9
     double ratio;           // input angle of the slower stroke over the faster one, >= 1
 } YkStroke;
-// YK_OK; YK_LIMIT when the input cannot turn through; YK_BAD_ARGUMENT when it does not turn at all (a distance) or the
-// channel has not exactly two extremes.
+// Returns YK_OK; YK_LIMIT if the input cannot turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance) or
+// the channel does not have exactly two extremes.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);
 
 #endif

@@ -9,24 +9,24 @@ typedef struct YkDrawOptions {
     bool labels;                 // names of joints and bodies, default true
     const size_t *traced_points; // model points whose path is drawn
     size_t traced_count;
-    size_t traced_hidden; // moving: the last so many of them begin hidden, of class off
-    bool
-        moving; // the poses are one motion: the machine is drawn once, at the last of them, in groups that can be moved
+    size_t traced_hidden; // moving: the last ones, so many, begin hidden, with class off
+    bool moving; // the poses are one motion: the machine is drawn once, at the last pose, in groups that can be moved
 } YkDrawOptions;
 YK_API YkDrawOptions yk_default_draw_options(void);
 
 typedef struct YkDrawing YkDrawing;
-// A drawing gathers poses (all but the last are drawn faint, as a stroboscope) and trace positions, then becomes text.
+// A drawing collects poses (all but the last are drawn faint, as under a stroboscope) and traced positions, then writes
+// SVG.
 YK_API YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *options);
 YK_API void yk_drawing_free(YkDrawing *drawing);
 YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);  // adds a pose
 YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state); // adds only the traced points' positions
-YK_API const char *yk_drawing_svg(YkDrawing *drawing); // whole SVG document; NULL when out of memory
-// Of a drawing with options.moving, the same page as it stands at a pose; what belongs to body 3 is of class b3, the
-// names of joint 2 and body 3 of classes j2 and n3. NULL when out of memory.
+YK_API const char *yk_drawing_svg(YkDrawing *drawing); // a whole SVG document; NULL when out of memory
+// Returns the drawing, made with options.moving, as it stands at a pose. What belongs to body 3 has class b3; the
+// names of joint 2 and body 3 have classes j2 and n3. Returns NULL when out of memory.
 YK_API const char *yk_drawing_frame(YkDrawing *drawing, size_t pose);
-// The poses one after the other within so many seconds, for ever, by CSS alone; to_and_fro: and back. NULL when out of
-// memory.
+// Returns the poses one after the other in a loop of so many seconds, animated by CSS alone; to_and_fro: the motion
+// goes back as well. Returns NULL when out of memory.
 YK_API const char *yk_drawing_animation(YkDrawing *drawing, double seconds, bool to_and_fro);
 
 #endif

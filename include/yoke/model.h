@@ -7,7 +7,7 @@
 
 typedef struct YkModel YkModel;
 
-// A value that replaces what the file says: a parameter, as `--param NAME=VALUE` gives it.
+// A value that replaces the one in the file, as `--param NAME=VALUE` gives it.
 typedef struct YkOverride {
     const char *name;
     const char *value; // an expression of parameters, with units: "750 mm"
@@ -16,20 +16,20 @@ typedef struct YkOverride {
 typedef struct YkLoadOptions {
     const YkOverride *parameters;
     size_t parameter_count;
-    const char *lock; // of `locks:`, engaged: its bodies and coordinates are held from the start on; NULL: none
+    const char *lock; // entry of `locks:` that is engaged: holds its bodies and coordinates from the start; NULL: none
 } YkLoadOptions;
 
 YK_API YkLoadOptions yk_default_load_options(void);
 
-// Reads and validates a model file. Every problem of the file is added to `problems`, whether it loads or not.
-// Returns NULL when there was an error. options may be NULL. Cost linear in the size of the file.
+// Reads and validates a model file. Adds every problem of the file to `problems`, also when the model loads.
+// Returns NULL if there was an error. options may be NULL. Cost: linear in the size of the file.
 YK_API YkModel *yk_model_load(const char *path, const YkLoadOptions *options, YkProblems *problems);
-// The same from memory; `name` stands for the file's name in messages.
+// Does the same for text in memory; `name` stands for the file's name in messages.
 YK_API YkModel *yk_model_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
                                YkProblems *problems);
 YK_API void yk_model_free(YkModel *model);
 
-// What the machine is made of. Body 0 is the ground. Names live as long as the model.
+// The contents of the machine. Body 0 is the ground. Names live as long as the model.
 YK_API const char *yk_model_name(const YkModel *model);
 YK_API size_t yk_model_body_count(const YkModel *model);
 YK_API const char *yk_model_body_name(const YkModel *model, size_t body);
@@ -38,23 +38,23 @@ YK_API const char *yk_model_point_name(const YkModel *model, size_t point);
 YK_API size_t yk_model_point_body(const YkModel *model, size_t point);
 YK_API size_t yk_model_joint_count(const YkModel *model);
 YK_API const char *yk_model_joint_name(const YkModel *model, size_t joint);
-// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld") and its two bodies (side 0: first, 1:
-// second).
+// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld"), and its first (side 0) and second body.
 YK_API const char *yk_model_joint_kind(const YkModel *model, size_t joint);
 YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
-// Finds by name; (size_t)-1 where there is none. A point is asked for as "body.point".
+// Returns the index of a name, (size_t)-1 if there is none. The name of a point is "body.point".
 YK_API size_t yk_model_find_body(const YkModel *model, const char *name);
 YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_point);
-// What acts on the machine, as the file gives it. Gravity counts where it is given and not zero.
+// What acts on the machine, as the file gives it. Gravity counts if it is given and not zero.
 typedef struct YkLoadCounts {
     bool has_gravity;
-    size_t masses; // bodies with mass or inertia
-    double mass;   // of all of them, kg
+    size_t masses; // number of bodies with mass or inertia
+    double mass;   // total, kg
     size_t efforts, forces, springs, dampers, frictions, stops;
 } YkLoadCounts;
 YK_API YkLoadCounts yk_model_loads(const YkModel *model);
-YK_API double yk_model_body_mass(const YkModel *model, size_t body); // kg; 0 where the file gives none
-// A value with units in the model's own terms, as the command line takes them ("30deg", "a1/2", "0.5 rad/s").
+YK_API double yk_model_body_mass(const YkModel *model, size_t body); // kg; 0 if the file gives none
+// The quantity of a value with units in the model's own terms, as the command line takes them
+// ("30deg", "a1/2", "0.5 rad/s").
 typedef enum YkQuantity {
     YK_QUANTITY_NUMBER,
     YK_QUANTITY_ANGLE,
@@ -68,10 +68,10 @@ typedef enum YkQuantity {
     YK_QUANTITY_TORQUE,
     YK_QUANTITY_ENERGY
 } YkQuantity;
-// Reads `text` as such a quantity, converted to SI. Returns YK_OK or YK_BAD_ARGUMENT with a problem added.
+// Reads `text` as such a quantity and converts it to SI. Returns YK_OK, or YK_BAD_ARGUMENT with a problem added.
 YK_API YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quantity, double *value,
                                YkProblems *problems);
-// The unit in which the file gives such a quantity, for tables: name ("deg") and its size in SI (pi/180).
+// Returns the unit in which the file gives such a quantity, for tables: its name ("deg"), and its size in SI (pi/180).
 YK_API const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size);
 
 #endif

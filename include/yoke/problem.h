@@ -1,4 +1,4 @@
-// Problems: what is wrong, or worth a look, in a model file or a request; many per run, each with its place.
+// Problems: errors, warnings and notes about a model file or a request. A run can report many, each with its place.
 #ifndef YOKE_PROBLEM_H
 #define YOKE_PROBLEM_H
 
@@ -6,10 +6,10 @@
 #include <stdint.h>
 #include <yoke/status.h>
 
-// A place in the source text. Lines and columns count from 1; columns count Unicode code points. line 0 = nowhere.
+// A place in the source text. Lines and columns count from 1; columns count Unicode code points. Line 0: no place.
 typedef struct YkPlace {
     uint32_t line, column;
-    uint32_t length; // how many columns the caret underlines; 0 = one
+    uint32_t length; // number of columns that the caret underlines; 0 means 1
 } YkPlace;
 
 typedef enum YkSeverity { YK_NOTE, YK_WARNING, YK_ERROR } YkSeverity;
@@ -18,7 +18,7 @@ typedef struct YkProblem {
     YkSeverity severity;
     int code; // 123 prints as E0123 and is explained by yk_code_explain(123)
     YkPlace place;
-    const char *message; // one sentence, no final stop; never contains control characters
+    const char *message; // one sentence without a final full stop; never contains control characters
     const char *hint;    // what to do about it, or NULL
 } YkProblem;
 
@@ -28,11 +28,12 @@ YK_API YkProblems *yk_problems_new(void); // NULL when out of memory
 YK_API void yk_problems_free(YkProblems *problems);
 YK_API size_t yk_problems_count(const YkProblems *problems);
 YK_API size_t yk_problems_error_count(const YkProblems *problems);
-YK_API const YkProblem *yk_problems_get(const YkProblems *problems, size_t index); // in order of place in the file
-// All problems as text: "file:line:col: error: message [E0123]", the source line, a caret line, "hint: ...".
-// Returned string belongs to `problems` and lives until its next use. colour: 1 writes ANSI colours.
+YK_API const YkProblem *yk_problems_get(const YkProblems *problems, size_t index); // in order of their places
+// Returns all problems as text: "file:line:col: error: message [E0123]", the source line, a caret line, "hint: ...".
+// The string belongs to `problems` and is valid until the next call that uses them. colour: 1 adds ANSI colours.
 YK_API const char *yk_problems_text(YkProblems *problems, int colour);
-// The paragraph behind a code, or NULL where there is no such code; and the codes in ascending order.
+// Returns the paragraph that explains a code, or NULL for an unknown code. yk_code_at lists the codes in ascending
+// order.
 YK_API const char *yk_code_explain(int code);
 YK_API size_t yk_code_count(void);
 YK_API int yk_code_at(size_t index);

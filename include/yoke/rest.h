@@ -1,5 +1,5 @@
-// Rest and small motion: where the machine stands still under its loads, whether it comes back when pushed, and how it
-// vibrates there. Drives are held at their values at the start; stops and dry friction are left out of account.
+// Rest and small motion: where the machine stands still under its loads, whether it returns when pushed, and how it
+// vibrates there. Drives are held at their values at the start; stops and dry friction are not considered.
 #ifndef YOKE_REST_H
 #define YOKE_REST_H
 
@@ -8,23 +8,23 @@
 typedef struct YkRestOptions {
     const YkCompileOptions *compile; // NULL: defaults
     size_t starts;                   // poses from which the search begins besides `start:` (default 100; 0: only there)
-    double time;                     // at which drives and loads are evaluated
-    const YkState *pose; // where it starts, of the same machine, which must outlive the answer; NULL: assembled
+    double time;                     // s, at which drives and loads are evaluated
+    const YkState *pose; // where the search starts, of the same machine; must outlive the answer. NULL: assembled
                          // as `start:` says
 } YkRestOptions;
 YK_API YkRestOptions yk_default_rest_options(void);
 
 typedef struct YkRest YkRest;
-// Searches equilibria by Newton's method from `start:` and from seeded random poses of all configurations: all that it
-// finds, that of `start:` first where there is one, the others by energy. The model must outlive the answer. NULL with
-// problems added: no assembly, a freedom without inertia. An empty answer is no error. Cost: about starts * 20 *
-// freedom^2 evaluations.
+// Searches for equilibria by Newton's method from `start:` and from seeded random poses of all configurations. Returns
+// all that it finds: first that of `start:`, if there is one, then the others by energy. None found is not an error.
+// The model must outlive the answer. Returns NULL with problems added: no assembly, a freedom without inertia.
+// Cost: about starts * 20 * freedom^2 evaluations.
 YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);
 YK_API void yk_rest_free(YkRest *rest);
 YK_API size_t yk_rest_count(const YkRest *rest);
 YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
-YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the free inputs
-YK_API size_t yk_rest_input(const YkRest *rest, size_t k); // which coordinate free input k is
+YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the number of free inputs
+YK_API size_t yk_rest_input(const YkRest *rest, size_t k); // the coordinate that is free input k
 
 typedef enum YkStability {
     YK_STABLE,   // every small motion dies out or, without damping, stays small
@@ -34,14 +34,16 @@ typedef enum YkStability {
 typedef struct YkEquilibrium {
     YkStability stability;
     double potential;  // J
-    double force;      // left over: largest effort that would be needed, over the largest load
-    bool is_reachable; // by the machine from its start, on its own assembly; after yk_rest_reach
+    double force;      // residual: largest effort that would be needed, over the largest load
+    bool is_reachable; // after yk_rest_reach: the machine can get there from its start in its own assembly
 } YkEquilibrium;
-// Finds out which equilibria the machine can get to from its start without being taken apart: by moving there, through
-// dead points too, and round in either sense. YK_OK or YK_NO_MEMORY. What it could not reach is told as not reachable.
+// Finds out which equilibria the machine can get to from its start without being taken apart: it moves there, also
+// through dead points, and round in either sense. Returns YK_OK or YK_NO_MEMORY. Those it could not reach are reported
+// as not reachable.
 YK_API YkStatus yk_rest_reach(YkRest *rest);
 YK_API YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index);
-// The pose itself; forces there by yk_dynamics_solve with a dynamics of one's own. Valid until the next call.
+// Returns the pose itself, valid until the next call. Its forces come from yk_dynamics_solve with a dynamics of its
+// own.
 YK_API YkState *yk_rest_state(YkRest *rest, size_t index);
 // M q'' + C q' + K q = 0 over the free inputs, linearised at the equilibrium: f x f, row-major, SI.
 YK_API const double *yk_rest_mass(const YkRest *rest, size_t index);
@@ -54,7 +56,7 @@ typedef struct YkMode {
     const double *shape;  // [f], largest entry 1
 } YkMode;
 YK_API YkMode yk_rest_mode(const YkRest *rest, size_t index, size_t k);
-// The 2 f characteristic roots of the damped motion, 1/s: real and imaginary part.
+// Returns characteristic root k of the 2 f of the damped motion, 1/s: its real and imaginary part.
 YK_API void yk_rest_root(const YkRest *rest, size_t index, size_t k, double *real, double *imaginary);
 
 #endif

@@ -1,5 +1,5 @@
-// The sweep: a motion through many poses along a path of the inputs, verified between the poses as well: no limit is
-// jumped, no branch changes without a word.
+// The sweep: a motion through many poses along a path of the inputs, verified between the poses too. No limit is
+// jumped, and no branch changes unreported.
 #ifndef YOKE_SWEEP_H
 #define YOKE_SWEEP_H
 
@@ -8,13 +8,13 @@
 typedef struct YkSweepOptions {
     int coordinate;  // the coordinate swept, an input; -1 sweeps time (all drives)
     double from, to; // its range (rad, m or s)
-    size_t steps;    // n gives n + 1 poses
-    double turn_max; // the path is verified at least every so many radians (or this times the machine's size / 1 s):
+    size_t steps;    // n steps give n + 1 poses
+    double turn_max; // largest turn of any body between verified poses, rad (or this times the machine's size / 1 s):
                      // default 2 deg
-    YkDynamics *dynamics; // answers the channels that need forces (inverse and forward dynamics at every row); NULL:
+    YkDynamics *dynamics; // answers the channels that need forces (inverse and forward dynamics at every row); NULL if
                           // there are none
     YkDynamicsMethod method;
-    void (*visit)(void *context, const YkState *state); // sees the pose of every row, in their order; NULL: nobody does
+    void (*visit)(void *context, const YkState *state); // called at the pose of every row, in order; may be NULL
     void *context;
 } YkSweepOptions;
 YK_API YkSweepOptions yk_default_sweep_options(void);
@@ -30,9 +30,9 @@ typedef struct YkEvent {
 } YkEvent;
 
 typedef struct YkSweep YkSweep;
-// Sweeps from the configuration that `state` has (assembled; its inputs other than the swept one stay; the swept
-// coordinate's rate and acceleration stay those of the state). Channels are recorded row by row. On a limit the rows so
-// far remain and status is YK_LIMIT. NULL only when out of memory or the options are wrong.
+// Sweeps from the configuration of `state`, which is assembled. Its other inputs keep their values, and the swept
+// coordinate keeps the state's rate and acceleration. Channels are recorded row by row. At a limit the rows before it
+// remain, and the status is YK_LIMIT. Returns NULL only when out of memory or if the options are wrong.
 YK_API YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels,
                              size_t channel_count, YkProblems *problems);
 YK_API void yk_sweep_free(YkSweep *sweep);
@@ -43,16 +43,16 @@ YK_API double yk_sweep_value(const YkSweep *sweep, size_t row, size_t channel);
 YK_API YkStatus yk_sweep_row_status(const YkSweep *sweep,
                                     size_t row); // OK, SINGULAR (rates are 0 and must not be shown), CHANGE_POINT
 YK_API size_t yk_sweep_event_count(const YkSweep *sweep);
-// How many there were in all: the first 10,000 that were found are kept.
+// Returns how many events there were in all; only the first 10,000 are kept.
 YK_API size_t yk_sweep_event_total(const YkSweep *sweep);
 YK_API YkEvent yk_sweep_event(const YkSweep *sweep, size_t index);
-// Returns a channel's value at an event; NaN where it is not determined there (rates at dead points and change points).
+// Returns a channel's value at an event; NaN if it is undetermined there (rates at dead points and change points).
 YK_API double yk_sweep_event_value(const YkSweep *sweep, size_t event, size_t channel);
 YK_API double yk_sweep_worst_residual(const YkSweep *sweep);
 
-// Every range of a coordinate in which the configuration of `state` closes, by its labels: for an angle within a turn
-// that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends to 1e-10. Returns the
-// count, (size_t)-1 when out of memory; a full turn is one range of 2 pi.
+// Finds every range of a coordinate in which the configuration of `state`, given by its labels, closes: for an angle
+// within a turn that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends are exact to
+// 1e-10; a full turn is one range of 2 pi. Returns the count, (size_t)-1 when out of memory.
 typedef struct YkRange {
     double from, to;
 } YkRange;
