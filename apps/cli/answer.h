@@ -14,7 +14,7 @@ const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE]);
 void yk_tell_status(YkSession *session, YkStatus status, const char *message);
 // Notes a status that is not told: want of memory leaves no answer.
 void yk_note_status(YkSession *session, YkStatus status);
-// 0 where the answer stands, 1 where the machine has none, 2 where the request was wrong.
+// 0 if the answer stands, 1 if the machine has none, 2 where the request was wrong.
 int yk_status_exit(YkStatus status);
 // The degrees of freedom: by rank where it could be measured, otherwise by Gruebler's count.
 int yk_freedom_of(const YkMechanism *mech);

@@ -119,7 +119,7 @@ int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
 
-// Was a request for memory refused since the start, anywhere in the program? watch.c; always false where the linker
+// Was a request for memory refused since the start, anywhere in the program? watch.c; always false if the linker
 // cannot tell.
 bool yk_memory_ran_out(void);
 // Tells a list of problems on standard error; with --quiet, only where there is an error among them. NULL: there was no

@@ -13,7 +13,7 @@ struct YkColumns {
     size_t count, capacity;
 };
 
-// Adds one column. False when out of memory or where nothing has this name: a problem says so.
+// Adds one column. Returns false when out of memory or where nothing has this name: a problem says so.
 bool yk_columns_add(YkSession *session, YkColumns *columns, const char *name);
 // Reads --of a,b,c (nothing without it). All bad names are reported; then it returns false.
 bool yk_columns_read(YkSession *session, YkColumns *columns);

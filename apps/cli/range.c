@@ -15,7 +15,7 @@ static size_t number_length(const char *text)
     return under > 0 ? length + 1 + under : length;
 }
 
-// The unit that ends a number ("deg" of "360 deg"), or NULL where there is none or more than that.
+// The unit that ends a number ("deg" of "360 deg"), or NULL if there is none or more than that.
 static const char *unit_after(const char *text)
 {
     size_t length = number_length(text);

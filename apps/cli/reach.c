@@ -13,7 +13,6 @@ static YkStatus run_out(YkSession *session)
 }
 
 // --- where the machine was put together
-// -----------------------------------------------------------------------------------
 
 // The state of a mechanism at t = 0, assembled nearest to the guesses of `start:`; NULL when out of memory.
 static YkState *assemble(const YkMechanism *mech, YkStatus *status)
@@ -26,7 +25,7 @@ static YkState *assemble(const YkMechanism *mech, YkStatus *status)
 }
 
 // With other parameters: the file's own assembly, at its own.
-// NULL where these make no machine, or none that goes together.
+// Returns NULL if these make no machine, or none that goes together.
 static YkState *assemble_own(YkSession *session, YkMechanism **mech)
 {
     YkProblems *quiet = yk_problems_new();
@@ -41,8 +40,8 @@ static YkState *assemble_own(YkSession *session, YkMechanism **mech)
     return NULL;
 }
 
-// Moves the parameters from the file's to the command line's, all at once, with the assembly. False where they do not
-// vary continuously, as numbers of teeth do not.
+// Moves the parameters from the file's to the command line's, all at once, with the assembly. Returns false if they do
+// not vary continuously, as numbers of teeth do not.
 static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *status)
 {
     const YkPairs *param = &session->request->param;
@@ -110,7 +109,6 @@ static bool tells_start(const YkMechanism *mech)
 }
 
 // --- the way from there
-// ---------------------------------------------------------------------------------------------------
 
 static void note_way(YkSession *session)
 {

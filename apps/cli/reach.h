@@ -35,7 +35,7 @@ YkStatus yk_reach_choose(YkSession *session);
 YkStatus yk_reach_untold(YkSession *session);
 // puts into words where the way stopped: session->state stands there.
 void yk_reach_word_stop(YkSession *session);
-// the machine's own pose at the asked inputs, or NULL where it does not come there; the caller frees it.
+// the machine's own pose at the asked inputs, or NULL if it does not come there; the caller frees it.
 YkState *yk_reach_own(YkSession *session);
 // Sets session->state to the asked inputs, without a pose.
 YkStatus yk_reach_ask(YkSession *session);

@@ -20,7 +20,6 @@ bool yk_same_configuration(const YkState *a, const YkState *b)
 }
 
 // --- names
-// ------------------------------------------------------------------------------------------------------------------
 
 // Of the configurations at a pose those with one label: how many there are, and which of them is the one sought.
 typedef struct Namesakes {
@@ -95,7 +94,6 @@ YkText yk_configuration_name(YkSession *session, const YkState *state)
 }
 
 // --- choosing
-// ---------------------------------------------------------------------------------------------------------------
 
 typedef struct Chooser {
     YkSession *session;

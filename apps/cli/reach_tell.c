@@ -108,7 +108,7 @@ static void hint_range(YkSession *session, YkText *text, double asked)
     }
 }
 
-// A state with the asked inputs and no pose; NULL where there is none.
+// A state with the asked inputs and no pose; NULL if there is none.
 static YkState *asked_state(YkSession *session)
 {
     YkState *state = yk_state_new(session->mech);

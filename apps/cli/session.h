@@ -3,10 +3,10 @@
 #define CLI_SESSION_H
 #include "cli.h"
 
-// Loads the model alone. False when the file is wrong: all is printed then.
+// Loads the model alone. Returns false when the file is wrong: all is printed then.
 bool yk_session_model(YkSession *session);
 // Loads the model and compiles it; coordinates that the command line sets are its inputs. `swept` (or NULL) is one
-// more, the first. False when the file or a name is wrong: all is printed then.
+// more, the first. Returns false when the file or a name is wrong: all is printed then.
 bool yk_session_load(YkSession *session, const char *swept);
 // Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel, which are held from then on. False
 // when a value is wrong. The pose comes from yk_session_reach (reach.h).
@@ -30,7 +30,7 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
 // Reads a count between 1 and `most`; `fallback` where text is NULL.
 bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
                       size_t *count);
-// Finds points by name, BODY.POINT; points[names->count]. False when one is none.
+// Finds points by name, BODY.POINT; points[names->count]. Returns false when one is none.
 bool yk_session_points(YkSession *session, const YkWords *names, size_t *points);
 // The quantity of a coordinate's order-th derivative.
 YkQuantity yk_quantity_of(bool is_distance, int order);

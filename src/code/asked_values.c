@@ -4,7 +4,6 @@
 #include "code/program.h"
 
 // --- names
-// ----------------------------------------------------------------------------------------------------------------
 
 char *yk_program_text(YkProgram *p, const char *format, ...)
 {
@@ -41,7 +40,6 @@ const char *yk_program_distance_name(YkProgram *p, int32_t distance)
 }
 
 // --- coordinates
-// ----------------------------------------------------------------------------------------------------------
 
 YkRef yk_program_coordinate(YkProgram *p, size_t coordinate)
 {
@@ -71,7 +69,6 @@ YkRef yk_program_coordinate_rate(YkProgram *p, size_t coordinate, const YkRates 
 }
 
 // --- points
-// ---------------------------------------------------------------------------------------------------------------
 
 static YkRefVec arm_of(YkProgram *p, int32_t body, YkRefVec at)
 {

@@ -6,7 +6,6 @@
 #include "model/laws/laws.h"
 
 // --- expressions
-// ----------------------------------------------------------------------------------------------------------
 
 typedef struct Reading {
     YkProgram *program;
@@ -88,7 +87,6 @@ YkRef yk_program_expr_at(YkProgram *p, const YkExpr *expr, const YkMotionRef *mo
 }
 
 // --- parameters
-// -----------------------------------------------------------------------------------------------------------
 
 // What the printed program cannot compute anew - laws, and the constants of gears, racks, belts and cams - keeps the
 // file's values; a parameter that goes into it is fixed.
@@ -188,7 +186,6 @@ static void add_parameter(YkProgram *p, size_t index, int depth)
 }
 
 // --- bodies and vectors
-// ---------------------------------------------------------------------------------------------------
 
 void yk_program_constants(YkProgram *p)
 {

@@ -54,7 +54,6 @@ YkRef yk_dag_name(YkDag *g, YkRef value, const char *format, ...)
 }
 
 // --- finding again
-// --------------------------------------------------------------------------------------------------------
 
 static size_t hash_of(const YkValue *v)
 {
@@ -170,7 +169,7 @@ YkRef yk_dag_result(YkDag *g, int32_t call, size_t k)
     return yk_dag_intern(g, (YkValue){.op = YK_VALUE_RESULT, .a = call, .b = (YkRef)k, .c = NOTHING});
 }
 
-// --- what it takes --------------------------------------------------------------------------------
+// --- what it takes
 
 static size_t cost_of(const YkDag *g, YkRef value, bool *counted)
 {

@@ -1,8 +1,8 @@
 // The graph of a program: every value that the printed C computes, each once.
 //
 // Values are numbers, names that the program gets from outside (leaves), and operations on earlier values. Building one
-// folds what is constant, and finds again what is there already. A value that hangs on parameters alone belongs to the
-// machine and is computed once; all others belong to a pose.
+// folds what is constant, and finds again what is there already. A value that depends on parameters alone belongs to
+// the machine and is computed once; all others belong to a pose.
 #ifndef CODE_DAG_H
 #define CODE_DAG_H
 #include <stdbool.h>
@@ -32,7 +32,7 @@ typedef enum YkValueKind {
     YK_VALUE_COSINE,
     YK_VALUE_ANGLE,    // of a unit vector (b, a): in [-pi, pi]
     YK_VALUE_NEAREST,  // angle a, less as many turns as bring it nearest to b
-    YK_VALUE_ROOT,     // sqrt(a), of 0 where a is negative
+    YK_VALUE_ROOT,     // sqrt(a), of 0 if a is negative
     YK_VALUE_PER_ROOT, // 1 / sqrt(a), of something tiny where a is less
     YK_VALUE_NONZERO,  // |a|, or something tiny for 0
     YK_VALUE_LEAST,    // the smaller of two
@@ -50,7 +50,7 @@ typedef struct YkValue {
     double number;
     const char *name;   // of a leaf; of others what to call it, or NULL
     int32_t section;    // under which heading it is computed
-    bool of_parameters; // hangs on parameters alone
+    bool of_parameters; // depends on parameters alone
     int32_t leaf_class; // of a leaf: YkLeafClass
 } YkValue;
 

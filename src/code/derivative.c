@@ -12,7 +12,6 @@ typedef struct Work {
 } Work;
 
 // --- what is remembered
-// ---------------------------------------------------------------------------------------------------
 
 static bool fit_stamps(uint32_t **stamps, size_t from, size_t to)
 {
@@ -73,7 +72,6 @@ static bool is_made_of(YkDag *g, YkRef value, YkRef leaf)
 }
 
 // --- rules
-// ----------------------------------------------------------------------------------------------------------------
 
 static YkRef derive(Work *w, YkRef value);
 

@@ -139,7 +139,7 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
     yk_block_keep_margin(p, margin, placed->e[1].x);
 }
 
-// r over the base, squared, or over the size where that is less, as rpr_margin has it; per_K2 -1 where the line passes
+// r over the base, squared, or over the size where that is less, as rpr_margin has it; per_K2 -1 if the line passes
 // the pin, so that K^2 = r^2.
 static YkRef rpr_margin(YkProgram *p, YkRef r2, YkRef per_K2)
 {

@@ -19,8 +19,8 @@ typedef struct YkRoutine {
     const char *name, *about;
     YkResult *results;
     size_t count;
-    YkRef witness;       // 0 where the inputs are finite that it hangs on, those of loads not counted
-    YkRef regular;       // above 0 where its equations have a solution, or -1: they always have
+    YkRef witness;       // 0 if the inputs are finite that it depends on, those of loads not counted
+    YkRef regular;       // above 0 if its equations have a solution, or -1: they always have
     bool checks_results; // they may be infinite at a regular pose
     bool has_designs;    // a batch over parameters too
     YkRoutineKind kind;
@@ -59,7 +59,7 @@ bool yk_file_members(YkFile *file);
 bool yk_file_routines(YkFile *file);
 void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
                         const char *format, ...);
-// What a routine's body makes: its results and what the status hangs on; room for 6 more.
+// What a routine's body makes: its results and what the status depends on; room for 6 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
 // file_types.c: the type of numbers; parameters that the struct has, since they follow from no others.
 const char *yk_file_real(const YkFile *file);

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "code/file.h"
 
-// --- the status -----------------------------------------------------------------------------------
+// --- the status
 
 // Where the condition does not hold (of NaN none does), that is how it went; the first of all counts.
 static void check(YkFile *file, YkRef value, const char *condition, const char *status)
@@ -68,7 +68,7 @@ static void write_status(YkFile *file, const YkRoutine *r)
     yk_text_format(&file->text, "%s_OK;\n}\n\n", file->prefix);
 }
 
-// --- the kernel -----------------------------------------------------------------------------------
+// --- the kernel
 
 size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
 {
@@ -106,7 +106,7 @@ static void write_kernel(YkFile *file, const YkRoutine *r)
     write_status(file, r);
 }
 
-// --- inputs ---------------------------------------------------------------------------------------
+// --- inputs
 
 typedef struct Uses { // which inputs the routine's kernel takes; those of them that its witness has not seen: loads'
     bool *taken, *unseen;
@@ -135,7 +135,7 @@ static void mark_operands(const YkDag *g, const YkValue *v, bool *is_marked)
         if (of[k] >= 0) is_marked[of[k]] = true;
 }
 
-// Marks all that a value hangs on, and itself: what a value is made of comes before it.
+// Marks all that a value depends on, and itself: what a value is made of comes before it.
 static void mark_under(const YkDag *g, YkRef value, bool *is_marked)
 {
     is_marked[value] = true;
@@ -189,7 +189,7 @@ static void write_one(YkFile *file, const YkRoutine *r, const Uses *uses)
     yk_file_template(file, "        return @_BAD_INPUT;\n    return how;\n}\n\n");
 }
 
-// --- loops ----------------------------------------------------------------------------------------
+// --- loops
 
 // The arrays under names of their own: none overlaps another.
 static void write_arrays(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)

@@ -20,7 +20,7 @@ size_t yk_file_own_parameters(const YkFile *file)
     return count;
 }
 
-// --- types ---------------------------------------------------------------------------------------
+// --- types
 
 static void member(YkFile *file, const char *name, const char *comment)
 {
@@ -102,7 +102,7 @@ static void write_parameter_arrays(YkFile *file)
     yk_file_template(file, "} @_parameters_arrays;\n\n");
 }
 
-// --- prototypes ----------------------------------------------------------------------------------
+// --- prototypes
 
 void yk_file_prototype(YkFile *file, const YkRoutine *r, const char *ending)
 {

@@ -37,7 +37,7 @@ typedef struct YkEquations { // M q'' + rest = efforts
 
 enum { YK_FORCES_INPUTS_MAX = 40 };
 
-// False where a load cannot be printed: reported.
+// Returns false if a load cannot be printed: reported.
 bool yk_forces_build(YkForces *forces, YkProgram *program);
 // loads.c: what all loads exert, into forces->load; and what springs and gravity store.
 bool yk_forces_loads(YkForces *forces);
@@ -47,7 +47,7 @@ YkRef yk_forces_mass(YkProgram *program, int32_t body);
 YkRef yk_forces_inertia(YkProgram *program, int32_t body);
 // equations.c: M and the rest.
 bool yk_forces_equations(YkForces *forces);
-// lumped_masses.c: adds all masses and their weight; false where the machine is no tree or a body has no mass.
+// lumped_masses.c: adds all masses and their weight; false if the machine is no tree or a body has no mass.
 bool yk_forces_lumped(YkForces *forces, YkEquations *out);
 // accelerations.c: of the free inputs.
 void yk_forces_accelerations(YkForces *forces);

@@ -199,7 +199,6 @@ void yk_file_write_helpers(YkFile *file, const char *body)
 }
 
 // --- laws
-// ----------------------------------------------------------------------------------------------------------------
 
 static void write_numbers(YkFile *file, const double *numbers, size_t count)
 {

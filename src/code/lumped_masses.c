@@ -2,12 +2,12 @@
 //
 // The centre of each body is a sum of arms from the ground, e_a u_a, some of them times a distance d_a; e_a is the unit
 // vector of the arm's orientation, u_a what the body has on it. With plane vectors as complex numbers the velocity is
-// the sum of e_a u_a z_a, z = d' + i d w (d = 1 where there is no distance), and so
+// the sum of e_a u_a z_a, z = d' + i d w (d = 1 if there is no distance), and so
 //     sum over bodies m conj(v_i) v_j = sum over arms conj(z_a,i) K_ab conj(e_a) e_b z_b,j,   K_ab = sum m conj(u_a)
 //     u_b.
-// K hangs on parameters alone, and conj(e_a) e_b on the angles between the arms: for a double pendulum this is the form
-// of the textbooks. With closed loops the sums would cancel near dead points, where bodies stand still at the end of
-// arms that turn; there the bodies are taken one by one.
+// K depends on parameters alone, and conj(e_a) e_b on the angles between the arms: for a double pendulum this is the
+// form of the textbooks. With closed loops the sums would cancel near dead points, where bodies stand still at the end
+// of arms that turn; there the bodies are taken one by one.
 #include "code/forces.h"
 
 enum { ARMS_MAX = 16 };
@@ -26,7 +26,7 @@ typedef struct Work {
     bool too_many;
 } Work;
 
-// --- the arms of a body ---------------------------------------------------------------------------
+// --- the arms of a body
 
 static Arm *arm_of(Work *w, int32_t slot, int32_t distance)
 {
@@ -98,7 +98,7 @@ static void name_constants(Work *w)
         }
 }
 
-// --- the arms as they stand -----------------------------------------------------------------------
+// --- the arms as they stand
 
 static const YkStep *turn_of(const YkMechanism *mech, int32_t slot)
 {
@@ -166,7 +166,7 @@ static void accelerations_of(const Work *w, const YkRates *r, const YkRates *s, 
     }
 }
 
-// --- the equations --------------------------------------------------------------------------------
+// --- the equations
 
 // sum over b of K_ab conj(e_a) e_b z_b.
 static YkRefVec push_on(const Work *w, size_t a, const YkRefVec *z)

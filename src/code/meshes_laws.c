@@ -15,12 +15,12 @@ static YkRef times(YkDag *g, double factor, YkRef value)
     return yk_dag_multiply(g, yk_dag_number(g, factor), value);
 }
 
-// --- cams -----------------------------------------------------------------------------------------
+// --- cams
 
 typedef struct CamPose {
     YkRef slope;
     YkRefVec center, u; // of the cam; the line of motion of a follower that slides
-    double way, turn;   // +1 where the follower, the cam, is the second body of its joint
+    double way, turn;   // +1 if the follower, the cam, is the second body of its joint
 } CamPose;
 
 static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
@@ -103,7 +103,7 @@ void yk_meshes_cam(YkBalance *w, size_t column, const YkRelation *r, const YkCam
         roller_force(w, column, cam, &pose, roller_of(w, cam, &pose));
 }
 
-// --- laws -----------------------------------------------------------------------------------------
+// --- laws
 
 // An effort along a coordinate: on its joint's second body, and back on the first.
 static void push_along(YkBalance *w, size_t column, int32_t coordinate, YkRef effort)

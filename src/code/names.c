@@ -47,7 +47,7 @@ static void close_scope(Scope *scope)
     yk_names_free(&scope->taken);
 }
 
-// --- each kind -------------------------------------------------------------------------------------------------------
+// --- each kind
 
 static const char *const alone[] = {""};
 

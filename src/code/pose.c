@@ -113,7 +113,7 @@ static bool are_inputs(const YkProgram *p, uint32_t first, uint32_t count)
     return true;
 }
 
-// An angle that is too large has no sine: the inputs' fault where it hangs on them alone.
+// An angle that is too large has no sine: the inputs' fault where it depends on them alone.
 static void keep_angle(YkProgram *p, const YkRelation *r, YkRef sine)
 {
     YkDag *g = &p->graph;

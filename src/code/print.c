@@ -31,7 +31,7 @@ void yk_printer_end(YkPrinter *pr)
     yk_names_free(&pr->taken);
 }
 
-// --- what is needed -------------------------------------------------------------------------------
+// --- what is needed
 
 static void mark_call(YkPrinter *pr, int32_t index);
 

@@ -14,7 +14,7 @@ static const YkValue *value_of(const YkPrinter *pr, YkRef value)
     return &pr->program->graph.values[value];
 }
 
-// Of a law's result: the law's argument. What other calls give hangs on no unknown.
+// Of a law's result: the law's argument. What other calls give depends on no unknown.
 static size_t operands_of(const Gather *g, const YkValue *v, YkRef *operands)
 {
     const YkRef all[] = {v->a, v->b, v->c};
@@ -43,7 +43,7 @@ static bool hangs(Gather *g, YkRef value)
     return found;
 }
 
-// What does not hang on the unknowns, nor on parameters alone, comes from outside.
+// What does not depend on the unknowns, nor on parameters alone, comes from outside.
 static void gather(Gather *g, YkRef value)
 {
     const YkValue *v = value_of(g->pr, value);

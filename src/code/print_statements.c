@@ -43,7 +43,7 @@ static const char *real(const YkPrinter *pr)
     return pr->single ? "float" : "double";
 }
 
-// --- statements -----------------------------------------------------------------------------------
+// --- statements
 
 // How many operations stand in its expression as it would be written.
 static int weight(const YkPrinter *pr, YkRef value)
@@ -125,7 +125,7 @@ static void array(YkPrinter *pr, const char *name, const YkRef *values, size_t c
     yk_text_puts(pr->out, "\n");
 }
 
-// --- calls ----------------------------------------------------------------------------------------
+// --- calls
 
 static const char *call_array(YkPrinter *pr, const YkCall *call)
 {
@@ -194,7 +194,7 @@ static const char *ensure_call(YkPrinter *pr, int32_t index, const char **names)
     return names[index];
 }
 
-// --- all together ---------------------------------------------------------------------------------
+// --- all together
 
 static bool needs_variable(const YkPrinter *pr, YkRef value)
 {

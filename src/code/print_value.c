@@ -37,7 +37,7 @@ bool yk_printer_is_given(const YkPrinter *pr, YkRef value)
     return v->of_parameters && !pr->in_machine;
 }
 
-// --- expressions ----------------------------------------------------------------------------------
+// --- expressions
 
 typedef enum Rank { RANK_SUM = 1, RANK_PRODUCT, RANK_SIGN, RANK_PRIMARY } Rank;
 

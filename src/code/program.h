@@ -78,8 +78,8 @@ typedef struct YkProgram {
     YkRef *slope;                    // per relation with a law: first and second derivative, two each
     YkRef margin;                    // least sin^2 over the blocks; NaN where one is not finite
     YkRef gap;                       // largest miss of loops that repeat others, m; NaN likewise
-    YkRef witness;                   // 0 where the inputs are finite, and no angle by them is too large to have a sine
-    YkRef angles;                    // 0 where no other angle is, of gears and the like
+    YkRef witness;                   // 0 if the inputs are finite, and no angle by them is too large to have a sine
+    YkRef angles;                    // 0 if no other angle is, of gears and the like
     YkRef missed;                    // largest miss of a group, over what is allowed
     bool failed;                     // something cannot be printed: reported
 } YkProgram;
@@ -87,12 +87,12 @@ typedef struct YkProgram {
 bool yk_program_start(YkProgram *program, const YkMechanism *mech, const YkRecipe *recipe, YkArena *arena,
                       YkProblems *problems);
 void yk_program_end(YkProgram *program);
-// The machine's size to the nearest power of two, for tolerances: the text then hangs on no value.
+// The machine's size to the nearest power of two, for tolerances: the text then depends on no value.
 double yk_program_size(const YkProgram *program);
 char *yk_program_text(YkProgram *program, const char *format, ...); // in the arena
 
 // constants.c: numbers of the model as values.
-// Parameters that keep the file's values, since what the program cannot compute anew hangs on them.
+// Parameters that keep the file's values, since what the program cannot compute anew depends on them.
 void yk_program_fix(YkProgram *program);
 // Parameters, and the bodies' turns.
 void yk_program_constants(YkProgram *program);
@@ -148,7 +148,7 @@ YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
-// names.c: chooses p->names, for the prefix. False when out of memory.
+// names.c: chooses p->names, for the prefix. Returns false when out of memory.
 bool yk_program_choose_names(YkProgram *program);
 // words.c: whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one of the
 // file's own.

@@ -126,7 +126,6 @@ bool yk_file_residuals(YkFile *file)
 }
 
 // --- printing
-// -------------------------------------------------------------------------------------------------------------
 
 static void write_about(YkFile *file)
 {

@@ -195,7 +195,6 @@ static void add_reactions(YkFile *file, const Rates *r)
 }
 
 // --- drives
-// ---------------------------------------------------------------------------------------------------------------
 
 // What a drive gives: its expression, or a law of it, with two derivatives in time.
 static YkMotionRef drive_of(YkProgram *p, const YkDrive *drive)

@@ -53,7 +53,7 @@ static void find_pose(YkFile *file, YkState *state, size_t pose, double *row)
     yk_state_solve(state);
 }
 
-// What the engine says to a routine's results at the state's inputs. False where it has no answer.
+// What the engine says to a routine's results at the state's inputs. Returns false if it has no answer.
 static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const YkRoutine *r, double *wanted)
 {
     const YkMechanism *mech = file->program.mech;

@@ -19,7 +19,7 @@ typedef struct YkDeriveRow {
 typedef struct YkDeriveBlock {
     size_t first_row, row_count;       // in row_order
     size_t first_column, column_count; // in column_order
-    const YkPoisson *determinant;      // NULL where the block has more than 3 unknowns, or is not square
+    const YkPoisson *determinant;      // NULL if the block has more than 3 unknowns, or is not square
 } YkDeriveBlock;
 
 struct YkDeriveBlocks {

@@ -4,7 +4,7 @@
 
 enum { ANGLE_TERMS_MAX = 3000000 };
 
-// The joint's coordinate counts from its first body to its second: -1 where the tree walks it backwards.
+// The joint's coordinate counts from its first body to its second: -1 if the tree walks it backwards.
 static int sense(const YkDerivation *d, int32_t body)
 {
     return d->model->joints[d->bodies[body].joint].body[1] == body ? 1 : -1;

@@ -35,7 +35,7 @@ typedef struct YkDeriveCoordinate {
 typedef struct YkDeriveBody {
     const char *name;      // as the ring knows it
     int32_t parent, joint; // in the tree; YK_NONE: the ground
-    // Symbols of the angle of the body's orientation, and its derivatives; YK_NONE where the body never turns. A body
+    // Symbols of the angle of the body's orientation, and its derivatives; YK_NONE if the body never turns. A body
     // whose angle is a coordinate of the file uses that coordinate, others have NAME.angle, NAME.angle', NAME.angle''.
     // Bodies that never turn against each other share their symbols.
     int32_t angle, rate, acceleration;
@@ -46,7 +46,7 @@ typedef struct YkDeriveBody {
     const YkPoisson *mass, *inertia;   // memo: yk_derive_mass, yk_derive_inertia
 } YkDeriveBody;
 
-// A vector from one named point to another: p^{head/tail}, times -1 where it is walked backwards.
+// A vector from one named point to another: p^{head/tail}, times -1 if it is walked backwards.
 typedef struct YkDeriveVector {
     const char *head, *tail;
     int32_t body; // in whose axes it is fixed, or along whose line it grows
@@ -69,7 +69,7 @@ typedef struct YkDeriveLoop {
     int32_t joint, axes;
     YkDerivePath path;      // its sum in world axes, body form
     const YkPoisson *sum;   // joint form, complex: 0 on the machine
-    const YkPoisson *angle; // joint form; NULL where the joint turns, or where the angle holds by itself
+    const YkPoisson *angle; // joint form; NULL if the joint turns, or where the angle holds by itself
 } YkDeriveLoop;
 
 // A constant that is no polynomial of parameters (sqrt(l1^2 + 4 l2), atan(h/l)), or a number of many digits: a symbol
@@ -132,20 +132,20 @@ struct YkDerivation {
     size_t relation_count, relation_capacity;
     int32_t *unknowns;
     size_t unknown_count, unknown_capacity;
-    struct YkDerivePages *pages; // names that sections alone have; made at first use: prove/equation_pages.c
+    struct YkDerivePages *pages;            // names that sections alone have; made at first use: prove/equation_pages.c
     struct YkEquationOwn *own_of_equations; // angles, roots: prove/equation_angles.c
     bool has_names;                         // JOINT.angle, BODY.rate, ... are entered as other names of symbols
     bool failed;                            // out of memory outside of the ring
 };
 
-// Builds the frame: symbols and angles. The model and the mechanism must outlive it. NULL with a problem added when out
-// of memory or where the file's numbers are too large to be exact. Cost O(bodies).
+// Builds the frame: symbols and angles. The model and the mechanism must outlive it. Returns NULL with a problem added
+// when out of memory or where the file's numbers are too large to be exact. Cost O(bodies).
 YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
 void yk_derivation_free(YkDerivation *derivation);
 // Everything derived so far exists: memory, the ring's status.
 bool yk_derivation_is_well(const YkDerivation *derivation);
 YkCode yk_derive_code(YkRingStatus status); // of a problem that tells it
-// Zeroed memory for a while, for free(). NULL when out of memory, which the derivation keeps in mind.
+// Zeroed memory for a while, for free(). Returns NULL when out of memory, which the derivation keeps in mind.
 void *yk_derive_scratch(YkDerivation *derivation, size_t count, size_t size);
 // Did it run out of memory, in the ring or outside? It then remains so, and nothing that came of it is to be shown.
 bool yk_derivation_ran_out(const YkDerivation *derivation);
@@ -163,7 +163,7 @@ void yk_derive_forgive(YkDerivation *d); // that the ring cannot hold a value
 // asked for once: each call makes another.
 const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingClass kind, const char *letter,
                                    const char *body);
-// The symbol of a constant that the ring cannot hold, k_1 or alpha_1: one for each expression. NULL where it is no
+// The symbol of a constant that the ring cannot hold, k_1 or alpha_1: one for each expression. Returns NULL if it is no
 // constant.
 const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol);
 // All of those in the file's order: then they have the same names whatever is derived. Cost O(file).
@@ -175,19 +175,18 @@ const YkPoisson *yk_derive_turn(YkDerivation *d, const YkExpr *expr);
 // A new symbol: `name` made fit for the ring (other characters become _, a name that is taken gets one more _). -1 on
 // failure.
 int32_t yk_derive_symbol(YkDerivation *d, const char *name, YkRingClass kind);
-// A fraction as an element; NULL where it does not fit the ring's numbers.
+// A fraction as an element; NULL if it does not fit the ring's numbers.
 const YkPoisson *yk_derive_fraction(YkDerivation *d, const YkFraction *a);
 // From now on the symbol stands for `meaning`: in joint form it is replaced by it, and numbers follow it. `meaning` may
 // mention symbols that were defined before, no e^(i angle). false on failure.
 bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning);
-// What a parameter stands for in terms of others: NULL where it is a number of its own (or no polynomial).
+// What a parameter stands for in terms of others: NULL if it is a number of its own (or no polynomial).
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 
 // --- The machine (geometry.c, path.c)
-// -----------------------------------------------------------------------------------------
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
 const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes
-const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint); // the symbol; NULL where it does not slide
+const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint); // the symbol; NULL if it does not slide
 // From the first body's place to the second's along the line: distance * unit vector, in the world, body form.
 const YkPoisson *yk_derive_slide(YkDerivation *d, int32_t joint);
 // Positions in the world, body form: a body's origin, and a place given in its axes. Cost: the body's depth in the
@@ -199,8 +198,8 @@ const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body);
 bool yk_derive_is_rod(const YkBody *body);
 const YkPoisson *yk_derive_mass(YkDerivation *d, int32_t body);
 const YkPoisson *yk_derive_inertia(YkDerivation *d, int32_t body);
-const YkPoisson *yk_derive_gravity(YkDerivation *d); // complex; 0 where there is none
-// The loops; NULL on failure (and where there are none: loop_count is 0). Cost O(sum of the lengths of the loops).
+const YkPoisson *yk_derive_gravity(YkDerivation *d); // complex; 0 if there is none
+// The loops; NULL on failure (and if there are none: loop_count is 0). Cost O(sum of the lengths of the loops).
 const YkDeriveLoop *yk_derive_loops(YkDerivation *d);
 // From body form to joint form. In joint form: the body's spin is sum of B[k] * rate of coordinate k, B[k] in -1, 0, 1;
 // yk_derive_combination writes B (tree_count entries).
@@ -223,7 +222,6 @@ bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDer
 YkDerivePlace yk_derive_place(const YkDerivation *d, int32_t joint, int side);
 
 // --- Values (numeric_values.c)
-// ---------------------------------------------------------------------------------------------------
 // values[yk_ring_symbol_count(d->ring)]: parameters and constants from the file, coordinates and bodies from the state,
 // what sources know; 0 for the rest. dynamics may be NULL. Completed: ready for yk_ring_value.
 void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamics, double *values);

@@ -3,7 +3,7 @@
 #define DERIVE_INSIDE_H
 #include "derive/derive.h"
 
-// symbols.c: the symbol that the file calls `name` (a parameter, a coordinate, its rate, t); -1 where there is none.
+// symbols.c: the symbol that the file calls `name` (a parameter, a coordinate, its rate, t); -1 if there is none.
 int32_t yk_derive_find(const YkDerivation *d, const char *name);
 int32_t yk_derive_angle(YkDerivation *d, const char *name); // as yk_derive_symbol, an angle
 // One more name for a symbol, first + second, where it is free and can be a name.

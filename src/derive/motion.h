@@ -5,7 +5,7 @@
 
 // J q'' = gamma, one row: gamma = - (d/dt J) q'.
 const YkPoisson *yk_derive_gamma(YkDerivation *d, YkDeriveRow *row);
-// determinant * unknown = over[unknown], for rates or accelerations, from those before. false where the block is not
+// determinant * unknown = over[unknown], for rates or accelerations, from those before. false if the block is not
 // solved.
 bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over);
 // All blocks in order: their unknowns, then the rates of bodies that they settle; systems where they are not solved.

@@ -61,7 +61,7 @@ struct YkLine {
     const char *section; // to which section it belongs
     YkPagePiece *first, *last;
     // factor * left = right wherever the formula holds, on the machine's own motion; right NULL: 0; factor NULL: 1;
-    // left NULL where it is no equation between scalars or vectors.
+    // left NULL if it is no equation between scalars or vectors.
     const YkPoisson *left, *right, *factor;
     bool is_identity;   // it holds by itself, coordinates being free
     bool is_in_numbers; // it holds with the file's numbers only
@@ -114,7 +114,7 @@ void yk_line_words(YkPage *page, YkLine *line, const char *words);
 // A zeroed matrix with room for its entries, to be filled; NULL when out of memory.
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
 
-// What is 0 wherever the formula holds: factor * left - right. NULL where it is no equation.
+// What is 0 wherever the formula holds: factor * left - right. Returns NULL if it is no equation.
 const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line);
 // left = right, both real elements; right may be NULL for 0. The value is set unless right is a number.
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
@@ -124,7 +124,7 @@ YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const
                          const YkPoisson *under);
 // Is it in print a product with a minus before it?
 bool yk_page_is_negative(YkRing *ring, const YkPoisson *a);
-// Divides both by what all their terms have in common. false where the ring failed.
+// Divides both by what all their terms have in common. false if the ring failed.
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under);
 
 #endif

@@ -1,8 +1,9 @@
 // For generated code: what body angles and lengths of springs stand for; M and h by sums over the tree.
 //
-// In body form every entry is one term or two. The machine's own coordinates turn a body with all that hangs on it, so
-// M and h in them are sums over branches of the tree, and each branch is the sum of its first body and of the branches
-// after it: n^2 additions instead of the n^4 terms of the expanded form (Featherstone 2008, composite bodies, is kin).
+// In body form every entry is one term or two. The machine's own coordinates turn a body with all that depends on it,
+// so M and h in them are sums over branches of the tree, and each branch is the sum of its first body and of the
+// branches after it: n^2 additions instead of the n^4 terms of the expanded form (Featherstone 2008, composite bodies,
+// is kin).
 #include "derive/printed_code.h"
 #include <stdlib.h>
 #include <string.h>

@@ -20,7 +20,7 @@ struct YkDeriveRelation {
     int32_t *B; // of one of its own: its derivatives by the tree's coordinates
 };
 
-// Made at first use; NULL where there are none.
+// Made at first use; NULL if there are none.
 const YkDeriveRelation *yk_derive_ties(YkDerivation *d);
 // d(relation)/d(position) in body form, for a coordinate of the body form.
 const YkPoisson *yk_derive_tie_slope(YkDerivation *d, const YkDeriveRelation *tie, int32_t position);

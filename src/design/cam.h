@@ -27,7 +27,7 @@ typedef struct YkCamShape {
 } YkCamShape;
 
 // Sets `start` so that the follower touches the base circle at lift 0, on the side from which the lift leads away.
-// False where it cannot.
+// Returns false if it cannot.
 bool yk_cam_shape_fit(YkCamShape *shape);
 YkCamShape yk_cam_shape_of(const YkCam *cam);
 // The second roller of a conjugate pair, rigidly behind the first.
@@ -46,7 +46,7 @@ typedef struct YkCamSamples {
     size_t *first; // [stretch_count + 1]: where each begins in items
     size_t stretch_count;
 } YkCamSamples;
-// False when out of memory.
+// Returns false when out of memory.
 bool yk_cam_samples_take(YkCamSamples *samples, const YkLaw *law, YkArena *arena);
 
 // A number that one pose of the cam has.

@@ -5,7 +5,7 @@
 static const double step = 1.01; // of the search from below
 enum { STEPS_MAX = 3000, BISECTIONS = 80 };
 
-// By how much a limit is overstepped, over the limit: both sides comparable, at most 0 where it is kept.
+// By how much a limit is overstepped, over the limit: both sides comparable, at most 0 if it is kept.
 static double over_pressure(const YkCamPoint *point, const void *context)
 {
     const YkCamLimits *limits = context;

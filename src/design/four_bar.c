@@ -39,7 +39,7 @@ typedef struct Pins {
     uint32_t *first;
     int32_t *joint;
     uint32_t *next;    // of each pin: the first one behind it that leads to another body than it and those between
-    size_t looks_left; // the search ends where none is left
+    size_t looks_left; // the search ends if none is left
 } Pins;
 
 static int32_t beyond(const Pins *pins, int32_t joint, int32_t body)

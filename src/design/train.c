@@ -17,7 +17,7 @@ const char *yk_train_status_name(YkTrainStatus status)
     return names[status];
 }
 
-// --- The question ----------------------------------------------------------------------------------------------------
+// --- The question
 
 static bool find_lock(const YkTrain *train, const YkLock **lock, YkProblems *problems)
 {
@@ -25,7 +25,7 @@ static bool find_lock(const YkTrain *train, const YkLock **lock, YkProblems *pro
     return !train->options.lock || yk_model_find_lock(train->model, train->options.lock, lock, problems);
 }
 
-// A body of the train by name; YK_NONE where it is not asked. False (reported) where it is wrong.
+// A body of the train by name; YK_NONE if it is not asked. False (reported) where it is wrong.
 static bool find_body(const YkTrain *train, const char *name, int32_t *body, YkProblems *problems)
 {
     *body = YK_NONE;
@@ -61,7 +61,7 @@ static int32_t usual_input(const YkTrain *train)
     return find_named(train, names);
 }
 
-// --- Ratios ----------------------------------------------------------------------------------------------------------
+// --- Ratios
 
 static const char *exact_of(const YkTrain *train, const YkFraction *value)
 {
@@ -123,7 +123,7 @@ static bool find_ratio(YkTrain *train, const YkLock *lock, int32_t in, int32_t o
     return good;
 }
 
-// --- The shift table -------------------------------------------------------------------------------------------------
+// --- The shift table
 
 static bool fill_gear(YkTrain *train, size_t index)
 {
@@ -157,7 +157,7 @@ static bool fill_shift_table(YkTrain *train)
     return true;
 }
 
-// --- Speeds ----------------------------------------------------------------------------------------------------------
+// --- Speeds
 
 static void fill_speed(YkTrain *train, int32_t column, YkFraction *shares)
 {
@@ -230,7 +230,7 @@ static bool write_willis(YkTrain *train)
     return !yk_arena_failed(train->arena);
 }
 
-// --- The whole -------------------------------------------------------------------------------------------------------
+// --- The whole
 
 static bool count_freedom(YkTrain *train, const YkLock *lock)
 {

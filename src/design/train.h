@@ -87,10 +87,10 @@ int yk_train_case_freedom(const YkTrainCase *one); // of a case without inputs
 void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text);
 const char *yk_train_keep(YkArena *arena, YkText *text); // a copy of the text, which is emptied; NULL: out of memory
 
-// The share of an input in a column's speed as a formula, or (inverse) its reciprocal; NULL where there is none.
+// The share of an input in a column's speed as a formula, or (inverse) its reciprocal; NULL if there is none.
 const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t input, bool is_inverse, YkArena *arena);
 // The same as elements of a ring that has symbols for the net's (symbols[net->symbol_count]): over / under, over 0
-// where the input has no part in it. False where there is no formula, or the ring gave up (its status may tell).
+// where the input has no part in it. Returns false if there is no formula, or the ring gave up (its status may tell).
 bool yk_train_share_in(const YkTrainCase *one, int32_t column, int32_t input, YkRing *ring,
                        const YkPoisson *const *symbols, const YkPoisson **over, const YkPoisson **under);
 

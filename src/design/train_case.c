@@ -18,7 +18,7 @@ YkFraction yk_train_coefficient(const YkTrainNet *net, const YkTrainRow *row, in
     return t->sign < 0 ? yk_fraction_negative(&net->symbols[t->symbol].value) : net->symbols[t->symbol].value;
 }
 
-// --- Rows ------------------------------------------------------------------------------------------------------------
+// --- Rows
 
 static YkTrainRow *new_row(YkTrainCase *one, YkTrainRowKind kind, size_t index)
 {
@@ -101,7 +101,7 @@ static bool write_rows(YkTrainCase *one, const YkTrainDrive *drives, int32_t dri
     return true;
 }
 
-// --- Solution --------------------------------------------------------------------------------------------------------
+// --- Solution
 
 // With traces, one more right-hand side for every row: which rows made up a row of the reduced system.
 static bool solve(const YkTrainCase *one, YkExactSystem *system, bool has_traces)
@@ -122,7 +122,7 @@ static bool solve(const YkTrainCase *one, YkExactSystem *system, bool has_traces
     return true;
 }
 
-// --- Words -----------------------------------------------------------------------------------------------------------
+// --- Words
 
 void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text)
 {

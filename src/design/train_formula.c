@@ -37,7 +37,7 @@ static uint64_t random_value(uint64_t *seed)
     return 1 + yk_mix_next(seed) % (PRIME - 1);
 }
 
-// --- The small system ------------------------------------------------------------------------------------------------
+// --- The small system
 
 static int32_t root(const int32_t *parent, int32_t column)
 {
@@ -125,7 +125,7 @@ static void reduce(Work *work)
     }
 }
 
-// --- Determinants ----------------------------------------------------------------------------------------------------
+// --- Determinants
 
 // Rows and columns that take part, as numbers of the small system.
 typedef struct Square {
@@ -186,7 +186,7 @@ static size_t expand(Work *work, const Square *square, int32_t row, const State 
     return reached;
 }
 
-// The determinant without one row and one column (-1: with all); NULL where it is zero or too large.
+// The determinant without one row and one column (-1: with all); NULL if it is zero or too large.
 static const YkPoisson *determinant(Work *work, const Square *all, int32_t without_row, int32_t without_column)
 {
     Square square = {0};
@@ -209,7 +209,7 @@ static const YkPoisson *determinant(Work *work, const Square *all, int32_t witho
     return yk_ring_terms(result) > 0 ? result : NULL;
 }
 
-// --- Cramer ----------------------------------------------------------------------------------------------------------
+// --- Cramer
 
 static bool is_independent(Work *work, Square *square, int32_t column, uint64_t basis[ROWS_MAX][ROWS_MAX],
                            int32_t lead[ROWS_MAX], Work *original)
@@ -258,7 +258,7 @@ static bool choose(Work *work, int32_t target, Square *square)
     return good && square->size == count;
 }
 
-// over / under of the share; over 0 where the column stands still or the input has no part in it. False: no formula.
+// over / under of the share; over 0 if the column stands still or the input has no part in it. False: no formula.
 static bool share(Work *work, int32_t target, int32_t input, const YkPoisson **over, const YkPoisson **under)
 {
     Square square;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "design/train.h"
 
-// --- Members ---------------------------------------------------------------------------------------------------------
+// --- Members
 
 static void take(YkTrainNet *net, int32_t body)
 {
@@ -100,7 +100,7 @@ static bool number_columns(YkTrainNet *net)
     return true;
 }
 
-// --- Symbols ---------------------------------------------------------------------------------------------------------
+// --- Symbols
 
 static bool is_taken(const YkTrainNet *net, const char *name)
 {
@@ -187,7 +187,7 @@ static bool name_symbols(YkTrainNet *net)
     return !yk_arena_failed(net->arena);
 }
 
-// --- Rows ------------------------------------------------------------------------------------------------------------
+// --- Rows
 
 static YkTrainRow *new_row(YkTrainNet *net, YkTrainRowKind kind, size_t index)
 {
@@ -201,7 +201,7 @@ static void add_term(const YkTrainNet *net, YkTrainRow *row, int32_t body, int32
     row->terms[row->count++] = (YkTrainTerm){net->column_of[body], sign, symbol};
 }
 
-// (a - c) z_a + sense (b - c) z_b = 0: Willis; sense is +1 where the two turn against each other.
+// (a - c) z_a + sense (b - c) z_b = 0: Willis; sense is +1 if the two turn against each other.
 static void willis(YkTrainNet *net, YkTrainRow *row, const int32_t body[2], int32_t carrier, int32_t sense,
                    const int32_t symbol[2])
 {

@@ -11,7 +11,7 @@
 enum { ROUNDS_MAX = 60 };
 static const YkPlace nowhere = {0};
 
-// --- What is known ---------------------------------------------------------------------------------------------------
+// --- What is known
 
 static bool is_between(const YkModel *model, int32_t coordinate, int32_t body)
 {
@@ -98,7 +98,7 @@ static YkFraction efficiency_of(double value)
     return result;
 }
 
-// --- Balance ---------------------------------------------------------------------------------------------------------
+// --- Balance
 
 // Which side of a mesh a term belongs to: 0 or 1.
 static int side_of(const YkTrainRow *row, int32_t term)
@@ -188,7 +188,7 @@ double yk_train_multiplier(const YkTrainBalance *work, int32_t row)
     return k >= 0 ? work->known[k].torque : yk_train_unknown(work, row);
 }
 
-// --- Meshes ----------------------------------------------------------------------------------------------------------
+// --- Meshes
 
 // Speed of one side of a mesh, seen from its carrier.
 static double rolling_speed(const YkTrain *train, int32_t mesh, int side)
@@ -249,7 +249,7 @@ static void fill_mesh(YkTrainBalance *work, int32_t mesh)
                                 .loss = work->train->options.efficiency < 1 ? fmax(flow[0] + flow[1], 0) : 0};
 }
 
-// --- The whole -------------------------------------------------------------------------------------------------------
+// --- The whole
 
 // Is all that matters determined, and free of contradiction?
 static bool is_answer(const YkTrainBalance *work, YkProblems *problems)

@@ -65,7 +65,7 @@ bool yk_print_has_sum(const char *text); // + or - outside of brackets
 bool yk_print_is_one_factor(const char *text);
 void yk_print_brackets(YkText *text, size_t start);             // round what was written since `start`
 bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a); // does it need brackets as a factor?
-// The value of a line; false where there is none. 6 significant digits.
+// The value of a line; false if there is none. 6 significant digits.
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value);
 // The matrix of a line that shows just one, else NULL: its values may stand behind it.
 const YkShownMatrix *yk_print_only_matrix(const YkLine *line);

@@ -21,7 +21,7 @@ typedef struct YkCamPicture {
     bool ran_out;  // of memory
 } YkCamPicture;
 
-// All curves of the cam within a tolerance (m). False when out of memory or the tolerance is too small.
+// All curves of the cam within a tolerance (m). Returns false when out of memory or the tolerance is too small.
 bool yk_cam_picture_take(YkCamPicture *picture, const YkCamDesign *design, double tolerance, double cutter);
 void yk_cam_picture_free(YkCamPicture *picture);
 // Surface, base circle, pitch curve, roller or face at cam angle 0, centre marks; one user unit is a millimetre.

@@ -80,7 +80,7 @@ void yk_drawing_keyframes(YkDrawing *drawing, double seconds, bool to_and_fro);
 
 // Builds all outlines; false when out of memory. Cost O(points log points).
 bool yk_drawing_outline(YkDrawing *drawing);
-// Places all bodies as `state` has them. False when a body hangs on nothing that is placed, or is not finite.
+// Places all bodies as `state` has them. Returns false when a body depends on nothing that is placed, or is not finite.
 bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *frames);
 // Sets scale, size and bar width from all that was gathered.
 void yk_drawing_fit(YkDrawing *drawing);

@@ -1,8 +1,8 @@
 // Cams: their outlines, and what rides on them - a roller, a flat face or an edge - with the stem or arm that holds it.
 //
 // The outline is in the cam's axes and turns with it. The follower's part is where it must be to touch the cam. The
-// model measures the lift alone, from the base circle: so a follower that hangs on nothing but its guide is drawn moved
-// to where its point rides.
+// model measures the lift alone, from the base circle: so a follower that depends on nothing but its guide is drawn
+// moved to where its point rides.
 #include <stdlib.h>
 #include "picture/drawing.h"
 #include "picture/svg.h"
@@ -102,7 +102,6 @@ double yk_drawing_cam_reach(const YkDrawing *drawing, size_t cam)
 }
 
 // --- Where the follower is
-// ---------------------------------------------------------------------------------------------------------------
 
 // The frame of the carrier with its origin at the cam's centre.
 static YkFrame carrier_frame(const YkDrawing *drawing, const YkFrame *frames, const YkCam *cam)
@@ -177,7 +176,6 @@ YkVec yk_drawing_rider(const YkDrawing *drawing, const YkFrame *frames, size_t c
 }
 
 // --- Drawing
-// ---------------------------------------------------------------------------------------------------------------
 
 static void set_style(YkText *style, const char *fill, const char *edge, double width)
 {

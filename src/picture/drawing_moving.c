@@ -61,7 +61,6 @@ void yk_drawing_ungroup(YkDrawing *drawing)
 }
 
 // --- Keyframes
-// ---------------------------------------------------------------------------------------------------------------
 
 // Where body or name stands at a pose.
 typedef YkShift ShiftOf(const YkDrawing *drawing, size_t index, size_t pose);

@@ -24,7 +24,7 @@ static double distance_of(const YkState *state, const YkModel *model, size_t joi
     return yk_state_channel(state, channel);
 }
 
-// One pass over the joints; true when it placed something. A body without points is rare and hangs on one that has
+// One pass over the joints; true when it placed something. A body without points is rare and depends on one that has
 // some, so a pass or two do.
 static bool pass(const YkModel *model, const YkState *state, YkFrame *frames)
 {

@@ -8,8 +8,8 @@
 typedef struct YkFreeBodyDrawings YkFreeBodyDrawings;
 
 // Lays out all pictures at the pose of `state` (assembled; only positions are used). The derivation and what it stands
-// on must outlive them. NULL when out of memory (the derivation then has run out, too), where the ring failed, or where
-// the pose cannot be drawn. Cost O(arrows^2) at worst, some microseconds an arrow.
+// on must outlive them. Returns NULL when out of memory (the derivation then has run out, too), where the ring failed,
+// or where the pose cannot be drawn. Cost O(arrows^2) at worst, some microseconds an arrow.
 YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state);
 void yk_free_body_drawings_free(YkFreeBodyDrawings *pictures);
 size_t yk_free_body_drawings_count(const YkFreeBodyDrawings *pictures);
@@ -17,7 +17,7 @@ const char *yk_free_body_drawings_title(const YkFreeBodyDrawings *pictures,
                                         size_t picture); // "crank, body 1"; "Junction A"
 const char *yk_free_body_drawings_stem(const YkFreeBodyDrawings *pictures,
                                        size_t picture); // fit for a file: "1-crank", "junction-A"
-// A whole SVG document, the same bytes every time; valid until the next call. NULL when out of memory.
+// A whole SVG document, the same bytes every time; valid until the next call. Returns NULL when out of memory.
 const char *yk_free_body_drawings_svg(YkFreeBodyDrawings *pictures, size_t picture);
 
 #endif

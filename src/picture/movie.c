@@ -34,7 +34,6 @@ static bool run_out(YkProblems *problems)
 }
 
 // --- Pictures
-// ---------------------------------------------------------------------------------------------------------------
 
 // One pose as PNG.
 static bool add_picture(YkDrawing *drawing, size_t pose, YkText *pictures, YkProblems *problems)
@@ -76,7 +75,6 @@ static bool add_pictures(YkDrawing *drawing, bool to_and_fro, YkText *pictures, 
 }
 
 // --- Movies
-// ---------------------------------------------------------------------------------------------------------------
 
 // Standard output is a file here, and by its name one that can be gone back in, as MP4 needs.
 static bool encode(const YkText *pictures, YkMovieKind kind, double rate, YkText *output, YkProblems *problems)

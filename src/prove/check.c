@@ -32,7 +32,8 @@ static void refute(YkCheck *check, YkCheckVerdict *verdict)
     verdict->slip = yk_check_slip(check);
 }
 
-// False where inputs move in any way. What the drives' motion is, and all that speaks of t, is asked of that motion.
+// Returns false if inputs move in any way. What the drives' motion is, and all that speaks of t, is asked of that
+// motion.
 static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
 {
     size_t times = 0;

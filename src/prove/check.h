@@ -72,7 +72,7 @@ typedef struct YkEquation {
 bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace place, YkProblems *problems,
                       YkEquation *equation);
 
-// --- loop_point.c: a random point of the machine's motion, dimensions included, over the prime field; NULL where none
+// --- loop_point.c: a random point of the machine's motion, dimensions included, over the prime field; NULL if none
 // could be made (*is_possible false) or memory ran out. Whether it is of the assembly on which the machine is:
 // loop_assembly.c. Free it with yk_field_point_free.
 YkFieldPoint *yk_derive_loop_point(YkDerivation *d, uint64_t seed, bool *is_possible);

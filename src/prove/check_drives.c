@@ -45,7 +45,7 @@ static void release(YkCheck *check)
     }
 }
 
-// On to this time; false where the drives lead no further.
+// On to this time; false if the drives lead no further.
 static bool go_on(YkCheck *check, double from, double to)
 {
     for (int step = 1; step <= STEPS; step++) {

@@ -7,7 +7,7 @@
 
 enum {
     YK_CHECK_POINTS = 4,
-    YK_CHECK_POINTS_OF_ROOTS = 8, // roots have a random sign at each: what hangs on it must not pass
+    YK_CHECK_POINTS_OF_ROOTS = 8, // roots have a random sign at each: what depends on it must not pass
     YK_CHECK_POINTS_TRIED = 20 * YK_CHECK_POINTS_OF_ROOTS,
     YK_CHECK_POSES = 24,       // of this machine
     YK_CHECK_TRIES_A_POSE = 4, // some cannot be reached, at some an equation has no number
@@ -85,7 +85,7 @@ typedef struct YkCheck {
     double *values, *elsewhere; // [value_count]: of all symbols, and room for a few more
     size_t value_count;
     uint64_t seed;
-    const YkPoisson *within[YK_CHECK_SEGMENTS]; // lie in 0 to 1 where the equation is to hold
+    const YkPoisson *within[YK_CHECK_SEGMENTS]; // lie in 0 to 1 if the equation is to hold
     size_t within_count;
     bool has_time; // the equation speaks of t
     bool failed;   // out of memory
@@ -97,7 +97,7 @@ typedef struct YkCheck {
 } YkCheck;
 
 // --- check_shared.c
-// What equations from this state on share: what is known already, or a beginning. NULL when out of memory.
+// What equations from this state on share: what is known already, or a beginning. Returns NULL when out of memory.
 YkCheckShared *yk_check_share(YkDerivation *d, const YkState *state, const YkDynamics *dynamics);
 
 // --- check.c: reads the equation; d, state, text and length are set. Close it in any case.
@@ -114,7 +114,7 @@ void yk_check_free_points(YkCheckPoints *points);
 void yk_check_bind(YkCheck *check, const YkLoopBonds *bonds);
 
 // --- check_poses.c: with the file's numbers
-// The pose of that index, `most` of which may be wanted; NULL where no more can be had. Its values are those of all
+// The pose of that index, `most` of which may be wanted; NULL if no more can be had. Its values are those of all
 // symbols there are now.
 const YkCheckPose *yk_check_pose(YkCheck *check, YkCheckPoses *poses, size_t index, size_t most);
 void yk_check_free_poses(YkCheckPoses *poses);
@@ -181,7 +181,7 @@ const char *yk_check_list_names(const YkCheckVariants *variants, YkArena *arena,
 // varied, counter.
 void yk_check_machines(YkCheck *check, YkCheckVerdict *verdict);
 
-// --- check_bonds.c: what binds the angles at all poses that were seen; NULL where nothing does, or memory ran out. In
+// --- check_bonds.c: what binds the angles at all poses that were seen; NULL if nothing does, or memory ran out. In
 // the derivation's arena.
 const YkLoopBonds *yk_check_find_bonds(YkCheck *check);
 

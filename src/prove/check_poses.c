@@ -55,7 +55,7 @@ static YkMotion random_input(YkCheck *check, const YkCheckPoses *poses, size_t i
                       size * yk_check_uniform(check, -2, 2)};
 }
 
-// Loads may hang on the time; inputs come afterwards.
+// Loads may depend on the time; inputs come afterwards.
 static void set_any_time(YkCheck *check)
 {
     if (yk_state_set_time(check->state, yk_check_uniform(check, 0, TIME), NULL) >= 0) return;

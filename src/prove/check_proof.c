@@ -82,7 +82,7 @@ static void begin_again(YkCheckPoints *points)
     points->is_exhausted = false;
 }
 
-// The next point of the machine's motion; NULL where no more can be had. New symbols: the old points are of no use.
+// The next point of the machine's motion; NULL if no more can be had. New symbols: the old points are of no use.
 static YkFieldPoint *next_point(YkCheck *check, size_t index)
 {
     YkCheckPoints *points = check->points;

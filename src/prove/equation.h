@@ -64,12 +64,12 @@ bool yk_equation_mentions(const YkDerivation *d, const YkPoisson *a, int32_t sym
 const YkForm *yk_equation_call(YkEquationReader *reader, int32_t symbol);
 
 // --- equation_pages.c
-// The symbol of this name, also of one that only sections have on their pages; -1 where there is none. And what it
+// The symbol of this name, also of one that only sections have on their pages; -1 if there is none. And what it
 // stands for.
 int32_t yk_equation_find(YkDerivation *d, const char *name);
 const YkForm *yk_equation_meaning(YkDerivation *d, int32_t symbol);
 bool yk_equation_speaks_of(const YkDerivation *d, const YkForm *form, int32_t symbol);
-// Elements that must lie in 0 to 1 where the equation is to hold: it speaks of a segment of a motion program. Returns
+// Elements that must lie in 0 to 1 if the equation is to hold: it speaks of a segment of a motion program. Returns
 // how many there are.
 size_t yk_equation_segments(YkDerivation *d, const YkEquation *equation, const YkPoisson **within, size_t most);
 

@@ -86,7 +86,7 @@ static const char *nearest_name(const YkDerivation *d, const char *name)
     return yk_nearest(name, candidates, count);
 }
 
-// theta1dot and theta1ddot are theta1' and theta1''. NULL where it is nothing of the kind.
+// theta1dot and theta1ddot are theta1' and theta1''. Returns NULL if it is nothing of the kind.
 static const char *dotted_name(YkEquationReader *reader, const char *name)
 {
     static const char *const endings[] = {"ddot", "dot"};
@@ -130,7 +130,7 @@ static const char *other_answer(const char *name)
     return NULL;
 }
 
-// dx/dt is x'; x_B is rod.B.x. NULL where it is nothing of the kind.
+// dx/dt is x'; x_B is rod.B.x. Returns NULL if it is nothing of the kind.
 static const char *books_name(YkEquationReader *reader, const char *name)
 {
     const YkDerivation *d = reader->d;

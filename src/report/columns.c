@@ -122,7 +122,6 @@ int yk_report_column(const YkReportPage *report, YkReportRole role, size_t of, i
 }
 
 // --- Points with a path
-// ---------------------------------------------------------------------------------------------------------------
 
 static bool is_at_joint(const YkModel *model, size_t point)
 {

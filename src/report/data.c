@@ -104,7 +104,6 @@ static void add_readout(const YkReportPage *report, YkJson *json)
 }
 
 // --- The drawing
-// ---------------------------------------------------------------------------------------------------------------
 
 // Of every body: where its origin is at the pose drawn, and for every row the shift and the turn (deg, counted on).
 static void add_bodies(const YkReportPage *report, YkJson *json)

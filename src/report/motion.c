@@ -15,7 +15,6 @@ static YkCoordinateInfo input_info(const YkReportPage *report, size_t input)
 }
 
 // --- Drives in time
-// ---------------------------------------------------------------------------------------------------------------
 
 // What an input's drive does: its rate where that is constant; otherwise its period, were it a harmonic.
 typedef struct Course {
@@ -82,7 +81,6 @@ static double time_of_drives(YkReportPage *report, YkState *scratch)
 }
 
 // --- Under loads
-// ---------------------------------------------------------------------------------------------------------------
 
 // A few swings: of a pendulum as long as the machine is large, of its mass on its softest spring, or what its start
 // rates and drives take for one turn.
@@ -112,7 +110,6 @@ static bool has_free_input(const YkReportPage *report)
 }
 
 // --- One input
-// ---------------------------------------------------------------------------------------------------------------
 
 static void find_ranges(YkReportPage *report, YkState *scratch)
 {

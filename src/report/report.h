@@ -75,7 +75,7 @@ struct YkReportPage {
     YkReportColumn *columns;
     size_t column_count, column_capacity;
     double *at;     // [row]: swept coordinate or time
-    double *values; // [row][column], SI; NaN where there is none
+    double *values; // [row][column], SI; NaN if there is none
     size_t row_count, row_capacity;
     YkSweep *sweep;
     YkSimulation *simulation;
@@ -97,7 +97,7 @@ static inline double yk_report_value(const YkReportPage *report, size_t row, siz
 {
     return report->values[row * report->column_count + column];
 }
-// The first column of a role for `of`; -1 where there is none. order: of a coordinate's derivative.
+// The first column of a role for `of`; -1 if there is none. order: of a coordinate's derivative.
 int yk_report_column(const YkReportPage *report, YkReportRole role, size_t of, int order);
 // "theta1", or "t" where time runs; its quantity.
 const char *yk_report_axis(const YkReportPage *report);

@@ -37,7 +37,6 @@ static void pose(void *context, const YkState *state)
 }
 
 // --- Sweeps
-// ---------------------------------------------------------------------------------------------------------------
 
 // The swept machine's forces are those of an imposed motion, at the start too. Sweeps get dynamics of their own: the
 // page tells the start's forces after they ran.
@@ -101,7 +100,6 @@ static void run_sweep(YkReportPage *report, YkProblems *problems)
 }
 
 // --- Simulation
-// ---------------------------------------------------------------------------------------------------------------
 
 static void take_row(YkReportPage *report)
 {
@@ -191,7 +189,6 @@ void yk_report_run(YkReportPage *report, YkProblems *problems)
 }
 
 // --- Peaks
-// ---------------------------------------------------------------------------------------------------------------
 
 // Is a value better than the best so far: larger in magnitude, or less?
 static bool beats(double value, double best, bool least)

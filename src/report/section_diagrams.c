@@ -59,7 +59,7 @@ static bool draw_plain(YkReportPage *report, const YkPanel *panel, YkText *svg, 
     return good;
 }
 
-// False when gnuplot is missing or failed: then no other panel is tried.
+// Returns false when gnuplot is missing or failed: then no other panel is tried.
 static bool add_plain(YkReportPage *report, const YkPanel *panel, const char *told, YkText *html)
 {
     YkProblems *problems = yk_problems_new();

@@ -6,7 +6,7 @@
 
 enum { DIGITS = 8, ROWS_MAX = 300 };
 
-// The quantity that tells a dimension in the file's units; NUMBER where there is none of its own.
+// The quantity that tells a dimension in the file's units; NUMBER if there is none of its own.
 static YkQuantity quantity_of(YkDimension dimension)
 {
     static const struct {

@@ -34,7 +34,6 @@ struct YkMotionBatch {
 };
 
 // --- making
-// -------------------------------------------------------------------------------------------------------------
 
 static bool start(YkMotionBatch *batch, Worker *w, const YkState *state, const char *const *parameters, size_t count,
                   YkProblems *problems)
@@ -105,7 +104,6 @@ void yk_motion_batch_free(YkMotionBatch *batch)
 }
 
 // --- state by state
-// -----------------------------------------------------------------------------------------------------
 
 // The equations hold the machine's numbers: made anew where these change.
 static YkStatus set_design(Worker *w, const YkMotionCase *asked, size_t k)
@@ -154,7 +152,6 @@ static void run_singly(Worker *w, size_t from, size_t to)
 }
 
 // --- threads
-// ------------------------------------------------------------------------------------------------------------
 
 static void *work(void *context)
 {

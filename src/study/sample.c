@@ -4,7 +4,6 @@
 #include "base/mix.h"
 
 // --- uniform numbers
-// ----------------------------------------------------------------------------------------------------
 
 double yk_uniform(uint64_t seed, uint64_t design, uint64_t parameter)
 {
@@ -14,7 +13,6 @@ double yk_uniform(uint64_t seed, uint64_t design, uint64_t parameter)
 }
 
 // --- the normal distribution
-// --------------------------------------------------------------------------------------------
 
 double yk_normal_below(double x)
 {
@@ -58,7 +56,6 @@ double yk_normal_quantile(double p)
 }
 
 // --- distributions
-// ------------------------------------------------------------------------------------------------------
 
 // Of a normal distribution: what part lies below its lower end, and between its ends.
 static double below(const YkDistribution *d, double x)

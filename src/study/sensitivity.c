@@ -40,7 +40,6 @@ static double extrapolate(const double *difference, size_t count)
 }
 
 // --- by difference
-// ------------------------------------------------------------------------------------------------------
 
 static YkStatus channels_at(YkWorker *w, const double *values, double *out)
 {
@@ -73,7 +72,6 @@ static YkStatus by_difference(YkStudy *study, size_t parameter, double *derivati
 }
 
 // --- by derivative
-// ------------------------------------------------------------------------------------------------------
 
 typedef struct Linear { // the loops and inputs at the pose, as equations of dx
     const YkMechanism *mech;
@@ -244,7 +242,6 @@ static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *d
 }
 
 // --- the door
-// -----------------------------------------------------------------------------------------------------------
 
 // The file's own machine at the pose.
 static YkStatus stand_at_pose(YkWorker *w)

@@ -8,7 +8,6 @@
 #include "compile/variant.h"
 
 // --- workers
-// ------------------------------------------------------------------------------------------------------------
 
 static bool make_room(YkWorker *w, size_t parameters, size_t channels)
 {
@@ -142,7 +141,6 @@ void yk_study_free(YkStudy *study)
 }
 
 // --- a design
-// -----------------------------------------------------------------------------------------------------------
 
 // Forces: the machine's equations hold its masses, so they are made anew.
 static YkStatus prepare_forces(YkWorker *w)
@@ -192,7 +190,6 @@ static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
 }
 
 // --- reducing
-// -----------------------------------------------------------------------------------------------------------
 
 // Does a pose count for this channel: rates have no value at a dead point.
 static bool counts(YkChannel channel, signed char status)
@@ -245,7 +242,6 @@ static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
 }
 
 // --- threads
-// ------------------------------------------------------------------------------------------------------------
 
 static void *work(void *context)
 {

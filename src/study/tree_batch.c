@@ -52,7 +52,6 @@ struct YkTreeBatch {
 };
 
 // --- does it fit?
-// -------------------------------------------------------------------------------------------------------
 
 static bool is_pinned_tree(const YkMechanism *mech)
 {
@@ -68,7 +67,6 @@ static bool is_pinned_tree(const YkMechanism *mech)
 }
 
 // --- what follows what
-// --------------------------------------------------------------------------------------------------
 
 static Part part_of(const YkTreeBatch *b, const double *value, double sign)
 {
@@ -170,7 +168,7 @@ static bool give_all(YkTreeBatch *b)
     return true;
 }
 
-// Efforts of parameters alone; false where one needs more than that.
+// Efforts of parameters alone; false if one needs more than that.
 static bool give_efforts(YkTreeBatch *b)
 {
     const YkMechanism *mech = b->variant->mech;
@@ -188,7 +186,6 @@ static bool give_efforts(YkTreeBatch *b)
 }
 
 // --- making
-// -------------------------------------------------------------------------------------------------------------
 
 static double *row_of(YkTreeBatch *b)
 {
@@ -251,7 +248,6 @@ void yk_tree_batch_free(YkTreeBatch *b)
 }
 
 // --- a block of lanes
-// ---------------------------------------------------------------------------------------------------
 
 static void find_part(YkTreeBatch *b, const Part *part, bool adds, double *row, size_t n)
 {

@@ -6,7 +6,7 @@
 #include "equations/kernels_tree.h"
 
 typedef struct YkTreeBatch YkTreeBatch;
-// NULL where the machine is not of this kind (*fits false), or when out of memory.
+// Returns NULL if the machine is not of this kind (*fits false), or when out of memory.
 YkTreeBatch *yk_tree_batch_new(YkVariant *variant, const YkState *state, size_t parameter_count, bool *fits);
 void yk_tree_batch_free(YkTreeBatch *batch);
 // States [from, to) of the case.

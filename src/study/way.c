@@ -14,7 +14,6 @@ static double input_at(const YkWorker *w, size_t input, size_t pose)
 }
 
 // --- by lanes
-// -----------------------------------------------------------------------------------------------------------
 
 // How many lanes it takes to a pose from the last lane that was put.
 static double steps_to(const YkWorker *w, size_t pose)
@@ -36,7 +35,7 @@ typedef struct Answers { // of one call
     size_t count, done; // poses
 } Answers;
 
-// Runs the lanes that were put. False where not all of them are the way's for sure.
+// Runs the lanes that were put. Returns false if not all of them are the way's for sure.
 static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
 {
     size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count, n = *put;
@@ -134,7 +133,7 @@ static bool run_poses(YkWorker *w, Answers *a)
     return a->done == a->count;
 }
 
-// As far as lanes tell; false where the rest is to be moved.
+// As far as lanes tell; false if the rest is to be moved.
 static bool go_by_lanes(YkWorker *w, Answers *a)
 {
     size_t put = 0, pose;
@@ -157,7 +156,6 @@ static bool go_by_lanes(YkWorker *w, Answers *a)
 }
 
 // --- pose by pose
-// -------------------------------------------------------------------------------------------------------
 
 // Puts the state where the lanes have come to, or, where they have come to no pose yet, at the start.
 static YkStatus take_over(YkWorker *w)
@@ -170,7 +168,7 @@ static YkStatus take_over(YkWorker *w)
     return yk_state_solve(w->state);
 }
 
-// The only input that the goal moves; the number of inputs where there is none, or more than one.
+// The only input that the goal moves; the number of inputs if there is none, or more than one.
 static size_t moving_input(const YkWorker *w)
 {
     size_t moving = w->mech->input_count;

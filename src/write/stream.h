@@ -22,7 +22,7 @@ bool yk_stream_open(YkStream *stream, const char *path, YkProblems *problems);
 // Adds whole lines. Where they do not all fit, those that do stay, and the part of the next is cut off again (not from
 // pipes and devices). False with a problem added.
 bool yk_stream_write(YkStream *stream, const char *data, size_t length, YkProblems *problems);
-// Ends the stream; a file appears now, with all lines that were written, or stays as it was where there are none. False
+// Ends the stream; a file appears now, with all lines that were written, or stays as it was if there are none. False
 // with a problem added.
 bool yk_stream_close(YkStream *stream, YkProblems *problems);
 

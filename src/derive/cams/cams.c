@@ -102,7 +102,7 @@ double yk_derive_fixed(YkDerivation *d, const YkPoisson *a)
     return value;
 }
 
-// --- A segment's own variable ----------------------------------------------------------------------------------------
+// --- A segment's own variable
 
 typedef struct Local {
     const YkDerivation *d;
@@ -193,7 +193,7 @@ bool yk_derive_span(YkDeriveLaw *law, const YkPoisson *from, const YkPoisson *to
     return true;
 }
 
-// --- Lines -----------------------------------------------------------------------------------------------------------
+// --- Lines
 
 static bool has_angle(YkRing *ring, const YkPoisson *a)
 {

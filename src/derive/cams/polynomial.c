@@ -4,7 +4,7 @@
 #include "base/number.h"
 #include "derive/cams/polynomial.h"
 
-// --- conditions ------------------------------------------------------------------------------------------------------
+// --- conditions
 
 static bool comes_before(const YkPolynomialCondition *a, const YkPolynomialCondition *b)
 {
@@ -56,7 +56,7 @@ static void put_condition(const YkDerivePolynomial *p, const YkPolynomialConditi
     yk_line_element(law->page, line, condition->value, YK_RING_TEXTBOOK);
 }
 
-// --- What it comes to ------------------------------------------------------------------------------------------------
+// --- What it comes to
 
 // C3 = 27 h/pi^3, and in decimals where the fractions are too long.
 static void put_coefficients(const YkDerivePolynomial *p)

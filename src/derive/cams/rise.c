@@ -54,7 +54,7 @@ static const YkPoisson *pi_over(const Rise *rise, const YkPoisson *b)
     return yk_ring_divide(ring_of(rise), yk_ring_pi(ring_of(rise)), b);
 }
 
-// --- Zones -----------------------------------------------------------------------------------------------------------
+// --- Zones
 
 // The angle of a zone, phi = omega (z - start).
 static const YkPoisson *enter_phi(Rise *rise, const YkPoisson *omega, const YkPoisson *start, bool is_only)
@@ -203,7 +203,7 @@ static bool constant_velocity(Rise *rise, const YkPoisson *blend)
     return true;
 }
 
-// The parts b, c, d or the blend, exactly; NULL where they are no numbers.
+// The parts b, c, d or the blend, exactly; NULL if they are no numbers.
 static const YkPoisson *part_of(Rise *rise, const YkLawNumber *of)
 {
     if (!of->expr) return number(rise, 0, 1);
@@ -251,7 +251,7 @@ static bool make_zones(Rise *rise)
     return false;
 }
 
-// --- Whole and halves ------------------------------------------------------------------------------------------------
+// --- Whole and halves
 
 // z runs from 0 to 1, or over the half that is taken: of a fall, which runs backwards, the first half is the upper one.
 static bool place(Rise *rise, bool is_fall, const YkPoisson *from, const YkPoisson *to)
@@ -286,7 +286,7 @@ static void scale(Rise *rise, const YkPoisson *start, const YkPoisson *by, const
     rise->base = minus(rise, start, times(rise, yk_ring_divide(ring, by, gain), f_low));
 }
 
-// --- Print -----------------------------------------------------------------------------------------------------------
+// --- Print
 
 // Ca = 4 pi^2 / (pi + 4), the peak of the acceleration in units of h / beta^2.
 static bool put_factor(Rise *rise)

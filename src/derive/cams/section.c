@@ -9,7 +9,7 @@
 
 enum { JUMPS_SHOWN = 12 };
 
-// --- What a law is called --------------------------------------------------------------------------------------------
+// --- What a law is called
 
 typedef struct Shown { // values of a law that no coordinate follows
     const YkDerivation *d;
@@ -27,7 +27,7 @@ static void fill(void *context, const YkState *state, YkDynamics *dynamics, doub
     for (int k = 0; k < YK_DERIVE_ORDERS; k++) values[shown->symbols[k]] = found[k];
 }
 
-// The argument of a law that gives an effort; NULL where there is none.
+// The argument of a law that gives an effort; NULL if there is none.
 static const YkPoisson *effort_argument(YkDerivation *d, size_t index)
 {
     for (size_t k = 0; k < d->model->effort_count; k++)
@@ -98,7 +98,7 @@ static void name_law(YkDeriveLaw *law, size_t index)
     if (followers > 1 || !law->position) law->position = law->shown[0];
 }
 
-// --- Segments --------------------------------------------------------------------------------------------------------
+// --- Segments
 
 static bool has_formula(const YkLawPart *part)
 {
@@ -194,7 +194,7 @@ static void put_segment(YkDeriveLaw *law, const YkLawPart *part)
         put_spline(law, part);
 }
 
-// --- The fundamental law ---------------------------------------------------------------------------------------------
+// --- The fundamental law
 
 // s, v and a without jumps (Norton 2009, ch. 2).
 static void put_jumps(YkDeriveLaw *law)
@@ -215,7 +215,7 @@ static void put_jumps(YkDeriveLaw *law)
     if (count > JUMPS_SHOWN) yk_page_words(law->page, "... and %z more", count - JUMPS_SHOWN);
 }
 
-// --- The whole -------------------------------------------------------------------------------------------------------
+// --- The whole
 
 static void name_argument(YkDeriveLaw *law)
 {

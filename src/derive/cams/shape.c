@@ -47,7 +47,7 @@ static const YkPoisson *quarter(const Shape *shape, const YkPoisson *a) // i a
     return times(shape, yk_ring_i(shape->ring), a);
 }
 
-// --- Dimensions ------------------------------------------------------------------------------------------------------
+// --- Dimensions
 
 static int32_t enter(const Shape *shape, const char *stem, bool is_angle, bool *is_new)
 {
@@ -77,7 +77,7 @@ static const YkPoisson *constant(const Shape *shape, const char *stem, bool is_a
     return a;
 }
 
-// A dimension under its textbook name, R_b, with what the file writes; 0 where it is 0.
+// A dimension under its textbook name, R_b, with what the file writes; 0 if it is 0.
 static const YkPoisson *dimension(const Shape *shape, const char *stem, const YkExpr *expr, double value)
 {
     bool is_new;
@@ -100,7 +100,7 @@ static const YkPoisson *direction(const Shape *shape, const char *stem, YkVec un
     return yk_ring_unit(shape->ring, yk_ring_next_symbol(shape->ring, angle, -1));
 }
 
-// --- Lines -----------------------------------------------------------------------------------------------------------
+// --- Lines
 
 static void put_vector(const Shape *shape, const char *name, const YkPoisson *vector)
 {
@@ -140,7 +140,7 @@ static const YkPoisson *root(const Shape *shape, const char *stem, const YkPoiss
     return made;
 }
 
-// --- Rollers and edges -----------------------------------------------------------------------------------------------
+// --- Rollers and edges
 
 // From the path C of the roller's centre in the carrier's axes and its derivatives by theta: the pitch curve is
 // e^(-i sigma theta) C, its normal sigma i C1 with C1 = C' - sigma i C; `lifts` is the way of a growing lift.
@@ -201,7 +201,7 @@ static void put_oscillating(const Shape *shape)
     put_roller(shape, C, times(shape, v, across), d2, with_sign(shape, shape->swing, quarter(shape, unit)));
 }
 
-// --- Flat faces ------------------------------------------------------------------------------------------------------
+// --- Flat faces
 
 // The face is a line at distance h with normal e^(i nu): the surface is the envelope, h its support function.
 static void put_flat(const Shape *shape)
@@ -243,7 +243,7 @@ static void put_flat_oscillating(const Shape *shape)
     put_quotient(shape, "radius of curvature", "rho", rho, yk_ring_rational(ring, 1, 1));
 }
 
-// --- The whole -------------------------------------------------------------------------------------------------------
+// --- The whole
 
 static const YkDeriveRelation *tie_of(YkDerivation *d, size_t cam)
 {

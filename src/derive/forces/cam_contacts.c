@@ -9,7 +9,7 @@
 typedef struct Cam {
     const YkCam *cam;
     int32_t body[2];      // cam, follower
-    int turn, way;        // 1 where the joint's coordinate counts forwards for the cam, for the follower
+    int turn, way;        // 1 if the joint's coordinate counts forwards for the cam, for the follower
     const YkPoisson *v;   // the law's slope
     const YkPoisson *arm; // from the cam's reference to its centre
 } Cam;

@@ -40,12 +40,12 @@ typedef struct YkDeriveHolder {
 
 // What a joint, a junction, or a relation - gears, a rack, a belt, a cam, a law - exerts on one body.
 typedef struct YkDeriveContact {
-    int32_t joint, junction;       // junction: YK_NONE where there is none; joint: YK_NONE of a relation
+    int32_t joint, junction;       // junction: YK_NONE if there is none; joint: YK_NONE of a relation
     const char *by, *point;        // of a relation: who exerts it, and the name of where it acts
     const YkDeriveHolder *holders; // of a relation: the joints that keep the body where the relation takes it to be
     size_t holder_count;
-    const char *letter, *between; // "F", "01"; NULL where it exerts no force
-    const char *moment;           // "M"; NULL where it exerts none
+    const char *letter, *between; // "F", "01"; NULL if it exerts no force
+    const char *moment;           // "M"; NULL if it exerts none
     bool is_negative;             // this body is the first: its names are those of the second's
     YkDerivePush push;            // with the sign
     int32_t next;                 // the next contact at the same junction, or YK_NONE

@@ -3,7 +3,7 @@
 #include "derive/forces/meshes.h"
 #include "derive/inside.h"
 
-// Goes on from `body`, on which the axis is `at`. False where the carrier is not on that way.
+// Goes on from `body`, on which the axis is `at`. Returns false if the carrier is not on that way.
 static bool follow_axis(YkMeshAxis *axis, int32_t body, const YkPoisson *at)
 {
     const YkModel *model = axis->m->d->model;
@@ -23,7 +23,7 @@ static bool follow_axis(YkMeshAxis *axis, int32_t body, const YkPoisson *at)
     return false;
 }
 
-// `at` is NULL where the axis cannot be followed in symbols.
+// `at` is NULL if the axis cannot be followed in symbols.
 YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier)
 {
     size_t bodies = m->d->model->body_count;

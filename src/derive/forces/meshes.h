@@ -31,7 +31,7 @@ typedef struct YkMeshAxis {
     YkMeshHeld held;     // from the wheel to the carrier
     const YkPoisson *at; // on the carrier
 } YkMeshAxis;
-// `at` is NULL where the axis cannot be followed in symbols.
+// `at` is NULL if the axis cannot be followed in symbols.
 YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier);
 
 // The unknown that the relation transmits, named by a letter and "12" of the two bodies; word: what it is.

@@ -4,7 +4,7 @@
 #include "base/problems.h"
 #include "derive/inside.h"
 
-// --- Names -----------------------------------------------------------------------------------------------------------
+// --- Names
 
 // The coordinate that is the body's own angle against the ground, as omega1 is of theta1: its name behind "theta".
 static const char *number_of(const YkDerivation *d, size_t body)
@@ -73,7 +73,7 @@ static bool enter_teeth(YkDerivation *d, YkDeriveTrain *train)
     return train->symbols != NULL;
 }
 
-// --- Inputs ----------------------------------------------------------------------------------------------------------
+// --- Inputs
 
 static const YkPoisson *rate_of(YkDerivation *d, const YkDeriveCoordinate *c)
 {
@@ -83,7 +83,8 @@ static const YkPoisson *rate_of(YkDerivation *d, const YkDeriveCoordinate *c)
     return yk_ring_of(d->ring, c->rate);
 }
 
-// Takes the coordinate as an input where the speeds do not follow without it. False when out of memory or numbers.
+// Takes the coordinate as an input where the speeds do not follow without it. Returns false when out of memory or
+// numbers.
 static bool consider(YkDerivation *d, YkDeriveTrain *train, size_t coordinate)
 {
     const YkDeriveCoordinate *c = &d->coordinates[coordinate];
@@ -117,7 +118,7 @@ static bool choose_inputs(YkDerivation *d, YkDeriveTrain *train)
     return true;
 }
 
-// --- The whole -------------------------------------------------------------------------------------------------------
+// --- The whole
 
 const YkDeriveTrain *yk_derive_train(YkDerivation *d)
 {

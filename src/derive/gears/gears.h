@@ -14,12 +14,12 @@ typedef struct YkDeriveTrain {
     int32_t input_count;
 } YkDeriveTrain;
 
-// Made at first use: the train, and the speeds omega1 or omega_planet of its bodies. NULL where the machine has no
+// Made at first use: the train, and the speeds omega1 or omega_planet of its bodies. Returns NULL if the machine has no
 // gears, racks or belts, or where they are beyond exact numbers.
 const YkDeriveTrain *yk_derive_train(YkDerivation *d);
 void yk_derive_train_free(struct YkDeriveTrain *train);
 
-// A body's angular speed: omega4 where the train names it, else its rate; 0 where it never turns.
+// A body's angular speed: omega4 where the train names it, else its rate; 0 if it never turns.
 const YkPoisson *yk_derive_speed(YkDerivation *d, size_t body);
 // Of a column of the net: a body's speed, or the rate of a rack's slide.
 const YkPoisson *yk_derive_column(YkDerivation *d, int32_t column);

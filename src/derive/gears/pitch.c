@@ -36,7 +36,7 @@ static YkLine *new_line(const Mesh *mesh, const char *remark)
     return line;
 }
 
-// --- Vectors ---------------------------------------------------------------------------------------------------------
+// --- Vectors
 
 static void put_vector(const Mesh *mesh, YkLine *line, const char *base, const char *head, const char *tail)
 {
@@ -101,7 +101,7 @@ static void put_pitch_velocities(const Mesh *mesh)
     put_side(mesh, line, 1);
 }
 
-// --- In numbers of teeth ---------------------------------------------------------------------------------------------
+// --- In numbers of teeth
 
 static void put_product(const Mesh *mesh, YkLine *line, const YkPoisson *first, const YkPoisson *second)
 {
@@ -109,7 +109,7 @@ static void put_product(const Mesh *mesh, YkLine *line, const YkPoisson *first, 
     yk_line_factor(mesh->page, line, second);
 }
 
-// A side's omega N; 0 where it stands.
+// A side's omega N; 0 if it stands.
 static void put_side_in_teeth(const Mesh *mesh, YkLine *line, int side)
 {
     const YkPoisson *omega = speed(mesh, mesh->of.body[side]);
@@ -161,7 +161,7 @@ static void put_willis(const Mesh *mesh)
     }
 }
 
-// --- Racks -----------------------------------------------------------------------------------------------------------
+// --- Racks
 
 // Both rates are seen from the carrier: d' = +-(omega_pinion - omega_carrier) r.
 static void put_rack(const Mesh *mesh)
@@ -187,7 +187,7 @@ static void put_rack(const Mesh *mesh)
     put_product(mesh, line, relative, teeth(mesh, 0));
 }
 
-// --- The whole -------------------------------------------------------------------------------------------------------
+// --- The whole
 
 // The radii of the pitch circles: p^{P1/O} = 1/2 mod N1 e.
 static void put_radii(const Mesh *mesh)

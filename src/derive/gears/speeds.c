@@ -252,7 +252,7 @@ void yk_derive_put_speeds(YkDerivation *d, YkPage *page)
     }
 }
 
-// --- Ratios under locks ----------------------------------------------------------------------------------------------
+// --- Ratios under locks
 
 // Turns of `in` for one of `out`; `exact` is the same as a number.
 static bool put_ratio(YkDerivation *d, YkPage *page, const YkTrainCase *one, int32_t in, int32_t out,

@@ -33,7 +33,7 @@ static void write_answer(const YkCheckAnswer *answer)
     }
 }
 
-// Masses and loads, and the count of equations that they lead to. False when out of memory.
+// Masses and loads, and the count of equations that they lead to. Returns false when out of memory.
 static bool look_at_loads(YkCheckAnswer *answer)
 {
     YkSession *session = answer->session;

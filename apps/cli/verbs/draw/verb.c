@@ -168,7 +168,6 @@ static bool read_kind(YkSession *session, YkFileKind *kind)
 }
 
 // --- --animate: the motion as a file that moves
-// ---------------------------------------------------------------------------------------------------------------
 
 static bool write_movie(Drawer *drawer, YkReportPage *motion, YkMovieKind kind)
 {

@@ -28,7 +28,6 @@ static const char *name_of(const YkSimulationAnswer *answer, size_t column)
 }
 
 // --- text: columns whose width is known before the rows are
-// ---------------------------------------------------------------------------------------------------------------
 
 // "theta1 [rad]", into `head`; returns how many columns of a terminal the numbers below it take.
 static size_t head_of(const YkSimulationAnswer *answer, size_t column, YkText *head)
@@ -93,7 +92,6 @@ static void add_csv_row(YkSimulationAnswer *answer)
 }
 
 // --- both
-// ---------------------------------------------------------------------------------------------------------------
 
 void yk_simulate_head(YkSimulationAnswer *answer)
 {

@@ -39,7 +39,6 @@ static double now(void)
 }
 
 // --- after every step: does it go on? And progress, for people who look on
-// ---------------------------------------------------------------------------------------------------------------
 
 typedef struct Watch {
     double from, to; // s
@@ -94,7 +93,6 @@ static void clear_progress(const Watch *watch)
 }
 
 // --- running
-// ---------------------------------------------------------------------------------------------------------------
 
 // Rows go out when there are many of them, or when somebody may wait for them.
 static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
@@ -104,7 +102,7 @@ static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
     return yk_simulate_flush(answer);
 }
 
-// False when memory or the output is at its end; told.
+// Returns false when memory or the output is at its end; told.
 static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
 {
     bool streams = answer->session->request->format != YK_FORMAT_JSON;
@@ -134,9 +132,8 @@ static bool run(YkSimulationAnswer *answer, Watch *watch)
 }
 
 // --- the end of it
-// ---------------------------------------------------------------------------------------------------------------
 
-// What stopped it, as a problem; the message, or NULL where it came to its end.
+// What stopped it, as a problem; the message, or NULL if it came to its end.
 static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
 {
     YkSession *session = answer->session;

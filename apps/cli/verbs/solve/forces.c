@@ -15,7 +15,6 @@ void yk_add_count(YkText *text, YkEquationCount c)
 }
 
 // --- JSON
-// ---------------------------------------------------------------------------------------------------------------
 
 static void add_pair(YkJson *json, const char *key, const double pair[2])
 {
@@ -151,7 +150,6 @@ void yk_forces_json(YkSession *session, YkJson *json, const YkState *state)
 }
 
 // --- text
-// ---------------------------------------------------------------------------------------------------------------
 
 static void write_table(YkSession *session, YkTable *table, bool has_rows)
 {
@@ -264,7 +262,6 @@ void yk_forces_text(YkSession *session, const YkState *state)
 }
 
 // --- CSV: one line a force: x, y and moment in place of position, velocity and acceleration
-// ---------------------------------------------------------------------------------------------------------------
 
 static void add_csv(YkSession *session, const char *label, const char *kind, const char *name, double a, double b,
                     double c)

@@ -11,7 +11,7 @@ typedef struct Writer {
     YkDynamics *dynamics;
     YkDynamicsMethod method;
     YkState *scratch;
-    YkState *own; // --all: the machine's own pose; NULL where it does not come there
+    YkState *own; // --all: the machine's own pose; NULL if it does not come there
 } Writer;
 
 // Has the machine inputs whose accelerations are sought?
@@ -23,7 +23,7 @@ static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics
 }
 
 // Forces at a pose, and the accelerations that they give to free inputs. A pose without (a dead point, a freedom
-// without inertia) keeps its motion. session->dynamics is NULL where there are none, and the status says why.
+// without inertia) keeps its motion. session->dynamics is NULL if there are none, and the status says why.
 static YkStatus find_forces(Writer *writer, YkState *state)
 {
     YkSession *session = writer->session;

@@ -21,7 +21,6 @@ static struct {
 } partial;
 
 // --- which study it is: FNV-1a over all that decides its rows
-// -----------------------------------------------------------
 
 static uint64_t add_bytes(uint64_t hash, const void *bytes, size_t length)
 {
@@ -80,7 +79,6 @@ static void write_head(const YkStudyAnswer *answer, char *head)
 }
 
 // --- the file
-// -----------------------------------------------------------------------------------------------------------
 
 // Of the study, of where the block stands in it, and of every bit of its rows.
 static uint64_t checksum_of(const YkStudyAnswer *answer, size_t from, size_t rows)

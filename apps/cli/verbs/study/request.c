@@ -11,7 +11,6 @@
 enum { DESIGNS_MAX = 10000000, DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36, THREADS_MAX = 1024 };
 
 // --- --vary NAME=FROM:TO:N
-// ----------------------------------------------------------------------------------------------
 
 static bool refuse_vary(YkSession *session, const char *text)
 {
@@ -64,7 +63,6 @@ static bool read_grid(YkStudyAnswer *answer)
 }
 
 // --- --sample FILE
-// ------------------------------------------------------------------------------------------------------
 
 static bool read_sample(YkStudyAnswer *answer)
 {
@@ -113,7 +111,6 @@ void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *val
 }
 
 // --- columns and poses
-// --------------------------------------------------------------------------------------------------
 
 static bool read_columns(YkStudyAnswer *answer)
 {
@@ -176,7 +173,6 @@ static bool has_force(const YkStudyAnswer *answer)
 }
 
 // --- the whole
-// ----------------------------------------------------------------------------------------------------------
 
 static bool missing(YkSession *session, const char *what, const char *hint)
 {

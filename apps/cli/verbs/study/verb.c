@@ -36,7 +36,6 @@ static double now(void)
 }
 
 // --- running
-// ------------------------------------------------------------------------------------------------------------
 
 typedef struct Chunk { // room for one call of the library
     double *values;    // [axis][design]
@@ -92,7 +91,7 @@ static void fill_row(YkStudyAnswer *a, const Chunk *chunk, size_t k, size_t coun
     }
 }
 
-// False when out of memory: then these rows are no answer.
+// Returns false when out of memory: then these rows are no answer.
 static bool run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
@@ -162,7 +161,6 @@ static bool find_sensitivities(YkStudyAnswer *a)
 }
 
 // --- the answer
-// ---------------------------------------------------------------------------------------------------------
 
 static size_t tell_failed(YkStudyAnswer *a)
 {

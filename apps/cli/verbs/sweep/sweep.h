@@ -21,7 +21,7 @@ typedef struct YkSweepAnswer {
     size_t range_count;
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
-    YkStroke *strokes; // of each column; ratio 0 where there is none
+    YkStroke *strokes; // of each column; ratio 0 if there is none
     size_t held_rows;  // in which dry friction leaves the effort of a column open
     double held_at;    // the first of them
     size_t held_column;

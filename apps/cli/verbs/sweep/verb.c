@@ -37,7 +37,7 @@ static bool read_columns(YkSweepAnswer *answer)
     return good;
 }
 
-// The coordinate whose closing ranges are of interest: the swept one, or the one that time drives; -1 where there are
+// The coordinate whose closing ranges are of interest: the swept one, or the one that time drives; -1 if there are
 // several.
 static int ranged_coordinate(const YkSweepAnswer *answer)
 {
