@@ -1,3 +1,4 @@
+// Big natural numbers: multiplication by small factors, and exact comparison after scaling.
 #include "base/big.h"
 
 YkBig yk_big(uint64_t value)
@@ -36,7 +37,8 @@ static void shift_left(YkBig *big, int bits)
 
 int yk_big_compare(YkBig *decimal, int tens, YkBig *binary, int twos)
 {
-    // Only whole factors: a negative power of ten goes to the other side, and so does the smaller power of two.
+    // Multiplies by whole factors only: a negative power of ten goes to the other side, and so does the smaller power
+    // of two.
     if (tens >= 0)
         multiply_by_five_to(decimal, tens);
     else

@@ -1,3 +1,4 @@
+// Looks up a code's number, severity and explanation in the table that codes.def holds.
 #include "base/codes.h"
 #include <stddef.h>
 
@@ -21,7 +22,7 @@ static const Entry entries[] = {
 
 enum { ENTRY_COUNT = sizeof entries / sizeof *entries };
 
-// By bisection: the entries ascend, as the tests check.
+// Bisects: the entries ascend, which the tests check.
 static const Entry *find(int code)
 {
     size_t low = 0, high = ENTRY_COUNT;

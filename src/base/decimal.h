@@ -25,7 +25,7 @@ static inline double yk_double_from_bits(uint64_t bits)
     memcpy(&value, &bits, sizeof value);
     return value;
 }
-// Magnitude of a finite double from its bits; the sign is ignored.
+// Returns the magnitude of a finite double from its bits; ignores the sign.
 static inline YkBinary yk_binary_from_bits(uint64_t bits)
 {
     uint64_t fraction = bits & 0xfffffffffffffu;
@@ -33,7 +33,7 @@ static inline YkBinary yk_binary_from_bits(uint64_t bits)
     return field == 0 ? (YkBinary){fraction, -1074} : (YkBinary){fraction | (uint64_t)1 << 52, field - 1075};
 }
 
-// How far to shift value != 0 to the left until its highest bit is set.
+// Returns how far to shift value != 0 to the left until its highest bit is set.
 static inline int yk_leading_zeros(uint64_t value)
 {
     int zeros = 0;
@@ -45,10 +45,10 @@ static inline int yk_leading_zeros(uint64_t value)
     return zeros;
 }
 
-// The shortest decimal in the rounding interval of a finite double > 0; of several, the nearest. May end in zeros.
-// Source: Giulietti 2020, "The Schubfach way to render doubles".
+// Returns the shortest decimal in the rounding interval of a finite double > 0; among several, the nearest. Its digits
+// may end in zeros. Source: Giulietti 2020, "The Schubfach way to render doubles".
 YkDecimal yk_decimal_shortest(double value);
-// A finite double > 0 correctly rounded (ties to even) to `count` digits, 1..17: 10^(count-1) <= digits < 10^count.
+// Rounds a finite double > 0 correctly (ties to even) to `count` digits, 1..17: 10^(count-1) <= digits < 10^count.
 YkDecimal yk_decimal_rounded(double value, int count);
 
 #endif

@@ -7,7 +7,7 @@ bool yk_dimension_equal(YkDimension a, YkDimension b)
     return a.length == b.length && a.mass == b.mass && a.time == b.time;
 }
 
-// Exponents far outside physics saturate; no file reaches them by accident.
+// Adds powers; exponents far outside physics saturate. No file reaches them by accident.
 static signed char add_power(signed char a, signed char b, int power)
 {
     int sum = a + b * (power > 127 ? 127 : power < -127 ? -127 : power);
@@ -25,7 +25,7 @@ typedef struct Named {
     const char *name;
 } Named;
 
-// The first of equal dimensions is the name when the angle matches no entry exactly.
+// The first of several equal dimensions gives the name when no entry matches the angle exactly.
 static const Named named[] = {
     {{0, 0, 0, 0}, "a number"},
     {{0, 0, 0, 1}, "an angle"},

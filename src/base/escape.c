@@ -1,3 +1,4 @@
+// Escapes control characters, invisible characters and bytes that are not UTF-8; quotes names for messages.
 #include "base/escape.h"
 #include <string.h>
 #include "base/utf8.h"

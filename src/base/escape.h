@@ -1,4 +1,4 @@
-// Foreign text made safe to show: what a terminal would act upon is written out as an escape.
+// Makes foreign text safe to show: characters that a terminal would act upon become escapes.
 #ifndef BASE_ESCAPE_H
 #define BASE_ESCAPE_H
 #include "base/text.h"
@@ -8,8 +8,9 @@
 size_t yk_escape_one(YkText *text, const char *data, size_t length, size_t *columns);
 // Adds all of data, escaped.
 void yk_escape(YkText *text, const char *data, size_t length);
-// Adds `string` in `backquotes`, escaped, cut at 80 columns (then "..." stands before the closing quote).
+// Adds `string` in `backquotes`, escaped and cut at 80 columns (then "..." stands before the closing quote).
 void yk_escape_quoted(YkText *text, const char *string);
-void yk_escape_xml(YkText *xml, const char *string); // for element text and attributes; what XML forbids becomes U+FFFD
+// Adds `string` escaped for element text and attributes; characters that XML forbids become U+FFFD.
+void yk_escape_xml(YkText *xml, const char *string);
 
 #endif

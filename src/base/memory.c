@@ -1,3 +1,4 @@
+// The arena: chunks of memory in a list, freed together; and growing arrays.
 #include "base/memory.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -8,7 +9,7 @@ enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64
 
 typedef struct YkChunk {
     _Alignas(ALIGN_SMALL) struct YkChunk *older;
-} Chunk; // the memory follows
+} Chunk; // the memory follows the header
 
 YkArena *yk_arena_new(void)
 {
@@ -29,7 +30,7 @@ void yk_arena_free(YkArena *arena)
 
 void yk_arena_clear(YkArena *arena)
 {
-    Chunk *kept = arena->newest; // the largest
+    Chunk *kept = arena->newest; // the largest chunk
     if (!kept) return;
     for (Chunk *chunk = kept->older, *older; chunk; chunk = older) {
         older = chunk->older;
@@ -39,7 +40,7 @@ void yk_arena_clear(YkArena *arena)
     arena->next = (unsigned char *)(kept + 1);
 }
 
-// A chunk with room for `bytes` at any alignment. What was left of the chunk before is lost: less than it holds.
+// Adds a chunk with room for `bytes` at any alignment. The rest of the previous chunk is lost.
 static bool add_chunk(YkArena *arena, size_t bytes)
 {
     size_t size = arena->chunk_size, needed = sizeof(Chunk) + ALIGN_LARGE + bytes;
@@ -108,7 +109,7 @@ bool yk_grow(void **items, size_t count, size_t *capacity, size_t size)
     if (count < *capacity) return true;
     size_t wanted = *capacity < 16 ? 16 : 2 * *capacity;
     if (wanted <= *capacity || wanted > PTRDIFF_MAX / size) return false;
-    // The caller's variable is a T *, not a void *: its bytes are copied, which is allowed for every type.
+    // The caller's variable is a T *, not a void *: copying its bytes is allowed for every type.
     void *old;
     memcpy(&old, items, sizeof old);
     void *grown = realloc(old, wanted * size);

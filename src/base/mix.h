@@ -3,7 +3,7 @@
 #define BASE_MIX_H
 #include <stdint.h>
 
-#define YK_MIX_STEP UINT64_C(0x9e3779b97f4a7c15) // from seed to seed
+#define YK_MIX_STEP UINT64_C(0x9e3779b97f4a7c15) // between successive seeds
 
 static inline uint64_t yk_mix(uint64_t z)
 {
@@ -12,13 +12,13 @@ static inline uint64_t yk_mix(uint64_t z)
     return z ^ (z >> 31);
 }
 
-// The next of a row of random numbers.
+// Returns the next number of a random sequence.
 static inline uint64_t yk_mix_next(uint64_t *seed)
 {
     return yk_mix(*seed += YK_MIX_STEP);
 }
 
-// The same as a number from 0 up to but not 1.
+// Returns the next number as a double from 0 up to but not including 1.
 static inline double yk_mix_unit(uint64_t *seed)
 {
     return (double)(yk_mix_next(seed) >> 11) * 0x1p-53;

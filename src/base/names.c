@@ -1,4 +1,4 @@
-// Open addressing with linear probing; a power of two of slots, at most half full.
+// Hash table with open addressing and linear probing; the number of slots is a power of two, at most half of them full.
 #include "base/names.h"
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static uint32_t hash(const char *key)
     return (uint32_t)h != 0 ? (uint32_t)h : 1;
 }
 
-// The slot that holds key, or the free one where it belongs. capacity > 0 and a slot is free.
+// Returns the slot that holds key, or the free slot where it belongs. Requires capacity > 0 and a free slot.
 static size_t slot_of(const YkNames *names, const char *key, uint32_t hash)
 {
     size_t mask = names->capacity - 1, slot = hash & mask;

@@ -1,5 +1,5 @@
-// The name somebody meant: optimal string alignment distance (Damerau 1964, Levenshtein 1966; transpositions of
-// neighbours count 1, no part is edited twice).
+// Finds the name that was probably meant, by optimal string alignment distance (Damerau 1964, Levenshtein 1966):
+// transpositions of neighbours count 1, no part is edited twice.
 #include "base/names.h"
 #include <string.h>
 
@@ -21,7 +21,7 @@ static bool equal_but_for_case(const char *a, const char *b)
     return lower(*a) == lower(*b);
 }
 
-// Three rows of the table of distances between prefixes are enough. Lengths up to NAME_MAX_LENGTH.
+// Returns the edit distance. Three rows of the table of prefix distances suffice. Lengths up to NAME_MAX_LENGTH.
 static size_t edit_distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     size_t rows[3][NAME_MAX_LENGTH + 1], *above2 = rows[0], *above = rows[1], *row = rows[2];
@@ -41,8 +41,8 @@ static size_t edit_distance(const char *a, size_t a_length, const char *b, size_
     return above[b_length];
 }
 
-// Twice the distance, so that another case of the same letters (1) comes before any edit (2). SIZE_MAX when the two
-// have nothing in common, or are too different in length to be within `limit` edits.
+// Returns twice the distance, so that a change of case (1) comes before any edit (2). SIZE_MAX when the two have
+// nothing in common, or differ too much in length to be within `limit` edits.
 static size_t twice_distance(const char *name, size_t length, const char *candidate, size_t limit)
 {
     size_t other = strlen(candidate);

@@ -1,4 +1,4 @@
-// Numbers in and out: exactly, and the same in every locale and on every machine.
+// Reads and writes numbers exactly, the same in every locale and on every machine.
 #ifndef BASE_NUMBER_H
 #define BASE_NUMBER_H
 #include <stdbool.h>
@@ -6,19 +6,20 @@
 #include <stdint.h>
 
 enum { YK_NUMBER_SIZE = 40 };
-// Shortest decimal that reads back to the same double ("0.1", "1e-07" is written "1e-7", "12", "-0.0" as "-0", "nan",
-// "inf"). Returns the length; the text is NUL-terminated. Source: Giulietti 2020 (Schubfach).
+// Writes the shortest decimal that reads back to the same double ("0.1", "1e-07" is written "1e-7", "12", "-0.0" as
+// "-0", "nan", "inf"). Returns the length; the text is NUL-terminated. Source: Giulietti 2020 (Schubfach).
 size_t yk_number_write(double value, char text[YK_NUMBER_SIZE]);
-// `digits` (1..17) significant digits, correctly rounded, trailing zeros dropped; exponent form outside 1e-5..1e15.
+// Writes `digits` (1..17) significant digits, correctly rounded, without trailing zeros; exponent form outside
+// 1e-5..1e15.
 size_t yk_number_write_digits(double value, int digits, char text[YK_NUMBER_SIZE]);
-// `decimals` (0..17) digits after the point, correctly rounded; magnitudes >= 1e15 fall back to the shortest form.
+// Writes `decimals` (0..17) digits after the point, correctly rounded; magnitudes >= 1e15 use the shortest form.
 size_t yk_number_write_fixed(double value, int decimals, char text[YK_NUMBER_SIZE]);
 // Reads a decimal number at the start of text[0..length): digits, '.', exponent; no sign, no inf, no nan, no hex.
-// Correctly rounded (Lemire 2021, with an exact fallback). Returns how many bytes were read, 0 when there is no number.
-// A value beyond the range of double reads as infinity (the caller reports it).
+// Rounds correctly (Lemire 2021, with an exact fallback). Returns the number of bytes read, 0 if there is no number. A
+// value beyond the range of double reads as infinity; the caller reports it.
 size_t yk_number_read(const char *text, size_t length, double *value);
-// The exact decimal: value = mantissa * 10^exponent, the mantissa without trailing zeros ("60" is 6 * 10^1), when it
-// fits int64; false otherwise. Same syntax.
+// Reads the exact decimal value = mantissa * 10^exponent, the mantissa without trailing zeros ("60" is 6 * 10^1).
+// Returns false if the mantissa does not fit int64. Same syntax.
 bool yk_number_read_exact(const char *text, size_t length, int64_t *mantissa, int32_t *exponent);
 
 #endif

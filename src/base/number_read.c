@@ -1,6 +1,6 @@
-// Reading decimal numbers, correctly rounded. The first 19 digits times a 128-bit power of ten bound the value from
-// both sides (after Lemire 2021, "Number parsing at a gigabyte per second"); where both bounds round to the same double
-// that is the answer, otherwise all digits are compared exactly with the midpoint of the two candidates.
+// Reads decimal numbers, correctly rounded. The first 19 digits times a 128-bit power of ten bound the value from both
+// sides (after Lemire 2021, "Number parsing at a gigabyte per second"). If both bounds round to the same double, that
+// is the answer; otherwise all digits are compared exactly with the midpoint of the two candidates.
 #include "base/number.h"
 #include "base/big.h"
 #include "base/decimal.h"
@@ -8,9 +8,9 @@
 
 enum {
     MANTISSA_DIGITS = 19, // always fit in 64 bits
-    EXACT_DIGITS = 768    // no midpoint of two doubles has more (767); beyond, only "is there anything" matters
+    EXACT_DIGITS = 768    // no midpoint of two doubles has more (767); beyond, only whether any digit follows matters
 };
-#define EXPONENT_LIMIT ((int64_t)1000000000000000000) // keeps sums in range; no text is so long
+#define EXPONENT_LIMIT ((int64_t)1000000000000000000) // keeps sums in range; no text is that long
 
 // mantissa * 10^exponent <= value; equal unless digits were dropped.
 typedef struct Scan {
@@ -18,7 +18,7 @@ typedef struct Scan {
     int64_t exponent;
     bool dropped;      // a nonzero digit did not fit
     size_t first, end; // the digits, from the first that is not zero, with perhaps a point inside
-    size_t length;     // bytes of the whole number, 0 when there is none
+    size_t length;     // bytes of the whole number, 0 if there is none
 } Scan;
 
 static bool is_digit(char c)
@@ -70,7 +70,7 @@ static Scan scan_number(const char *text, size_t length)
     return scan;
 }
 
-// Bits of the double nearest to (product + sticky * something below 1) * 2^exponent, ties to even.
+// Returns the bits of the double nearest to (product + sticky * something below 1) * 2^exponent, ties to even.
 static uint64_t round_to_bits(YkWide product, bool sticky, int exponent)
 {
     if (product.high >> 63 == 0) {
@@ -89,7 +89,8 @@ static uint64_t round_to_bits(YkWide product, bool sticky, int exponent)
     return power >= -1022 ? ((uint64_t)(power + 1022) << 52) + mantissa : mantissa;
 }
 
-// Is the number at or above the midpoint of the double `bits` and the next one, a tie counting only when `bits` is odd?
+// Returns whether the number is at or above the midpoint of the double `bits` and the next; a tie counts if `bits` is
+// odd.
 static bool is_above_midpoint(const char *text, const Scan *scan, uint64_t bits)
 {
     YkBig decimal = yk_big(0);
@@ -111,8 +112,9 @@ static bool is_above_midpoint(const char *text, const Scan *scan, uint64_t bits)
     return sign > 0 || (sign == 0 && (more || (bits & 1)));
 }
 
-// An upper bound of the value from the lower bound `product`, in the same units. Errors: the cut-off low word of the
-// product and the cut power of ten, one unit each; dropped digits, less than one unit of the mantissa.
+// Returns an upper bound of the value from the lower bound `product`, in the same units. The errors: one unit each for
+// the cut-off low word of the product and the truncated power of ten; less than one unit of the mantissa for dropped
+// digits.
 static YkWide upper_bound(YkWide product, bool dropped, int shift)
 {
     YkWide upper = yk_wide_add(product, 2);

@@ -1,5 +1,5 @@
-// A double rounded correctly to a number of significant digits: one 192-bit product, and exact integers where it
-// cannot decide a tie.
+// Rounds a double correctly to a number of significant digits: one 192-bit product decides, or exact integers when it
+// cannot settle a tie.
 #include <stdbool.h>
 #include "base/big.h"
 #include "base/decimal.h"
@@ -12,7 +12,7 @@ static uint64_t small_power_of_ten(int exponent)
     return power;
 }
 
-// Is mantissa * 2^exponent at or above (digits + 1/2) * 10^tens, a tie counting only when digits is odd?
+// Returns whether mantissa * 2^exponent is at or above (digits + 1/2) * 10^tens; a tie counts only when digits is odd.
 static bool rounds_up_exactly(YkBinary binary, uint64_t digits, int tens)
 {
     YkBig midpoint = yk_big(2 * digits + 1), value = yk_big(binary.mantissa);
@@ -20,15 +20,16 @@ static bool rounds_up_exactly(YkBinary binary, uint64_t digits, int tens)
     return sign < 0 || (sign == 0 && (digits & 1));
 }
 
-// The integer nearest to binary / 10^tens, which is known to lie below 2^60; *floor is the integer below.
+// Returns the integer nearest to binary / 10^tens, which must be below 2^60; *floor is the integer below.
 static uint64_t divide_by_ten_to(YkBinary binary, int tens, uint64_t *floor)
 {
     int shift = yk_leading_zeros(binary.mantissa);
     uint64_t w = binary.mantissa << shift;
     YkWide power = yk_power_of_ten(-tens), low = yk_wide_multiply(w, power.low);
-    YkWide product = yk_wide_add(yk_wide_multiply(w, power.high), low.high); // the quotient is at most 2 units above
+    YkWide product = yk_wide_add(yk_wide_multiply(w, power.high), low.high); // the quotient is at most 2 units larger
 
-    int fraction_bits = -(binary.exponent - shift + yk_floor_log2_of_ten(-tens) - 127 + 128); // of product.high
+    // The fraction bits of product.high.
+    int fraction_bits = -(binary.exponent - shift + yk_floor_log2_of_ten(-tens) - 127 + 128);
     uint64_t half = (uint64_t)1 << (fraction_bits - 1);
     uint64_t fraction = product.high & (2 * half - 1);
     *floor = product.high >> fraction_bits;
@@ -47,7 +48,7 @@ YkDecimal yk_decimal_rounded(double value, int count)
 {
     YkBinary binary = yk_binary_from_bits(yk_double_bits(value));
     uint64_t limit = small_power_of_ten(count), floor;
-    // The estimate of log10 from the power of two is right or one too small.
+    // The power of two gives an estimate of log10 that is exact or one too small.
     int tens = yk_floor_log10_of_two(binary.exponent + 63 - yk_leading_zeros(binary.mantissa)) - count + 1;
     uint64_t digits = divide_by_ten_to(binary, tens, &floor);
     if (floor >= limit) digits = divide_by_ten_to(binary, ++tens, &floor);

@@ -1,12 +1,12 @@
-// The shortest decimal that reads back to the same double, after Giulietti 2020 (Schubfach, "pigeonhole"): among the
-// multiples of the largest power of ten 10^k not wider than the rounding interval at least one and at most a few lie
-// inside; a coarser multiple, of 10^(k+1), is tried first.
+// Writes the shortest decimal that reads back to the same double, after Giulietti 2020 (Schubfach, "pigeonhole"). Take
+// the largest power of ten 10^k that is not wider than the rounding interval: at least one and at most a few of its
+// multiples lie inside. A coarser multiple, of 10^(k+1), is tried first.
 #include <stdbool.h>
 #include "base/decimal.h"
 #include "base/powers_of_ten.h"
 
-// floor(power * x / 2^128) with the last bit set when the cut-off rest may not vanish: enough to compare exactly with
-// multiples of 2 (Giulietti 2020, section 9.9). `power` is rounded up.
+// Returns floor(power * x / 2^128), with the last bit set when the cut-off rest may not vanish: enough to compare
+// exactly with multiples of 2 (Giulietti 2020, section 9.9). `power` is rounded up.
 static uint64_t multiply_to_odd(YkWide power, uint64_t x)
 {
     YkWide high = yk_wide_add(yk_wide_multiply(power.high, x), yk_wide_multiply(power.low, x).high);
@@ -16,12 +16,12 @@ static uint64_t multiply_to_odd(YkWide power, uint64_t x)
 static YkWide power_rounded_up(int exponent)
 {
     YkWide power = yk_power_of_ten(exponent);
-    power.low += !yk_power_of_ten_is_exact(exponent); // never carries: checked by the tool that writes the table
+    power.low += !yk_power_of_ten_is_exact(exponent); // never carries: the tool that writes the table checks it
     return power;
 }
 
-// Of the two neighbours s and s + 1 (in units of 4 in `v`, `low` and `high`): is exactly one inside? Then *up says
-// which.
+// Returns whether exactly one of the neighbours s and s + 1 (in units of 4 in `v`, `low` and `high`) is inside; *up
+// tells which.
 static bool only_one_inside(uint64_t s, uint64_t unit, uint64_t low, uint64_t high, bool *up)
 {
     bool lower_inside = low <= unit * s, upper_inside = unit * (s + 1) <= high;

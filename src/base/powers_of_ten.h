@@ -1,4 +1,4 @@
-// Powers of ten to 128 bits, the common ground of reading and writing numbers.
+// Powers of ten to 128 bits, which reading and writing numbers share.
 #ifndef BASE_POWERS_OF_TEN_H
 #define BASE_POWERS_OF_TEN_H
 #include <stdbool.h>
@@ -6,7 +6,7 @@
 #include "base/wide.h"
 
 enum {
-    YK_TEN_MIN = -342, // below, no 19-digit integer times the power reaches half the smallest double
+    YK_TEN_MIN = -342, // below this, no 19-digit integer times the power reaches half the smallest double
     YK_TEN_MAX = 341   // 17 digits of the smallest double need 10^340
 };
 

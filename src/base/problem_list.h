@@ -1,4 +1,4 @@
-// What YkProblems is made of, shared by the list and its printing.
+// The inside of YkProblems, shared by the list and its printing.
 #ifndef BASE_PROBLEM_LIST_H
 #define BASE_PROBLEM_LIST_H
 #include <stdint.h>
@@ -7,30 +7,29 @@
 #include "base/text.h"
 
 struct YkProblems {
-    YkProblem items[YK_PROBLEMS_MAX + 1]; // as they came; the one past the maximum says that there are more
-    uint16_t order[YK_PROBLEMS_MAX + 1];  // their indices in order of place
+    YkProblem items[YK_PROBLEMS_MAX + 1]; // in the order of arrival; the one past the maximum says that there are more
+    uint16_t order[YK_PROBLEMS_MAX + 1];  // their indices, ordered by place
     size_t count;
-    YkProblem *last;            // added last, NULL when it was left out
+    YkProblem *last;            // the problem added last, NULL if it was left out
     YkArena *arena;             // messages and hints
     char *source_name, *source; // NULL when unknown
     size_t source_length;
     YkText printed;
 };
 
-// A place in the source that only moves forward, so that quoting all places of a file, in order, costs one pass over
-// it.
+// A position in the source that only moves forward, so that quoting all places of a file in order costs one pass.
 typedef struct YkSourceCursor {
     size_t offset, line_end;
     uint32_t line, column;
 } YkSourceCursor;
 YkSourceCursor yk_source_start(const YkProblems *problems);
 
-// What switches the caret's colour on and off; "" and "" for plain text.
+// The sequences that switch the caret's colour on and off; "" and "" for plain text.
 typedef struct YkCaretColour {
     const char *on, *off;
 } YkCaretColour;
-// Adds to `text` the line of source with `place`, cut to a window around it, and a line with the caret below.
-// Nothing where the source is unknown, has no such line, or the line is empty.
+// Adds the source line of `place` to `text`, cut to a window around it, and a line with the caret below. Adds nothing
+// if the source is unknown, has no such line, or the line is empty.
 void yk_quote_source(YkText *text, const YkProblems *problems, YkPlace place, YkSourceCursor *cursor,
                      YkCaretColour colour);
 

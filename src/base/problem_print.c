@@ -1,4 +1,4 @@
-// Problems as text: "file:line:col: error: message [E0123]", then the quoted source and the hint.
+// Prints problems: "file:line:col: error: message [E0123]", then the quoted source and the hint.
 #include <string.h>
 #include "base/escape.h"
 #include "base/problem_list.h"
@@ -10,7 +10,7 @@ typedef struct Colours {
 static const Colours plain = {"", {"", "", ""}, "", ""};
 static const Colours ansi = {"\033[1m", {"\033[1;36m", "\033[1;35m", "\033[1;31m"}, "\033[1;32m", "\033[0m"};
 
-// "file:line:col: ", as much of it as is known.
+// Prints "file:line:col: ", as far as it is known.
 static void print_place(YkText *text, const YkProblems *problems, YkPlace place)
 {
     const char *name = problems->source_name;
@@ -49,7 +49,7 @@ const char *yk_problems_text(YkProblems *problems, int colour)
     YkText *text = &problems->printed;
     YkSourceCursor cursor = yk_source_start(problems);
     if (text->failed)
-        yk_text_free(text); // with less to say there may be memory for it
+        yk_text_free(text); // a shorter message may still fit in memory
     else
         yk_text_clear(text);
     for (size_t i = 0; i < problems->count; i++)

@@ -1,3 +1,4 @@
+// The list of problems: ordered by place, limited in length, and never silently incomplete.
 #include "base/problems.h"
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +29,7 @@ void yk_problems_free(YkProblems *problems)
     free(problems);
 }
 
-// NULL for nothing, and when out of memory.
+// Returns a copy; NULL for no bytes, and when out of memory.
 static char *copy_bytes(const char *data, size_t length)
 {
     char *copy = data && data != yk_text_lost ? malloc(length + 1) : NULL;
@@ -43,7 +44,7 @@ void yk_problems_set_source(YkProblems *problems, const char *name, const char *
     if (!problems) return;
     free(problems->source_name);
     free(problems->source);
-    if (text && length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) { // a byte order mark is no column
+    if (text && length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) { // a byte order mark does not count as a column
         text += 3;
         length -= 3;
     }
@@ -54,7 +55,7 @@ void yk_problems_set_source(YkProblems *problems, const char *name, const char *
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "%s", ran_out);
 }
 
-// Formats into the arena, with control characters escaped; NULL when out of memory.
+// Formats into the arena and escapes control characters; NULL when out of memory.
 static const char *format_message(YkArena *arena, const char *format, va_list arguments)
 {
     YkText raw = {0}, safe = {0};
@@ -72,7 +73,7 @@ static bool is_before(YkPlace a, YkPlace b)
     return a.line != b.line ? a.line < b.line : a.column < b.column;
 }
 
-// Keeps the order by place, and by arrival where places are equal.
+// Inserts by place; problems at the same place stay in order of arrival.
 static void insert_in_order(YkProblems *problems, size_t index)
 {
     size_t at = problems->count;
@@ -83,7 +84,8 @@ static void insert_in_order(YkProblems *problems, size_t index)
     problems->count++;
 }
 
-// The list is full. The last entry is as severe as the worst left out, so that no error is overlooked.
+// Counts a problem that no longer fits. The last entry is as severe as the worst left out, so that no error is
+// overlooked.
 static void leave_out(YkProblems *problems, YkSeverity severity)
 {
     YkProblem *more = &problems->items[YK_PROBLEMS_MAX];
@@ -99,7 +101,7 @@ static void leave_out(YkProblems *problems, YkSeverity severity)
     if (more->severity < severity) more->severity = severity;
 }
 
-// What could not be described becomes an error, whatever it was: an answer beside it is not to be relied on.
+// Turns a problem that could not be described into an error, whatever its severity: no answer beside it can be trusted.
 static void run_out(YkProblem *problem)
 {
     *problem = (YkProblem){YK_ERROR, YK_CODE_OUT_OF_MEMORY, problem->place, ran_out, NULL};

@@ -1,4 +1,4 @@
-// The inside of YkProblems: how rooms report what they find.
+// The inside of YkProblems: how the rooms report problems.
 #ifndef BASE_PROBLEMS_H
 #define BASE_PROBLEMS_H
 #include <stdarg.h>
@@ -9,13 +9,12 @@
 enum { YK_PROBLEMS_MAX = 200 }; // after so many, one last problem says that there are more
 // Names the source and keeps a copy of its text for quoting lines (text may be NULL).
 void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length);
-// Adds a problem; message takes the formats of yk_text_format. problems may be NULL (nothing is recorded).
-// Severity comes from the code's entry in codes.def. Where there is no memory to describe it, E0100 stands in its
-// place.
+// Adds a problem; message takes the formats of yk_text_format. problems may be NULL (nothing is recorded). The code's
+// entry in codes.def gives the severity. Adds E0100 in its place if there is no memory for the message.
 void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...);
-// Adds a hint, formatted likewise, to the problem added last.
+// Adds a hint, formatted the same way, to the problem added last.
 void yk_problem_hint(YkProblems *problems, const char *hint, ...);
-// Is E0100 among them, or was there no memory to print them?
+// Returns whether E0100 is among them, or there was no memory to print them.
 bool yk_problems_ran_out(const YkProblems *problems);
 
 #endif

@@ -1,4 +1,4 @@
-// The line of source in which a problem lies, with a caret below it. Counted in code points, laid out in terminal
+// Quotes the source line of a problem with a caret below it. Places count code points; the layout counts terminal
 // columns.
 #include <string.h>
 #include "base/escape.h"
@@ -30,7 +30,7 @@ YkSourceCursor yk_source_start(const YkProblems *problems)
     return line_start(problems, 0, 1);
 }
 
-// To the start of `line`: lines end with LF, CR LF or CR. False when the source has fewer lines.
+// Moves to the start of `line`; lines end with LF, CR LF or CR. Returns false when the source has fewer lines.
 static bool seek_line(const YkProblems *problems, uint32_t line, YkSourceCursor *cursor)
 {
     while (cursor->line < line) {
@@ -51,7 +51,7 @@ static void seek_column(const YkProblems *problems, uint32_t column, YkSourceCur
     }
 }
 
-// One character, tabs as spaces up to the next tab stop. Returns its bytes.
+// Adds one character; a tab becomes spaces up to the next tab stop. Returns the bytes read.
 static size_t show_one(YkText *text, const char *data, size_t length, size_t *columns)
 {
     if (data[0] != '\t') return yk_escape_one(text, data, length, columns);
@@ -89,7 +89,7 @@ void yk_quote_source(YkText *text, const YkProblems *problems, YkPlace place, Yk
                      YkCaretColour colour)
 {
     if (!problems->source || !seek_line(problems, place.line, cursor)) return;
-    if (cursor->column == 1 && cursor->offset == cursor->line_end) return; // an empty line tells nothing
+    if (cursor->column == 1 && cursor->offset == cursor->line_end) return; // an empty line would show nothing
     seek_column(problems, place.column > FIT ? place.column - LEAD : 1, cursor);
 
     yk_text_repeat(text, ' ', INDENT);

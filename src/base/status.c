@@ -1,3 +1,4 @@
+// The names of statuses.
 #include <yoke/status.h>
 
 const char *yk_status_name(YkStatus status)

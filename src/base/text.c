@@ -1,3 +1,4 @@
+// Growing text, with a failed state that stays.
 #include "base/text.h"
 #include <stdint.h>
 #include <stdlib.h>

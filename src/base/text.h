@@ -1,7 +1,7 @@
 // Text: a growing string, and formatting without stdio or locale.
 //
-// Failure is kept and passed on, so that callers need to check only where a text is handed over (`failed`): a text that
-// once ran out of memory takes nothing more and says it failed until it is freed; its content is `yk_text_lost`, and
+// A failure is kept and passed on, so callers check only where they hand a text over (`failed`). A text that has run
+// out of memory accepts nothing more and stays failed until it is freed. Its content is then `yk_text_lost`, and
 // whatever is given that content - another text, an arena's copy, a writer of files - fails as well.
 #ifndef BASE_TEXT_H
 #define BASE_TEXT_H
@@ -16,15 +16,15 @@ typedef struct YkText {
     bool failed; // an allocation failed; the text is then incomplete
 } YkText;
 
-// What a failed text reads as: words that are known by their address.
+// The content of a failed text, recognised by its address.
 extern const char yk_text_lost[];
 
 void yk_text_free(YkText *text);             // frees and zeroes; a zeroed YkText is an empty text
-const char *yk_text_get(const YkText *text); // never NULL; `yk_text_lost` where the text failed
-void yk_text_clear(YkText *text);            // empties, keeps the memory and what failed
-void yk_text_fail(YkText *text);             // what should have been added is not there
-// Makes room for so many more bytes and the final NUL; false when out of memory, now or before: a text with a hole
-// would be worse than one cut short.
+const char *yk_text_get(const YkText *text); // never NULL; `yk_text_lost` if the text failed
+void yk_text_clear(YkText *text);            // empties the text; keeps its memory and its failed state
+void yk_text_fail(YkText *text);             // marks the text failed: something that should have been added is missing
+// Makes room for `extra` more bytes and the final NUL. Returns false when out of memory, now or before: a text with a
+// hole would be worse than one cut short.
 bool yk_text_reserve(YkText *text, size_t extra);
 static inline void yk_text_add(YkText *text, const char *data, size_t length)
 {
@@ -34,7 +34,7 @@ static inline void yk_text_add(YkText *text, const char *data, size_t length)
     text->length += length;
     text->data[text->length] = '\0';
 }
-// The same where 16 bytes of data can be read whatever its length: short ones are copied in one go.
+// Does the same where 16 bytes of data can be read whatever its length: copies short ones in one go.
 static inline void yk_text_add_padded(YkText *text, const char *data, size_t length)
 {
     enum { ROW = 16 };
@@ -46,7 +46,7 @@ static inline void yk_text_add_padded(YkText *text, const char *data, size_t len
     text->length += length;
     text->data[text->length] = '\0';
 }
-// NULL is a string for which there was no memory.
+// Adds a string; NULL stands for a string for which there was no memory.
 static inline void yk_text_puts(YkText *text, const char *string)
 {
     if (string)

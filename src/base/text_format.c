@@ -67,7 +67,7 @@ void yk_text_vformat(YkText *text, const char *format, va_list arguments)
             yk_text_add(text, "%", 1);
             return;
         default:
-            yk_text_add(text, percent, 2); // a mistake of ours: shown, and no argument taken
+            yk_text_add(text, percent, 2); // an unknown conversion is our own mistake: show it and take no argument
         }
     }
     yk_text_puts(text, format);

@@ -1,5 +1,5 @@
-// Unit words. Sizes are kept as a quotient and a power of ten until the end, so that every decimal unit, and every
-// product of such, is the double nearest to its true size.
+// Reads unit words. Sizes stay a quotient and a power of ten until the end, so that every decimal unit, and every
+// product of decimal units, becomes the double nearest to its true size.
 #include "base/units.h"
 #include <math.h>
 #include <string.h>
@@ -14,7 +14,7 @@ typedef struct Unit {
     YkDimension dimension; // length, mass, time, angle
 } Unit;
 
-// Angles in the dimension say which bare numbers convert: a torque of `N*m/rad` differs from `N*m` in nothing else.
+// The angle in a dimension tells which bare numbers to convert: `N*m/rad` differs from `N*m` in nothing else.
 static const Unit units[] = {
     {"m", 1, 0, {1, 0, 0, 0}},
     {"mm", 1, -3, {1, 0, 0, 0}},
@@ -64,7 +64,7 @@ static const Unit units[] = {
 };
 enum { UNIT_COUNT = sizeof units / sizeof *units, POWER_MAX = 9, TENS_MAX = 22 };
 
-// A size as it grows: above / below * 10^tens.
+// A size being built up: above / below * 10^tens.
 typedef struct Size {
     double above, below;
     int tens;
@@ -99,7 +99,7 @@ static double size_value(const Size *size)
                            : size->above / (size->below * power_of_ten(-size->tens));
 }
 
-// "^2" or "^-1" from text[at]; a unit without one has power 1. Returns the index after it, 0 when it is malformed.
+// Reads "^2" or "^-1" at text[at]; without one the power is 1. Returns the index after it, 0 when it is malformed.
 static size_t read_power(const char *text, size_t length, size_t at, int *power)
 {
     *power = 1;
@@ -111,7 +111,7 @@ static size_t read_power(const char *text, size_t length, size_t at, int *power)
     return at + 1;
 }
 
-// One factor: a unit with perhaps a power, or, where a quotient begins ("1/s"), a one.
+// Reads one factor: a unit with an optional power, or the 1 that starts a quotient ("1/s").
 static bool read_factor(const char *text, size_t length, bool is_first, int sign, Size *size)
 {
     if (is_first && length == 1 && text[0] == '1') return true;

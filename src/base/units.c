@@ -19,7 +19,7 @@ YkUnits yk_units_si(void)
                      .angle_name = "rad"};
 }
 
-// size^power into a quotient; a size like 1e-3 counts as 1/1000, whose powers are exact.
+// Multiplies size^power into a quotient; a size like 1e-3 counts as 1/1000, whose powers are exact.
 static void multiply_power(Quotient *total, double size, int power)
 {
     double inverse = rint(1 / size);

@@ -1,4 +1,4 @@
-// The unit of a bare number, as a file would write it.
+// Writes the unit of a bare number, as a file would write it.
 #include <string.h>
 #include "base/units.h"
 
@@ -16,7 +16,7 @@ static void add_factor(YkText *text, Factor factor, int sign, const char *before
     if (power != 1) yk_text_format(text, "^%d", power);
 }
 
-// Factors whose power has this sign; returns how many.
+// Adds the factors whose power has this sign; returns how many.
 static int add_factors(YkText *text, const Factor *factors, int sign, const char *first, const char *others)
 {
     int count = 0;
@@ -40,7 +40,7 @@ void yk_units_name(const YkUnits *units, YkDimension d, YkText *text)
     const char *before = "";
     for (int i = 0; i < FACTORS; i++) {
         if (factors[i].power >= 0) continue;
-        add_factor(text, factors[i], 1, before); // nothing above the line: s^-1
+        add_factor(text, factors[i], 1, before); // no factor above the line: s^-1
         before = "*";
     }
 }

@@ -28,7 +28,7 @@ static inline YkVec yk_scale(double k, YkVec a)
 static inline YkVec yk_mul(YkVec a, YkVec b)
 {
     return yk_vec(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-} // turn and stretch
+} // turns and stretches
 static inline YkVec yk_conj(YkVec a)
 {
     return yk_vec(a.x, -a.y);
@@ -36,7 +36,7 @@ static inline YkVec yk_conj(YkVec a)
 static inline YkVec yk_quarter(YkVec a)
 {
     return yk_vec(-a.y, a.x);
-} // i a: turned by 90 deg
+} // i a: turns by 90 deg
 static inline double yk_dot(YkVec a, YkVec b)
 {
     return a.x * b.x + a.y * b.y;
@@ -53,7 +53,7 @@ static inline YkVec yk_unit(double angle)
 {
     return yk_vec(cos(angle), sin(angle));
 }
-// The angle nearest to `reference` that equals `angle` modulo a turn.
+// Returns the angle nearest to `reference` that equals `angle` up to whole turns.
 static inline double yk_nearest_turn(double angle, double reference)
 {
     double off = angle - reference;

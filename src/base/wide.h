@@ -7,7 +7,7 @@ typedef struct YkWide {
     uint64_t high, low;
 } YkWide; // high * 2^64 + low
 
-// The portable way, from four 32-bit products; public so that the tests can compare both.
+// Multiplies portably, by four 32-bit products; public so that the tests can compare both ways.
 static inline YkWide yk_wide_multiply_halves(uint64_t a, uint64_t b)
 {
     uint64_t a1 = a >> 32, a0 = a & 0xffffffffu, b1 = b >> 32, b0 = b & 0xffffffffu;

@@ -1,9 +1,9 @@
-// A function of two arguments inside `{...}` or `[...]`: its comma ends the value for YAML.
+// Finds a function of two arguments inside `{...}` or `[...]`: in YAML its comma ends the value.
 #include <string.h>
 #include "base/text.h"
 #include "doc/reader.h"
 
-// How many parentheses are left open after the text of a plain scalar; quotes protect what is in them.
+// Returns how many parentheses are left open after the text of a plain scalar; parentheses in quotes do not count.
 static int open_after(int open, const YkNode *node)
 {
     if (node->kind != YK_NODE_SCALAR || node->quoted) return 0;
@@ -11,7 +11,7 @@ static int open_after(int open, const YkNode *node)
     return open;
 }
 
-// The piece that follows in the list or map at `index`: of a map a key without a value. NULL: none.
+// Returns the piece that follows at `index` of the list or map: in a map a key without a value. NULL if there is none.
 static const YkNode *piece_at(const YkNode *node, size_t index)
 {
     if (index >= node->count) return NULL;
@@ -21,7 +21,7 @@ static const YkNode *piece_at(const YkNode *node, size_t index)
     return is_void ? node->pairs[index].key : NULL;
 }
 
-// How many pieces after entry `index` belong to the value that begins there; 0 where it is whole, or never ends.
+// Returns how many pieces after entry `index` belong to its value; 0 if the value is whole, or never ends.
 static size_t pieces_after(const YkNode *node, size_t index, const YkNode *value)
 {
     int open = open_after(0, value);

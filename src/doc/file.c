@@ -1,4 +1,4 @@
-// Reading a file whole.
+// Reads a whole file.
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,12 +26,12 @@ static void refuse_open(const char *path, int cause, YkProblems *problems)
                    cause == EACCES ? "permission denied" : "the system refuses it");
 }
 
-// Looks at what was opened before anything is read. *expected gets the size where it is known.
+// Checks what was opened before reading it. *expected gets the size if it is known.
 static bool is_readable(FILE *file, const char *path, size_t *expected, YkProblems *problems)
 {
     struct stat status;
     *expected = 0;
-    if (fstat(fileno(file), &status) != 0) return true; // then reading tells
+    if (fstat(fileno(file), &status) != 0) return true; // reading will tell
     if (S_ISDIR(status.st_mode)) {
         yk_problem(problems, YK_CODE_FILE_DIRECTORY, nowhere, "%q is a directory, not a file", path);
         return false;
@@ -45,7 +45,7 @@ static bool is_readable(FILE *file, const char *path, size_t *expected, YkProble
     return true;
 }
 
-// Reads to the end, doubling the memory, one byte beyond the limit at most.
+// Reads to the end, doubling the memory; reads at most one byte beyond the limit.
 static char *read_all(FILE *file, const char *path, size_t expected, size_t *length, YkProblems *problems)
 {
     size_t capacity = expected + 1 > 4096 ? expected + 1 : 4096, used = 0;

@@ -1,9 +1,9 @@
-// The bytes of the text, before any grammar: UTF-8, control characters, tabs.
-// libyaml checks some of this too, but says only at which byte.
+// Checks the bytes of the text before any grammar: UTF-8, control characters, tabs. libyaml checks some of this too,
+// but reports only the byte.
 #include "base/utf8.h"
 #include "doc/reader.h"
 
-// Is text[i] a continuation byte?
+// Returns whether text[i] is a continuation byte.
 static bool continues(const char *text, size_t i)
 {
     return ((unsigned char)text[i] & 0xc0) == 0x80;
@@ -14,7 +14,7 @@ bool yk_doc_is_allowed(uint32_t c)
     if (c < 0x20 || (c >= 0x7f && c <= 0x9f)) return false;
     if (c < 0x2000) return true;
     if (c >= 0x2028 && c <= 0x202e) return false; // line separators, and marks that reorder
-    if (c >= 0x2066 && c <= 0x2069) return false; // more of these
+    if (c >= 0x2066 && c <= 0x2069) return false; // more such marks
     if (c == 0xfeff || (c >= 0xfdd0 && c <= 0xfdef)) return false;
     return (c & 0xfffe) != 0xfffe;
 }

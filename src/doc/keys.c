@@ -1,9 +1,9 @@
-// Repeated keys of a map.
+// Finds repeated keys of a map.
 #include <string.h>
 #include "base/names.h"
 #include "doc/reader.h"
 
-enum { FEW = 8 }; // up to so many keys are compared directly: no table, no allocation
+enum { FEW = 8 }; // up to so many keys are compared directly, without a table or an allocation
 
 static bool same(const YkNode *a, const YkNode *b)
 {

@@ -1,3 +1,4 @@
+// Questions about a node of the tree.
 #include "doc/node.h"
 #include <string.h>
 

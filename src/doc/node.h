@@ -1,4 +1,4 @@
-// The document: a tree of nodes that know their place in the source. Independent of the front end that reads it.
+// The document: a tree of nodes that know their place in the source, whatever front end reads it.
 #ifndef DOC_NODE_H
 #define DOC_NODE_H
 #include <stdbool.h>
@@ -24,18 +24,18 @@ struct YkNode {
     YkPair *pairs;
 };
 
-const YkNode *yk_node_get(const YkNode *map, const char *key); // NULL where there is none (or map is not a map)
+const YkNode *yk_node_get(const YkNode *map, const char *key); // NULL if there is none (or map is not a map)
 const char *yk_node_kind_name(const YkNode *node);             // "a value", "a list", "a map"
 
 enum { YK_DOC_DEPTH_MAX = 64 };
 #define YK_DOC_SIZE_MAX ((size_t)256 << 20)
 
-// Reads YAML text into a tree in `arena` (front end: libyaml's event interface). Refuses what a model file has no use
-// for: anchors, aliases, tags, merge keys, tabs in indentation, several documents, depth over YK_DOC_DEPTH_MAX,
-// repeated keys, bad UTF-8, control characters, NUL. Sets the source of `problems`. NULL when there was an error.
+// Reads YAML text into a tree in `arena` (front end: libyaml's event interface). Refuses what a model file does not
+// need: anchors, aliases, tags, merge keys, tabs in indentation, several documents, depth over YK_DOC_DEPTH_MAX,
+// repeated keys, bad UTF-8, control characters, NUL. Sets the source of `problems`. Returns NULL if there was an error.
 YkNode *yk_doc_parse(const char *text, size_t length, const char *name, YkArena *arena, YkProblems *problems);
-// Reads a whole file ("-": standard input) into malloc'd memory, refusing what is over YK_DOC_SIZE_MAX without reading
-// it all (directories, pipes that never end, ...). NULL with a problem added.
+// Reads a whole file ("-": standard input) into malloc'd memory. Refuses more than YK_DOC_SIZE_MAX without reading it
+// all (directories, endless pipes, ...). Returns NULL and adds a problem if it cannot.
 char *yk_doc_read_file(const char *path, size_t *length, YkProblems *problems);
 
 #endif

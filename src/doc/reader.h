@@ -1,4 +1,4 @@
-// What the files of this room share; nobody else includes it.
+// What the files of this room share; no other room includes it.
 #ifndef DOC_READER_H
 #define DOC_READER_H
 #include <stdint.h>
@@ -6,21 +6,21 @@
 #include "base/problems.h"
 #include "doc/node.h"
 
-// May this code point stand in a text? Not so control characters, line separators other than \n, byte order marks,
-// non-characters and the invisible marks that reorder a line on the screen. A tab is not allowed by this. More lenient
-// than yk_utf8_printable: joiners belong to the spelling of some languages.
+// Returns whether a code point may appear in a text. Control characters, line separators other than \n, byte order
+// marks, non-characters and the invisible marks that reorder a line on the screen may not. A tab is not allowed by this
+// function. More lenient than yk_utf8_printable: joiners belong to the spelling of some languages.
 bool yk_doc_is_allowed(uint32_t code_point);
-// The place of a byte in the text. Cost linear in offset: for the one problem that ends the reading.
+// Returns the place of a byte in the text. Cost linear in offset: for the one problem that ends the reading.
 YkPlace yk_doc_place_of(const char *text, size_t offset);
 // Checks the bytes of the whole text. Adds a problem for the first fault and returns false.
 bool yk_doc_guard(const char *text, size_t length, YkProblems *problems);
 
-// Adds a problem for every key of the map that stands there twice. False when there was one, or no memory (also a
-// problem). Cost linear in the number of pairs.
+// Adds a problem for every repeated key of the map. Returns false when there was one, or no memory (also a problem).
+// Cost linear in the number of pairs.
 bool yk_doc_check_keys(const YkNode *map, YkProblems *problems);
 
-// Adds a problem for every value of the map or list that YAML splits at a comma between parentheses. False when there
-// was one. Cost linear in the number of entries.
+// Adds a problem for every value of the map or list that YAML splits at a comma between parentheses. Returns false when
+// there was one. Cost linear in the number of entries.
 bool yk_doc_check_commas(const YkNode *node, YkProblems *problems);
 
 // Adds a problem for the error at which libyaml stopped, in plain words.

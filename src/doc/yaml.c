@@ -1,7 +1,6 @@
-// YAML text -> tree of nodes, over libyaml's event interface.
-// No recursion: open maps and lists are frames on a stack of fixed depth; the children of all of them wait on one pile
-// and move to the arena when their parent closes, so the cost is linear. Events report their places in code points from
-// 0.
+// Turns YAML text into a tree of nodes, over libyaml's event interface. Without recursion: open maps and lists are
+// frames on a stack of fixed depth. Their children wait on one pile and move to the arena when their parent closes, so
+// the cost is linear. Events report their places in code points from 0.
 #include <stdlib.h>
 #include <string.h>
 #include "base/utf8.h"
@@ -19,17 +18,17 @@ typedef struct Reader {
     size_t length;
     YkArena *arena;
     YkProblems *problems;
-    bool failed, stopped; // there was an error; there is no point in reading on
+    bool failed, stopped; // failed: there was an error; stopped: reading on makes no sense
     Frame frames[YK_DOC_DEPTH_MAX];
     size_t depth;
     YkNode **pile;
     size_t pile_count, pile_capacity;
     YkNode *root;
-    YkNode *spare; // nodes and room for text, taken from the arena by the block
+    YkNode *spare; // nodes and room for text, taken from the arena in blocks
     char *room;
     size_t spare_count, room_size;
     size_t documents;
-    size_t line_start, line; // a cursor into the text that only moves forward: byte where line (from 0) begins
+    size_t line_start, line; // a cursor into the text that only moves forward: the byte where line (from 0) begins
 } Reader;
 
 static YkPlace place_of(yaml_mark_t mark)
@@ -50,7 +49,7 @@ static void out_of_memory(Reader *reader, YkPlace place)
     reader->stopped = true;
 }
 
-// Number of code points in the given line of the text.
+// Returns the number of code points in the given line of the text.
 static size_t columns_of_line(Reader *reader, size_t line)
 {
     while (reader->line < line) {
@@ -66,7 +65,7 @@ static size_t columns_of_line(Reader *reader, size_t line)
     return columns;
 }
 
-// From start to end; what runs over several lines is underlined to the end of its first.
+// Returns the place from start to end; a place of several lines is underlined to the end of its first.
 static YkPlace place_between(Reader *reader, yaml_mark_t start, yaml_mark_t end)
 {
     YkPlace place = place_of(start);
@@ -120,7 +119,7 @@ static void refuse_anchor_and_tag(Reader *reader, const yaml_event_t *event, con
                  "remove the tag, or put the text in quotes");
 }
 
-// A key must be a scalar with some text; `<<` would merge another map.
+// Checks that a key is a scalar with some text; `<<` would merge another map.
 static void check_key(Reader *reader, const YkNode *key)
 {
     if (key->kind != YK_NODE_SCALAR)
@@ -133,7 +132,7 @@ static void check_key(Reader *reader, const YkNode *key)
                  "write the entries out");
 }
 
-// Hands a finished or just opened node to the innermost open map or list, or makes it the root.
+// Attaches a finished or just opened node to the innermost open map or list, or makes it the root.
 static void attach(Reader *reader, YkNode *node)
 {
     if (reader->depth == 0) {
@@ -185,7 +184,7 @@ static void on_scalar(Reader *reader, const yaml_event_t *event)
     attach(reader, node);
 }
 
-// An alias stands for a value that is not read: a node takes its place so that reading can go on.
+// Handles an alias, whose value is not read: a node takes its place so that reading can continue.
 static void on_alias(Reader *reader, const yaml_event_t *event)
 {
     YkPlace place = place_between(reader, event->start_mark, event->end_mark);
@@ -306,7 +305,7 @@ static void read_events(Reader *reader)
     }
 }
 
-// Nothing at all, or an unquoted scalar without text, as after a lone `---`.
+// Returns whether there is nothing at all, or only an unquoted scalar without text, as after a lone `---`.
 static bool is_empty(const YkNode *root)
 {
     return !root || (root->kind == YK_NODE_SCALAR && !root->quoted && root->length == 0);

@@ -1,12 +1,12 @@
-// libyaml's errors in plain words. Its messages are fixed strings (libyaml 0.2.5, scanner.c and parser.c).
+// Puts libyaml's errors in plain words. Its messages are fixed strings (libyaml 0.2.5, scanner.c and parser.c).
 #include <string.h>
 #include "doc/reader.h"
 
 typedef struct Phrase {
-    const char *problem; // what libyaml says; the first phrase that fits is taken
+    const char *problem; // libyaml's message; the first phrase that fits is taken
     const char *context; // what it was doing then, or NULL for anything
     YkCode code;
-    bool at_context;            // the place is where that began, not where it stopped
+    bool at_context;            // the place is where the context began, not where parsing stopped
     const char *message, *hint; // "%u, %u" in the hint: line and column where the context began
 } Phrase;
 
@@ -78,8 +78,8 @@ static const Phrase *find_phrase(const yaml_parser_t *parser)
     return NULL;
 }
 
-// Where the text ends inside an open map or list, libyaml's mark is after the last line: go back to where there is
-// text.
+// Returns the place of a mark. If the text ends inside an open map or list, libyaml's mark is after the last line:
+// moves back to where there is text.
 static YkPlace place_of(yaml_mark_t mark, const char *text, size_t length)
 {
     while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == '\r' || text[length - 1] == ' ')) length--;
@@ -88,7 +88,7 @@ static YkPlace place_of(yaml_mark_t mark, const char *text, size_t length)
     return place.line > end.line ? end : place;
 }
 
-// Where line `line` (from 1) begins; the end of the text when it has fewer lines.
+// Returns where line `line` (from 1) begins; the end of the text when it has fewer lines.
 static size_t line_start(const char *text, size_t length, size_t line)
 {
     size_t at = 0;
@@ -99,7 +99,8 @@ static size_t line_start(const char *text, size_t length, size_t line)
     return at;
 }
 
-// In a line that starts at `at` like `key:value`: the index of its colon; otherwise 0. *is_void: nothing but a comment.
+// Returns the index of the colon in a line that starts at `at` like `key:value`; 0 otherwise. *is_void: nothing but a
+// comment.
 static size_t tight_colon(const char *text, size_t length, size_t at, bool *is_void)
 {
     while (at < length && text[at] == ' ') at++;
@@ -110,7 +111,7 @@ static size_t tight_colon(const char *text, size_t length, size_t at, bool *is_v
 
 enum { LINES_BACK = 16 };
 
-// `a:1` before a line `b: 2` is text that goes on, so libyaml stumbles over the second colon only.
+// Reports `a:1` before a line `b: 2`: the text continues over both lines, so libyaml stumbles only at the second colon.
 static bool report_tight_colon(const char *text, size_t length, size_t line, YkProblems *problems)
 {
     size_t colon = 0;

@@ -1,11 +1,11 @@
-// The builder: pieces in a row, and the segments they belong to.
+// The builder of laws: pieces in order, and the segments they belong to.
 #include "law/build.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "law/inside.h"
 
-// Ends and periods that agree but for rounding.
+// Ends and periods that differ only by rounding agree.
 #define SAME 1e-9
 
 YkLawBuilder *yk_law_builder_new(double from, double value)
@@ -63,7 +63,7 @@ void yk_law_take_back(YkLawBuilder *builder, size_t first, size_t conditions)
     builder->condition_count -= conditions;
 }
 
-// Is every piece from `first` on finite at its ends, derivatives and all?
+// Returns whether every piece from `first` on is finite at its ends, with all derivatives.
 static bool are_finite(const YkLawBuilder *builder, size_t first)
 {
     for (size_t i = first; i < builder->piece_count; i++) {
@@ -101,7 +101,7 @@ YkLawFault yk_law_end_segment(YkLawBuilder *builder, YkLawKind kind, size_t firs
     return YK_LAW_OK;
 }
 
-// A straight line from where the builder stands.
+// Adds a straight line from the builder's present end.
 static YkLawFault add_line(YkLawBuilder *builder, double to, double v, YkLawKind kind)
 {
     double line[2] = {builder->value, v};
@@ -130,7 +130,7 @@ static void *copy(YkArena *arena, const void *items, size_t count, size_t size)
     return memory;
 }
 
-// Segments with their conditions, which the builder keeps apart while they still move.
+// Copies the segments with their conditions, which the builder stores separately while they still move.
 static const YkLawSegment *copy_segments(const YkLawBuilder *builder, YkArena *arena)
 {
     size_t count = builder->segment_count;

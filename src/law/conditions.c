@@ -1,4 +1,4 @@
-// Lists of conditions: checked, and put in the order s, v, a, j, p, each by ascending place.
+// Checks lists of conditions and puts them in the order s, v, a, j, p, each by ascending place.
 #include <math.h>
 #include "law/inside.h"
 
@@ -9,7 +9,7 @@ static bool comes_before(const YkLawCondition *a, const YkLawCondition *b)
     return a->order < b->order || (a->order == b->order && a->at < b->at);
 }
 
-// By insertion: lists are short.
+// Sorts by insertion: lists are short.
 static void sort(YkLawCondition *conditions, size_t count)
 {
     for (size_t i = 1; i < count; i++) {
@@ -29,7 +29,7 @@ static void find_range(const YkLawCondition *conditions, size_t count, double *f
     }
 }
 
-// Two of the same order at the same place.
+// Returns whether two conditions have the same order at the same place.
 static bool has_repeated(YkLawBuilder *builder, const YkLawCondition *conditions, size_t count, double length)
 {
     for (size_t i = 1; i < count; i++) {

@@ -1,10 +1,10 @@
-// Evaluation of a law: find the piece, sum its polynomial and its waves.
+// Evaluates a law: finds the piece, sums its polynomial and its waves.
 #include <math.h>
 #include "law/inside.h"
 
 enum { ORDERS = YK_LAW_ORDER + 1 };
 
-// sum c_k T_k(u) and its derivatives with respect to u: Clenshaw's recurrence b_k = c_k + 2 u b_{k+1} - b_{k+2},
+// Adds sum c_k T_k(u) and its derivatives with respect to u by Clenshaw's recurrence b_k = c_k + 2 u b_{k+1} - b_{k+2},
 // differentiated term by term. Source: Clenshaw 1955; Mason & Handscomb 2003, 2.4.
 static void add_polynomial(const double *c, size_t terms, double u, double sum[ORDERS])
 {
@@ -26,7 +26,7 @@ static void add_polynomial(const double *c, size_t terms, double u, double sum[O
     sum[0] += c[0];
 }
 
-// amplitude cos(frequency u + phase): derivatives cycle through -sin, -cos, sin, cos.
+// Adds amplitude cos(frequency u + phase): the derivatives cycle through -sin, -cos, sin, cos.
 static void add_wave(const double wave[3], double u, double sum[ORDERS])
 {
     double angle = wave[1] * u + wave[2], factor = wave[0];
@@ -52,7 +52,7 @@ void yk_piece_eval(const YkPiece *piece, const double *numbers, double x, double
     }
 }
 
-// The last piece that begins at or before x.
+// Returns the last piece that begins at or before x.
 static const YkPiece *find(const YkLaw *law, double x)
 {
     size_t low = 0, high = law->piece_count;
@@ -66,7 +66,7 @@ static const YkPiece *find(const YkLaw *law, double x)
     return &law->pieces[low];
 }
 
-// x in [from, from + period).
+// Returns x in [from, from + period).
 static double within_period(const YkLaw *law, double x)
 {
     if (x >= law->from && x < law->from + law->period) return x;

@@ -1,11 +1,11 @@
-// What the files of this room share: a law is a row of pieces, each a polynomial plus some waves in its own variable u.
+// What the files of this room share: a law is a row of pieces, each a polynomial plus waves in a variable u of its own.
 #ifndef LAW_INSIDE_H
 #define LAW_INSIDE_H
 #include <stdint.h>
 #include "law/build.h"
 
 // Over [from, to): f = sum c_k T_k(u) + sum amplitude cos(frequency u + phase), with u = (x - middle) * scale and T_k
-// the Chebyshev polynomials. Its numbers stand together: terms coefficients, then three for each wave.
+// the Chebyshev polynomials. Its numbers are contiguous: `terms` coefficients, then three for each wave.
 typedef struct YkPiece {
     double from, to, middle, scale;
     size_t first;
@@ -14,7 +14,7 @@ typedef struct YkPiece {
 
 struct YkLaw {
     double from, to, period;
-    double start, end; // values held outside where there is no period
+    double start, end; // values held outside the range if there is no period
     const YkPiece *pieces;
     size_t piece_count;
     const double *numbers;
@@ -30,21 +30,22 @@ struct YkLawBuilder {
     size_t number_count, number_capacity;
     YkLawSegment *segments;
     size_t segment_count, segment_capacity;
-    YkLawCondition *conditions; // of all segments, one after the other; segments point to them in the finished law
+    YkLawCondition *conditions; // of all segments, contiguous; in the finished law the segments point to them
     size_t condition_count, condition_capacity;
     size_t culprit, other;
 };
 
-// eval.c: value and derivatives with respect to x of one piece, at any x.
+// eval.c: computes the value and derivatives of one piece with respect to x, at any x.
 void yk_piece_eval(const YkPiece *piece, const double *numbers, double x, double d[YK_LAW_ORDER + 1]);
 
-// build.c: a piece with its numbers (terms + 3 waves of them); frame gives the rest. False when out of memory.
+// build.c: adds a piece with its numbers (terms + 3 waves of them); frame gives the rest. Returns false when out of
+// memory.
 bool yk_law_add_piece(YkLawBuilder *builder, const YkPiece *frame, const double *numbers);
-// Ends a segment that began with piece `first`: its end and the value there, its entry. The conditions (count of them)
-// were appended to builder->conditions before. On a fault removes the pieces again.
+// Ends a segment that began with piece `first`: its end and the value there, its entry. The `conditions` conditions
+// were appended to builder->conditions before. Removes the pieces again on a fault.
 YkLawFault yk_law_end_segment(YkLawBuilder *builder, YkLawKind kind, size_t first, size_t conditions,
                               double condition_number);
-// Removes the pieces from `first` on, and so many of the last conditions.
+// Removes the pieces from `first` on, and this many of the last conditions.
 void yk_law_take_back(YkLawBuilder *builder, size_t first, size_t conditions);
 
 // conditions.c
@@ -52,13 +53,13 @@ void yk_law_take_back(YkLawBuilder *builder, size_t first, size_t conditions);
 // get their range. On a fault nothing is appended.
 YkLawFault yk_law_take_conditions(YkLawBuilder *builder, const YkLawCondition *conditions, size_t count, double *from,
                                   double *to);
-// A solution counts its culprit in the sorted list (the builder's last `count`): from now on in the list that was
-// given.
+// Translates the culprit from its index in the sorted list (the builder's last `count`) to its index in the list that
+// was given.
 void yk_law_name_culprit(YkLawBuilder *builder, const YkLawCondition *given, size_t count);
 
 // solve.c
-// Solves A x = b for n conditions (rows of A[n][n], overwritten). *condition_number of A with its rows scaled. On
-// YK_LAW_CONTRADICTION and YK_LAW_UNDETERMINED *culprit is a row that depends on the others.
+// Solves A x = b for n conditions (rows of A[n][n], overwritten). *condition_number is that of A with its rows scaled.
+// On YK_LAW_CONTRADICTION and YK_LAW_UNDETERMINED *culprit is a row that depends on the others.
 YkLawFault yk_law_solve(size_t n, double *A, double *b, double *x, double *condition_number, size_t *culprit);
 
 #endif

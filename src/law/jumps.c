@@ -1,4 +1,4 @@
-// Where a law is not smooth, and where it is largest: from both sides of every joint of its pieces.
+// Finds where a law is not smooth, and where it is largest, from both sides of every joint of its pieces.
 #include <math.h>
 #include "law/inside.h"
 
@@ -10,7 +10,7 @@ static void piece_eval(const YkLaw *law, size_t index, double x, double d[ORDERS
     yk_piece_eval(&law->pieces[index], law->numbers, x, d);
 }
 
-// As many samples as show every hill of the piece.
+// Returns how many samples show every hill of the piece.
 static size_t sample_count(const YkPiece *piece)
 {
     return 8 + 4u * piece->terms + 16u * piece->waves;
@@ -22,8 +22,9 @@ static double sample_at(const YkPiece *piece, size_t i, size_t count)
     return piece->from + (piece->to - piece->from) * ((double)i / (double)count);
 }
 
-// The largest magnitude of each order, near enough to judge by: at samples. Order 0 counts from the start value, so
-// that what it stands on does not matter. At least what a motion of that height over the whole range has on average.
+// Estimates the largest magnitude of each order from samples, closely enough to judge by. Order 0 counts from the start
+// value, so that an offset does not matter. Each is at least the average of a motion of that height over the whole
+// range.
 static void find_scales(const YkLaw *law, double scale[JUMP_ORDERS])
 {
     double length = law->to - law->from;
@@ -38,7 +39,7 @@ static void find_scales(const YkLaw *law, double scale[JUMP_ORDERS])
             for (int m = 0; m < JUMP_ORDERS; m++) scale[m] = fmax(scale[m], fabs(d[m]));
         }
     }
-    // rounding of the values themselves is no jump
+    // rounding of the values themselves is not a jump
     scale[0] = fmax(scale[0], 1e-6 * fabs(law->start));
     for (int m = 1; m < JUMP_ORDERS; m++) scale[m] = fmax(scale[m], scale[0] / pow(length, m));
 }
@@ -115,7 +116,8 @@ static void raise(const YkLaw *law, size_t piece, int order, double x, YkLawPeak
     if (fabs(d[order]) > fabs(peak->value)) *peak = (YkLawPeak){x, d[order]};
 }
 
-// Every summit among the samples is climbed: of two hills the samples may show the wrong one as the higher.
+// Finds a peak by climbing every summit among the samples: of two hills the samples may show the wrong one as the
+// higher.
 static void find_peak(const YkLaw *law, size_t index, int order, YkLawPeak *peak)
 {
     const YkPiece *piece = &law->pieces[index];

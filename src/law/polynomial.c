@@ -1,14 +1,14 @@
-// A polynomial from conditions, and what it looks like in powers of x.
+// A polynomial from conditions, and its coefficients in powers of x.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "law/inside.h"
 
-// row[k] = the derivative of this order of the Chebyshev polynomial T_k at u, k < count: the recurrence
-// T_{k+1} = 2 u T_k - T_{k-1}, differentiated, one order after the other.
+// Computes row[k] = the derivative of this order of the Chebyshev polynomial T_k at u, k < count, by the recurrence
+// T_{k+1} = 2 u T_k - T_{k-1}, differentiated one order after the other.
 static void chebyshev_row(double u, int order, size_t count, double *row)
 {
-    double below[YK_LAW_CONDITIONS_MAX]; // the order below
+    double below[YK_LAW_CONDITIONS_MAX]; // of the order below
     for (int m = 0; m <= order; m++) {
         if (m > 0) memcpy(below, row, count * sizeof *row);
         row[0] = m == 0;
@@ -20,8 +20,8 @@ static void chebyshev_row(double u, int order, size_t count, double *row)
     }
 }
 
-// The system in u; a condition's place is `at`, its list the builder's last `count`. Fault, coefficients and condition
-// number as yk_law_solve gives them.
+// Solves the system in u; a condition's place is `at`, its list the builder's last `count`. Fault, coefficients and
+// condition number are those of yk_law_solve.
 static YkLawFault solve(YkLawBuilder *builder, const YkPiece *frame, size_t count, double *coefficients,
                         double *condition_number)
 {
@@ -71,14 +71,14 @@ void yk_law_power_row(const YkLawCondition *condition, size_t count, double *row
     }
 }
 
-// p(x) becomes (x - shift) * scale * p(x) in place: one more coefficient.
+// Computes p(x) <- (x - shift) * scale * p(x) in place: one more coefficient.
 static void multiply(double *p, size_t count, double shift, double scale)
 {
     p[count] = 0;
     for (size_t k = count + 1; k-- > 0;) p[k] = scale * ((k > 0 ? p[k - 1] : 0) - shift * p[k]);
 }
 
-// Clenshaw's recurrence on polynomials in x, with u = (x - middle) * scale.
+// Runs Clenshaw's recurrence on polynomials in x, with u = (x - middle) * scale.
 bool yk_law_power_coefficients(const YkLaw *law, size_t segment, double *coefficients)
 {
     if (segment >= law->segment_count || law->segments[segment].kind != YK_LAW_POLYNOMIAL) return false;

@@ -1,4 +1,4 @@
-// The library of rises: each made over the unit interval, then cut, mirrored and stretched to its segment.
+// The library of rises: each is made over the unit interval, then cut, mirrored and stretched to its segment.
 #include <math.h>
 #include <string.h>
 #include "base/vec.h"
@@ -11,7 +11,7 @@ typedef struct Zone {
     double numbers[NUMBERS_MAX];
 } Zone;
 
-// A rise under way: its zones over [0, 1], and how it stands and moves at the end of the last one.
+// A rise being built: its zones over [0, 1], and its value and rates at the end of the last one.
 typedef struct Motion {
     Zone zones[ZONES_MAX];
     size_t count;
@@ -23,7 +23,7 @@ static void zone_eval(const Zone *zone, double x, double d[YK_LAW_ORDER + 1])
     yk_piece_eval(&zone->frame, zone->numbers, x, d);
 }
 
-// Appends a zone of this length; u = x less its start. Nothing for a zone without length.
+// Appends a zone of this length; u = x less its start. Appends nothing for length 0.
 static void append(Motion *motion, double length, uint16_t terms, uint16_t waves, const double *numbers)
 {
     if (!(length > 0)) return;
@@ -42,14 +42,14 @@ static void append(Motion *motion, double length, uint16_t terms, uint16_t waves
     motion->v = d[1];
 }
 
-// Constant acceleration a: s + v u + a u^2 / 2, with u^2 = (T_2 + T_0) / 2.
+// Appends constant acceleration a: s + v u + a u^2 / 2, with u^2 = (T_2 + T_0) / 2.
 static void accelerate(Motion *motion, double length, double a)
 {
     const double numbers[3] = {motion->s + a / 4, motion->v, a / 4};
     append(motion, length, 3, 0, numbers);
 }
 
-// The acceleration is cos(frequency u + phase), integrated twice.
+// Appends the acceleration cos(frequency u + phase), integrated twice.
 static void swing(Motion *motion, double length, double frequency, double phase)
 {
     double a = 1 / frequency, b = a * a;
@@ -57,7 +57,7 @@ static void swing(Motion *motion, double length, double frequency, double phase)
     append(motion, length, 2, 1, numbers);
 }
 
-// Sine - constant - cosine - constant - sine acceleration, of unit amplitude. Source: Norton 2009, ch. 3.
+// Builds sine - constant - cosine - constant - sine acceleration of unit amplitude. Source: Norton 2009, ch. 3.
 static void scca(Motion *motion, double b, double c, double d)
 {
     swing(motion, b / 2, b > 0 ? YK_PI / b : 1, -YK_PI / 2);
@@ -67,7 +67,7 @@ static void scca(Motion *motion, double b, double c, double d)
     swing(motion, b / 2, b > 0 ? YK_PI / b : 1, YK_PI);
 }
 
-// Trapezoidal velocity.
+// Builds a trapezoidal velocity.
 static void constant_velocity(Motion *motion, double blend)
 {
     if (blend == 0) motion->v = 1;
@@ -126,7 +126,7 @@ static void make(Motion *motion, const YkRise *rise)
     motion->zones[motion->count - 1].frame.to = 1;
 }
 
-// f(x) becomes f(1 - x).
+// Turns f(x) into f(1 - x).
 static void mirror(Motion *motion)
 {
     Motion old = *motion;
@@ -141,7 +141,7 @@ static void mirror(Motion *motion)
     }
 }
 
-// Keeps what lies in [low, high], but for slivers that are rounding.
+// Keeps what lies in [low, high], except slivers of rounding size.
 static void cut(Motion *motion, double low, double high)
 {
     size_t kept = 0;
@@ -171,7 +171,7 @@ static bool add_zone(YkLawBuilder *builder, const Motion *motion, size_t index, 
     return yk_law_add_piece(builder, &zone.frame, zone.numbers);
 }
 
-// The motion from its start to its end becomes one from the builder's value by `by`.
+// Adds the motion, from its start to its end, as one from the builder's value by `by`.
 static bool add_motion(YkLawBuilder *builder, const Motion *motion, double to, double by)
 {
     double d0[YK_LAW_ORDER + 1], d1[YK_LAW_ORDER + 1];
@@ -214,7 +214,7 @@ static YkLawFault add(YkLawBuilder *builder, double to, double by, const YkRise 
         return YK_LAW_NO_MEMORY;
     }
     YkLawFault fault = yk_law_end_segment(builder, falls ? YK_LAW_FALL : YK_LAW_RISE, first, 0, 1);
-    if (fault == YK_LAW_OK) builder->value = value; // without the rounding on the way
+    if (fault == YK_LAW_OK) builder->value = value; // removes the rounding on the way
     return fault;
 }
 

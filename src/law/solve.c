@@ -1,4 +1,4 @@
-// The linear system of conditions: rank and the condition to blame, LU, refinement in twice the precision.
+// Solves the linear system of conditions: rank and the condition to blame, LU, refinement in twice the precision.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,10 +6,10 @@
 #include "num/dense.h"
 
 enum { REFINEMENTS = 4 };
-// Rows are as good as dependent below this.
+// Rows whose remainder is below this count as dependent.
 #define RANK 1e-13
 
-// Everything a solution needs beside the system.
+// Everything a solution needs besides the system.
 typedef struct Scratch {
     double *factors, *tau, *column, *work, *scale;
     int *pivot;
@@ -40,8 +40,8 @@ static bool scratch_new(Scratch *scratch, size_t n)
     return true;
 }
 
-// Every row becomes 1 in its largest entry, so that a condition on a high derivative weighs like one on the value.
-// Powers of two: exact.
+// Scales every row to 1 in its largest entry, so that a condition on a high derivative weighs like one on the value.
+// The factors are powers of two, so this is exact.
 static void scale_rows(size_t n, double *A, double *b)
 {
     for (size_t i = 0; i < n; i++) {
@@ -55,7 +55,7 @@ static void scale_rows(size_t n, double *A, double *b)
     }
 }
 
-// The rank of the rows; *culprit gets a row that depends on the others where there is one.
+// Returns the rank of the rows; *culprit gets a row that depends on the others, if there is one.
 static size_t row_rank(size_t n, const double *A, Scratch *scratch, size_t *culprit)
 {
     double *transposed = scratch->factors;
@@ -66,14 +66,14 @@ static size_t row_rank(size_t n, const double *A, Scratch *scratch, size_t *culp
         for (size_t k = 0; k < n; k++) transposed[k * n + i] = A[i * n + k] / length;
     }
     size_t rank = yk_qr_factor(n, n, transposed, scratch->order, scratch->tau, RANK);
-    // of several, the condition given last
+    // blames the condition given last
     for (size_t i = rank; i < n; i++) {
         if (i == rank || scratch->order[i] > *culprit) *culprit = scratch->order[i];
     }
     return rank;
 }
 
-// Does the singular system have solutions all the same?
+// Returns whether the singular system still has solutions.
 static bool is_consistent(size_t n, const double *A, const double *b, Scratch *scratch, double *x)
 {
     double largest = 0, off = 0;
@@ -90,7 +90,7 @@ static bool is_consistent(size_t n, const double *A, const double *b, Scratch *s
     return off <= 1e-9 * largest;
 }
 
-// b - A x, each in twice the precision. Source: Ogita, Rump & Oishi 2005, algorithm Dot2.
+// Computes b - A x, each entry in twice the precision. Source: Ogita, Rump & Oishi 2005, algorithm Dot2.
 static void residual(size_t n, const double *A, const double *x, const double *b, double *r)
 {
     for (size_t i = 0; i < n; i++) {
@@ -116,7 +116,7 @@ static double largest_column(size_t n, const double *A)
     return largest;
 }
 
-// |A| |A^-1| in the 1-norm, by the columns of the inverse.
+// Returns |A| |A^-1| in the 1-norm, by the columns of the inverse.
 static double condition(size_t n, const double *A, Scratch *scratch)
 {
     double largest = 0;

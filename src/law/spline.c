@@ -8,7 +8,7 @@ enum { TERMS_MAX = YK_LAW_DEGREE_MAX + 1, KNOTS_MAX = YK_LAW_CONDITIONS_MAX + TE
 
 typedef struct Spline {
     int degree;
-    size_t count; // of B-splines: control values
+    size_t count; // number of B-splines, that is of control values
     double knots[KNOTS_MAX];
 } Spline;
 
@@ -18,7 +18,7 @@ typedef struct Span {
     double basis[TERMS_MAX][TERMS_MAX];
 } Span;
 
-// sum += (p + q u) * factor
+// Computes sum += (p + q u) * factor.
 static void add_multiple(double *sum, const double *factor, int terms, double p, double q)
 {
     for (int k = 0; k < terms; k++) {
@@ -27,7 +27,7 @@ static void add_multiple(double *sum, const double *factor, int terms, double p,
     }
 }
 
-// The recurrence of Cox and de Boor, carried out on polynomials. Source: de Boor 2001, ch. IX.
+// Runs the recurrence of Cox and de Boor on polynomials. Source: de Boor 2001, ch. IX.
 static void make_span(const Spline *spline, size_t index, Span *span)
 {
     const double *t = spline->knots;
@@ -46,7 +46,7 @@ static void make_span(const Spline *spline, size_t index, Span *span)
     }
 }
 
-// The span in which x lies: knots[span] <= x < knots[span + 1], the last one closed; no span is empty.
+// Returns the span that contains x: knots[span] <= x < knots[span + 1], the last one closed; no span is empty.
 static size_t find_span(const Spline *spline, double x)
 {
     size_t span = spline->count - 1;
@@ -56,7 +56,7 @@ static size_t find_span(const Spline *spline, double x)
     return span;
 }
 
-// Of a polynomial in powers of u.
+// Returns the derivative of a polynomial in powers of u.
 static double derivative(const double *p, int terms, int order, double u)
 {
     double sum = 0;
@@ -68,7 +68,7 @@ static double derivative(const double *p, int terms, int order, double u)
     return sum;
 }
 
-// Averages of `degree` places each: then a place lies within the reach of its B-spline.
+// Makes knots as averages of `degree` places each: every place then lies within the support of its B-spline.
 static void make_knots(Spline *spline, const double *places)
 {
     size_t degree = (size_t)spline->degree, count = spline->count;
@@ -112,7 +112,7 @@ static YkLawFault solve(YkLawBuilder *builder, const Spline *spline, double *con
     return fault;
 }
 
-// Powers of u into Chebyshev polynomials, by Horner: u T_k = (T_{k+1} + T_{k-1}) / 2.
+// Converts powers of u to Chebyshev polynomials, by Horner: u T_k = (T_{k+1} + T_{k-1}) / 2.
 static void to_chebyshev(const double *p, int terms, double *c)
 {
     double old[TERMS_MAX + 1];

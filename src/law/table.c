@@ -1,13 +1,13 @@
-// Tables: a piece between every two points, from their values and, where it is cubic, their slopes.
+// Tables: a piece between every two points, from their values and, if it is cubic, their slopes.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "law/inside.h"
 
-// The points, with those that close the period; the slopes are sought.
+// The points, with those that close the period; the slopes are to be found.
 typedef struct Table {
     double *x, *y, *slope, *work;
-    size_t count; // of points; there are count - 1 intervals
+    size_t count; // number of points; there are count - 1 intervals
     bool is_periodic;
 } Table;
 
@@ -20,8 +20,8 @@ static double rise(const Table *table, size_t i)
     return (table->y[i + 1] - table->y[i]) / width(table, i);
 }
 
-// Solves for n unknowns: low[i] m[i-1] + diagonal[i] m[i] + high[i] m[i+1] = m[i] (right side in, solution out), rows
-// diagonally dominant. diagonal is overwritten. Source: Golub & Van Loan 2013, 4.3.
+// Solves low[i] m[i-1] + diagonal[i] m[i] + high[i] m[i+1] = m[i] for n unknowns (right side in, solution out); the
+// rows are diagonally dominant. Overwrites diagonal. Source: Golub & Van Loan 2013, 4.3.
 static void solve_tridiagonal(size_t n, const double *low, double *diagonal, const double *high, double *m)
 {
     for (size_t i = 1; i < n; i++) {
@@ -33,7 +33,7 @@ static void solve_tridiagonal(size_t n, const double *low, double *diagonal, con
     for (size_t i = n - 1; i-- > 0;) m[i] = (m[i] - high[i] * m[i + 1]) / diagonal[i];
 }
 
-// The second derivative is continuous at point i, between intervals `left` and `right`.
+// Makes the second derivative continuous at point i, between intervals `left` and `right`.
 static void continuity_row(const Table *table, size_t left, size_t right, double row[4])
 {
     double hl = width(table, left), hr = width(table, right);
@@ -43,7 +43,7 @@ static void continuity_row(const Table *table, size_t left, size_t right, double
     row[3] = 3 * (hr * rise(table, left) + hl * rise(table, right));
 }
 
-// Slopes of the natural cubic spline. Source: de Boor 2001, ch. IV.
+// Finds the slopes of the natural cubic spline. Source: de Boor 2001, ch. IV.
 static void natural_slopes(Table *table)
 {
     size_t n = table->count;
@@ -65,8 +65,8 @@ static void natural_slopes(Table *table)
     solve_tridiagonal(n, low, diagonal, high, m);
 }
 
-// The same round a period: the corners of the matrix by the formula of Sherman and Morrison. The last point is the
-// first.
+// Finds those of the periodic spline: handles the corners of the matrix by the Sherman-Morrison formula. The last point
+// is the first.
 static void periodic_slopes(Table *table)
 {
     size_t n = table->count - 1;
@@ -95,7 +95,7 @@ static void periodic_slopes(Table *table)
     m[n] = m[0];
 }
 
-// Weighted harmonic mean of the slopes on both sides, 0 at a summit: then the cubic stays monotone.
+// Returns the weighted harmonic mean of the slopes on both sides, 0 at a summit: the cubic then stays monotone.
 static double inner_slope(const Table *table, size_t left, size_t right)
 {
     double hl = width(table, left), hr = width(table, right), a = rise(table, left), b = rise(table, right);
@@ -103,7 +103,7 @@ static double inner_slope(const Table *table, size_t left, size_t right)
     return 3 * (hl + hr) / ((2 * hr + hl) / a + (hr + 2 * hl) / b);
 }
 
-// At an end: of the parabola through three points, kept within what is monotone.
+// Returns the slope at an end: that of the parabola through three points, limited to keep the piece monotone.
 static double end_slope(double h0, double h1, double a, double b)
 {
     double slope = ((2 * h0 + h1) * a - h0 * b) / (h0 + h1);
@@ -124,8 +124,8 @@ static void monotone_slopes(Table *table)
     m[n - 1] = end_slope(width(table, n - 2), width(table, n - 3), rise(table, n - 2), rise(table, n - 3));
 }
 
-// Two points make a line. Round a period of two intervals the matrix of the general case has no room; both slopes are
-// equal there.
+// Finds the slopes. Two points make a line. With a period of two intervals the general matrix does not fit; both slopes
+// are equal there.
 static void find_slopes(Table *table, YkTableShape shape)
 {
     if (table->count == 2) {
@@ -172,7 +172,7 @@ static YkLawFault check(YkLawBuilder *builder, const double *x, size_t count, do
     return period > 0 && x[count - 1] - x[0] > period * (1 + 1e-9) ? YK_LAW_OVERFILLED : YK_LAW_OK;
 }
 
-// Copies the points; a last one closes the period.
+// Copies the points and adds one that closes the period.
 static void fill(Table *table, const double *x, const double *y, size_t count, double period)
 {
     memcpy(table->x, x, count * sizeof *x);

@@ -1,4 +1,4 @@
-// Contact forces within bounds: sweeps, and an active set where they creep.
+// Solves for contact forces within bounds: by sweeps, and by an active set where these converge slowly.
 #include "num/bounded.h"
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static double clamp(double x, YkBounds bounds)
     return fmin(bounds.high, fmax(bounds.low, x));
 }
 
-// One sweep. Returns the largest change over the largest unknown.
+// Makes one sweep. Returns the largest change over the largest unknown.
 static double sweep(size_t n, const double *A, const double *b, const YkBounds *bounds, double *x)
 {
     double moved = 0, size = 0;
@@ -33,7 +33,7 @@ static double sweep(size_t n, const double *A, const double *b, const YkBounds *
     return moved > 0 ? moved / size : 0;
 }
 
-// Does x answer, to rounding?
+// Returns whether x is the solution, up to rounding.
 static bool is_answer(size_t n, const double *A, const double *b, const YkBounds *bounds, const double *x)
 {
     double size = 0;
@@ -48,12 +48,12 @@ static bool is_answer(size_t n, const double *A, const double *b, const YkBounds
     return true;
 }
 
-// A step by which an active set proceeds: the system of the unknowns that are not fixed.
+// A step of the active set: the system of the unknowns that are not fixed.
 typedef struct Inner {
     size_t n, f;
     const double *A, *b;
     const YkBounds *bounds;
-    double *x, *system, *right, *step, *tau, *fixed; // fixed[i]: 1 at a bound that holds it
+    double *x, *system, *right, *step, *tau, *fixed; // fixed[i]: 1 if the unknown is held at a bound
     size_t *order, *place;
 } Inner;
 
@@ -68,8 +68,7 @@ static void choose_free(Inner *in)
     }
 }
 
-// Goes along `step` until a bound is met, which then holds its unknown, or to the end of the step. Returns whether a
-// bound was met.
+// Moves along `step` to its end, or to the first bound, which then holds its unknown. Returns whether a bound was met.
 static bool go(Inner *in, double way)
 {
     size_t met = in->f;
@@ -90,7 +89,7 @@ static bool go(Inner *in, double way)
     return true;
 }
 
-// Lets the unknown go whose bound is most in the way. Returns whether there was one.
+// Releases the unknown that its bound holds back most. Returns whether there was one.
 static bool let_go(Inner *in)
 {
     size_t worst = in->n;
@@ -109,9 +108,9 @@ static bool let_go(Inner *in)
     return worst < in->n;
 }
 
-// The active-set method for a convex quadratic form: from x, which is within its bounds. Where the free unknowns'
-// system is singular and contradicts itself, it goes on along what is left over until a bound is met. Source: Nocedal &
-// Wright 2006, 16.5.
+// Runs the active-set method for a convex quadratic form from x, which is within its bounds. Where the system of the
+// free unknowns is singular and contradictory, moves along its residual until a bound is met. Source: Nocedal & Wright
+// 2006, 16.5.
 static void settle(Inner *in, int steps)
 {
     for (size_t i = 0; i < in->n; i++) in->fixed[i] = in->x[i] <= in->bounds[i].low || in->x[i] >= in->bounds[i].high;

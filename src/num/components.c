@@ -1,9 +1,10 @@
+// Tarjan's search for strong components, with stacks in place of recursion.
 #include "num/components.h"
 
 typedef struct Search {
     const uint32_t *first;
     const int32_t *target;
-    int32_t *component, *index, *low, *edge, *path, *open; // index: when entered; open: nodes not yet in a component
+    int32_t *component, *index, *low, *edge, *path, *open; // index: order of entry; open: nodes not yet in a component
     size_t path_count, open_count, components;
     int32_t order;
 } Search;
@@ -16,7 +17,7 @@ static void enter(Search *s, int32_t v)
     s->open[s->open_count++] = v;
 }
 
-// v's edges are done: if nothing below reaches above it, what is open from v on is a component.
+// Leaves v once all its edges are done: if nothing below reaches above it, the open nodes from v on are a component.
 static void leave(Search *s, int32_t v)
 {
     s->path_count--;
@@ -33,7 +34,7 @@ static void leave(Search *s, int32_t v)
     }
 }
 
-// Follows the next edge of v; returns a node to enter, or -1.
+// Follows the next edge of v; returns the node to enter, or -1.
 static int32_t follow(Search *s, int32_t v)
 {
     while ((uint32_t)s->edge[v] < s->first[v + 1]) {

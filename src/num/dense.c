@@ -1,3 +1,4 @@
+// Dense LU and QR factorisation, row-major.
 #include "num/dense.h"
 #include <math.h>
 
@@ -70,7 +71,7 @@ static void swap_columns(size_t m, size_t n, double *A, size_t j, size_t k)
     }
 }
 
-// Householder vector of column k below row k; v[k] = 1 implied, the rest stays in A, the diagonal gets R.
+// Makes the Householder vector of column k below row k: v[k] = 1 is implied, the rest stays in A, the diagonal gets R.
 static void reflect_column(size_t m, size_t n, double *A, size_t k, double *tau)
 {
     double length = column_length(m, n, A, k, k), a = A[k * n + k];

@@ -1,10 +1,11 @@
+// Eigenvalues of general matrices: balancing, reduction to Hessenberg form, Francis' double-shift QR iteration.
 #include <float.h>
 #include <math.h>
 #include "num/eigen.h"
 
 enum { MOST_ITERATIONS = 60 }; // for one eigenvalue
 
-// ---- balance: rows and columns of like length, by powers of two, so that nothing is rounded ----
+// ---- balancing: rows and columns of similar length, by powers of two, which round nothing ----
 
 static bool balance_one(size_t n, double *A, size_t i)
 {
@@ -35,7 +36,8 @@ static void balance(size_t n, double *A)
 
 // ---- reflections H = I - beta v v^T with v[0] = 1 ----
 
-// That takes x[count] to a multiple of the first axis. x becomes v; returns beta, and the multiple in *length.
+// Finds the reflection that takes x[count] to a multiple of the first axis. x becomes v; returns beta, and the multiple
+// in *length.
 static double reflection(size_t count, double *x, size_t stride, double *length)
 {
     double sum = 0, scale = 0, first = x[0];
@@ -51,7 +53,7 @@ static double reflection(size_t count, double *x, size_t stride, double *length)
     return -head / *length;
 }
 
-// Rows `row` .. + count of columns from .. to.
+// Reflects rows `row` .. + count of the columns from .. to.
 static void reflect_rows(size_t n, double *A, size_t row, size_t count, const double *v, size_t stride, double beta,
                          size_t from, size_t to)
 {
@@ -74,8 +76,8 @@ static void reflect_columns(size_t n, double *A, size_t column, size_t count, co
     }
 }
 
-// To Hessenberg form: nothing below the first subdiagonal. The reflection of column k lives below its subdiagonal
-// meanwhile.
+// Reduces to Hessenberg form: zeros below the first subdiagonal. Meanwhile the reflection of column k is stored below
+// its subdiagonal.
 static void reduce(size_t n, double *A)
 {
     for (size_t k = 0; k + 2 < n; k++) {
@@ -96,7 +98,7 @@ typedef struct Shifts {
     double sum, product;
 } Shifts;
 
-// The eigenvalues of the last 2 x 2 block; now and then others, should it go round in circles.
+// Returns the eigenvalues of the last 2 x 2 block; now and then other shifts, in case the iteration cycles.
 static Shifts choose_shifts(size_t n, const double *H, size_t high, int iteration)
 {
     const double *a = H + (high - 1) * n + high - 1, *b = a + n;
@@ -127,8 +129,8 @@ static void chase(size_t n, double *H, size_t low, size_t high, Shifts shifts)
     }
 }
 
-// Where the active block that ends at `high` begins: below the last subdiagonal entry that is nothing next to its
-// neighbours.
+// Returns where the active block that ends at `high` begins: below the last subdiagonal entry that is negligible next
+// to its neighbours.
 static size_t find_low(size_t n, double *H, size_t high, double norm)
 {
     size_t low = high;
@@ -180,7 +182,7 @@ static void sort_values(size_t n, double *real, double *imaginary)
 
 static bool iterate(size_t n, double *H, double norm, double *real, double *imaginary)
 {
-    size_t left = n; // rows not done yet
+    size_t left = n; // rows still to do
     for (int iteration = 0; left > 0;) {
         size_t high = left - 1, low = find_low(n, H, high, norm);
         if (low == high) {

@@ -1,3 +1,4 @@
+// Eigenvalues and eigenvectors of symmetric matrices by cyclic Jacobi rotations.
 #include <float.h>
 #include <math.h>
 #include "num/eigen.h"
@@ -8,7 +9,7 @@ typedef struct Rotation {
     double c, s;
 } Rotation;
 
-// That makes A[p][q] zero. The smaller of the two angles; written so that nothing overflows.
+// Returns the rotation that makes A[p][q] zero, by the smaller of the two angles; written so that nothing overflows.
 static Rotation rotation_for(double pp, double pq, double qq)
 {
     double tau = (qq - pp) / (2 * pq), t = (tau >= 0 ? 1 : -1) / (fabs(tau) + hypot(1, tau));
@@ -32,7 +33,7 @@ static void eliminate(size_t n, double *A, double *vectors, size_t p, size_t q)
     for (size_t k = 0; vectors && k < n; k++) rotate(r, &vectors[p * n + k], &vectors[q * n + k]);
 }
 
-// Over all pairs, but not those that are nothing next to the whole matrix. Returns how many were left to do.
+// Sweeps over all pairs except those negligible next to the whole matrix. Returns how many were left to do.
 static size_t sweep(size_t n, double *A, double *vectors, double tiny)
 {
     size_t done = 0;
@@ -71,7 +72,7 @@ bool yk_eigen_symmetric(size_t n, double *A, double *values, double *vectors)
         if (!(fabs(A[k]) <= DBL_MAX)) return false;
         largest = fmax(largest, fabs(A[k]));
     }
-    // Sizes near 1 whatever the unit: a power of two, so that nothing is rounded.
+    // Scales to sizes near 1 whatever the unit: by a power of two, so that nothing is rounded.
     int exponent = 0;
     frexp(largest, &exponent);
     for (size_t k = 0; k < n * n; k++) A[k] = ldexp(A[k], -exponent);

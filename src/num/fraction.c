@@ -4,7 +4,7 @@
 #include <string.h>
 #include "num/whole.h"
 
-// A fraction made of its parts; only the limbs that count are copied.
+// Copies a part of a fraction; only the limbs that count.
 static void put(YkWhole *to, const YkWhole *from)
 {
     to->count = from->count;
@@ -95,7 +95,7 @@ YkFraction yk_fraction_inverse(const YkFraction *a)
     return b;
 }
 
-// to = a / divisor, exactly.
+// Computes to = a / divisor, exactly.
 static void divide_out(YkWhole *to, const YkWhole *a, const YkWhole *divisor)
 {
     YkWhole rest;
@@ -115,7 +115,7 @@ YkFraction yk_fraction_multiply(const YkFraction *a, const YkFraction *b, YkOver
     if (a->over.count == 0 || b->over.count == 0) return yk_fraction(0, 1);
     if (is_small(&a->over) && is_small(&b->over) && is_small(under_a) && is_small(under_b))
         return reduced(is_negative, small(&a->over) * small(&b->over), small(under_a) * small(under_b));
-    yk_whole_common(&ab, &a->over, under_b); // what cancels crosswise: the products are then in lowest terms
+    yk_whole_common(&ab, &a->over, under_b); // cancels crosswise: the products are then in lowest terms
     yk_whole_common(&ba, &b->over, under_a);
     divide_out(&part[0], &a->over, &ab);
     divide_out(&part[1], &b->over, &ba);
@@ -133,7 +133,7 @@ YkFraction yk_fraction_divide(const YkFraction *a, const YkFraction *b, YkOverfl
     return yk_fraction_multiply(a, &inverse, overflow);
 }
 
-// a + b of natural numbers with signs.
+// Adds natural numbers with signs.
 static bool add_signed(YkWhole *sum, const YkWhole *a, bool a_negative, const YkWhole *b, bool b_negative,
                        YkOverflow *overflow)
 {

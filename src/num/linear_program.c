@@ -1,8 +1,9 @@
+// The simplex method on a dense dictionary.
 #include "num/linear_program.h"
 #include <math.h>
 #include <string.h>
 
-static const double NOTHING = 1e-12; // of rows and unknowns of size 1
+static const double NOTHING = 1e-12; // negligible among rows and unknowns of size 1
 
 // basic = T[row][0] - sum T[row][1 + k] * (nonbasic k); row m: the objective, with + for the sum.
 typedef struct Dictionary {
@@ -31,7 +32,7 @@ static void start(Dictionary *d, size_t n, const double *A, const double *b, con
     for (size_t j = 0; j < 2 * n; j++) d->nonbasic[j] = j;
 }
 
-// The unknown of least name that would raise the objective; k where there is none.
+// Returns the unknown of lowest index that would raise the objective; k if there is none.
 static size_t entering(const Dictionary *d)
 {
     const double *objective = row_of(d, d->m);
@@ -41,7 +42,7 @@ static size_t entering(const Dictionary *d)
     return found;
 }
 
-// The row that lets the unknown grow least, of equal ones that of least name; m where none does.
+// Returns the row that limits the unknown's growth most, of equal ones that of lowest index; m if none limits it.
 static size_t leaving(const Dictionary *d, size_t column)
 {
     size_t found = d->m;
@@ -70,7 +71,7 @@ static void pivot(Dictionary *d, size_t row, size_t column)
         other[1 + column] = 0;
         for (size_t j = 1; j <= d->k; j++) other[j] -= share * own[j];
         other[0] += (i == d->m ? 1 : -1) * share * own[0];
-        if (i < d->m && other[0] < 0) other[0] = 0; // no more than rounding
+        if (i < d->m && other[0] < 0) other[0] = 0; // a negative value here is only rounding
     }
     size_t name = d->basic[row];
     d->basic[row] = d->nonbasic[column];

@@ -1,3 +1,4 @@
+// Grows a bipartite matching by augmenting paths, with an explicit stack.
 #include "num/matching.h"
 
 bool yk_matching_start(YkMatching *m, YkArena *arena, size_t columns, size_t rows, size_t entries)
@@ -15,7 +16,7 @@ bool yk_matching_start(YkMatching *m, YkArena *arena, size_t columns, size_t row
     return true;
 }
 
-// A free column of the row, or -1.
+// Returns a free column of the row, or -1.
 static int32_t free_column(const YkMatching *m, int32_t row)
 {
     for (uint32_t e = m->first[row]; e < m->first[row + 1]; e++)
@@ -23,7 +24,7 @@ static int32_t free_column(const YkMatching *m, int32_t row)
     return -1;
 }
 
-// Gives `column` to the row on top of the stack, whose old column goes to the row below it, and so on down.
+// Gives `column` to the row on top of the stack, whose old column goes to the row below it, and so on.
 static void flip_path(YkMatching *m, size_t depth, int32_t column)
 {
     while (depth > 0) {

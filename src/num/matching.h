@@ -1,5 +1,5 @@
-// Maximum bipartite matching of equations (rows) with unknowns (columns), grown one row at a time.
-// Source: augmenting paths with cheap assignment, Duff 1981 (MC21).
+// Maximum bipartite matching of equations (rows) with unknowns (columns), grown one row at a time. Source: augmenting
+// paths with cheap assignment, Duff 1981 (MC21).
 #ifndef NUM_MATCHING_H
 #define NUM_MATCHING_H
 #include <stdbool.h>
@@ -20,10 +20,10 @@ typedef struct YkMatching {
     uint32_t stamp;
 } YkMatching;
 
-// Room for so many columns, rows and entries (arena memory). False when out of memory.
+// Makes room for so many columns, rows and entries (arena memory). Returns false when out of memory.
 bool yk_matching_start(YkMatching *matching, YkArena *arena, size_t columns, size_t rows, size_t entries);
-// Adds a row and matches it if an augmenting path exists. Returns whether it was matched; an unmatched row is kept when
-// `keep`, dropped otherwise. Cost of one search O(rows + entries), typically O(1).
+// Adds a row and matches it if an augmenting path exists. Returns whether it was matched; an unmatched row is kept if
+// `keep`, otherwise dropped. One search costs O(rows + entries), typically O(1).
 bool yk_matching_add(YkMatching *matching, const int32_t *columns, size_t count, bool keep);
 
 #endif

@@ -1,12 +1,13 @@
+// Steppers for ordinary differential equations: options, memory, start, and values within the last step.
 #include "num/ode_internal.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-// Memory: one block, cut into columns of n that begin at a cache line. Where they are long an extra line keeps columns
-// off each other's places in the cache (n a power of two).
+// Memory is one block, cut into columns of n that begin at a cache line. Long columns get an extra line, which keeps
+// them from competing for the same places in the cache (n a power of two).
 typedef struct Cutter {
-    unsigned char *memory; // NULL: only count
+    unsigned char *memory; // NULL: count only
     size_t used;
     bool overflow;
 } Cutter;
@@ -91,7 +92,7 @@ static bool not_negative(double x)
     return x >= 0 && x <= DBL_MAX;
 }
 
-// Something to go by: tolerances for the methods with error control, a step for the one without.
+// Returns whether the options suffice: tolerances for the methods with error control, a step for the method without.
 static bool options_make_sense(size_t n, const YkOdeOptions *o)
 {
     if (n == 0 || o->controlled > n) return false;
@@ -115,7 +116,7 @@ YkOde *yk_ode_new(size_t n, const YkOdeOptions *options, YkOdeFunction f, void *
     }
     for (size_t j = 0; j < ode->controlled; j++)
         ode->floor[j] = options->absolute * (options->scale ? fabs(options->scale[j]) : 1);
-    ode->options.scale = NULL; // taken in; the caller's array may go
+    ode->options.scale = NULL; // copied; the caller may free its array
     return ode;
 }
 
@@ -184,7 +185,7 @@ YkOdeStatus yk_ode_dense(YkOde *ode, double t, double *y)
         memcpy(y, at_end ? ode->y : ode->y_previous, ode->n * sizeof *y);
         return YK_ODE_OK;
     }
-    if (!(s > 0 && s < 1)) return YK_ODE_FAILED; // outside the step
+    if (!(s > 0 && s < 1)) return YK_ODE_FAILED; // t lies outside the step
     switch (ode->options.method) {
     case YK_ODE_DOP853:
         return yk_ode_dop853_dense(ode, s, y);

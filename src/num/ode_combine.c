@@ -1,7 +1,7 @@
+// One unrolled loop for each number of slopes.
 #include "num/ode_combine.h"
 
-// One loop for each number of slopes: the sum over them is written out, so that the loop over components is the only
-// one left and can be vectorised.
+// Each loop writes out the sum over the slopes, so that only the loop over components is left and can be vectorised.
 #define K(m) const double *restrict k##m = k[m]
 #define LOOP(name, slopes, sum)                                                                                        \
     static void name(size_t n, const double *restrict a, const double *const *k, double h, const double *restrict y,   \

@@ -1,12 +1,12 @@
-// The inner loop of every explicit stage, for few and for very many components.
+// The inner loop of every explicit stage, for few components and for very many.
 #ifndef NUM_ODE_COMBINE_H
 #define NUM_ODE_COMBINE_H
 #include <stddef.h>
 
 enum { YK_ODE_MOST_TERMS = 9 };
 
-// z[n] = y + h (a[0] k[0] + a[1] k[1] + ...): all slopes of one component in one go, so that every array passes the
-// processor once. `terms` is 1 .. YK_ODE_MOST_TERMS; z stands apart from y and the slopes k[terms][n].
+// Computes z[n] = y + h (a[0] k[0] + a[1] k[1] + ...), all slopes of a component at once, so that every array passes
+// the processor once. `terms` is 1 .. YK_ODE_MOST_TERMS; z must not overlap y or the slopes k[terms][n].
 void yk_ode_combine(size_t n, size_t terms, const double *a, const double *const *k, double h, const double *y,
                     double *z);
 

@@ -1,9 +1,9 @@
-// DOP853. Hairer, Norsett & Wanner 1993, Solving Ordinary Differential Equations I, II.5 and II.10.
+// The method DOP853. Hairer, Norsett & Wanner 1993, Solving Ordinary Differential Equations I, II.5 and II.10.
 #include "num/ode_combine.h"
 #include "num/ode_dop853_tableau.h"
 #include "num/ode_internal.h"
 
-// The slopes of the step by number. `first` and `last` are f at its two ends.
+// Lists the slopes of the step by number. `first` and `last` are f at its two ends.
 static void list_slopes(const YkOde *ode, const double *first, const double *last, const double *k[YK_DOP853_STAGES])
 {
     for (size_t i = 0; i < YK_DOP853_STAGES; i++) k[i] = ode->stage[i];
@@ -18,7 +18,7 @@ static void combine_row(size_t n, const YkDop853Row *row, const double *const *k
     yk_ode_combine(n, row->terms, row->weight, slope, h, y, z);
 }
 
-// Hairer's combination of the estimates of order 5 and 3: behaves as order 8 where both are small.
+// Combines the estimates of order 5 and 3 as Hairer does: behaves as order 8 where both are small.
 static double error_norm(const YkOde *ode, const double *const *k, double h)
 {
     const double *restrict a = k[0], *restrict b = k[5], *restrict c = k[6], *restrict d = k[7], *restrict e = k[8],
@@ -55,7 +55,7 @@ YkOdeTrial yk_ode_dop853_try(YkOde *ode, double h, double *error)
     return YK_TRIAL_DONE;
 }
 
-// Coefficients of degree 1 .. 7; degree 0 is y_previous.
+// Makes the coefficients of degree 1 .. 7; that of degree 0 is y_previous.
 static void make_coefficients(YkOde *ode, const double *const *k, double h)
 {
     double *const *c = ode->dense;

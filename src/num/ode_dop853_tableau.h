@@ -1,7 +1,7 @@
-// The tableau of DOP853: Dormand & Prince's method of order 8 in twelve stages with Hairer's estimates of order 5 and 3
-// and the dense output of order 7 in four more. Zeros are left out: a row lists the stages it takes. Stages count from
-// 0; 0 is f at the start of the step, 12 is f at its end. Source: Hairer, Norsett & Wanner 1993, II.5, II.6 and II.10,
-// and their published program. tests/num/test_ode_dop853.c proves the numbers by their conditions.
+// The tableau of DOP853: Dormand & Prince's method of order 8 in twelve stages, with Hairer's estimates of order 5 and
+// 3 and the dense output of order 7 in four more. Zeros are left out: a row lists the stages it uses. Stages count from
+// 0: stage 0 is f at the start of the step, stage 12 is f at its end. Source: Hairer, Norsett & Wanner 1993, II.5, II.6
+// and II.10, and their published program. tests/num/test_ode_dop853.c verifies the numbers by the order conditions.
 #ifndef NUM_ODE_DOP853_TABLEAU_H
 #define NUM_ODE_DOP853_TABLEAU_H
 #include <stddef.h>
@@ -10,9 +10,9 @@ enum { YK_DOP853_STAGES = 16, YK_DOP853_TERMS = 12 };
 
 typedef struct YkDop853Row {
     double node;                    // c, in lengths of the step
-    size_t terms;                   // stages that enter
-    size_t stage[YK_DOP853_TERMS];  // which
-    double weight[YK_DOP853_TERMS]; // with what
+    size_t terms;                   // number of stages that enter
+    size_t stage[YK_DOP853_TERMS];  // their numbers
+    double weight[YK_DOP853_TERMS]; // their weights
 } YkDop853Row;
 
 // Stages 1 .. 11 of the step.

@@ -1,14 +1,15 @@
-// Simplified Newton for the stages of an implicit method. Hairer & Wanner 1996, Solving Ordinary Differential Equations
-// II, IV.8. Only the controlled components enter the linear systems: the others are quadratures, which nothing depends
-// on.
+// Simplified Newton iteration for the stages of an implicit method. Hairer & Wanner 1996, Solving Ordinary Differential
+// Equations II, IV.8. Only the controlled components enter the linear systems: the others are quadratures, on which
+// nothing depends.
 #include "num/dense.h"
 #include "num/ode_internal.h"
 
 enum { MOST_ITERATIONS = 10 };
-// The first correction of a stage is believed to leave at least this part of itself: J may be older than it looks.
+// The first correction of a stage is assumed to leave at least this part of the error: J may be outdated.
 static const double NOT_MEASURED = 0.1;
 
-// One column by a difference in y_j, towards where y_j goes; the other way, and nearer, where f fails.
+// Computes one column from a difference in y_j, in the direction of its motion; the other way, and closer, if f fails
+// there.
 static bool differentiate(YkOde *ode, size_t j, double *column)
 {
     double *y = ode->newton.guess, y_j = y[j];
@@ -18,7 +19,7 @@ static bool differentiate(YkOde *ode, size_t j, double *column)
     if (ode->rate[j] * ode->direction < 0) delta = -delta;
     for (int i = 0; i < 6; i++, delta *= i % 2 ? -1 : -0.0625) {
         y[j] = y_j + delta;
-        double step = y[j] - y_j; // what was really added
+        double step = y[j] - y_j; // the difference after rounding
         bool fine = yk_ode_evaluate(ode, ode->t, y, column) && yk_ode_finite(ode->n, column) && step != 0;
         y[j] = y_j;
         if (!fine) continue;
@@ -59,7 +60,7 @@ void yk_ode_filter(const YkOde *ode, double *v)
     yk_lu_solve(ode->controlled, ode->newton.E, ode->newton.pivot, v);
 }
 
-// One correction of g; quadratures follow f before it. Returns its norm; NaN where f was not finite.
+// Corrects g once; quadratures follow f before it. Returns the correction's norm; NaN if f was not finite.
 static double correct(YkOde *ode, double gamma_h, const double *known, double *g, double *k)
 {
     double *d = ode->newton.residual, sum = 0;
@@ -74,8 +75,8 @@ static double correct(YkOde *ode, double gamma_h, const double *known, double *g
     return sqrt(sum / (double)ode->controlled);
 }
 
-// How far below the error allowed a stage is solved. A tenth of what Hairer & Wanner take: the weights of SDIRK4 make
-// the error of a stage some thirty times larger.
+// Returns the part of the allowed error to which a stage is solved: a tenth of the part that Hairer & Wanner choose,
+// since the weights of SDIRK4 make the error of a stage some thirty times larger.
 static double stopping_norm(double relative)
 {
     return relative > 0 ? fmax(10 * DBL_EPSILON / relative, fmin(0.003, 0.1 * sqrt(relative))) : 0.001;
@@ -86,7 +87,7 @@ YkOdeTrial yk_ode_newton(YkOde *ode, double t, double gamma_h, const double *kno
     YkOdeNewton *newton = &ode->newton;
     double stop = stopping_norm(ode->options.relative), last = 0;
     double speed = fmax(NOT_MEASURED, pow(fmax(newton->speed, DBL_EPSILON), 0.8));
-    bool quadratures = ode->controlled < ode->n; // their slopes are as good as g was before the last correction
+    bool quadratures = ode->controlled < ode->n; // their slopes are as accurate as g was before the last correction
     for (int i = 0; i < MOST_ITERATIONS; i++) {
         if (!yk_ode_evaluate(ode, t, g, k)) return YK_TRIAL_F_FAILED;
         double norm = correct(ode, gamma_h, known, g, k);

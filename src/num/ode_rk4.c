@@ -1,4 +1,5 @@
-// The classical method of order 4. Kutta 1901; Hairer, Norsett & Wanner 1993, II.1. Dense output: cubic Hermite, II.6.
+// The classical method of order 4. Kutta 1901; Hairer, Norsett & Wanner 1993, II.1. Dense output by cubic Hermite,
+// II.6.
 #include "num/ode_combine.h"
 #include "num/ode_internal.h"
 

@@ -12,8 +12,8 @@ static const double A[5][4] = {{0},
                                {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
 static const double ERROR[5] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0, 1.0 / 4};
 
-// The slope to begin a stage with: through those of earlier stages (weights), at its node. Stage 0 takes the end of the
-// last step.
+// Weights of the earlier stages' slopes that extrapolate the first guess of a stage's slope to its node. Stage 0 uses
+// the end of the last step.
 static const double GUESS[5][4] = {{0}, {1}, {2.0 / 5, 3.0 / 5}, {1.0 / 12, -1.0 / 8, 25.0 / 24}, {0, 2, 0, -1}};
 
 static void guess_slope(const YkOde *ode, size_t i, const double *first, double *g)
@@ -44,8 +44,7 @@ static YkOdeTrial solve_stages(YkOde *ode, double h)
     return YK_TRIAL_DONE;
 }
 
-// The difference of the two methods, filtered by (I - h gamma J)^-1: without that stiff components would be
-// over-estimated.
+// Filters the difference of the two methods by (I - h gamma J)^-1: otherwise it would overestimate stiff components.
 static double error_norm(YkOde *ode, double h)
 {
     double *e = ode->newton.residual, sum = 0;
@@ -61,7 +60,7 @@ static double error_norm(YkOde *ode, double h)
     return sqrt(sum / (double)ode->controlled);
 }
 
-// The Jacobian serves for many steps: made anew only when Newton was slow with it or failed.
+// Uses a Jacobian for many steps: computes a new one only when Newton converged slowly with it or failed.
 YkOdeTrial yk_ode_sdirk4_try(YkOde *ode, double h, double *error)
 {
     YkOdeNewton *newton = &ode->newton;

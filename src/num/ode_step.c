@@ -1,9 +1,9 @@
-// Lengths of steps: the first one, the next one, and when to give up. Hairer, Norsett & Wanner 1993, II.4.
+// Step control: the first length, the next length, and when to give up. Hairer, Norsett & Wanner 1993, II.4.
 #include "num/ode_internal.h"
 #include <string.h>
 
 // How the length follows the error: h <- h * safety * error^(-1/order), within bounds. The orders are powers of two, so
-// that roots are square roots: the same bits everywhere.
+// that all roots are square roots, with the same bits everywhere.
 typedef struct Control {
     int roots; // order = 2^roots
     double safety;
@@ -22,7 +22,8 @@ static double root(double x, int roots)
     return x;
 }
 
-// By what the time resolves. A far end says nothing of the motion: beyond one unit of time it does not count.
+// Returns the shortest step that time resolves. A far end says nothing about the motion: beyond one unit of time it
+// does not count.
 static double smallest_length(const YkOde *ode)
 {
     return 1e-14 * fmax(fmin(fabs(ode->end - ode->start), 1), fabs(ode->t));
@@ -34,7 +35,8 @@ static double bounded_length(const YkOde *ode, double h)
     return largest > 0 && h > largest ? largest : h;
 }
 
-// Root mean square over the controlled components of v - w (w NULL: of v), in errors allowed at y.
+// Returns the root mean square over the controlled components of v - w (w NULL: of v), relative to the errors allowed
+// at y.
 static double norm_at_start(const YkOde *ode, const double *v, const double *w)
 {
     double sum = 0;
@@ -45,7 +47,7 @@ static double norm_at_start(const YkOde *ode, const double *v, const double *w)
     return sqrt(sum / (double)ode->controlled);
 }
 
-// f after an explicit Euler step; shorter where f fails.
+// Evaluates f after an explicit Euler step; takes a shorter one if f fails.
 static bool explore(YkOde *ode, double *h)
 {
     for (int i = 0; i < 12; i++, *h *= 0.25) {
@@ -57,8 +59,8 @@ static bool explore(YkOde *ode, double *h)
     return false;
 }
 
-// The starting step of Hairer, Norsett & Wanner 1993, II.4: from the first derivative, and the second by one explicit
-// step.
+// Returns the starting step of Hairer, Norsett & Wanner 1993, II.4: from the first derivative, and the second by one
+// explicit step.
 static double first_length(YkOde *ode)
 {
     double span = bounded_length(ode, fabs(ode->end - ode->t));
@@ -75,8 +77,8 @@ static double first_length(YkOde *ode)
     return h > 0 ? fmax(h, smallest) : smallest;
 }
 
-// Signed length of the step to try. *to_end: it reaches the end (stretched by up to a hundredth to do so, or by
-// rounding where it is as long as allowed).
+// Returns the signed length of the step to try. *to_end: it reaches the end (stretched by up to a hundredth to do so,
+// or by rounding if it is already the longest allowed).
 static double next_length(const YkOde *ode, bool *to_end)
 {
     double left = fabs(ode->end - ode->t), rounding = 1 + 1e-9;
@@ -115,7 +117,7 @@ static double longer(const YkOde *ode, double h, double error)
     Control control = control_of(ode->options.method);
     double factor = error > 0 ? control.safety / root(error, control.roots) : control.grow;
     factor = fmin(control.grow, fmax(control.shrink, factor));
-    // Hardly longer: the factors of the implicit method are worth more. Hairer & Wanner 1996, IV.8.
+    // Not worth growing a little: reusing the factors of the implicit method saves more. Hairer & Wanner 1996, IV.8.
     if (ode->options.method == YK_ODE_SDIRK4 && factor >= 1 && factor <= 1.2) factor = 1;
     return bounded_length(ode, h * factor);
 }
@@ -128,7 +130,7 @@ static double shorter(const YkOde *ode, double h, YkOdeTrial trial, double error
     return h * fmax(control.shrink, control.safety / root(error, control.roots));
 }
 
-// No step can be made: y stands as it was, and there is no last step to look into.
+// Gives up: y stays as it was, and there is no last step to evaluate.
 static YkOdeStatus give_up(YkOde *ode, YkOdeTrial reason)
 {
     ode->h = ode->length = 0;
@@ -154,7 +156,7 @@ static YkOdeStatus controlled_step(YkOde *ode)
             if (rejected)
                 next = fmin(next, fabs(h));
             else if (to_end)
-                next = fmax(next, ode->h); // cut short by the end, not by the error
+                next = fmax(next, ode->h); // the end cut it short, not the error
             ode->h = next;
             accept(ode, h, t_new);
             return YK_ODE_OK;
@@ -165,14 +167,15 @@ static YkOdeStatus controlled_step(YkOde *ode)
     }
 }
 
-// Even steps are counted from where they began, so that their ends do not drift; the last is cut at the end. A
-// remainder of rounding size belongs to the step before.
+// Makes a fixed step. Counts equal steps from where they began, so that their ends do not drift; cuts the last one at
+// the end. A remainder of rounding size belongs to the step before.
 static YkOdeStatus fixed_step(YkOde *ode)
 {
     double length = ode->options.fixed_step, left = fabs(ode->end - ode->t);
     bool to_end = left <= length * (1 + 1e-9) + 4 * DBL_EPSILON * fabs(ode->t);
     double t_new = to_end ? ode->end : ode->grid + ode->direction * length * (ode->even + 1), h = t_new - ode->t;
-    double smallest = 1e-14 * fmax(fabs(ode->end - ode->start), fabs(ode->t)); // so many even steps would never end
+    // With shorter steps the run would never end.
+    double smallest = 1e-14 * fmax(fabs(ode->end - ode->start), fabs(ode->t));
     if (!to_end && !(length >= smallest)) return give_up(ode, YK_TRIAL_DONE);
     bool fine = yk_ode_rk4_try(ode, h) == YK_TRIAL_DONE && yk_ode_finite(ode->n, ode->z) &&
                 yk_ode_evaluate(ode, t_new, ode->z, ode->z_rate) && yk_ode_finite(ode->n, ode->z_rate);

@@ -4,7 +4,7 @@
 
 enum { ROUNDS = 60 };
 
-// Makes columns p and q orthogonal; false where they were.
+// Makes columns p and q orthogonal; returns false if they already were.
 static bool rotate(size_t m, size_t n, double *A, size_t p, size_t q)
 {
     double a = 0, b = 0, c = 0; // |p|^2, |q|^2, p . q

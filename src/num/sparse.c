@@ -1,3 +1,4 @@
+// Memory of a sparse matrix and its factors.
 #include "num/sparse.h"
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +18,7 @@ static void triangle_end(YkTriangle *triangle)
     free(triangle->value);
 }
 
-// All arrays of fixed size out of one piece: widest first.
+// Allocates all arrays of fixed size in one block, the widest types first.
 static bool allocate(YkSparse *s, size_t n, size_t entries)
 {
     size_t bytes =

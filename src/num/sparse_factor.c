@@ -1,5 +1,5 @@
-// Left-looking LU: column by column, each solved with the columns of L before it, of which only those are visited that
-// a search in the pattern of L reaches. Source: Gilbert & Peierls 1988; partial pivoting.
+// Left-looking LU: solves column by column with the columns of L before it, visiting only those that a search in the
+// pattern of L reaches. Source: Gilbert & Peierls 1988; partial pivoting.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,12 +18,12 @@ static bool ensure_room(YkTriangle *t, size_t more)
     return true;
 }
 
-// What a column reaches: pivots in topological order in reach[top .. n), rows without pivot in reach[0 .. free).
+// The nodes a column reaches: pivots in topological order in reach[top .. n), rows without pivot in reach[0 .. free).
 typedef struct Reach {
     size_t top, free;
 } Reach;
 
-// Marks a row; pushes its pivot on the stack, or keeps it with the rows that have none.
+// Marks a row; pushes its pivot on the stack, or puts it with the rows that have none.
 static size_t enter(YkSparse *s, int32_t row, int32_t stamp, size_t depth, Reach *r)
 {
     if (s->mark[row] == stamp) return depth;
@@ -67,7 +67,7 @@ static double scatter(YkSparse *s, int32_t column, int32_t stamp, Reach *r)
     return largest;
 }
 
-// x = L \ x over the pivots reached; they become column k of U.
+// Solves x = L \ x over the pivots reached; they become column k of U.
 static void eliminate(YkSparse *s, const Reach *r)
 {
     for (size_t t = r->top; t < s->n; t++) {
@@ -87,14 +87,14 @@ static int32_t largest_row(const YkSparse *s, const Reach *r)
     double largest = 0;
     for (size_t t = 0; t < r->free; t++) {
         double v = fabs(s->x[s->reach[t]]);
-        if (!(v > largest)) continue; // nor what is no number
+        if (!(v > largest)) continue; // also skips NaN
         largest = v;
         best = s->reach[t];
     }
     return best;
 }
 
-// The rest of x over the pivot becomes column k of L; x is zero again.
+// Stores the rest of x over the pivot as column k of L; x is zero again.
 static void keep_column(YkSparse *s, size_t k, int32_t pivot_row, const Reach *r)
 {
     double pivot = s->x[pivot_row];
@@ -113,7 +113,7 @@ static void keep_column(YkSparse *s, size_t k, int32_t pivot_row, const Reach *r
     s->U.start[k + 1] = s->U.count;
 }
 
-// Returns the pivot over the largest entry of the column; 0 when there is none; -1 when out of memory.
+// Returns the pivot over the largest entry of the column; 0 if there is none; -1 when out of memory.
 static double factor_column(YkSparse *s, size_t k)
 {
     Reach r;

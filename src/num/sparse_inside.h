@@ -6,7 +6,7 @@
 // Columns of one triangular factor, without the diagonal. Column k: entries start[k] .. start[k + 1].
 typedef struct YkTriangle {
     size_t *start; // [n + 1]
-    int32_t *row;  // pivot positions (of L: rows of A until the factorisation is complete)
+    int32_t *row;  // pivot positions (in L: rows of A until the factorisation is complete)
     double *value;
     size_t count, capacity;
 } YkTriangle;
@@ -21,16 +21,16 @@ struct YkSparse {
     double *diagonal;     // [n] of U
     YkTriangle L, U;
     double *x, *b;                 // [n] scratch; x is zero between columns
-    int32_t *stack, *reach, *mark; // [n] scratch of the search
+    int32_t *stack, *reach, *mark; // [n] scratch space for the search
     size_t *cursor;                // [n]
-    void *memory;                  // of all the above but the triangles' entries
+    void *memory;                  // holds all of the above except the triangles' entries
 };
 
-// Order of the columns for little fill whatever rows are chosen as pivots: approximate minimum degree of A^T A.
-// False when out of memory. Cost about that of the elimination's pattern.
+// Orders the columns for little fill-in whatever rows become pivots: approximate minimum degree of A^T A. Returns false
+// when out of memory. Costs about as much as eliminating the pattern.
 bool yk_sparse_order(size_t n, const int32_t *start, const int32_t *row, int32_t *order);
-// The same columns, reordered so that what is eliminated in turn lies together: a postorder of the column elimination
-// tree (same fill). False when out of memory.
+// Reorders the columns, with the same fill-in, so that columns eliminated one after the other lie together: a postorder
+// of the column elimination tree. Returns false when out of memory.
 bool yk_sparse_postorder(size_t n, const int32_t *start, const int32_t *row, int32_t *order);
 
 #endif

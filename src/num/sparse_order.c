@@ -1,6 +1,6 @@
-// Column order by approximate minimum degree of A^T A, without forming it: a row is a set of columns; eliminating a
-// column joins all rows that hold it into one. Source: Davis, Gilbert, Larimore & Ng 2004 (COLAMD); the degrees are its
-// bound |front| + sum of |row \ front|.
+// Orders columns by approximate minimum degree of A^T A without forming it: a row is a set of columns, and eliminating
+// a column joins all rows that contain it into one. Source: Davis, Gilbert, Larimore & Ng 2004 (COLAMD); the degrees
+// are its bound |front| + sum of |row \ front|.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,14 +68,14 @@ static void bucket_remove(Order *o, int32_t column)
     if (after >= 0) o->previous[after] = before;
 }
 
-// More entries than this: left out, or everything would be joined to everything.
+// Rows and columns with more entries are left out; they would join everything to everything.
 static int32_t dense_limit(size_t n)
 {
     double limit = 10 * sqrt((double)n);
     return (int32_t)fmax(16, limit);
 }
 
-// Rows as sets of columns; rows and columns with very many entries are left out.
+// Stores the rows as sets of columns; leaves out rows and columns with very many entries.
 static void start_sets(Order *o, const int32_t *start, const int32_t *row)
 {
     int32_t limit = dense_limit(o->n), *count = o->outside;
@@ -137,7 +137,7 @@ static void eliminate(Order *o, int32_t column)
     o->order[o->ordered++] = column;
 }
 
-// Joins the rows of a column into o->front, without the column. The rows die. Returns how many columns there are.
+// Joins the rows of a column into o->front, without the column. The rows die. Returns how many columns the front has.
 static size_t join_rows(Order *o, int32_t column, int32_t length, int32_t stamp)
 {
     size_t count = 0;
@@ -156,7 +156,7 @@ static size_t join_rows(Order *o, int32_t column, int32_t length, int32_t stamp)
     return count;
 }
 
-// Takes the joined rows out of a column and counts, for the others, what they have beyond the front.
+// Takes the joined rows out of a column and counts how much the others have beyond the front.
 static void leave_rows(Order *o, int32_t column, int32_t stamp)
 {
     int32_t *rows = o->column_rows + o->column_first[column], left = 0;
@@ -173,8 +173,8 @@ static void leave_rows(Order *o, int32_t column, int32_t stamp)
     o->column_length[column] = left;
 }
 
-// The new degree of a column of the front; drops rows that lie within the front. False when nothing but the front holds
-// it.
+// Computes the new degree of a column of the front; drops rows that lie within the front. Returns false when only the
+// front contains it.
 static bool measure(Order *o, int32_t column, size_t front, size_t *degree)
 {
     int32_t *rows = o->column_rows + o->column_first[column], left = 0;

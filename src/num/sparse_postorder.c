@@ -4,13 +4,13 @@
 #include "num/sparse_inside.h"
 
 typedef struct Tree {
-    int32_t *parent, *ancestor; // [n] of pivots; ancestor: short cuts towards the root
+    int32_t *parent, *ancestor; // [n] of pivots; ancestor: shortcuts towards the root
     int32_t *last;              // [n] per row: the last pivot whose column holds it
     int32_t *child, *sibling;   // [n]
     int32_t *stack, *out;
 } Tree;
 
-// Climbs from pivot i to its root below k by short cuts, and hangs the root below k.
+// Climbs from pivot i by shortcuts to its root below k, and makes the root a child of k.
 static void climb(Tree *t, int32_t i, int32_t k)
 {
     while (i != -1 && i != k) {
@@ -31,7 +31,7 @@ static void find_parents(Tree *t, size_t n, const int32_t *start, const int32_t 
         }
 }
 
-// Depth first, children before parents.
+// Visits the tree depth first, children before parents.
 static size_t walk(Tree *t, int32_t root, size_t count)
 {
     size_t depth = 0;

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "num/sparse_inside.h"
 
-// b = A \ b by the factors; x is scratch.
+// Computes b = A \ b by the factors; x is scratch.
 static void solve_once(const YkSparse *s, double *b, double *x)
 {
     size_t n = s->n;
@@ -35,7 +35,7 @@ static void solve_transposed_once(const YkSparse *s, double *b, double *x)
     }
 }
 
-// r = b - A x, or with A^T.
+// Computes r = b - A x, or with A^T.
 static void residual(const YkSparse *s, bool transposed, const double *x, double *r)
 {
     for (size_t j = 0; j < s->n; j++)
@@ -57,7 +57,7 @@ static void solve(YkSparse *s, double *b, bool refine, bool transposed)
         once(s, s->b, s->x);
         for (size_t i = 0; i < s->n; i++) b[i] += s->b[i];
     }
-    memset(s->x, 0, s->n * sizeof *s->x); // as the next factorisation wants it
+    memset(s->x, 0, s->n * sizeof *s->x); // as the next factorisation needs it
 }
 
 void yk_sparse_solve(YkSparse *s, double *b, bool refine)

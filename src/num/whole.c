@@ -1,4 +1,4 @@
-// Natural numbers of a fixed largest size.
+// Natural numbers of up to a fixed size.
 #include "num/whole.h"
 #include <math.h>
 #include <string.h>
@@ -112,7 +112,7 @@ static int leading_zeros(uint32_t limb)
     return zeros;
 }
 
-// to[0..count] = a << shift, one limb more than a.
+// Computes to[0..count] = a << shift, one limb more than a.
 static void shift_up(uint32_t *to, const YkWhole *a, int shift)
 {
     uint64_t carry = 0;
@@ -124,7 +124,7 @@ static void shift_up(uint32_t *to, const YkWhole *a, int shift)
     to[a->count] = (uint32_t)carry;
 }
 
-// One limb of the quotient: u[0..n] -= q * v[0..n), with q the largest that fits. v's highest bit is set.
+// Finds one limb q of the quotient: the largest that fits. u[0..n] -= q * v[0..n); v's highest bit is set.
 static uint32_t divide_step(uint32_t *u, const uint32_t *v, uint32_t n)
 {
     uint64_t top = (uint64_t)u[n] << 32 | u[n - 1], q = top / v[n - 1], r = top % v[n - 1];
@@ -184,7 +184,7 @@ static uint64_t small_value(const YkWhole *a)
 
 void yk_whole_common(YkWhole *divisor, const YkWhole *a, const YkWhole *b)
 {
-    YkWhole parts[3]; // dividend, divisor and room for the rest take turns
+    YkWhole parts[3]; // room for dividend, divisor and remainder, which take turns
     YkWhole *x = &parts[0], *y = &parts[1], *z = &parts[2];
     copy(x, a);
     copy(y, b);

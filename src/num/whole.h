@@ -1,5 +1,5 @@
-// Whole numbers of up to 2048 bits, and fractions of them: gear ratios are exact, and a train of forty gears has
-// numerators of hundreds of bits. Values, without allocation; what does not fit is noticed.
+// Whole numbers of up to 2048 bits and fractions of them: gear ratios are exact, and a train of forty gears has
+// numerators of hundreds of bits. They are values, without allocation; an overflow is noticed.
 #ifndef NUM_WHOLE_H
 #define NUM_WHOLE_H
 #include <stdbool.h>
@@ -8,13 +8,13 @@
 
 enum { YK_WHOLE_LIMBS = 64 };
 
-// A natural number, little-endian, without leading zero limbs. Zeroed = 0; only limb[0..count) has a meaning.
+// A natural number, little-endian, without leading zero limbs. Zeroed = 0; only limb[0..count) is meaningful.
 typedef struct YkWhole {
     uint32_t count;
     uint32_t limb[YK_WHOLE_LIMBS];
 } YkWhole;
 
-// A sticky flag that a result did not fit; all results after it are worthless.
+// A sticky flag: a result did not fit; all results after it are worthless.
 typedef bool YkOverflow;
 
 YkWhole yk_whole(uint64_t value);
@@ -22,8 +22,9 @@ int yk_whole_compare(const YkWhole *a, const YkWhole *b);
 void yk_whole_add(YkWhole *sum, const YkWhole *a, const YkWhole *b, YkOverflow *overflow);
 void yk_whole_subtract(YkWhole *rest, const YkWhole *a, const YkWhole *b); // a >= b
 void yk_whole_multiply(YkWhole *product, const YkWhole *a, const YkWhole *b,
-                       YkOverflow *overflow); // product is neither
-// b > 0. quotient and rest are neither a nor b; quotient may be NULL. Source: Knuth, TAOCP 2, 4.3.1, algorithm D.
+                       YkOverflow *overflow); // product is neither a nor b
+// Divides by b > 0. quotient and rest are neither a nor b; quotient may be NULL. Source: Knuth, TAOCP 2, 4.3.1,
+// algorithm D.
 void yk_whole_divide(YkWhole *quotient, YkWhole *rest, const YkWhole *a, const YkWhole *b);
 void yk_whole_common(YkWhole *divisor, const YkWhole *a, const YkWhole *b); // greatest common divisor
 double yk_whole_value(const YkWhole *a, int *twos);                         // a = value * 2^twos, value below 2^64
@@ -36,7 +37,7 @@ typedef struct YkFraction {
 } YkFraction;
 
 YkFraction yk_fraction(int64_t numerator, int64_t denominator); // denominator != 0
-YkFraction yk_fraction_of(double value); // the double itself: finite, between 1e-290 and 1e290 in size, or 0
+YkFraction yk_fraction_of(double value); // the exact value of a double: finite, between 1e-290 and 1e290 in size, or 0
 bool yk_fraction_is_zero(const YkFraction *a);
 bool yk_fraction_is_one(const YkFraction *a);
 YkFraction yk_fraction_negative(const YkFraction *a);
