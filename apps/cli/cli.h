@@ -16,27 +16,27 @@ enum { YK_EXIT_DONE = 0, YK_EXIT_NO_ANSWER = 1, YK_EXIT_WRONG = 2 };
 typedef enum YkFormat { YK_FORMAT_TEXT, YK_FORMAT_JSON, YK_FORMAT_CSV } YkFormat;
 
 // --at theta1=30deg: a name and a value, apart.
-typedef struct YkPair {
+typedef struct YkAssignment {
     const char *name, *value;
-} YkPair;
-typedef struct YkPairs {
-    YkPair *items;
+} YkAssignment;
+typedef struct YkAssignments {
+    YkAssignment *items;
     size_t count, capacity;
-} YkPairs;
+} YkAssignments;
 typedef struct YkWords {
     const char **items;
     size_t count, capacity;
 } YkWords;
 
 typedef struct YkVerb YkVerb;
-typedef struct YkColumns YkColumns;
+typedef struct YkAnswerColumns YkAnswerColumns;
 
 // A command line, understood.
 typedef struct YkRequest {
     YkArena *arena;     // copies of words
     const YkVerb *verb; // NULL: none given
     const char *file;   // the model; for `explain` a code
-    YkPairs at, rate, accel, param, effort;
+    YkAssignments at, rate, accel, param, effort;
     YkWords trace;
     YkWords checks;         // derive
     const char *what, *svg; // derive
@@ -44,7 +44,7 @@ typedef struct YkRequest {
     const char *assembly;
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
-    YkPairs event;
+    YkAssignments event;
     const char *cam, *profile, *chord, *cutter, *compare, *limits, *speed; // cam
     const char *lock, *in, *out, *efficiency;                              // gears
     YkWords vary;                                                          // study
@@ -74,19 +74,19 @@ struct YkSession {
     YkState *state;
     YkSetInput *holds; // [hold_count]
     size_t hold_count;
-    double time;                // --time, s
-    YkMove move;                // how the pose was reached
-    YkText reach_message;       // why it was not
-    bool is_chosen;             // --assembly took the configuration
-    bool is_start;              // the configuration that is written is the machine's own
-    YkDynamics *dynamics;       // where forces are asked for and the machine has masses or loads; otherwise NULL
-    const char *forces_message; // why the pose has no forces, though the machine has loads; otherwise NULL
-    const YkColumns *columns;   // solve: those of --of; NULL: everything is told
-    bool lacks_accelerations;   // the dynamics has none for the pose: those of the state mean nothing
-    bool is_told;               // the problems are printed already
-    bool has_told_error;        // of these or of another list
-    bool ran_out;               // of memory: there is no answer
-    bool has_told_memory;       // E0100
+    double time;                    // --time, s
+    YkMove move;                    // how the pose was reached
+    YkText reach_message;           // why it was not
+    bool is_chosen;                 // --assembly took the configuration
+    bool is_start;                  // the configuration that is written is the machine's own
+    YkDynamics *dynamics;           // where forces are asked for and the machine has masses or loads; otherwise NULL
+    const char *forces_message;     // why the pose has no forces, though the machine has loads; otherwise NULL
+    const YkAnswerColumns *columns; // solve: those of --of; NULL: everything is told
+    bool lacks_accelerations;       // the dynamics has none for the pose: those of the state mean nothing
+    bool is_told;                   // the problems are printed already
+    bool has_told_error;            // of these or of another list
+    bool ran_out;                   // of memory: there is no answer
+    bool has_told_memory;           // E0100
     bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's
     YkProblems *file_problems; // then; otherwise NULL
     YkText out;                // for standard output; written once, at the end

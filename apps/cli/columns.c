@@ -7,16 +7,16 @@
 #include "session.h"
 #include "write/amount.h"
 
-bool yk_columns_add(YkSession *session, YkColumns *columns, const char *name)
+bool yk_columns_add(YkSession *session, YkAnswerColumns *columns, const char *name)
 {
     if (!name || !YK_ROOM(columns->items, columns->count, columns->capacity))
         return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    YkColumn *column = &columns->items[columns->count++];
+    YkAnswerColumn *column = &columns->items[columns->count++];
     column->name = name;
     return yk_channel_parse(session->mech, name, &column->channel, session->problems) == YK_OK;
 }
 
-bool yk_columns_read(YkSession *session, YkColumns *columns)
+bool yk_columns_read(YkSession *session, YkAnswerColumns *columns)
 {
     bool good = true;
     for (const char *at = session->request->of; at && *at;) {
@@ -28,17 +28,17 @@ bool yk_columns_read(YkSession *session, YkColumns *columns)
     return good;
 }
 
-bool yk_columns_need_forces(const YkColumns *columns)
+bool yk_columns_need_forces(const YkAnswerColumns *columns)
 {
     for (size_t c = 0; c < columns->count; c++)
         if (yk_channel_needs_forces(columns->items[c].channel)) return true;
     return false;
 }
 
-void yk_columns_free(YkColumns *columns)
+void yk_columns_free(YkAnswerColumns *columns)
 {
     free(columns->items);
-    *columns = (YkColumns){0};
+    *columns = (YkAnswerColumns){0};
 }
 
 double yk_column_value(const YkSession *session, const YkState *state, YkChannel channel)

@@ -70,7 +70,7 @@ static void add_word(Reader *reader, YkWords *words, const char *value)
     }
 }
 
-static void add_pair(Reader *reader, const YkOption *option, YkPairs *pairs, const char *value)
+static void add_pair(Reader *reader, const YkOption *option, YkAssignments *pairs, const char *value)
 {
     const char *equals = strchr(value, '=');
     if (!equals || equals == value || equals[1] == '\0') {
@@ -80,7 +80,7 @@ static void add_pair(Reader *reader, const YkOption *option, YkPairs *pairs, con
     }
     const char *name = yk_arena_copy(reader->request->arena, value, (size_t)(equals - value));
     if (name && YK_ROOM(pairs->items, pairs->count, pairs->capacity)) {
-        pairs->items[pairs->count++] = (YkPair){name, equals + 1};
+        pairs->items[pairs->count++] = (YkAssignment){name, equals + 1};
     } else {
         run_out(reader);
     }

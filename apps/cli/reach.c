@@ -44,7 +44,7 @@ static YkState *assemble_own(YkSession *session, YkMechanism **mech)
 // not vary continuously, as numbers of teeth do not.
 static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *status)
 {
-    const YkPairs *param = &session->request->param;
+    const YkAssignments *param = &session->request->param;
     size_t count = param->count, inputs = yk_input_count(session->mech);
     const char **names = calloc(count + 1, sizeof *names);
     double *from = calloc(2 * count + 1, sizeof *from);

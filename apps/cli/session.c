@@ -33,8 +33,8 @@ static bool run_out(YkSession *session)
 
 YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems)
 {
-    static const YkPairs none = {0};
-    const YkPairs *param = with_params ? &session->request->param : &none;
+    static const YkAssignments none = {0};
+    const YkAssignments *param = with_params ? &session->request->param : &none;
     YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
     if (!overrides) return NULL;
     for (size_t i = 0; i < param->count; i++) overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
@@ -58,7 +58,7 @@ static void add_name(const char **names, size_t *count, const char *name)
 static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *problems)
 {
     const YkRequest *request = session->request;
-    const YkPairs *lists[] = {&request->at, &request->rate, &request->accel};
+    const YkAssignments *lists[] = {&request->at, &request->rate, &request->accel};
     size_t count = 0, list_count = session->is_simulation ? 1 : 3,
            most = 1 + request->at.count + request->rate.count + request->accel.count;
     const char **names = calloc(most, sizeof *names);
@@ -236,12 +236,12 @@ static bool find_input(YkSession *session, const char *name, size_t *input, bool
 }
 
 // Reads what every coordinate's order-th derivative is held at.
-static bool read_holds(YkSession *session, const char *option, const YkPairs *pairs, int order)
+static bool read_holds(YkSession *session, const char *option, const YkAssignments *pairs, int order)
 {
     for (size_t i = 0; i < pairs->count; i++) {
         YkSetInput hold = {.order = order};
         bool is_distance = false;
-        const YkPair *pair = &pairs->items[i];
+        const YkAssignment *pair = &pairs->items[i];
         if (!find_input(session, pair->name, &hold.input, &is_distance)) return false;
         if (!yk_session_value(session, option, pair->name, pair->value, yk_quantity_of(is_distance, order),
                               &hold.value))
@@ -282,7 +282,7 @@ bool yk_session_inputs(YkSession *session)
 
 bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort)
 {
-    const YkPair *pair = &session->request->effort.items[index];
+    const YkAssignment *pair = &session->request->effort.items[index];
     if (!yk_session_coordinate(session, pair->name, coordinate)) return false;
     bool is_distance = yk_coordinate_info(session->mech, *coordinate).is_distance;
     return yk_session_value(session, "--effort", pair->name, pair->value,
@@ -300,7 +300,7 @@ bool yk_session_method(YkSession *session, YkDynamicsMethod *method)
 
 static void prescribe(YkSession *session, bool all)
 {
-    const YkPairs *accel = &session->request->accel;
+    const YkAssignments *accel = &session->request->accel;
     for (size_t i = 0; all && i < yk_input_count(session->mech); i++) yk_dynamics_prescribe(session->dynamics, i, true);
     for (size_t k = 0; k < accel->count; k++) {
         int c = yk_coordinate_find(session->mech, accel->items[k].name);

@@ -16,7 +16,7 @@ static void enter_sources(YkProgram *p, uint32_t first, uint32_t count, YkRef fa
 {
     YkDag *g = &p->graph;
     for (uint32_t i = first; i < first + count; i++) {
-        const YkSource *source = &p->mech->sources[i];
+        const YkRelationSource *source = &p->mech->sources[i];
         if (source->kind != YK_SOURCE_COLUMN) continue;
         YkRef part = yk_dag_multiply(g, yk_dag_number(g, source->factor), factor);
         row[source->index] = yk_dag_add(g, row[source->index], part);

@@ -8,7 +8,7 @@ static bool has_force(const YkGear *gear)
     return gear->center_distance > 0;
 }
 
-void yk_meshes_columns(YkBalance *w)
+void yk_meshes_columns(YkBalanceSystem *w)
 {
     const YkProgram *p = w->f->program;
     for (size_t k = 0; k < p->mech->relation_count; k++) {
@@ -20,14 +20,14 @@ void yk_meshes_columns(YkBalance *w)
     }
 }
 
-void yk_meshes_couples(YkBalance *w, size_t column, const int32_t *bodies, const YkRef *couples)
+void yk_meshes_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, const YkRef *couples)
 {
     YkRefVec none = yk_dag_vec_number(&w->f->program->graph, 0, 0);
     for (int k = 0; k < 3; k++) yk_balance_add(w, column, bodies[k], none, couples[k]);
 }
 
 // Couples given as numbers: the largest is 1 N times the machine's size.
-static void enter_couples(YkBalance *w, size_t column, const int32_t *bodies, double a, double b)
+static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, double a, double b)
 {
     YkProgram *p = w->f->program;
     double unit = yk_program_size(p) / fmax(fabs(a), fmax(fabs(b), fabs(a + b)));
@@ -38,7 +38,7 @@ static void enter_couples(YkBalance *w, size_t column, const int32_t *bodies, do
 }
 
 // A force on the second body at a place of the world, its opposite on the first.
-void yk_meshes_force(YkBalance *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
+void yk_meshes_force(YkBalanceSystem *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
 {
     yk_balance_push(w, column, bodies[0], -1, place, force);
     yk_balance_push(w, column, bodies[1], 1, place, force);
@@ -52,7 +52,7 @@ static YkRefVec center_of(YkProgram *p, int32_t body)
 
 // At the pitch point: a force across the line of centres and, for each newton of it, one away from the first centre on
 // the second wheel, by the pressure angle.
-static void enter_gear(YkBalance *w, size_t column, const YkGear *gear)
+static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -74,7 +74,7 @@ static void enter_gear(YkBalance *w, size_t column, const YkGear *gear)
     yk_meshes_force(w, w->n + w->columns[column].radial, gear->body, pitch, radial);
 }
 
-static void enter_rack(YkBalance *w, size_t column, const YkRack *rack)
+static void enter_rack(YkBalanceSystem *w, size_t column, const YkRack *rack)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -88,7 +88,7 @@ static void enter_rack(YkBalance *w, size_t column, const YkRack *rack)
     yk_meshes_force(w, column, bodies, pitch, yk_dag_vec_scale(g, yk_dag_number(g, sign), u));
 }
 
-void yk_meshes_enter(YkBalance *w, size_t column)
+void yk_meshes_enter(YkBalanceSystem *w, size_t column)
 {
     const YkModel *m = w->f->program->model;
     const YkRelation *r = &w->f->program->mech->relations[w->columns[column].relation];

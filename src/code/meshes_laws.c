@@ -3,7 +3,7 @@
 #include "code/balance.h"
 
 // d value / d argument of the relation's law.
-static YkRef slope_of(const YkBalance *w, const YkRelation *r)
+static YkRef slope_of(const YkBalanceSystem *w, const YkRelation *r)
 {
     YkProgram *p = w->f->program;
     size_t index = (size_t)(r - p->mech->relations);
@@ -30,7 +30,7 @@ static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
 }
 
 // Followers that turn and name no point: couples in the proportion of the ways.
-static void cam_couples(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose)
+static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkDag *g = &w->f->program->graph;
     double size = yk_program_size(w->f->program);
@@ -40,7 +40,7 @@ static void cam_couples(YkBalance *w, size_t column, const YkCam *cam, const Cam
 }
 
 // A flat face is pushed along its line of motion, where it touches: off that line by the slope of the lift.
-static void flat_face(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose)
+static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkDag *g = &w->f->program->graph;
     YkRef aside = times(g, -pose->turn, pose->slope);
@@ -49,7 +49,7 @@ static void flat_face(YkBalance *w, size_t column, const YkCam *cam, const CamPo
 }
 
 // Where the roller or edge of a follower is that slides and names no point.
-static YkRefVec roller_of(YkBalance *w, const YkCam *cam, const CamPose *pose)
+static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -62,7 +62,7 @@ static YkRefVec roller_of(YkBalance *w, const YkCam *cam, const CamPose *pose)
 }
 
 // Along the common normal: across the way of the roller on the cam.
-static void roller_force(YkBalance *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
+static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -80,7 +80,7 @@ static void roller_force(YkBalance *w, size_t column, const YkCam *cam, const Ca
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, force);
 }
 
-void yk_meshes_cam(YkBalance *w, size_t column, const YkRelation *r, const YkCam *cam)
+void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkCam *cam)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -106,7 +106,7 @@ void yk_meshes_cam(YkBalance *w, size_t column, const YkRelation *r, const YkCam
 // --- laws
 
 // An effort along a coordinate: on its joint's second body, and back on the first.
-static void push_along(YkBalance *w, size_t column, int32_t coordinate, YkRef effort)
+static void push_along(YkBalanceSystem *w, size_t column, int32_t coordinate, YkRef effort)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -123,7 +123,7 @@ static void push_along(YkBalance *w, size_t column, int32_t coordinate, YkRef ef
 }
 
 // What follows pushes along its own coordinate, and the other's two bodies feel the law's slope of it.
-void yk_meshes_follow(YkBalance *w, size_t column, const YkRelation *r, const YkFollow *follow)
+void yk_meshes_follow(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkFollow *follow)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;

@@ -84,7 +84,7 @@ static void name_configuration(YkProgram *p)
             p->names.near_coordinate[k] = choose(&scope, yk_program_text(p, "near_%s", p->names.coordinate[k]));
     }
     for (size_t k = 0; k < p->mech->source_count; k++) {
-        const YkSource *s = &p->mech->sources[k];
+        const YkRelationSource *s = &p->mech->sources[k];
         if (s->kind == YK_SOURCE_SLOT && !p->names.near_slot[s->index])
             p->names.near_slot[s->index] =
                 choose(&scope, yk_program_name(p, yk_program_text(p, "near_%s", yk_program_slot_name(p, s->index))));

@@ -51,7 +51,7 @@ static void run_turn(YkProgram *p, const YkStep *step)
 }
 
 // unknown: the columns of the group in which the relation is solved, or NULL.
-static YkRef source_value(YkProgram *p, const YkSource *source, const YkRef *unknown)
+static YkRef source_value(YkProgram *p, const YkRelationSource *source, const YkRef *unknown)
 {
     YkDag *g = &p->graph;
     if (source->kind == YK_SOURCE_INPUT) return p->input[source->index].position;

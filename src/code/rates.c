@@ -77,7 +77,7 @@ static YkRef sources(YkProgram *p, uint32_t first, uint32_t count, const YkRef *
     YkDag *g = &p->graph;
     YkRef sum = yk_dag_number(g, 0);
     for (uint32_t k = first; k < first + count; k++) {
-        const YkSource *s = &p->mech->sources[k];
+        const YkRelationSource *s = &p->mech->sources[k];
         YkRef rate = s->kind == YK_SOURCE_INPUT      ? input[s->index]
                      : s->kind == YK_SOURCE_COLUMN   ? yk_dag_number(g, 0) // known apart
                      : s->kind == YK_SOURCE_DISTANCE ? r->slide[s->index]
@@ -93,7 +93,7 @@ static YkRef columns_rate(YkProgram *p, const YkBlock *b, const YkRelation *rela
     YkDag *g = &p->graph;
     YkRef sum = yk_dag_number(g, 0);
     for (uint32_t k = 0; k < relation->argument_source_count; k++) {
-        const YkSource *s = &p->mech->sources[relation->first_argument_source + k];
+        const YkRelationSource *s = &p->mech->sources[relation->first_argument_source + k];
         if (s->kind != YK_SOURCE_COLUMN) continue;
         const YkColumn *c = &p->mech->group_columns[b->first_column + (uint32_t)s->index];
         YkRef rate = c->is_distance ? r->slide[c->index] : r->turn[c->index];

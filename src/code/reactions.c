@@ -3,12 +3,12 @@
 // three.
 #include "code/balance.h"
 
-static void add_column(YkBalance *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
+static void add_column(YkBalanceSystem *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
 {
     w->columns[w->count++] = (YkUnknown){(int32_t)joint, input, YK_NONE, force, is_couple, 0};
 }
 
-static void make_columns(YkBalance *w)
+static void make_columns(YkBalanceSystem *w)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -31,7 +31,7 @@ static void make_columns(YkBalance *w)
     }
 }
 
-void yk_balance_add(YkBalance *w, size_t column, int32_t body, YkRefVec force, YkRef moment)
+void yk_balance_add(YkBalanceSystem *w, size_t column, int32_t body, YkRefVec force, YkRef moment)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -42,7 +42,7 @@ void yk_balance_add(YkBalance *w, size_t column, int32_t body, YkRefVec force, Y
     for (size_t k = 0; k < 3; k++) row[k * stride] = yk_dag_add(g, row[k * stride], parts[k]);
 }
 
-void yk_balance_push(YkBalance *w, size_t column, int32_t body, double sign, YkRefVec place, YkRefVec force)
+void yk_balance_push(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec place, YkRefVec force)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -52,7 +52,7 @@ void yk_balance_push(YkBalance *w, size_t column, int32_t body, double sign, YkR
 }
 
 // A joint's wrench on one of its bodies; a couple is measured over the machine's size.
-static void enter(YkBalance *w, size_t column, int32_t body, double sign, YkRefVec point)
+static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec point)
 {
     YkProgram *p = w->f->program;
     const YkUnknown *c = &w->columns[column];
@@ -64,7 +64,7 @@ static void enter(YkBalance *w, size_t column, int32_t body, double sign, YkRefV
 }
 
 // inertia - weight - loads, moments over the machine's size as in the rows.
-static void enter_right(YkBalance *w, int32_t body, const YkRates *r, const YkRates *s)
+static void enter_right(YkBalanceSystem *w, int32_t body, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -81,7 +81,7 @@ static void enter_right(YkBalance *w, int32_t body, const YkRates *r, const YkRa
     yk_balance_add(w, w->n, body, force, moment);
 }
 
-static void make_system(YkBalance *w, const YkRates *r, const YkRates *s)
+static void make_system(YkBalanceSystem *w, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -100,7 +100,7 @@ static void make_system(YkBalance *w, const YkRates *r, const YkRates *s)
 }
 
 // An unknown: of the balance, less what the radial forces of the teeth add to the loads.
-static YkRef value_of(YkBalance *w, int32_t call, size_t k)
+static YkRef value_of(YkBalanceSystem *w, int32_t call, size_t k)
 {
     YkDag *g = &w->f->program->graph;
     size_t stride = w->n + w->sides;
@@ -116,7 +116,7 @@ static YkRef value_of(YkBalance *w, int32_t call, size_t k)
 }
 
 // Couples are unknown over the machine's size, as the moments' rows are.
-static void read_results(YkBalance *w, int32_t call)
+static void read_results(YkBalanceSystem *w, int32_t call)
 {
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
@@ -138,7 +138,7 @@ static void read_results(YkBalance *w, int32_t call)
 void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = f->program;
-    YkBalance w = {.f = f, .n = 3 * (p->model->body_count - 1), .sides = 1};
+    YkBalanceSystem w = {.f = f, .n = 3 * (p->model->body_count - 1), .sides = 1};
     size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
     w.columns = YK_NEW(p->arena, YkUnknown, most + 1);
     if (yk_arena_failed(p->arena)) {

@@ -53,7 +53,7 @@ static void add_references(YkFile *file)
             yk_state_coordinate(file->state, k).position, 0);
     }
     for (size_t k = 0; k < p->mech->source_count; k++) {
-        const YkSource *s = &p->mech->sources[k];
+        const YkRelationSource *s = &p->mech->sources[k];
         if (s->kind != YK_SOURCE_SLOT) continue;
         const char *name = p->names.near_slot[s->index];
         bool is_there = false;

@@ -84,11 +84,11 @@ typedef enum YkRelationKind {
 // Where a relation takes a value from: an input, an orientation that loops place (its angle nearest to a reference,
 // kept in the state), a distance, or an unknown of the group that the relation is solved in (its place there).
 typedef enum YkSourceKind { YK_SOURCE_INPUT, YK_SOURCE_SLOT, YK_SOURCE_DISTANCE, YK_SOURCE_COLUMN } YkSourceKind;
-typedef struct YkSource {
+typedef struct YkRelationSource {
     YkSourceKind kind;
     int32_t index, reference;
     double factor;
-} YkSource;
+} YkRelationSource;
 
 typedef struct YkRelation {
     YkRelationKind kind;
@@ -221,7 +221,7 @@ struct YkMechanism {
     size_t relation_count, derived_count;
     YkRelationTerm *relation_terms;
     size_t relation_term_count, relation_term_capacity, own_term_count; // own: of the model's
-    YkSource *sources;
+    YkRelationSource *sources;
     size_t source_count, source_capacity, reference_count;
     int gruebler;
     struct YkRecipe *recipe; // while compiling for a variant; otherwise NULL

@@ -34,7 +34,8 @@ typedef struct YkPlan {
     bool *is_queued;
     size_t head, tail, unknown_clusters;
     const struct YkClosedPose *pose; // where equations repeat each other it judges what determines what; or NULL
-    struct YkForm *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
+    struct YkInputSum
+        *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
     YkTermList list;
     size_t missing; // unknowns that nothing determines
     bool failed;    // out of memory

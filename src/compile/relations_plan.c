@@ -5,17 +5,17 @@
 #include "compile/plan.h"
 #include "compile/relations.h"
 
-typedef struct YkForm {
+typedef struct YkInputSum {
     bool is_known;
     double constant;
-    YkSource *sources; // inputs
+    YkRelationSource *sources; // inputs
     size_t count;
-} YkForm;
+} YkInputSum;
 
-static YkForm *forms_of(YkPlan *plan)
+static YkInputSum *forms_of(YkPlan *plan)
 {
     if (!plan->forms) {
-        plan->forms = YK_NEW(plan->arena, YkForm, plan->mech->slot_count + plan->mech->orientation_count + 1);
+        plan->forms = YK_NEW(plan->arena, YkInputSum, plan->mech->slot_count + plan->mech->orientation_count + 1);
         if (plan->forms) plan->forms[0].is_known = true; // the ground
     }
     if (!plan->forms) plan->failed = true;
@@ -23,9 +23,9 @@ static YkForm *forms_of(YkPlan *plan)
 }
 
 // target += factor * form
-static void add_form(YkPlan *plan, YkForm *target, const YkForm *form, double factor)
+static void add_form(YkPlan *plan, YkInputSum *target, const YkInputSum *form, double factor)
 {
-    YkSource *sources = YK_NEW(plan->arena, YkSource, target->count + form->count + 1);
+    YkRelationSource *sources = YK_NEW(plan->arena, YkRelationSource, target->count + form->count + 1);
     if (!sources) {
         plan->failed = true;
         return;
@@ -35,7 +35,7 @@ static void add_form(YkPlan *plan, YkForm *target, const YkForm *form, double fa
     for (size_t k = 0; k < form->count; k++) {
         size_t at = 0;
         while (at < count && sources[at].index != form->sources[k].index) at++;
-        if (at == count) sources[count++] = (YkSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, 0};
+        if (at == count) sources[count++] = (YkRelationSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, 0};
         sources[at].factor += factor * form->sources[k].factor;
     }
     target->sources = sources;
@@ -45,10 +45,10 @@ static void add_form(YkPlan *plan, YkForm *target, const YkForm *form, double fa
 
 static void note_turn(YkPlan *plan, const YkStep *step)
 {
-    YkForm *forms = plan->forms;
-    YkForm *form = &forms[step->target];
+    YkInputSum *forms = plan->forms;
+    YkInputSum *form = &forms[step->target];
     if (step->kind == YK_STEP_TURN && forms[step->parent].is_known) {
-        YkForm input = {true, step->offset, &(YkSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
+        YkInputSum input = {true, step->offset, &(YkRelationSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
         add_form(plan, form, &forms[step->parent], 1);
         add_form(plan, form, &input, step->sign);
         form->is_known = true;
@@ -111,7 +111,7 @@ static size_t find_unknown(const YkPlan *plan, const YkRelation *r, YkRelationTe
     return in_law || (count == 1 && fabs(unknown->factor) < 1e-12) ? 2 : count;
 }
 
-static void add_source(YkPlan *plan, YkSource source, uint32_t first)
+static void add_source(YkPlan *plan, YkRelationSource source, uint32_t first)
 {
     YkMechanism *mech = plan->mech;
     for (size_t k = first; k < mech->source_count; k++) {
@@ -133,20 +133,22 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
     YkMechanism *mech = plan->mech;
     if (factor == 0) return 0;
     if (term.is_distance) {
-        add_source(plan, (YkSource){YK_SOURCE_DISTANCE, term.index, YK_NONE, factor}, first);
+        add_source(plan, (YkRelationSource){YK_SOURCE_DISTANCE, term.index, YK_NONE, factor}, first);
         return 0;
     }
     int32_t slot = term.index;
     if (skip_root >= 0 && mech->group_root[slot] == skip_root) slot = mech->relative_slot[slot]; // beyond the target
     if (slot == 0) return 0;
-    const YkForm *form = &plan->forms[slot];
+    const YkInputSum *form = &plan->forms[slot];
     if (!form->is_known) {
-        add_source(plan, (YkSource){YK_SOURCE_SLOT, slot, YK_NONE, factor}, first);
+        add_source(plan, (YkRelationSource){YK_SOURCE_SLOT, slot, YK_NONE, factor}, first);
         return 0;
     }
     for (size_t k = 0; k < form->count; k++)
-        add_source(plan, (YkSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, factor * form->sources[k].factor},
-                   first);
+        add_source(
+            plan,
+            (YkRelationSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, factor * form->sources[k].factor},
+            first);
     return factor * form->constant;
 }
 
@@ -154,10 +156,10 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
 static void note_form(YkPlan *plan, const YkRelation *r)
 {
     if (r->target.is_distance || r->law) return;
-    YkForm form = {true, r->offset, plan->mech->sources + r->first_source, r->source_count};
+    YkInputSum form = {true, r->offset, plan->mech->sources + r->first_source, r->source_count};
     for (uint32_t k = 0; k < r->source_count; k++)
         if (form.sources[k].kind != YK_SOURCE_INPUT) return;
-    YkForm *target = &plan->forms[r->target.index];
+    YkInputSum *target = &plan->forms[r->target.index];
     add_form(plan, target, &form, 1);
     target->is_known = true;
 }
@@ -171,7 +173,7 @@ static void add_column(YkPlan *plan, const Columns *columns, YkRelationTerm root
 {
     for (size_t c = 0; c < columns->count; c++)
         if (columns->items[c].is_distance == root.is_distance && columns->items[c].index == root.index)
-            add_source(plan, (YkSource){YK_SOURCE_COLUMN, (int32_t)c, YK_NONE, factor}, first);
+            add_source(plan, (YkRelationSource){YK_SOURCE_COLUMN, (int32_t)c, YK_NONE, factor}, first);
 }
 
 // Adds a term to the sources since `first`: what is unknown as a column (or not at all: the target), what is known

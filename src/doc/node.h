@@ -9,9 +9,9 @@
 typedef enum YkNodeKind { YK_NODE_SCALAR, YK_NODE_LIST, YK_NODE_MAP } YkNodeKind;
 
 typedef struct YkNode YkNode;
-typedef struct YkPair {
+typedef struct YkNodePair {
     YkNode *key, *value;
-} YkPair; // key is a scalar
+} YkNodePair; // key is a scalar
 
 struct YkNode {
     YkNodeKind kind;
@@ -21,7 +21,7 @@ struct YkNode {
     size_t length;
     size_t count; // list: items; map: pairs (in file order, keys unique)
     YkNode **items;
-    YkPair *pairs;
+    YkNodePair *pairs;
 };
 
 const YkNode *yk_node_get(const YkNode *map, const char *key); // NULL if there is none (or map is not a map)

@@ -226,9 +226,9 @@ static bool take_children(Reader *reader, YkNode *node, size_t first)
         node->count = count;
         return true;
     }
-    node->pairs = YK_NEW(reader->arena, YkPair, count / 2);
+    node->pairs = YK_NEW(reader->arena, YkNodePair, count / 2);
     if (!node->pairs) return false;
-    for (size_t i = 0; i < count / 2; i++) node->pairs[i] = (YkPair){children[2 * i], children[2 * i + 1]};
+    for (size_t i = 0; i < count / 2; i++) node->pairs[i] = (YkNodePair){children[2 * i], children[2 * i + 1]};
     node->count = count / 2;
     return true;
 }

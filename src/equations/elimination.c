@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "equations/elimination_order.h"
 
-static bool allocate(YkOrder *o)
+static bool allocate(YkEliminationOrder *o)
 {
     YkElimination *e = o->e;
     const YkMechanism *mech = o->mech;
@@ -32,7 +32,7 @@ static bool allocate(YkOrder *o)
     return true;
 }
 
-static void free_order(YkOrder *o)
+static void free_order(YkEliminationOrder *o)
 {
     free(o->columns.unknown);
     free(o->raw);
@@ -53,7 +53,7 @@ YkElimination *yk_elimination_new(const YkMechanism *mech, const bool *is_free, 
     YkElimination *e = calloc(1, sizeof *e);
     if (!e) return NULL;
     e->mech = mech;
-    YkOrder o = {.e = e, .mech = mech, .is_free = is_free, .is_loaded = is_loaded};
+    YkEliminationOrder o = {.e = e, .mech = mech, .is_free = is_free, .is_loaded = is_loaded};
     bool ok = allocate(&o);
     if (ok) {
         yk_order_add_steps(&o);

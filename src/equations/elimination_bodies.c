@@ -4,7 +4,7 @@
 #include "equations/elimination_order.h"
 
 // The reference point from the origin: joins the piece of the body's own orientation where the origin has one.
-static bool add_reference(YkOrder *o, YkTerm term, uint32_t first)
+static bool add_reference(YkEliminationOrder *o, YkTerm term, uint32_t first)
 {
     YkElimination *e = o->e;
     if (term.slot == 0 || (term.v.x == 0 && term.v.y == 0)) return true;
@@ -17,7 +17,7 @@ static bool add_reference(YkOrder *o, YkTerm term, uint32_t first)
     return yk_gradient_add_term(e, &o->columns, term, 0, YK_NONE, 0);
 }
 
-static void add_element(YkOrder *o, int32_t body)
+static void add_element(YkEliminationOrder *o, int32_t body)
 {
     YkElimination *e = o->e;
     const YkBody *b = &o->mech->model->bodies[body];
@@ -38,7 +38,7 @@ static void add_element(YkOrder *o, int32_t body)
     e->elements[e->element_count++] = element;
 }
 
-void yk_order_add_elements(YkOrder *o)
+void yk_order_add_elements(YkEliminationOrder *o)
 {
     const YkModel *model = o->mech->model;
     for (size_t b = 1; b < model->body_count && !o->failed; b++)
@@ -47,7 +47,7 @@ void yk_order_add_elements(YkOrder *o)
 }
 
 // Elements sorted by the operation that defines their latest unknown (counting sort).
-bool yk_order_sort_elements(YkOrder *o)
+bool yk_order_sort_elements(YkEliminationOrder *o)
 {
     YkElimination *e = o->e;
     uint32_t *start = calloc(e->operation_count + 2, sizeof *start);

@@ -1,7 +1,7 @@
 // The fill: which entries of the form there are, and their addresses.
 #include "equations/elimination_order.h"
 
-static bool is_before(const YkOrder *o, int32_t a,
+static bool is_before(const YkEliminationOrder *o, int32_t a,
                       int32_t b) // is a eliminated before b? Within one operation: by number
 {
     int32_t pa = yk_order_place(o, a), pb = yk_order_place(o, b);
@@ -9,7 +9,7 @@ static bool is_before(const YkOrder *o, int32_t a,
 }
 
 // The entry of a pair, in the row of the one eliminated first.
-static int32_t entry_of(YkOrder *o, int32_t a, int32_t b)
+static int32_t entry_of(YkEliminationOrder *o, int32_t a, int32_t b)
 {
     int32_t row = is_before(o, a, b) ? a : b, other = row == a ? b : a;
     for (int32_t k = o->head[row]; k != YK_NONE; k = o->links[k].next)
@@ -25,12 +25,12 @@ static int32_t entry_of(YkOrder *o, int32_t a, int32_t b)
     return o->links[o->head[row]].entry;
 }
 
-static void put_index(YkOrder *o, int32_t value)
+static void put_index(YkEliminationOrder *o, int32_t value)
 {
     if (!yk_order_keep(&o->e->index, &o->e->index_count, &o->e->index_capacity, value)) o->failed = true;
 }
 
-static void fill_element(YkOrder *o, size_t index)
+static void fill_element(YkEliminationOrder *o, size_t index)
 {
     YkElement *element = &o->e->elements[index];
     const int32_t *columns = o->element_columns + o->element_first[index];
@@ -42,7 +42,7 @@ static void fill_element(YkOrder *o, size_t index)
 }
 
 // The neighbours of the operation's unknowns that are eliminated later, W first.
-static void gather_neighbours(YkOrder *o, const YkOperation *op, const int32_t *columns)
+static void gather_neighbours(YkEliminationOrder *o, const YkOperation *op, const int32_t *columns)
 {
     yk_order_start_columns(o);
     for (uint32_t k = op->own; k < op->own + op->given; k++) yk_column(&o->columns, columns[k]);
@@ -55,14 +55,14 @@ static void gather_neighbours(YkOrder *o, const YkOperation *op, const int32_t *
     if (o->columns.failed) o->failed = true;
 }
 
-static int32_t existing_entry(const YkOrder *o, int32_t row, int32_t other)
+static int32_t existing_entry(const YkEliminationOrder *o, int32_t row, int32_t other)
 {
     for (int32_t k = o->head[row]; k != YK_NONE; k = o->links[k].next)
         if (o->links[k].unknown == other) return o->links[k].entry;
     return YK_NONE;
 }
 
-static void fill_operation(YkOrder *o, YkOperation *op)
+static void fill_operation(YkEliminationOrder *o, YkOperation *op)
 {
     YkElimination *e = o->e;
     const int32_t *columns = o->raw_columns + o->raw_first[op->first_index];
@@ -85,7 +85,7 @@ static void fill_operation(YkOrder *o, YkOperation *op)
     if (wide > e->widest) e->widest = wide;
 }
 
-void yk_order_find_fill(YkOrder *o)
+void yk_order_find_fill(YkEliminationOrder *o)
 {
     YkElimination *e = o->e;
     for (size_t p = e->operation_count; p-- > 0 && !o->failed;) {

@@ -1,12 +1,12 @@
 // The order of the operations.
 #include "equations/elimination_order.h"
 
-static void need(YkOrder *o, int32_t unknown)
+static void need(YkEliminationOrder *o, int32_t unknown)
 {
     if (o->defined_by[unknown] != YK_NONE) o->is_needed[o->defined_by[unknown]] = true;
 }
 
-void yk_order_mark_needed(YkOrder *o)
+void yk_order_mark_needed(YkEliminationOrder *o)
 {
     for (size_t k = 0; k < o->element_column_count; k++) need(o, o->element_columns[k]);
     for (size_t r = o->raw_count; r-- > 0;) {
@@ -16,7 +16,7 @@ void yk_order_mark_needed(YkOrder *o)
     }
 }
 
-static void emit(YkOrder *o, size_t raw, size_t *place)
+static void emit(YkEliminationOrder *o, size_t raw, size_t *place)
 {
     if (o->place[raw] != YK_NONE) return;
     o->place[raw] = (int32_t)*place;
@@ -25,7 +25,7 @@ static void emit(YkOrder *o, size_t raw, size_t *place)
 }
 
 // Free inputs come as late as possible: just before the first operation that needs them.
-void yk_order_put(YkOrder *o)
+void yk_order_put(YkEliminationOrder *o)
 {
     size_t place = 0;
     for (size_t r = 0; r < o->raw_count; r++) {
@@ -44,7 +44,7 @@ void yk_order_put(YkOrder *o)
 }
 
 // Back substitution is needed as far as a free input's acceleration reaches.
-void yk_order_mark_back(YkOrder *o)
+void yk_order_mark_back(YkEliminationOrder *o)
 {
     YkElimination *e = o->e;
     for (size_t i = 0; i < o->mech->input_count; i++) {

@@ -5,11 +5,11 @@
 #include "equations/elimination.h"
 #include "equations/gradient.h"
 
-typedef struct YkOrder {
+typedef struct YkEliminationOrder {
     YkElimination *e;
     const YkMechanism *mech;
     const bool *is_free, *is_loaded;
-    YkColumns columns;
+    YkGradientColumns columns;
     // operations as the steps give them, before they are put in order
     YkOperation *raw;
     int32_t *raw_columns; // unknowns of each, U then W
@@ -29,7 +29,7 @@ typedef struct YkOrder {
     } * links;
     size_t link_count, link_capacity;
     bool failed;
-} YkOrder;
+} YkEliminationOrder;
 
 // Keeps a number at the end of a list that grows.
 static inline bool yk_order_keep(int32_t **items, size_t *count, size_t *capacity, int32_t value)
@@ -39,24 +39,24 @@ static inline bool yk_order_keep(int32_t **items, size_t *count, size_t *capacit
     return true;
 }
 
-static inline void yk_order_start_columns(YkOrder *o)
+static inline void yk_order_start_columns(YkEliminationOrder *o)
 {
     o->columns.count = 0;
 }
 
 // The place of the operation that defines an unknown, in forward order.
-static inline int32_t yk_order_place(const YkOrder *o, int32_t unknown)
+static inline int32_t yk_order_place(const YkEliminationOrder *o, int32_t unknown)
 {
     return o->place[o->defined_by[unknown]];
 }
 
 // Each of these marks the order as failed where memory runs out.
-void yk_order_add_steps(YkOrder *order);     // operations, as the steps give them
-void yk_order_add_elements(YkOrder *order);  // bodies with mass or load
-void yk_order_mark_needed(YkOrder *order);   // what bodies and inputs depend on
-void yk_order_put(YkOrder *order);           // operations in forward order, free inputs as late as possible
-bool yk_order_sort_elements(YkOrder *order); // by the operation that defines their latest unknown
-void yk_order_find_fill(YkOrder *order);     // the addresses of the form's entries
-void yk_order_mark_back(YkOrder *order);     // what a free input's acceleration depends on
+void yk_order_add_steps(YkEliminationOrder *order);     // operations, as the steps give them
+void yk_order_add_elements(YkEliminationOrder *order);  // bodies with mass or load
+void yk_order_mark_needed(YkEliminationOrder *order);   // what bodies and inputs depend on
+void yk_order_put(YkEliminationOrder *order);           // operations in forward order, free inputs as late as possible
+bool yk_order_sort_elements(YkEliminationOrder *order); // by the operation that defines their latest unknown
+void yk_order_find_fill(YkEliminationOrder *order);     // the addresses of the form's entries
+void yk_order_mark_back(YkEliminationOrder *order);     // what a free input's acceleration depends on
 
 #endif

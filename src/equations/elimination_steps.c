@@ -1,7 +1,7 @@
 // Operations, as the steps of solution give them.
 #include "equations/elimination_order.h"
 
-static YkOperation *add_raw(YkOrder *o, YkOperationKind kind, size_t own, YkGradient gradient)
+static YkOperation *add_raw(YkEliminationOrder *o, YkOperationKind kind, size_t own, YkGradient gradient)
 {
     YkOperation *op = &o->raw[o->raw_count];
     *op = (YkOperation){.kind = kind, .input = YK_NONE, .own = (uint32_t)own, .gradient = gradient};
@@ -17,7 +17,7 @@ static YkOperation *add_raw(YkOrder *o, YkOperationKind kind, size_t own, YkGrad
     return op;
 }
 
-static void add_copy(YkOrder *o, int32_t target, int32_t a, int32_t b, int32_t input)
+static void add_copy(YkEliminationOrder *o, int32_t target, int32_t a, int32_t b, int32_t input)
 {
     yk_order_start_columns(o);
     yk_column(&o->columns, target);
@@ -29,7 +29,7 @@ static void add_copy(YkOrder *o, int32_t target, int32_t a, int32_t b, int32_t i
     if (input != YK_NONE) o->e->operation_of_input[input] = (int32_t)o->raw_count - 1;
 }
 
-static void add_free(YkOrder *o, int32_t target, int32_t input)
+static void add_free(YkEliminationOrder *o, int32_t target, int32_t input)
 {
     yk_order_start_columns(o);
     yk_column(&o->columns, target);
@@ -38,7 +38,7 @@ static void add_free(YkOrder *o, int32_t target, int32_t input)
     o->e->operation_of_input[input] = (int32_t)o->raw_count - 1;
 }
 
-static void add_turn(YkOrder *o, const YkStep *step)
+static void add_turn(YkEliminationOrder *o, const YkStep *step)
 {
     o->e->parent_of_input[step->input] = step->parent;
     o->e->sign_of_input[step->input] = step->sign;
@@ -48,7 +48,7 @@ static void add_turn(YkOrder *o, const YkStep *step)
         add_copy(o, yk_unknown_of_slot(step->target), step->parent, 0, step->input);
 }
 
-static void add_distance(YkOrder *o, const YkStep *step)
+static void add_distance(YkEliminationOrder *o, const YkStep *step)
 {
     int32_t unknown = yk_unknown_of_distance(o->mech, step->target);
     o->e->sign_of_input[step->input] = 1;
@@ -58,7 +58,7 @@ static void add_distance(YkOrder *o, const YkStep *step)
         add_copy(o, unknown, 0, 0, step->input);
 }
 
-static void add_node(YkOrder *o, const YkStep *step)
+static void add_node(YkEliminationOrder *o, const YkStep *step)
 {
     YkElimination *e = o->e;
     int32_t x = yk_unknown_of_node(o->mech, step->target);
@@ -71,16 +71,16 @@ static void add_node(YkOrder *o, const YkStep *step)
     add_raw(o, YK_OP_NODE, 2, gradient);
 }
 
-static int32_t unknown_of_column(const YkOrder *o, YkColumn column)
+static int32_t unknown_of_column(const YkEliminationOrder *o, YkColumn column)
 {
     return column.is_distance ? yk_unknown_of_distance(o->mech, column.index) : yk_unknown_of_slot(column.index);
 }
 
 // The arms and lines of a dyad, each turned by its unknown orientation where it has one.
-static bool add_arms(YkOrder *o, const YkBlock *b)
+static bool add_arms(YkEliminationOrder *o, const YkBlock *b)
 {
     YkElimination *e = o->e;
-    YkColumns *c = &o->columns;
+    YkGradientColumns *c = &o->columns;
     int32_t root = b->column[0].index, root2 = b->column[1].index;
     YkTerm line[2];
     for (int k = 0; k < 2; k++) line[k] = (YkTerm){b->line_slot[k], b->column[k].index, b->line[k]};
@@ -103,7 +103,7 @@ static bool add_arms(YkOrder *o, const YkBlock *b)
     }
 }
 
-static void add_dyad(YkOrder *o, const YkBlock *b)
+static void add_dyad(YkEliminationOrder *o, const YkBlock *b)
 {
     YkElimination *e = o->e;
     yk_order_start_columns(o);
@@ -120,7 +120,7 @@ static void add_dyad(YkOrder *o, const YkBlock *b)
 // What a term of a relation depends on, in unknown[]; returns how many. Where its orientation turns with a root that
 // the operation solves for, these are the root and the relative angle; where that root is not known yet, it cancels,
 // and the relative angle is left.
-static size_t unknowns_of_term(const YkOrder *o, YkRelationTerm term, size_t own, int32_t unknown[2])
+static size_t unknowns_of_term(const YkEliminationOrder *o, YkRelationTerm term, size_t own, int32_t unknown[2])
 {
     const YkMechanism *mech = o->mech;
     if (term.is_distance) {
@@ -141,7 +141,7 @@ static size_t unknowns_of_term(const YkOrder *o, YkRelationTerm term, size_t own
 }
 
 // Adds the columns of a relation.
-static void add_relation_columns(YkOrder *o, const YkRelation *r, size_t own)
+static void add_relation_columns(YkEliminationOrder *o, const YkRelation *r, size_t own)
 {
     int32_t unknown[2];
     for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // the argument's terms stand behind
@@ -151,7 +151,7 @@ static void add_relation_columns(YkOrder *o, const YkRelation *r, size_t own)
 }
 
 // A row of factors, two for every column: constant, and times the law's slope.
-static void add_relation_factors(YkOrder *o, const YkRelation *r, size_t own, double times)
+static void add_relation_factors(YkEliminationOrder *o, const YkRelation *r, size_t own, double times)
 {
     YkElimination *e = o->e;
     size_t first = e->factor_count, width = 2 * o->columns.count;
@@ -179,7 +179,7 @@ static void add_relation_factors(YkOrder *o, const YkRelation *r, size_t own, do
 // ------------------------------------------------------------------------------------------------------------
 
 // A term of a group's loop: its orientation is known, or turns with an unknown root.
-static bool add_group_term(YkOrder *o, YkTerm term, int32_t row, size_t own)
+static bool add_group_term(YkEliminationOrder *o, YkTerm term, int32_t row, size_t own)
 {
     const YkMechanism *mech = o->mech;
     YkElimination *e = o->e;
@@ -191,7 +191,7 @@ static bool add_group_term(YkOrder *o, YkTerm term, int32_t row, size_t own)
     return yk_gradient_add_term(e, &o->columns, inner, root, column, row);
 }
 
-static void add_group(YkOrder *o, const YkBlock *b)
+static void add_group(YkEliminationOrder *o, const YkBlock *b)
 {
     YkElimination *e = o->e;
     yk_order_start_columns(o);
@@ -220,7 +220,7 @@ static void add_group(YkOrder *o, const YkBlock *b)
     if (most > e->largest_group) e->largest_group = most;
 }
 
-static void add_block(YkOrder *o, int32_t index)
+static void add_block(YkEliminationOrder *o, int32_t index)
 {
     const YkBlock *b = &o->mech->blocks[index];
     if (b->kind == YK_BLOCK_CHECK) return;
@@ -231,7 +231,7 @@ static void add_block(YkOrder *o, int32_t index)
     o->raw[o->raw_count - 1].block = (uint32_t)index;
 }
 
-static void add_relation(YkOrder *o, int32_t index)
+static void add_relation(YkEliminationOrder *o, int32_t index)
 {
     const YkMechanism *mech = o->mech;
     const YkRelation *r = &mech->relations[index];
@@ -246,7 +246,7 @@ static void add_relation(YkOrder *o, int32_t index)
     add_relation_factors(o, r, 1, -r->gain); // the slope has the gain in it
 }
 
-void yk_order_add_steps(YkOrder *o)
+void yk_order_add_steps(YkEliminationOrder *o)
 {
     for (size_t k = 0; k < o->mech->step_count && !o->failed; k++) {
         const YkStep *step = &o->mech->steps[k];

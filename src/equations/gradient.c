@@ -1,7 +1,7 @@
 #include "equations/gradient.h"
 #include "base/memory.h"
 
-int32_t yk_column(YkColumns *columns, int32_t unknown)
+int32_t yk_column(YkGradientColumns *columns, int32_t unknown)
 {
     if (unknown == 0) return YK_NONE;
     for (size_t k = 0; k < columns->count; k++)
@@ -45,7 +45,7 @@ static bool make_plain(YkGradientPiece *pieces, uint32_t count)
     return true;
 }
 
-void yk_gradient_end(YkElimination *e, const YkColumns *columns, YkGradient *gradient)
+void yk_gradient_end(YkElimination *e, const YkGradientColumns *columns, YkGradient *gradient)
 {
     gradient->piece_count = (uint32_t)e->piece_count - gradient->first_piece;
     gradient->node_count = (uint32_t)e->node_count - gradient->first_node;
@@ -54,7 +54,7 @@ void yk_gradient_end(YkElimination *e, const YkColumns *columns, YkGradient *gra
                          make_plain(e->pieces + gradient->first_piece, gradient->piece_count);
 }
 
-bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int32_t root, int32_t root_column,
+bool yk_gradient_add_term(YkElimination *e, YkGradientColumns *columns, YkTerm term, int32_t root, int32_t root_column,
                           int32_t row)
 {
     if (!YK_ROOM(e->pieces, e->piece_count, e->piece_capacity)) return false;
@@ -67,7 +67,7 @@ bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int
     return !columns->failed;
 }
 
-static bool add_node(YkElimination *e, YkColumns *columns, int32_t node, double sign, int32_t row)
+static bool add_node(YkElimination *e, YkGradientColumns *columns, int32_t node, double sign, int32_t row)
 {
     if (node == YK_NONE) return true;
     if (!YK_ROOM(e->nodes, e->node_count, e->node_capacity)) return false;
@@ -77,8 +77,8 @@ static bool add_node(YkElimination *e, YkColumns *columns, int32_t node, double 
     return !columns->failed;
 }
 
-bool yk_gradient_add_sum(YkElimination *e, YkColumns *columns, const YkSum *sum, int32_t root, int32_t root_column,
-                         int32_t row)
+bool yk_gradient_add_sum(YkElimination *e, YkGradientColumns *columns, const YkSum *sum, int32_t root,
+                         int32_t root_column, int32_t row)
 {
     bool ok = add_node(e, columns, sum->plus, 1, row) && add_node(e, columns, sum->minus, -1, row);
     bool has_constant = root != 0 && (sum->constant.x != 0 || sum->constant.y != 0);

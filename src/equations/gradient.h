@@ -3,21 +3,21 @@
 #define EQUATIONS_GRADIENT_H
 #include "equations/elimination.h"
 
-typedef struct YkColumns { // of the gradient in work
+typedef struct YkGradientColumns { // of the gradient in work
     int32_t *unknown;
     size_t count, capacity;
     bool failed;
-} YkColumns;
+} YkGradientColumns;
 
 // The column of an unknown, added where it is new; YK_NONE for the ground.
-int32_t yk_column(YkColumns *columns, int32_t unknown);
+int32_t yk_column(YkGradientColumns *columns, int32_t unknown);
 // Begins a gradient in the elimination's lists; ends it: counts what was added since.
 YkGradient yk_gradient_begin(const YkElimination *e);
-void yk_gradient_end(YkElimination *e, const YkColumns *columns, YkGradient *gradient);
+void yk_gradient_end(YkElimination *e, const YkGradientColumns *columns, YkGradient *gradient);
 // Adds a sum turned by the orientation `root` (0: none); root_column gets what turning the whole adds.
-bool yk_gradient_add_sum(YkElimination *e, YkColumns *columns, const YkSum *sum, int32_t root, int32_t root_column,
-                         int32_t row);
-bool yk_gradient_add_term(YkElimination *e, YkColumns *columns, YkTerm term, int32_t root, int32_t root_column,
+bool yk_gradient_add_sum(YkElimination *e, YkGradientColumns *columns, const YkSum *sum, int32_t root,
+                         int32_t root_column, int32_t row);
+bool yk_gradient_add_term(YkElimination *e, YkGradientColumns *columns, YkTerm term, int32_t root, int32_t root_column,
                           int32_t row);
 
 #endif

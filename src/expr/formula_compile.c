@@ -17,7 +17,7 @@ typedef struct Part {
 } Part;
 
 typedef struct Operand {
-    YkSource from;
+    YkOperandSource from;
     int32_t index;
     double value; // of a constant, which gets its index when an instruction needs it
 } Operand;

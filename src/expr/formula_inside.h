@@ -15,11 +15,11 @@ enum {
     YK_OPERATION_FUNCTION                        // + YkFunction
 };
 
-typedef enum YkSource { YK_FROM_CONSTANT, YK_FROM_VARIABLE, YK_FROM_REGISTER } YkSource;
+typedef enum YkOperandSource { YK_FROM_CONSTANT, YK_FROM_VARIABLE, YK_FROM_REGISTER } YkOperandSource;
 
 typedef struct YkInstruction {
     uint8_t operation, result; // a register
-    uint8_t from[2];           // YkSource of the operands; of one operand the second is constant 0
+    uint8_t from[2];           // YkOperandSource of the operands; of one operand the second is constant 0
     int32_t index[2];
 } YkInstruction;
 
@@ -28,7 +28,7 @@ struct YkFormula {
     double *constants;  // at least one
     int32_t *variables; // that it depends on, ascending
     size_t instruction_count, constant_count, variable_count;
-    YkSource from; // where the value is in the end
+    YkOperandSource from; // where the value is in the end
     int32_t index;
 };
 

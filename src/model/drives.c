@@ -16,7 +16,7 @@ static void add_drive(YkLoader *loader, int32_t coordinate, YkPlace place, YkExp
 }
 
 // {law: NAME, of: a coordinate or an expression of t}
-static void read_law(YkLoader *loader, int32_t coordinate, const YkPair *pair)
+static void read_law(YkLoader *loader, int32_t coordinate, const YkNodePair *pair)
 {
     static const char *const keys[] = {"law", "of", NULL};
     const YkSubject subject = {.noun = "drive", .owner = pair->key->text};
@@ -57,7 +57,7 @@ void yk_load_drives(YkLoader *loader)
     model->follows = YK_NEW(loader->arena, YkFollow, section->count);
     if (!seen || !model->drives || !model->follows) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, NULL);
         if (coordinate < 0) continue;
         if (pair->value->kind == YK_NODE_MAP) {
@@ -86,7 +86,7 @@ void yk_load_starts(YkLoader *loader)
     model->starts = YK_NEW(loader->arena, YkStart, section->count);
     if (!seen || !model->starts) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         bool is_rate = false;
         int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, &is_rate);
         if (coordinate < 0) continue;

@@ -4,9 +4,9 @@
 #include "model/load.h"
 
 // Which of the keys says what kind of joint this is; NULL (reported) unless it is exactly one.
-static const YkPair *find_kind(YkLoader *loader, const YkNode *node, const YkNode *name)
+static const YkNodePair *find_kind(YkLoader *loader, const YkNode *node, const YkNode *name)
 {
-    const YkPair *found = NULL;
+    const YkNodePair *found = NULL;
     for (size_t i = 0; i < node->count; i++) {
         if (yk_part_find(node->pairs[i].key->text) == YK_PART_COUNT) continue;
         if (found) {
@@ -105,12 +105,12 @@ static void check_keys(YkLoader *loader, const YkJoint *joint, const YkNode *nod
     yk_load_check_keys(loader, node, keys, &(YkSubject){.noun = part->key, .part = joint->name});
 }
 
-static void read_joint(YkLoader *loader, int32_t index, const YkPair *pair)
+static void read_joint(YkLoader *loader, int32_t index, const YkNodePair *pair)
 {
     YkJoint *joint = &loader->model->joints[index];
     const YkNode *node = pair->value;
     const YkSubject subject = {.noun = "joint", .part = joint->name};
-    const YkPair *kind =
+    const YkNodePair *kind =
         yk_load_expect(loader, node, YK_NODE_MAP, &subject) ? find_kind(loader, node, pair->key) : NULL;
     if (kind) {
         joint->kind = yk_part_find(kind->key->text);

@@ -80,7 +80,7 @@ void yk_load_locks(YkLoader *loader)
     model->locks = YK_NEW(loader->arena, YkLock, section->count);
     if (!model->locks) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkLock *lock = &model->locks[model->lock_count++];
         *lock = (YkLock){.name = pair->key->text, .place = pair->key->place};
         yk_load_name(loader, pair->key, "lock");

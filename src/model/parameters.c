@@ -2,7 +2,7 @@
 #include <math.h>
 #include "model/load.h"
 
-static void read_parameter(YkLoader *loader, YkParameter *parameter, const YkPair *pair, int32_t index)
+static void read_parameter(YkLoader *loader, YkParameter *parameter, const YkNodePair *pair, int32_t index)
 {
     *parameter = (YkParameter){.name = pair->key->text, .place = pair->key->place, .value = NAN};
     YkSubject subject = {.noun = "parameter", .part = pair->key->text};

@@ -22,7 +22,7 @@ static const char *full_name(YkLoader *loader, const char *body, const YkNode *p
     return name;
 }
 
-static void read_point(YkLoader *loader, int32_t body, const YkPair *pair)
+static void read_point(YkLoader *loader, int32_t body, const YkNodePair *pair)
 {
     YkModel *model = loader->model;
     size_t index = model->point_count++;

@@ -20,7 +20,7 @@ void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, co
 typedef struct Event {
     YkSimulation *sim;
     const YkLoadItem *item; // STOP or COULOMB
-    const YkWatch *watch;
+    const YkEventWatch *watch;
     double way; // watch: +1 rising, -1 falling
 } Event;
 
@@ -183,7 +183,7 @@ static void look_at_items(YkSimulation *sim, bool *ok)
     }
 }
 
-static void look_at_watch(YkSimulation *sim, YkWatch *watch, double end, bool *ok)
+static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bool *ok)
 {
     Event e = {sim, NULL, watch, 1};
     double now = event_at(&e, end, ok), last = watch->last;
@@ -200,7 +200,7 @@ static void look_at_watch(YkSimulation *sim, YkWatch *watch, double end, bool *o
 // while the rest goes on. The state stands at the end of the last step; true: it was moved.
 bool yk_simulation_look_dead(YkSimulation *sim)
 {
-    YkWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
+    YkEventWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
     Event e = {sim, NULL, &watch, 1};
     if (sim->first == YK_NONE) return false;
     double last = sim->first_rate, now = event_here(&e);

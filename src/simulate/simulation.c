@@ -144,7 +144,7 @@ YkStatus yk_simulation_watch(YkSimulation *sim, const char *name, YkChannel chan
     if (!YK_ROOM(sim->watches, sim->watch_count, sim->watch_capacity)) return YK_NO_MEMORY;
     const char *kept = yk_arena_copy(sim->arena, name, strlen(name));
     if (!kept) return YK_NO_MEMORY;
-    sim->watches[sim->watch_count++] = (YkWatch){kept, channel, value, direction, 0};
+    sim->watches[sim->watch_count++] = (YkEventWatch){kept, channel, value, direction, 0};
     return YK_OK;
 }
 

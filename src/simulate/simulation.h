@@ -19,13 +19,13 @@ typedef struct YkContact {
     double low, high; // what it can exert
 } YkContact;
 
-typedef struct YkWatch {
+typedef struct YkEventWatch {
     const char *name;
     YkChannel channel;
     double level;
     int direction;
     double last; // its value at the last accepted step
-} YkWatch;
+} YkEventWatch;
 
 typedef enum YkPendingKind {
     YK_PENDING_NONE,
@@ -78,7 +78,7 @@ struct YkSimulation {
     int32_t first; // the coordinate that a machine with one freedom and loops was started by; otherwise YK_NONE
     double first_rate;
     // findings
-    YkWatch *watches;
+    YkEventWatch *watches;
     size_t watch_count, watch_capacity;
     YkHappening *happenings;
     size_t happening_count, happening_capacity;

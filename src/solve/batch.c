@@ -23,10 +23,10 @@ struct YkBatch {
     const double **lanes_of; // the runner's view of this block's inputs
     YkPlane point;           // scratch: one point's lanes
     double *point_lanes;
-    bool is_along; // the poses are those of one way:
-    YkWatch watch; // where its branches could have met
-    double *next;  // [coordinate]: angles at the end of this block of lanes, references of the next one
-    size_t clear;  // lanes of this block that are the way's for sure
+    bool is_along;       // the poses are those of one way:
+    YkBranchWatch watch; // where its branches could have met
+    double *next;        // [coordinate]: angles at the end of this block of lanes, references of the next one
+    size_t clear;        // lanes of this block that are the way's for sure
 };
 
 static size_t lanes_for(const YkMechanism *mech)

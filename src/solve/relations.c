@@ -18,7 +18,7 @@ static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double
     memset(out.vx, 0, n * sizeof(double));
     memset(out.ax, 0, n * sizeof(double));
     for (uint32_t k = first; k < first + count; k++) {
-        const YkSource *s = &run->mech->sources[k];
+        const YkRelationSource *s = &run->mech->sources[k];
         if (s->kind == YK_SOURCE_INPUT) {
             const double *const *in = run->inputs + 3 * s->index;
             add_scaled(out, s->factor, in[0], in[1], in[2], n);
@@ -92,7 +92,7 @@ static YkMotion sum_of(const YkRun *run, uint32_t first, uint32_t count, double 
 {
     YkMotion sum = {offset, 0, 0};
     for (uint32_t k = first; k < first + count; k++) {
-        const YkSource *s = &run->mech->sources[k];
+        const YkRelationSource *s = &run->mech->sources[k];
         YkMotion m = {0, 0, 0};
         if (s->kind == YK_SOURCE_INPUT) {
             const double *const *in = run->inputs + 3 * s->index;
@@ -151,7 +151,7 @@ void yk_relation_gradient(const YkMechanism *mech, size_t index, double slope, d
 void yk_relations_refer(YkState *s, const YkSpace *space)
 {
     for (size_t k = 0; k < s->mech->source_count; k++) {
-        const YkSource *source = &s->mech->sources[k];
+        const YkRelationSource *source = &s->mech->sources[k];
         if (source->kind != YK_SOURCE_SLOT) continue;
         YkTurn t = yk_space_turn(space, source->index);
         double *reference = &s->slot_reference[source->reference];
@@ -176,7 +176,7 @@ static double guessed_angle(const YkState *s, int32_t orientation)
 void yk_relations_guess(YkState *s)
 {
     for (size_t k = 0; k < s->mech->source_count; k++) {
-        const YkSource *source = &s->mech->sources[k];
+        const YkRelationSource *source = &s->mech->sources[k];
         if (source->kind != YK_SOURCE_SLOT || source->index >= (int32_t)s->mech->orientation_count) continue;
         s->slot_reference[source->reference] = guessed_angle(s, source->index);
     }

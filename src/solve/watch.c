@@ -3,19 +3,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool yk_watch_start(YkWatch *w, const YkMechanism *mech)
+bool yk_watch_start(YkBranchWatch *w, const YkMechanism *mech)
 {
-    *w = (YkWatch){.mech = mech};
+    *w = (YkBranchWatch){.mech = mech};
     w->before = calloc(2 * mech->block_count + 1, sizeof *w->before);
     w->unit = calloc(2 * mech->block_count + 1, sizeof *w->unit);
     return w->before && w->unit;
 }
 
-void yk_watch_end(YkWatch *w)
+void yk_watch_end(YkBranchWatch *w)
 {
     free(w->before);
     free(w->unit);
-    *w = (YkWatch){0};
+    *w = (YkBranchWatch){0};
 }
 
 // Two poses at which a margin differs by more than this are too far apart to tell what lies between them.
@@ -61,7 +61,7 @@ static size_t first_swing(YkTurn t, YkVec *before, bool is_first, size_t n)
     return n;
 }
 
-size_t yk_watch_lanes(YkWatch *w, const YkSpace *space, size_t n)
+size_t yk_watch_lanes(YkBranchWatch *w, const YkSpace *space, size_t n)
 {
     size_t clear = n;
     for (size_t b = 0; b < w->mech->block_count; b++) {

@@ -4,17 +4,17 @@
 #define SOLVE_WATCH_H
 #include "solve/state.h"
 
-typedef struct YkWatch {
+typedef struct YkBranchWatch {
     const YkMechanism *mech;
     double *before; // [block][2]: of the last two poses
     YkVec *unit;    // [block][2]: directions of the bodies that it turns, at the last pose
     size_t seen;    // poses on the way so far
-} YkWatch;
+} YkBranchWatch;
 
-bool yk_watch_start(YkWatch *watch, const YkMechanism *mech);
-void yk_watch_end(YkWatch *watch);
+bool yk_watch_start(YkBranchWatch *watch, const YkMechanism *mech);
+void yk_watch_end(YkBranchWatch *watch);
 // Looks at the next n lanes of a space that keeps margins. Returns how many of them, from the first, stand on the
 // branches of the way for sure: n where nothing came near a limit or a change point.
-size_t yk_watch_lanes(YkWatch *watch, const YkSpace *space, size_t n);
+size_t yk_watch_lanes(YkBranchWatch *watch, const YkSpace *space, size_t n);
 
 #endif

@@ -94,7 +94,7 @@ static bool read_distribution(Reader *r, const YkNode *node, const YkParameter *
     return false;
 }
 
-static void read_entry(Reader *r, const YkPair *pair)
+static void read_entry(Reader *r, const YkNodePair *pair)
 {
     const YkModel *model = r->model;
     int32_t index = yk_names_find(&model->parameter_names, pair->key->text);

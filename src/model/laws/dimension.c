@@ -136,7 +136,7 @@ static void ask_uses(Search *search, const char *law, const char *section, YkDim
 {
     const YkNode *map = yk_node_get(search->loader->root, section);
     for (size_t i = 0; map && map->kind == YK_NODE_MAP && i < map->count; i++) {
-        const YkPair *pair = &map->pairs[i];
+        const YkNodePair *pair = &map->pairs[i];
         const YkNode *name = yk_node_get(pair->value, "law"), *of = yk_node_get(pair->value, "of");
         bool is_distance = false;
         if (!name || name->kind != YK_NODE_SCALAR || strcmp(name->text, law) != 0) continue;

@@ -100,7 +100,7 @@ static void read_kind(YkLawReader *reader, const YkNode *map)
     read_between(reader, table ? yk_node_get(map, "between") : NULL);
 }
 
-static void read_law(YkLoader *loader, const YkPair *pair, YkModelLaw *law)
+static void read_law(YkLoader *loader, const YkNodePair *pair, YkModelLaw *law)
 {
     YkLawReader reader = {.loader = loader, .law = law, .source = law->source};
     const YkSubject subject = {.noun = "law", .part = law->name};
@@ -122,7 +122,7 @@ void yk_load_laws(YkLoader *loader)
     model->laws = YK_NEW(loader->arena, YkModelLaw, section->count);
     if (!model->laws) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkModelLaw *law = &model->laws[i];
         *law = (YkModelLaw){.name = pair->key->text, .place = pair->key->place};
         law->source = YK_NEW(loader->arena, YkLawSource, 1);

@@ -18,7 +18,7 @@ static void check_law(YkLoader *loader, const YkEffort *effort, const YkNode *no
                coordinate->name, yk_dimension_name(wanted));
 }
 
-static void read_law(YkLoader *loader, YkEffort *effort, const YkPair *pair)
+static void read_law(YkLoader *loader, YkEffort *effort, const YkNodePair *pair)
 {
     static const char *const keys[] = {"law", "of", NULL};
     const YkSubject subject = {.noun = "effort", .owner = pair->key->text};
@@ -34,7 +34,7 @@ static void read_law(YkLoader *loader, YkEffort *effort, const YkPair *pair)
     if (of) effort->law.of = yk_load_value(loader, of, &want, NULL);
 }
 
-static void read_effort(YkLoader *loader, YkEffort *effort, const YkPair *pair)
+static void read_effort(YkLoader *loader, YkEffort *effort, const YkNodePair *pair)
 {
     YkWant want = {.dimension = effort_dimension(loader, effort->coordinate),
                    .scope = YK_SCOPE_STATE,
@@ -55,7 +55,7 @@ void yk_load_efforts(YkLoader *loader)
     model->efforts = YK_NEW(loader->arena, YkEffort, section->count);
     if (!seen || !model->efforts) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, NULL);
         if (coordinate < 0) continue;
         YkEffort *effort = &model->efforts[model->effort_count++];

@@ -59,7 +59,7 @@ void yk_load_forces(YkLoader *loader)
     model->forces = YK_NEW(loader->arena, YkForce, section->count);
     if (!model->forces) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkForce *force = &model->forces[model->force_count++];
         *force = (YkForce){.name = pair->key->text, .place = pair->key->place, .body = YK_NONE, .point = YK_NONE};
         yk_load_name(loader, pair->key, "force");

@@ -95,7 +95,7 @@ void yk_load_springs(YkLoader *loader)
     model->springs = YK_NEW(loader->arena, YkSpring, section->count);
     if (!model->springs) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkSpring *spring = &model->springs[model->spring_count++];
         *spring = (YkSpring){.name = pair->key->text,
                              .place = pair->key->place,

@@ -14,7 +14,7 @@ static void read_ends(YkLoader *loader, YkStop *stop, const YkNode *ends, const 
     stop->high_expr = yk_load_value(loader, ends->items[1], want, &stop->high);
 }
 
-static void read_stop(YkLoader *loader, YkStop *stop, const YkPair *pair)
+static void read_stop(YkLoader *loader, YkStop *stop, const YkNodePair *pair)
 {
     static const char *const keys[] = {"between", "restitution", NULL};
     bool is_distance = loader->model->coordinates[stop->coordinate].is_distance;
@@ -41,7 +41,7 @@ void yk_load_stops(YkLoader *loader)
     model->stops = YK_NEW(loader->arena, YkStop, section->count);
     if (!seen || !model->stops) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, NULL);
         if (coordinate < 0) continue;
         YkStop *stop = &model->stops[model->stop_count++];

@@ -25,7 +25,7 @@ void yk_load_belts(YkLoader *loader)
     model->belts = YK_NEW(loader->arena, YkBelt, section->count);
     if (!model->belts) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkBelt *belt = &model->belts[model->belt_count++];
         *belt = (YkBelt){
             .name = pair->key->text, .place = pair->key->place, .body = {YK_NONE, YK_NONE}, .carrier = YK_NONE};

@@ -186,7 +186,7 @@ void yk_load_cams(YkLoader *loader)
     model->cams = YK_NEW(loader->arena, YkCam, section->count);
     if (!model->cams) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkCam *cam = &model->cams[model->cam_count++];
         *cam = (YkCam){.name = pair->key->text,
                        .place = pair->key->place,

@@ -42,7 +42,7 @@ void yk_load_gears(YkLoader *loader)
     model->gears = YK_NEW(loader->arena, YkGear, section->count);
     if (!model->gears) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkGear *gear = &model->gears[model->gear_count++];
         *gear = (YkGear){.name = pair->key->text,
                          .place = pair->key->place,

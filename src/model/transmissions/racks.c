@@ -30,7 +30,7 @@ void yk_load_racks(YkLoader *loader)
     model->racks = YK_NEW(loader->arena, YkRack, section->count);
     if (!model->racks) return;
     for (size_t i = 0; i < section->count; i++) {
-        const YkPair *pair = &section->pairs[i];
+        const YkNodePair *pair = &section->pairs[i];
         YkRack *rack = &model->racks[model->rack_count++];
         *rack = (YkRack){.name = pair->key->text,
                          .place = pair->key->place,

@@ -46,7 +46,7 @@ int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b)
     return order != 0 ? order : (int)a->surd - (int)b->surd;
 }
 
-static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm *b, YkOrder order)
+static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm *b, YkTermOrder order)
 {
     int sign = order == YK_BY_ATOM ? yk_compare_atoms(ring, &a->atom, &b->atom) : 0;
     if (sign != 0) return sign < 0;
@@ -56,7 +56,7 @@ static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm
 }
 
 // Few terms by insertion, more by merging; stable, so that equal terms keep their order on every machine.
-static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size_t count, YkOrder order)
+static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size_t count, YkTermOrder order)
 {
     size_t half = count / 2, i = 0, k = half;
     if (count <= FEW) {
@@ -75,7 +75,7 @@ static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size
         terms[at] = k == count || precedes(ring, &room[i], &terms[k], order) ? room[i++] : terms[k++];
 }
 
-void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkOrder order)
+void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkTermOrder order)
 {
     YkShownTerm *room = count > FEW ? yk_arena_take(sheet->arena, count / 2 * sizeof *room) : NULL;
     if (count > FEW && !room)

@@ -71,9 +71,9 @@ YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial); // of the ring's
 int yk_compare_monomials(YkMonomial a, YkMonomial b);
 bool yk_is_same_monomial(YkMonomial a, YkMonomial b);
 int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b);
-typedef enum YkOrder { YK_BY_MONOMIAL, YK_BY_ATOM, YK_BY_RATE, YK_BY_ACCELERATION } YkOrder;
+typedef enum YkTermOrder { YK_BY_MONOMIAL, YK_BY_ATOM, YK_BY_RATE, YK_BY_ACCELERATION } YkTermOrder;
 // By atom, then by monomial; by the rates (accelerations) of the monomial alone. Equal terms stay as they stand.
-void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkOrder order);
+void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkTermOrder order);
 
 // --- common_parts.c: parts of monomials
 // Does it hold a symbol of the class?

@@ -18,7 +18,7 @@ const char *yk_gears_kind(YkTrainKind kind)
 // Loads the model alone; false when that failed, all is printed then.
 static bool load(YkSession *session)
 {
-    const YkPairs *param = &session->request->param;
+    const YkAssignments *param = &session->request->param;
     if (!session->request->file) {
         yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke gears` needs a model file");
         yk_problem_hint(session->problems, "yoke gears train.yaml");
@@ -42,7 +42,7 @@ static bool load(YkSession *session)
 
 static bool read_efforts(YkSession *session, YkTrainEffort *efforts)
 {
-    const YkPairs *pairs = &session->request->effort;
+    const YkAssignments *pairs = &session->request->effort;
     for (size_t i = 0; i < pairs->count; i++) {
         efforts[i].coordinate = pairs->items[i].name;
         if (!yk_session_value(session, "--effort", pairs->items[i].name, pairs->items[i].value, YK_QUANTITY_TORQUE,

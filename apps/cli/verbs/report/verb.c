@@ -52,7 +52,7 @@ static bool find_points(Reporter *reporter)
 // What the machine was compiled with, for a simulation to compile it alike.
 static bool keep_inputs(Reporter *reporter, const char *swept)
 {
-    const YkPairs *at = &reporter->session->request->at;
+    const YkAssignments *at = &reporter->session->request->at;
     reporter->inputs = calloc(at->count + 1, sizeof *reporter->inputs);
     if (!reporter->inputs) return refuse(reporter, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     reporter->compile = yk_default_compile_options();

@@ -86,7 +86,7 @@ static bool add_column(YkSimulationAnswer *answer, size_t *capacity, const char 
 {
     if (!YK_ROOM(answer->columns, answer->column_count, *capacity))
         return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    YkColumn *column = &answer->columns[answer->column_count++];
+    YkAnswerColumn *column = &answer->columns[answer->column_count++];
     column->name = name;
     return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
 }
@@ -121,7 +121,7 @@ static bool read_columns(YkSimulationAnswer *answer)
 }
 
 // A start value in place of the file's; a drive's own values cannot be replaced.
-static bool read_pair(YkSimulationAnswer *answer, const char *option, YkPair pair, bool is_rate)
+static bool read_pair(YkSimulationAnswer *answer, const char *option, YkAssignment pair, bool is_rate)
 {
     YkSession *session = answer->session;
     size_t coordinate;
@@ -140,7 +140,7 @@ static bool read_pair(YkSimulationAnswer *answer, const char *option, YkPair pai
 static bool read_start(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
-    const YkPairs *at = &session->request->at, *rate = &session->request->rate;
+    const YkAssignments *at = &session->request->at, *rate = &session->request->rate;
     answer->values = calloc(at->count + rate->count + 1, sizeof *answer->values);
     answer->inputs = calloc(at->count + 1, sizeof *answer->inputs);
     if (!answer->values || !answer->inputs)
@@ -199,7 +199,7 @@ static bool set_effort(YkSimulationAnswer *answer, size_t index)
 }
 
 // An event is named as it was asked for: theta1=90deg.
-static bool set_event(YkSimulationAnswer *answer, YkPair pair)
+static bool set_event(YkSimulationAnswer *answer, YkAssignment pair)
 {
     YkSession *session = answer->session;
     YkChannel channel;

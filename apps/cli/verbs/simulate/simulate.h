@@ -8,9 +8,9 @@
 typedef struct YkSimulationAnswer {
     YkSession *session;
     // what is asked for
-    double from, to, every; // s; every: 0 where --steps says it
-    size_t steps;           // rows after the first
-    YkColumn *columns;      // after t
+    double from, to, every;  // s; every: 0 where --steps says it
+    size_t steps;            // rows after the first
+    YkAnswerColumn *columns; // after t
     size_t column_count;
     YkSimulationOptions options;
     YkStartValue *values; // --at, --rate

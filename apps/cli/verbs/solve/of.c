@@ -9,7 +9,7 @@
 void yk_solve_of_warn(YkSession *session)
 {
     for (size_t c = 0; session->columns && session->dynamics && c < session->columns->count; c++) {
-        const YkColumn *column = &session->columns->items[c];
+        const YkAnswerColumn *column = &session->columns->items[c];
         YkQuantity quantity = column->channel.quantity;
         if (column->channel.kind != YK_CHANNEL_EFFORT) continue;
         YkEffortRange range = yk_dynamics_effort_range(session->dynamics, (size_t)column->channel.index);
@@ -39,7 +39,7 @@ void yk_solve_of_text(YkSession *session, const YkState *state)
     yk_table_head(table, "value", NULL);
     yk_table_head(table, "unit", NULL);
     for (size_t c = 0; c < session->columns->count; c++) {
-        const YkColumn *column = &session->columns->items[c];
+        const YkAnswerColumn *column = &session->columns->items[c];
         double value = yk_column_value(session, state, column->channel);
         yk_table_word(table, column->name);
         yk_table_number(table, yk_column_shown(session, value, column->channel), YK_DIGITS);
@@ -51,7 +51,7 @@ void yk_solve_of_text(YkSession *session, const YkState *state)
 }
 
 // Is the column's name one of those before it? An object has each key once.
-static bool is_repeated(const YkColumns *columns, size_t index)
+static bool is_repeated(const YkAnswerColumns *columns, size_t index)
 {
     for (size_t c = 0; c < index; c++)
         if (strcmp(columns->items[c].name, columns->items[index].name) == 0) return true;
@@ -60,7 +60,7 @@ static bool is_repeated(const YkColumns *columns, size_t index)
 
 void yk_solve_of_json(YkSession *session, YkJson *json, const YkState *state)
 {
-    const YkColumns *columns = session->columns;
+    const YkAnswerColumns *columns = session->columns;
     yk_json_object(json, "of", YK_JSON_INLINE);
     for (size_t c = 0; c < columns->count; c++)
         if (!is_repeated(columns, c))

@@ -12,7 +12,7 @@ static void write_table(YkSession *session, YkTable *table)
     yk_table_free(table);
 }
 
-static bool is_named(const YkPairs *pairs, const char *name)
+static bool is_named(const YkAssignments *pairs, const char *name)
 {
     for (size_t i = 0; i < pairs->count; i++)
         if (strcmp(pairs->items[i].name, name) == 0) return true;
@@ -33,7 +33,7 @@ static YkTable *motion_table(YkSession *session, const char *subject, bool is_di
 static void add_motion(YkSession *session, YkTable *table, const YkState *state, const char *name, YkMotion motion,
                        bool is_distance, const char *given)
 {
-    const YkPairs *lists[] = {&session->request->at, &session->request->rate, &session->request->accel};
+    const YkAssignments *lists[] = {&session->request->at, &session->request->rate, &session->request->accel};
     const double values[] = {motion.position, yk_if_rates(state, motion.velocity),
                              yk_if_accelerations(session, state, motion.acceleration)};
     yk_table_word(table, name);

@@ -157,7 +157,7 @@ static int solve(Writer *writer)
 }
 
 // --of: the columns; forces among them need a machine that has some.
-static bool read_columns(YkSession *session, YkColumns *columns)
+static bool read_columns(YkSession *session, YkAnswerColumns *columns)
 {
     if (!session->request->of) return true;
     if (!yk_columns_read(session, columns)) return false;
@@ -169,7 +169,7 @@ static bool read_columns(YkSession *session, YkColumns *columns)
 
 int yk_run_solve(YkSession *session)
 {
-    YkColumns columns = {0};
+    YkAnswerColumns columns = {0};
     Writer writer = {.session = session, .json = {.text = &session->out}};
     if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))

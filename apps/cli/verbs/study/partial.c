@@ -34,7 +34,7 @@ static uint64_t add_word(uint64_t hash, const char *word)
     return add_bytes(hash, word ? word : "\001", word ? strlen(word) : 1);
 }
 
-static uint64_t add_pairs(uint64_t hash, const YkPairs *pairs)
+static uint64_t add_pairs(uint64_t hash, const YkAssignments *pairs)
 {
     hash = add_bytes(hash, &pairs->count, sizeof pairs->count);
     for (size_t k = 0; k < pairs->count; k++)
@@ -59,7 +59,7 @@ static uint64_t signature(const YkStudyAnswer *answer)
     const YkRequest *r = answer->session->request;
     uint64_t hash = add_word(add_word(0xcbf29ce484222325u, yk_version()), "blocks with checksums");
     const char *const words[] = {r->over, r->steps, r->of, r->time, r->lock};
-    const YkPairs *const pairs[] = {&r->at, &r->rate, &r->accel, &r->param};
+    const YkAssignments *const pairs[] = {&r->at, &r->rate, &r->accel, &r->param};
     hash = add_file(answer->session, add_file(answer->session, hash, r->file), r->sample);
     for (size_t k = 0; k < sizeof words / sizeof *words; k++) hash = add_word(hash, words[k]);
     for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) hash = add_pairs(hash, pairs[k]);

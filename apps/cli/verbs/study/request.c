@@ -122,7 +122,7 @@ static bool read_columns(YkStudyAnswer *answer)
         const char *name = yk_arena_copy(session->request->arena, at, length);
         if (!name || !YK_ROOM(answer->columns, answer->column_count, capacity))
             return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-        YkColumn *column = &answer->columns[answer->column_count++];
+        YkAnswerColumn *column = &answer->columns[answer->column_count++];
         column->name = name;
         good &= yk_channel_parse(session->mech, name, &column->channel, session->problems) == YK_OK;
         at += length + (at[length] == ',');

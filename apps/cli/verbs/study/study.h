@@ -30,7 +30,7 @@ typedef struct YkStudyAnswer {
     size_t pose_count;
     double *input;            // [3 * input + k][pose]
     const double **input_row; // NULL: the state's
-    YkColumn *columns;        // --of
+    YkAnswerColumn *columns;  // --of
     size_t column_count;
     YkState *start; // where other inputs say where the machine was put together: its pose with these; otherwise NULL
     YkStudy *study;

@@ -26,7 +26,7 @@ void yk_sweep_warn_of_friction(const YkSweepAnswer *answer)
 {
     YkSession *session = answer->session;
     if (answer->held_rows == 0) return;
-    const YkColumn *column = &answer->columns[answer->held_column];
+    const YkAnswerColumn *column = &answer->columns[answer->held_column];
     YkText range = {0};
     YkQuantity quantity = column->channel.quantity;
     if (answer->held.is_known) {

@@ -11,7 +11,7 @@ typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
     YkDynamicsMethod method;
-    YkColumn *columns; // as --of names them; the swept variable is not among them
+    YkAnswerColumn *columns; // as --of names them; the swept variable is not among them
     size_t column_count;
     YkSweep *sweep;
     YkStatus status;

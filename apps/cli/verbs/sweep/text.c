@@ -54,7 +54,7 @@ static void add_rows(const YkSweepAnswer *answer)
 static void add_event_value(const YkSweepAnswer *answer, YkEvent event, YkText *text)
 {
     if (event.kind == YK_EVENT_EXTREME) {
-        const YkColumn *column = &answer->columns[event.channel];
+        const YkAnswerColumn *column = &answer->columns[event.channel];
         yk_text_format(text, "%s = ", column->name);
         yk_add_value(answer->session, text, event.value, column->channel.quantity, EVENT_DIGITS);
     } else if (event.block >= 0) {

@@ -13,7 +13,7 @@ static bool add_column(YkSweepAnswer *answer, size_t *capacity, const char *name
 {
     if (!YK_ROOM(answer->columns, answer->column_count, *capacity))
         return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    YkColumn *column = &answer->columns[answer->column_count++];
+    YkAnswerColumn *column = &answer->columns[answer->column_count++];
     column->name = name;
     return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
 }
