@@ -17,7 +17,7 @@ static void put_gamma(YkDerivation *d, YkPage *page)
     column->target = "gamma_";
 }
 
-// a(A) = a(A1) + Coriolis + relative, a(A1) = a(origin of the guide, where it moves) + tangential + centripetal.
+// a(A) = a(A1) + Coriolis + relative; a(A1) = a(origin of the guide, if it moves) + tangential + centripetal.
 static void put_sum_of_parts(YkDerivation *d, YkPage *page, int32_t guide, const char *point)
 {
     YkText first = {0};
@@ -44,7 +44,7 @@ static void put_sum_of_parts(YkDerivation *d, YkPage *page, int32_t guide, const
     yk_text_free(&first);
 }
 
-// Where a body slides on one that turns: a(point) = a(the place it slides over) + Coriolis + relative.
+// Writes a body that slides on one that turns: a(point) = a(the place it slides over) + Coriolis + relative.
 static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
 {
     YkRing *ring = d->ring;

@@ -1,4 +1,4 @@
-// Rows of J, and the blocks in which its unknown columns are solved.
+// Finds the rows of J, and the blocks in which its unknown columns are solved.
 #include "derive/blocks.h"
 #include <string.h>
 #include "derive/inside.h"
@@ -6,7 +6,8 @@
 #include "num/components.h"
 #include "num/matching.h"
 
-// Coordinates on the branches from both bodies of a joint to where they part, and the joint's own distance; ascending.
+// Finds the coordinates on the branches from a joint's two bodies to where they part, and the joint's own distance,
+// ascending.
 static size_t coordinates_of(const YkDerivation *d, const YkDeriveLoop *loop, int32_t *found)
 {
     size_t count = 0;
@@ -38,7 +39,7 @@ static size_t keep_mentioned(const YkDerivation *d, const YkPoisson *a, const in
 static bool add_row(YkDerivation *d, struct YkDeriveBlocks *blocks, YkDeriveRow row)
 {
     if (!row.value) return false;
-    if (yk_ring_is_zero(row.value)) return true; // 0 = 0: a guide beside a guide
+    if (yk_ring_is_zero(row.value)) return true; // 0 = 0: two parallel guides
     row.entries = YK_NEW(d->arena, const YkPoisson *, row.count + 1);
     if (!row.entries) return false;
     row.block = YK_NONE;
@@ -50,13 +51,13 @@ static bool add_row(YkDerivation *d, struct YkDeriveBlocks *blocks, YkDeriveRow 
     return true;
 }
 
-// A gear's row depends on what has a derivative, functions of coordinates included.
+// The row of a gear depends on everything that has a derivative, functions of coordinates included.
 static bool add_tie(YkDerivation *d, struct YkDeriveBlocks *blocks, int32_t tie)
 {
     YkDeriveRow row = {.loop = YK_NONE, .tie = tie, .part = 3, .value = d->ties[tie].value};
     row.columns = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     if (!row.columns) return false;
-    if (!row.value) return yk_derivation_is_well(d); // cannot be written: the section says so
+    if (!row.value) return yk_derivation_is_well(d); // it cannot be written: the section says so
     for (size_t k = 0; k < d->coordinate_count; k++) {
         const YkPoisson *slope = yk_ring_partial(d->ring, row.value, d->coordinates[k].position);
         if (!slope) return false;
@@ -95,7 +96,7 @@ static bool make_rows(YkDerivation *d, struct YkDeriveBlocks *blocks, int32_t *f
     return true;
 }
 
-// --- Blocks: matching of rows with unknown columns, strong components of what needs what.
+// --- Blocks: rows are matched with unknown columns; a block is a strong component of their dependencies.
 
 typedef struct Order {
     YkMatching matching;
@@ -130,7 +131,7 @@ static bool match_rows(YkDerivation *d, struct YkDeriveBlocks *blocks, Order *or
     return true;
 }
 
-// x and y of a loop stay together, so that a dyad is one block.
+// Keeps x and y of a loop together, so that a dyad is one block.
 static int32_t sibling(const struct YkDeriveBlocks *blocks, size_t r)
 {
     const YkDeriveRow *row = &blocks->rows[r];
@@ -158,7 +159,7 @@ static void find_components(const YkDerivation *d, const struct YkDeriveBlocks *
     order->components = yk_components(order->nodes, order->first, order->targets, order->component, order->work);
 }
 
-// Rows and columns of all blocks, block by block, each in their own order: counting sorts by component.
+// Collects the rows and columns of all blocks, block by block, each in order: counting sorts by component.
 static bool gather_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks, const Order *order)
 {
     size_t *row_at = YK_NEW(d->arena, size_t, order->components + 1);
@@ -187,7 +188,7 @@ static bool gather_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks, const 
     return true;
 }
 
-// For each body the last block that its angle needs.
+// Finds for each body the last block that its angle needs.
 static bool find_last_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
 {
     size_t bodies = d->model->body_count;
@@ -233,7 +234,7 @@ static bool make_blocks(YkDerivation *d, struct YkDeriveBlocks *blocks)
     blocks->block_of = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);
     blocks->blocks = YK_NEW(d->arena, YkDeriveBlock, blocks->row_count + 1);
     if (yk_arena_failed(d->arena) || !match_rows(d, blocks, &order, unknowns)) return false;
-    // Given first; what no loop determines goes with it.
+    // Given coordinates come first; those that no loop determines go with them.
     for (size_t k = 0; k < d->coordinate_count; k++)
         if (d->coordinates[k].is_input || order.matching.row_of[k] < 0)
             blocks->column_order[blocks->column_count++] = (int32_t)k;

@@ -9,28 +9,28 @@ typedef struct YkDeriveRow {
     int32_t tie;            // the relation, or YK_NONE
     int part;               // 0 x, 1 y, 2 angle, 3 relation
     const YkPoisson *value; // joint form, 0 on the machine
-    int32_t *columns;       // coordinates that may stand in it, ascending
+    int32_t *columns;       // coordinates that it may contain, ascending
     size_t count;
     const YkPoisson **entries; // partial derivatives by them
-    int32_t block;             // YK_NONE: repeats others
+    int32_t block;             // YK_NONE: repeats other rows
     const YkPoisson *gamma;    // memo: yk_derive_gamma
 } YkDeriveRow;
 
 typedef struct YkDeriveBlock {
     size_t first_row, row_count;       // in row_order
     size_t first_column, column_count; // in column_order
-    const YkPoisson *determinant;      // NULL if the block has more than 3 unknowns, or is not square
+    const YkPoisson *determinant;      // NULL if the block has more than 3 unknowns or is not square
 } YkDeriveBlock;
 
 struct YkDeriveBlocks {
     YkDeriveRow *rows;
-    size_t row_count, solved_row_count; // those that repeat others come last in row_order
+    size_t row_count, solved_row_count; // rows that repeat others come last in row_order
     size_t *row_order;
     int32_t *column_order; // coordinates: inputs first, then block by block
     size_t column_count, input_count;
     int32_t *block_of;               // per coordinate; YK_NONE: given
     int32_t *last_of;                // per body: the last block that its angle needs; YK_NONE: none
-    int32_t *first_body, *next_body; // of a block: the bodies whose last it is, ascending
+    int32_t *first_body, *next_body; // the bodies whose last block this is, ascending
     YkDeriveBlock *blocks;
     size_t block_count;
 };
@@ -39,21 +39,21 @@ enum { YK_CRAMER_MAX = 3 };
 
 // "A x", "sun-planet": a row's name, in the page's arena or the machine's.
 const char *yk_derive_row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row);
-// Made at first use; NULL on failure.
+// The blocks, made at first use; NULL on failure.
 const YkDeriveBlocks *yk_derive_blocks(YkDerivation *d);
-// Row r's derivative by a coordinate; zero where it is not in it. Never NULL but on failure.
+// Returns row r's derivative by a coordinate; zero if the row does not contain it. NULL only on failure.
 const YkPoisson *yk_derive_entry(YkDerivation *d, const YkDeriveRow *row, int32_t coordinate);
-// The determinant of an n x n matrix, n <= YK_CRAMER_MAX, row after row.
+// Returns the determinant of an n x n matrix, n <= YK_CRAMER_MAX, expanded row by row.
 const YkPoisson *yk_derive_determinant(YkRing *ring, const YkPoisson *const *A, size_t n);
-// Cramer's rule on a block: determinant * unknown = over, where J_block unknown = right (row_count elements).
+// Applies Cramer's rule to a block: determinant * unknown = over, where J_block unknown = right (row_count elements).
 const YkPoisson *yk_derive_cramer(YkDerivation *d, const YkDeriveBlock *block, size_t unknown,
                                   const YkPoisson *const *right);
-// Can the block be solved in print?
+// Returns whether the block is solved in print.
 static inline bool yk_derive_is_solved(const YkDeriveBlock *block)
 {
     return block->determinant != NULL && !yk_ring_is_zero(block->determinant);
 }
-// "theta2, d3": the unknowns of a block.
+// Returns "theta2, d3": the unknowns of a block.
 const char *yk_derive_block_name(YkDerivation *d, const YkDeriveBlock *block);
 
 #endif

@@ -1,10 +1,10 @@
-// Bodies: each that turns has an angle of its own; the way from body form to joint form.
+// Bodies: gives each that turns an angle of its own, and leads from body form to joint form.
 #include <string.h>
 #include "derive/inside.h"
 
 enum { ANGLE_TERMS_MAX = 3000000 };
 
-// The joint's coordinate counts from its first body to its second: -1 if the tree walks it backwards.
+// Returns the sense of a body's joint: its coordinate counts from first to second body; -1 if the tree goes backwards.
 static int sense(const YkDerivation *d, int32_t body)
 {
     return d->model->joints[d->bodies[body].joint].body[1] == body ? 1 : -1;
@@ -95,8 +95,8 @@ static const YkPoisson *angle_by_parent(YkDerivation *d, const YkPoisson *before
     return sense(d, body) > 0 ? yk_ring_add(d->ring, before, step) : yk_ring_subtract(d->ring, before, step);
 }
 
-// The angle of a body (of its axes, outside of cos and sin), its spin and the spin's rate in joint form, from the
-// parent's.
+// Finds, in joint form, a body's angle (of its axes, outside cos and sin), its spin and the spin's rate from those of
+// its parent.
 static bool in_joint_form(YkDerivation *d, int32_t body, const YkPoisson *(*forms)[4])
 {
     YkRing *ring = d->ring;
@@ -122,7 +122,7 @@ static bool in_joint_form(YkDerivation *d, int32_t body, const YkPoisson *(*form
     return here[0] && here[1] && here[2] && here[3];
 }
 
-// In a chain of n bodies the joint form of all angles has n^2 / 2 terms: there is a limit.
+// In a chain of n bodies the joint form of all angles has n^2 / 2 terms, so there is a limit.
 bool yk_derive_is_long(const YkDerivation *d)
 {
     size_t terms = 0;
@@ -190,6 +190,6 @@ bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning)
     }
     d->changes[d->change_count++] = (YkRingChange){symbol, meaning, NULL};
     d->definition_count++;
-    d->to_joints = NULL; // to be prepared again
+    d->to_joints = NULL; // must be prepared again
     return meaning != NULL;
 }

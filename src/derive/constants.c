@@ -1,9 +1,9 @@
-// Constants under names of their own: what is no polynomial of parameters, and numbers of many digits. Formulas with
-// those would be hard to read, and products of a few of them too large to be exact.
+// Gives constants names of their own: those that are not polynomials of parameters, and numbers with many digits. With
+// them, formulas would be hard to read, and products of a few too large to be exact.
 #include <string.h>
 #include "derive/inside.h"
 
-// --- What the ring cannot hold
+// --- Constants that the ring cannot hold
 
 static bool is_constant_name(void *context, const YkExpr *expr)
 {
@@ -55,7 +55,7 @@ const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is
 
 static bool is_short(const YkPoisson *a)
 {
-    enum { OVER_MAX = 1000, UNDER_MAX = 100 }; // of a fraction that stands in formulas itself
+    enum { OVER_MAX = 1000, UNDER_MAX = 100 }; // of a fraction that is written in formulas itself
     int64_t over, under;
     return !yk_ring_is_rational(a, &over, &under) || (over <= OVER_MAX && over >= -OVER_MAX && under <= UNDER_MAX);
 }
@@ -77,8 +77,8 @@ const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingCl
     return named;
 }
 
-// --- In the file's order, so that they have the same names whatever is asked for; what the ring cannot hold fails
-// where it is needed
+// --- Enters them in the file's order, so that their names do not depend on what is asked for; a constant that the
+// ring cannot hold fails where it is needed.
 
 static bool has_call(const YkExpr *expr)
 {
@@ -112,7 +112,7 @@ void yk_derive_enter_constants(YkDerivation *d)
     }
 }
 
-// --- What the names stand for
+// --- The meaning of the names
 
 static const char *unit_of(const YkDerivation *d, const YkDeriveConstant *c)
 {

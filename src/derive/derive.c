@@ -1,4 +1,4 @@
-// A derivation from its beginning to its end.
+// Creates, checks and frees a derivation.
 #include <stdlib.h>
 #include "base/problems.h"
 #include "derive/gears/gears.h"

@@ -3,7 +3,7 @@
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
-// 1/2 m v^2 + 1/2 I w^2
+// Returns 1/2 m v^2 + 1/2 I w^2.
 const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body)
 {
     YkRing *ring = f->d->ring;
@@ -40,7 +40,7 @@ const YkPoisson *yk_derive_potential(const YkDeriveForces *f)
     return f->potential[0];
 }
 
-// A body and a spring may have one name: V_left is the weight's energy then, V_left_spring the spring's.
+// If a body and a spring have one name, V_left is the weight's energy and V_left_spring the spring's.
 const char *yk_derive_energy_name(const YkDeriveForces *f, size_t load)
 {
     const YkDeriveLoad *own = &f->loads[load];
@@ -68,7 +68,7 @@ static void put_total(YkPage *page, const char *letter, const YkPoisson *energy)
     if (page->last && page->last->kind == YK_LINE_FORMULA) page->last->target = letter;
 }
 
-// Are there few enough bodies for totals?
+// Returns whether there are few enough bodies for totals.
 static bool is_together(const YkDerivation *d)
 {
     return d->model->body_count <= YK_DERIVE_TOGETHER_MAX;

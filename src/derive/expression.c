@@ -1,4 +1,4 @@
-// Expressions of the file as elements of the ring: exactly, with parameters as symbols.
+// Turns expressions of the file into elements of the ring: exactly, with parameters as symbols.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
@@ -7,7 +7,7 @@
 
 enum { DIGITS_EXACT = 1000000000, DENOMINATOR_MAX = 1000000 };
 
-// The fraction over / under with under <= DENOMINATOR_MAX that equals value to a few bits. Continued fraction.
+// Finds the fraction over / under with under <= DENOMINATOR_MAX that equals value to a few bits (continued fraction).
 static bool as_fraction(double value, int64_t *over, int64_t *under)
 {
     int64_t p0 = 0, p1 = 1, q0 = 1, q1 = 0;
@@ -28,7 +28,7 @@ static bool as_fraction(double value, int64_t *over, int64_t *under)
     return false;
 }
 
-// A double as the decimal that its writer meant, where that is short.
+// Returns a double as the decimal that its writer meant, if that is short.
 static const YkPoisson *as_decimal(YkRing *ring, double value, int64_t limit)
 {
     char text[YK_NUMBER_SIZE];
@@ -97,7 +97,7 @@ static const YkPoisson *quotient(YkDerivation *d, const YkExpr *expr)
     return yk_ring_terms(under) == 1 ? yk_ring_divide(d->ring, over, under) : constant_or_none(d, expr);
 }
 
-// The root of a rational square, where it is a number of the ring.
+// Returns the root of a rational square if it is a number of the ring.
 static const YkPoisson *root(YkDerivation *d, const YkExpr *expr)
 {
     int64_t over, under;
@@ -173,7 +173,7 @@ static bool take_angle(YkRing *ring, const YkPoisson **rest, int32_t symbol, con
     return !yk_ring_mentions(ring, *rest, symbol);
 }
 
-// e^(i angle) where the angle is a whole combination of angles and a rational multiple of pi; NULL otherwise.
+// Returns e^(i angle) if the angle is a whole combination of angles and a rational multiple of pi; otherwise NULL.
 static const YkPoisson *unit_of(YkDerivation *d, const YkPoisson *angle)
 {
     YkRing *ring = d->ring;
@@ -188,7 +188,7 @@ static const YkPoisson *unit_of(YkDerivation *d, const YkPoisson *angle)
     return yk_ring_multiply(ring, unit, yk_ring_turn(ring, over, under));
 }
 
-// A function whose values the ring has not: atan(h/l).
+// Returns whether it is a function whose values the ring does not have: atan(h/l).
 static bool is_foreign(const YkExpr *expr)
 {
     return expr->kind == YK_EXPR_CALL && expr->function != YK_SIN && expr->function != YK_COS &&

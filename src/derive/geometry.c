@@ -1,4 +1,4 @@
-// What the file says of bodies and joints, as elements: points, lines, masses, positions.
+// The file's bodies and joints as elements: points, lines, masses, positions.
 #include <string.h>
 #include "derive/inside.h"
 

@@ -52,7 +52,7 @@ static void put_matrix(YkDerivation *d, YkPage *page)
     matrix->target = "J";
 }
 
-// One row as an equation between rates, for machines whose J does not fit a page.
+// Writes one row as an equation between rates, for machines whose J does not fit on a page.
 static void put_row(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
 {
     const YkPoisson *sum = yk_ring_time_derivative(d->ring, row->value);

@@ -26,13 +26,13 @@ static void put_vector(YkPage *page, YkLine *line, const YkDeriveVector *v, bool
 void yk_derive_put_path(YkPage *page, YkLine *line, const YkDerivePath *path)
 {
     size_t put = 0;
-    for (int negative = 0; negative < 2; negative++) // what is added first
+    for (int negative = 0; negative < 2; negative++) // sums first
         for (size_t k = 0; k < path->count; k++)
             if (path->vectors[k].is_negative == (negative == 1)) put_vector(page, line, &path->vectors[k], put++ == 0);
     if (put == 0) yk_line_sign(page, line, "0");
 }
 
-// Each named vector once: in what body it is fixed, and its components there.
+// Defines each named vector once: the body in which it is fixed, and its components there.
 static void define_vectors(YkDerivation *d, YkPage *page)
 {
     YkNames seen = {0};
@@ -94,7 +94,7 @@ static void put_loop(YkDerivation *d, YkPage *page, const YkDeriveLoop *loop)
     put_scalar_rows(d, page, loop);
 }
 
-// --- What slides and pin-slots demand: the distance from the line is zero, and for a slide the angle stays.
+// --- Conditions of slides and pin-slots: the distance from the line is zero, and for a slide the angle is fixed.
 static void put_constraint(YkDerivation *d, YkPage *page, int32_t joint)
 {
     const YkJoint *j = &d->model->joints[joint];
@@ -136,7 +136,7 @@ static void put_constraints(YkDerivation *d, YkPage *page)
     }
 }
 
-// --- Gears and the like: what they tie.
+// --- Conditions of gears and other relations
 static void put_ties(YkDerivation *d, YkPage *page)
 {
     static const char *const kinds[] = {"gear", "rack", "belt", "cam", "law"};
@@ -173,7 +173,7 @@ static void put_drives(YkDerivation *d, YkPage *page)
         const int32_t symbols[] = {c->position, c->rate, c->acceleration};
         for (int order = 0; order < 3 && law; order++) {
             YkLine *line = yk_page_equation(page, NULL, yk_ring_of(d->ring, symbols[order]), law, YK_RING_TEXTBOOK);
-            if (line) line->left = NULL; // holds where the drive is not overruled
+            if (line) line->left = NULL; // holds unless the drive is overridden
             law = yk_ring_time_derivative(d->ring, law);
         }
     }

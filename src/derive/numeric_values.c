@@ -30,7 +30,7 @@ static void fill_coordinates(const YkDerivation *d, const YkState *state, double
     }
 }
 
-// A body's own angle is that of the first body of its orientation: its axes are not turned against it.
+// A body's own angle is that of the first body of its orientation, against which its axes do not turn.
 static void fill_bodies(const YkDerivation *d, const YkState *state, double *values)
 {
     for (size_t b = 0; b < d->model->body_count; b++) {

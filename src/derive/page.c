@@ -1,4 +1,4 @@
-// Building pages.
+// Builds pages of mathematics.
 #include "derive/page.h"
 #include <string.h>
 
@@ -171,8 +171,8 @@ const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line)
     return left && line->right ? yk_ring_subtract(ring, left, line->right) : left;
 }
 
-// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix), and turns by 45 deg in roots of 2: where it finds no
-// common divisor, print may have a 2, or a few.
+// The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix), and turns by 45 deg in roots of 2, so that a common
+// divisor of 2, or a few, can remain in print.
 static void halve_while_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
     enum { TIMES_MAX = 4 };
@@ -189,7 +189,7 @@ static bool is_motion(YkRing *ring, int32_t symbol)
     return kind == YK_RING_RATE || kind == YK_RING_ACCELERATION || kind == YK_RING_FUNCTION;
 }
 
-// over / under where that is a combination of rates with numbers: of what turns with another body, or not at all.
+// Divides over / under if the result is a combination of rates with numbers: of bodies that turn with another, or not.
 static void divide_out(YkRing *ring, const YkPoisson **over, const YkPoisson **under)
 {
     const YkPoisson *rest = *over, *quotient = yk_ring_rational(ring, 0, 1);
@@ -224,7 +224,8 @@ bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **unde
     return *over && *under;
 }
 
-// over = rate * rest where every term has the same rate (or influence coefficient): a factor beside the fraction.
+// Splits over = rate * rest if every term has the same rate (or influence coefficient), as a factor beside the
+// fraction.
 static const YkPoisson *take_rate(YkRing *ring, const YkPoisson **over)
 {
     const YkPoisson *one = yk_ring_rational(ring, 1, 1), *rate = one, *content = yk_ring_content(ring, *over);

@@ -12,7 +12,7 @@
 #include "ring/ring.h"
 
 typedef enum YkPagePieceKind {
-    YK_PIECE_ELEMENT,  // an element; in brackets where it is a sum and `is_factor`
+    YK_PIECE_ELEMENT,  // an element; in brackets if it is a sum and `is_factor`
     YK_PIECE_QUOTIENT, // over / under, or products of factors over and under the line
     YK_PIECE_VECTOR,   // a vector's or force's name: base, superscript, subscript: p^{A/O1}, F_{01}
     YK_PIECE_SIGN,     // = + - x . ( ) , as they stand; "x" is the cross product, "." the dot product
@@ -20,12 +20,12 @@ typedef enum YkPagePieceKind {
     YK_PIECE_MATRIX    // rows x columns of elements
 } YkPagePieceKind;
 
-// For code: entries by a shorter way than one by one, row by row; false on failure.
+// For code: makes the entries in a shorter way than one by one, row by row. Returns false on failure.
 typedef bool (*YkPageBuild)(void *context, YkGraph *graph, YkGraphValue *entries);
 // For code: defines symbols that stand for others.
 typedef bool (*YkPageDefine)(void *context, YkGraph *graph);
 
-// Entries row by row; NULL is 0. A cut after row or column k is a line in print: the blocks. Labels may be NULL.
+// Entries row by row; NULL is 0. A cut after row or column k is a printed line between blocks. Labels may be NULL.
 typedef struct YkShownMatrix {
     size_t rows, columns;
     const YkPoisson **entries;
@@ -58,19 +58,19 @@ struct YkLine {
     YkLineKind kind;
     int level;           // of a heading: 1 section, 2 part of it
     const char *text;    // heading, words; of a formula a name or remark, or NULL
-    const char *section; // to which section it belongs
+    const char *section; // the section it belongs to
     YkPagePiece *first, *last;
-    // factor * left = right wherever the formula holds, on the machine's own motion; right NULL: 0; factor NULL: 1;
-    // left NULL if it is no equation between scalars or vectors.
+    // factor * left = right holds wherever the formula does, on the machine's own motion. right NULL: 0; factor NULL:
+    // 1; left NULL: not an equation between scalars or vectors.
     const YkPoisson *left, *right, *factor;
-    bool is_identity;   // it holds by itself, coordinates being free
-    bool is_in_numbers; // it holds with the file's numbers only
-    // For C: target = over / under; under NULL: 1. "Phi" gathers rows. NULL: no statement, but where the formula is a
+    bool is_identity;   // it holds by itself, for free coordinates
+    bool is_in_numbers; // it holds only with the file's numbers
+    // For C: target = over / under; under NULL: 1. "Phi" gathers rows. NULL: no statement, unless the formula is
     // name = a value: then the name. Matrices have targets of their own.
     const char *target;
     int32_t solved; // the symbol that is the target; -1: none
     const YkPoisson *over, *under;
-    // For values beside symbols: what a number can be given for; under NULL: 1. NULL: none.
+    // For values beside symbols: the element that has a number; under NULL: 1. NULL: none.
     const YkPoisson *value, *value_under;
     bool is_vector;          // the value has x and y
     const YkPoisson *within; // holds, and has its value, only where this lies in 0 to 1: a segment; NULL: everywhere
@@ -78,53 +78,53 @@ struct YkLine {
 };
 
 typedef struct YkPage {
-    bool has_numbers; // is wanted with numbers: sections may add lines that hold for the file's own
+    bool has_numbers; // with numbers: sections may add lines that hold for the file's own
     YkArena *arena;   // of all that follows
     YkRing *ring;
     YkLine *first, *last;
     const char *section;      // given to new lines
-    const char *told_in;      // the section that has told what the symbols of forces stand for
-    size_t constants_told[2]; // of the derivation's constants: so many were looked through for others, for masses
+    const char *told_in;      // the section that has explained the symbols of forces
+    size_t constants_told[2]; // number of the derivation's constants already looked through: others, masses
     YkPageDefine define;      // or NULL
     void *define_context;
     bool failed; // out of memory
-    // A page that comes in parts: called where one ends, to print its lines and forget them. NULL: it is kept whole.
+    // For a page that comes in parts: called at the end of each, to print its lines and forget them. NULL: kept whole.
     void (*part_ends)(void *context, struct YkPage *page);
     void *context;
     YkArena *passing; // then: memory of lines, pieces and their texts
 } YkPage;
 
-// Takes all lines off a page that comes in parts, and their memory.
+// Removes all lines of a page that comes in parts, and their memory.
 void yk_page_forget(YkPage *page);
-// A zeroed page with arena and ring set is an empty one. All of the following take NULL lines (after a failure) and
-// copy texts.
+// A zeroed page with arena and ring set is empty. All of the following accept NULL lines (after a failure) and copy
+// texts.
 void yk_page_heading(YkPage *page, int level, const char *text);
 void yk_page_words(YkPage *page, const char *format, ...); // yk_text_format's
 YkLine *yk_page_formula(YkPage *page, const char *remark); // an empty formula; remark may be NULL
 
 void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style);
-void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a); // in brackets where it is a sum
+void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a); // in brackets if it is a sum
 void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under);
-// Products of factors over each other, each in brackets where it is a sum; copies the lists.
+// Adds products of factors over each other, each in brackets if it is a sum; copies the lists.
 void yk_line_fraction(YkPage *page, YkLine *line, const YkPoisson *const *over, size_t over_count,
                       const YkPoisson *const *under, size_t under_count);
 void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub);
 void yk_line_sign(YkPage *page, YkLine *line, const char *sign);
 void yk_line_words(YkPage *page, YkLine *line, const char *words);
-// A zeroed matrix with room for its entries, to be filled; NULL when out of memory.
+// Adds a zeroed matrix with room for its entries, to be filled; NULL when out of memory.
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
 
-// What is 0 wherever the formula holds: factor * left - right. Returns NULL if it is no equation.
+// Returns what is 0 wherever the formula holds: factor * left - right. Returns NULL if it is not an equation.
 const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line);
-// left = right, both real elements; right may be NULL for 0. The value is set unless right is a number.
+// Adds left = right, both real elements; right may be NULL for 0. The value is set unless right is a number.
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
                          YkRingStyle style);
-// symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
+// Adds symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
 YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over,
                          const YkPoisson *under);
-// Is it in print a product with a minus before it?
+// Returns whether it prints as a product with a minus before it.
 bool yk_page_is_negative(YkRing *ring, const YkPoisson *a);
-// Divides both by what all their terms have in common. false if the ring failed.
+// Divides both by what all their terms have in common. Returns false if the ring failed.
 bool yk_page_cancel(YkRing *ring, const YkPoisson **over, const YkPoisson **under);
 
 #endif

@@ -3,10 +3,10 @@
 #include <string.h>
 #include "derive/inside.h"
 
-// Places: the model's points, then each body's origin. Places that coincide for ever share a root.
+// Places: the model's points, then each body's origin. Places that always coincide share a root.
 struct YkDeriveNames {
     int32_t *root;       // union-find
-    bool *is_ambiguous;  // per point: its name stands elsewhere for another place
+    bool *is_ambiguous;  // per point: another place has the same name
     const char **origin; // per body: name of its origin
     const char **center; // per body: name of its centre of mass
 };
@@ -44,12 +44,12 @@ static void unite_places(YkDerivation *d, struct YkDeriveNames *names)
     }
 }
 
-// A name stands alone where all points of that name coincide.
+// A name stands alone if all points of that name coincide.
 static bool find_ambiguous(YkDerivation *d, struct YkDeriveNames *names)
 {
     YkNames table = {0};
     bool well = true;
-    for (int pass = 0; pass < 2; pass++) // the second tells the first of each name
+    for (int pass = 0; pass < 2; pass++) // the second pass knows the first of each name
         for (size_t p = 0; p < d->model->point_count && well; p++) {
             int32_t other;
             well = yk_names_add(&table, d->model->points[p].name, (int32_t)p, &other);
@@ -91,7 +91,8 @@ static bool is_point_name(const YkDerivation *d, const char *name)
     return false;
 }
 
-// By the point that the file puts there; else O of the ground, or the name of the first body whose origin it is with 0.
+// Names origins by the point that the file puts there; else O for the ground, or with 0 the first body with that
+// origin.
 static void name_origins(YkDerivation *d, struct YkDeriveNames *names)
 {
     bool has_O = is_point_name(d, "O");
@@ -105,7 +106,7 @@ static void name_origins(YkDerivation *d, struct YkDeriveNames *names)
     }
 }
 
-// C1, C2, ... by the order of bodies with mass; G1, G2, ... where a point of the file is called so.
+// Names centres C1, C2, ... in the order of bodies with mass; G1, G2, ... if a point of the file has such a name.
 static void name_centers(YkDerivation *d, struct YkDeriveNames *names)
 {
     static const char *const stems[] = {"C", "G", "S", "center"};
@@ -185,7 +186,7 @@ static void add_vector(Walk *walk, YkDeriveVector vector)
     }
 }
 
-// From a tail to a head, by their names.
+// Returns the vector from a tail to a head, by their names.
 static YkDeriveVector between(YkDerivation *d, YkDerivePlace head, YkDerivePlace tail, const YkPoisson *value)
 {
     YkDeriveVector vector = {.value = value};
@@ -194,8 +195,8 @@ static YkDeriveVector between(YkDerivation *d, YkDerivePlace head, YkDerivePlace
     return vector;
 }
 
-// On one body from a place to a place. Bound away from where the body hangs in the tree, a vector keeps its sense;
-// towards it, the vector of the book points outwards and is subtracted.
+// Steps on one body from a place to a place. Away from where the body is attached in the tree a vector keeps its
+// sense; towards it, the textbook's vector points outwards and is subtracted.
 static void step_on(Walk *walk, YkDerivePlace from, YkDerivePlace to, bool inwards)
 {
     YkDerivation *d = walk->d;
@@ -208,7 +209,7 @@ static void step_on(Walk *walk, YkDerivePlace from, YkDerivePlace to, bool inwar
     add_vector(walk, vector);
 }
 
-// Over a slide: from the first body's place to the second's, or back.
+// Steps over a slide: from the first body's place to the second's, or back.
 static void step_over(Walk *walk, int32_t joint, bool inwards, bool to_second)
 {
     YkDerivation *d = walk->d;
@@ -227,7 +228,7 @@ static int side_of(const YkDerivation *d, int32_t body)
     return d->model->joints[d->bodies[body].joint].body[1] == body;
 }
 
-// From a place on a body up to the place on the ancestor from which its branch starts.
+// Walks from a place on a body up to the place on the ancestor from which its branch starts.
 static YkDerivePlace climb(Walk *walk, YkDerivePlace from, int32_t ancestor)
 {
     const YkDerivation *d = walk->d;
@@ -241,7 +242,7 @@ static YkDerivePlace climb(Walk *walk, YkDerivePlace from, int32_t ancestor)
     return from;
 }
 
-// The same way down: the bodies between, from the ancestor on.
+// Walks the same way down, over the bodies between.
 static void descend(Walk *walk, YkDerivePlace start, int32_t ancestor, YkDerivePlace to, int32_t *bodies)
 {
     const YkDerivation *d = walk->d;
@@ -290,14 +291,14 @@ bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDer
 
 // --- Loops
 
-// The second body's angle minus the first's minus the constant: of a slide or weld that closes a loop.
+// Returns the second body's angle minus the first's minus the constant, for a slide or weld that closes a loop.
 static const YkPoisson *angle_row(YkDerivation *d, int32_t joint)
 {
     YkRing *ring = d->ring;
     const YkJoint *j = &d->model->joints[joint];
     const YkDeriveBody *a = &d->bodies[j->body[0]], *b = &d->bodies[j->body[1]];
     const YkPoisson *sum = yk_ring_negate(ring, yk_derive_expression(d, j->turned_expr));
-    if (a->angle == b->angle) return NULL; // slides and welds of the tree hold it already
+    if (a->angle == b->angle) return NULL; // slides and welds of the tree keep it already
     for (int side = 0; side < 2; side++) {
         const YkPoisson *angle = yk_derive_body_angle(d, j->body[side]);
         sum = side ? yk_ring_add(ring, sum, angle) : yk_ring_subtract(ring, sum, angle);

@@ -1,9 +1,9 @@
-// For generated code: what body angles and lengths of springs stand for; M and h by sums over the tree.
+// For generated code: what body angles and lengths of springs stand for, and M and h by sums over the tree.
 //
-// In body form every entry is one term or two. The machine's own coordinates turn a body with all that depends on it,
-// so M and h in them are sums over branches of the tree, and each branch is the sum of its first body and of the
-// branches after it: n^2 additions instead of the n^4 terms of the expanded form (Featherstone 2008, composite bodies,
-// is kin).
+// In body form every entry has one term or two. The machine's own coordinates turn a body with all that it carries, so
+// M and h in them are sums over branches of the tree, and each branch is the sum of its first body and of the branches
+// after it: n^2 additions instead of the n^4 terms of the expanded form (related to composite bodies, Featherstone
+// 2008).
 #include "derive/printed_code.h"
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,7 @@ static YkGraphValue after(YkGraph *graph, YkGraphValue before, YkGraphValue step
     return forwards ? yk_graph_add(graph, before, step) : yk_graph_subtract(graph, before, step);
 }
 
-// The angle of a body's axes, its spin and the spin's rate, from those of the body before it.
+// Defines the angle of a body's axes, its spin and the spin's rate from those of the body before it.
 static void define_body(YkDerivation *d, YkGraph *graph, int32_t b, YkGraphValue (*motions)[3])
 {
     const YkDeriveBody *body = &d->bodies[b];
@@ -52,7 +52,7 @@ static void look_for_name(void *context, const YkExpr *expr)
     *(bool *)context |= strcmp(expr->name, "pi") != 0;
 }
 
-// Constants that no parameter changes are numbers.
+// Defines constants that no parameter changes as numbers.
 static void define_numbers(YkDerivation *d, YkGraph *graph)
 {
     for (size_t k = 0; k < d->constant_count; k++) {
@@ -140,7 +140,7 @@ static YkGraphValue entry(Branches *t, size_t i, size_t k)
     return *memo = yk_graph_of(t->graph, yk_ring_coefficient(d->ring, left, acceleration, 1));
 }
 
-// Over the branch that begins with i.
+// Sums over the branch that begins with i.
 static YkGraphValue column_sum(Branches *t, size_t i, size_t k)
 {
     YkGraphValue *memo = &t->column[i * t->n + k];
@@ -158,7 +158,7 @@ static bool is_before(const Branches *t, size_t i, size_t k) // on the way from 
     return false;
 }
 
-// Over the branches that begin with i and with k; i is never before k, so that both halves of M come from one.
+// Sums over the branches that begin with i and k; i is never before k, so that both halves of M come from one.
 static YkGraphValue sum_of_both(Branches *t, size_t i, size_t k)
 {
     if (is_before(t, i, k) || (i < k && !is_before(t, k, i))) return sum_of_both(t, k, i);
@@ -170,7 +170,7 @@ static YkGraphValue sum_of_both(Branches *t, size_t i, size_t k)
     return *memo = sum;
 }
 
-// What is left of a coordinate's equation, body form, without accelerations and multipliers.
+// Returns the rest of a coordinate's equation in body form, without accelerations and multipliers.
 static YkGraphValue rest_of(Branches *t, size_t k)
 {
     YkDerivation *d = t->f->d;

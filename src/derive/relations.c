@@ -1,11 +1,11 @@
-// Gears, belts, racks, cams and coordinates that follow a law: what they demand of angles and distances, joint form.
+// Gears, belts, racks, cams and laws: the conditions that they put on angles and distances, joint form.
 #include "derive/relations.h"
 #include <math.h>
 #include "derive/forces/free_bodies.h"
 #include "derive/inside.h"
 #include "law/law.h"
 
-// A relation's constant: where the teeth met first. 0 where that is no more than rounding.
+// Returns a relation's constant, which gives the first position of the teeth; 0 if it is only rounding.
 static const YkPoisson *phase_of(YkDerivation *d, YkDeriveRelation *relation, double value)
 {
     YkText name = {0};
@@ -73,7 +73,7 @@ static const YkPoisson *rack(YkDerivation *d, YkDeriveRelation *relation, const 
 
 // --- Laws
 
-// What a pin turns by: its second body against its first.
+// Returns what a pin turns by: its second body against its first.
 static const YkPoisson *pin_angle(YkDerivation *d, int32_t joint)
 {
     const int32_t *body = d->model->joints[joint].body;
@@ -81,8 +81,8 @@ static const YkPoisson *pin_angle(YkDerivation *d, int32_t joint)
     return yk_ring_subtract(d->ring, second, yk_derive_axes_angle(d, body[0]));
 }
 
-// The angle of a pin that closes a loop is no coordinate: a symbol with the rate and the derivatives that the tree
-// gives it.
+// A pin that closes a loop has no coordinate for its angle: it gets a symbol with the rate and the derivatives that
+// the tree gives.
 static int32_t variable_of_its_own(YkDerivation *d, YkDeriveRelation *relation, int32_t joint)
 {
     YkText name = {0};
@@ -106,7 +106,7 @@ static int32_t variable_of_its_own(YkDerivation *d, YkDeriveRelation *relation, 
     return yk_ring_set_rate(d->ring, symbol, rate) ? symbol : -1;
 }
 
-// The function s of a pin's angle, or of a slide's distance, with its derivatives s_v, s_a, s_j.
+// Returns the function s of a pin's angle, or of a slide's distance, with its derivatives s_v, s_a, s_j.
 static const YkPoisson *function_of(YkDerivation *d, YkDeriveRelation *relation, int32_t law, int32_t joint,
                                     bool is_distance)
 {

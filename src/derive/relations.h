@@ -14,17 +14,17 @@ struct YkDeriveRelation {
     double phase_value;
     int32_t function; // first of the symbols s, s_v, s_a, s_j of a law; -1: none
     const YkLaw *law;
-    const YkPoisson *argument; // body form: the angle or distance of which the law is a function; NULL: none
+    const YkPoisson *argument; // body form: the angle or distance that is the law's argument; NULL: none
     int32_t variable;          // its symbol: a coordinate's, or one of its own
     bool is_own_variable;
     int32_t *B; // of one of its own: its derivatives by the tree's coordinates
 };
 
-// Made at first use; NULL if there are none.
+// The relations, made at first use; NULL if there are none.
 const YkDeriveRelation *yk_derive_ties(YkDerivation *d);
-// d(relation)/d(position) in body form, for a coordinate of the body form.
+// Returns d(relation)/d(position) in body form, for a coordinate of the body form.
 const YkPoisson *yk_derive_tie_slope(YkDerivation *d, const YkDeriveRelation *tie, int32_t position);
-// What the relation demands of accelerations: its second derivative in time, body form.
+// Returns the relation's condition on accelerations: its second derivative in time, body form.
 const YkPoisson *yk_derive_tie_acceleration(YkDerivation *d, const YkDeriveRelation *tie);
 
 #endif

@@ -16,9 +16,9 @@ bool yk_derive_section_gears(YkDerivation *d, YkPage *page);
 bool yk_derive_section_cam(YkDerivation *d, YkPage *page);
 
 // Shared by sections.
-// p^{A/O1} + ... - p^{...}: what is added first.
+// Writes p^{A/O1} + ... - p^{...}, sums first.
 void yk_derive_put_path(YkPage *page, YkLine *line, const YkDerivePath *path);
-// A complex element as a column of its x and y; it becomes the line's value.
+// Writes a complex element as a column of its x and y, which becomes the line's value.
 void yk_line_column(YkPage *page, YkLine *line, const YkPoisson *vector);
 
 #endif

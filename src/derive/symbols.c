@@ -7,7 +7,7 @@ static bool fits(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
 }
 
-// A name the ring accepts: letters, digits, _ and dots, then primes.
+// Makes a name that the ring accepts: letters, digits, _ and dots, then primes.
 static void fit_name(YkText *text, const char *name)
 {
     yk_text_clear(text);
@@ -16,7 +16,7 @@ static void fit_name(YkText *text, const char *name)
         if (!fits(*c)) *c = '_';
 }
 
-enum { FORMS_MAX = 20 }; // of a name that is taken: NAME, NAME_, NAME__, ...
+enum { FORMS_MAX = 20 }; // of a name in use: NAME, NAME_, NAME__, ...
 
 // Enters a new symbol under the first free form of its name.
 static int32_t enter(YkDerivation *d, const char *name, YkRingClass kind, bool is_angle)
@@ -67,7 +67,7 @@ void yk_derive_also(YkDerivation *d, int32_t symbol, const char *first, const ch
     d->failed |= text.failed || name.failed;
     if (!d->failed && symbol >= 0 && yk_ring_find(d->ring, yk_text_get(&text)) < 0 &&
         !yk_ring_alias(d->ring, symbol, yk_text_get(&text)) && yk_ring_status(d->ring) == YK_RING_NAME)
-        yk_ring_clear(d->ring); // the file may call it so, equations cannot
+        yk_ring_clear(d->ring); // the file may use the name, equations cannot
     yk_text_free(&text);
     yk_text_free(&name);
 }
@@ -121,7 +121,7 @@ static bool is_in_tree(const YkDerivation *d, int32_t joint)
     return by[body[0]] == joint || by[body[1]] == joint;
 }
 
-// Slides and pin-slots that close loops have a distance that no coordinate of the tree names.
+// Enters the distances of slides and pin-slots that close loops, which no coordinate of the tree names.
 static bool enter_closing_distances(YkDerivation *d)
 {
     YkText name = {0};
@@ -172,7 +172,7 @@ static void name_coordinate(YkDerivation *d, const YkDeriveCoordinate *c)
     for (size_t i = 0; i < 5; i++) yk_derive_also(d, symbols[i], joint, endings[c->is_distance][i]);
 }
 
-// A body's angle under its name, also where it is a coordinate of the file.
+// Gives a body's angle its name, even if it is a coordinate of the file.
 static void name_body(YkDerivation *d, const YkDeriveBody *body)
 {
     static const char *const endings[] = {".angle",   ".angle.rate", ".angle.accel", ".angle'",

@@ -1,11 +1,11 @@
-// Section: velocities, block by block: unknown rates from those before, the rates of bodies, influence coefficients.
+// Section: velocities, block by block: unknown rates from earlier ones, the rates of bodies, influence coefficients.
 #include "derive/blocks.h"
 #include "derive/motion.h"
 #include "derive/sections.h"
 
 enum { BLOCK_SHOWN_MAX = 40 };
 
-// Row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
+// Returns row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
 static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row,
                                    bool accelerations)
 {
@@ -47,7 +47,7 @@ bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool acc
     return true;
 }
 
-// The block as a linear system: J_b u' = right side.
+// Writes the block as a linear system: J_b u' = right side.
 void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, bool accelerations)
 {
     size_t n = block->row_count, m = block->column_count;
@@ -135,7 +135,7 @@ void yk_derive_put_solutions(YkDerivation *d, YkPage *page, bool accelerations)
 
 // --- Influence coefficients of a machine with one input: unknown' / input', each from those before.
 
-// Symbols k_theta2 for theta2' / theta1'; changes[] takes a rate to its coefficient.
+// Enters symbols k_theta2 for theta2' / theta1'; changes[] takes a rate to its coefficient.
 static bool enter_coefficients(YkDerivation *d)
 {
     YkText name = {0};

@@ -1,4 +1,4 @@
-// The inside of cams: their geometry as pure functions of a law and dimensions.
+// The geometry of cams, as pure functions of a law and dimensions.
 //
 // The cam's centre is the origin, vectors are complex numbers, theta is the cam's angle and sigma = +-1 the sense in
 // which it turns. A point C(theta) of the carrier lies at c = exp(-i sigma theta) C in the cam's axes. A roller or edge
@@ -27,12 +27,12 @@ typedef struct YkCamShape {
 } YkCamShape;
 
 // Sets `start` so that the follower touches the base circle at lift 0, on the side from which the lift leads away.
-// Returns false if it cannot.
+// Returns false if it cannot touch it.
 bool yk_cam_shape_fit(YkCamShape *shape);
 YkCamShape yk_cam_shape_of(const YkCam *cam);
-// The second roller of a conjugate pair, rigidly behind the first.
+// Returns the second roller of a conjugate pair, rigidly behind the first.
 YkCamShape yk_cam_shape_second(const YkCamShape *first, const YkCam *cam);
-// What holds where the law is lift[0], lift[1], ... at this angle.
+// Returns the cam at an angle where the law's values are lift[0], lift[1], ...
 YkCamPoint yk_cam_shape_at(const YkCamShape *shape, double angle, const double lift[YK_LAW_ORDER + 1]);
 
 // The law over one period, in stretches without jumps.
@@ -46,31 +46,31 @@ typedef struct YkCamSamples {
     size_t *first; // [stretch_count + 1]: where each begins in items
     size_t stretch_count;
 } YkCamSamples;
-// Returns false when out of memory.
+// Samples the law. Returns false when out of memory.
 bool yk_cam_samples_take(YkCamSamples *samples, const YkLaw *law, YkArena *arena);
 
-// A number that one pose of the cam has.
+// A measure: a number computed from one pose of the cam.
 typedef double (*YkCamMeasure)(const YkCamPoint *point, const void *context);
-// The greatest value over a period; value -INFINITY where the measure is never above that. Samples, then golden
-// sections round those near the top.
+// Finds the greatest value over a period, by samples and golden sections round those near the top. The value is
+// -INFINITY if the measure is never above that.
 YkCamExtreme yk_cam_greatest(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
                              const void *context);
-// The greatest of the samples alone.
+// Returns the greatest of the samples alone.
 YkCamExtreme yk_cam_greatest_sample(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
                                     const void *context);
-// Where the measure is negative: ranges with ends to rounding; returns how many there are.
+// Finds the ranges in which the measure is negative, with ends to rounding. Returns their count.
 size_t yk_cam_negative(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure, const void *context,
                        YkCamRange *ranges, size_t capacity);
 YkCamSummary yk_cam_summarize(const YkCamSamples *samples, const YkCamShape *shape);
 
-// A jump of the law within a stroke makes its next derivative, and so its factor, infinite. period 0: none.
+// Makes the next derivative's factor infinite where the law jumps within a stroke. period 0: the law does not repeat.
 void yk_cam_count_jumps(const YkLaw *law, double from, double to, double period, YkCamFactors *factors);
 
-// Loads on the follower: effort of the cam = inertia * acceleration + what the loads ask for.
+// Loads on the follower: the cam's effort is inertia * acceleration plus the effort that the loads need.
 typedef struct YkCamLoad {
     double inertia, stiffness, damping;
     double constant;       // against the lift, at lift 0: preload less what presses the other way
-    double weight, center; // oscillating: gravity's moment is weight cos(coordinate + center), weight 0: none
+    double weight, center; // oscillating: gravity's moment is weight cos(coordinate + center); weight 0: none
     struct YkCamEffort *efforts;
     size_t effort_count;
 } YkCamLoad;
@@ -87,9 +87,9 @@ struct YkCamDesign {
     YkCamLoad load;
     YkArena *arena;
 };
-// cam_loads.c: gathers what acts on the follower; false when out of memory.
+// Collects the loads on the follower (cam_loads.c). Returns false when out of memory.
 bool yk_cam_gather_loads(YkCamDesign *design);
-// The effort along the coordinate that the cam must give, of the terms that do not grow with speed.
+// Returns the effort that the cam must give along the coordinate, from the terms that do not grow with speed.
 double yk_cam_static_effort(const YkCamDesign *design, double speed, const YkCamSample *at);
 
 #endif

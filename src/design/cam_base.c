@@ -1,11 +1,11 @@
-// The smallest base circle that keeps limits of pressure angle and curvature.
+// Finds the smallest base circle that keeps limits on pressure angle and curvature.
 #include <math.h>
 #include "design/cam.h"
 
 static const double step = 1.01; // of the search from below
 enum { STEPS_MAX = 3000, BISECTIONS = 80 };
 
-// By how much a limit is overstepped, over the limit: both sides comparable, at most 0 if it is kept.
+// Returns by how much a limit is exceeded, relative to it, so that both sides compare: at most 0 if it is kept.
 static double over_pressure(const YkCamPoint *point, const void *context)
 {
     const YkCamLimits *limits = context;
@@ -19,7 +19,7 @@ typedef struct Bend {
     bool is_flat;
 } Bend;
 
-// Of a roller the pitch curve's curvature against 1 / (least + roller), of a flat face the radius itself.
+// Does the same for curvature: of a roller's pitch curve against 1 / (least + roller), of a flat face its radius.
 static double over_bend(const YkCamPoint *point, const void *context)
 {
     const Bend *bend = context;
@@ -34,10 +34,10 @@ typedef struct Search {
     YkCamShape shape;
     const YkCamLimits *limits;
     Bend bend;
-    YkCamExtreme pressure, curvature; // what was found last
+    YkCamExtreme pressure, curvature; // as found last
 } Search;
 
-// Are both limits kept with this base?
+// Returns whether this base keeps both limits.
 static bool keeps(Search *search, double base, bool is_fine)
 {
     YkCamExtreme (*greatest)(const YkCamSamples *, const YkCamShape *, YkCamMeasure, const void *) =
@@ -49,7 +49,7 @@ static bool keeps(Search *search, double base, bool is_fine)
     return search->pressure.value <= 0 && search->curvature.value <= 0;
 }
 
-// Lowest lift and the extent of it, by samples.
+// Finds the lowest lift and the range of the lift, from samples.
 static void find_lifts(const YkCamSamples *samples, double *low, double *extent)
 {
     double high = -(double)INFINITY;
@@ -61,7 +61,7 @@ static void find_lifts(const YkCamSamples *samples, double *low, double *extent)
     *extent = high - *low;
 }
 
-// The base radii that geometry allows.
+// Finds the range of base radii that geometry allows.
 static void find_bounds(const YkCamSamples *samples, const YkCamShape *shape, double *low, double *high)
 {
     double lowest, extent, f = yk_norm(shape->pivot);
@@ -100,7 +100,7 @@ YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimits *limi
         found = keeps(&search, high, false) && keeps(&search, high, true);
     }
     if (!found) return YK_LIMIT;
-    Search last = search; // a base that just fails: its worst place is where the limit decides
+    Search last = search; // a base that just fails: its worst place is where the limit is reached
     for (int i = 0; i < BISECTIONS && high - low > 1e-15 * high; i++) {
         double middle = low + (high - low) / 2;
         if (keeps(&search, middle, true)) {

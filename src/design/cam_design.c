@@ -1,4 +1,4 @@
-// The door of cam design: made from a model, asked by angle.
+// The entrance to cam design: makes a design from a model and answers by angle.
 #include <math.h>
 #include <string.h>
 #include "design/cam.h"
@@ -26,7 +26,7 @@ const char *yk_cam_face_name(YkCamFace face)
     return names[face];
 }
 
-// The rate of the cam's drive where it is linear in time, and its angle at t = 0.
+// Finds the rate of the cam's drive, if it is linear in time, and its angle at t = 0.
 static void find_speed(YkCamDesign *design)
 {
     const YkModel *model = design->model;

@@ -10,7 +10,7 @@ static double effort_at(const YkCamDesign *design, double speed, const YkCamSamp
            yk_cam_static_effort(design, speed, at);
 }
 
-// The effort along the coordinate over the normal force: how fast the contact moves along the normal as the lift grows.
+// Returns the effort along the coordinate over the normal force: the velocity of the contact along the normal per lift.
 static double lever(const YkCamShape *shape, const YkCamPoint *point)
 {
     if (!shape->oscillates) return cos(point->pressure_angle);
@@ -62,7 +62,7 @@ static YkCamExtreme extreme(const YkCamDesign *design, YkCamMeasure measure, dou
     return found;
 }
 
-// Simpson's rule over each stretch.
+// Integrates each stretch by Simpson's rule.
 static double mean_torque(const YkCamDesign *design, double speed)
 {
     const YkCamSamples *samples = &design->samples;
@@ -84,7 +84,7 @@ static double mean_torque(const YkCamDesign *design, double speed)
 
 enum { DOUBLINGS = 30, BISECTIONS = 60 };
 
-// The lowest speed at which the effort falls to zero somewhere. A groove or a second cam holds the follower anyway.
+// Finds the lowest speed at which the effort falls to zero somewhere. A groove or second cam holds the follower anyway.
 static void find_jump(const YkCamDesign *design, YkCamForceSummary *summary)
 {
     double low = 0, high = 1;

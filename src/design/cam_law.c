@@ -1,4 +1,4 @@
-// The motion program: segments, jumps, the library's laws, and the same cam with other laws.
+// The motion program: its segments and jumps, the library's laws, and the same cam with other laws.
 #include <math.h>
 #include "design/cam.h"
 #include "law/build.h"
@@ -76,7 +76,7 @@ static double lift_at(const YkLaw *law, double angle)
     return d[0];
 }
 
-// Every stroke by this law, dwells between them.
+// Builds a law in which every stroke follows `rise`, with dwells between.
 static YkLaw *build_with(const YkCamDesign *design, const YkRise *rise, YkArena *arena)
 {
     YkCamStroke strokes[STROKES_MAX];

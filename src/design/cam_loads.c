@@ -1,11 +1,11 @@
-// What acts on a follower along its coordinate: springs, efforts, weight.
+// Collects the loads on a follower along its coordinate: springs, efforts, weight.
 #include <math.h>
 #include "design/cam.h"
 #include "model/formulas.h"
 
 enum { TIME, LIFT, LIFT_RATE, CAM, CAM_RATE, VARIABLES };
 
-// An effort along the coordinate, by formula or by a law of a formula.
+// An effort along the coordinate: a formula, or a law of a formula.
 typedef struct YkCamEffort {
     YkFormula *formula;
     const YkLaw *law; // NULL: the formula is the effort
@@ -60,12 +60,12 @@ static bool add_efforts(YkCamDesign *design)
         if (own->formula)
             load->effort_count++;
         else
-            design->loads.is_partial = true; // it speaks of other motions
+            design->loads.is_partial = true; // it depends on other motions
     }
     return !yk_arena_failed(design->arena);
 }
 
-// Weight acts as a constant on a follower that slides, by its moment on one that turns. The carrier must stand still.
+// Adds the weight: a constant for a follower that slides, a moment for one that turns. The carrier must stand still.
 static void add_weight(YkCamDesign *design)
 {
     const YkModel *model = design->model;
@@ -83,12 +83,12 @@ static void add_weight(YkCamDesign *design)
     }
     int side = pin->body[0] == cam->follower ? 0 : 1;
     YkVec center = yk_sub(body->center, pin->at[side]);
-    double turned = 0; // of the body at lift 0: its arm lies as the cam holds it
+    double turned = 0; // of the body at lift 0: its arm lies where the cam holds it
     if (cam->point != YK_NONE) {
         YkVec arm = yk_sub(model->points[cam->point].at, pin->at[side]);
         turned = design->shape.start - atan2(arm.y, arm.x);
     }
-    // the moment of the weight m g on the lever c exp(i a) is m |c| |g| sin(gamma - a) = ... cos(a - gamma + pi/2)
+    // The moment of the weight m g on the lever c exp(i a) is m |c| |g| sin(gamma - a) = ... cos(a - gamma + pi/2).
     design->load.weight = body->mass * yk_norm(center) * yk_norm(model->gravity);
     design->load.center = turned + atan2(center.y, center.x) - atan2(model->gravity.y, model->gravity.x) + YK_PI / 2;
 }
@@ -105,7 +105,7 @@ static void add_inertia(YkCamDesign *design)
     design->load.inertia = cam->oscillates ? body->inertia + body->mass * yk_dot(center, center) : body->mass;
 }
 
-// Loads that this quasi-rigid view leaves out.
+// Returns whether there are loads that this quasi-rigid model leaves out.
 static bool has_others(const YkCamDesign *design)
 {
     const YkModel *model = design->model;

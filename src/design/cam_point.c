@@ -1,9 +1,9 @@
 // A cam at one angle. Sources: Angeles & Lopez-Cajun 1991, ch. 3-4 (unified treatment by curvature); Norton 2009, ch. 7
-// (pressure angle, radius of curvature); Rothbart 2004, ch. 3. Derived afresh in complex numbers.
+// (pressure angle, radius of curvature); Rothbart 2004, ch. 3. Derived anew in complex numbers.
 #include <math.h>
 #include "design/cam.h"
 
-// The carrier's point that the roller's centre or the edge is at, and its derivatives to the cam's angle.
+// The point of the carrier where the roller's centre or the edge lies, and its derivatives by the cam's angle.
 typedef struct Path {
     YkVec at, d1, d2;
     YkVec lifts; // unit direction in which a growing lift leads
@@ -35,7 +35,7 @@ static double angle_between(YkVec from, YkVec to)
 }
 
 // Pitch curve c = exp(-i sigma theta) C: c' and c'' in the carrier's axes are C' - i sigma C and
-// C'' - 2 i sigma C' - C. With sigma > 0 it is run through clockwise, so the cam lies at the right of c'.
+// C'' - 2 i sigma C' - C. With sigma > 0 the curve runs clockwise, so the cam lies to the right of c'.
 static void place_roller(const YkCamShape *shape, const double lift[], YkVec turned, YkCamPoint *point)
 {
     double sigma = shape->turn, r = shape->roller;
@@ -57,7 +57,7 @@ static void place_roller(const YkCamShape *shape, const double lift[], YkVec tur
     set(point->normal, yk_mul(turned, normal));
 }
 
-// The face's distance h from the cam's centre and its normal's angle, with derivatives to the cam's angle.
+// The face's distance h from the cam's centre and its normal's angle, with derivatives by the cam's angle.
 typedef struct Face {
     double h, h1, h2, nu1, nu2;
     YkVec normal;
@@ -76,7 +76,7 @@ static Face face_at(const YkCamShape *shape, const double lift[])
     return face;
 }
 
-// How far the contact lies along the face: from the line of motion, or from the pivot's foot away from the pivot.
+// Returns where the contact lies along the face: from the line of motion, or from the pivot's foot away from the pivot.
 static double reach_of(const YkCamShape *shape, YkVec contact, YkVec normal)
 {
     YkVec across = yk_quarter(normal);
@@ -84,7 +84,7 @@ static double reach_of(const YkCamShape *shape, YkVec contact, YkVec normal)
     return -shape->swing * yk_dot(yk_sub(contact, shape->pivot), across);
 }
 
-// With the support function h(phi) the contact is h n + h_phi i n, and the radius of curvature h + h_phiphi.
+// With the support function h(phi) the contact is h n + h_phi i n, and the radius of curvature is h + h_phiphi.
 static void place_flat(const YkCamShape *shape, const double lift[], YkVec turned, YkCamPoint *point)
 {
     Face face = face_at(shape, lift);

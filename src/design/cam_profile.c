@@ -1,10 +1,10 @@
-// Profiles as polylines that stay within a tolerance of the curve.
+// Computes profiles as polylines that stay within a tolerance of the curve.
 #include <math.h>
 #include <stdlib.h>
 #include "design/cam.h"
 
 enum { DEPTH_MAX = 22, VERTICES_MAX = 4000000 };
-static const double first_step = 5 * YK_PI / 180; // so that nothing is missed between
+static const double first_step = 5 * YK_PI / 180; // so that nothing between is missed
 
 typedef struct Tracer {
     const YkCamDesign *design;
@@ -31,7 +31,7 @@ static YkCamVertex vertex_at(const Tracer *tracer, double angle)
 
 static void add(Tracer *tracer, YkCamVertex vertex)
 {
-    if (tracer->count > 0) { // standing still: no point twice
+    if (tracer->count > 0) { // the curve stands still: no point twice
         const YkCamVertex *last = &tracer->items[tracer->count - 1];
         if (hypot(vertex.x - last->x, vertex.y - last->y) <= 1e-3 * tracer->tolerance) return;
     }
@@ -42,7 +42,7 @@ static void add(Tracer *tracer, YkCamVertex vertex)
     }
 }
 
-// Distance of a point from the chord between two others.
+// Returns the distance of a point from the chord between two others.
 static double off_chord(YkCamVertex a, YkCamVertex b, YkCamVertex p)
 {
     YkVec chord = yk_vec(b.x - a.x, b.y - a.y), to = yk_vec(p.x - a.x, p.y - a.y);
@@ -50,8 +50,8 @@ static double off_chord(YkCamVertex a, YkCamVertex b, YkCamVertex p)
     return yk_norm(yk_sub(to, yk_scale(fmin(fmax(along, 0), 1), chord)));
 }
 
-// Adds the inner points of a span, not its ends. Between the three points tried, a smooth curve leaves the chord by
-// hardly more than at them: 0.8 of the tolerance is used.
+// Adds the inner points of a span, without its ends. Between the three points tried, a smooth curve leaves the chord
+// by hardly more than at them: 0.8 of the tolerance is used.
 static void split(Tracer *tracer, YkCamVertex a, double from, YkCamVertex b, double to, int depth)
 {
     double middle = from + (to - from) / 2, most = 0.8 * tracer->tolerance;
@@ -95,7 +95,7 @@ static void trace(Tracer *tracer)
     while (tracer->count > 1 &&
            hypot(tracer->items[tracer->count - 1].x - tracer->items[0].x,
                  tracer->items[tracer->count - 1].y - tracer->items[0].y) <= 1e-3 * tracer->tolerance)
-        tracer->count--; // it closes
+        tracer->count--; // the curve is closed
 }
 
 static bool is_there(const YkCamDesign *design, YkCamCurve curve)

@@ -1,5 +1,5 @@
-// Extremes and signs over a period. The law is sampled in stretches between its segments' ends and its jumps, where
-// everything is smooth to the second derivative; a stretch's last sample is what holds just before its end.
+// Finds extremes and signs over a period. The law is sampled in stretches between its segments' ends and its jumps,
+// where everything is smooth up to the second derivative; a stretch's last sample has the values just before its end.
 #include <math.h>
 #include <stdlib.h>
 #include "design/cam.h"
@@ -17,7 +17,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-// Ends of segments and jumps, ascending, each once; first and last are the ends of the period.
+// Finds the ends of segments and jumps, ascending, each once; first and last are the ends of the period.
 static bool find_breaks(const YkLaw *law, YkArena *arena, Breaks *breaks)
 {
     size_t segments = yk_law_segment_count(law), jumps = yk_law_jumps(law, NULL, 0);
@@ -76,7 +76,7 @@ bool yk_cam_samples_take(YkCamSamples *samples, const YkLaw *law, YkArena *arena
     return true;
 }
 
-// A measure of one shape, at any angle.
+// A measure of one shape, as a function of the angle.
 typedef struct Probe {
     const YkCamSamples *samples;
     const YkCamShape *shape;
@@ -96,7 +96,7 @@ static double of_angle(const Probe *probe, double angle)
     return of_sample(probe, &sample);
 }
 
-// Golden section for the top between two angles.
+// Finds the top between two angles by golden section.
 static YkCamExtreme climb(const Probe *probe, double low, double high)
 {
     const double golden = 0.61803398874989485;
@@ -159,7 +159,7 @@ YkCamExtreme yk_cam_greatest(const YkCamSamples *samples, const YkCamShape *shap
     return best;
 }
 
-// Where the sign changes between two samples.
+// Finds where the sign changes between two samples.
 static double crossing(const Probe *probe, double low, double high)
 {
     bool is_negative = of_angle(probe, low) < 0;
@@ -175,7 +175,7 @@ static double crossing(const Probe *probe, double low, double high)
     return low + (high - low) / 2;
 }
 
-// Ranges are opened and closed in turn.
+// Ranges, opened and closed in turn.
 typedef struct Ranges {
     YkCamRange *items;
     size_t count, capacity;
@@ -193,7 +193,7 @@ static void toggle(Ranges *ranges, double at)
     ranges->is_open = !ranges->is_open;
 }
 
-// A dip below zero between two samples that are not: found by its bottom.
+// Finds a dip below zero between two positive samples, by its bottom.
 static double down(const YkCamPoint *point, const void *context)
 {
     const Probe *probe = context;

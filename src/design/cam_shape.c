@@ -1,15 +1,16 @@
-// From the model's cam to its shape: where the follower stands at lift 0.
+// Makes a shape from the model's cam: where the follower stands at lift 0.
 #include <math.h>
 #include "design/cam.h"
 
-// The angle nu at which f cos(nu - gamma) has this value, on the side where turning by `swing` lets it grow.
+// Returns the angle nu at which f cos(nu - gamma) has this value, on the side where turning by `swing` makes it grow.
 static double angle_of(YkVec pivot, double value, double swing)
 {
     double gamma = atan2(pivot.y, pivot.x), off = acos(value / yk_norm(pivot));
     return swing > 0 ? gamma - off : gamma + off;
 }
 
-// Arm, centres and the roller's distance R close a triangle: R^2 = f^2 + a^2 + 2 a f cos(psi - gamma).
+// Returns the arm's angle psi: arm, centres and distance R form a triangle with R^2 = f^2 + a^2 + 2 a f cos(psi -
+// gamma).
 static double arm_angle(const YkCamShape *shape, double distance)
 {
     double f = yk_norm(shape->pivot), a = shape->arm;
@@ -48,7 +49,7 @@ YkCamShape yk_cam_shape_of(const YkCam *cam)
     return shape;
 }
 
-// Seen from its own side, the second follower's lift is the first one's backwards.
+// Seen from its own side, the second follower's lift is the first one's reversed.
 YkCamShape yk_cam_shape_second(const YkCamShape *first, const YkCam *cam)
 {
     YkCamShape second = *first;

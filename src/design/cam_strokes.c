@@ -1,5 +1,5 @@
-// The strokes of a motion program, from rest to the next turning point, and their peak factors. Source: Neklutin 1952;
-// Norton 2009, ch. 3.
+// Finds the strokes of a motion program, from rest to the next turning point, and their peak factors.
+// Source: Neklutin 1952; Norton 2009, ch. 3.
 #include <math.h>
 #include "design/cam.h"
 
@@ -44,11 +44,11 @@ static YkCamFactors factors_of(const YkCamDesign *design, const YkCamStroke *str
     return factors;
 }
 
-// Strokes while they are found: where v keeps its sign.
+// Strokes as they are found: ranges in which v keeps its sign.
 typedef struct Strokes {
     YkCamStroke *items;
     size_t count, capacity;
-    int sign; // of the one that is open; 0: none
+    int sign; // of the open one; 0: none is open
     double from;
 } Strokes;
 
@@ -62,7 +62,7 @@ static void end_stroke(Strokes *strokes, double at)
     strokes->sign = 0;
 }
 
-// Where v passes zero between two samples.
+// Finds where v passes zero between two samples.
 static double turning_point(const YkLaw *law, double low, double high)
 {
     double d[YK_LAW_ORDER + 1];
@@ -109,7 +109,7 @@ static double lift_at(const YkLaw *law, double angle)
     return d[0];
 }
 
-// A stroke that goes on over the end of the period is one with the first.
+// Joins a stroke that continues over the end of the period with the one at its beginning.
 static void join_ends(Strokes *strokes, YkLawRange range)
 {
     if (strokes->count < 2 || strokes->count > strokes->capacity) return;

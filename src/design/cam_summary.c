@@ -1,4 +1,4 @@
-// Extremes of a cam over a period.
+// Finds the extremes of a cam over a period.
 #include <math.h>
 #include "design/cam.h"
 
@@ -8,7 +8,7 @@ static double pressure(const YkCamPoint *p, const void *context)
     return fabs(p->pressure_angle);
 }
 
-// Curvatures, not radii: finite where the curve is straight.
+// Curvatures are used instead of radii, since they are finite where the curve is straight.
 static double pitch_curvature(const YkCamPoint *p, const void *context)
 {
     return *(const double *)context / p->pitch_radius;
@@ -52,7 +52,7 @@ typedef struct Finder {
     const YkCamShape *shape;
 } Finder;
 
-// The greatest (sign +1) or least (-1) value of a measure that takes its sign as context.
+// Finds the greatest (sign +1) or least (-1) value of a measure that takes its sign as context.
 static YkCamExtreme extreme(const Finder *finder, YkCamMeasure measure, double sign)
 {
     YkCamExtreme found = yk_cam_greatest(finder->samples, finder->shape, measure, &sign);
@@ -73,7 +73,7 @@ static YkCamExtreme radius_of(YkCamExtreme curvature, double sign)
     return (YkCamExtreme){sign / curvature.value, curvature.angle};
 }
 
-// A parallel curve is sharpest where its pitch curve is. A flat face makes no hollow cam.
+// A parallel curve is sharpest where its pitch curve is. A flat face cannot make a hollow cam.
 static void find_curvature(const Finder *finder, YkCamSummary *summary)
 {
     const double plus = 1, minus = -1, roller = finder->shape->roller;

@@ -1,5 +1,5 @@
-// Four-bars inside a machine and their Grashof class. Source: Grashof 1883; names as in Norton, Design of Machinery,
-// ch. 2.
+// Finds the four-bars inside a machine and their Grashof class. Source: Grashof 1883; names as in Norton, Design of
+// Machinery, ch. 2.
 #include <yoke/design.h>
 #include "base/vec.h"
 #include "compile/mechanism.h"
@@ -7,7 +7,7 @@
 #define PLACED 0x80000000u
 enum { FEW = 64, LOOKS_MAX = 20000000 };
 
-// Grashof: shortest + longest against the other two; which link is the shortest decides the inversion.
+// Grashof: shortest + longest against the other two; the place of the shortest link decides the inversion.
 static YkFourBarClass classify(const double length[4])
 {
     size_t shortest = 0, longest = 0;
@@ -33,13 +33,13 @@ const char *yk_four_bar_name(YkFourBarClass kind)
     return names[kind];
 }
 
-// The pins of each body, in the file's order; where there are many, those to one other body stand together.
+// The pins of each body, in the file's order; if there are many, those to the same other body stand together.
 typedef struct Pins {
     const YkMechanism *mech;
     uint32_t *first;
     int32_t *joint;
-    uint32_t *next;    // of each pin: the first one behind it that leads to another body than it and those between
-    size_t looks_left; // the search ends if none is left
+    uint32_t *next;    // of each pin: the next one that leads to another body than it and those between
+    size_t looks_left; // the search ends at 0
 } Pins;
 
 static int32_t beyond(const Pins *pins, int32_t joint, int32_t body)
@@ -48,13 +48,13 @@ static int32_t beyond(const Pins *pins, int32_t joint, int32_t body)
     return j->body[0] == body ? j->body[1] : j->body[0];
 }
 
-// Sorts the pins of one body by the bodies to which they lead (counting sort, in order within; `count` is all 0 before
-// and after).
+// Sorts the pins of one body by the bodies to which they lead (counting sort, stable; `count` is all 0 before and
+// after).
 static void sort_pins(Pins *pins, int32_t body, uint32_t *count, int32_t *sorted)
 {
     uint32_t from = pins->first[body], to = pins->first[body + 1], place = 0;
     for (uint32_t k = from; k < to; k++) count[beyond(pins, pins->joint[k], body)]++;
-    for (uint32_t k = from; k < to; k++) { // bodies as they first come
+    for (uint32_t k = from; k < to; k++) { // bodies in order of first appearance
         uint32_t *own = &count[beyond(pins, pins->joint[k], body)], many = *own;
         if (many & PLACED) continue;
         *own = place | PLACED;
@@ -145,7 +145,7 @@ static bool look(Pins *pins)
     return pins->looks_left > 0 && pins->looks_left-- > 0;
 }
 
-// Rings that close over the pins from B to the frame.
+// Finds the rings that close over the pins from B to the frame.
 static void close_rings(Pins *pins, const int32_t body[4], const int32_t joint[3], Found *found)
 {
     int32_t frame = body[0], B = body[3];
@@ -160,8 +160,8 @@ static void close_rings(Pins *pins, const int32_t body[4], const int32_t joint[3
     }
 }
 
-// All rings through a frame, the first body of its ring, in which the two sides meet the frame at joints j0 < j3 (each
-// ring once).
+// Finds all rings through a frame, the first body of its ring, in which the two sides meet the frame at joints
+// j0 < j3 (so that each ring is found once).
 static void search_from(Pins *pins, int32_t frame, Found *found)
 {
     for (uint32_t a = pins->first[frame]; a < pins->first[frame + 1] && look(pins);) {

@@ -1,9 +1,9 @@
-// The stroke of a machine whose input turns through: extreme positions and time ratio.
+// Finds the stroke of a machine whose input turns through: extreme positions and time ratio.
 #include <yoke/design.h>
 #include <stdbool.h>
 #include "base/vec.h"
 
-// Is an extreme found at `at` the one found before at `first`, a turn later?
+// Returns whether an extreme found at `at` is the one found at `first`, a turn later.
 static bool is_again(size_t found, double first, double at)
 {
     return found > 0 && fabs(at - first - 2 * YK_PI) < 1e-6;
@@ -36,7 +36,7 @@ YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *st
         return YK_BAD_ARGUMENT;
     options.coordinate = (int)yk_input_coordinate(mech, input);
     options.from = yk_state_input(state, input).position;
-    // a degree more than a turn, so that an extreme at the very start is passed; what lies in the surplus counts once
+    // A degree more than a turn, so that an extreme at the very start is passed; what lies in the surplus counts once.
     options.to = options.from + 361 * YK_PI / 180;
     options.steps = 361;
     YkState *probe = yk_state_new(mech);

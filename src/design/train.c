@@ -1,4 +1,4 @@
-// The analysis of a gear train: from a model and a question to speeds, ratios and a shift table.
+// Analyses a gear train: from a model and a question to speeds, ratios and a shift table.
 #include "design/train.h"
 #include <math.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ static bool find_lock(const YkTrain *train, const YkLock **lock, YkProblems *pro
     return !train->options.lock || yk_model_find_lock(train->model, train->options.lock, lock, problems);
 }
 
-// A body of the train by name; YK_NONE if it is not asked. False (reported) where it is wrong.
+// Finds a body of the train by name; YK_NONE if none is asked for. Returns false (reported) for a wrong name.
 static bool find_body(const YkTrain *train, const char *name, int32_t *body, YkProblems *problems)
 {
     *body = YK_NONE;
@@ -49,7 +49,7 @@ static int32_t find_named(const YkTrain *train, const char *const *names)
     return YK_NONE;
 }
 
-// The driven body, where there is one drive on the ground; else one that is called so.
+// Returns the driven body if there is one drive on the ground, otherwise the body that is called so.
 static int32_t usual_input(const YkTrain *train)
 {
     static const char *const names[] = {"input", "in", NULL};
@@ -71,7 +71,7 @@ static const char *exact_of(const YkTrain *train, const YkFraction *value)
     return yk_train_keep(train->arena, &text);
 }
 
-// Turns of `in` for one of `out`, nothing else driving; false when out of memory or on overflow.
+// Finds the turns of `in` per turn of `out` when nothing else drives. Returns false when out of memory or on overflow.
 static bool ratio_alone(YkTrain *train, const YkLock *lock, YkTrainRatio *ratio, YkTrainCase *one)
 {
     const YkTrainDrive unit = {.coordinate = YK_NONE,
@@ -95,7 +95,7 @@ static bool ratio_alone(YkTrain *train, const YkLock *lock, YkTrainRatio *ratio,
     return true;
 }
 
-// The ratio of two speeds that several drives together bring about.
+// Finds the ratio of two speeds that several drives produce together.
 static void ratio_by_drives(YkTrain *train)
 {
     YkTrainRatio *ratio = &train->ratio;
@@ -208,7 +208,7 @@ static bool fill_rack_speeds(YkTrain *train)
     return true;
 }
 
-// "(sun - arm)*N1 = -(planet - arm)*N2", the names standing for speeds.
+// Writes "(sun - arm)*N1 = -(planet - arm)*N2", in which the names stand for speeds.
 static bool write_willis(YkTrain *train)
 {
     const YkTrainNet *net = &train->net;
@@ -254,7 +254,8 @@ static bool is_possible(const YkTrain *train, YkProblems *problems)
     return false;
 }
 
-// Everything in turn; false: reported already, or out of memory, or beyond the exact numbers.
+// Runs all steps in turn. Returns false when out of memory, beyond the exact numbers, or for a problem that is
+// reported.
 static bool analyse(YkTrain *train, YkProblems *problems)
 {
     static const char *const outputs[] = {"output", "out", NULL};

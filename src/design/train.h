@@ -1,4 +1,4 @@
-// The inside of the analysis of gear trains: the equations between speeds, what solves them, and what is made of it.
+// The analysis of gear trains inside: the equations between speeds, their solution, and what follows from it.
 #ifndef DESIGN_TRAIN_H
 #define DESIGN_TRAIN_H
 #include <yoke/train.h>
@@ -9,7 +9,7 @@
 #include "model/model.h"
 #include "ring/ring.h"
 
-// One equation: the sum of sign * symbol * speed is 0, or an input.
+// One equation: the sum of sign * symbol * speed is 0, or equals an input.
 typedef enum YkTrainRowKind {
     YK_ROW_GROUND, // the ground stands
     YK_ROW_KEPT,   // a slide or weld keeps two bodies' angle: index of the joint
@@ -33,7 +33,7 @@ typedef struct YkTrainRow {
 // A number of teeth, or a radius.
 typedef struct YkTrainSymbol {
     const char *name;
-    const YkExpr *expr; // what it was made of
+    const YkExpr *expr; // the expression it was read from
     YkFraction value;
 } YkTrainSymbol;
 
@@ -42,27 +42,27 @@ typedef struct YkTrainDrive {
     YkExact exact;      // of the speed
     int32_t coordinate; // or YK_NONE: the unit turn of body
     int32_t body;
-    bool is_joint; // the rate of `joint`, whether the file names it or not, in place of the coordinate's
+    bool is_joint; // the rate of `joint`, whether the file names it or not, instead of the coordinate's
     int32_t joint;
 } YkTrainDrive;
 
-// Unknowns are the speeds of the train's bodies, the ground first, then the rates of its racks.
+// The unknowns: the speeds of the train's bodies, the ground first, then the rates of its racks.
 typedef struct YkTrainNet {
     const YkModel *model;
     YkArena *arena;
-    int32_t *column_of;      // per body of the model; -1: not of the train
+    int32_t *column_of;      // per body of the model; -1: not in the train
     int32_t *body_of;        // per column; racks: -1
     int32_t columns, bodies; // bodies: columns that are bodies
     YkTrainSymbol *symbols;
     int32_t symbol_count;
     int32_t (*symbol_of)[2]; // per mesh: gears, then belts, then racks
     int32_t mesh_count;
-    bool is_exact;    // all symbols are
-    YkTrainRow *rows; // what holds in every case
+    bool is_exact;    // whether all symbols are
+    YkTrainRow *rows; // those that hold in every case
     int32_t row_count;
 } YkTrainNet;
 
-// One way to use it: with a lock, with inputs.
+// One case of the train: with a lock, with inputs.
 typedef struct YkTrainCase {
     const YkTrainNet *net;
     const YkLock *lock; // or NULL
@@ -74,10 +74,10 @@ typedef struct YkTrainCase {
 } YkTrainCase;
 
 bool yk_train_net_build(YkTrainNet *net, const YkModel *model, YkArena *arena); // false: out of memory
-// Row of a mesh: gears, then belts, then racks.
+// Returns the row of a mesh: gears, then belts, then racks.
 const YkTrainRow *yk_train_mesh_row(const YkTrainNet *net, int32_t mesh);
 
-// Solves the case of the given inputs; false when out of memory or on overflow (case->system.overflow).
+// Solves the case for the given inputs. Returns false when out of memory or on overflow (case->system.overflow).
 bool yk_train_case_solve(YkTrainCase *one, const YkTrainNet *net, const YkLock *lock, const YkTrainDrive *drives,
                          int32_t drive_count, YkArena *arena);
 void yk_train_case_free(YkTrainCase *one);
@@ -87,10 +87,11 @@ int yk_train_case_freedom(const YkTrainCase *one); // of a case without inputs
 void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text);
 const char *yk_train_keep(YkArena *arena, YkText *text); // a copy of the text, which is emptied; NULL: out of memory
 
-// The share of an input in a column's speed as a formula, or (inverse) its reciprocal; NULL if there is none.
+// Returns the share of an input in a column's speed as a formula, or its reciprocal (inverse); NULL if there is none.
 const char *yk_train_formula(const YkTrainCase *one, int32_t column, int32_t input, bool is_inverse, YkArena *arena);
-// The same as elements of a ring that has symbols for the net's (symbols[net->symbol_count]): over / under, over 0
-// where the input has no part in it. Returns false if there is no formula, or the ring gave up (its status may tell).
+// Does the same with elements of a ring that has symbols for the net's (symbols[net->symbol_count]): over / under,
+// with over 0 if the input has no part in it. Returns false if there is no formula, or the ring gave up (see its
+// status).
 bool yk_train_share_in(const YkTrainCase *one, int32_t column, int32_t input, YkRing *ring,
                        const YkPoisson *const *symbols, const YkPoisson **over, const YkPoisson **under);
 
@@ -108,9 +109,10 @@ typedef struct YkTrainQuotient {
 } YkTrainQuotient;
 bool yk_train_quotient(YkRing *ring, const YkPoisson *over, const YkPoisson *under, YkTrainQuotient *quotient);
 bool yk_train_write_quotient(const YkTrainQuotient *quotient, YkText *text);
-// As one element, `1 + N1 N3/(N2 N4)`, where it is read well so; NULL: better as a fraction of products.
+// Returns the quotient as one element, `1 + N1 N3/(N2 N4)`, if that reads well; NULL if a fraction of products is
+// better.
 const YkPoisson *yk_train_quotient_sum(const YkTrainQuotient *quotient);
-// The part of the content above or below the line, without a negative power.
+// Returns the part of the content above or below the line, without negative powers.
 const YkPoisson *yk_train_quotient_term(const YkTrainQuotient *quotient, bool is_above);
 
 typedef struct YkTrainGroup { // a tabular method
@@ -161,9 +163,9 @@ struct YkTrain {
 };
 
 bool yk_train_drives(YkTrain *train, int32_t in);
-// Does the angle, or the distance, of a joint turn the train?
+// Returns whether the angle, or the distance, of a joint turns the train.
 bool yk_train_has_joint(const YkTrainNet *net, int32_t joint, bool is_distance);
-// The speed as text, where all inputs that take part are exact and of one kind: "460/29 rpm".
+// Returns the speed as text if all inputs that take part are exact and of one kind: "460/29 rpm".
 const char *yk_train_exact_speed(const YkTrain *train, const YkFraction *shares, int32_t count, bool is_distance);
 bool yk_train_tables(YkTrain *train);
 bool yk_train_remarks(YkTrain *train);

@@ -1,4 +1,4 @@
-// What a train tells of itself.
+// The answers of a train.
 #include <math.h>
 #include "design/train.h"
 

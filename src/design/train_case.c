@@ -1,4 +1,4 @@
-// One case of a train: its equations under a lock and with inputs, solved; and what is wrong where they cannot be.
+// Solves one case of a train, its equations under a lock and with inputs, and says what is wrong if it has no solution.
 #include <string.h>
 #include "design/train.h"
 
@@ -32,8 +32,8 @@ static void add_term(const YkTrainCase *one, YkTrainRow *row, int32_t body, int3
     row->terms[row->count++] = (YkTrainTerm){one->net->column_of[body], sign, -1};
 }
 
-// The rate of a joint's angle or distance: between two bodies, or of a rack. Nothing where it has no place in the
-// train.
+// Adds the rate of a joint's angle or distance: between two bodies, or of a rack. Adds nothing if it has no place in
+// the train.
 static void add_rate(const YkTrainCase *one, YkTrainRow *row, int32_t index, bool is_distance)
 {
     const YkModel *model = one->net->model;
@@ -63,7 +63,7 @@ static void add_lock(YkTrainCase *one)
         if (hold->body != YK_NONE) {
             add_term(one, row, hold->body, 1);
         } else {
-            add_coordinate(one, row, hold->coordinate); // outside of the train: 0 = 0
+            add_coordinate(one, row, hold->coordinate); // outside the train: 0 = 0
         }
     }
     for (size_t i = 0; one->lock && i < one->lock->join_count; i++) {
@@ -103,7 +103,7 @@ static bool write_rows(YkTrainCase *one, const YkTrainDrive *drives, int32_t dri
 
 // --- Solution
 
-// With traces, one more right-hand side for every row: which rows made up a row of the reduced system.
+// Solves the rows. With traces, each row has one more right-hand side: which rows a reduced row was made of.
 static bool solve(const YkTrainCase *one, YkExactSystem *system, bool has_traces)
 {
     int32_t rights = one->input_count + (has_traces ? one->row_count : 0);
@@ -174,7 +174,8 @@ static void join(YkText *text, int32_t index, int32_t count)
     if (index > 0) yk_text_puts(text, index + 1 == count ? " and " : ", ");
 }
 
-// Does a row without unknowns say 0 = something, at the speeds of the drives? Drives may repeat each other, or stand.
+// Returns whether a row without unknowns says 0 = something at the drives' speeds; drives may repeat each other or
+// stand.
 static bool is_contradiction(const YkExactSystem *system, const YkTrainDrive *drives, int32_t drive_count, int32_t row)
 {
     YkFraction sum = yk_fraction(0, 1);
@@ -200,7 +201,7 @@ static int32_t find_contradiction(const YkExactSystem *system, const YkTrainDriv
     return -1;
 }
 
-// Which rows contradict each other: those that made up 0 = something.
+// Says which rows contradict each other: those that combine to 0 = something.
 static const char *tell_contradiction(const YkTrainCase *one, const YkTrainDrive *drives, YkArena *arena)
 {
     YkExactSystem system;

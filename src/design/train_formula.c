@@ -1,8 +1,8 @@
 // Ratios as formulas in tooth numbers: Cramer's rule over polynomials, on no more equations than the ratio needs.
 //
-// What stands still or turns together is one unknown. Which of the remaining equations take part is found with random
-// tooth numbers modulo a prime, so that no accident of the real ones decides. Their determinants are expanded row by
-// row; states that used the same columns are added up, and since a row has three entries at most there are few.
+// Bodies that stand still or turn together are one unknown. Random tooth numbers modulo a prime show which of the
+// remaining equations take part, so that no coincidence of the real ones decides. The determinants are expanded row by
+// row; states that used the same columns are added up, and since a row has at most three entries there are few.
 #include <stdlib.h>
 #include <string.h>
 #include "base/mix.h"
@@ -14,7 +14,7 @@ enum { ROWS_MAX = 24, COLUMNS_MAX = 30, SYMBOLS_MAX = 40, TERMS_MAX = 2000, STAT
 typedef struct Work {
     const YkTrainCase *one;
     YkRing *ring;
-    int32_t *class_of;           // per column of the net: 0 stands still, else 1 + its number; -1 not numbered yet
+    int32_t *class_of;           // per column of the net: 0 stands still, otherwise 1 + its number; -1 not numbered yet
     int32_t rows, columns;       // of the small system
     int32_t row[ROWS_MAX];       // of the case
     uint64_t value[SYMBOLS_MAX]; // random
@@ -31,7 +31,7 @@ static uint64_t power(uint64_t base, uint64_t exponent)
     return result;
 }
 
-// A plain congruential sequence would be geometric, and products of it coincide.
+// A plain congruential sequence would be geometric, and its products would coincide.
 static uint64_t random_value(uint64_t *seed)
 {
     return 1 + yk_mix_next(seed) % (PRIME - 1);
@@ -51,7 +51,7 @@ static bool is_tie(const YkTrainRow *row)
            row->kind == YK_ROW_JOIN;
 }
 
-// One class for the columns that turn together; the ground's root is always column 0.
+// Puts the columns that turn together in one class; the ground's root is always column 0.
 static void tie(const YkTrainCase *one, int32_t *parent)
 {
     for (int32_t c = 0; c < one->net->columns; c++) parent[c] = c;
@@ -127,7 +127,7 @@ static void reduce(Work *work)
 
 // --- Determinants
 
-// Rows and columns that take part, as numbers of the small system.
+// Rows and columns that take part, numbered as in the small system.
 typedef struct Square {
     int32_t size;
     int32_t row[ROWS_MAX], column[ROWS_MAX];
@@ -169,7 +169,7 @@ static bool is_odd(uint32_t bits)
     return odd;
 }
 
-// One row more: every state goes on by every entry of the row in a column that is still free.
+// Adds one row: every state continues with every entry of the row in a column that is still free.
 static size_t expand(Work *work, const Square *square, int32_t row, const State *from, size_t count, State *to)
 {
     size_t reached = 0;
@@ -186,7 +186,7 @@ static size_t expand(Work *work, const Square *square, int32_t row, const State 
     return reached;
 }
 
-// The determinant without one row and one column (-1: with all); NULL if it is zero or too large.
+// Returns the determinant without one row and one column (-1: with all); NULL if it is zero or too large.
 static const YkPoisson *determinant(Work *work, const Square *all, int32_t without_row, int32_t without_column)
 {
     Square square = {0};
@@ -233,7 +233,7 @@ static bool is_independent(Work *work, Square *square, int32_t column, uint64_t 
     return true;
 }
 
-// The equations whose combination gives this unknown, and as many independent unknowns in them, this one first.
+// Chooses the equations whose combination gives this unknown, and as many unknowns in them, this one first.
 static bool choose(Work *work, int32_t target, Square *square)
 {
     uint64_t basis[ROWS_MAX][ROWS_MAX];
@@ -258,7 +258,8 @@ static bool choose(Work *work, int32_t target, Square *square)
     return good && square->size == count;
 }
 
-// over / under of the share; over 0 if the column stands still or the input has no part in it. False: no formula.
+// Finds over / under of the share; over is 0 if the column stands still or the input has no part in it. Returns false
+// if there is no formula.
 static bool share(Work *work, int32_t target, int32_t input, const YkPoisson **over, const YkPoisson **under)
 {
     Square square;

@@ -1,4 +1,4 @@
-// What turns a train: drives of the model, or one turn of a body; and speeds as exact text.
+// Finds what turns a train - drives of the model, or one turn of a body - and writes speeds as exact text.
 #include <math.h>
 #include "design/train.h"
 
@@ -11,7 +11,7 @@ bool yk_train_has_joint(const YkTrainNet *net, int32_t index, bool is_distance)
     return !is_distance && is_member && net->column_of[joint->body[0]] >= 0 && net->column_of[joint->body[1]] >= 0;
 }
 
-// "40 rpm" of 4 pi / 3, "740 rad/s", "1/2 m/s"; NULL if it is not so simple.
+// Returns "40 rpm" for 4 pi / 3, "740 rad/s", "1/2 m/s"; NULL if it is not so simple.
 static const char *exact_text(YkArena *arena, const YkFraction *value, int32_t pi, bool is_distance)
 {
     YkText text = {0};

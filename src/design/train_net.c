@@ -1,4 +1,4 @@
-// The equations of a train: which bodies belong to it, how teeth and radii are called, one row for every mesh.
+// The equations of a train: which bodies belong to it, what teeth and radii are called, one row for each mesh.
 #include <stdlib.h>
 #include <string.h>
 #include "design/train.h"
@@ -7,7 +7,7 @@
 
 static void take(YkTrainNet *net, int32_t body)
 {
-    if (body >= 0) net->column_of[body] = 0; // numbered afterwards
+    if (body >= 0) net->column_of[body] = 0; // numbered later
 }
 
 static void take_wheels(YkTrainNet *net)
@@ -67,7 +67,7 @@ static bool is_driven(const YkModel *model, size_t joint)
     return false;
 }
 
-// A body that keeps its angle to a member, or is driven against one, is a member too.
+// Adds the bodies that keep their angle to a member, or are driven against one: they are members too.
 static void take_followers(YkTrainNet *net)
 {
     for (bool grows = true; grows;) {
@@ -110,7 +110,7 @@ static bool is_taken(const YkTrainNet *net, const char *name)
            yk_names_find(&net->model->coordinate_names, name) != YK_NONE;
 }
 
-// "z_sun", or with a number behind it where a body has several gears; names of formulas know no `-`.
+// Makes "z_sun", with a number behind it if a body has several gears; names in formulas cannot contain `-`.
 static const char *make_name(YkTrainNet *net, const char *letter, const char *body)
 {
     YkText text = {0};
@@ -130,7 +130,7 @@ static bool is_same_value(const YkFraction *a, const YkFraction *b)
     return yk_whole_compare(&a->over, &b->over) == 0 && yk_whole_compare(&a->under, &b->under) == 0;
 }
 
-// The symbol of a wheel: its parameter's name; else that of the same body with the same number; else a new one.
+// Finds the symbol of a wheel: its parameter's name, or that of the same body with the same number, or a new one.
 static int32_t find_symbol(YkTrainNet *net, const char *letter, int32_t body, const YkExpr *expr, YkFraction value)
 {
     bool is_parameter = expr->kind == YK_EXPR_NAME;
@@ -149,7 +149,7 @@ static int32_t find_symbol(YkTrainNet *net, const char *letter, int32_t body, co
     return net->symbol_count++;
 }
 
-// A radius as a fraction: exact where the file writes it so, else the double itself.
+// Returns a radius as a fraction: exact if the file writes it so, otherwise the double itself.
 static YkFraction fraction_of(YkTrainNet *net, YkExact exact, double value)
 {
     if (exact.is_exact && exact.pi == 0) return yk_fraction(exact.numerator, exact.denominator);
@@ -250,7 +250,7 @@ static bool write_rows(YkTrainNet *net)
 
 const YkTrainRow *yk_train_mesh_row(const YkTrainNet *net, int32_t mesh)
 {
-    return &net->rows[mesh]; // they come first
+    return &net->rows[mesh]; // meshes come first
 }
 
 bool yk_train_net_build(YkTrainNet *net, const YkModel *model, YkArena *arena)

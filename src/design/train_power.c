@@ -1,4 +1,4 @@
-// Torques from outside, and where the power goes.
+// Lists the external torques, and finds where the power goes.
 #include <math.h>
 #include "design/train_torques.h"
 
@@ -44,7 +44,7 @@ static void add_along(YkTrain *train, int32_t coordinate, const char *role, doub
     }
 }
 
-// A weld to the ground holds a body as a lock does; so does a slide, where there is something to hold.
+// Adds a weld to the ground, which holds a body as a lock does; a slide too, if there is something to hold.
 static void add_kept(YkTrain *train, const YkJoint *joint, double torque)
 {
     int32_t held = joint->body[joint->body[1] == 0 ? 0 : 1], other = joint->body[joint->body[1] == 0 ? 1 : 0];
@@ -101,7 +101,7 @@ bool yk_train_list_torques(YkTrainBalance *work)
     return true;
 }
 
-// The largest power that goes through one gear of a mesh, as the ground sees it.
+// Finds the largest power that goes through one gear of a mesh, seen from the ground.
 static void find_circulation(YkTrain *train)
 {
     YkTrainPower *power = &train->power;

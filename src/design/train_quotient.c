@@ -1,8 +1,8 @@
-// A quotient of polynomials in factored form: `1 + N1*N3/(N2*N4)` where a single product divides, otherwise
+// Writes a quotient of polynomials in factored form: `1 + N1*N3/(N2*N4)` if a single product divides, otherwise
 // `N1*(N2 + N3)/(N4*(N5 + N6))`.
 //
-// A polynomial f splits into factors without common variables exactly where, for u in one and v in the other,
-// f f_uv = f_u f_v (Shpilka and Volkovich 2010). Tooth numbers rarely appear twice in a product, so that finds the
+// A polynomial f splits into factors without common variables exactly if, for u in one and v in the other,
+// f f_uv = f_u f_v (Shpilka and Volkovich 2010). Tooth numbers rarely appear twice in a product, so this finds the
 // factors of ratios.
 #include <stdlib.h>
 #include <string.h>
@@ -18,14 +18,14 @@ static const YkPoisson *primitive(YkRing *ring, const YkPoisson *a)
     return yk_ring_divide(ring, a, yk_ring_content(ring, a));
 }
 
-// Do u and v stand in different factors of f?
+// Returns whether u and v are in different factors of f.
 static bool are_apart(YkRing *ring, const YkPoisson *f, int32_t u, int32_t v)
 {
     const YkPoisson *f_u = yk_ring_partial(ring, f, u), *f_v = yk_ring_partial(ring, f, v);
     return yk_ring_is_same(yk_ring_multiply(ring, f, yk_ring_partial(ring, f_u, v)), yk_ring_multiply(ring, f_u, f_v));
 }
 
-// The factor whose variables are those of group `part`: f with small primes for all others, without its content.
+// Returns the factor with the variables of group `part`: f with small primes for all others, without its content.
 static const YkPoisson *factor_of(YkRing *ring, const YkPoisson *f, const int32_t *variable, const int32_t *group,
                                   int32_t count, int32_t part)
 {
@@ -50,7 +50,7 @@ static void take_whole(Factors *factors, const YkPoisson *f)
     factors->count = 1;
 }
 
-// Groups of variables that stand in one factor together.
+// Groups the variables that are in one factor.
 static int32_t group_variables(YkRing *ring, const YkPoisson *f, int32_t *variable, int32_t *group)
 {
     int32_t count = 0;
@@ -68,7 +68,7 @@ static int32_t group_variables(YkRing *ring, const YkPoisson *f, int32_t *variab
     return count;
 }
 
-// f primitive: the product of its factors is f or -f.
+// Splits a primitive f: the product of the factors is f or -f.
 static void split(YkRing *ring, const YkPoisson *f, Factors *factors)
 {
     int32_t variable[FACTORS_MAX], group[FACTORS_MAX];
@@ -93,7 +93,7 @@ static void drop(Factors *factors, int32_t index)
     factors->items[index] = factors->items[--factors->count];
 }
 
-// Cancels factors that stand above and below; their sign stays in the content.
+// Cancels factors that are above and below; their sign stays in the content.
 static void cancel(Quotient *q)
 {
     for (int32_t a = 0; a < q->over.count; a++) {
@@ -110,7 +110,7 @@ static void cancel(Quotient *q)
     }
 }
 
-// Turns the sign of factors that would begin with a minus, and leaves out those that are 1.
+// Turns the sign of factors that would begin with a minus, and drops those that are 1.
 static void smooth(Quotient *q, Factors *factors)
 {
     YkText text = {0};
@@ -129,7 +129,7 @@ static void smooth(Quotient *q, Factors *factors)
     yk_text_free(&text);
 }
 
-// The part of a single term that stands above (sign +1) or below (-1): a whole number times symbols.
+// Returns the part of a single term above (sign +1) or below (-1) the line: a whole number times symbols.
 static const YkPoisson *part_of(YkRing *ring, const YkPoisson *term, int32_t sign)
 {
     const YkPoisson *symbols = yk_ring_rational(ring, 1, 1), *rest = term;
@@ -145,7 +145,7 @@ static const YkPoisson *part_of(YkRing *ring, const YkPoisson *term, int32_t sig
     return yk_ring_scale(ring, symbols, sign > 0 ? over : under, 1);
 }
 
-// A product in brackets as they are needed. Returns how many things it is made of.
+// Writes a product, with brackets where they are needed. Returns the number of its factors.
 static int write_product(const Quotient *q, const YkPoisson *content, const Factors *factors, YkText *text)
 {
     int64_t over = 0, under = 1;

@@ -1,4 +1,5 @@
-// What the teeth say by themselves: can planets be spaced equally, do they clear each other, are teeth undercut.
+// Remarks on the teeth: whether planets can be spaced equally, whether they clear each other, whether teeth are
+// undercut.
 // Sources: Mueller 1982, Epicyclic Drive Trains (assembly); Norton, Design of Machinery, 9.3 (undercut).
 #include <math.h>
 #include "design/train.h"
@@ -20,7 +21,7 @@ static bool add(YkTrain *train, const char *mesh, bool is_fault, YkText *text)
     return words != NULL;
 }
 
-// Which of the two is the planet: the one that the carrier itself holds by a pin, while it does not hold the other.
+// Returns which of the two is the planet: the one that the carrier holds by a pin while it does not hold the other.
 static int planet_side(const YkModel *model, const YkGear *gear)
 {
     bool holds[2] = {false, false};
@@ -40,8 +41,8 @@ static bool is_round(const YkGear *gear)
     return gear->planets >= 2;
 }
 
-// Equal spacing: turning the carrier by 1/n of a turn must bring a planet to the next planet's place. With planet gears
-// p, q and central gears s, r that means: s q -+ r p is a multiple of n gcd(p, q).
+// Checks equal spacing: 1/n of a turn of the carrier must bring a planet to the next one's place. With planet gears
+// p, q and central gears s, r this means: s q -+ r p is a multiple of n gcd(p, q).
 static bool check_spacing(YkTrain *train, const YkGear *a, const YkGear *b)
 {
     int side_a = planet_side(train->model, a), side_b = b->body[0] == a->body[side_a] ? 0 : 1;
@@ -70,13 +71,13 @@ static bool check_partner(YkTrain *train, const YkGear *gear)
         const YkGear *other = &model->gears[i];
         if (other == gear || other->carrier != gear->carrier) continue;
         if (other->body[0] != planet && other->body[1] != planet) continue;
-        if (is_round(other) && other < gear) continue; // told there
+        if (is_round(other) && other < gear) continue; // reported there
         if (!check_spacing(train, gear, other)) return false;
     }
     return true;
 }
 
-// Room between neighbours: their tip circles, a module outside of the pitch circles, stay apart.
+// Checks the room between neighbours: their tip circles, one module outside the pitch circles, must stay apart.
 static bool check_room(YkTrain *train, const YkGear *gear)
 {
     int side = planet_side(train->model, gear);
@@ -91,7 +92,7 @@ static bool check_room(YkTrain *train, const YkGear *gear)
     return add(train, gear->name, room <= 0, &text);
 }
 
-// Teeth of full depth cut by a rack are undercut below 2/sin^2(pressure angle) of them; a ring is not cut by a rack.
+// Checks for undercut: full-depth teeth cut by a rack need 2/sin^2(pressure angle) of them; a rack cannot cut a ring.
 static bool check_undercut(YkTrain *train, const YkGear *gear)
 {
     double sine = sin(gear->pressure_angle), least = 2 / (sine * sine);

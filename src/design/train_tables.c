@@ -1,4 +1,4 @@
-// The tabular method: wheels on one moving carrier, their turns while it stands.
+// The tabular method: finds the turns of wheels on one moving carrier while the carrier stands.
 #include <math.h>
 #include "design/train.h"
 
@@ -21,7 +21,7 @@ static bool is_in_a_group(const YkTrain *train, int32_t carrier, size_t body)
     return false;
 }
 
-// The turn of the wheel at the other side of a mesh.
+// Returns the turn of the wheel on the other side of a mesh.
 static YkFraction across(const YkTrain *train, int32_t mesh, int from, const YkFraction *turn, YkOverflow *overflow)
 {
     const YkTrainRow *row = yk_train_mesh_row(&train->net, mesh);
@@ -38,7 +38,7 @@ static void add(YkTrainGroup *group, size_t body, YkFraction turn, struct YkTrai
     group->turn[group->count++] = turn;
 }
 
-// Grows the group from its first wheel along all meshes on its carrier.
+// Grows the group from its first wheel over all meshes on its carrier.
 static void grow(const YkTrain *train, YkTrainGroup *group, YkOverflow *overflow)
 {
     for (bool grows = true; grows;) {
@@ -68,7 +68,7 @@ static YkFraction share_of(const YkTrain *train, size_t body, int32_t input)
     return body == 0 ? yk_fraction(0, 1) : *yk_train_case_share(&train->motion, train->net.column_of[body], input);
 }
 
-// x: speed of the first wheel against the carrier; y: speed of the carrier.
+// Solves for x, the speed of the first wheel against the carrier, and y, the speed of the carrier.
 static void solve(YkTrain *train, YkTrainGroup *group)
 {
     YkFraction shares[8];

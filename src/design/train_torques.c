@@ -1,7 +1,7 @@
-// Torques in steady motion, by virtual work: each equation between speeds has a multiplier, and its coefficients times
-// the multiplier are the torques that mesh, lock or drive exert on the bodies. Losses make the driven side of a mesh
-// get less than the driving side gives; which side drives is found by repeating until it stays. Source: Merritt 1971,
-// Gear Engineering; power seen from the carrier: Macmillan 1949.
+// Solves for torques in steady motion by virtual work: each equation between speeds has a multiplier, and its
+// coefficients times the multiplier are the torques that a mesh, lock or drive exerts on the bodies. With losses the
+// driven side of a mesh gets less than the driving side gives; which side drives is found by iteration until it no
+// longer changes. Sources: Merritt 1971, Gear Engineering; power seen from the carrier: Macmillan 1949.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +100,7 @@ static YkFraction efficiency_of(double value)
 
 // --- Balance
 
-// Which side of a mesh a term belongs to: 0 or 1.
+// Returns the side of a mesh that a term belongs to: 0 or 1.
 static int side_of(const YkTrainRow *row, int32_t term)
 {
     if (row->kind == YK_ROW_RACK) return term == 2;
@@ -112,7 +112,7 @@ static bool is_mesh(const YkTrainRow *row)
     return row->kind == YK_ROW_GEARS || row->kind == YK_ROW_BELT || row->kind == YK_ROW_RACK;
 }
 
-// The coefficient by which a row's multiplier becomes a torque; the driven side of a mesh gets less.
+// Returns the coefficient that turns a row's multiplier into a torque; the driven side of a mesh gets less.
 static YkFraction torque_of(const YkTrainBalance *work, int32_t r, int32_t term, YkOverflow *overflow)
 {
     const YkTrainRow *row = &work->train->motion.rows[r];
@@ -134,7 +134,7 @@ static void add_to(YkTrainBalance *work, int32_t row, int32_t column, const YkFr
     *cell = yk_fraction_add(cell, by, &work->system.overflow);
 }
 
-// A known torque along a coordinate stands on the other side: -1 on the second body, +1 on the first.
+// Moves a known torque along a coordinate to the right-hand side: -1 on the second body, +1 on the first.
 static void add_known(YkTrainBalance *work, int32_t k)
 {
     const YkTrain *train = work->train;
@@ -170,7 +170,7 @@ static bool balance(YkTrainBalance *work)
     return true;
 }
 
-// The value of an unknown; NaN where it is not determined.
+// Returns the value of an unknown; NaN if it is not determined.
 double yk_train_unknown(const YkTrainBalance *work, int32_t column)
 {
     double sum = 0;
@@ -190,7 +190,7 @@ double yk_train_multiplier(const YkTrainBalance *work, int32_t row)
 
 // --- Meshes
 
-// Speed of one side of a mesh, seen from its carrier.
+// Returns the speed of one side of a mesh, seen from its carrier.
 static double rolling_speed(const YkTrain *train, int32_t mesh, int side)
 {
     const YkTrainRow *row = yk_train_mesh_row(&train->net, mesh);
@@ -209,14 +209,14 @@ static double torque_on(YkTrainBalance *work, int32_t mesh, int side)
     return yk_train_multiplier(work, mesh) * yk_fraction_value(&by);
 }
 
-// Which side gives power to the mesh, as the torques are now.
+// Returns which side gives power to the mesh, with the present torques.
 static int driver_of(YkTrainBalance *work, int32_t mesh)
 {
     double power = -torque_on(work, mesh, 0) * rolling_speed(work->train, mesh, 0);
     return power > 0 ? 0 : power < 0 ? 1 : -1;
 }
 
-// Balances again and again until every mesh is driven from the side that was assumed. 1: found, 0: never, -1: no
+// Balances until every mesh is driven from the side that was assumed. Returns 1 if found, 0 if never, -1 when out of
 // memory.
 static int find_drivers(YkTrainBalance *work)
 {
@@ -251,7 +251,7 @@ static void fill_mesh(YkTrainBalance *work, int32_t mesh)
 
 // --- The whole
 
-// Is all that matters determined, and free of contradiction?
+// Returns whether all that matters is determined and free of contradictions.
 static bool is_answer(const YkTrainBalance *work, YkProblems *problems)
 {
     const YkTrainCase *motion = &work->train->motion;

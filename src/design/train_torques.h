@@ -1,4 +1,4 @@
-// Balance of torques on a train: what its two files share.
+// The torque balance of a train: what its two files share.
 #ifndef DESIGN_TRAIN_TORQUES_H
 #define DESIGN_TRAIN_TORQUES_H
 #include "design/train.h"
@@ -19,13 +19,13 @@ typedef struct YkTrainBalance {
     YkExactSystem system; // rows: columns of the net; columns: rows of the case, then the load; rights: the known
 } YkTrainBalance;
 
-// A solved unknown: the multiplier of a row (known or found), or a column of the system; NaN where it is not
+// Returns a solved unknown: the multiplier of a row (known or found), or a column of the system; NaN if it is not
 // determined.
 double yk_train_multiplier(const YkTrainBalance *work, int32_t row);
 double yk_train_unknown(const YkTrainBalance *work, int32_t column);
 double yk_train_column_speed(const YkTrain *train, int32_t column); // rad/s, m/s
 
-// train_power.c: torques from outside as a list, and the power that goes in, out and round.
+// Lists the external torques, and the power that goes in, out and round (train_power.c).
 bool yk_train_list_torques(YkTrainBalance *work); // false: out of memory
 void yk_train_sum_power(YkTrain *train);
 

@@ -1,4 +1,4 @@
-// The door of forward dynamics in batches: lanes where the machine allows, otherwise state by state; over threads.
+// Forward dynamics in batches: in SIMD lanes where the machine allows, otherwise state by state; on several threads.
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -105,7 +105,7 @@ void yk_motion_batch_free(YkMotionBatch *batch)
 
 // --- state by state
 
-// The equations hold the machine's numbers: made anew where these change.
+// The equations contain the machine's numbers, so they are made anew when these change.
 static YkStatus set_design(Worker *w, const YkMotionCase *asked, size_t k)
 {
     const YkMotionBatch *batch = w->batch;

@@ -1,3 +1,4 @@
+// Draws values of designs from distributions.
 #include "study/sample.h"
 #include <math.h>
 #include <stdint.h>
@@ -19,7 +20,7 @@ double yk_normal_below(double x)
     return 0.5 * erfc(-x * 0.70710678118654752440);
 }
 
-// c[0] + c[1] x + ... + c[7] x^7
+// Evaluates c[0] + c[1] x + ... + c[7] x^7.
 static double polynomial(const double *c, double x)
 {
     double sum = c[7];
@@ -57,7 +58,7 @@ double yk_normal_quantile(double p)
 
 // --- distributions
 
-// Of a normal distribution: what part lies below its lower end, and between its ends.
+// Returns the part of a normal distribution below its lower end; `between` returns that between its ends.
 static double below(const YkDistribution *d, double x)
 {
     return yk_normal_below((x - d->center) / d->spread);
@@ -95,8 +96,8 @@ double yk_distribution_draw(const YkDistribution *d, uint64_t seed, uint64_t des
     return yk_distribution_quantile(d, yk_uniform(seed, design, parameter));
 }
 
-// Of a normal distribution cut off at a and b (in deviations): density at the ends over the part between them. Johnson,
-// Kotz & Balakrishnan 1994, ch. 13.
+// A normal distribution cut off at a and b (in deviations): density at the ends over the part between them.
+// Source: Johnson, Kotz & Balakrishnan 1994, ch. 13.
 typedef struct Cut {
     double shift, a_part, b_part;
 } Cut;

@@ -1,7 +1,7 @@
-// Derivatives of channels with respect to parameters, in two ways that share only the pose.
+// Finds derivatives of channels with respect to parameters, in two ways that share only the pose.
 //
-// By derivative: the loops Phi(x, p) = 0 give J dx = -dPhi/dp, where the inputs keep their values; then an answer y(x,
-// p) has dy = dy/dx dx + dy/dp. Only explicit functions - Phi and y at given x - are differenced, along one direction.
+// By derivative: with fixed inputs the loops Phi(x, p) = 0 give J dx = -dPhi/dp; an answer y(x, p) then has
+// dy = dy/dx dx + dy/dp. Only explicit functions - Phi and y at given x - are differenced, along one direction.
 // By difference: the whole machine is solved at neighbouring values.
 #include <math.h>
 #include <stdlib.h>
@@ -12,15 +12,15 @@
 
 enum { STAGES = 5 };
 
-// A small step for a parameter: of its size, or of the machine's where it is 0.
+// Returns a small step for a parameter, relative to its size, or to the machine's if it is 0.
 static double step_of(const YkStudy *study, size_t parameter)
 {
     double own = fabs(study->own[parameter]);
     return 1e-2 * (own > 0 ? own : 0.1 * study->worker[0].mech->size);
 }
 
-// From differences D(h), D(h/2), ..., errors in h^2: Neville's table; keeps the entry with the least change. Richardson
-// 1911; Ridders 1982.
+// Extrapolates the differences D(h), D(h/2), ..., whose errors go with h^2, by Neville's table, and keeps the entry
+// with the least change. Source: Richardson 1911; Ridders 1982.
 static double extrapolate(const double *difference, size_t count)
 {
     double table[STAGES], last = difference[0], best = INFINITY, value = difference[0];
@@ -119,7 +119,7 @@ static bool start_linear(Linear *l, const YkMechanism *mech)
     return true;
 }
 
-// x from the pose; J from the loops, and a row an input: its coordinate does not change.
+// Takes x from the pose; fills J from the loops and one row per input, whose coordinate does not change.
 static void linearise(Linear *l, const YkState *state)
 {
     const YkMechanism *mech = l->mech;
@@ -144,7 +144,7 @@ static void linearise(Linear *l, const YkState *state)
     l->rank = yk_qr_factor(l->rows, l->variables, l->J, l->order, l->tau, 1e-10);
 }
 
-// Where all bodies are at given x: outwards along the tree.
+// Places all bodies at given x, outwards along the tree.
 static void place(Linear *l, const double *x)
 {
     const YkMechanism *mech = l->mech;
@@ -167,7 +167,7 @@ static void place(Linear *l, const double *x)
     }
 }
 
-// An answer at given x, after `place`. Angles up to a constant.
+// Returns an answer at given x, after `place`. Angles are known up to a constant.
 static double answer(const Linear *l, const double *x, YkChannel c)
 {
     const YkMechanism *mech = l->mech;
@@ -189,7 +189,7 @@ static double answer(const Linear *l, const double *x, YkChannel c)
     return c.kind == YK_CHANNEL_POINT_X ? at.x : at.y;
 }
 
-// Phi at the pose for parameters p +- h: residual[2 loops].
+// Computes Phi at the pose for parameters p +- h: residual[2 loops].
 static bool residual_at(YkStudy *study, Linear *l, size_t parameter, double value, double *residual)
 {
     YkWorker *w = &study->worker[0];
@@ -218,7 +218,7 @@ static bool directions(YkStudy *study, Linear *l, size_t parameter)
     return good;
 }
 
-// d/dh of y(x + h dx, p + h).
+// Computes d/dh of y(x + h dx, p + h).
 static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *derivative, double *stages)
 {
     YkWorker *w = &study->worker[0];
@@ -243,7 +243,7 @@ static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *d
 
 // --- the door
 
-// The file's own machine at the pose.
+// Puts the file's own machine in the pose.
 static YkStatus stand_at_pose(YkWorker *w)
 {
     YkStatus status = yk_worker_set(w, w->study->own);

@@ -1,4 +1,4 @@
-// Where a design is put together: at the start's inputs, in the configuration that the file has at its own values.
+// Assembles a design at the start's inputs, in the configuration that the file has at its own values.
 #include <stdlib.h>
 #include <string.h>
 #include "study/start.h"
@@ -13,7 +13,7 @@ YkStatus yk_study_take_home(YkState *home, const YkState *state)
     if (!home->mech->has_groups) return yk_state_solve(home);
     YkStatus status = yk_state_adopt(home, state);
     if (status < 0) return status;
-    for (size_t i = 0; i < home->mech->input_count; i++) // the drives need not be what the state has
+    for (size_t i = 0; i < home->mech->input_count; i++) // the drives' inputs may differ from the state's
         memcpy(home->input + 3 * i, state->valid_input + 3 * i, 3 * sizeof *home->input);
     status = yk_state_solve(home);
     if (status >= 0) yk_state_refer(home);
@@ -53,7 +53,7 @@ static void goal_of(const YkState *home, YkMotion *goal)
         goal[i] = (YkMotion){home->valid_input[3 * i], home->valid_input[3 * i + 1], home->valid_input[3 * i + 2]};
 }
 
-// Keeps the labels of dyads; carries groups along while the parameters move.
+// Keeps the labels of dyads, and carries groups along while the parameters move.
 static YkStatus carry(YkWorker *w, YkVariant *variant, YkState *home, YkState *state, const double *values,
                       const YkMotion *goal)
 {
@@ -85,8 +85,8 @@ static bool stands_as(const YkState *a, const YkState *b)
     return true;
 }
 
-// Other inputs say where: the pose that they give is the design's start. Mostly the labels of the file's pose are those
-// of the design's; otherwise it is looked for.
+// The design starts at the pose that the other inputs give. Usually the labels of the file's pose are those of the
+// design's; otherwise the pose is searched for.
 static YkStatus begin_at_base(YkWorker *w, const double *values)
 {
     YkStatus status = yk_variant_set(w->base_variant, values);

@@ -4,10 +4,10 @@
 #include <yoke/move.h>
 #include "solve/state.h"
 
-// Puts a state of a variant, at the file's own values, in the pose of the file's.
+// Puts a state of a variant, at the file's own values, in the pose of the file's state.
 YkStatus yk_study_take_home(YkState *home, const YkState *state);
-// A state with the branches of `home`, or, for groups, with its assembly carried along from the file's values to these;
-// it has no pose of its own before that. goal: room for the inputs.
+// Prepares a state with the branches of `home` or, for groups, with its assembly carried along from the file's values
+// to these; it has no pose of its own before that. goal: room for the inputs.
 YkStatus yk_study_carry(YkVariant *variant, const YkState *home, YkState *state, const double *own,
                         const double *values, size_t count, YkMotion *goal);
 

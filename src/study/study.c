@@ -1,5 +1,5 @@
-// Designs over threads. A worker has all it needs to solve a design by itself: a variant, a state, a batch. Designs are
-// handed out in chunks; where a design is computed changes nothing in it.
+// Solves designs on several threads. A worker has all it needs to solve a design by itself: a variant, a state, a
+// batch. Designs are handed out in chunks, and the thread on which a design is solved changes nothing in its results.
 #include "study/study.h"
 #include <pthread.h>
 #include <stdlib.h>
@@ -73,7 +73,7 @@ static void end_worker(YkWorker *w)
     free((void *)w->row_output);
 }
 
-// A drive, or the start value of a held input, that varies: the state's inputs would not follow.
+// Returns false if a drive varies, or the start value of a held input: the state's inputs would not follow.
 static bool inputs_follow(const YkStudy *study, const YkState *state, YkProblems *problems)
 {
     const YkModel *model = state->mech->model;
@@ -142,7 +142,7 @@ void yk_study_free(YkStudy *study)
 
 // --- a design
 
-// Forces: the machine's equations hold its masses, so they are made anew.
+// The machine's equations contain its masses, so forces need new ones.
 static YkStatus prepare_forces(YkWorker *w)
 {
     yk_dynamics_free(w->dynamics);
@@ -191,7 +191,7 @@ static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
 
 // --- reducing
 
-// Does a pose count for this channel: rates have no value at a dead point.
+// Returns whether a pose counts for this channel: rates have no value at a dead point.
 static bool counts(YkChannel channel, signed char status)
 {
     bool is_rate = channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED;
@@ -257,7 +257,7 @@ static void *work(void *context)
     }
 }
 
-// The first worker is the calling thread; where no thread can be had, those that are do all.
+// The calling thread is the first worker; if a thread cannot be started, the others do all the work.
 static YkStatus run(YkStudy *study, YkJob *job)
 {
     size_t started = 0, designs = job->asked->design_count;

@@ -1,4 +1,4 @@
-// A file of distributions: how each parameter scatters.
+// Reads a file of distributions: how each parameter scatters.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,7 +47,7 @@ static bool read_value(Reader *r, const YkNode *node, const YkParameter *paramet
     return false;
 }
 
-// [a, b, ...]: exactly `count` values.
+// Reads [a, b, ...] with exactly `count` values.
 static bool read_list(Reader *r, const YkNode *node, const YkParameter *parameter, size_t count, double *values)
 {
     if (node->kind != YK_NODE_LIST || node->count != count) {

@@ -1,4 +1,4 @@
-// Open trees of pins over lanes: the rows that the kernels work on, filled from parameters.
+// Open trees of pins in SIMD lanes: the rows that the kernels work on, filled from parameters.
 #ifndef STUDY_TREE_BATCH_H
 #define STUDY_TREE_BATCH_H
 #include <yoke/study.h>

@@ -1,5 +1,5 @@
-// The way of a design from its start through its poses. Lanes run along it, at most some degrees apart, as long as no
-// branches can have met; where they can, and for machines that lanes do not follow, the state moves pose by pose.
+// Follows the way of a design from its start through its poses. Lanes run along it, at most some degrees apart, as long
+// as no branches can have met. Where they can, and for machines that lanes cannot follow, the state moves pose by pose.
 #include <string.h>
 #include "study/study.h"
 
@@ -7,7 +7,7 @@ static const double STEP = 2 * YK_PI / 180, FINE = 2.5 * YK_PI / 180; // rad, or
 static const double MEETING_MARGIN = 1e-10;                           // sin^2: within 1e-5 of a change point or a limit
 static const double LANES_MAX = 1e5;                                  // of one stretch; moving may count whole turns
 
-// Input 3 * i + k at a pose.
+// Returns input 3 * i + k at a pose.
 static double input_at(const YkWorker *w, size_t input, size_t pose)
 {
     return w->inputs[input] ? w->inputs[input][pose] : w->home->input[input];

@@ -1,4 +1,4 @@
-// What the parts of the section of cams share: symbols made once, a segment's own variable, lines that hold in it.
+// What the parts of the section on cams share: symbols made once, a segment's own variable, lines that hold in it.
 #include "derive/cams/cams.h"
 #include <math.h>
 #include <stdlib.h>
@@ -150,7 +150,7 @@ static const YkPoisson *enter_u(YkDeriveLaw *law, double from, double to, bool i
     return yk_ring_of(d->ring, u);
 }
 
-// = (high - low) / length
+// = (high - low) / length.
 static void put_part(YkDeriveLaw *law, YkLine *line, const YkPoisson *high, const YkPoisson *low,
                      const YkPoisson *length)
 {

@@ -1,6 +1,6 @@
-// A polynomial segment: the conditions as they are stated, the linear system in powers of the argument, coefficients
-// solved in exact fractions, and the polynomial with its derivatives. Hermite-Birkhoff interpolation: Lorentz, Jetter &
-// Riemenschneider 1983.
+// Writes a polynomial segment: the conditions as they are stated, the linear system in powers of the argument,
+// coefficients solved in exact fractions, and the polynomial with its derivatives. Hermite-Birkhoff interpolation.
+// Source: Lorentz, Jetter & Riemenschneider 1983.
 #include "base/number.h"
 #include "derive/cams/polynomial.h"
 
@@ -11,7 +11,7 @@ static bool comes_before(const YkPolynomialCondition *a, const YkPolynomialCondi
     return a->order < b->order || (a->order == b->order && a->place < b->place);
 }
 
-// All s, then all v, a, ..., each by ascending place.
+// Collects the conditions: all s, then all v, a, ..., each by ascending place.
 static bool collect(YkDerivePolynomial *p)
 {
     YkDerivation *d = p->law->d;
@@ -39,7 +39,7 @@ static bool are_written(const YkDerivePolynomial *p)
     return true;
 }
 
-// lift_v(2/3 pi) = 0.
+// Writes lift_v(2/3 pi) = 0.
 static void put_condition(const YkDerivePolynomial *p, const YkPolynomialCondition *condition)
 {
     YkDeriveLaw *law = p->law;
@@ -58,7 +58,7 @@ static void put_condition(const YkDerivePolynomial *p, const YkPolynomialConditi
 
 // --- What it comes to
 
-// C3 = 27 h/pi^3, and in decimals where the fractions are too long.
+// Writes C3 = 27 h/pi^3, also in decimals if the fractions are too long.
 static void put_coefficients(const YkDerivePolynomial *p)
 {
     YkDeriveLaw *law = p->law;
@@ -77,7 +77,7 @@ static void put_coefficients(const YkDerivePolynomial *p)
     }
 }
 
-// h/beta^m [64 u^3 - 192 u^4 + ...].
+// Writes h/beta^m [64 u^3 - 192 u^4 + ...].
 static void put_derivative(const YkDerivePolynomial *p, int order)
 {
     YkDeriveLaw *law = p->law;
@@ -94,7 +94,7 @@ static void put_derivative(const YkDerivePolynomial *p, int order)
     yk_derive_end_line(law, line, order, yk_ring_multiply(ring, factor, sum), p->span.u, "");
 }
 
-// In powers of theta itself, within the first period.
+// Writes the polynomial in powers of theta itself, within the first period.
 static void put_in_powers(const YkDerivePolynomial *p)
 {
     YkDeriveLaw *law = p->law;
@@ -117,7 +117,7 @@ static void put_in_powers(const YkDerivePolynomial *p)
     line->within = yk_ring_divide(ring, yk_ring_subtract(ring, law->theta, p->span.from), p->span.beta);
 }
 
-// Where the follower stands then: as a condition says, or the sum of the coefficients.
+// Returns the follower's position at the end: from a condition, or the sum of the coefficients.
 static const YkPoisson *value_at_end(const YkDerivePolynomial *p)
 {
     const YkPoisson *sum = yk_ring_rational(p->law->d->ring, 0, 1);

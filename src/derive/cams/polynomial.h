@@ -1,4 +1,4 @@
-// The inside of a polynomial segment's derivation.
+// The derivation of a polynomial segment inside.
 #ifndef DERIVE_CAMS_POLYNOMIAL_H
 #define DERIVE_CAMS_POLYNOMIAL_H
 #include "derive/cams/cams.h"
@@ -7,7 +7,7 @@
 enum { YK_POLYNOMIAL_CONDITIONS_MAX = 25 };
 
 typedef struct YkPolynomialCondition {
-    const YkPoisson *at, *value; // as the file writes them; NULL: not to be written exactly
+    const YkPoisson *at, *value; // as the file writes them; NULL: not exact
     double place;
     int order;
     YkFraction u; // where it lies in the segment, 0 to 1
@@ -26,21 +26,21 @@ typedef struct YkDerivePolynomial {
     const YkPoisson *coefficients[YK_POLYNOMIAL_CONDITIONS_MAX]; // of powers of the argument
     const YkPoisson *symbols[YK_POLYNOMIAL_CONDITIONS_MAX];      // C0, C1, ...
     bool is_new;                                                 // the first page of this derivation
-    bool is_solved, is_rational;                                 // by_u are there; and are rational multiples of h
+    bool is_solved, is_rational;                                 // by_u are known, and rational multiples of h
 } YkDerivePolynomial;
 
-// The linear system in powers of the argument: one row a condition; and how well it is conditioned, both to the page.
+// Writes the linear system in powers of the argument, one row per condition, and its condition number.
 void yk_polynomial_put_system(const YkDerivePolynomial *p);
 void yk_polynomial_put_condition_number(const YkDerivePolynomial *p);
-// C0, C1, ...: the k-th coefficient as a symbol.
+// Returns the k-th coefficient, C0, C1, ..., as a symbol.
 const YkPoisson *yk_polynomial_name_coefficient(YkDerivePolynomial *p, size_t k);
-// k (k - 1) ... (k - order + 1): of the order-th derivative of u^k.
+// Returns k (k - 1) ... (k - order + 1), the factor of the order-th derivative of u^k.
 int64_t yk_polynomial_falling(size_t k, int order);
-// Where the conditions lie in the segment, as fractions; false where that is no rational number.
+// Finds where the conditions lie in the segment, as fractions. Returns false if a place is not a rational number.
 bool yk_polynomial_find_places(YkDerivePolynomial *p);
-// What each condition adds: its value times beta^order.
+// Finds what each condition contributes: its value times beta^order.
 void yk_polynomial_find_shares(YkDerivePolynomial *p);
-// by_u and coefficients, in exact fractions.
+// Solves for by_u and coefficients, in exact fractions.
 void yk_polynomial_solve(YkDerivePolynomial *p);
 
 #endif

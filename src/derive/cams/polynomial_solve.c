@@ -1,4 +1,4 @@
-// The solution of a polynomial segment's system, in exact fractions.
+// Solves a polynomial segment's system in exact fractions.
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
@@ -6,7 +6,7 @@
 
 enum { FRACTION_MAX = 160 };
 
-// Where the conditions lie in the segment, as fractions; false where that is no rational number.
+// Finds where the conditions lie in the segment, as fractions. Returns false if a place is not a rational number.
 bool yk_polynomial_find_places(YkDerivePolynomial *p)
 {
     YkRing *ring = p->law->d->ring;
@@ -26,7 +26,7 @@ static bool has_value(const YkDerivePolynomial *p, size_t k)
     return !yk_ring_is_zero(p->conditions[k].value);
 }
 
-// In powers of u, one right-hand side for each condition that is not zero.
+// Solves in powers of u, with one right-hand side for each condition that is not zero.
 static bool solve(const YkDerivePolynomial *p, YkExactSystem *system)
 {
     int32_t n = (int32_t)p->count, rights = 0;
@@ -53,7 +53,7 @@ static const YkPoisson *scaled(YkDerivation *d, const YkPoisson *a, const YkFrac
     return factor ? yk_ring_multiply(d->ring, a, factor) : NULL;
 }
 
-// What a condition is worth in units of h, as a fraction: exactly where it is one, else as the double nearest to it.
+// Returns a condition's value in units of h, as a fraction: exactly if it is one, otherwise the nearest double.
 static YkFraction in_units(const YkDerivePolynomial *p, size_t condition)
 {
     YkDerivation *d = p->law->d;
@@ -63,7 +63,7 @@ static YkFraction in_units(const YkDerivePolynomial *p, size_t condition)
     return yk_fraction_of(yk_derive_fixed(d, p->shares[condition]) / yk_derive_fixed(d, p->h));
 }
 
-// A coefficient whose fraction is too long for a formula: a symbol c5.
+// Enters a symbol c5 for a coefficient whose fraction is too long for a formula.
 static int32_t enter_digits(const YkDerivePolynomial *p, size_t k, double value)
 {
     YkDeriveLaw *law = p->law;
@@ -78,7 +78,7 @@ static int32_t enter_digits(const YkDerivePolynomial *p, size_t k, double value)
     return symbol;
 }
 
-// c5 = -1234.567...: its digits, and the fraction that it is.
+// Writes c5 = -1234.567...: its digits, and the fraction that it is.
 static const YkPoisson *put_digits(const YkDerivePolynomial *p, size_t k, const YkFraction *exact)
 {
     YkDeriveLaw *law = p->law;
@@ -133,7 +133,7 @@ static bool are_rational(const YkDerivePolynomial *p)
     return true;
 }
 
-// Coefficients of powers of u from the solved system.
+// Takes the coefficients of powers of u from the solved system.
 static void take_coefficients(YkDerivePolynomial *p, const YkExactSystem *system)
 {
     p->is_solved = true;
@@ -149,7 +149,7 @@ static void take_coefficients(YkDerivePolynomial *p, const YkExactSystem *system
     }
 }
 
-// s = sum c_m ((theta - from) / length)^m in powers of theta.
+// Expands s = sum c_m ((theta - from) / length)^m in powers of theta.
 static void expand(YkDerivePolynomial *p)
 {
     YkRing *ring = p->law->d->ring;
@@ -174,7 +174,7 @@ static void expand(YkDerivePolynomial *p)
     }
 }
 
-// The largest s of the conditions is called h; values that are fractions of it are told by it.
+// The largest s of the conditions is called h; values that are fractions of it are written as such.
 void yk_polynomial_find_shares(YkDerivePolynomial *p)
 {
     YkDerivation *d = p->law->d;

@@ -6,7 +6,7 @@
 #include "derive/cams/polynomial.h"
 #include "num/dense.h"
 
-// k (k - 1) ... (k - order + 1).
+// Returns k (k - 1) ... (k - order + 1).
 int64_t yk_polynomial_falling(size_t k, int order)
 {
     int64_t product = 1;
@@ -45,7 +45,7 @@ static void fill_system(const YkDerivePolynomial *p, const YkPoisson *const *at,
     }
 }
 
-// Names for the places, where their powers are too long to be written: x1 = 5/12 pi.
+// Gives names to the places if their powers are too long to be written: x1 = 5/12 pi.
 static void name_places(const YkDerivePolynomial *p, const YkPoisson **at)
 {
     size_t count = 0;
@@ -61,7 +61,7 @@ static void name_places(const YkDerivePolynomial *p, const YkPoisson **at)
     }
 }
 
-// Rows in the order of the conditions, columns by powers of the argument.
+// Writes rows in the order of the conditions, columns by powers of the argument.
 void yk_polynomial_put_system(const YkDerivePolynomial *p)
 {
     YkDeriveLaw *law = p->law;
@@ -84,8 +84,8 @@ void yk_polynomial_put_system(const YkDerivePolynomial *p)
     if (A && x && b) fill_system(p, at, A, x, b);
 }
 
-// sigma_max / sigma_min of the matrix in powers of the argument, by one-sided Jacobi rotations of its columns, which
-// keep small values accurate. Source: Demmel & Veselic 1992.
+// Computes sigma_max / sigma_min of the matrix in powers of the argument by one-sided Jacobi rotations of its
+// columns, which keep small values accurate. Source: Demmel & Veselic 1992.
 static double condition_number(const YkDerivePolynomial *p)
 {
     size_t n = p->count;

@@ -1,6 +1,6 @@
-// Rises and falls by the library's laws in textbook form: s = h f(u), v = h/beta f'(u), ... zone by zone, exact. A fall
-// is the rise run backwards. Sources: Norton 2009, Cam Design and Manufacturing Handbook, ch. 3-4; Rothbart 2004, ch.
-// 2-3.
+// Writes rises and falls by the library's laws in textbook form: s = h f(u), v = h/beta f'(u), ..., zone by zone and
+// exactly. A fall is the rise run backwards. Sources: Norton 2009, Cam Design and Manufacturing Handbook, ch. 3-4;
+// Rothbart 2004, ch. 2-3.
 #include "derive/cams/cams.h"
 #include "derive/inside.h"
 
@@ -17,11 +17,11 @@ typedef struct Rise {
     YkDeriveSpan span;
     const YkPoisson *z, *rate;      // f's argument in u, and its slope by theta
     const YkPoisson *base, *height; // s = base + height f(z)
-    const YkPoisson *low, *high;    // the part of f's range that is run through
+    const YkPoisson *low, *high;    // the part of f's range that is used
     Zone zones[ZONES_MAX];
     size_t count;
     const YkPoisson *at, *s, *v; // where the next zone begins: z, f and f' there
-    const YkPoisson *factor;     // Ca, which f is a multiple of; NULL: 1
+    const YkPoisson *factor;     // Ca, if f is a multiple of it; NULL: 1
 } Rise;
 
 static YkRing *ring_of(const Rise *rise)
@@ -84,7 +84,7 @@ static void add_zone(Rise *rise, const YkPoisson *to, const YkPoisson *f, const 
     rise->at = to;
 }
 
-// One formula from 0 to 1, in z and phi = omega z.
+// Enters phi = omega z for a law that is one formula from 0 to 1.
 static const YkPoisson *whole_phi(Rise *rise, int64_t half_turns)
 {
     return enter_phi(rise, yk_ring_scale(ring_of(rise), yk_ring_pi(ring_of(rise)), half_turns, 1), number(rise, 0, 1),
@@ -127,7 +127,7 @@ static void polynomial(Rise *rise, const int64_t *coefficients, int32_t lowest, 
     add_zone(rise, number(rise, 1, 1), sum, NULL, NULL);
 }
 
-// From the last zone's end: s + v w + a w^2 / 2 over this length, w = z - start.
+// Continues from the last zone's end with s + v w + a w^2 / 2 over this length, w = z - start.
 static void accelerate(Rise *rise, const YkPoisson *length, const YkPoisson *a)
 {
     if (yk_ring_is_zero(length)) return;
@@ -155,7 +155,7 @@ static void swing(Rise *rise, const YkPoisson *length, const YkPoisson *span, Sw
         f = minus(rise, plus(rise, straight, times(rise, slope, w)), times(rise, amplitude, turn_of(rise, phi, true)));
         rise->s = minus(rise, plus(rise, rise->s, times(rise, plus(rise, rise->v, slope), length)), amplitude);
         rise->v = plus(rise, rise->v, slope);
-    } else if (kind == SWING_OVER) { // half a turn: the slope is what it was
+    } else if (kind == SWING_OVER) { // half a turn: the slope returns to its value
         f = plus(rise, straight, bent);
         rise->s = plus(rise, plus(rise, rise->s, times(rise, rise->v, length)), yk_ring_scale(ring, amplitude, 2, 1));
     } else { // a quarter turn
@@ -166,7 +166,7 @@ static void swing(Rise *rise, const YkPoisson *length, const YkPoisson *span, Sw
     add_zone(rise, plus(rise, rise->at, length), f, omega, phi);
 }
 
-// Sine - constant - cosine - constant - sine acceleration of unit height, then Ca = 1 / f(1) before it.
+// Sine - constant - cosine - constant - sine acceleration of unit height, then scaled by Ca = 1 / f(1).
 static bool scca(Rise *rise, const YkPoisson *b, const YkPoisson *c, const YkPoisson *d)
 {
     int64_t over, under;
@@ -180,11 +180,11 @@ static bool scca(Rise *rise, const YkPoisson *b, const YkPoisson *c, const YkPoi
     swing(rise, d, d, SWING_OVER);
     accelerate(rise, half_c, number(rise, -1, 1));
     swing(rise, half_b, b, SWING_BACK);
-    rise->factor = rise->s; // f(1), turned over below
+    rise->factor = rise->s; // f(1), inverted below
     return true;
 }
 
-// Trapezoidal velocity: blends of constant acceleration at both ends.
+// Trapezoidal velocity: constant acceleration at both ends.
 static bool constant_velocity(Rise *rise, const YkPoisson *blend)
 {
     int64_t over, under;
@@ -203,7 +203,7 @@ static bool constant_velocity(Rise *rise, const YkPoisson *blend)
     return true;
 }
 
-// The parts b, c, d or the blend, exactly; NULL if they are no numbers.
+// Returns the parts b, c, d or the blend exactly; NULL if they are not numbers.
 static const YkPoisson *part_of(Rise *rise, const YkLawNumber *of)
 {
     if (!of->expr) return number(rise, 0, 1);
@@ -253,7 +253,7 @@ static bool make_zones(Rise *rise)
 
 // --- Whole and halves
 
-// z runs from 0 to 1, or over the half that is taken: of a fall, which runs backwards, the first half is the upper one.
+// z runs from 0 to 1, or over the half that is used; the first half of a fall, which runs backwards, is the upper one.
 static bool place(Rise *rise, bool is_fall, const YkPoisson *from, const YkPoisson *to)
 {
     YkRing *ring = ring_of(rise);
@@ -269,13 +269,13 @@ static bool place(Rise *rise, bool is_fall, const YkPoisson *from, const YkPoiss
     return rise->rate != NULL;
 }
 
-// f(1/2), from which or to which a half goes.
+// Returns f(1/2), where a half begins or ends.
 static const YkPoisson *middle(const Rise *rise)
 {
     return rise->part->rise.law == YK_RISE_DOUBLE_HARMONIC ? number(rise, 1, 4) : number(rise, 1, 2);
 }
 
-// s = base + height f: from the low end's value over what f gains. `by` is what the file says, h what it is called.
+// Scales s = base + height f from the low end's value. `by` is the file's value, h its name.
 static void scale(Rise *rise, const YkPoisson *start, const YkPoisson *by, const YkPoisson *h)
 {
     YkRing *ring = ring_of(rise);
@@ -364,7 +364,7 @@ static void put_range(const Rise *rise, const YkPoisson *from, const YkPoisson *
     yk_text_free(&high);
 }
 
-// The zone as far as it lies in the part of f that is taken; where u lies in 0 to 1 within it.
+// Clips the zone to the part of f that is used, and finds where u lies in 0 to 1 within it.
 static bool clip(Rise *rise, const Zone *zone, const YkPoisson **from, const YkPoisson **to)
 {
     YkDerivation *d = rise->law->d;

@@ -1,4 +1,4 @@
-// Section: motion programs and cams - every law segment by segment, what is continuous, and what the cams make of it.
+// Section: motion programs and cams - every law segment by segment, what is continuous, and the resulting cams.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
@@ -27,7 +27,7 @@ static void fill(void *context, const YkState *state, YkDynamics *dynamics, doub
     for (int k = 0; k < YK_DERIVE_ORDERS; k++) values[shown->symbols[k]] = found[k];
 }
 
-// The argument of a law that gives an effort; NULL if there is none.
+// Returns the argument of a law that gives an effort; NULL if there is none.
 static const YkPoisson *effort_argument(YkDerivation *d, size_t index)
 {
     for (size_t k = 0; k < d->model->effort_count; k++)
@@ -35,7 +35,7 @@ static const YkPoisson *effort_argument(YkDerivation *d, size_t index)
     return NULL;
 }
 
-// Names of its own: lift, lift_v, lift_a, lift_j over an argument that the file gives, or x.
+// Gives the law names of its own: lift, lift_v, lift_a, lift_j over an argument that the file gives, or x.
 static void name_alone(YkDeriveLaw *law, size_t index)
 {
     static const char *const endings[] = {"", "_v", "_a", "_j"};
@@ -76,7 +76,7 @@ static const YkPoisson *follower_of(const YkDerivation *d, size_t tie)
     return c == YK_NONE ? NULL : yk_ring_of(d->ring, d->coordinates[c].position);
 }
 
-// As the relations call it, where a coordinate follows it.
+// Names the law as the relations do, if a coordinate follows it.
 static void name_law(YkDeriveLaw *law, size_t index)
 {
     YkDerivation *d = law->d;
@@ -148,7 +148,7 @@ static void put_dwell(YkDeriveLaw *law, const YkLawPart *part)
     law->at = yk_derive_given(law->d, part->to.expr);
 }
 
-// s + v (theta - from).
+// Writes s + v (theta - from).
 static void put_velocity(YkDeriveLaw *law, const YkLawPart *part)
 {
     YkRing *ring = law->d->ring;
@@ -169,7 +169,7 @@ static void put_velocity(YkDeriveLaw *law, const YkLawPart *part)
     law->at = to;
 }
 
-// Splines are many polynomials: what they go through is said, their pieces are not.
+// Splines are many polynomials, so only the points that they go through are written.
 static void put_spline(YkDeriveLaw *law, const YkLawPart *part)
 {
     char degree[YK_NUMBER_SIZE];
@@ -196,7 +196,7 @@ static void put_segment(YkDeriveLaw *law, const YkLawPart *part)
 
 // --- The fundamental law
 
-// s, v and a without jumps (Norton 2009, ch. 2).
+// Writes the jumps of s, v and a (fundamental law of cam design; Norton 2009, ch. 2).
 static void put_jumps(YkDeriveLaw *law)
 {
     static const char *const letters[] = {"s", "v", "a"};

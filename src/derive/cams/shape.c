@@ -1,6 +1,6 @@
-// What a cam makes of its law: where the follower stands, pitch curve and contact, pressure angle, radius of curvature.
-// The cam's centre is the origin, theta its angle, sigma = +-1 the sense in which it turns (design/cam.h has the same
-// in numbers). Sources: Angeles & Lopez-Cajun 1991, ch. 3-4; Norton 2009, ch. 7.
+// Writes the geometry that a cam gets from its law: where the follower stands, pitch curve and contact, pressure angle,
+// radius of curvature. The cam's centre is the origin, theta its angle, sigma = +-1 the sense in which it turns
+// (design/cam.h has the same in numbers). Sources: Angeles & Lopez-Cajun 1991, ch. 3-4; Norton 2009, ch. 7.
 #include <math.h>
 #include <string.h>
 #include "derive/cams/cams.h"
@@ -64,7 +64,7 @@ static int32_t enter(const Shape *shape, const char *stem, bool is_angle, bool *
     return symbol;
 }
 
-// A constant that the file does not give as such.
+// Returns a constant that the file does not give directly.
 static const YkPoisson *constant(const Shape *shape, const char *stem, bool is_angle, double value)
 {
     bool is_new;
@@ -77,7 +77,7 @@ static const YkPoisson *constant(const Shape *shape, const char *stem, bool is_a
     return a;
 }
 
-// A dimension under its textbook name, R_b, with what the file writes; 0 if it is 0.
+// Returns a dimension under its textbook name, R_b, and writes the file's value; 0 if it is 0.
 static const YkPoisson *dimension(const Shape *shape, const char *stem, const YkExpr *expr, double value)
 {
     bool is_new;
@@ -91,7 +91,7 @@ static const YkPoisson *dimension(const Shape *shape, const char *stem, const Yk
     return yk_ring_of(shape->ring, symbol);
 }
 
-// e^(i angle) of a direction: exact for multiples of 15 degrees, else of a constant angle.
+// Returns e^(i angle) of a direction: exact for multiples of 15 degrees, otherwise of a constant angle.
 static const YkPoisson *direction(const Shape *shape, const char *stem, YkVec unit)
 {
     for (int k = 0; k < 24; k++)
@@ -126,7 +126,7 @@ static void put_quotient(const Shape *shape, const char *remark, const char *lef
     line->value_under = under;
 }
 
-// name^2 = square: a positive root.
+// Returns name, the positive root of `square`.
 static const YkPoisson *root(const Shape *shape, const char *stem, const YkPoisson *square)
 {
     YkText key = {0}, name = {0};
@@ -142,8 +142,8 @@ static const YkPoisson *root(const Shape *shape, const char *stem, const YkPoiss
 
 // --- Rollers and edges
 
-// From the path C of the roller's centre in the carrier's axes and its derivatives by theta: the pitch curve is
-// e^(-i sigma theta) C, its normal sigma i C1 with C1 = C' - sigma i C; `lifts` is the way of a growing lift.
+// Takes the path C of the roller's centre in the carrier's axes and its derivatives by theta: the pitch curve is
+// e^(-i sigma theta) C, its normal sigma i C1 with C1 = C' - i sigma C. `lifts` is the direction of a growing lift.
 static void put_roller(const Shape *shape, const YkPoisson *C, const YkPoisson *d1, const YkPoisson *d2,
                        const YkPoisson *lifts)
 {
@@ -166,7 +166,7 @@ static void put_roller(const Shape *shape, const YkPoisson *C, const YkPoisson *
     if (!is_edge) yk_page_words(shape->page, "The surface's radius of curvature is rho less the roller's radius.");
 }
 
-// The centre runs along a line, e beside the cam's centre: d0 at lift 0.
+// The centre moves along a line, offset by e from the cam's centre: d0 at lift 0.
 static void put_translating(const Shape *shape)
 {
     const YkPoisson *d0 = shape->distance, *u = shape->along, *aside = quarter(shape, times(shape, shape->offset, u));
@@ -176,7 +176,7 @@ static void put_translating(const Shape *shape)
     put_roller(shape, C, times(shape, shape->v, u), times(shape, shape->a, u), u);
 }
 
-// psi, the angle of the arm or of the face's normal: psi0 at lift 0.
+// Returns psi, the angle of the arm or of the face's normal: psi0 at lift 0.
 static const YkPoisson *enter_psi(const Shape *shape)
 {
     YkDerivation *d = shape->d;
@@ -190,7 +190,7 @@ static const YkPoisson *enter_psi(const Shape *shape)
     return yk_ring_unit(shape->ring, psi);
 }
 
-// The centre runs on a circle about the pivot.
+// The centre moves on a circle about the pivot.
 static void put_oscillating(const Shape *shape)
 {
     const YkPoisson *unit = enter_psi(shape), *arm = times(shape, shape->arm, unit), *across = quarter(shape, arm);
@@ -203,7 +203,7 @@ static void put_oscillating(const Shape *shape)
 
 // --- Flat faces
 
-// The face is a line at distance h with normal e^(i nu): the surface is the envelope, h its support function.
+// The face is a line at distance h with normal e^(i nu): the surface is its envelope, with h as support function.
 static void put_flat(const Shape *shape)
 {
     const YkPoisson *h = plus(shape, shape->base, shape->s), *u = shape->along;

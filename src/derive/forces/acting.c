@@ -1,13 +1,13 @@
-// What acts on each body: its contacts, and the pushes of loads on it, found without looking through those of others.
+// Lists what acts on each body, its contacts and the pushes of loads, without a search through those of others.
 #include "derive/forces/free_bodies.h"
 
-// Entries sorted by body, in their order: body b's are those from first[b] to first[b + 1].
+// Sorts entries by body, in their order: body b has those from first[b] to first[b + 1].
 static YkDeriveActing list_of(YkArena *arena, size_t bodies, size_t count)
 {
     return (YkDeriveActing){YK_NEW(arena, int32_t, bodies + 2), YK_NEW(arena, int32_t, count + 1)};
 }
 
-// Counting sort in two passes: `number` entries are counted, then, after the sums, put.
+// Counting sort in two passes: `number` entries are counted and, after the sums, put in place.
 static void count_one(YkDeriveActing *acting, int32_t body)
 {
     acting->first[body + 2]++;

@@ -1,4 +1,4 @@
-// Bodies as masses that move: references, velocities, accelerations, and the coordinates of the body form.
+// Bodies as moving masses: references, velocities, accelerations, and the coordinates of the body form.
 #include "derive/forces/free_bodies.h"
 #include "derive/inside.h"
 
@@ -28,13 +28,13 @@ const YkPoisson *yk_derive_axes_angle(YkDerivation *d, int32_t body)
     return turned;
 }
 
-// Where gears, racks, belts or cams touch is a matter of positions: with them these are written out at any depth.
+// Where gears, racks, belts or cams touch depends on positions, so these are written out at any depth.
 static bool is_far(const YkDerivation *d, int32_t depth)
 {
     return depth > YK_DERIVE_DEPTH_MAX && d->mech->relation_count == 0;
 }
 
-// From the parent's reference over the joint to the body's.
+// Steps from the parent's reference over the joint to the body's.
 static void enter_step(YkDeriveForces *f, int32_t b)
 {
     YkDerivation *d = f->d;
@@ -126,7 +126,7 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
     return yk_ring_add(d->ring, arm, yk_derive_slide(d, joint));
 }
 
-// Sums of more than this many joint angles are not readable.
+// Sums of more joint angles than this are not readable.
 enum { JOINTS_IN_SUM_MAX = 4 };
 
 bool yk_derive_shows_joints(const YkDerivation *d)
@@ -145,7 +145,7 @@ int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate)
                                      : yk_derive_freedom(d, coordinate).acceleration;
 }
 
-// A body's own angle by those of the joints, or, where these are many, by that of the body before.
+// Returns a body's angle by those of the joints or, if these are too many, by that of the body before.
 static const YkPoisson *shown_angle(YkDerivation *d, int32_t body)
 {
     YkRing *ring = d->ring;

@@ -24,7 +24,7 @@ static Cam cam_of(YkMeshMaking *m, const YkCam *cam)
     return of;
 }
 
-// A force at `reach` from the cam's centre.
+// Adds a force at `reach` from the cam's centre.
 static void push_follower(YkMeshMaking *m, const Cam *of, const YkPoisson *reach, const YkPoisson *force)
 {
     YkRing *ring = m->ring;
@@ -36,7 +36,7 @@ static void push_follower(YkMeshMaking *m, const Cam *of, const YkPoisson *reach
     yk_mesh_force(m, "N", of->body, held, arms, force);
 }
 
-// The unknown force times a direction: e^(i phi) of the normal's angle phi, which the direction defines.
+// Returns the unknown force along a direction: e^(i phi) of the normal's angle phi, which the direction defines.
 static const YkPoisson *along(YkMeshMaking *m, const YkPoisson *direction)
 {
     YkRing *ring = m->ring;
@@ -47,7 +47,7 @@ static const YkPoisson *along(YkMeshMaking *m, const YkPoisson *direction)
     return m->mesh->lean < 0 ? NULL : yk_ring_multiply(ring, m->unknown, yk_ring_unit(ring, m->mesh->lean));
 }
 
-// How far the line of motion passes the cam's centre, to its right.
+// Returns by how far the line of motion passes to the right of the cam's centre.
 static const YkPoisson *offset_of(YkMeshMaking *m, const Cam *of, const YkPoisson *u)
 {
     YkRing *ring = m->ring;
@@ -59,7 +59,7 @@ static const YkPoisson *offset_of(YkMeshMaking *m, const Cam *of, const YkPoisso
     return yk_ring_negate(ring, yk_ring_cross(ring, in_carrier, apart));
 }
 
-// The follower slides along u. Its roller is h from the cam's centre along u, e beside it.
+// A follower that slides along u. Its roller is h from the cam's centre along u and e beside it.
 static void make_sliding(YkMeshMaking *m, const Cam *of)
 {
     YkRing *ring = m->ring;
@@ -71,7 +71,7 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
     const YkPoisson *base = yk_derive_expression(m->d, cam->base_expr);
     double size = cam->base + cam->roller;
     m->mesh->effort = m->unknown;
-    if (cam->face == YK_CAM_FLAT || !(fabs(cam->offset) < size)) { // touched where the cam rises as fast as the lift
+    if (cam->face == YK_CAM_FLAT || !(fabs(cam->offset) < size)) { // contact where the cam rises as fast as the lift
         const YkPoisson *touch = yk_ring_multiply(ring, yk_ring_add(ring, base, lift), u);
         touch = yk_ring_subtract(ring, touch, yk_ring_multiply(ring, v, iu));
         push_follower(m, of, touch, yk_ring_multiply(ring, m->unknown, u));
@@ -91,7 +91,7 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
     m->mesh->effort = yk_ring_real(ring, force);
 }
 
-// The follower turns about a pin at c from the cam's centre; its roller is at `swing` from there.
+// A follower that turns about a pin at c from the cam's centre; its roller is at `swing` from there.
 static void make_turning(YkMeshMaking *m, const Cam *of)
 {
     YkRing *ring = m->ring;

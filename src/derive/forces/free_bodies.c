@@ -1,5 +1,5 @@
-// Section: free bodies. Every body by itself, with all that acts on it: forces by other bodies, loads, and the forces
-// of inertia.
+// Section: free bodies. Every body by itself with all that acts on it: forces of other bodies, loads, and inertia
+// forces.
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
@@ -113,7 +113,7 @@ static void put_load_lines(const YkDeriveForces *f, YkPage *page, const YkDerive
     put_couple(d, page, line, push->moment);
 }
 
-// - m a at the centre of mass, - I alpha: with them every body is in equilibrium (d'Alembert).
+// Adds - m a at the centre of mass and - I alpha: with them every body is in equilibrium (d'Alembert).
 static void put_inertia(const YkDeriveForces *f, YkPage *page, int32_t body)
 {
     YkDerivation *d = f->d;

@@ -1,8 +1,8 @@
-// Forces in symbols: what acts on every body, named as an engineer names it on a free-body diagram, F_ij by body i on
-// body j. Shared by the sections of free bodies, Newton-Euler, energies and Lagrange. Everything here is in body form.
+// Forces in symbols: what acts on every body, named as on an engineer's free-body diagram: F_ij is exerted by body i on
+// body j. Shared by the sections of free bodies, Newton-Euler, energies and Lagrange. Everything is in body form.
 //
-// Every force is a *push* on a body: a force at an arm from the body's reference - its centre of mass, or its origin
-// where it has no mass - and a couple. Loads are known pushes; contacts are those of joints, whose sizes are unknowns.
+// Every force is a *push* on a body: a force at an arm from the body's reference - its centre of mass, or its origin if
+// it has no mass - and a couple. Loads are known pushes; contacts are those of joints, whose sizes are unknowns.
 #ifndef DERIVE_FORCES_FREE_BODIES_H
 #define DERIVE_FORCES_FREE_BODIES_H
 #include "derive/derive.h"
@@ -18,31 +18,31 @@ typedef enum YkDeriveLoadKind {
     YK_DERIVE_GRAVITY,
     YK_DERIVE_SPRING,
     YK_DERIVE_DAMPER, // also viscous friction
-    YK_DERIVE_DRY,    // dry friction and stops: a symbol, as large as the pose makes it
+    YK_DERIVE_DRY,    // dry friction and stops: a symbol, whose size depends on the pose
     YK_DERIVE_FORCE,
-    YK_DERIVE_EFFORT, // what `efforts:` says
-    YK_DERIVE_DRIVE   // what a drive must exert: unknown
+    YK_DERIVE_EFFORT, // from `efforts:`
+    YK_DERIVE_DRIVE   // that a drive must exert: unknown
 } YkDeriveLoadKind;
 
 typedef struct YkDeriveLoad {
     YkDeriveLoadKind kind;
-    const char *name;      // a word for it
+    const char *name;      // the word for it
     int32_t joint, symbol; // along this joint, or YK_NONE; DRIVE and DRY: its symbol
     YkDerivePush push[2];
     size_t push_count;
     const YkPoisson *energy; // potential, of gravity and springs; otherwise NULL
 } YkDeriveLoad;
 
-// A joint, and on which side of it the body is that it holds.
+// A joint, and the side of it on which the body is that it holds.
 typedef struct YkDeriveHolder {
     int32_t joint, side;
 } YkDeriveHolder;
 
-// What a joint, a junction, or a relation - gears, a rack, a belt, a cam, a law - exerts on one body.
+// The action of a joint, a junction or a relation - gears, a rack, a belt, a cam, a law - on one body.
 typedef struct YkDeriveContact {
-    int32_t joint, junction;       // junction: YK_NONE if there is none; joint: YK_NONE of a relation
-    const char *by, *point;        // of a relation: who exerts it, and the name of where it acts
-    const YkDeriveHolder *holders; // of a relation: the joints that keep the body where the relation takes it to be
+    int32_t joint, junction;       // junction: YK_NONE if there is none; joint: YK_NONE for a relation
+    const char *by, *point;        // of a relation: what exerts it, and the name of the point where it acts
+    const YkDeriveHolder *holders; // of a relation: the joints that keep the body in its assumed place
     size_t holder_count;
     const char *letter, *between; // "F", "01"; NULL if it exerts no force
     const char *moment;           // "M"; NULL if it exerts none
@@ -54,7 +54,7 @@ typedef struct YkDeriveContact {
 // A pin that joins several bodies: a massless junction, in equilibrium under the forces of all of them.
 typedef struct YkDeriveJunction {
     const char *name;
-    YkDerivePlace place;    // the point of a body with which it is counted to move
+    YkDerivePlace place;    // the point of a body with which it moves
     const YkPoisson *force; // sum of all contacts on it: 0
     int32_t first_joint, first_contact, last_contact;
 } YkDeriveJunction;
@@ -67,13 +67,13 @@ typedef struct YkDeriveActing {
 typedef struct YkDeriveMass {
     const YkPoisson *mass, *inertia, *center; // center: in the body's axes
     const YkPoisson *position, *velocity,
-        *acceleration;     // of the reference; position and velocity NULL: not written out
-    int32_t symbols[2];    // then: of the acceleration's x and y
-    const YkPoisson *step; // and what it is beyond that of the parent's reference
-    bool is_trivial;       // its moment balance says no more than that its guide exerts no moment
+        *acceleration;     // of the reference; without position and velocity: NULL
+    int32_t symbols[2];    // then: the acceleration's x and y
+    const YkPoisson *step; // and its difference from that of the parent's reference
+    bool is_trivial;       // its moment balance says only that its guide exerts no moment
 } YkDeriveMass;
 
-// A symbol that stands for a load's value where that is no polynomial.
+// A symbol for a load's value that is not a polynomial.
 typedef struct YkDeriveOpaque {
     int32_t symbol;
     const YkExpr *expr;
@@ -83,27 +83,27 @@ typedef struct YkDeriveOpaque {
     size_t variable_count;
 } YkDeriveOpaque;
 
-// What a relation transmits: one unknown, of which all its contacts are multiples.
+// What a relation transmits: one unknown; all its contacts are multiples of it.
 typedef struct YkDeriveMesh {
     int32_t symbol;
     const char *word;        // what it is
-    YkDerivePush push;       // on its second body: what the unknown's value is taken from
+    YkDerivePush push;       // on its second body: gives the unknown its value
     const YkPoisson *effort; // minus its multiplier
-    // The angle of the line of action: of gears the pressure angle with the sign of the unknown, of cams that of
+    // The angle of the line of action: for gears the pressure angle with the sign of the unknown, for cams that of
     // `direction`, whose length is `length`. YK_NONE: none.
     int32_t lean;
     double lean_value;
     const YkPoisson *direction, *length;
 } YkDeriveMesh;
 
-// A quotient of constants that is no polynomial: a symbol.
+// A symbol for a quotient of constants that is not a polynomial.
 typedef struct YkDeriveRatio {
     int32_t symbol;
     const YkPoisson *over, *under;
     const char *word;
 } YkDeriveRatio;
 
-// The length of a spring between points, and its rate where a damper needs it: symbols. Also other roots.
+// The length of a spring between points, and its rate if a damper needs it: symbols. Also other roots.
 typedef struct YkDeriveLength {
     const char *word;               // what it is; NULL: a spring's length; "": not shown
     int32_t symbol, rate_symbol;    // rate: YK_NONE
@@ -161,31 +161,31 @@ typedef struct YkDeriveForces {
     YkDeriveLump **lumps; // [1]: the first
 } YkDeriveForces;
 
-// Made at first use; NULL on failure. Cost O(bodies * depth).
+// The forces, made at first use; NULL on failure. Cost: O(bodies * depth).
 const YkDeriveForces *yk_derive_forces(YkDerivation *d);
-// For proofs (--check): the same with the relations between the symbols, in joint form. False on failure.
+// Does the same for proofs (--check), with the relations between the symbols, in joint form. Returns false on failure.
 bool yk_derive_enter_forces(YkDerivation *d);
 
-// --- Coordinates of the body form: one for each coordinate of the machine, in their order: the angle of the body that
+// --- Coordinates of the body form: one for each coordinate of the machine, in order: the angle of the body that
 // its joint carries, or the distance.
 typedef struct YkDeriveFreedom {
     int32_t position, rate, acceleration, body; // symbols; body: YK_NONE for a distance
 } YkDeriveFreedom;
 YkDeriveFreedom yk_derive_freedom(const YkDerivation *d, size_t coordinate);
-// The angle of a body's axes outside of cos and sin, body form.
+// Returns the angle of a body's axes outside cos and sin, body form.
 const YkPoisson *yk_derive_axes_angle(YkDerivation *d, int32_t body);
 
-// --- Equations: what is 0
-// Newton: sum of the forces on a body minus mass times acceleration, complex. Euler, about its reference.
+// --- Equations, as elements that are 0
+// Newton: sum of the forces on a body minus mass times acceleration, complex. Euler: moments about its reference.
 const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body);
 const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body);
 const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push);
-// All of them, and of the junctions, on the partial velocities of a coordinate of the body form.
+// Projects all of them, and those of the junctions, on the partial velocities of a coordinate of the body form.
 const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate);
-// What a load gives to a coordinate of the body form.
+// Returns a load's generalised force along a coordinate of the body form.
 const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLoad *load, size_t coordinate);
-// Second derivatives of what closing joints and relations demand, free of closing joints' distances, as shown:
-// f->closing, f->closing_name. The count, or -1 on failure.
+// Finds the second derivatives of the conditions of closing joints and relations, without closing joints'
+// distances, as shown: f->closing, f->closing_name. Returns their count, or -1 on failure.
 int yk_derive_closing_rows(const YkDeriveForces *f);
 
 // --- Energies, body form
@@ -200,52 +200,54 @@ typedef struct YkDeriveLagrange {
     const YkPoisson *left, *right;
 } YkDeriveLagrange;
 YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate);
-// The same of the machine's own coordinate: sum over the bodies that it turns; joint form where `in_joints`.
+// Does the same for the machine's own coordinate: a sum over the bodies that it turns; joint form with `in_joints`.
 YkDeriveLagrange yk_derive_lagrange_of(const YkDeriveForces *f, size_t coordinate);
 
-// --- The count of equations and unknowns, inverse (all inputs given) or as the file says.
+// --- The count of equations and unknowns: inverse (all inputs given) or as in the file.
 YkEquationCount yk_derive_count(const YkDeriveForces *f, bool all_given);
 
-// --- Show in joint angles? Beyond a few links the sums of joint angles are not readable: body form then.
+// --- Returns whether to show joint angles. Beyond a few links their sums are not readable, and body form is shown.
 bool yk_derive_shows_joints(const YkDerivation *d);
 const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a);
-// The acceleration of a coordinate as it is shown: its own, or in body form that of its body.
+// Returns the acceleration of a coordinate as it is shown: its own, or in body form that of its body.
 int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate);
-// Tells which angles are used, where they are the bodies' own.
+// Says which angles are used, if they are the bodies' own.
 void yk_derive_put_angles(YkDerivation *d, YkPage *page);
-// What the symbols of springs' lengths and rates stand for.
+// Writes the meaning of the symbols of springs' lengths and rates.
 void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page);
-// What relations transmit, and what the symbols of other roots and of quotients stand for.
+// Writes what relations transmit, and the meaning of the symbols of other roots and of quotients.
 void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page);
 void yk_derive_put_loads(const YkDeriveForces *f, YkPage *page); // of loads that are no polynomials, the same
-// The name of the joint or relation to which a row of Lagrange's multipliers belongs.
+// Returns the name of the joint or relation to which a row of Lagrange's multipliers belongs.
 const char *yk_derive_row_name(const YkDeriveForces *f, size_t row);
-// Positions of bodies with more joints than this between them and the ground are not written out: in a chain of n links
-// they would fill n^2 terms. Their accelerations are symbols, each by those of the body before (yk_derive_put_step).
+// Positions of bodies with more joints than this between them and the ground are not written out: in a chain of n
+// links they would fill n^2 terms. Their accelerations are symbols, each from that of the body before
+// (yk_derive_put_step).
 enum { YK_DERIVE_DEPTH_MAX = 100 };
-// Says so in sections that need positions; true where the section ends with that.
+// Says so in sections that need positions. Returns true if the section ends with that.
 bool yk_derive_put_depth(const YkDerivation *d, YkPage *page);
-// Formulas of all bodies together have an end, too.
+// The largest number of bodies in formulas of all bodies together.
 enum { YK_DERIVE_TOGETHER_MAX = 1000 };
-// What the acceleration symbols of such a body stand for; nothing for others.
+// Writes the meaning of the acceleration symbols of such a body; nothing for others.
 void yk_derive_put_step(const YkDeriveForces *f, YkPage *page, int32_t body);
 
-// --- acting.c: what acts on a body, in order. Contacts by their index; pushes as 2 * load + push.
+// --- acting.c: what acts on a body, in order. Contacts have their index; pushes are 2 * load + push.
 const int32_t *yk_derive_contacts_on(const YkDeriveForces *f, int32_t body, size_t *count);
 const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t *count);
 
 // --- free_bodies.c: pieces of vector equations
-// " + F_{01}", " - F_{12}": what acts on a body; `first`: no plus. A load's name by its kind: W, S, D, R, F, Q.
+// " + F_{01}", " - F_{12}": what acts on a body; `first`: without a plus. A load is named by its kind: W, S, D, R, F,
+// Q.
 void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
 const char *yk_derive_load_letter(YkDeriveLoadKind kind);
 const char *yk_derive_load_word(YkDeriveLoadKind kind);                               // "weight", "spring", ...
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact); // the other body, or "the pin A"
-// The point at which a contact acts.
+// Returns the point at which a contact acts.
 const char *yk_derive_contact_point(YkDerivation *d, const YkDeriveContact *contact);
 const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *load, size_t push);
 
-// --- free_bodies_*.c: parts of entering
+// --- parts of entering
 bool yk_derive_enter_masses(YkDeriveForces *f);
 bool yk_derive_enter_loads(YkDeriveForces *f);
 bool yk_derive_enter_contacts(YkDeriveForces *f);
@@ -254,27 +256,27 @@ bool yk_derive_enter_meshes(YkDeriveForces *f);   // the contacts of relations, 
 bool yk_derive_enter_multipliers(YkDeriveForces *f);
 bool yk_derive_sort_contacts(YkDeriveForces *f); // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
-// A new symbol of a joint's or relation's force: letter, who on whom ("12"), part.
+// Makes a new symbol of a joint's or relation's force: letter, bodies ("12"), part.
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part);
-// "01": by the ground on body 1; with this name behind where others join the same two bodies. index: of the joint, or
-// joint count + relation.
+// Returns "01": exerted by the ground on body 1; the name is added if others join the same two bodies. index: of
+// the joint, or joint count + relation.
 const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], size_t index, const char *name);
-// The positive root of a square as a symbol, exact where it is a number.
+// Returns the positive root of a square as a symbol; exact if it is a number.
 const YkPoisson *yk_derive_root(YkDeriveForces *f, const char *name, const char *word, const YkPoisson *square);
-// over / under of constants, exact where that is a polynomial; otherwise a symbol.
+// Returns over / under of constants: exact if that is a polynomial, otherwise a symbol.
 const YkPoisson *yk_derive_ratio(YkDeriveForces *f, const char *name, const char *word, const YkPoisson *over,
                                  const YkPoisson *under);
-// Is it 0, roots, ratios and the lines of action of cams being what they are?
+// Returns whether it is 0 with the definitions of roots, ratios and the lines of action of cams.
 bool yk_derive_is_nothing(const YkDeriveForces *f, const YkPoisson *a);
-// From a body's reference to a place given in its axes, in world axes.
+// Returns the vector from a body's reference to a place given in its axes, in world axes.
 const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at);
-// The same to where a joint's force acts: on the first body of a slide this moves along the line.
+// Does the same for the place where a joint's force acts; on the first body of a slide it moves along the line.
 const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side);
-// A load's value: an element, or a symbol for it. NULL expression: 0.
+// Returns a load's value: an element, or a symbol for it. NULL expression: 0.
 const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
                                       const char *ending);
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
-// The three texts as one; "" with d->failed when out of memory.
+// Joins three texts; "" with d->failed when out of memory.
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
 
 #endif

@@ -3,7 +3,7 @@
 #include "derive/forces/meshes.h"
 #include "derive/inside.h"
 
-// Goes on from `body`, on which the axis is `at`. Returns false if the carrier is not on that way.
+// Continues from `body`, on which the axis is `at`. Returns false if the carrier is not on the way.
 static bool follow_axis(YkMeshAxis *axis, int32_t body, const YkPoisson *at)
 {
     const YkModel *model = axis->m->d->model;
@@ -39,8 +39,8 @@ YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier)
     return axis;
 }
 
-// From the first centre to the second in the carrier's axes: by the carrier's own points, otherwise as the tree places
-// them.
+// Returns the vector from the first centre to the second in the carrier's axes: by the carrier's own points, otherwise
+// as the tree places them.
 static const YkPoisson *line_of_centers(YkMeshMaking *m, const YkGear *gear, const YkMeshAxis axes[2])
 {
     YkRing *ring = m->ring;
@@ -67,7 +67,7 @@ static double constant_value(YkDerivation *d, const YkPoisson *a)
     return value;
 }
 
-// length * direction = vector, length > 0: exact along an axis, otherwise a root.
+// Finds length * direction = vector, length > 0: exact along an axis, otherwise a root.
 static const YkPoisson *length_of(YkMeshMaking *m, const YkPoisson *vector, const YkPoisson **direction)
 {
     YkRing *ring = m->ring;
@@ -85,7 +85,7 @@ static const YkPoisson *length_of(YkMeshMaking *m, const YkPoisson *vector, cons
     return length;
 }
 
-// The direction of the push on the second wheel against that of the line of centres: across it, and apart by the
+// Returns the direction of the push on the second wheel against that of the line of centres: across it, turned by the
 // pressure angle.
 static const YkPoisson *line_of_action(YkMeshMaking *m, const YkGear *gear)
 {

@@ -1,4 +1,4 @@
-// Junctions: pins that join several bodies in one point, chained by the bodies on which they sit.
+// Finds junctions: pins that join several bodies in one point, chained by the bodies on which they sit.
 #include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 
@@ -26,7 +26,7 @@ static bool do_share_a_point(YkDerivation *d, int32_t a, int32_t b)
     return false;
 }
 
-// Pins per body, so that only neighbours are compared.
+// Pins of each body, so that only neighbours are compared.
 typedef struct PinsOf {
     int32_t *first, *next; // per body; per end of a joint
 } PinsOf;
@@ -39,7 +39,7 @@ static void unite_neighbours(YkDerivation *d, const PinsOf *pins, int32_t *paren
                 if (do_share_a_point(d, e / 2, o / 2)) parent[root_of(parent, e / 2)] = root_of(parent, o / 2);
 }
 
-// Numbers the sets of two pins and more by their first joint. last: per root, its junction's last joint so far.
+// Numbers the sets of two or more pins by their first joint. last: per root, its junction's last joint so far.
 static void number_junctions(YkDeriveForces *f, int32_t *parent, int32_t *size, int32_t *last)
 {
     YkDerivation *d = f->d;

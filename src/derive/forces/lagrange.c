@@ -1,4 +1,4 @@
-// Section: Lagrange's equations, with multipliers for loops; mass matrix; lumped constants; the tie to Newton and
+// Section: Lagrange's equations, with multipliers for loops; mass matrix; lumped constants; the link to Newton and
 // Euler.
 #include "derive/forces/lagrange.h"
 #include "derive/printed_code.h"
@@ -35,7 +35,7 @@ static const char *name_of(const YkDeriveForces *f, size_t coordinate)
     return yk_ring_symbol_name(d->ring, yk_derive_freedom(d, coordinate).position);
 }
 
-// left = M q'' + h + J^T lambda
+// Writes left = M q'' + h + J^T lambda.
 static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLagrange *equations)
 {
     YkDerivation *d = f->d;

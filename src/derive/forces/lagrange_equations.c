@@ -1,8 +1,8 @@
-// Lagrange's equations: derived in the coordinates of the body form, summed for the machine's own.
+// Derives Lagrange's equations in the coordinates of the body form, and sums them for the machine's own.
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-// d/dt dT/du - dT/dq of the whole machine.
+// Returns d/dt dT/du - dT/dq of the whole machine.
 static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedom *freedom)
 {
     YkRing *ring = f->d->ring;
@@ -19,7 +19,7 @@ static const YkPoisson *slope_of(const YkDeriveForces *f, size_t row, int32_t po
     return yk_ring_partial(d->ring, f->rows[row], position);
 }
 
-// What joints that close loops and relations add: lambda dPhi/dq.
+// Returns what relations and joints that close loops add: lambda dPhi/dq.
 static const YkPoisson *multiplied_rows(const YkDeriveForces *f, int32_t position)
 {
     YkRing *ring = f->d->ring;

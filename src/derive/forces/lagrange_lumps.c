@@ -1,4 +1,4 @@
-// Part of the section of Lagrange's equations: lumped constants, and the equations by them.
+// Part of the section on Lagrange's equations: lumped constants, and the equations in them.
 #include "derive/forces/lagrange.h"
 
 // A power of one symbol needs no name of its own.
@@ -8,7 +8,7 @@ static bool is_worth_a_name(const YkDerivation *d, const YkPoisson *lump)
     return yk_ring_terms(lump) > 1 || (first >= 0 && yk_ring_next_symbol(d->ring, lump, first) >= 0);
 }
 
-// Weights stay where the reader looks for gravity.
+// Weights stay visible, since readers look for gravity.
 static YkRingClass class_of(const YkDerivation *d, const YkPoisson *lump)
 {
     for (int32_t s = -1; (s = yk_ring_next_symbol(d->ring, lump, s)) >= 0;)

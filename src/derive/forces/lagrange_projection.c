@@ -1,14 +1,14 @@
-// Part of the section of Lagrange's equations: why Newton and Euler say the same.
+// Part of the section on Lagrange's equations: why Newton and Euler say the same.
 //
 // The joints' forces do no work on motions that the joints allow. So the sum over the bodies of (forces - m a) . dv/du
-// and (moments - I alpha) dw/du, u the rate of a coordinate, is free of the reactions of the tree's joints, and is
-// Lagrange's equation; of joints that close loops it keeps the force, which is the multiplier.
+// and (moments - I alpha) dw/du, with u the rate of a coordinate, does not contain the reactions of the tree's joints,
+// and is Lagrange's equation. It keeps the forces of joints that close loops: these are the multipliers.
 #include "derive/forces/lagrange.h"
 
 enum { SUMS_SHOWN_MAX = 24, PROVED_MAX = 100 };
 
-// Rows in the axes of a body that turns change with its angle also by F x (the loop's sum), which is 0 once the loop is
-// closed. What that adds to a coordinate's equation.
+// Rows in the axes of a turning body change with its angle also by F x (the loop's sum), which is 0 once the loop is
+// closed. Returns what that adds to a coordinate's equation.
 static const YkPoisson *by_open_loops(const YkDeriveForces *f, int32_t position)
 {
     YkDerivation *d = f->d;
@@ -42,7 +42,7 @@ bool yk_derive_do_methods_agree(const YkDeriveForces *f, size_t coordinate)
     return yk_derive_is_nothing(f, yk_ring_add(ring, lagrange, yk_derive_projected(f, coordinate)));
 }
 
-// How a body turns with a coordinate as it is shown: 1, -1 or 0.
+// Returns how a body turns with a coordinate as it is shown: 1, -1 or 0.
 static int32_t turning(const YkDeriveForces *f, int32_t body, size_t coordinate, int32_t *B)
 {
     const YkDerivation *d = f->d;
@@ -87,7 +87,7 @@ static void put_sum(const YkDeriveForces *f, YkPage *page, size_t coordinate, in
     yk_line_words(page, line, "work of the loads and of the loops' joints");
 }
 
-// Does a loop have its rows in the axes of a body that turns?
+// Returns whether a loop has its rows in the axes of a body that turns.
 static bool has_turning_axes(const YkDerivation *d)
 {
     for (size_t k = 0; k < d->loop_count; k++)

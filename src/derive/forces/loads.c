@@ -1,4 +1,4 @@
-// Loads: gravity, springs and dampers, friction, forces, efforts, and what drives must exert.
+// Enters the loads: gravity, springs and dampers, friction, forces, efforts, and the efforts of drives.
 #include <string.h>
 #include "derive/forces/free_bodies.h"
 
@@ -47,7 +47,7 @@ static void add_gravity(YkDeriveForces *f)
     }
 }
 
-// An effort along a joint's freedom: on the second body, and its reaction on the first.
+// Adds an effort along a joint's freedom: on the second body, with its reaction on the first.
 static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint,
                                bool is_distance, const YkPoisson *effort)
 {
@@ -67,7 +67,7 @@ static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const c
     return load;
 }
 
-// A joint's freedom and its rate, body form.
+// Returns a joint's freedom or its rate, body form.
 static const YkPoisson *freedom_of(YkDerivation *d, int32_t joint, bool is_distance, bool rate)
 {
     const YkJoint *j = &d->model->joints[joint];
@@ -119,7 +119,8 @@ static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const
     return load;
 }
 
-// The spring's length: a symbol whose square is known. Of its rate a symbol, too: written out it would fill pages.
+// Returns the spring's length: a symbol whose square is known. Its rate is a symbol too; written out it would fill
+// pages.
 static const YkDeriveLength *length_of(YkDeriveForces *f, const YkSpring *spring, const YkPoisson *square,
                                        bool is_damped)
 {
@@ -170,7 +171,7 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
     add_between(f, YK_DERIVE_DAMPER, spring, yk_ring_divide(ring, yk_ring_multiply(ring, c, rate), length), line);
 }
 
-// Dry friction and stops at one freedom: what the pose makes them.
+// Adds dry friction and stops at one freedom, whose size depends on the pose.
 static void add_dry(YkDeriveForces *f, const char *letter, int32_t joint, bool is_distance)
 {
     YkDerivation *d = f->d;
@@ -227,7 +228,7 @@ static void add_efforts(YkDeriveForces *f)
     }
 }
 
-// Inputs that are given, and of a machine without masses all, need an effort.
+// Given inputs need an effort; in a machine without masses all inputs do.
 static void add_drives(YkDeriveForces *f)
 {
     YkDerivation *d = f->d;

@@ -1,16 +1,16 @@
-// What gears, racks, belts, cams and laws transmit: one unknown each, of which the forces on all bodies are multiples.
-// By virtual work the force belongs to the relation that it enforces, so its multiplier is minus the unknown times the
-// lever by which that acts.
+// Gears, racks, belts, cams and laws transmit one unknown each; the forces on all bodies are multiples of it. By
+// virtual work the force belongs to the relation that it enforces, so its multiplier is minus the unknown times the
+// lever through which it acts.
 // - gears: N along the line of action, through the pitch point, which divides the line of centres as the teeth do.
-//   Flanks push their wheels apart: the pressure angle alpha has the sign of N, N > 0 pushing the second wheel to the
+// Flanks push their wheels apart: the pressure angle alpha has the sign of N; N > 0 pushes the second wheel to the
 //   left of the line of centres. Wheels on one axis: couples, T for each tooth.
 // - racks: F along the rack at the pitch line
 // - belts: couples T r, T the pull of one span less that of the other
 // - cams: N along the common normal, at phi from the line of motion of a follower that slides (the pressure angle,
-//   tan phi = (v - e) / h), from the carrier's x axis otherwise; a flat face that slides is pushed along its line of
-//   motion. Where a follower that turns names no point, couples.
+// tan phi = (v - e) / h), otherwise from the carrier's x axis; a sliding flat face is pushed along its line of
+// motion. Couples, if a follower that turns names no point.
 // - laws: an effort along the coordinate that follows, and minus the law's slope times it along the other
-// The same model as that of free_bodies/meshes.c, derived afresh.
+// This is the model of free_bodies/meshes.c, derived anew.
 #include "derive/forces/meshes.h"
 #include "derive/inside.h"
 
@@ -51,7 +51,7 @@ YkMeshHeld yk_mesh_held_by(YkMeshMaking *m, int32_t joint, int side)
     return held;
 }
 
-// A force on body[1], its opposite on body[0]; arms from their references to where it acts.
+// Adds a force on body[1] and its opposite on body[0]; the arms lead from their references to where it acts.
 void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], const YkMeshHeld held[2],
                    const YkPoisson *const arm[2], const YkPoisson *force)
 {
@@ -69,7 +69,7 @@ void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], c
     }
 }
 
-// A couple under a name of its own: of the wheels of a belt neither is the other's opposite.
+// Adds a couple under a name of its own: of a belt's wheels, neither carries the other's opposite.
 void yk_mesh_couple(YkMeshMaking *m, int32_t body, const YkPoisson *moment)
 {
     const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1);
@@ -85,7 +85,7 @@ void yk_mesh_couple(YkMeshMaking *m, int32_t body, const YkPoisson *moment)
                                      .push = {body, zero, zero, yk_ring_multiply(m->ring, moment, m->unknown)}});
 }
 
-// Couples on two bodies, what is left over on a third; the unknown's value is that of the second.
+// Adds couples on two bodies, and the remainder on a third; the unknown's value is that of the second.
 void yk_mesh_couples(YkMeshMaking *m, const int32_t body[2], int32_t third, const YkPoisson *a, const YkPoisson *b)
 {
     const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1), *c = yk_ring_negate(m->ring, yk_ring_add(m->ring, a, b));
@@ -100,20 +100,20 @@ const YkPoisson *yk_mesh_center(YkMeshMaking *m, int32_t body)
     return yk_derive_arm(m->f, body, yk_ring_rational(m->ring, 0, 1));
 }
 
-// From a body's reference to a place of the world.
+// Returns the vector from a body's reference to a place of the world.
 const YkPoisson *yk_mesh_arm(YkMeshMaking *m, int32_t body, const YkPoisson *place)
 {
     return yk_ring_subtract(m->ring, place, m->f->bodies[body].position);
 }
 
-// Where a joint holds its first or second body, in that body's axes.
+// Returns where a joint holds its first or second body, in that body's axes.
 const YkPoisson *yk_mesh_at(YkMeshMaking *m, int32_t joint, int side)
 {
     YkDerivePlace place = yk_derive_place(m->d, joint, side);
     return yk_derive_at(m->d, place.body, place.point);
 }
 
-// The unit vector along a slide's line, in the world: forwards for its second body.
+// Returns the unit vector along a slide's line in the world, forwards for its second body.
 const YkPoisson *yk_mesh_line(YkMeshMaking *m, int32_t joint)
 {
     return yk_ring_multiply(m->ring, m->d->bodies[m->d->model->joints[joint].body[0]].unit,
@@ -157,7 +157,7 @@ static void make_belt(YkMeshMaking *m, const YkRelation *of)
 
 // --- Laws
 
-// Along a coordinate, a multiple of the unknown: on its joint's second body, back on the first.
+// Adds a multiple of the unknown along a coordinate: on its joint's second body, and its reaction on the first.
 static void push_along(YkMeshMaking *m, const YkCoordinate *coordinate, const YkPoisson *multiple)
 {
     YkRing *ring = m->ring;

@@ -1,10 +1,10 @@
-// What the files share that write what gears, racks, belts, cams and laws transmit.
+// The forces of gears, racks, belts, cams and laws: what the files that write them share.
 #ifndef DERIVE_FORCES_MESHES_H
 #define DERIVE_FORCES_MESHES_H
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-// One relation in work.
+// One relation as it is written.
 typedef struct YkMeshMaking {
     YkDeriveForces *f;
     YkDerivation *d;
@@ -16,7 +16,7 @@ typedef struct YkMeshMaking {
     const YkPoisson *unknown;
 } YkMeshMaking;
 
-// The joints that keep a body where a relation takes it to be.
+// The joints that keep a body in the place that a relation assumes.
 typedef struct YkMeshHeld {
     YkDeriveHolder *holders;
     size_t count;
@@ -34,26 +34,26 @@ typedef struct YkMeshAxis {
 // `at` is NULL if the axis cannot be followed in symbols.
 YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier);
 
-// The unknown that the relation transmits, named by a letter and "12" of the two bodies; word: what it is.
+// Makes the unknown that the relation transmits, named by a letter and the two bodies' "12"; word: what it is.
 void yk_mesh_unknown(YkMeshMaking *m, const char *letter, const int32_t body[2], const char *word);
 
 // --- Pushes
-// A force on body[1], its opposite on body[0]; arms from their references to where it acts.
+// Adds a force on body[1] and its opposite on body[0]; the arms lead from their references to where it acts.
 void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], const YkMeshHeld held[2],
                    const YkPoisson *const arm[2], const YkPoisson *force);
-// A couple, as a multiple of the unknown, under a name of its own: of the wheels of a belt neither is the other's
+// Adds a couple, as a multiple of the unknown, under a name of its own: of a belt's wheels, neither carries the other's
 // opposite.
 void yk_mesh_couple(YkMeshMaking *m, int32_t body, const YkPoisson *multiple);
-// Couples on two bodies, what is left over on a third; the unknown's value is that of the second.
+// Adds couples on two bodies, and the remainder on a third; the unknown's value is that of the second.
 void yk_mesh_couples(YkMeshMaking *m, const int32_t body[2], int32_t third, const YkPoisson *a, const YkPoisson *b);
 
 // --- Places
-// From a body's reference to its origin, and to a place of the world.
+// Return the vectors from a body's reference to its origin, and to a place of the world.
 const YkPoisson *yk_mesh_center(YkMeshMaking *m, int32_t body);
 const YkPoisson *yk_mesh_arm(YkMeshMaking *m, int32_t body, const YkPoisson *place);
-// Where a joint holds its first or second body, in that body's axes.
+// Returns where a joint holds its first or second body, in that body's axes.
 const YkPoisson *yk_mesh_at(YkMeshMaking *m, int32_t joint, int side);
-// The unit vector along a slide's line, in the world: forwards for its second body.
+// Returns the unit vector along a slide's line in the world, forwards for its second body.
 const YkPoisson *yk_mesh_line(YkMeshMaking *m, int32_t joint);
 
 // --- Kinds that fill files

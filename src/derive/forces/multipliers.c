@@ -1,7 +1,7 @@
-// Multipliers: one for each scalar equation of the loops and for each relation, and the force that it is.
+// Multipliers: one for each scalar equation of the loops and for each relation, with the force that each of them is.
 //
 // The convention is M q'' + ... + J^T lambda = Q. A loop is the first body's point minus the second's, so lambda is the
-// force that the first body exerts on the second (of a row of angles: the moment that the second exerts on the first).
+// force that the first body exerts on the second (for a row of angles: the moment that the second exerts on the first).
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
@@ -23,8 +23,8 @@ static void add_row(YkDeriveForces *f, int32_t joint, const YkPoisson *row, cons
     f->multipliers[k] = yk_derive_symbol(f->d, multiplier_name(f->d, k + 1), YK_RING_FORCE);
 }
 
-// What else acts across a joint that closes a loop. A spring along the joint's own distance pulls, too: its energy is
-// part of the equations, its force of the multiplier. And relations take for granted that the joint holds its bodies
+// What else acts across a joint that closes a loop. A spring along the joint's own distance also pulls: its energy is
+// part of the equations, its force part of the multiplier. And relations assume that the joint holds its bodies
 // together: what they exert on one of them counts as if it came over the joint.
 typedef struct Across {
     const YkPoisson *force, *moment; // on the second body

@@ -1,5 +1,5 @@
-// Section: Newton-Euler. Equations of every body as vectors and in x, y and moments; the count; the matrix form A xi =
-// b.
+// Section: Newton-Euler. Equations of every body as vectors and in x, y and moments; the count; the matrix form
+// A xi = b.
 #include "derive/forces/newton_euler.h"
 #include "derive/sections.h"
 
@@ -44,7 +44,7 @@ static void put_newton(const YkDeriveForces *f, YkPage *page, int32_t body)
     yk_line_vector(page, line, "a", yk_derive_center_name(d, body), NULL);
 }
 
-// " + p^{A/C1} x": what turns a force into its moment.
+// Writes " + p^{A/C1} x", which turns a force into its moment.
 static void put_arm(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, const char *point, bool negative,
                     bool first)
 {
@@ -121,7 +121,7 @@ static void put_scalar(YkPage *page, const char *remark, const YkPoisson *zero, 
     yk_page_equation(page, remark, yk_ring_add(page->ring, zero, inertia), inertia, YK_RING_TEXTBOOK);
 }
 
-// About the point at which a pin of the tree holds the body, whose force then has no moment.
+// Writes moments about the point at which a pin of the tree holds the body; the pin's force then has none.
 static void put_about_joint(const YkDeriveForces *f, YkPage *page, int32_t body, const YkPoisson *newton,
                             const YkPoisson *euler)
 {

@@ -10,12 +10,12 @@ typedef struct YkDeriveSystem { // A xi = b
     size_t row_count, unknown_count;
 } YkDeriveSystem;
 
-// Rows: forces x and y and moments of every body, junctions, accelerations of what closes loops; without trivial pairs.
-// Unknowns: reactions, efforts of drives, accelerations that are not given.
+// Makes the system. Rows: forces x and y and moments of every body, junctions, accelerations of what closes loops,
+// without trivial pairs. Unknowns: reactions, efforts of drives, accelerations that are not given.
 bool yk_derive_system(const YkDeriveForces *f, YkDeriveSystem *system);
-// The same without its rows: unknowns, and how many rows there are.
+// Finds only the unknowns and the number of rows.
 bool yk_derive_system_size(const YkDeriveForces *f, YkDeriveSystem *system);
-// A row of A, [unknown_count]; returns that of b.
+// Writes a row of A, [unknown_count]; returns that of b.
 const YkPoisson *yk_derive_system_row(const YkDeriveForces *f, const YkDeriveSystem *system, size_t row,
                                       const YkPoisson **entries);
 

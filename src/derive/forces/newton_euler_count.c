@@ -1,8 +1,8 @@
-// The count of equations and unknowns, as a textbook makes it.
+// Counts equations and unknowns as a textbook does.
 //
-// Every moving body has two force equations and a moment equation, a junction two of forces; what closes loops gives
-// equations between accelerations. A body whose forces all meet in its centre of mass has a trivial moment equation -
-// the moment of its guide is 0 - and both are left out.
+// Every moving body has two force equations and a moment equation, a junction two force equations; what closes loops
+// gives equations between accelerations. A body whose forces all meet in its centre of mass has a trivial moment
+// equation - its guide's moment is 0 - and both are left out.
 #include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 

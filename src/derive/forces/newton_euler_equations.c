@@ -1,8 +1,8 @@
-// Newton's and Euler's equations of one body, and their projection on the motions that the joints leave free.
+// Newton's and Euler's equations of one body, and their projection on the motions that the joints allow.
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-// arm x force + couple
+// Returns arm x force + couple.
 const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push)
 {
     YkRing *ring = f->d->ring;
@@ -51,7 +51,7 @@ const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
 
 // --- Partial velocities, d(velocity)/d(rate) = d(position)/d(coordinate) in body form
 
-// The partial of a body's spin is 1 or 0.
+// The partial velocity of a body's spin is 1 or 0.
 static bool is_turned_by(const YkDeriveForces *f, int32_t body, size_t coordinate)
 {
     YkDeriveFreedom freedom = yk_derive_freedom(f->d, coordinate);
@@ -68,7 +68,7 @@ const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate)
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
     size_t bodies = d->model->body_count, count = 0, turned = 0;
-    // Works of forces, complex: their real parts count; then moments.
+    // Virtual work of forces, complex: the real parts count; then of moments.
     const YkPoisson **works = YK_NEW(d->arena, const YkPoisson *, 2 * bodies + f->junction_count + 1);
     const YkPoisson **moments = works ? works + bodies + f->junction_count : NULL;
     if (!works) return NULL;
@@ -102,8 +102,8 @@ const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLo
     return sum;
 }
 
-// --- What joints that close loops, and relations, demand of the accelerations. A guide's distance is left out: only
-// the way across counts.
+// --- Conditions of relations and of joints that close loops on the accelerations. A guide's distance is left out:
+// only the direction across it counts.
 
 static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
 {

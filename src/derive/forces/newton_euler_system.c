@@ -1,14 +1,14 @@
-// Newton-Euler as a linear system A xi = b.
+// Builds Newton-Euler as a linear system A xi = b.
 #include "derive/forces/newton_euler.h"
 
-// Is it the moment of a guide whose body - its second - has no moment balance that counts?
+// Returns whether it is the moment of a guide whose second body has a trivial moment balance.
 static bool is_trivial_moment(const YkDeriveForces *f, size_t reaction)
 {
     const YkJoint *j = &f->d->model->joints[f->reaction_joint[reaction]];
     return f->reaction_part[reaction] == 'm' && f->bodies[j->body[1]].is_trivial;
 }
 
-// The guide's moment of a trivial pair, and what it is.
+// Returns the guide's moment of a trivial pair, and its value.
 static size_t trivial_moments(const YkDeriveForces *f, YkRingChange *changes)
 {
     YkDerivation *d = f->d;

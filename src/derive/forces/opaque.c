@@ -1,4 +1,4 @@
-// Values of loads: elements of the ring where they are polynomials, otherwise symbols with formulas beside them.
+// Values of loads: elements of the ring if they are polynomials, otherwise symbols with formulas beside them.
 #include "derive/forces/free_bodies.h"
 #include "model/formulas.h"
 
@@ -44,7 +44,7 @@ const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, con
     return opaque(f, expr, law, yk_derive_text(f->d, name, ending, ""));
 }
 
-// --- What the symbols stand for
+// --- The meaning of the symbols
 
 static const char *law_name(const YkDerivation *d, const YkLaw *law)
 {

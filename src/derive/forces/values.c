@@ -1,4 +1,4 @@
-// The forces of a derivation: made at first use, with values from the numeric engine and relations for proofs.
+// The forces of a derivation, made at first use, with values from the numeric engine and relations for proofs.
 #include <math.h>
 #include <stdlib.h>
 #include "derive/forces/free_bodies.h"
@@ -19,7 +19,7 @@ static void fill_opaque(const YkDeriveOpaque *o, double *values)
     values[o->symbol] = x;
 }
 
-// What the engine found for dry friction and stops at a freedom.
+// Fills in the engine's dry friction and stops at a freedom.
 static void fill_dry(const YkDeriveForces *f, YkDynamics *dynamics, double *values)
 {
     for (size_t k = 0; k < f->load_count; k++)
@@ -27,7 +27,7 @@ static void fill_dry(const YkDeriveForces *f, YkDynamics *dynamics, double *valu
     for (size_t i = 0; i < dynamics->loads->item_count; i++) {
         const YkLoadItem *item = &dynamics->loads->items[i];
         if (item->kind != YK_LOAD_COULOMB && item->kind != YK_LOAD_STOP) continue;
-        for (size_t k = 0; k < f->load_count; k++) // the first of this joint takes all
+        for (size_t k = 0; k < f->load_count; k++) // the first load of this joint takes all
             if (f->loads[k].kind == YK_DERIVE_DRY && f->loads[k].joint == item->joint &&
                 yk_ring_is_zero(f->loads[k].push[0].moment) == item->is_distance) {
                 values[f->loads[k].symbol] += item->dry;
@@ -36,7 +36,7 @@ static void fill_dry(const YkDeriveForces *f, YkDynamics *dynamics, double *valu
     }
 }
 
-// Accelerations that are symbols, each from that of the body before.
+// Fills accelerations that are symbols, each from that of the body before.
 static void fill_steps(const YkDeriveForces *f, double *values)
 {
     const YkDerivation *d = f->d;
@@ -64,7 +64,7 @@ static void add_part(const YkDeriveForces *f, size_t k, const YkReaction *r, dou
     case 'm':
         *value += sign * r->moment;
         break;
-    default: { // along the normal, which the force's element is a multiple of
+    default: { // along the normal: the force's element is a multiple of it
         const YkPoisson *normal =
             yk_ring_coefficient(d->ring, f->joint_force[f->reaction_joint[k]], f->reactions[k], 1);
         YkVec n = yk_ring_value(d->ring, normal, values);
@@ -92,7 +92,7 @@ static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamic
         }
 }
 
-// The unknown of which the engine's force (or moment) on the second body is a multiple.
+// Fills a relation's unknown: the engine's force (or moment) on the second body is a multiple of it.
 static void fill_mesh(const YkDeriveForces *f, size_t tie, const YkState *state, YkDynamics *dynamics, double *values)
 {
     YkRing *ring = f->d->ring;
@@ -118,7 +118,7 @@ static void fill_constants(const YkDeriveForces *f, double *values)
     }
 }
 
-// Lines of action; of gears as if their unknowns were positive, until a pose says otherwise.
+// Fills lines of action; for gears as if their unknowns were positive, until a pose says otherwise.
 static void fill_leans(const YkDeriveForces *f, double *values)
 {
     for (size_t k = 0; k < f->d->tie_count; k++) {
@@ -154,7 +154,7 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
         values[f->multipliers[k]] = yk_ring_value(f->d->ring, f->identities[k], values).x;
 }
 
-// --- Relations, for equations that somebody has derived by hand
+// --- Relations, for equations derived by hand
 
 static void relate(YkDerivation *d, const YkPoisson *zero)
 {
@@ -208,7 +208,7 @@ static YkDeriveForces *make(YkDerivation *d)
     return well && yk_derive_add_source(d, yk_derive_fill_forces, f) ? f : NULL;
 }
 
-// The derivation knows its forces by the source of their values.
+// The derivation finds its forces by the source of their values.
 const YkDeriveForces *yk_derive_forces(YkDerivation *d)
 {
     for (size_t k = 0; k < d->source_count; k++)

@@ -1,4 +1,4 @@
-// The gear train of a derivation: names of speeds and teeth, and the inputs by which all speeds are told.
+// The gear train of a derivation: names of speeds and teeth, and the inputs in which all speeds are expressed.
 #include "derive/gears/gears.h"
 #include <string.h>
 #include "base/problems.h"
@@ -6,7 +6,7 @@
 
 // --- Names
 
-// The coordinate that is the body's own angle against the ground, as omega1 is of theta1: its name behind "theta".
+// Returns the name behind "theta" of the coordinate that is the body's angle to the ground: omega1 belongs to theta1.
 static const char *number_of(const YkDerivation *d, size_t body)
 {
     const YkDeriveBody *b = &d->bodies[body];
@@ -38,8 +38,8 @@ static bool is_carrier(const YkTrainNet *net, size_t body)
     return false;
 }
 
-// Wheels first, then what carries them: differences then print as omega_planet - omegaC. Bodies that never turn against
-// each other share a name.
+// Enters wheels first, then their carriers, so that differences print as omega_planet - omegaC. Bodies that never
+// turn against each other share a name.
 static bool enter_speeds(YkDerivation *d, const YkTrainNet *net)
 {
     size_t count = d->model->body_count;
@@ -83,7 +83,7 @@ static const YkPoisson *rate_of(YkDerivation *d, const YkDeriveCoordinate *c)
     return yk_ring_of(d->ring, c->rate);
 }
 
-// Takes the coordinate as an input where the speeds do not follow without it. Returns false when out of memory or
+// Makes the coordinate an input if the speeds do not follow without it. Returns false when out of memory or
 // numbers.
 static bool consider(YkDerivation *d, YkDeriveTrain *train, size_t coordinate)
 {
@@ -124,7 +124,7 @@ const YkDeriveTrain *yk_derive_train(YkDerivation *d)
 {
     const YkModel *model = d->model;
     if (d->train || model->gear_count + model->belt_count + model->rack_count == 0) return d->train;
-    YkProblems *said = yk_problems_new(); // what is wrong with the train is told elsewhere
+    YkProblems *said = yk_problems_new(); // problems of the train are reported elsewhere
     YkTrain *train = said ? yk_train_new(model, NULL, said) : NULL;
     d->failed |= !said || yk_problems_ran_out(said);
     yk_problems_free(said);

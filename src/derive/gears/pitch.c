@@ -1,5 +1,5 @@
-// One mesh: the velocity of its pitch point from both sides, as a textbook writes it with vectors from the centres, and
-// what it comes to in numbers of teeth (Willis 1841).
+// Writes one mesh: the velocity of its pitch point from both sides, as a textbook does with vectors from the centres,
+// and the result in numbers of teeth (Willis 1841).
 #include "derive/gears/gears.h"
 #include "derive/inside.h"
 #include "derive/sections.h"
@@ -47,7 +47,7 @@ static void put_vector(const Mesh *mesh, YkLine *line, const char *base, const c
     yk_text_free(&name);
 }
 
-// omega x p^{head/tail}, with a sign where something stands before it. Returns whether something stands there now.
+// Writes omega x p^{head/tail}, with a sign if something stands before it. Returns whether something stands there now.
 static bool put_turning(const Mesh *mesh, YkLine *line, size_t body, const char *head, const char *tail,
                         bool is_negative, bool has_before)
 {
@@ -59,7 +59,7 @@ static bool put_turning(const Mesh *mesh, YkLine *line, size_t body, const char 
     return true;
 }
 
-// The velocity of the centre of a wheel: along the path from the ground, each vector turning with its body.
+// Writes the velocity of a wheel's centre: along the path from the ground, each vector turning with its body.
 static bool put_center(const Mesh *mesh, YkLine *line, size_t body)
 {
     YkDerivation *d = mesh->d;
@@ -68,7 +68,7 @@ static bool put_center(const Mesh *mesh, YkLine *line, size_t body)
     if (!yk_derive_path(d, (YkDerivePlace){0, YK_NONE}, (YkDerivePlace){(int32_t)body, YK_NONE}, &path)) return false;
     for (size_t k = 0; k < path.count; k++) {
         const YkDeriveVector *v = &path.vectors[k];
-        if (v->is_variable) { // slides along: its rate in the direction of its line
+        if (v->is_variable) { // it slides: its rate in the direction of its line
             if (any || v->is_negative) yk_line_sign(mesh->page, line, v->is_negative ? "-" : "+");
             put_vector(mesh, line, "v", v->head, v->tail);
             any = true;
@@ -90,7 +90,7 @@ static void put_side(const Mesh *mesh, YkLine *line, int side)
     if (!any) yk_line_sign(mesh->page, line, "0");
 }
 
-// v_P of the one wheel is v_P of the other.
+// Writes that v_P is the same on both wheels.
 static void put_pitch_velocities(const Mesh *mesh)
 {
     YkLine *line = new_line(mesh, NULL);
@@ -109,7 +109,7 @@ static void put_product(const Mesh *mesh, YkLine *line, const YkPoisson *first, 
     yk_line_factor(mesh->page, line, second);
 }
 
-// A side's omega N; 0 if it stands.
+// Writes a side's omega N; 0 if it stands still.
 static void put_side_in_teeth(const Mesh *mesh, YkLine *line, int side)
 {
     const YkPoisson *omega = speed(mesh, mesh->of.body[side]);
@@ -154,7 +154,7 @@ static void put_willis(const Mesh *mesh)
             yk_line_sign(mesh->page, line, "0");
             continue;
         }
-        // of a wheel that stands, 0 - omega_c: the sign before it
+        // for a wheel that stands still, 0 - omega_c: the sign before it
         bool turns_sign = stands(speed(mesh, mesh->of.body[side]));
         if (is_negative != turns_sign) yk_line_sign(mesh->page, line, "-");
         put_product(mesh, line, turns_sign ? c : relative, teeth(mesh, side));
@@ -163,7 +163,7 @@ static void put_willis(const Mesh *mesh)
 
 // --- Racks
 
-// Both rates are seen from the carrier: d' = +-(omega_pinion - omega_carrier) r.
+// Writes the rack; both rates are seen from the carrier: d' = +-(omega_pinion - omega_carrier) r.
 static void put_rack(const Mesh *mesh)
 {
     YkRing *ring = mesh->d->ring;
@@ -189,7 +189,7 @@ static void put_rack(const Mesh *mesh)
 
 // --- The whole
 
-// The radii of the pitch circles: p^{P1/O} = 1/2 mod N1 e.
+// Writes the radii of the pitch circles: p^{P1/O} = 1/2 mod N1 e.
 static void put_radii(const Mesh *mesh)
 {
     YkDerivation *d = mesh->d;

@@ -1,10 +1,10 @@
-// Section: gear trains - mesh by mesh, the system, speeds as formulas in numbers of teeth, the tabular method.
+// Section: gear trains - each mesh, the system, speeds as formulas in numbers of teeth, the tabular method.
 #include "derive/gears/gears.h"
 #include "derive/sections.h"
 
 enum { SYSTEM_SHOWN_MAX = 12 };
 
-// What teeth and radii are called that are no parameters of the file.
+// Writes the names of teeth and radii that are not parameters of the file.
 static void put_names(YkDerivation *d, YkPage *page)
 {
     const YkDeriveTrain *train = d->train;
@@ -24,7 +24,7 @@ static void put_names(YkDerivation *d, YkPage *page)
     }
 }
 
-// The speeds that are not given, each symbol once.
+// Collects the speeds that are not given, each symbol once.
 static size_t unknown_symbols(YkDerivation *d, int32_t *unknowns)
 {
     const YkTrainNet *net = &d->train->train->net;
@@ -38,7 +38,7 @@ static size_t unknown_symbols(YkDerivation *d, int32_t *unknowns)
     return count;
 }
 
-// All that the rows say beyond names: those of meshes, of slides that close loops, of inputs between two bodies.
+// Collects all other rows: those of meshes, of slides that close loops, of inputs between two bodies.
 static size_t collect_rows(YkDerivation *d, const YkPoisson **zeros)
 {
     const YkTrainCase *motion = &d->train->motion;
@@ -52,7 +52,7 @@ static size_t collect_rows(YkDerivation *d, const YkPoisson **zeros)
     return count;
 }
 
-// Unknown speeds on the left, given ones on the right.
+// Writes the system with unknown speeds on the left and given ones on the right.
 static void put_system(YkDerivation *d, YkPage *page)
 {
     const YkTrainNet *net = &d->train->train->net;

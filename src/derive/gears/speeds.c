@@ -1,11 +1,12 @@
-// Speeds as formulas in numbers of teeth: one sum over the inputs for each body, and the ratios of a shift table.
+// Writes speeds as formulas in numbers of teeth: one sum over the inputs for each body, and the ratios of a shift
+// table.
 #include <string.h>
 #include "derive/gears/gears.h"
 #include "derive/page.h"
 
 enum { FACTORS_MAX = YK_TRAIN_FACTORS_MAX + 2 };
 
-// What a line comes to: target = over / under.
+// The meaning of a line: target = over / under.
 typedef struct Sum {
     const YkPoisson *over, *under;
     bool any;
@@ -33,7 +34,7 @@ static bool is_one(const YkPoisson *a)
     return yk_ring_is_rational(a, &over, &under) && over == 1 && under == 1;
 }
 
-// N1 (N2 + N3) / (N4 (N5 + N6)) as factors, those that are 1 left out.
+// Writes N1 (N2 + N3) / (N4 (N5 + N6)) as factors, without those that are 1.
 static void put_factored(YkPage *page, YkLine *line, const YkTrainQuotient *q, bool is_negative)
 {
     const YkTrainFactors *sides[] = {&q->over, &q->under};
@@ -53,7 +54,7 @@ static void put_factored(YkPage *page, YkLine *line, const YkTrainQuotient *q, b
     yk_line_fraction(page, line, lists[0], counts[0], lists[1], counts[1]);
 }
 
-// One summand of a speed: rate * over / under, or where rate is NULL the quotient alone.
+// One summand of a speed: rate * over / under, or only the quotient if rate is NULL.
 typedef struct Share {
     const YkPoisson *rate, *over, *under;
     YkTrainQuotient quotient;
@@ -85,7 +86,7 @@ static void add_share(YkRing *ring, Sum *sum, const Share *share)
     add_to(ring, sum, over, whole ? yk_ring_rational(ring, 1, 1) : product_of(&share->quotient, false));
 }
 
-// `omegaC (1 + N1 N3/(N2 N4))`, `- omega1 N1 N3/(N2 N4)`.
+// Writes `omegaC (1 + N1 N3/(N2 N4))`, `- omega1 N1 N3/(N2 N4)`.
 static void put_share(YkDerivation *d, YkPage *page, YkLine *line, const Share *share, Sum *sum)
 {
     YkRing *ring = d->ring;
@@ -109,7 +110,7 @@ static void put_share(YkDerivation *d, YkPage *page, YkLine *line, const Share *
     add_share(ring, sum, share);
 }
 
-// The line's truth: under * symbol = over.
+// Gives the line its statement: under * symbol = over.
 static void finish(YkLine *line, const YkPoisson *left, const Sum *sum, int32_t symbol)
 {
     if (!line) return;
@@ -119,14 +120,14 @@ static void finish(YkLine *line, const YkPoisson *left, const Sum *sum, int32_t 
     line->solved = symbol;
 }
 
-// A formula that grew beyond the ring's limits is left out; the numbers stay. What was begun becomes a sentence.
+// Leaves out a formula that grew beyond the ring's limits, with a sentence in its place; the numbers stay.
 static bool give_up(YkDerivation *d, YkPage *page, YkLine *line, const char *name)
 {
     YkRingStatus status = yk_ring_status(d->ring);
     YkText text = {0};
     if (status != YK_RING_OK && status != YK_RING_SIZE && status != YK_RING_OVERFLOW) return false;
     yk_ring_clear(d->ring);
-    page->failed = false; // of elements that were not made
+    page->failed = false; // set by elements that were not made
     yk_text_format(&text, "%s: no formula of a readable size; `yoke gears` gives the number.", name);
     if (line)
         *line = (YkLine){.kind = YK_LINE_WORDS,
@@ -138,7 +139,8 @@ static bool give_up(YkDerivation *d, YkPage *page, YkLine *line, const char *nam
     return !page->failed;
 }
 
-// The same with the file's numbers of teeth, exactly, `omega4 = 35/29 omegaC - 6/29 omega1`; and at its drives' speeds.
+// Writes the same with the file's numbers of teeth, exactly, `omega4 = 35/29 omegaC - 6/29 omega1`, and at drive
+// speeds.
 static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkPoisson *left)
 {
     const YkDeriveTrain *train = d->train;
@@ -178,7 +180,7 @@ static const char *name_of(const YkDerivation *d, int32_t column)
                                 : d->model->racks[column - net->bodies].name;
 }
 
-// Of every input what it gives to the speed; those without a part in it are left out. False: no formula.
+// Finds each input's share in the speed, without those that are 0. Returns false if there is no formula.
 static bool find_shares(YkDerivation *d, int32_t column, Share *shares, int32_t *count)
 {
     const YkDeriveTrain *train = d->train;
@@ -192,7 +194,7 @@ static bool find_shares(YkDerivation *d, int32_t column, Share *shares, int32_t 
     return true;
 }
 
-// omega4 = ..., or that there is no such formula.
+// Writes omega4 = ..., or that there is no such formula.
 static bool put_in_teeth(YkDerivation *d, YkPage *page, int32_t column, const YkPoisson *left)
 {
     Sum sum = {.over = yk_ring_rational(d->ring, 0, 1), .under = yk_ring_rational(d->ring, 1, 1)};
@@ -203,7 +205,7 @@ static bool put_in_teeth(YkDerivation *d, YkPage *page, int32_t column, const Yk
     if (!find_shares(d, column, shares, &count)) return give_up(d, page, line, name_of(d, column));
     yk_line_element(page, line, left, YK_RING_TEXTBOOK);
     yk_line_sign(page, line, "=");
-    for (int pass = 0; pass < 2; pass++) // what is added first
+    for (int pass = 0; pass < 2; pass++) // sums first
         for (int32_t k = 0; k < count; k++)
             if (shares[k].is_negative == (pass == 1)) put_share(d, page, line, &shares[k], &sum);
     if (!sum.any) yk_line_sign(page, line, "0");
@@ -219,7 +221,7 @@ static bool put_speed(YkDerivation *d, YkPage *page, int32_t column)
     return true;
 }
 
-// What the inputs are called elsewhere, and so what C computes the rest from.
+// Writes the inputs' other names, from which C computes the rest.
 static void put_inputs(YkDerivation *d, YkPage *page)
 {
     const YkDeriveTrain *train = d->train;
@@ -254,7 +256,7 @@ void yk_derive_put_speeds(YkDerivation *d, YkPage *page)
 
 // --- Ratios under locks
 
-// Turns of `in` for one of `out`; `exact` is the same as a number.
+// Writes the turns of `in` per turn of `out`; `exact` is the same as a number.
 static bool put_ratio(YkDerivation *d, YkPage *page, const YkTrainCase *one, int32_t in, int32_t out,
                       const char *remark)
 {

@@ -1,4 +1,4 @@
-// The tabular method in symbols: the wheels on one carrier, turned with the carrier standing, then all together.
+// Writes the tabular method in symbols: the wheels on one carrier, turned while it stands, then all together.
 #include "derive/gears/gears.h"
 #include "derive/page.h"
 
@@ -12,7 +12,7 @@ typedef struct Table {
     const YkPoisson **turns; // per wheel, for one turn of the first
 } Table;
 
-// Across a mesh: turn * -(coefficient on this side) / (coefficient on the other).
+// Steps across a mesh: turn * -(coefficient on this side) / (coefficient on the other).
 static bool find_turns(Table *table)
 {
     YkDerivation *d = table->d;
@@ -41,7 +41,7 @@ static const YkPoisson *turned(const Table *table, int32_t wheel)
     return yk_ring_multiply(table->d->ring, table->turns[wheel], table->x);
 }
 
-// Which wheel stands in which column.
+// Says which wheel is in which column.
 static void put_columns(const Table *table)
 {
     const YkModel *model = table->d->model;
@@ -72,7 +72,7 @@ static void put_rows(const Table *table)
     }
 }
 
-// y and x by the speeds, and every wheel by y and x.
+// Writes y and x in terms of the speeds, and every wheel in terms of y and x.
 static void put_conditions(const Table *table)
 {
     YkRing *ring = table->d->ring;
@@ -83,7 +83,7 @@ static void put_conditions(const Table *table)
                          YK_RING_TEXTBOOK);
 }
 
-// The unknowns of the method: y is the carrier's speed, x that of the first wheel against it.
+// Enters the unknowns of the method: y is the carrier's speed, x that of the first wheel against it.
 static const YkPoisson *enter(YkDerivation *d, const char *name, size_t number, const YkPoisson *meaning)
 {
     YkText text = {0};
