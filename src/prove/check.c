@@ -1,4 +1,4 @@
-// The verdict on an equation: identity, proof on the loops, many poses.
+// Decides whether an equation is true: identity, proof on the loops, many poses.
 #include <stdlib.h>
 #include "base/problems.h"
 #include "derive/blocks.h"
@@ -18,7 +18,7 @@ static bool is_identity(YkCheck *check)
     YkFormVerdict verdict =
         yk_form_compare_at(ring, check->equation.left, check->equation.right, points, check->shared->anywhere);
     if (verdict != YK_FORM_UNDECIDED) return verdict == YK_FORM_EQUAL;
-    // roots that the field has not: they are what they are
+    // Roots that the field does not have keep their values.
     const YkPoisson *difference = yk_form_expand(ring, check->difference, TERMS_MAX);
     bool is = difference && yk_ring_is_equal(ring, difference, yk_ring_rational(ring, 0, 1));
     yk_ring_clear(ring);
@@ -32,7 +32,7 @@ static void refute(YkCheck *check, YkCheckVerdict *verdict)
     verdict->slip = yk_check_slip(check);
 }
 
-// Returns false if inputs move in any way. What the drives' motion is, and all that speaks of t, is asked of that
+// Returns false if inputs move in any way. What depends on the drives' motion, or contains t, is tested on that
 // motion.
 static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
 {
@@ -51,7 +51,7 @@ static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
     verdict->slip = yk_check_slip(check);
 }
 
-// True with the file's numbers, and not proved for others: others are tried, and tell what binds the angles.
+// Tests an equation that is true with the file's numbers but not proved for others: with others, and with bonds.
 static void look_farther(YkCheck *check, YkProof proof, YkCheckVerdict *verdict)
 {
     verdict->kind = verdict->poses >= YK_CHECK_POSES_MIN ? YK_CHECK_TRUE_HERE : YK_CHECK_UNDECIDED;
@@ -87,7 +87,7 @@ static void decide(YkCheck *check, YkCheckVerdict *verdict)
     }
 }
 
-// All symbols there will be, and all names.
+// Enters all symbols and all names.
 static bool prepare(YkDerivation *d, YkProblems *problems)
 {
     if (!yk_derive_blocks(d) || !yk_derive_enter_forces(d)) {

@@ -1,5 +1,5 @@
-// What binds the angles of the tree at all poses that were seen, of this machine and of others like it: whole multiples
-// of some add up to a constant, as the opposite sides of a parallelogram stay parallel. Found in the rates.
+// Finds what binds the tree's angles at all poses seen of this machine and of others like it: whole multiples of some
+// add up to a constant, as the opposite sides of a parallelogram stay parallel. Found in the rates.
 #include <math.h>
 #include <stdlib.h>
 #include "derive/relations.h"
@@ -27,7 +27,7 @@ static double rate(const Search *s, size_t pose, int32_t coordinate)
     return position(s, pose, (int32_t)s->check->d->tree_count + coordinate);
 }
 
-// The rate of a coordinate by those of the independent ones, in x; what is left over, over its size.
+// Expresses a coordinate's rate by those of the independent ones, in x; returns the remainder over its size.
 static double express(Search *s, int32_t coordinate)
 {
     size_t rows = s->check->seen->count, n = s->independent;
@@ -46,7 +46,7 @@ static double express(Search *s, int32_t coordinate)
     return left;
 }
 
-// Slow ones first: what is twice as fast is a whole multiple then.
+// Sorts slow angles first: one that turns twice as fast is then a whole multiple.
 static void sort_by_size(Search *s)
 {
     const YkCheckSeen *seen = s->check->seen;
@@ -62,7 +62,7 @@ static void sort_by_size(Search *s)
     }
 }
 
-// Takes an angle that the independent ones do not give to these.
+// Adds to the independent angles those that they do not give.
 static void choose_independent(Search *s)
 {
     double most = s->angles > 0 ? s->size[s->angles - 1] : 0;
@@ -118,7 +118,7 @@ const YkLoopBonds *yk_check_find_bonds(YkCheck *check)
     s.angle = yk_derive_scratch(check->d, d->tree_count + 1, sizeof *s.angle);
     for (size_t k = 0; s.angle && k < d->tree_count; k++)
         if (!d->coordinates[k].is_distance) s.angle[s.angles++] = (int32_t)k;
-    // gears bind angles by numbers of teeth; too few poses bind anything
+    // gears bind angles by numbers of teeth, and too few poses prove nothing
     if (d->tie_count > 0 || s.angles == 0 || s.angles > ANGLES_MAX || check->seen->count < d->mech->input_count + 4) {
         free(s.angle);
         return NULL;

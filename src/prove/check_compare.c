@@ -1,4 +1,4 @@
-// Are both sides equal at poses of the numeric engine?
+// Compares both sides of an equation at poses of the numeric engine.
 #include <math.h>
 #include <string.h>
 #include "prove/check_inside.h"
@@ -10,7 +10,7 @@ static double distance_of(YkCheck *check, const YkForm *zero, const double *valu
     return yk_norm(yk_form_value(check->d->ring, zero, values));
 }
 
-// Is it 0 but for rounding? Terms that are 0 on the machine have a size elsewhere.
+// Returns whether it is 0 up to rounding. Terms that are 0 on the machine get their size elsewhere.
 static YkCheckOutcome judge(YkCheck *check, const YkForm *zero, const double *values, const double *elsewhere)
 {
     double distance = distance_of(check, zero, values), size = yk_form_magnitude(check->d->ring, zero, values),

@@ -1,4 +1,4 @@
-// Is an equation true as the drives move the machine? The time goes on in small steps, so that angles go on over turns.
+// Tests an equation as the drives move the machine. The time advances in small steps, so that angles count turns.
 #include <math.h>
 #include "prove/check_inside.h"
 #include "solve/state.h"
@@ -19,7 +19,7 @@ bool yk_check_has_drives(const YkCheck *check)
     return false;
 }
 
-// Not so long that fast drives go over many turns between two times.
+// Returns a duration in which fast drives do not make many turns between two times.
 static double duration(const YkCheck *check)
 {
     double longest = LONGEST;
@@ -31,7 +31,7 @@ static double duration(const YkCheck *check)
     return longest;
 }
 
-// What no drive moves stays where it is, with any rate.
+// Inputs without a drive stay where they are, with any rate.
 static void release(YkCheck *check)
 {
     for (size_t i = 0; i < check->d->mech->input_count; i++) {
@@ -45,7 +45,7 @@ static void release(YkCheck *check)
     }
 }
 
-// On to this time; false if the drives lead no further.
+// Advances to this time. Returns false if the drives lead no further.
 static bool go_on(YkCheck *check, double from, double to)
 {
     for (int step = 1; step <= STEPS; step++) {

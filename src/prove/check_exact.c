@@ -1,5 +1,5 @@
-// Equations between numbers: with the file's own decimals in place of its parameters both sides are compared exactly,
-// where rounding would take 1.2000000000001 for 1.2.
+// Compares equations between numbers exactly, with the file's own decimals for its parameters, since rounding would
+// take 1.2000000000001 for 1.2.
 #include "derive/inside.h"
 #include "prove/check_inside.h"
 
@@ -28,7 +28,7 @@ static bool has_parameters(const YkDerivation *d, const YkPoisson *a)
     return false;
 }
 
-// Without loops and gears coordinates and their rates may be anything.
+// Without loops and gears, coordinates and their rates may have any value.
 static bool is_free(const YkDerivation *d, int32_t symbol)
 {
     if (symbol == yk_ring_next_symbol(d->ring, yk_ring_pi(d->ring), -1)) return true;

@@ -1,4 +1,4 @@
-// Does an equation hold with other dimensions, too? Asked of the numeric engine.
+// Tests an equation with other dimensions, in the numeric engine.
 #include <stdlib.h>
 #include <string.h>
 #include "prove/check_inside.h"
@@ -30,9 +30,9 @@ static Outcome judge_machine(YkCheck *own, YkCheckMachine *m, YkCheckShown *show
     return outcome;
 }
 
-// --- One at which it does not hold
+// --- A machine for which it does not hold
 
-// "a = 0.053, b = 0.21": the parameters that are not the file's.
+// Writes "a = 0.053, b = 0.21": the parameters that differ from the file's.
 static const char *name_machine(const YkCheckVariants *v, const double *target)
 {
     YkText text = {0};
@@ -44,7 +44,7 @@ static const char *name_machine(const YkCheckVariants *v, const double *target)
     return words;
 }
 
-// As few parameters beside the file's as show it.
+// Returns to the file's values as many parameters as possible while the difference still shows.
 static void simplify(YkCheckVariants *v, const YkCheckMachine *m, YkCheckVerdict *verdict)
 {
     double *target = yk_derive_scratch(v->check->d, v->count + 1, sizeof *target);

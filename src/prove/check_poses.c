@@ -1,4 +1,4 @@
-// Poses of the numeric engine, at which equations are compared.
+// Makes poses of the numeric engine at which equations are compared.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ bool yk_check_solve(YkCheck *check)
     return status >= 0 && yk_state_has_rates(check->state);
 }
 
-// The smallest transmission angle of the dyads: at 0 two configurations meet.
+// Returns the smallest transmission angle of the dyads: at 0 two configurations meet.
 static double margin_of(const YkCheck *check)
 {
     const YkMechanism *mech = check->d->mech;
@@ -55,15 +55,15 @@ static YkMotion random_input(YkCheck *check, const YkCheckPoses *poses, size_t i
                       size * yk_check_uniform(check, -2, 2)};
 }
 
-// Loads may depend on the time; inputs come afterwards.
+// Sets any time, since loads may depend on it; inputs are set afterwards.
 static void set_any_time(YkCheck *check)
 {
     if (yk_state_set_time(check->state, yk_check_uniform(check, 0, TIME), NULL) >= 0) return;
     yk_state_set_time(check->state, yk_state_time(check->start), NULL);
 }
 
-// From the start towards random inputs in small steps, and no further than to where another configuration comes near:
-// with special dimensions (a parallelogram) what holds in one does not hold in the other.
+// Moves from the start towards random inputs in small steps, but not close to another configuration: with special
+// dimensions (a parallelogram) one configuration may obey what another does not.
 static bool move_to_random_pose(YkCheck *check, YkCheckPoses *poses)
 {
     const YkMechanism *mech = check->d->mech;
@@ -72,11 +72,11 @@ static bool move_to_random_pose(YkCheck *check, YkCheckPoses *poses)
     for (size_t i = 0; i < mech->input_count; i++) target[i] = random_input(check, poses, i);
     yk_state_copy(check->state, check->start);
     set_any_time(check);
-    int steps = mech->block_count > 0 || mech->relation_count > 0 ? STEPS : 1; // a tree goes anywhere at once
+    int steps = mech->block_count > 0 || mech->relation_count > 0 ? STEPS : 1; // a tree can go anywhere in one step
     for (int step = 1; step <= steps; step++) {
         go(check, target, (double)step / steps);
         if (yk_state_solve(check->state) < 0 || margin_of(check) < least) break;
-        yk_state_refer(check->state); // angles go on from here, over any number of turns
+        yk_state_refer(check->state); // angles continue from here, over any number of turns
         reached = (double)step / steps;
     }
     go(check, target, reached);
@@ -85,7 +85,7 @@ static bool move_to_random_pose(YkCheck *check, YkCheckPoses *poses)
 
 // --- Values
 
-// Reading brings symbols: constants, angles and roots of an equation's own, also of those that slips are looked for in.
+// Reading an equation adds symbols: its own constants, angles and roots, and those of the slips that are looked for.
 static bool make_room(YkCheck *check)
 {
     size_t count = yk_ring_symbol_count(check->d->ring), room = count + 64;
@@ -112,7 +112,7 @@ void yk_check_fill_values(YkCheck *check)
     if (make_room(check)) yk_derive_values(check->d, check->state, check->dynamics, check->values);
 }
 
-// Forces that are rounding alone - a moment that is 0 - are measured by those that are not.
+// Forces that are only rounding - a moment that is 0 - are measured against the others.
 static void disturb_forces(YkCheck *check, double *values)
 {
     const YkDerivation *d = check->d;
@@ -132,7 +132,7 @@ void yk_check_disturb(YkCheck *check, double *values)
         values[c->rate] += size * yk_check_uniform(check, 0.2, 1);
         values[c->acceleration] += size * yk_check_uniform(check, 0.2, 1);
     }
-    for (size_t k = 0; k < d->tie_count; k++) // laws: in a dwell their slopes are no more than rounding
+    for (size_t k = 0; k < d->tie_count; k++) // laws: in a dwell their slopes are only rounding
         for (int32_t order = 0; d->ties[k].function >= 0 && order < YK_TIE_ORDERS; order++)
             values[d->ties[k].function + order] += d->mech->size * yk_check_uniform(check, 0.2, 1);
     for (size_t b = 0; b < d->model->body_count; b++)
@@ -143,7 +143,7 @@ void yk_check_disturb(YkCheck *check, double *values)
 
 // --- Segments of motion programs
 
-// A motion program is printed for its first period.
+// Motion programs are printed for their first period.
 static bool is_in_first_period(const YkCheck *check, const double *values)
 {
     for (size_t k = 0; k < check->d->tie_count; k++) {
@@ -185,7 +185,7 @@ void yk_check_free_poses(YkCheckPoses *poses)
     *poses = (YkCheckPoses){0};
 }
 
-// Values of the working state, as it was solved last, for all symbols of today.
+// Fills in the values of the working state, as it was last solved, for all present symbols.
 static bool fill(YkCheck *check, const YkCheckPoses *poses, YkCheckPose *pose)
 {
     size_t count = yk_ring_symbol_count(check->d->ring);
@@ -209,7 +209,7 @@ static bool fill(YkCheck *check, const YkCheckPoses *poses, YkCheckPose *pose)
     return false;
 }
 
-// The working state becomes the next pose; the first is the start.
+// Moves the working state to the next pose; the first one is the start.
 static bool reach(YkCheck *check, YkCheckPoses *poses, size_t index)
 {
     YkState *own = check->state;
@@ -242,7 +242,7 @@ static void try_pose(YkCheck *check, YkCheckPoses *poses)
     }
 }
 
-// Equations have brought symbols since it was made.
+// Renews a pose when equations have added symbols since it was made.
 static void renew(YkCheck *check, YkCheckPoses *poses, YkCheckPose *pose)
 {
     YkState *own = check->state;
@@ -261,7 +261,7 @@ static bool prepare(YkCheck *check, YkCheckPoses *poses)
     return poses->work && poses->target;
 }
 
-// Of a short segment few poses are found by chance.
+// In a short segment few poses are found by chance.
 static size_t tries_for(const YkCheckPoses *poses, size_t most)
 {
     return (poses->is_of_segment ? TRIES_IN_SEGMENT : YK_CHECK_TRIES_A_POSE) * most;

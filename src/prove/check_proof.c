@@ -1,4 +1,4 @@
-// Is an equation true on the machine's own motion, for all dimensions? Asked at random points over the prime field.
+// Proves an equation on the machine's own motion for all dimensions, at random points over the prime field.
 #include <string.h>
 #include "derive/blocks.h"
 #include "derive/forces/free_bodies.h"
@@ -7,7 +7,7 @@
 
 enum { POSES_ASKED = 4, OPEN_MAX = 8 };
 
-// Points of another assembly say nothing of this machine.
+// Points of another assembly prove nothing about this machine.
 static bool is_of_machine(YkCheck *check, int rank)
 {
     const YkCheckPose *pose;
@@ -30,8 +30,8 @@ void yk_check_free_points(YkCheckPoints *points)
     *points = (YkCheckPoints){0};
 }
 
-// Roots lead to points with some seeds alone, and may with other symbols; loops that do not close at several points
-// never do.
+// With roots only some seeds lead to a point, and other symbols may; loops that do not close at several points never
+// will.
 static void try_point(YkCheck *check, bool has_roots, size_t most)
 {
     YkCheckPoints *points = check->points;
@@ -52,7 +52,7 @@ static void try_point(YkCheck *check, bool has_roots, size_t most)
     if (points->ground == YK_GROUND_NONE) forget_points(points);
 }
 
-// Angles and roots of the equation's own, omega t, are free at the points.
+// The equation's own angles and roots, omega t, are free at the points.
 static bool has_own(const YkDerivation *d, const YkForm *form)
 {
     const YkPoisson *a = yk_form_element(form);
@@ -61,8 +61,8 @@ static bool has_own(const YkDerivation *d, const YkForm *form)
     return a && yk_equation_has_own(d, a);
 }
 
-// Gears bind angles at the points of the field, but not their unit vectors; and that numbers of teeth must fit, so that
-// centres meet, is not known there: a planetary set with Zr = Zs + 2 Zp obeys equations that others do not.
+// Gears bind angles at the points of the field, but not their unit vectors; and the field does not know that numbers
+// of teeth must fit so that centres meet: a planetary set with Zr = Zs + 2 Zp obeys equations that others do not.
 static bool can_refute(YkCheck *check, const YkForm *form)
 {
     return check->d->tie_count == 0 && !has_own(check->d, form);
@@ -82,7 +82,7 @@ static void begin_again(YkCheckPoints *points)
     points->is_exhausted = false;
 }
 
-// The next point of the machine's motion; NULL if no more can be had. New symbols: the old points are of no use.
+// Returns the next point of the machine's motion; NULL if there are no more. New symbols make the old points useless.
 static YkFieldPoint *next_point(YkCheck *check, size_t index)
 {
     YkCheckPoints *points = check->points;

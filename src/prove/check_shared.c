@@ -1,5 +1,5 @@
-// What equations of one derivation share: poses of the machine and of others, points of the field. It is known as long
-// as equations begin at the same state; the derivation owns it.
+// What equations of one derivation share: poses of the machine and of others, points of the field. It is valid as long
+// as equations start at the same state; the derivation owns it.
 #include <stdlib.h>
 #include <string.h>
 #include "prove/check_inside.h"
@@ -25,7 +25,7 @@ static bool is_same(const double *a, const double *b, size_t count)
     return count == 0 || memcmp(a, b, count * sizeof *a) == 0;
 }
 
-// Bit for bit: inputs, time and all from which solving begins.
+// Compares bit for bit: inputs, time and everything from which solving starts.
 static bool is_same_state(const YkState *a, const YkState *b)
 {
     const YkMechanism *mech = a->mech;

@@ -1,8 +1,8 @@
-// What a refutation is shown with: both sides, the highest derivative and the forces in them, the pose.
+// Shows a refutation: both sides, the highest derivative and the forces in them, the pose.
 #include <stdlib.h>
 #include "prove/check_inside.h"
 
-// Highest derivatives of coordinates and names of forces that a form speaks of.
+// Finds the highest derivatives of coordinates and the names of forces in a form.
 static void look_into(YkCheck *check, const YkForm *form, YkCheckShown *shown, bool *is_named)
 {
     YkRing *ring = check->d->ring;
@@ -17,7 +17,7 @@ static void look_into(YkCheck *check, const YkForm *form, YkCheckShown *shown, b
     }
 }
 
-// "F12x = 3.25, M03 = -0.5": the unknown forces of the equation.
+// Writes "F12x = 3.25, M03 = -0.5": the unknown forces of the equation.
 static const char *list_forces(YkCheck *check, YkArena *arena, const bool *is_named)
 {
     const YkDerivation *d = check->d;

@@ -1,4 +1,4 @@
-// What would have been right: one slip of the hand at a time.
+// Looks for a single slip that would explain a false equation.
 #include <string.h>
 #include "prove/check_inside.h"
 
@@ -10,7 +10,7 @@ static const char *keep(YkCheck *check, YkText *text)
     return kept;
 }
 
-// For all dimensions or, where nothing can be proved, at poses of this machine.
+// Tests for all dimensions or, if nothing can be proved, at poses of this machine.
 static bool is_true(YkCheck *check, const YkForm *zero)
 {
     return yk_check_prove(check, zero) == YK_PROVED ||
@@ -24,7 +24,7 @@ typedef struct Factor {
     const char *words; // around the summand
 } Factor;
 
-// The difference is left - right: a summand times f in place of itself adds f - 1 times its share.
+// The difference is left - right: f times a summand instead of the summand adds f - 1 times its share.
 static const YkForm *with_factor(YkCheck *check, const YkEquationTerm *term, const Factor *factor)
 {
     YkRing *ring = check->d->ring;
@@ -38,10 +38,10 @@ static const YkForm *with_factor(YkCheck *check, const YkEquationTerm *term, con
 static const char *find_factor(YkCheck *check, const Factor *factor)
 {
     const YkEquation *equation = &check->equation;
-    // from the end: the first summand has often no sign of its own
+    // From the end: the first summand often has no sign of its own.
     for (size_t k = equation->term_count; k > 0 && equation->term_count > 1; k--) {
         const YkEquationTerm *term = &equation->terms[k - 1];
-        if (factor->over == 0 && equation->term_count < 3) return NULL; // nothing would be left to say
+        if (factor->over == 0 && equation->term_count < 3) return NULL; // nothing would be left
         if (!is_true(check, with_factor(check, term, factor))) continue;
         YkText text = {0}, words = {0};
         yk_text_add(&words, check->text + term->start, term->end - term->start);
@@ -54,7 +54,7 @@ static const char *find_factor(YkCheck *check, const Factor *factor)
 
 // --- Another word in the text
 
-// Reads the equation with text[start..end) replaced; true where it is proved then.
+// Reads the equation with text[start..end) replaced. Returns true if it is then proved.
 static bool is_true_with(YkCheck *check, const char *text, size_t length)
 {
     YkEquation equation;
@@ -90,7 +90,7 @@ static size_t behind_bracket(const YkCheck *check, size_t at)
     return at;
 }
 
-// One sine that should be a cosine, or the other way.
+// Tries a cosine for each sine, and a sine for each cosine.
 static const char *find_function(YkCheck *check)
 {
     for (size_t at = 0; at + 4 < check->length; at++) {
@@ -117,7 +117,7 @@ static const char *find_function(YkCheck *check)
     return NULL;
 }
 
-// A joint's angle, measured against its first body, where the body's angle to the ground was meant.
+// Tries a body's angle to the ground for a joint's angle, which is measured against its first body.
 static const char *find_angle(YkCheck *check, const YkDeriveCoordinate *c)
 {
     YkDerivation *d = check->d;

@@ -1,5 +1,5 @@
-// Machines with other numbers: parameters of the file go a little beside their values, in small steps, so that the
-// machine stays assembled as it is.
+// Machines with other numbers: parameters move a little away from the file's values, in small steps, so that the
+// machine keeps its assembly.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static bool is_free(const YkModel *model, size_t parameter)
     return !yk_expr_has_names(model->parameters[parameter].expr) && isfinite(model->parameters[parameter].value);
 }
 
-// What is said where something cannot be made is no matter here, unless it is that memory ran out.
+// Problems of machines that cannot be made are forgotten, unless memory ran out.
 static void forget(YkCheck *check, YkProblems *said)
 {
     check->failed |= !said || yk_problems_ran_out(said);
@@ -38,7 +38,7 @@ static bool can_vary(YkCheck *check, const char *name)
     return redesign != NULL;
 }
 
-// Where what is 0 or cancels in the file is taken to stay so, a variant is no machine of these numbers.
+// A variant for which a place is assumed to stay 0, or to cancel, is not a machine with these numbers.
 static bool is_faithful(const YkVariant *variant)
 {
     return variant && !variant->is_of_file;
@@ -97,7 +97,7 @@ const char *yk_check_list_names(const YkCheckVariants *v, YkArena *arena, bool v
 
 // --- A machine
 
-// To three digits: whoever wants to see it can write it.
+// Rounds to three digits, so that a user can type it.
 static double short_number(double value)
 {
     if (value == 0) return 0;
@@ -123,7 +123,7 @@ static void choose_target(YkCheckVariants *v, double *target)
     }
 }
 
-// From the file's machine to that of the target, with the inputs of the start.
+// Moves from the file's machine to that of the target, with the inputs of the start.
 static bool walk(const YkCheckVariants *v, YkCheckMachine *m)
 {
     yk_state_take(m->state, v->check->start);
@@ -138,7 +138,7 @@ static bool walk(const YkCheckVariants *v, YkCheckMachine *m)
     return true;
 }
 
-// Is its start a pose of the machine that the symbols describe?
+// Returns whether its start is a pose of the machine that the symbols describe.
 static bool closes(const YkCheckMachine *m)
 {
     const YkDeriveBlocks *blocks = yk_derive_blocks(m->d);
@@ -156,13 +156,13 @@ static bool closes(const YkCheckMachine *m)
 
 static YkDynamics *dynamics_like(const YkDynamics *own, const YkMechanism *mech)
 {
-    YkDynamics *dynamics = own ? yk_dynamics_new(mech, NULL) : NULL; // fails for want of memory alone
+    YkDynamics *dynamics = own ? yk_dynamics_new(mech, NULL) : NULL; // fails only when out of memory
     for (size_t i = 0; dynamics && i < mech->input_count; i++)
         yk_dynamics_prescribe(dynamics, i, yk_dynamics_is_prescribed(own, i));
     return dynamics;
 }
 
-// Whatever stood there is forgotten, but for the variant.
+// Forgets the machine, but not its variant.
 static void clear(YkCheckMachine *m)
 {
     yk_check_free_poses(&m->poses);
@@ -183,7 +183,7 @@ static bool make_room_for(YkCheckVariants *v, YkCheckMachine *m)
     return m->target && m->state && m->here;
 }
 
-// Makes the machine of the target stand.
+// Assembles the machine of the target.
 static void stand(const YkCheckVariants *v, YkCheckMachine *m)
 {
     const YkMechanism *mech = yk_variant_mechanism(m->variant);

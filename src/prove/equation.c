@@ -1,4 +1,4 @@
-// Equations as a hand writes them, read into structured forms: quotients by sums are welcome.
+// Reads equations as people write them into structured forms; quotients by sums are allowed.
 #include "prove/equation.h"
 
 enum { DEPTH_MAX = 100, POWER_MAX = 32 };
@@ -26,7 +26,7 @@ char yk_equation_peek(YkEquationReader *reader)
 
 const YkForm *yk_equation_bracket(YkEquationReader *reader)
 {
-    char open = yk_equation_peek(reader), close = open == '(' ? ')' : ']'; // books write s = h [64 u^3 - ...]
+    char open = yk_equation_peek(reader), close = open == '(' ? ')' : ']'; // textbooks write s = h [64 u^3 - ...]
     if (++reader->depth > DEPTH_MAX)
         return yk_equation_refuse(reader, reader->at, "brackets are nested too deeply", NULL);
     size_t start = reader->at++;
@@ -138,7 +138,7 @@ static const YkForm *read_sum(YkEquationReader *reader, bool is_side)
     return sum;
 }
 
-// What the ring refused is told here; the next equation begins afresh.
+// Reports what the ring refused; the next equation starts afresh.
 static bool fail_sides(YkEquationReader *reader)
 {
     YkRingStatus why = yk_ring_status(reader->d->ring);
@@ -161,7 +161,7 @@ bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace 
                            "an equation has two sides: `l1*cos(theta1) - d3*cos(theta2) = 0`");
     if (reader.failed || !equation->left) return fail_sides(&reader);
     reader.at++;
-    while (reader.at < length && text[reader.at] == '=') reader.at++; // == is kindly taken
+    while (reader.at < length && text[reader.at] == '=') reader.at++; // == is accepted
     reader.is_right = true;
     YkEquationSize left = reader.size;
     size_t start = reader.at;

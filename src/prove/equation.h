@@ -9,7 +9,7 @@
 // The physical dimension of what was read.
 typedef enum YkEquationSizeKind {
     YK_SIZE_OPEN, // not known
-    YK_SIZE_BARE, // numbers without a unit are in it: it takes any
+    YK_SIZE_BARE, // contains numbers without a unit: fits any dimension
     YK_SIZE_KNOWN
 } YkEquationSizeKind;
 typedef struct YkEquationSize {
@@ -26,18 +26,18 @@ typedef struct YkEquationReader {
     YkProblems *problems;
     int depth;
     bool is_right, failed;
-    YkEquationSize size;  // of what was read last
+    YkEquationSize size;  // of the latest part
     YkEquation *equation; // takes the summands of the sides
 } YkEquationReader;
 
-// The next character that is no blank; '\0' at the end.
+// Returns the next character that is not a blank; '\0' at the end.
 char yk_equation_peek(YkEquationReader *reader);
-// Reports a problem, the first only; returns NULL.
+// Reports a problem, but only the first. Returns NULL.
 const YkForm *yk_equation_refuse(YkEquationReader *reader, size_t start, const char *message, const char *hint);
 const YkForm *yk_equation_bracket(YkEquationReader *reader); // ( ... ) or [ ... ]
-// base, or its power where ^ follows. NULL base: NULL.
+// Reads a power if ^ follows, otherwise returns base. NULL base: NULL.
 const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base);
-// A bracket, a function, a name, a number with or without a unit.
+// Reads a bracket, a function, a name, or a number with or without a unit.
 const YkForm *yk_equation_atom(YkEquationReader *reader);
 
 // --- equation_sizes.c
@@ -46,31 +46,33 @@ YkEquationSize yk_equation_size_of_quantity(const YkDerivation *d, const char *n
 YkEquationSize yk_equation_size_times(YkEquationSize a, YkEquationSize b, int power); // a b^power, power 1 or -1
 YkEquationSize yk_equation_size_power(YkEquationSize a, int exponent);
 YkEquationSize yk_equation_size_root(YkEquationSize a);
-// The same of a sum; what does not fit is reported, b beginning at `start`.
+// Does the same for a sum; reports what does not fit, where b begins at `start`.
 YkEquationSize yk_equation_size_sum(YkEquationReader *reader, size_t start, YkEquationSize a, YkEquationSize b);
 void yk_equation_compare_sides(YkEquationReader *reader, size_t start, YkEquationSize left, YkEquationSize right);
 bool yk_equation_size_is_angle(YkEquationReader *reader, size_t start, YkEquationSize size); // or reported
 
-// --- equation_angles.c: e^(i angle) of any angle; and does an element speak of an angle or root of
-// which nothing can be proved?
+// --- equation_angles.c
+// Returns e^(i angle) of any angle.
 const YkPoisson *yk_equation_unit(YkDerivation *d, const YkPoisson *angle);
+// Returns whether the element contains an angle or root of which nothing can be proved.
 bool yk_equation_has_own(const YkDerivation *d, const YkPoisson *a);
 const YkPoisson *yk_equation_root(YkDerivation *d, const YkPoisson *square); // positive
-// Does the element speak of a symbol, in such angles, too?
+// Returns whether the element contains a symbol, in such angles too.
 bool yk_equation_mentions(const YkDerivation *d, const YkPoisson *a, int32_t symbol);
 
-// --- equation_laws.c: the bracket behind a law's name, where it says at which angle; NULL with the reader where it was
-// otherwise.
+// --- equation_laws.c
+// Reads the bracket behind a law's name if it is an argument. Otherwise returns NULL and leaves the reader where it
+// was.
 const YkForm *yk_equation_call(YkEquationReader *reader, int32_t symbol);
 
 // --- equation_pages.c
-// The symbol of this name, also of one that only sections have on their pages; -1 if there is none. And what it
-// stands for.
+// Returns the symbol with this name, even if only sections have it on their pages; -1 if there is none. Its meaning is
+// what it stands for.
 int32_t yk_equation_find(YkDerivation *d, const char *name);
 const YkForm *yk_equation_meaning(YkDerivation *d, int32_t symbol);
 bool yk_equation_speaks_of(const YkDerivation *d, const YkForm *form, int32_t symbol);
-// Elements that must lie in 0 to 1 if the equation is to hold: it speaks of a segment of a motion program. Returns
-// how many there are.
+// Finds the elements that must lie in 0 to 1 for the equation to hold, if it is about a segment of a motion program.
+// Returns their count.
 size_t yk_equation_segments(YkDerivation *d, const YkEquation *equation, const YkPoisson **within, size_t most);
 
 static inline bool yk_is_letter(char c)

@@ -1,6 +1,6 @@
-// What equations have of their own. Angles in cos, sin and tan that are no whole multiples of the machine's: omega t,
-// theta/2; what is left of them beside such multiples is an angle with its value. Roots: positive ones. Nothing is
-// proved of them but what holds for any angle and any number.
+// Angles and roots of an equation's own. Angles in cos, sin and tan need not be whole multiples of the machine's
+// (omega t, theta/2): the remainder beside such multiples is an angle with a value. Roots are positive. Only what holds
+// for any angle and any number can be proved of them.
 #include <math.h>
 #include "derive/inside.h"
 #include "prove/equation.h"
@@ -12,7 +12,7 @@ typedef struct YkEquationOwn {
     struct YkEquationOwn *next;
 } YkEquationOwn;
 
-// In their order: later ones may speak of those before.
+// Fills them in order, since later ones may contain earlier ones.
 static void fill(void *context, const YkState *state, YkDynamics *dynamics, double *values)
 {
     const YkDerivation *d = context;
@@ -41,7 +41,7 @@ static int32_t enter(YkDerivation *d, const YkPoisson *value, bool is_root)
     return symbol;
 }
 
-// Takes whole multiples of angles and fractions of pi off, and multiplies the unit by theirs.
+// Splits off whole multiples of angles and fractions of pi, and multiplies the unit by theirs.
 static const YkPoisson *take_multiples(YkRing *ring, const YkPoisson *angle, const YkPoisson **unit)
 {
     const YkPoisson *rest = angle;

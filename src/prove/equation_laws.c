@@ -1,5 +1,5 @@
-// Values of laws in equations: `lift(theta)`, and `lift_v (2/3 pi)` as pages print conditions. Before any other bracket
-// a law is a factor.
+// Reads values of laws in equations: `lift(theta)`, and `lift_v (2/3 pi)` as pages print conditions. Before any other
+// bracket a law is a factor.
 #include <math.h>
 #include "derive/cams/cams.h"
 #include "derive/relations.h"
@@ -16,7 +16,7 @@ static const YkDeriveRelation *law_of(const YkDerivation *d, int32_t symbol, int
     return NULL;
 }
 
-// A number, or a sum of angles and of fractions of pi: what a law can be asked for, and no page has as a factor.
+// Returns whether it is a number, or a sum of angles and fractions of pi: an argument of a law, never a factor.
 static bool is_place(YkDerivation *d, const YkPoisson *a)
 {
     int64_t over, under;
@@ -31,7 +31,7 @@ static bool is_place(YkDerivation *d, const YkPoisson *a)
     return true;
 }
 
-// The law there; 0 where that is no more than the rounding of its other values.
+// Evaluates the law; 0 if that is only the rounding of its other values.
 static double evaluate(const YkLaw *law, double x, int order)
 {
     enum { PLACES = 64 };
@@ -45,7 +45,7 @@ static double evaluate(const YkLaw *law, double x, int order)
     return fabs(found[order]) > 1e-11 * most ? found[order] : 0;
 }
 
-// A constant of its own.
+// Makes a constant of its own.
 static const YkPoisson *value_at(YkDerivation *d, const YkDeriveRelation *tie, int order, const YkPoisson *place)
 {
     YkText name = {0};

@@ -1,20 +1,21 @@
-// Names that only sections have, on their pages: p4 of Lagrange's lumped constants, k_s of the influence coefficients,
-// h1, beta1, u1 of a motion program, x and y of the tabular method. An equation copied from a page is read with them.
+// Finds names that only sections have, on their pages: p4 of Lagrange's lumped constants, k_s of the influence
+// coefficients, h1, beta1, u1 of a motion program, x and y of the tabular method, so that equations can be copied from
+// a page.
 #include "derive/blocks.h"
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 #include "prove/equation.h"
 
-enum { BODIES_MAX = 100 }; // pages of large machines take their time
+enum { BODIES_MAX = 100 }; // pages of large machines take time
 
-// A line of a page that holds in a segment alone.
+// A line of a page that holds only in a segment.
 typedef struct Line {
     const YkPoisson *left, *right, *within;
     int32_t solved;
 } Line;
 
 struct YkDerivePages {
-    size_t first; // the first symbol that pages brought
+    size_t first; // the first symbol that pages added
     Line *lines;
     size_t line_count;
 };
@@ -41,7 +42,7 @@ static void write_pages(YkDerivation *d, struct YkDerivePages *pages)
     for (size_t k = 0; yk_derive_sections[k].name && good; k++)
         if (!yk_derive_sections[k].is_of || yk_derive_sections[k].is_of(d->model)) {
             yk_derive_write(d, k, &page);
-            yk_ring_clear(d->ring); // what a section cannot say is no matter here
+            yk_ring_clear(d->ring); // what a section cannot write does not matter here
         }
     if (good) keep_lines(pages, &page, d->arena);
     yk_arena_free(page.arena);
@@ -56,7 +57,7 @@ static void enter_pages(YkDerivation *d)
     write_pages(d, pages);
 }
 
-// --- What a name of a page stands for
+// --- The meaning of a page's name
 
 static const YkForm *influence(YkDerivation *d, int32_t symbol)
 {
@@ -94,7 +95,7 @@ int32_t yk_equation_find(YkDerivation *d, const char *name)
     return yk_ring_find(d->ring, name);
 }
 
-// --- Where an equation holds that a page prints for a segment
+// --- Where an equation of a segment holds
 
 static bool is_same(const YkPoisson *a, const YkPoisson *b)
 {

@@ -1,5 +1,4 @@
-// Physical dimensions in equations, as far as they are known: of numbers with units, of parameters, coordinates,
-// forces.
+// Physical dimensions in equations, as far as they are known: of numbers with units, parameters, coordinates, forces.
 #include <string.h>
 #include "prove/quantities.h"
 #include "derive/forces/free_bodies.h"
@@ -43,7 +42,7 @@ static YkEquationSize of_force(const YkDerivation *d, int32_t symbol)
     return open;
 }
 
-// A parameter that is a number may be one because nothing in the file says what else it is.
+// A parameter may be a bare number only because nothing in the file says what else it is.
 YkEquationSize yk_equation_size_of(const YkDerivation *d, int32_t symbol)
 {
     for (size_t k = 0; k < d->model->parameter_count; k++)
@@ -109,7 +108,7 @@ YkEquationSize yk_equation_size_times(YkEquationSize a, YkEquationSize b, int po
 {
     bool has_unit = a.has_unit || b.has_unit;
     if (a.kind == YK_SIZE_OPEN || b.kind == YK_SIZE_OPEN) return open;
-    // a number without a unit may be a length in SI: 0.2 cos(theta)
+    // A number without a unit may be a length in SI: 0.2 cos(theta).
     YkEquationSizeKind kind = a.kind == YK_SIZE_KNOWN && b.kind == YK_SIZE_KNOWN ? YK_SIZE_KNOWN : YK_SIZE_BARE;
     return (YkEquationSize){kind, yk_dimension_times(a.dimension, b.dimension, power), has_unit};
 }
@@ -133,7 +132,8 @@ YkEquationSize yk_equation_size_root(YkEquationSize a)
 
 // --- Comparing
 
-// Only where one of them has a unit in the equation: a file's own numbers, which no formula shows, have theirs, too.
+// Compares only if one of them has a unit in the equation: a file's own numbers, which formulas do not show, have
+// dimensions too.
 static bool fit(YkEquationSize a, YkEquationSize b)
 {
     bool are_known = a.kind == YK_SIZE_KNOWN && b.kind == YK_SIZE_KNOWN;

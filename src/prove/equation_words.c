@@ -1,4 +1,4 @@
-// Words of an equation: numbers with units, names, functions.
+// Reads the words of an equation: numbers with units, names, functions.
 #include <string.h>
 #include "prove/quantities.h"
 #include "base/names.h"
@@ -50,8 +50,8 @@ static bool is_unit(const YkEquationReader *reader, size_t start, size_t end, do
     return end > start && yk_unit_read(reader->text + start, end - start, size, dimension, &bad, &bad_length);
 }
 
-// The unit behind a number, one word as in the file: mm, deg, N*m, m/s^2. Where it begins with a name of the machine it
-// is none: with a parameter m, `2 m` is twice that. A t is the time, never a tonne.
+// Reads the unit behind a number, one word as in the file: mm, deg, N*m, m/s^2. A word that begins with a name of the
+// machine is not a unit: with a parameter m, `2 m` is twice that. A t is the time, never a tonne.
 static const YkForm *read_unit(YkEquationReader *reader, const YkForm *value)
 {
     double size, more;
@@ -86,7 +86,7 @@ static const char *nearest_name(const YkDerivation *d, const char *name)
     return yk_nearest(name, candidates, count);
 }
 
-// theta1dot and theta1ddot are theta1' and theta1''. Returns NULL if it is nothing of the kind.
+// theta1dot and theta1ddot are theta1' and theta1''. Returns NULL for other names.
 static const char *dotted_name(YkEquationReader *reader, const char *name)
 {
     static const char *const endings[] = {"ddot", "dot"};
@@ -101,7 +101,7 @@ static const char *dotted_name(YkEquationReader *reader, const char *name)
     return NULL;
 }
 
-// Names of vectors and of what only words define, as pages print them; NULL: none of these.
+// Finds names of vectors, and of what only words define, as pages print them; NULL for other names.
 static const char *printed_name(const YkEquationReader *reader, const char *name)
 {
     bool is_marked = reader->at + 1 < reader->length && strncmp(reader->text + reader->at, "^{", 2) == 0;
@@ -120,7 +120,7 @@ static bool ends_with(const char *name, const char *ending)
     return length > size && strcmp(name + length - size, ending) == 0;
 }
 
-// Answers of `solve` that are no polynomials of what is known here; NULL: none of these.
+// Finds answers of `solve` that are not polynomials of what is known here; NULL for other names.
 static const char *other_answer(const char *name)
 {
     if (ends_with(name, ".force")) return "its size is a root: write A.force.x^2 + A.force.y^2 for its square";
@@ -130,7 +130,7 @@ static const char *other_answer(const char *name)
     return NULL;
 }
 
-// dx/dt is x'; x_B is rod.B.x. Returns NULL if it is nothing of the kind.
+// dx/dt is x'; x_B is rod.B.x. Returns NULL for other names.
 static const char *books_name(YkEquationReader *reader, const char *name)
 {
     const YkDerivation *d = reader->d;
@@ -196,7 +196,7 @@ static bool is_coordinate(const YkDerivation *d, int32_t symbol)
     return false;
 }
 
-// x(t) is x. What x is at t = 0, no equation here is about; with a blank it is a product.
+// x(t) is x. No equation here is about x at t = 0; with a blank it is a product.
 static bool take_time(YkEquationReader *reader, int32_t symbol)
 {
     const char *at = reader->text + reader->at;
@@ -283,7 +283,7 @@ static const YkForm *root(YkEquationReader *reader, size_t start)
                               "square both sides: d^2 = ... for d = sqrt(...)");
 }
 
-// tan(x/2) = sin(x) / (1 + cos(x)): books have half angles, of which cos and sin are no polynomials.
+// tan(x/2) = sin(x) / (1 + cos(x)): textbooks have half angles, whose cos and sin are not polynomials.
 static const YkForm *half_tangent(YkEquationReader *reader, const YkPoisson *angle)
 {
     YkRing *ring = reader->d->ring;
@@ -294,7 +294,7 @@ static const YkForm *half_tangent(YkEquationReader *reader, const YkPoisson *ang
     return yk_form_divide(ring, form_of(reader, yk_ring_imaginary(ring, unit)), form_of(reader, under));
 }
 
-// cos, sin, tan of an angle: a sum of whole multiples of angles and of fractions of pi, 30 deg among them.
+// Reads cos, sin, tan of an angle: a sum of whole multiples of angles and of fractions of pi, including 30 deg.
 static const YkForm *trigonometric(YkEquationReader *reader, Function function)
 {
     YkRing *ring = reader->d->ring;
@@ -318,7 +318,7 @@ static const YkForm *trigonometric(YkEquationReader *reader, Function function)
     return function == COS ? cos : function == SIN ? sin : yk_form_divide(ring, sin, cos);
 }
 
-// exp(...) and pow(...), as the ring prints them.
+// Reads exp(...) and pow(...), as the ring prints them.
 static const YkForm *ring_function(YkEquationReader *reader, size_t start)
 {
     int depth = 0;
@@ -351,7 +351,7 @@ static const YkForm *no_bracket(YkEquationReader *reader, size_t start, size_t e
     return NULL;
 }
 
-// sin(x), and sin^2(x) as books have it.
+// Reads sin(x), and sin^2(x) as in textbooks.
 static const YkForm *read_function(YkEquationReader *reader, Function function, size_t start)
 {
     size_t end = reader->at, power = 0;

@@ -1,9 +1,9 @@
 // Are random points of the loops' equations points of the machine? All dimensions and coordinates that close the loops
-// may be a surface of several sheets: with the same length L twice, one has L = 0 and any angles, another any L and
-// angles that are bound to each other. The points of one rank, made by solving linear equations at random angles, fill
-// one sheet. The machine moves on it where the same equations have that rank at its own pose: near it, then, all
-// solutions are made by these equations. With bonds more must be known - that no other sheet meets this one there: as
-// many equations are independent there, in all variables, as bonds and lengths take away freedoms.
+// may form a surface with several sheets: with the same length L twice, one sheet has L = 0 and any angles, another any
+// L and angles that are bound to each other. The points of one rank, made by solving linear equations at random angles,
+// fill one sheet. The machine moves on it if the same equations have that rank at its own pose: these equations then
+// give all solutions near it. With bonds more must be known, namely that no other sheet meets this one there: the
+// number of independent equations, in all variables, must equal the freedoms that bonds and lengths take away.
 #include <math.h>
 #include <stdlib.h>
 #include "derive/inside.h"
@@ -17,14 +17,14 @@ typedef struct Matrix {
     double *entry;
 } Matrix;
 
-// An entry's value at the pose; what is left of terms that cancel is nothing, and must not grow when lines are scaled.
+// Returns an entry's value at the pose; a remainder of terms that cancel is 0, and must not grow when lines are scaled.
 static double value_of(const YkDerivation *d, const YkPoisson *entry, const double *values)
 {
     double value = yk_ring_value(d->ring, entry, values).x;
     return fabs(value) > NOTHING * yk_ring_magnitude(d->ring, entry, values) ? value : 0;
 }
 
-// Columns have units of their own, rows too.
+// Scales a line, since columns and rows have units of their own.
 static void scale_line(double *entry, size_t count, size_t step)
 {
     double most = 0;
@@ -66,7 +66,7 @@ static int linear_rank(YkDerivation *d, const YkDeriveBlocks *blocks, const doub
     return rank;
 }
 
-// --- All equations, definitions of parameters by others among them, in all variables
+// --- All equations in all variables, including definitions of parameters by others
 
 typedef struct Equations {
     const YkPoisson **zero;

@@ -1,4 +1,4 @@
-// Closing the loops at a point of the field: angles first; then what enters linearly, and which symbols these are.
+// Closes the loops at a point of the field: angles first, then what enters linearly, and finds which symbols these are.
 #include <stdlib.h>
 #include "derive/inside.h"
 #include "prove/loop_point.h"
@@ -13,8 +13,7 @@ bool yk_loop_is_defined(YkDerivation *d, size_t parameter)
     return false;
 }
 
-// --- Slides and welds that close loops: e^(i angle row) = 1, solved for a coordinate that stands in no earlier such
-// row.
+// --- Slides and welds that close loops: e^(i angle row) = 1, solved for a coordinate that is not in an earlier row.
 static const YkPoisson *unit_of_row(YkDerivation *d, const YkDeriveLoop *loop)
 {
     const YkJoint *j = &d->model->joints[loop->joint];
@@ -60,7 +59,7 @@ static void bind(YkLoopMaking *making, const YkLoopBond *bond)
     yk_field_point_set(making->point, d->coordinates[bond->pivot].position, yk_loop_field(making, angle));
 }
 
-// Bonds hold what the rows of angles demand, or they are not this machine's.
+// Bonds satisfy the rows of angles, or they are not those of this machine.
 static bool is_angle_closed(YkLoopMaking *making, const YkDeriveRow *row)
 {
     YkDerivation *d = making->d;
@@ -85,7 +84,7 @@ void yk_loop_close_angles(YkLoopMaking *making)
 
 // --- What enters the loops linearly
 
-// Does the symbol stand in it outside of cos and sin? The unit of an angle is a value of its own.
+// Returns whether it contains the symbol outside cos and sin. The unit vector of an angle is a value of its own.
 static bool stands_outside(YkRing *ring, const YkPoisson *a, int32_t symbol)
 {
     int32_t lowest, highest;
@@ -93,10 +92,10 @@ static bool stands_outside(YkRing *ring, const YkPoisson *a, int32_t symbol)
     return !yk_ring_powers(ring, a, symbol, &lowest, &highest) || lowest != 0 || highest != 0;
 }
 
-// Is every row affine in the symbol, with a slope free of the symbols taken so far?
+// Returns whether every row is affine in the symbol, with a slope free of the symbols taken so far.
 static bool is_linear(YkRing *ring, const YkDeriveBlocks *blocks, int32_t symbol, const int32_t *taken, size_t count)
 {
-    bool is_there = false; // an angle counts where it stands outside of cos and sin
+    bool is_there = false; // an angle counts if it is outside cos and sin
     for (size_t r = 0; r < blocks->row_count; r++) {
         int32_t lowest, highest;
         const YkPoisson *row = blocks->rows[r].value;

@@ -1,5 +1,5 @@
-// The linear equations of all random points, prepared once: which symbols they determine, and in each row the slopes by
-// these and the rest. A point only puts its values in.
+// Prepares the linear equations of all random points once: which symbols they determine, and in each row the slopes of
+// these and the rest. A point only inserts its values.
 #include "derive/inside.h"
 #include "prove/loop_point.h"
 
@@ -10,7 +10,7 @@ typedef struct Filling {
     const YkPoisson **slopes; // [unknowns], of one row
 } Filling;
 
-// Twice as much room in the arena.
+// Doubles the room in the arena.
 static bool make_room(Filling *f)
 {
     size_t capacity = f->entry_capacity > 0 ? 2 * f->entry_capacity : 64;
@@ -30,7 +30,7 @@ static bool add_entry(Filling *f, size_t unknown, const YkPoisson *slope)
     return true;
 }
 
-// A row in which products of unknowns stand is taken where the point stands: as steep as it is there.
+// A row that contains products of unknowns is linearised at the point.
 static const YkPoisson *split(Filling *f, const YkPoisson *zero, bool *is_split)
 {
     YkRing *ring = f->d->ring;
@@ -78,7 +78,7 @@ static bool plan_closing(YkDerivation *d, const YkDeriveBlocks *blocks, YkLoopSy
     return fill(d, system, zeros);
 }
 
-// Relations speak of bodies' own accelerations: these are unknowns, too, each by its parent's and the joint's.
+// Relations contain bodies' own accelerations, which become unknowns, each from its parent's and the joint's.
 static size_t add_bodies(const YkDerivation *d, int32_t *unknowns, const YkPoisson **zeros)
 {
     YkRing *ring = d->ring;
@@ -96,7 +96,7 @@ static size_t add_bodies(const YkDerivation *d, int32_t *unknowns, const YkPoiss
     return count;
 }
 
-// What is defined may follow from unknowns.
+// Removes definitions, which may follow from unknowns.
 static const YkPoisson *without_definitions(YkDerivation *d, const YkPoisson *zero)
 {
     for (size_t k = d->change_count - d->definition_count; k < d->change_count; k++)
@@ -104,7 +104,7 @@ static const YkPoisson *without_definitions(YkDerivation *d, const YkPoisson *ze
     return zero;
 }
 
-// Unknown ones first, so that given ones stay as they are.
+// Lists unknowns before given ones, so that given ones keep their values.
 static void list_unknowns(const YkDerivation *d, const YkDeriveBlocks *blocks, bool accelerations, int32_t *unknowns)
 {
     size_t n = d->coordinate_count;
@@ -115,7 +115,7 @@ static void list_unknowns(const YkDerivation *d, const YkDeriveBlocks *blocks, b
     for (size_t k = 0; accelerations && k < d->unknown_count; k++) unknowns[n + k] = d->unknowns[k];
 }
 
-// Rows of their own: what a lock holds neither moves nor starts to.
+// Adds rows for what a lock holds: it neither moves nor starts to move.
 static size_t hold(const YkDerivation *d, bool accelerations, const YkPoisson **zeros)
 {
     size_t count = 0;
@@ -148,7 +148,7 @@ static bool plan_motion(YkDerivation *d, const YkDeriveBlocks *blocks, bool acce
     return fill(d, system, zeros);
 }
 
-// Sections add relations and unknowns.
+// Returns whether the plan is up to date: sections add relations and unknowns.
 static bool is_of_today(const YkDerivation *d, const YkLoopPlan *plan)
 {
     return plan && plan->relations == d->relation_count && plan->unknowns == d->unknown_count;

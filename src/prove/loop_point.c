@@ -1,5 +1,5 @@
-// Random points of the machine's motion over the prime field: random angles; the loop equations solved for what enters
-// them linearly (distances, lengths, angles outside of cos and sin); rates from J q' = 0; accelerations, and what
+// Makes random points of the machine's motion over the prime field: random angles; the loop equations solved for what
+// enters them linearly (distances, lengths, angles outside cos and sin); rates from J q' = 0; accelerations, and what
 // sections have added, from their linear equations. All dimensions are random, so what holds there holds for all
 // dimensions.
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "derive/inside.h"
 #include "prove/loop_point.h"
 
-// --- Parameters that the file defines by others follow them.
+// --- Parameters that the file defines by others follow these
 static void follow_definitions(YkLoopMaking *making)
 {
     YkDerivation *d = making->d;
@@ -24,7 +24,7 @@ static void follow_definitions(YkLoopMaking *making)
 
 // --- Linear systems over the field
 
-// A row's numbers at the point; returns what the sum of slope * unknown must be.
+// Puts in a row's numbers at the point. Returns what the sum of slope * unknown must be.
 static uint64_t put_row(const YkLoopMaking *making, const YkLoopSystem *system, size_t row, YkFieldEntry *entries)
 {
     const YkLoopRow *own = &system->rows[row];
@@ -67,7 +67,7 @@ bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
     return *rank >= 0;
 }
 
-// The sign that the point had for the root, before the loops changed its square, was drawn by chance.
+// The sign that the point had for the root, before the loops changed its square, was random.
 static uint64_t with_any_sign(const YkLoopMaking *making, size_t length, uint64_t root)
 {
     const YkDeriveForces *forces = yk_derive_forces(making->d);
@@ -75,7 +75,7 @@ static uint64_t with_any_sign(const YkLoopMaking *making, size_t length, uint64_
     return drawn & 1 ? yk_field_negate(root) : root;
 }
 
-// Lengths of springs and other roots of squares, where there are any; lines of action by them; quotients.
+// Takes lengths of springs and other roots of squares, if there are any, lines of action from them, and quotients.
 static void take_roots(YkLoopMaking *making)
 {
     const YkDeriveForces *forces = yk_derive_forces(making->d);
@@ -104,7 +104,7 @@ static void take_roots(YkLoopMaking *making)
     }
 }
 
-// Rates: J q' = 0. A machine that moves only with special dimensions has too little freedom here.
+// Solves for rates: J q' = 0. A machine that moves only with special dimensions has too little freedom here.
 static void move(YkLoopMaking *making)
 {
     const YkDerivation *d = making->d;
@@ -120,7 +120,7 @@ static void accelerate(YkLoopMaking *making)
     making->is_possible = yk_loop_solve(making, &making->plan->accelerations, &rank);
 }
 
-// Symbols of the bodies' own angles, from the coordinates.
+// Sets the symbols of the bodies' own angles from the coordinates.
 static void set_bodies(YkLoopMaking *making)
 {
     YkDerivation *d = making->d;
@@ -132,7 +132,7 @@ static void set_bodies(YkLoopMaking *making)
     }
 }
 
-// Positions, rates, accelerations; whatever cannot be had ends it.
+// Makes positions, rates and accelerations; stops when one of them cannot be made.
 static void make(YkLoopMaking *making)
 {
     follow_definitions(making);

@@ -1,4 +1,4 @@
-// What the files share that make random points of the machine's motion over the prime field: loop_point.c, loop_close.c
+// Random points of the machine's motion over the prime field: what their files share: loop_point.c, loop_close.c
 // (angles and lengths that close the loops), loop_assembly.c (is it the machine's own assembly?).
 #ifndef PROVE_LOOP_POINT_H
 #define PROVE_LOOP_POINT_H
@@ -6,8 +6,9 @@
 #include "prove/check.h"
 
 // On one assembly of a machine angles may be bound that are free on another: in a parallelogram with the same symbol
-// for both cranks these stay parallel, and what is left, the contra-parallelogram, is another machine. A bond is a sum
-// of whole multiples of the tree's angles that stays turns * 15 deg; its pivot's factor is 1, and 0 in all others.
+// for both cranks these stay parallel, and the other assembly, the contra-parallelogram, is another machine. A bond is
+// a sum of whole multiples of the tree's angles that keeps its value, turns * 15 deg; its pivot's factor is 1, and 0 in
+// all others.
 typedef struct YkLoopBond {
     int32_t pivot; // a coordinate
     int32_t turns;
@@ -18,8 +19,8 @@ typedef struct YkLoopBonds {
     size_t count;
 } YkLoopBonds;
 
-// yk_derive_loop_point on such an assembly (NULL: no bonds). *rank: of the equations for what enters the loops
-// linearly; -1 where these do not close.
+// Makes a point on such an assembly (NULL: no bonds). *rank: of the equations for what enters the loops linearly; -1
+// if these do not close.
 YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
                                        bool *is_possible);
 
@@ -29,7 +30,7 @@ typedef struct YkLoopEntry {
     const YkPoisson *slope;
 } YkLoopEntry;
 typedef struct YkLoopRow {
-    const YkPoisson *rest; // without the unknowns, but for a row that is not split
+    const YkPoisson *rest; // without the unknowns, unless the row is not split
     size_t first;          // its entries; they end where those of the next row begin
     bool is_split;
 } YkLoopRow;
@@ -41,14 +42,14 @@ typedef struct YkLoopSystem {
     size_t held; // rows of what locks hold
 } YkLoopSystem;
 
-// loop_plan.c: what closes the loops, what moves them, what accelerates them and acts on them. In the derivation's
-// arena, made at first use and again where sections have added relations; NULL when out of memory.
+// The plan: what closes the loops, what moves them, what accelerates them and acts on them. It lies in the derivation's
+// arena, made at first use and again when sections have added relations; NULL when out of memory (loop_plan.c).
 typedef struct YkLoopPlan {
     YkLoopSystem closing, rates, accelerations;
     size_t relations, unknowns;
 } YkLoopPlan;
 const YkLoopPlan *yk_loop_plan(YkDerivation *d);
-// So many unknowns that points would take more than a second.
+// Returns whether there are so many unknowns that points would take more than a second.
 bool yk_loop_is_large(const YkDerivation *d);
 
 typedef struct YkLoopMaking {
@@ -66,17 +67,18 @@ static inline uint64_t yk_loop_field(const YkLoopMaking *making, const YkPoisson
     return yk_ring_field(making->d->ring, a, making->point, false);
 }
 
-// Solves it over the field; false where rows contradict each other.
+// Solves the system over the field. Returns false if rows contradict each other.
 bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank);
 
 // --- loop_close.c
 bool yk_loop_is_defined(YkDerivation *d, size_t parameter); // by others, or in a definition
 void yk_loop_close_angles(YkLoopMaking *making);            // by bonds, or by slides and welds that close loops
-// The symbols for which they are solved: all that enter them linearly. Returns the count; unknowns has room for all
-// coordinates and parameters.
+// Finds the symbols for which they are solved: all that enter them linearly. Returns the count; unknowns has room for
+// all coordinates and parameters.
 size_t yk_loop_linear(YkDerivation *d, const YkDeriveBlocks *blocks, int32_t *unknowns);
 
-// --- loop_assembly.c: do the points of that rank with these bonds lie on the assembly on which the machine is at the
+// --- loop_assembly.c
+// Returns whether the points of that rank with these bonds lie on the machine's assembly at the pose of these values.
 // pose of these values?
 bool yk_loop_is_assembly(YkDerivation *d, const YkLoopBonds *bonds, int rank, const double *values);
 

@@ -1,4 +1,4 @@
-// What an equation may speak of besides the symbols: energies, points, efforts, reactions, by the names of `--of`.
+// Quantities in an equation besides the symbols: energies, points, efforts, reactions, by the names of `--of`.
 #include <string.h>
 #include "prove/quantities.h"
 #include "derive/forces/free_bodies.h"

@@ -1,12 +1,11 @@
-// Forces of which an equation may speak besides their symbols: efforts, reactions of joints and relations, what the
-// machine exerts on its frame.
+// Forces in an equation besides their symbols: efforts, reactions of joints and relations, and the wrench on the frame.
 #include <string.h>
 #include "prove/quantities.h"
 #include "derive/forces/free_bodies.h"
 #include "derive/inside.h"
 #include "derive/relations.h"
 
-// The file's name, or as equations can write it: sun_planet for sun-planet.
+// Returns whether it is the file's name, or as equations can write it: sun_planet for sun-planet.
 static bool is_word(const char *name, size_t length, const char *word)
 {
     bool is = strlen(word) == length;
@@ -22,7 +21,8 @@ static bool takes_ending(const char *name, size_t *length, const char *ending)
     return true;
 }
 
-// What a load along a joint exerts on its second body; the ground takes none, and its moment is the first's opposite.
+// Returns what a load along a joint exerts on its second body; if that is the ground, minus what it exerts on the
+// first.
 static const YkPoisson *effort_of_load(const YkDeriveForces *f, const YkDeriveLoad *load, bool is_distance)
 {
     YkDerivation *d = f->d;
@@ -36,7 +36,7 @@ static const YkPoisson *effort_of_load(const YkDeriveForces *f, const YkDeriveLo
     return push->body == body[1] ? effort : yk_ring_negate(d->ring, effort);
 }
 
-// The unknown effort of a drive, or what `efforts:` says.
+// Returns the unknown effort of a drive, or that of `efforts:`.
 static const YkPoisson *effort(const YkDeriveForces *f, const char *name, size_t length)
 {
     YkDerivation *d = f->d;
@@ -72,7 +72,7 @@ static const YkPoisson *part_of(YkRing *ring, Part part, const YkPoisson *force,
     return part == PART_X ? yk_ring_real(ring, force) : yk_ring_imaginary(ring, force);
 }
 
-// Of a joint, on its second body by its first; of gears, racks, belts and cams likewise.
+// Returns the reaction of a joint on its second body by its first; the same for gears, racks, belts and cams.
 static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size_t length)
 {
     YkDerivation *d = f->d;
@@ -87,7 +87,7 @@ static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size
     return NULL;
 }
 
-// --- On the frame: what acts from outside less what the bodies' motion takes, about the world's origin.
+// --- The wrench on the frame: external actions less the inertia of the bodies, about the world's origin
 
 static void add_push(YkRing *ring, const YkPoisson *at, const YkPoisson *force, const YkPoisson *moment,
                      const YkPoisson **sum)
@@ -123,7 +123,7 @@ static const YkPoisson *shaking(const YkDeriveForces *f, const char *name)
     return part_of(ring, part, sum[0], sum[1]);
 }
 
-// Action and reaction: what the second body exerts on the first, F21x = -F12x.
+// Returns the reaction F21x = -F12x, which the second body exerts on the first.
 static const YkPoisson *opposite(const YkDeriveForces *f, const char *name)
 {
     static const char *const letters[] = {"F", "F", "N", "M"}, *const parts[] = {"x", "y", "", ""};

@@ -2,13 +2,13 @@
 // virtual work the force belongs to the relation that it enforces, so its multiplier is minus the unknown times the
 // lever through which it acts.
 // - gears: N along the line of action, through the pitch point, which divides the line of centres as the teeth do.
-// Flanks push their wheels apart: the pressure angle alpha has the sign of N; N > 0 pushes the second wheel to the
+//   Flanks push their wheels apart: the pressure angle alpha has the sign of N; N > 0 pushes the second wheel to the
 //   left of the line of centres. Wheels on one axis: couples, T for each tooth.
 // - racks: F along the rack at the pitch line
 // - belts: couples T r, T the pull of one span less that of the other
 // - cams: N along the common normal, at phi from the line of motion of a follower that slides (the pressure angle,
-// tan phi = (v - e) / h), otherwise from the carrier's x axis; a sliding flat face is pushed along its line of
-// motion. Couples, if a follower that turns names no point.
+//   tan phi = (v - e) / h), otherwise from the carrier's x axis; a sliding flat face is pushed along its line of
+//   motion. Couples, if a follower that turns names no point.
 // - laws: an effort along the coordinate that follows, and minus the law's slope times it along the other
 // This is the model of free_bodies/meshes.c, derived anew.
 #include "derive/forces/meshes.h"
