@@ -1,9 +1,9 @@
-// Forward dynamics: M q'' = efforts - rest solved for the inputs that are free.
+// Forward dynamics: solves M q'' = efforts - rest for the free inputs.
 #include "code/forces.h"
 
-enum { STRAIGHT_MAX = 6 }; // more free inputs than these are solved with pivots, in a loop
+enum { STRAIGHT_MAX = 6 }; // more free inputs are solved with pivots, in a loop
 
-// Keeps what must be above 0: a pivot less its rounding.
+// Records what must be above 0: a pivot less its rounding.
 static void keep_pivot(YkForces *f, YkRef pivot, YkRef whole)
 {
     YkDag *g = &f->program->graph;
@@ -12,7 +12,7 @@ static void keep_pivot(YkForces *f, YkRef pivot, YkRef whole)
     f->inertia = f->inertia < 0 ? above : yk_dag_binary(g, YK_VALUE_LEAST, f->inertia, above);
 }
 
-// Two by two: one division.
+// Solves two equations with one division.
 static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
 {
     YkProgram *p = f->program;
@@ -31,7 +31,7 @@ static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
     for (size_t k = 0; k < 2; k++) b[k] = yk_dag_multiply(g, b[k], over);
 }
 
-// M x = b for the free inputs by L D L^T, written out; every pivot must be above the rounding of its diagonal.
+// Solves M x = b for the free inputs by L D L^T, written out; every pivot must be above the rounding of its diagonal.
 static void solve_straight(YkForces *f, const size_t *free, YkRef *b)
 {
     YkProgram *p = f->program;

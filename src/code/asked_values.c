@@ -1,4 +1,4 @@
-// What is asked of a pose: coordinates and points, with their rates; and what things are called.
+// Values that can be asked of a pose - coordinates and points with their rates - and their names.
 #include <string.h>
 #include "base/text.h"
 #include "code/program.h"

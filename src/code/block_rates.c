@@ -1,7 +1,8 @@
-// One block's velocities and accelerations, from the determinant of its position: the formulas of solve/kernels*.
+// Computes one block's velocities and accelerations from the determinant of its position: the formulas of
+// solve/kernels*.
 #include "code/program.h"
 
-// A sum that turns with an unknown: its own rate and acceleration in the unknown's axes.
+// A sum that turns with an unknown: its rate and acceleration in the unknown's axes.
 typedef struct Arm {
     YkRefVec rate, accel;
 } Arm;
@@ -13,7 +14,7 @@ static Arm arm_of(YkProgram *p, const YkSum *sum, const YkRates *r, const YkRate
     return arm;
 }
 
-// (U'' + 2 w i U') e
+// Returns (U'' + 2 w i U') e.
 static YkRefVec swing(YkDag *g, Arm arm, YkRefVec e, YkRef w)
 {
     YkRef twice = yk_dag_multiply(g, yk_dag_number(g, 2), w);
@@ -21,7 +22,7 @@ static YkRefVec swing(YkDag *g, Arm arm, YkRefVec e, YkRef w)
     return yk_dag_vec_multiply(g, yk_dag_vec_add(g, arm.accel, coriolis), e);
 }
 
-// (d e)'' without d'': what a turning line adds to the acceleration.
+// Returns (d e)'' without d'': what a turning line adds to the acceleration.
 static YkRefVec drift(YkDag *g, YkRefVec e, YkRef d, YkRef v, YkRef spin, YkRef spin_rate)
 {
     YkRef two = yk_dag_number(g, 2), twice = yk_dag_multiply(g, two, yk_dag_multiply(g, v, spin));
@@ -78,7 +79,7 @@ static void rates_rrp(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRate
     target->slide[slide] = yk_dag_multiply(g, yk_dag_dot(g, at->q, G), at->inverse);
 }
 
-// The line passes the pin and keeps still in the turning axes: K = -d e.
+// A line through the pin that is fixed in the turning axes: K = -d e.
 static void rates_radial(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRates *r, YkRates *s)
 {
     YkDag *g = &p->graph;
@@ -143,7 +144,7 @@ static void rates_pp(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRates
     target->slide[b->column[1].index] = yk_dag_multiply(g, yk_dag_cross(g, G, at->e[0]), at->inverse);
 }
 
-// Loops with one unknown: the component along its column.
+// Loops with one unknown: takes the component along its column.
 static void rates_redundant(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRates *r, YkRates *s)
 {
     YkDag *g = &p->graph;
@@ -164,7 +165,7 @@ static void rates_redundant(YkProgram *p, const YkBlock *b, const YkPlaced *at, 
     target->turn[index] = yk_dag_minus(g, yk_dag_divide(g, top, yk_dag_dot(g, at->p, at->p)));
 }
 
-// J rates = -(what the loops' known parts do); s: with the unknowns' own velocities for the second derivatives.
+// Returns J rates = -(rate of the loops' known parts); s: with the unknowns' velocities, for second derivatives.
 static YkRefVec loop_rate(YkProgram *p, const YkSum *sum, const YkRates *r, const YkRates *s)
 {
     return s ? yk_program_sum_accel(p, sum, r, s) : yk_program_sum_rate(p, sum, r);
@@ -181,7 +182,7 @@ static void rates_group(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRa
         p->failed = true;
         return;
     }
-    // While the unknowns' rates are 0, an orientation tied to them turns as it does relative to its root.
+    // While the unknowns' rates are 0, an orientation tied to them turns as relative to its root.
     for (size_t o = 1; o < p->mech->orientation_count; o++) {
         int32_t root = p->mech->group_root[o], relative = p->mech->relative_slot[o];
         for (size_t k = 0; k < n; k++) {

@@ -1,4 +1,4 @@
-// One block's position: what all kinds share, and those that repeat constraints.
+// Computes one block's position: what all kinds share, and blocks that repeat constraints.
 #include "code/blocks.h"
 
 YkRef yk_block_branch(YkProgram *p, size_t block)
@@ -6,7 +6,7 @@ YkRef yk_block_branch(YkProgram *p, size_t block)
     return yk_dag_leaf(&p->graph, YK_LEAF_POSE, yk_program_text(p, "c->%s", p->names.block[block]));
 }
 
-// Keeps the least margin. It is no number once a block did not come out finite.
+// Keeps the least margin; NaN once a block is not finite.
 void yk_block_keep_margin(YkProgram *p, YkRef margin, YkRef result)
 {
     YkDag *g = &p->graph;

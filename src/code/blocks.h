@@ -1,16 +1,16 @@
-// The positions of blocks: dyads in closed form, groups by Newton's method, what repeats constraints.
+// The positions of blocks: dyads in closed form, groups by Newton's method, blocks that repeat constraints.
 #ifndef CODE_BLOCKS_H
 #define CODE_BLOCKS_H
 #include "code/program.h"
 
-// blocks.c: what they share.
+// blocks.c: shared by all kinds.
 YkRef yk_block_branch(YkProgram *program, size_t block); // +1 or -1
-// A unit vector: the block's line `k`, along which `column` slides, as it stands.
+// Returns a unit vector: the block's present line `k`, along which `column` slides.
 YkRefVec yk_block_line(YkProgram *program, const YkBlock *block, size_t column, size_t k);
 void yk_block_set_unit(YkProgram *program, int32_t slot, YkRefVec unit);
 void yk_block_set_distance(YkProgram *program, int32_t distance, YkRef value);
 void yk_block_name(YkProgram *program, YkRefVec vector, const char *block, const char *what);
-// Keeps the least margin. It is no number once a block did not come out finite.
+// Keeps the least margin; NaN once a block is not finite.
 void yk_block_keep_margin(YkProgram *program, YkRef margin, YkRef result);
 
 // dyads.c

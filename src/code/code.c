@@ -1,4 +1,4 @@
-// The door: a model becomes the text of a C file.
+// Turns a model into the text of a C file.
 #include <stdlib.h>
 #include <string.h>
 #include <yoke/move.h>
@@ -16,7 +16,7 @@ YkCSourceOptions yk_default_c_source_options(void)
     return (YkCSourceOptions){0};
 }
 
-// A C name of the model's file: lower case, words joined by underscores.
+// Makes a C name from the name of the model's file: lower case, words joined by underscores.
 static const char *prefix_of(YkProgram *p, const char *name)
 {
     const char *slash = strrchr(name, '/');
@@ -45,7 +45,7 @@ static bool assemble(YkFile *file, const YkState *pose, YkProblems *problems)
     return false;
 }
 
-// What of the parameters' values the poses need, under names of their own.
+// Gives names to the values of parameters that the poses need.
 static void name_fields(YkFile *file)
 {
     YkPrinter *pr = &file->printer;
@@ -86,8 +86,8 @@ static bool need_fields(YkFile *file)
     return !p->failed;
 }
 
-// Compilers work at as many poses side by side as fit the narrowest type of a loop. Loops of the machine make a long
-// chain of operations, each waiting for the last: there four vectors at once pay, in trees two.
+// Compilers work on as many poses side by side as fit the narrowest type of a loop. Loops of the machine make a long
+// chain of operations, each waiting for the last: there four vectors at once pay off, in trees two.
 static void write_lanes(YkFile *file)
 {
     bool has_blocks = file->program.mech->block_count > 0;
@@ -96,7 +96,7 @@ static void write_lanes(YkFile *file)
     yk_file_template(file, has_blocks ? "typedef short @_status;\n\n" : "typedef int @_status;\n\n");
 }
 
-// Helpers are printed before what uses them, so that is printed first, aside.
+// Writes the body aside first, since the helpers that it uses are printed before it.
 static bool write_body(YkFile *file)
 {
     YkProgram *p = &file->program;
@@ -130,7 +130,7 @@ static bool write_body(YkFile *file)
     return !failed;
 }
 
-// Everything that takes part keeps in mind where it ran out of memory.
+// Returns whether nothing ran out of memory: every part records its failure.
 static bool is_whole(const YkFile *file)
 {
     const YkProgram *p = &file->program;
@@ -148,7 +148,7 @@ static bool write_all(YkFile *file)
     return write_body(file) && is_whole(file);
 }
 
-// Parameters of which the printed program may have others: given by the file alone, and nothing that is fixed.
+// Finds the parameters that may vary in the printed program: given by the file alone, and not fixed.
 static size_t own_parameters(YkProgram *p, const char **names)
 {
     const YkModel *m = p->model;
@@ -162,7 +162,7 @@ static size_t own_parameters(YkProgram *p, const char **names)
     return count;
 }
 
-// The mechanism with the recipe of its vectors, compiled so that no accident of the file's numbers shapes it.
+// Compiles the mechanism with the recipe of its vectors, so that no coincidence of the file's numbers shapes it.
 static YkVariant *vary(const YkMechanism *mech, YkArena *arena, YkProblems *problems)
 {
     const YkModel *m = mech->model;
@@ -196,8 +196,7 @@ static bool print(YkFile *file, const YkModel *model, const YkCSourceOptions *op
 {
     YkCompileOptions compile = {options->inputs, options->input_count};
     YkMechanism *mech = yk_mechanism_compile(model, &compile, NULL);
-    if (!mech)
-        mech = yk_mechanism_compile(model, &compile, problems); // to say why; its notes are for who checks the machine
+    if (!mech) mech = yk_mechanism_compile(model, &compile, problems); // to say why; its notes are for `yoke check`
     YkVariant *variant = mech ? vary(mech, arena, problems) : NULL;
     bool ok = variant && print_varying(file, variant, options, arena, problems);
     yk_printer_end(&file->printer);

@@ -20,7 +20,7 @@ static bool cut(char *name, const char *ending)
     return true;
 }
 
-// The coordinate of the tree that NAME, JOINT.angle or JOINT.distance speaks of.
+// Finds the tree's coordinate for NAME, JOINT.angle or JOINT.distance.
 static int32_t find_coordinate(const YkProgram *p, char *name)
 {
     int32_t found = yk_names_find(&p->model->coordinate_names, name);
@@ -44,7 +44,7 @@ static YkRef read_name(const Reading *r, const YkExpr *expr)
     if (!name) return yk_dag_number(&p->graph, 0);
     bool is_rate = cut(name, ".rate");
     int32_t coordinate = find_coordinate(p, name);
-    if (coordinate == YK_NONE || !r->motion) { // of a joint that closes a loop: the loader refuses it, or the printer
+    if (coordinate == YK_NONE || !r->motion) { // of a joint that closes a loop: the loader or the printer refuses it
         p->failed = true;
         return yk_dag_number(&p->graph, 0);
     }
@@ -88,8 +88,8 @@ YkRef yk_program_expr_at(YkProgram *p, const YkExpr *expr, const YkMotionRef *mo
 
 // --- parameters
 
-// What the printed program cannot compute anew - laws, and the constants of gears, racks, belts and cams - keeps the
-// file's values; a parameter that goes into it is fixed.
+// Laws and the constants of gears, racks, belts and cams keep the file's values, since the printed program cannot
+// compute them anew; a parameter that they use is fixed.
 static void fix_name(void *context, const YkExpr *name)
 {
     YkProgram *p = context;
@@ -158,7 +158,7 @@ void yk_program_fix(YkProgram *p)
     for (size_t k = 0; k < m->joint_count; k++) fix(p, m->joints[k].turned_expr);
     fix_wheels(p);
     if (m->gear_count + m->rack_count + m->belt_count == 0) return;
-    for (size_t k = 0; k < m->start_count; k++) fix(p, m->starts[k].expr); // how teeth meet
+    for (size_t k = 0; k < m->start_count; k++) fix(p, m->starts[k].expr); // the position of teeth
     for (size_t k = 0; k < m->drive_count; k++) fix(p, m->drives[k].expr);
 }
 
@@ -219,7 +219,7 @@ static YkRefVec in_orientation(YkProgram *p, int32_t body, YkRefVec v)
     return yk_dag_vec_multiply(&p->graph, p->turn_unit[body], v);
 }
 
-// A vector by its recipe: points and lines of joints, in the axes of their bodies' orientations, added.
+// Evaluates a vector by its recipe: points and lines of joints, in the axes of their bodies' orientations, added.
 static YkRefVec by_recipe(YkProgram *p, int32_t index)
 {
     YkDag *g = &p->graph;
@@ -268,7 +268,7 @@ YkRefVec yk_program_line(YkProgram *p, int32_t distance, YkVec value)
     return yk_dag_vec_number(&p->graph, value.x, value.y);
 }
 
-// As compile has it: the angle of the second body to the first, from those of their orientations.
+// Returns the angle from the first to the second body, from those of their orientations, as in compile.
 YkRef yk_program_joint_offset(YkProgram *p, int32_t joint)
 {
     const YkJoint *j = &p->model->joints[joint];

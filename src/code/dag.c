@@ -1,3 +1,4 @@
+// The graph of a program: makes values, and finds those that are already there.
 #include "code/dag.h"
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +13,7 @@ bool yk_dag_start(YkDag *g, YkArena *arena)
     if (!g->table) return false;
     for (size_t k = 0; k < g->table_size; k++) g->table[k] = NOTHING;
     yk_dag_section(g, NULL);
-    yk_dag_number(g, 0); // value 0 is always there: what a failed allocation leaves refers to it
+    yk_dag_number(g, 0); // value 0 always exists: a failed allocation refers to it
     return !g->failed;
 }
 
@@ -78,7 +79,7 @@ static void enter(YkDag *g, size_t index, size_t hash)
     g->table[at] = (int32_t)index;
 }
 
-// The name of a value is no part of what it is, but for leaves.
+// A value's name is not part of its identity, except for leaves.
 static YkValue key_of(const YkValue *v)
 {
     YkValue key = *v;
@@ -101,7 +102,7 @@ static bool grow_table(YkDag *g)
     return true;
 }
 
-// A value with its operands set: the one that is there, or a new one.
+// Returns a value with its operands set: an existing one, or a new one.
 YkRef yk_dag_intern(YkDag *g, YkValue v)
 {
     YkValue key = key_of(&v);
@@ -169,7 +170,7 @@ YkRef yk_dag_result(YkDag *g, int32_t call, size_t k)
     return yk_dag_intern(g, (YkValue){.op = YK_VALUE_RESULT, .a = call, .b = (YkRef)k, .c = NOTHING});
 }
 
-// --- what it takes
+// --- cost
 
 static size_t cost_of(const YkDag *g, YkRef value, bool *counted)
 {

@@ -1,8 +1,8 @@
 // The graph of a program: every value that the printed C computes, each once.
 //
-// Values are numbers, names that the program gets from outside (leaves), and operations on earlier values. Building one
-// folds what is constant, and finds again what is there already. A value that depends on parameters alone belongs to
-// the machine and is computed once; all others belong to a pose.
+// Values are numbers, names that the program gets from outside (leaves), and operations on earlier values. Building a
+// value folds constants, and returns an existing value if there is one. A value that depends only on parameters belongs
+// to the machine and is computed once; all others belong to a pose.
 #ifndef CODE_DAG_H
 #define CODE_DAG_H
 #include <stdbool.h>
@@ -60,7 +60,7 @@ typedef enum YkLeafClass {
     YK_LEAF_UNKNOWN    // of a group: what Newton's method looks for
 } YkLeafClass;
 
-// A piece of program that is no expression: it takes values and gives several.
+// A piece of program that is not an expression: it takes several values and gives several.
 typedef enum YkCallKind {
     YK_CALL_SOLVE, // linear equations: arguments A[n][n + m], the right sides behind; results the same places solved,
                    // then the determinant over the lengths of the columns
@@ -78,7 +78,7 @@ typedef struct YkCall {
     int32_t section;
 } YkCall;
 
-// What derivatives remember of values: room that is made once, and whose entries count only with the newest stamp.
+// What derivatives remember about values: room made once, whose entries count only with the latest stamp.
 typedef struct YkDagMemo {
     YkRef *slope;
     uint32_t *slope_stamp, *reach_stamp, newest; // by value
@@ -104,12 +104,12 @@ typedef struct YkDag {
 
 bool yk_dag_start(YkDag *graph, YkArena *arena);
 void yk_dag_end(YkDag *graph);
-// From here on values are computed under this heading.
+// Puts the following values under this heading.
 void yk_dag_section(YkDag *graph, const char *heading);
-// What the program should call it, unless it has a name already or is a plain number; returns it.
+// Gives a value a name, unless it has one or is a plain number; returns the value.
 YkRef yk_dag_name(YkDag *graph, YkRef value, const char *format, ...);
 
-// A value with its operands set: the one that is there already, or a new one.
+// Returns a value with its operands set: an existing one, or a new one.
 YkRef yk_dag_intern(YkDag *graph, YkValue value);
 YkRef yk_dag_number(YkDag *graph, double number);
 YkRef yk_dag_leaf(YkDag *graph, YkLeafClass leaf_class, const char *name);
@@ -128,9 +128,9 @@ YkRefVec yk_dag_unit(YkDag *graph, YkRef angle); // (cos, sin)
 // A call; the result `k` of it.
 int32_t yk_dag_call(YkDag *graph, YkCall call);
 YkRef yk_dag_result(YkDag *graph, int32_t call, size_t k);
-// How many operations the roots take, each value once, those of parameters alone not counted.
+// Counts the operations of the roots, each value once, without those that depend only on parameters.
 size_t yk_dag_cost(const YkDag *graph, const YkRef *roots, size_t count);
-// d value / d leaf, exact. memo: as many as the graph has values at the time, -1 where not known yet.
+// Returns d value / d leaf, exact. memo: one entry per present value, -1 if not known yet.
 YkRef yk_dag_derivative(YkDag *graph, YkRef value, YkRef leaf);
 
 bool yk_dag_is_number(const YkDag *graph, YkRef value, double number);

@@ -11,7 +11,7 @@ typedef struct Work {
     uint32_t stamp;
 } Work;
 
-// --- what is remembered
+// --- memory
 
 static bool fit_stamps(uint32_t **stamps, size_t from, size_t to)
 {
@@ -22,7 +22,7 @@ static bool fit_stamps(uint32_t **stamps, size_t from, size_t to)
     return true;
 }
 
-// Room for all values that there are. Stamps begin anew where they would run out.
+// Makes room for all present values. Stamps begin anew when they would run out.
 static bool fit(YkDag *g)
 {
     YkDagMemo *memo = &g->memo;
@@ -42,7 +42,7 @@ static bool fit(YkDag *g)
     return true;
 }
 
-// Stamps all values of which one is made.
+// Stamps all values that a value is made of.
 static void reach(YkDag *g, YkRef value)
 {
     YkDagMemo *memo = &g->memo;
@@ -186,14 +186,14 @@ static YkRef find(Work *w, YkRef value)
         YkRef argument = call->arguments[0], slope = yk_dag_result(g, v.a, (size_t)v.b + 1);
         return yk_dag_multiply(g, slope, derive(w, argument));
     }
-    default: // numbers; what no derivative is asked of
+    default: // numbers, and values that are never differentiated
         return yk_dag_number(g, 0);
     }
 }
 
 static YkRef derive(Work *w, YkRef value)
 {
-    if (value < w->leaf) return yk_dag_number(w->g, 0); // what is older cannot depend on it
+    if (value < w->leaf) return yk_dag_number(w->g, 0); // an older value cannot depend on it
     YkDagMemo *memo = &w->g->memo;
     if (memo->slope_stamp[value] == w->stamp) return memo->slope[value];
     YkRef found = find(w, value);

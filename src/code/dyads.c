@@ -1,4 +1,4 @@
-// Dyads, in closed form: the formulas of solve/kernels*, where they are derived.
+// Computes dyads in closed form: the formulas of solve/kernels*, where they are derived.
 #include "code/blocks.h"
 
 // 1 / a, as a complex number.
@@ -14,7 +14,7 @@ static YkRef not_negative(YkDag *g, YkRef a)
     return yk_dag_binary(g, YK_VALUE_LARGEST, a, yk_dag_number(g, 0));
 }
 
-// By how much the margin of an arm is less for its length, as yk_arm_share has it; `square` is its length's.
+// Returns by how much an arm's length lowers the margin, as yk_arm_share does; `square` is that of its length.
 static YkRef arm_share(YkProgram *p, const YkBlock *b, int k, YkRef square)
 {
     YkDag *g = &p->graph;
@@ -22,7 +22,7 @@ static YkRef arm_share(YkProgram *p, const YkBlock *b, int k, YkRef square)
     return yk_dag_multiply(g, yk_dag_number(g, enough / (size * size)), square);
 }
 
-// Is an arm short, or may it be?
+// Returns whether an arm is short, or may be.
 static bool is_careful(YkProgram *p, const YkBlock *b, int arms)
 {
     double size = yk_program_size(p);
@@ -35,7 +35,7 @@ static bool is_careful(YkProgram *p, const YkBlock *b, int arms)
     return careful;
 }
 
-// A margin where the loop closes, less by the arms' shares.
+// Returns the margin where the loop closes, less the arms' shares.
 static YkRef with_share(YkProgram *p, YkRef margin, YkRef share)
 {
     YkDag *g = &p->graph;
@@ -49,7 +49,7 @@ static YkRefVec of_length_one(YkDag *g, YkRefVec e)
     return yk_dag_vec_scale(g, per, e);
 }
 
-// An arm is short, or may be: its unit vector takes more of the rounding of the base than its length bears.
+// An arm is short, or may be: its unit vector takes more of the base's rounding than its length allows.
 static void make_careful(YkProgram *p, YkPlaced *placed, YkRefVec U, YkRefVec W)
 {
     YkDag *g = &p->graph;
@@ -66,7 +66,7 @@ static YkRef signed_per_root(YkProgram *p, size_t block, YkRef square)
     return yk_dag_multiply(&p->graph, branch, yk_dag_unary(&p->graph, YK_VALUE_PER_ROOT, square));
 }
 
-// RRR: two circles meet.
+// RRR: two circles intersect.
 void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkDag *g = &p->graph;
@@ -114,7 +114,7 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
     yk_block_keep_margin(p, yk_dag_choose(g, margin, yk_dag_multiply(g, margin, longer), closing), placed->e[0].x);
 }
 
-// RRP: a circle meets a line.
+// RRP: a circle intersects a line.
 void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkDag *g = &p->graph;
@@ -139,8 +139,8 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
     yk_block_keep_margin(p, margin, placed->e[1].x);
 }
 
-// r over the base, squared, or over the size where that is less, as rpr_margin has it; per_K2 -1 if the line passes
-// the pin, so that K^2 = r^2.
+// Returns r over the base, squared, or over the size if that is less, as rpr_margin does; per_K2 is -1 if the line
+// passes through the pin, so that K^2 = r^2.
 static YkRef rpr_margin(YkProgram *p, YkRef r2, YkRef per_K2)
 {
     YkDag *g = &p->graph;
@@ -150,7 +150,7 @@ static YkRef rpr_margin(YkProgram *p, YkRef r2, YkRef per_K2)
     return yk_dag_binary(g, YK_VALUE_LEAST, of_base, of_size);
 }
 
-// RPR: a line that turns about a pin passes a point.
+// RPR: a line that turns about a pin passes through a point.
 void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkDag *g = &p->graph;
@@ -174,7 +174,7 @@ void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
     yk_block_keep_margin(p, rpr_margin(p, r2, per_K2), e.x);
 }
 
-// PP: two lines meet.
+// PP: two lines intersect.
 void yk_block_place_pp(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkDag *g = &p->graph;

@@ -1,8 +1,8 @@
-// The equations of motion in the inputs, M q'' + rest = efforts: body by body, or by lumped constants where that takes
+// The equations of motion in the inputs, M q'' + rest = efforts: body by body, or by lumped constants if that takes
 // fewer operations.
 #include "code/forces.h"
 
-// What acts besides weight.
+// Adds all loads except weight.
 static void add_loads(YkForces *f, YkEquations *out)
 {
     YkProgram *p = f->program;
@@ -21,7 +21,7 @@ static void add_loads(YkForces *f, YkEquations *out)
     }
 }
 
-// A body's part of M and, with its weight, of the rest.
+// Adds a body's part of M and, with its weight, of the rest.
 static void add_body(YkForces *f, int32_t body, YkEquations *out)
 {
     YkProgram *p = f->program;
@@ -72,7 +72,7 @@ static size_t cost_of(const YkForces *f, const YkEquations *e)
     return yk_dag_cost(&p->graph, roots, count);
 }
 
-// Names what is kept, and fills the other half of M.
+// Names the values, and fills the other half of M.
 static void keep(YkForces *f, const YkEquations *e)
 {
     YkDag *g = &f->program->graph;

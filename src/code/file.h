@@ -9,7 +9,7 @@
 typedef struct YkResult {
     const char *name, *comment; // comment: unit and meaning
     YkRef value;
-    YkChannel channel; // what the engine calls it
+    YkChannel channel; // its channel in the engine
 } YkResult;
 
 typedef enum YkRoutineKind { YK_ROUTINE_MOTION, YK_ROUTINE_INVERSE, YK_ROUTINE_FORWARD } YkRoutineKind;
@@ -19,9 +19,9 @@ typedef struct YkRoutine {
     const char *name, *about;
     YkResult *results;
     size_t count;
-    YkRef witness;       // 0 if the inputs are finite that it depends on, those of loads not counted
-    YkRef regular;       // above 0 if its equations have a solution, or -1: they always have
-    bool checks_results; // they may be infinite at a regular pose
+    YkRef witness;       // 0 if the inputs that it depends on are finite, except those of loads
+    YkRef regular;       // above 0 if its equations have a solution; -1: they always have
+    bool checks_results; // results may be infinite at a regular pose
     bool has_designs;    // a batch over parameters too
     YkRoutineKind kind;
 } YkRoutine;
@@ -46,28 +46,28 @@ typedef struct YkFile {
     size_t routine_count;
     YkLeafNote *inputs, *configuration;
     size_t input_count, configuration_count;
-    YkResult *drives; // what a drive gives: members of the inputs
+    YkResult *drives; // the values of drives: members of the inputs
     size_t drive_count;
     YkRef *residuals; // loops and relations, then their Jacobian
     size_t residual_count, row_count, coordinate_count;
     YkText text;
 } YkFile;
 
-// struct_members.c: what the inputs and the configuration hold.
+// struct_members.c: the members of the inputs and the configuration.
 bool yk_file_members(YkFile *file);
 // routines.c: the routines, drives and residuals as values.
 bool yk_file_routines(YkFile *file);
 void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
                         const char *format, ...);
-// What a routine's body makes: its results and what the status depends on; room for 6 more.
+// Finds the roots of a routine's body: its results and the values for its status; room for 6 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
-// file_types.c: the type of numbers; parameters that the struct has, since they follow from no others.
+// file_types.c: the type of numbers; parameters in the struct, which follow from no others.
 const char *yk_file_real(const YkFile *file);
 bool yk_file_is_own(const YkFile *file, size_t parameter);
 size_t yk_file_own_parameters(const YkFile *file);
 void yk_file_prototype(YkFile *file, const YkRoutine *routine, const char *ending);
 void yk_file_prototype_many(YkFile *file, const YkRoutine *routine, bool designs, const char *ending);
-// The text before, a value, the text after.
+// Writes the text before, a value, the text after.
 void yk_file_line(YkFile *file, const char *before, YkRef value, const char *after);
 // file_*.c and their neighbours: the parts of the file, in order.
 void yk_file_write_head(YkFile *file);

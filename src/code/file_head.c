@@ -1,4 +1,4 @@
-// The head of the printed file: what it is, how it is used, what it leaves out.
+// Writes the head of the printed file: what it is, how to use it, what it leaves out.
 #include "code/file.h"
 
 static void write_fixed(YkFile *file)

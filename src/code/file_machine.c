@@ -1,4 +1,4 @@
-// The machine of the printed file: its values, what depends on them, how it starts, how its drives move it.
+// Writes the machine of the printed file: its values, what depends on them, how it starts, how its drives move it.
 #include "code/file.h"
 
 void yk_file_line(YkFile *file, const char *before, YkRef value, const char *after)

@@ -1,10 +1,10 @@
-// The routines of the printed file: one pose, and loops over arrays of poses and of parameters.
+// Writes the routines of the printed file: one pose, and loops over arrays of poses and of parameters.
 #include <string.h>
 #include "code/file.h"
 
 // --- the status
 
-// Where the condition does not hold (of NaN none does), that is how it went; the first of all counts.
+// Sets the status if the condition does not hold (for NaN none does); the first failure counts.
 static void check(YkFile *file, YkRef value, const char *condition, const char *status)
 {
     yk_text_puts(&file->text, "!(");
@@ -29,7 +29,7 @@ static void check_gap(YkFile *file)
     yk_text_format(out, ") ? %s_NO_ASSEMBLY\n        : ", file->prefix);
 }
 
-// What the conditions speak of.
+// Writes the values in the conditions.
 static void write_witnesses(YkFile *file, const YkRoutine *r, bool has_margin, bool has_witness)
 {
     const char *real = yk_file_real(file);
@@ -113,7 +113,7 @@ typedef struct Uses { // which inputs the routine's kernel takes; those of them 
     bool any_unseen;
 } Uses;
 
-// The input that a value is, or input_count.
+// Returns the input that a value is, or input_count.
 static size_t input_of(const YkFile *file, const YkValue *v)
 {
     size_t k = 0;
@@ -135,7 +135,7 @@ static void mark_operands(const YkDag *g, const YkValue *v, bool *is_marked)
         if (of[k] >= 0) is_marked[of[k]] = true;
 }
 
-// Marks all that a value depends on, and itself: what a value is made of comes before it.
+// Marks a value and all that it depends on: operands come before their value.
 static void mark_under(const YkDag *g, YkRef value, bool *is_marked)
 {
     is_marked[value] = true;
@@ -161,8 +161,7 @@ static bool find_uses(YkFile *file, const YkRoutine *r, Uses *uses)
     return true;
 }
 
-// Of inputs that the witness has not seen: they are looked at where something went wrong, which costs nothing
-// elsewhere.
+// Checks inputs that the witness has not seen; only after a failure, so that it costs nothing otherwise.
 static void write_fault(YkFile *file, const Uses *uses, const char *before, const char *after)
 {
     YkText *out = &file->text;
@@ -191,7 +190,7 @@ static void write_one(YkFile *file, const YkRoutine *r, const Uses *uses)
 
 // --- loops
 
-// The arrays under names of their own: none overlaps another.
+// Writes the arrays under names of their own, so that none overlaps another.
 static void write_arrays(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)
 {
     YkText *out = &file->text;
@@ -242,7 +241,7 @@ static void write_statuses(YkFile *file, const Uses *uses)
     yk_file_template(file, "                status[i] = @_BAD_INPUT;\n");
 }
 
-// Blocks of poses: the status of each as a number beside the results, then all of them as bytes.
+// Writes blocks of poses: the status of each as a number beside the results, then all of them as bytes.
 static void write_many(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)
 {
     YkText *out = &file->text;

@@ -1,4 +1,4 @@
-// The types of the printed file, and the prototypes of its functions.
+// Writes the types of the printed file, and the prototypes of its functions.
 #include "code/file.h"
 #include "model/load.h"
 

@@ -1,4 +1,4 @@
-// Forces of a pose: what everything acts on, in order.
+// Computes the forces of a pose: everything that acts on the machine, in order.
 #include "code/forces.h"
 #include "base/problems.h"
 
@@ -22,7 +22,7 @@ static YkRef combine(YkProgram *p, YkRef sum, YkRef column, YkRef rate)
     return yk_dag_add(&p->graph, sum, yk_dag_multiply(&p->graph, column, rate));
 }
 
-// The columns, and the pose's velocities as their sum.
+// Makes the columns, and the pose's velocities as their sum.
 static void make_columns(YkForces *f)
 {
     YkProgram *p = f->program;
@@ -49,7 +49,7 @@ static void make_columns(YkForces *f)
     }
 }
 
-// Rates of the laws' arguments, at the pose's velocities, for the second derivatives.
+// Makes the rates of the laws' arguments at the pose's velocities, for the second derivatives.
 static void make_bias(YkForces *f)
 {
     YkProgram *p = f->program;

@@ -16,15 +16,15 @@ typedef struct YkForces {
     YkProgram *program;
     YkMotionRef *motion;      // per coordinate of the tree: position and velocity
     YkRates *column;          // per input
-    YkRates velocities, bias; // of the pose; its accelerations where the inputs do not accelerate
+    YkRates velocities, bias; // of the pose; bias: its accelerations for zero accelerations of the inputs
     YkRefVec gravity;
     YkWrenchRef *load;   // per body, besides its weight
     YkRef *mass, *rest;  // M[n][n]; h - Q
     YkRef *effort;       // per input, all accelerations given
-    YkRef *acceleration; // per input, those that are not driven without effort but `extra`
+    YkRef *acceleration; // per input; inputs without a drive have no effort except `extra`
     bool *is_free;       // per input
     size_t free_count;
-    YkRef inertia; // above 0 where every free input has inertia
+    YkRef inertia; // above 0 if every free input has inertia
     YkRef kinetic, potential;
     YkRef *reaction;   // per joint: force x, y, moment; NULL: not printed
     YkRef determinant; // of the reactions' equations
@@ -39,7 +39,7 @@ enum { YK_FORCES_INPUTS_MAX = 40 };
 
 // Returns false if a load cannot be printed: reported.
 bool yk_forces_build(YkForces *forces, YkProgram *program);
-// loads.c: what all loads exert, into forces->load; and what springs and gravity store.
+// loads.c: the action of all loads, into forces->load; the energy of springs and gravity.
 bool yk_forces_loads(YkForces *forces);
 YkRefVec yk_forces_center(YkProgram *program, int32_t body);       // its reference point, in the body's axes
 YkRefVec yk_forces_line(YkProgram *program, const YkJoint *joint); // of a joint that slides, world axes
@@ -47,13 +47,13 @@ YkRef yk_forces_mass(YkProgram *program, int32_t body);
 YkRef yk_forces_inertia(YkProgram *program, int32_t body);
 // equations.c: M and the rest.
 bool yk_forces_equations(YkForces *forces);
-// lumped_masses.c: adds all masses and their weight; false if the machine is no tree or a body has no mass.
+// lumped_masses.c: adds all masses and their weight. Returns false if the machine is not a tree or a body has no mass.
 bool yk_forces_lumped(YkForces *forces, YkEquations *out);
-// accelerations.c: of the free inputs.
+// accelerations.c: those of the free inputs.
 void yk_forces_accelerations(YkForces *forces);
-// reactions.c: the free bodies' equations.
+// reactions.c: the equations of the free bodies.
 void yk_forces_reactions(YkForces *forces, const YkRates *velocities, const YkRates *accelerations);
-// Does it have mass or load?
+// Returns whether it has mass or load.
 bool yk_model_has_forces(const YkModel *model);
 
 #endif

@@ -1,4 +1,4 @@
-// A group: its loops and relations as residual and Jacobian, and the call of Newton's method.
+// Computes a group: its loops and relations as residual and Jacobian, and the call of Newton's method.
 #include "code/blocks.h"
 #include "base/problems.h"
 
@@ -11,7 +11,7 @@ static int find_column(const YkProgram *p, const YkBlock *b, bool is_distance, i
     return -1;
 }
 
-// What the unknowns among some sources add to a row of the Jacobian, times a factor.
+// Adds the unknowns among some sources to a row of the Jacobian, times a factor.
 static void enter_sources(YkProgram *p, uint32_t first, uint32_t count, YkRef factor, YkRef *row)
 {
     YkDag *g = &p->graph;
@@ -23,7 +23,7 @@ static void enter_sources(YkProgram *p, uint32_t first, uint32_t count, YkRef fa
     }
 }
 
-// The rows of gears, racks, belts, cams and laws, behind those of the loops.
+// Evaluates the rows of gears, racks, belts, cams and laws, which follow those of the loops.
 static void evaluate_relations(YkProgram *p, const YkBlock *b, const YkRef *x, YkRef *residual, YkRef *jacobian)
 {
     for (uint32_t k = 0; k < b->relation_count; k++) {
@@ -36,7 +36,7 @@ static void evaluate_relations(YkProgram *p, const YkBlock *b, const YkRef *x, Y
     }
 }
 
-// Residual and Jacobian of all loops of the group at unknowns x[column], as solve/group has them.
+// Evaluates residual and Jacobian of all loops of the group at unknowns x[column], as solve/group does.
 static void evaluate(YkProgram *p, const YkBlock *b, const YkRef *x, YkRef *residual, YkRef *jacobian)
 {
     YkDag *g = &p->graph;
@@ -102,7 +102,7 @@ void yk_block_place_group(YkProgram *p, size_t index, YkPlaced *placed)
         guess[k] = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "c->%s_guess[%d]", placed->name, (int)k));
     }
     evaluate(p, b, placed->unknown, placed->residual, placed->jacobian);
-    for (size_t k = 0; k < m; k++) yk_dag_minus(g, placed->residual[k]); // as Newton's method takes it
+    for (size_t k = 0; k < m; k++) yk_dag_minus(g, placed->residual[k]); // with the sign that Newton's method needs
     yk_dag_section(g, yk_program_text(p, "%s: a group of %d loops, by Newton's method.", b->label, (int)b->loop_count));
     placed->call = yk_dag_call(g, (YkCall){.kind = YK_CALL_GROUP,
                                            .index = (int32_t)index,
@@ -120,7 +120,7 @@ void yk_block_place_group(YkProgram *p, size_t index, YkPlaced *placed)
             yk_block_set_unit(p, c->index, yk_dag_unit(g, placed->solution[k]));
     }
     evaluate(p, b, placed->solution, unused, placed->at);
-    // the sign of the determinant is the branch; its square the margin
+    // The sign of the determinant is the branch; its square is the margin.
     YkRef miss = yk_dag_result(g, placed->call, n), det = yk_dag_result(g, placed->call, n + 1);
     YkRef on_branch = yk_dag_multiply(g, det, yk_block_branch(p, index));
     p->missed = yk_dag_binary(g, YK_VALUE_LARGEST, p->missed, miss);

@@ -1,4 +1,4 @@
-// Loads: what gravity, efforts, forces, springs, dampers and viscous friction exert on the bodies.
+// Loads: the action of gravity, efforts, forces, springs, dampers and viscous friction on the bodies.
 #include "base/problems.h"
 #include "code/forces.h"
 
@@ -41,7 +41,7 @@ bool yk_model_has_forces(const YkModel *m)
     return has;
 }
 
-// From a body's reference point to a point of it, world axes.
+// Returns the vector from a body's reference point to one of its points, world axes.
 static YkRefVec arm_to(YkProgram *p, int32_t body, YkRefVec at)
 {
     YkDag *g = &p->graph;
@@ -73,7 +73,7 @@ YkRefVec yk_forces_line(YkProgram *p, const YkJoint *joint)
     return in_world(p, joint->body[0], along);
 }
 
-// An effort along a joint's freedom: on its second body, its opposite at the same place on the first.
+// Adds an effort along a joint's freedom: on its second body, and its opposite at the same place on the first.
 static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effort)
 {
     YkProgram *p = f->program;
@@ -132,7 +132,7 @@ static void store(YkForces *f, YkRef stiffness, YkRef stretch)
     f->potential = yk_dag_add(g, f->potential, yk_dag_multiply(g, yk_dag_number(g, 0.5), square));
 }
 
-// Between ends that a joint holds together there is no more than rounding leaves, and no direction.
+// Between ends that a joint holds together, only rounding is left, and no direction.
 static double no_length(const YkProgram *p)
 {
     return (p->is_single ? 1e-5 : 1e-14) * yk_program_size(p);

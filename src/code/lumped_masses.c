@@ -1,11 +1,10 @@
-// The equations of motion of a tree by lumped constants: bodies on the same arm are one mass to it.
+// The equations of motion of a tree by lumped constants: bodies on the same arm act as one mass on it.
 //
 // The centre of each body is a sum of arms from the ground, e_a u_a, some of them times a distance d_a; e_a is the unit
-// vector of the arm's orientation, u_a what the body has on it. With plane vectors as complex numbers the velocity is
-// the sum of e_a u_a z_a, z = d' + i d w (d = 1 if there is no distance), and so
-//     sum over bodies m conj(v_i) v_j = sum over arms conj(z_a,i) K_ab conj(e_a) e_b z_b,j,   K_ab = sum m conj(u_a)
-//     u_b.
-// K depends on parameters alone, and conj(e_a) e_b on the angles between the arms: for a double pendulum this is the
+// vector of the arm's orientation, u_a the body's lever on it. With plane vectors as complex numbers the velocity is
+// the sum of e_a u_a z_a, with z = d' + i d w (d = 1 if there is no distance), and so sum over bodies m conj(v_i) v_j =
+// sum over arms conj(z_a,i) K_ab conj(e_a) e_b z_b,j, with K_ab = sum m conj(u_a) u_b.
+// K depends only on parameters, and conj(e_a) e_b on the angles between the arms: for a double pendulum this is the
 // form of the textbooks. With closed loops the sums would cancel near dead points, where bodies stand still at the end
 // of arms that turn; there the bodies are taken one by one.
 #include "code/forces.h"
@@ -14,7 +13,7 @@ enum { ARMS_MAX = 16 };
 
 typedef struct Arm {
     int32_t slot, distance;
-    YkRefVec own; // of the body in work: u
+    YkRefVec own; // of the current body: u
     YkRefVec sum; // sum of m u
 } Arm;
 
@@ -98,7 +97,7 @@ static void name_constants(Work *w)
         }
 }
 
-// --- the arms as they stand
+// --- the present arms
 
 static const YkStep *turn_of(const YkMechanism *mech, int32_t slot)
 {
@@ -119,7 +118,7 @@ static bool hangs_from(const YkMechanism *mech, int32_t slot, int32_t root)
     return true;
 }
 
-// conj(e_root) e_slot, where the slot hangs from the root: the turns between them.
+// Returns conj(e_root) e_slot for a slot attached to the root: the turns between them.
 static YkRefVec turns_from(YkProgram *p, int32_t root, int32_t slot)
 {
     if (slot == root) return yk_dag_vec_number(&p->graph, 1, 0);
@@ -136,7 +135,7 @@ static YkRefVec between(YkProgram *p, int32_t a, int32_t b)
     return yk_dag_vec_multiply(g, yk_dag_vec_conjugate(g, p->unit[a]), p->unit[b]);
 }
 
-// z = d' + i d w of each arm.
+// Computes z = d' + i d w of each arm.
 static void rates_of(const Work *w, const YkRates *r, YkRefVec *z)
 {
     YkProgram *p = w->f->program;
@@ -149,7 +148,7 @@ static void rates_of(const Work *w, const YkRates *r, YkRefVec *z)
     }
 }
 
-// z' + i w z = d'' - d w^2 + i (d w' + 2 d' w).
+// Computes z' + i w z = d'' - d w^2 + i (d w' + 2 d' w).
 static void accelerations_of(const Work *w, const YkRates *r, const YkRates *s, YkRefVec *z)
 {
     YkProgram *p = w->f->program;
@@ -168,7 +167,7 @@ static void accelerations_of(const Work *w, const YkRates *r, const YkRates *s, 
 
 // --- the equations
 
-// sum over b of K_ab conj(e_a) e_b z_b.
+// Returns the sum over b of K_ab conj(e_a) e_b z_b.
 static YkRefVec push_on(const Work *w, size_t a, const YkRefVec *z)
 {
     YkProgram *p = w->f->program;
@@ -183,7 +182,7 @@ static YkRefVec push_on(const Work *w, size_t a, const YkRefVec *z)
     return sum;
 }
 
-// Weight upon an arm, in its own axes: conj(e_a) conj(sum m u) gravity.
+// Returns the weight on an arm, in its own axes: conj(e_a) conj(sum m u) gravity.
 static YkRefVec weight_on(const Work *w, const Arm *arm)
 {
     YkProgram *p = w->f->program;
@@ -233,7 +232,7 @@ bool yk_forces_lumped(YkForces *f, YkEquations *out)
     for (size_t a = 0; a < ARMS_MAX; a++)
         for (size_t b = 0; b < ARMS_MAX; b++) w->K[a][b] = yk_dag_vec_number(&p->graph, 0, 0);
     for (size_t b = 1; b < p->model->body_count; b++) {
-        if (!p->model->bodies[b].has_mass) return false; // nothing of its own beside what hangs from it: it may cancel
+        if (!p->model->bodies[b].has_mass) return false; // it would only carry what is attached to it, which may cancel
         lump(w, (int32_t)b);
         if (w->too_many) return false;
     }

@@ -1,5 +1,5 @@
-// What gears, racks, belts, cams and laws transmit, as unknowns of the bodies' balance. By virtual work the force
-// belongs to the relation that it enforces; where it acts is derived in dynamics/free_bodies_meshes.
+// Gears, racks, belts, cams and laws as unknowns of the bodies' balance. By virtual work the force belongs to the
+// relation that it enforces; free_bodies/meshes derives where it acts.
 #include <math.h>
 #include "code/balance.h"
 
@@ -26,7 +26,7 @@ void yk_meshes_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies,
     for (int k = 0; k < 3; k++) yk_balance_add(w, column, bodies[k], none, couples[k]);
 }
 
-// Couples given as numbers: the largest is 1 N times the machine's size.
+// Enters couples given as numbers: the largest is 1 N times the machine's size.
 static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, double a, double b)
 {
     YkProgram *p = w->f->program;
@@ -37,21 +37,21 @@ static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodi
     yk_meshes_couples(w, column, bodies, couples);
 }
 
-// A force on the second body at a place of the world, its opposite on the first.
+// Adds a force on the second body at a place of the world, and its opposite on the first.
 void yk_meshes_force(YkBalanceSystem *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
 {
     yk_balance_push(w, column, bodies[0], -1, place, force);
     yk_balance_push(w, column, bodies[1], 1, place, force);
 }
 
-// A wheel's centre is the origin of its body.
+// Returns a wheel's centre: the origin of its body.
 static YkRefVec center_of(YkProgram *p, int32_t body)
 {
     return yk_program_at(p, body, yk_dag_vec_number(&p->graph, 0, 0));
 }
 
-// At the pitch point: a force across the line of centres and, for each newton of it, one away from the first centre on
-// the second wheel, by the pressure angle.
+// At the pitch point: a force across the line of centres and, per newton of it, a force on the second wheel away from
+// the first centre, from the pressure angle.
 static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
 {
     YkProgram *p = w->f->program;
@@ -79,7 +79,7 @@ static void enter_rack(YkBalanceSystem *w, size_t column, const YkRack *rack)
     YkProgram *p = w->f->program;
     YkDag *g = &p->graph;
     const YkJoint *slide = &p->model->joints[rack->slide];
-    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way, and so is the sense
+    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance and its sense are the second body's
     YkRefVec u = yk_forces_line(p, slide);
     YkRef away = yk_dag_number(g, -sign * rack->sense * rack->radius);
     YkRefVec center = center_of(p, rack->pinion);

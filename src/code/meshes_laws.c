@@ -1,8 +1,8 @@
-// What cams transmit, and coordinates that follow others by a law: forces and couples by the slope of the law.
+// Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
 #include <math.h>
 #include "code/balance.h"
 
-// d value / d argument of the relation's law.
+// Returns d value / d argument of the relation's law.
 static YkRef slope_of(const YkBalanceSystem *w, const YkRelation *r)
 {
     YkProgram *p = w->f->program;
@@ -29,7 +29,7 @@ static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
     return yk_program_at(p, body, yk_program_point(p, j->point[j->body[1] == body]));
 }
 
-// Followers that turn and name no point: couples in the proportion of the ways.
+// Adds couples in the ratio of the motions, for followers that turn and name no point.
 static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkDag *g = &w->f->program->graph;
@@ -39,7 +39,7 @@ static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, con
     yk_meshes_couples(w, column, (int32_t[]){cam->cam, cam->follower, cam->carrier}, couples);
 }
 
-// A flat face is pushed along its line of motion, where it touches: off that line by the slope of the lift.
+// Pushes a flat face along its line of motion at the contact, which is off that line by the slope of the lift.
 static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkDag *g = &w->f->program->graph;
@@ -48,7 +48,7 @@ static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_dag_vec_add(g, pose->center, off), pose->u);
 }
 
-// Where the roller or edge of a follower is that slides and names no point.
+// Returns the roller or edge of a follower that slides and names no point.
 static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose)
 {
     YkProgram *p = w->f->program;
@@ -61,7 +61,7 @@ static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *p
     return yk_dag_vec_add(g, pose->center, yk_dag_vec_add(g, along, aside));
 }
 
-// Along the common normal: across the way of the roller on the cam.
+// Adds a force along the common normal: across the path of the roller on the cam.
 static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
 {
     YkProgram *p = w->f->program;
@@ -105,7 +105,7 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
 
 // --- laws
 
-// An effort along a coordinate: on its joint's second body, and back on the first.
+// Adds an effort along a coordinate: on its joint's second body, and its reaction on the first.
 static void push_along(YkBalanceSystem *w, size_t column, int32_t coordinate, YkRef effort)
 {
     YkProgram *p = w->f->program;
@@ -122,7 +122,7 @@ static void push_along(YkBalanceSystem *w, size_t column, int32_t coordinate, Yk
     yk_balance_add(w, column, j->body[0], none, yk_dag_minus(g, effort));
 }
 
-// What follows pushes along its own coordinate, and the other's two bodies feel the law's slope of it.
+// The follower pushes along its own coordinate; the other coordinate's two bodies feel minus the law's slope of it.
 void yk_meshes_follow(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkFollow *follow)
 {
     YkProgram *p = w->f->program;

@@ -1,4 +1,4 @@
-// What the printed file calls the things of the model: no two members of a struct, nor two functions, have one name.
+// Chooses the printed file's names for the things of the model: unique among the members of a struct, and functions.
 #include "code/program.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -6,7 +6,7 @@
 typedef struct Scope { // members of one struct, or functions of one kind
     YkProgram *program;
     YkNames taken;
-    const char *const *endings; // each name stands for itself with each of these behind
+    const char *const *endings; // each name is also used with each of these endings
     size_t ending_count;
 } Scope;
 
@@ -26,7 +26,7 @@ static bool is_free(Scope *scope, const char *name)
     return true;
 }
 
-// The name itself, or the first of NAME_2, NAME_3 ... of which no form is taken.
+// Returns the first of NAME, NAME_2, NAME_3, ... with all forms free.
 static const char *choose(Scope *scope, const char *wish)
 {
     const char *name = wish;
@@ -69,7 +69,7 @@ static void name_coordinates(YkProgram *p)
     close_scope(&scope);
 }
 
-// Blocks first, by their joints' names; then what angles come out nearest to.
+// Names blocks first, by their joints' names, then the angles that others come out nearest to.
 static void name_configuration(YkProgram *p)
 {
     static const char *const endings[] = {"", "_guess"};

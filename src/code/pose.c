@@ -1,7 +1,7 @@
-// Positions: the compiled steps, one after the other, as solve/run walks them.
+// Computes positions: the compiled steps in order, as in solve/run.
 #include "code/program.h"
 
-// What a term is in the world without its distance, and that distance (-1: none).
+// Returns a term's vector in the world without its distance, and that distance (-1: none).
 static YkRefVec turned(YkProgram *p, size_t index)
 {
     const YkTerm *term = &p->mech->terms[index];
@@ -11,7 +11,7 @@ static YkRefVec turned(YkProgram *p, size_t index)
 YkRefVec yk_program_sum(YkProgram *p, const YkSum *sum)
 {
     YkDag *g = &p->graph;
-    YkRefVec total = yk_program_constant(p, sum); // the constant stands behind the terms
+    YkRefVec total = yk_program_constant(p, sum); // the constant comes after the terms
     if (sum->plus != YK_NONE) total = yk_dag_vec_add(g, total, p->node[sum->plus]);
     if (sum->minus != YK_NONE) total = yk_dag_vec_subtract(g, total, p->node[sum->minus]);
     for (uint32_t k = 0; k < sum->count; k++) {
@@ -29,7 +29,7 @@ static void name_unit(YkProgram *p, int32_t slot)
     yk_dag_name(&p->graph, p->unit[slot].y, "%s_s", name);
 }
 
-// By sign (q + offset); the offset is minus the joint's.
+// Turns by sign (q + offset); the offset is minus the joint's.
 YkRefVec yk_program_turn(YkProgram *p, const YkStep *step)
 {
     YkDag *g = &p->graph;
@@ -38,14 +38,14 @@ YkRefVec yk_program_turn(YkProgram *p, const YkStep *step)
     return yk_dag_unit(g, step->sign < 0 ? yk_dag_minus(g, angle) : angle);
 }
 
-// slot = parent turned.
+// Sets slot = parent turned.
 static void run_turn(YkProgram *p, const YkStep *step)
 {
     YkDag *g = &p->graph;
     const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[step->input]];
     yk_dag_section(g, yk_program_text(p, "%s turns by %s.", yk_program_slot_name(p, step->target), c->name));
     YkRefVec e = yk_program_turn(p, step);
-    p->witness = yk_dag_add(g, p->witness, yk_dag_unary(g, YK_VALUE_WITNESS, e.x)); // NaN where it is too large
+    p->witness = yk_dag_add(g, p->witness, yk_dag_unary(g, YK_VALUE_WITNESS, e.x)); // NaN if it is too large
     p->unit[step->target] = yk_dag_vec_multiply(g, p->unit[step->parent], e);
     name_unit(p, step->target);
 }
@@ -113,7 +113,7 @@ static bool are_inputs(const YkProgram *p, uint32_t first, uint32_t count)
     return true;
 }
 
-// An angle that is too large has no sine: the inputs' fault where it depends on them alone.
+// An angle that is too large has no sine; the inputs are at fault if it depends only on them.
 static void keep_angle(YkProgram *p, const YkRelation *r, YkRef sine)
 {
     YkDag *g = &p->graph;

@@ -1,4 +1,4 @@
-// The printer's start, and what of the graph a function needs.
+// Starts the printer, and finds what a function needs of the graph.
 #include "code/print.h"
 #include <stdlib.h>
 #include <string.h>
@@ -76,7 +76,7 @@ void yk_printer_begin(YkPrinter *pr, const YkRef *roots, size_t count)
     for (size_t k = 0; k < count; k++) mark(pr, roots[k]);
 }
 
-// The machine's value itself, or what it is the opposite of.
+// Notes the machine's value itself, or the one that it is the opposite of.
 static void need_field(YkPrinter *pr, YkRef value)
 {
     const YkValue *v = value_of(pr, value);

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "code/program.h"
 
-// Which of the small functions at the head of the file are used.
+// The small functions at the head of the file; each is printed if it is used.
 typedef enum YkHelper {
     YK_HELPER_ROOT,
     YK_HELPER_PER_ROOT,
@@ -30,7 +30,7 @@ typedef struct YkPrinter {
     const char **field; // per value of parameters that a pose needs: its name in the machine, or NULL
     YkRef *fields;      // in order
     size_t field_count, field_capacity;
-    // of the function in work
+    // Of the current function:
     bool *marked;
     int32_t *count;     // uses
     const char **local; // its variable, once it has one
@@ -39,7 +39,7 @@ typedef struct YkPrinter {
     bool in_machine;  // prints the machine's own values
     const YkRef *cut; // values that stand for array elements: `known[k]`, sorted; or NULL
     size_t cut_count;
-    const char *unknowns; // of the group in work: the array that its function takes; or NULL
+    const char *unknowns; // of the current group: the array that its function takes; or NULL
     YkNames taken;        // names of variables
     int32_t section;
     bool failed;
@@ -47,26 +47,27 @@ typedef struct YkPrinter {
 
 bool yk_printer_start(YkPrinter *printer, YkProgram *program, const char *prefix, bool single, YkText *out);
 void yk_printer_end(YkPrinter *printer);
-// print.c: marks what the roots need, for a function that begins here.
+// Marks what the roots need, for a function that begins here (print.c).
 void yk_printer_begin(YkPrinter *printer, const YkRef *roots, size_t count);
-// Takes note of what a pose's values need of the machine.
+// Notes what the values of a pose need of the machine.
 void yk_printer_need(YkPrinter *printer, const YkRef *roots, size_t count);
-// Statements for all that the roots need; afterwards yk_printer_value writes them. Names in `reserved` are not used.
+// Prints statements for all that the roots need; then yk_printer_value writes them. Does not use names in `reserved`.
 void yk_printer_body(YkPrinter *printer, const YkRef *roots, size_t count);
-// print_value.c: by its variable, if it has one; or what that variable is set to.
+// print_value.c: writes a value by its variable if it has one; or the value of that variable.
 void yk_printer_value(YkPrinter *printer, YkRef value);
 void yk_printer_written(YkPrinter *printer, YkRef value);
-// Does it stand for itself: a number, a leaf, a value of the machine, an element of `known`?
+// Returns whether it needs no statement: a number, a leaf, a value of the machine, an element of `known`.
 bool yk_printer_is_given(const YkPrinter *printer, YkRef value);
-// The machine's own values: `m.name = ...;`
+// Prints the machine's own values: `m.name = ...;`.
 void yk_printer_machine(YkPrinter *printer);
 void yk_printer_number(YkPrinter *printer, double number);
-// Breaks what has been written from there on into lines of the usual length.
+// Breaks the text from there on into lines of the usual length.
 void yk_printer_wrap(YkPrinter *printer, size_t from);
-// group.c: the functions of Newton's method, one a group that the roots need.
+// print_group.c: prints the functions of Newton's method, one for each group that the roots need.
 void yk_printer_group(YkPrinter *printer, size_t block);
 enum { YK_PRINTER_KNOWN_MAX = 512 };
-// What a group's function takes from outside, in the order of its array: at most `capacity` to known; returns how many.
+// Finds the arguments of a group's function, in the order of its array: at most `capacity` to known. Returns their
+// count.
 size_t yk_printer_group_known(YkPrinter *printer, size_t block, YkRef *known, size_t capacity);
 
 #endif

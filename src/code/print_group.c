@@ -1,4 +1,4 @@
-// Newton's method for one group, as a function of its own.
+// Prints Newton's method for one group as a function of its own.
 #include "code/print.h"
 #include <string.h>
 
@@ -6,7 +6,7 @@ typedef struct Gather {
     YkPrinter *pr;
     YkRef *known;
     size_t count, capacity;
-    signed char *hangs; // per value: on the unknowns? 0: not looked at; 1: no; 2: yes
+    signed char *hangs; // per value: whether it depends on the unknowns. 0: not checked; 1: no; 2: yes
 } Gather;
 
 static const YkValue *value_of(const YkPrinter *pr, YkRef value)
@@ -14,7 +14,7 @@ static const YkValue *value_of(const YkPrinter *pr, YkRef value)
     return &pr->program->graph.values[value];
 }
 
-// Of a law's result: the law's argument. What other calls give depends on no unknown.
+// Returns the operands; for a law's result, the law's argument. Results of other calls depend on no unknown.
 static size_t operands_of(const Gather *g, const YkValue *v, YkRef *operands)
 {
     const YkRef all[] = {v->a, v->b, v->c};
@@ -43,7 +43,7 @@ static bool hangs(Gather *g, YkRef value)
     return found;
 }
 
-// What does not depend on the unknowns, nor on parameters alone, comes from outside.
+// Collects from outside what depends neither on the unknowns nor on parameters alone.
 static void gather(Gather *g, YkRef value)
 {
     const YkValue *v = value_of(g->pr, value);

@@ -1,4 +1,4 @@
-// Values as statements: a variable for what is used more than once, calls before their first result.
+// Prints values as statements: a variable for what is used more than once, calls before their first result.
 #include <stdlib.h>
 #include <string.h>
 #include "code/print.h"
@@ -10,8 +10,8 @@ static const YkValue *value_of(const YkPrinter *pr, YkRef value)
     return &pr->program->graph.values[value];
 }
 
-// Variables of the printed functions, and functions of <math.h> that they call: a variable of that name would hide
-// them.
+// Variables of the printed functions, and the functions of <math.h> that they call, which a variable of that name
+// would hide.
 static bool is_used(const YkPrinter *pr, const char *name)
 {
     static const char *const words[] = {
@@ -27,7 +27,7 @@ static bool is_used(const YkPrinter *pr, const char *name)
     return false;
 }
 
-// A name for a variable that nothing else has.
+// Returns a unique name for a variable.
 static const char *unique(YkPrinter *pr, const char *wish)
 {
     const char *name = wish = yk_program_name(pr->program, wish);
@@ -45,7 +45,7 @@ static const char *real(const YkPrinter *pr)
 
 // --- statements
 
-// How many operations stand in its expression as it would be written.
+// Returns the number of operations in its expression as it would be written.
 static int weight(const YkPrinter *pr, YkRef value)
 {
     const YkValue *v = value_of(pr, value);
@@ -57,7 +57,7 @@ static int weight(const YkPrinter *pr, YkRef value)
     return sum;
 }
 
-// Comments stand before the first statement of their section.
+// Writes a comment before the first statement of its section.
 static void heading(YkPrinter *pr, int32_t section)
 {
     const char *text = pr->program->graph.sections[section];
@@ -98,7 +98,7 @@ static void declare(YkPrinter *pr, YkRef value, const char *name)
     pr->local[value] = name;
 }
 
-// The sine and, right behind, the cosine of one angle.
+// Declares the sine and, right after it, the cosine of one angle.
 static void declare_pair(YkPrinter *pr, YkRef sine)
 {
     const YkValue *s = value_of(pr, sine), *c = value_of(pr, sine + 1);
@@ -111,7 +111,7 @@ static void declare_pair(YkPrinter *pr, YkRef sine)
     yk_text_format(pr->out, ", &%s, &%s);\n", pr->local[sine], pr->local[sine + 1]);
 }
 
-// A row of values as the start of an array.
+// Writes a row of values as an array's initial values.
 static void array(YkPrinter *pr, const char *name, const YkRef *values, size_t count, size_t size)
 {
     size_t from = pr->out->length;
@@ -133,7 +133,7 @@ static const char *call_array(YkPrinter *pr, const YkCall *call)
     return unique(pr, yk_program_text(pr->program, "%s_%s", call->name, endings[call->kind]));
 }
 
-// Equations: the entries that are not zero, then the solution in their place.
+// Writes equations: the entries that are not zero, then the solution in their place.
 static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
 {
     pr->uses[YK_HELPER_SOLVE] = true;
@@ -179,7 +179,7 @@ static void call_law(YkPrinter *pr, const YkCall *call, const char *name)
     yk_text_format(pr->out, ", %s);\n", name);
 }
 
-// The call before its first result.
+// Makes sure that the call is written before its first result.
 static const char *ensure_call(YkPrinter *pr, int32_t index, const char **names)
 {
     YkCall call = pr->program->graph.calls[index];

@@ -1,4 +1,4 @@
-// Values as expressions of C.
+// Writes values as expressions of C.
 #include "code/print.h"
 #include <string.h>
 #include "base/number.h"
@@ -28,7 +28,7 @@ static int32_t cut_of(const YkPrinter *pr, YkRef value)
     return -1;
 }
 
-// Does it stand for itself: a number, a leaf, a value of the machine, an element of `known`?
+// Returns whether it needs no statement: a number, a leaf, a value of the machine, an element of `known`.
 bool yk_printer_is_given(const YkPrinter *pr, YkRef value)
 {
     const YkValue *v = value_of(pr, value);
@@ -103,7 +103,7 @@ static void operation(YkPrinter *pr, const YkValue *v)
     bool is_sum = v->op == YK_VALUE_ADD || v->op == YK_VALUE_SUBTRACT;
     expression(pr, v->a, is_sum ? RANK_SUM : RANK_PRODUCT);
     yk_text_puts(pr->out, signs[v->op]);
-    expression(pr, v->b, is_sum ? RANK_PRODUCT : RANK_SIGN); // to the right as it was built
+    expression(pr, v->b, is_sum ? RANK_PRODUCT : RANK_SIGN); // on the right, as it was built
 }
 
 static void given(YkPrinter *pr, YkRef value)

@@ -1,3 +1,4 @@
+// Creates the program of a mechanism, and makes its constants and texts.
 #include "code/program.h"
 #include <math.h>
 

@@ -1,8 +1,8 @@
-// The program: the compiled steps of a mechanism, walked with values of a graph in place of numbers.
+// The program: the compiled steps of a mechanism, run with values of a graph instead of numbers.
 //
 // What the engine does lane by lane (solve/run, solve/kernels*) is done here once, in symbols: the same steps in the
-// same order, the same closed forms. Rates come in sets: of the motion asked for, or with the rate 1 of one input and 0
-// of all others, which gives the columns of the Jacobian.
+// same order, the same closed forms. Rates come in sets: those of the motion, or those for rate 1 of one input and 0 of
+// all others, which give the columns of the Jacobian.
 #ifndef CODE_PROGRAM_H
 #define CODE_PROGRAM_H
 #include <yoke/code.h>
@@ -24,14 +24,14 @@ typedef struct YkPlane2 { // a vector and its derivatives
     YkRefVec place, rate, accel;
 } YkPlane2;
 
-// What a block's position leaves for its rates.
+// What a block's position keeps for its rates.
 typedef struct YkPlaced {
     YkRefVec known;  // K
-    YkRefVec p, q;   // RRR: the arms as they stand; RRP: q; LINK: p
+    YkRefVec p, q;   // RRR: the present arms; RRP: q; LINK: p
     YkRefVec e[2];   // RRR: unit vectors of both; RRP, RPR: of the line, of the orientation; PP: of both lines
     YkRef inverse;   // of the determinant, as the rates need it
     YkRef *unknown;  // GROUP: the leaves of Newton's method,
-    YkRef *residual; // [2 loops] by them
+    YkRef *residual; // [2 loops] in terms of them
     YkRef *jacobian; // [2 loops][columns]
     YkRef *solution; // the same leaves' values, from the call,
     YkRef *at;       // and the Jacobian there
@@ -40,20 +40,20 @@ typedef struct YkPlaced {
     const char *name;
 } YkPlaced;
 
-// What the members and functions of the printed file are called; the same index as in the model or the mechanism.
+// The names of members and functions in the printed file, with the indices of the model or the mechanism.
 typedef struct YkCNames {
     const char **parameter;
-    const char **coordinate;                   // of inputs and results, with _rate, _accel, _effort behind
-    const char **near_coordinate, **near_slot; // of the configuration: what an angle comes out nearest to; or NULL
-    const char **block;                        // of the configuration: the branch; with _guess behind
-    const char **point;                        // with _x, _y, _x_rate ... behind; NULL on the ground
-    const char **joint;                        // with _force_x, _force_y, _moment behind
+    const char **coordinate;                   // of inputs and results; also with _rate, _accel, _effort
+    const char **near_coordinate, **near_slot; // of the configuration: reference angles; or NULL
+    const char **block;                        // of the configuration: the branch; also with _guess
+    const char **point;                        // also with _x, _y, _x_rate, ...; NULL on the ground
+    const char **joint;                        // also with _force_x, _force_y, _moment
     const char **law;
 } YkCNames;
 
 typedef struct YkProgram {
     YkDag graph;
-    const char *prefix; // of all that the file has at its outermost level
+    const char *prefix; // of all names of the file at its outermost level
     YkCNames names;
     YkArena *arena;
     const YkModel *model;
@@ -63,7 +63,7 @@ typedef struct YkProgram {
     bool is_single; // numbers are floats
     // constants
     YkRef *parameter; // per parameter
-    bool *is_fixed;   // per parameter: its value is the file's, for good
+    bool *is_fixed;   // per parameter: it keeps the file's value
     YkRef *turn;      // per body: angle to its orientation
     YkRefVec *turn_unit;
     YkRef time;
@@ -74,30 +74,30 @@ typedef struct YkProgram {
     YkPlaced *placed; // per block
     YkMotionRef *input;
     YkRef *argument, *argument_rate; // per relation with a law
-    const YkRef *input_rates;        // in work: first or second derivatives of the inputs
+    const YkRef *input_rates;        // in use: first or second derivatives of the inputs
     YkRef *slope;                    // per relation with a law: first and second derivative, two each
-    YkRef margin;                    // least sin^2 over the blocks; NaN where one is not finite
-    YkRef gap;                       // largest miss of loops that repeat others, m; NaN likewise
-    YkRef witness;                   // 0 if the inputs are finite, and no angle by them is too large to have a sine
-    YkRef angles;                    // 0 if no other angle is, of gears and the like
-    YkRef missed;                    // largest miss of a group, over what is allowed
+    YkRef margin;                    // least sin^2 over the blocks; NaN if one is not finite
+    YkRef gap;                       // largest error of loops that repeat others, m; also NaN
+    YkRef witness;                   // 0 if the inputs are finite, and no angle from them is too large to have a sine
+    YkRef angles;                    // 0 if no other angle, of gears and the like, is too large
+    YkRef missed;                    // largest error of a group, over the tolerance
     bool failed;                     // something cannot be printed: reported
 } YkProgram;
 
 bool yk_program_start(YkProgram *program, const YkMechanism *mech, const YkRecipe *recipe, YkArena *arena,
                       YkProblems *problems);
 void yk_program_end(YkProgram *program);
-// The machine's size to the nearest power of two, for tolerances: the text then depends on no value.
+// Returns the machine's size to the nearest power of two, for tolerances: the text then depends on no value.
 double yk_program_size(const YkProgram *program);
 char *yk_program_text(YkProgram *program, const char *format, ...); // in the arena
 
 // constants.c: numbers of the model as values.
-// Parameters that keep the file's values, since what the program cannot compute anew depends on them.
+// Fixes the parameters on which numbers depend that the program cannot compute anew.
 void yk_program_fix(YkProgram *program);
-// Parameters, and the bodies' turns.
+// Makes parameters and the bodies' turns.
 void yk_program_constants(YkProgram *program);
 YkRef yk_program_expr(YkProgram *program, const YkExpr *expr); // of parameters and t; NULL: 0
-// The same with names of coordinates: `motion[coordinate]` of the tree.
+// Does the same with names of coordinates: `motion[coordinate]` of the tree.
 YkRef yk_program_expr_at(YkProgram *program, const YkExpr *expr, const YkMotionRef *motion);
 YkRefVec yk_program_point(YkProgram *program, int32_t point); // in the body's axes; YK_NONE: the origin
 YkRefVec yk_program_term(YkProgram *program, size_t term);    // of the mechanism's terms
@@ -108,13 +108,13 @@ YkRef yk_program_joint_offset(YkProgram *program, int32_t joint); // angle of th
 // pose.c: positions, by all steps.
 void yk_program_pose(YkProgram *program);
 YkRefVec yk_program_turn(YkProgram *program, const YkStep *step); // of an input's turn, from its parent
-// What a relation says of its target or, in a group or where it repeats others, what it misses by, m. unknown: the
+// Returns a relation's value for its target or, in a group or if it repeats others, its error, m. unknown: the
 // group's columns, or NULL.
 YkRef yk_program_relation(YkProgram *program, size_t relation, const YkRef *unknown);
-// How much what repeats others misses.
+// Records the error of a loop or relation that repeats others.
 void yk_program_keep_gap(YkProgram *program, YkRef gap);
 int32_t yk_program_law(const YkProgram *program, const YkLaw *law); // its place in the model
-// The value of a law and its two derivatives, as a call.
+// Returns the value of a law and its two derivatives, as a call.
 int32_t yk_program_call_law(YkProgram *program, int32_t law, YkRef argument);
 YkRefVec yk_program_sum(YkProgram *program, const YkSum *sum);
 // blocks.c: one block, of any kind.
@@ -122,15 +122,15 @@ void yk_program_place(YkProgram *program, size_t block);
 
 // rates.c
 YkRates yk_program_new_rates(YkProgram *program);
-// First derivatives from those of the inputs; second from those and the first.
+// Return first derivatives from those of the inputs; second ones from those and the first.
 YkRates yk_program_velocities(YkProgram *program, const YkRef *input_rates);
 YkRates yk_program_accelerations(YkProgram *program, const YkRates *velocities, const YkRef *input_accelerations);
-// The rate of what a relation says, without a group's own columns; accelerations NULL: the first derivative.
+// Returns the rate of a relation's value, without a group's own columns; accelerations NULL: the first derivative.
 YkRef yk_program_relation_rate(YkProgram *program, size_t relation, const YkRates *velocities,
                                const YkRates *accelerations);
-// The rate of the argument of a relation's law, from all that turns and slides.
+// Returns the rate of the argument of a relation's law, from all that turns and slides.
 YkRef yk_program_argument_rate(YkProgram *program, size_t relation, const YkRates *velocities);
-// Adds what the unknowns of a group, their velocities known, do to the arguments of its laws.
+// Adds to the arguments of a group's laws the part of its unknowns, whose velocities are known.
 void yk_program_group_arguments(YkProgram *program, const YkBlock *block, const YkRates *velocities);
 YkRefVec yk_program_sum_rate(YkProgram *program, const YkSum *sum, const YkRates *velocities);
 YkRefVec yk_program_sum_accel(YkProgram *program, const YkSum *sum, const YkRates *velocities,
@@ -140,22 +140,22 @@ void yk_program_block_rates(YkProgram *program, size_t block, YkRates *velocitie
 
 // asked_values.c
 YkRef yk_program_coordinate(YkProgram *program, size_t coordinate); // its position
-// Its rate from first derivatives, or its acceleration from second ones: the same sum.
+// Returns its rate from first derivatives, or its acceleration from second ones: the same sum.
 YkRef yk_program_coordinate_rate(YkProgram *program, size_t coordinate, const YkRates *rates);
 YkRef yk_program_joint_rate(YkProgram *program, int32_t joint, bool is_distance, const YkRates *rates);
-// A point of a body, given in the body's axes.
+// Returns a point given in a body's axes.
 YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
-// names.c: chooses p->names, for the prefix. Returns false when out of memory.
+// names.c: chooses p->names for the prefix. Returns false when out of memory.
 bool yk_program_choose_names(YkProgram *program);
-// words.c: whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one of the
-// file's own.
+// words.c: returns whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one
+// of the file's own.
 bool yk_program_is_reserved(const YkProgram *program, const char *name);
-// A name as a C name that is not reserved: letters, digits and underscores, `name_` before it where it has to change.
+// Makes a C name that is not reserved: letters, digits and underscores, with `name_` before it if it has to change.
 const char *yk_program_name(YkProgram *program, const char *name);
-// For variables: not yet unique.
+// Returns a name for variables, not yet unique.
 const char *yk_program_slot_name(YkProgram *program, int32_t slot);
 const char *yk_program_distance_name(YkProgram *program, int32_t distance);
 

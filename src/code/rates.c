@@ -1,4 +1,4 @@
-// Velocities and accelerations: the same steps, differentiated.
+// Computes velocities and accelerations: the same steps, differentiated.
 #include "code/program.h"
 
 YkRates yk_program_new_rates(YkProgram *p)
@@ -87,7 +87,7 @@ static YkRef sources(YkProgram *p, uint32_t first, uint32_t count, const YkRef *
     return sum;
 }
 
-// What the unknowns of the relation's group, where it is solved in one, add to the rate of its argument.
+// Adds to the rate of a relation's argument the part of its group's unknowns, if it is solved in a group.
 static YkRef columns_rate(YkProgram *p, const YkBlock *b, const YkRelation *relation, const YkRates *r)
 {
     YkDag *g = &p->graph;
@@ -134,7 +134,7 @@ YkRef yk_program_argument_rate(YkProgram *p, size_t index, const YkRates *r)
     return group ? yk_dag_add(&p->graph, known, columns_rate(p, group, relation, r)) : known;
 }
 
-// value' = sources' + f' x', value'' = sources'' + f' x'' + f'' x'^2; r: the first derivatives where s are asked for.
+// value' = sources' + f' x', value'' = sources'' + f' x'' + f'' x'^2; r: first derivatives, if s are second ones.
 YkRef yk_program_relation_rate(YkProgram *p, size_t index, const YkRates *r, const YkRates *s)
 {
     YkDag *g = &p->graph;
@@ -173,7 +173,7 @@ static void name_rates(YkProgram *p, const YkStep *step, const YkRates *s, const
     }
 }
 
-// r: the first derivatives, where s are the second; otherwise NULL.
+// r: the first derivatives, if s are the second; otherwise NULL.
 static void run_step(YkProgram *p, const YkStep *step, const YkRef *input, YkRates *r, YkRates *s)
 {
     YkDag *g = &p->graph;

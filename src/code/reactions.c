@@ -1,6 +1,5 @@
-// Reactions: Newton's and Euler's equations of every body, all reactions and efforts unknown, as free_bodies/ has
-// them: a pin transmits two forces, a slide a normal force and a couple, a pin-slot a normal force, a weld all
-// three.
+// Reactions: Newton's and Euler's equations of every body, with all reactions and efforts unknown, as in free_bodies/:
+// a pin transmits two forces, a slide a normal force and a couple, a pin-slot a normal force, a weld all three.
 #include "code/balance.h"
 
 static void add_column(YkBalanceSystem *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
@@ -51,7 +50,7 @@ void yk_balance_push(YkBalanceSystem *w, size_t column, int32_t body, double sig
     yk_balance_add(w, column, body, force, yk_dag_cross(g, arm, force));
 }
 
-// A joint's wrench on one of its bodies; a couple is measured over the machine's size.
+// Enters a joint's wrench on one of its bodies; a couple is taken over the machine's size.
 static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec point)
 {
     YkProgram *p = w->f->program;
@@ -63,7 +62,7 @@ static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, 
         yk_balance_push(w, column, body, sign, point, c->force);
 }
 
-// inertia - weight - loads, moments over the machine's size as in the rows.
+// Enters inertia - weight - loads, with moments over the machine's size as in the rows.
 static void enter_right(YkBalanceSystem *w, int32_t body, const YkRates *r, const YkRates *s)
 {
     YkProgram *p = w->f->program;
@@ -99,7 +98,7 @@ static void make_system(YkBalanceSystem *w, const YkRates *r, const YkRates *s)
     for (size_t b = 1; b < p->model->body_count; b++) enter_right(w, (int32_t)b, r, s);
 }
 
-// An unknown: of the balance, less what the radial forces of the teeth add to the loads.
+// Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
 static YkRef value_of(YkBalanceSystem *w, int32_t call, size_t k)
 {
     YkDag *g = &w->f->program->graph;
@@ -115,7 +114,7 @@ static YkRef value_of(YkBalanceSystem *w, int32_t call, size_t k)
     return value;
 }
 
-// Couples are unknown over the machine's size, as the moments' rows are.
+// Couples are unknown over the machine's size, as the rows of moments are.
 static void read_results(YkBalanceSystem *w, int32_t call)
 {
     YkProgram *p = w->f->program;

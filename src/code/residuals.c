@@ -1,10 +1,10 @@
 // Residuals of the loops and relations at any values of the coordinates, and their Jacobian by exact derivatives: the
-// equations that the steps solve, for those who solve them otherwise.
+// equations that the steps solve, for other solvers.
 #include "code/file.h"
 
 typedef struct Work {
     YkFile *file;
-    YkRef *coordinate; // per coordinate of the tree, then distances that the tree has not: leaves q[k]
+    YkRef *coordinate; // per coordinate of the tree, then distances outside the tree: leaves q[k]
     int32_t *distance; // per distance: its leaf's place
     size_t count;
     YkRef *angle; // per orientation
@@ -35,7 +35,7 @@ static void make_leaves(Work *w)
     }
 }
 
-// Angles add up along the tree, from body to body; an orientation's is its body's without that one's turn.
+// Adds angles along the tree, from body to body; an orientation's angle is its body's without that body's turn.
 static void make_angles(Work *w)
 {
     YkProgram *p = &w->file->program;

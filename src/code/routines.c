@@ -1,4 +1,4 @@
-// The routines of the file: what each finds, as values.
+// The routines of the file: the results of each, as values.
 #include "code/file.h"
 #include "base/problems.h"
 
@@ -41,7 +41,7 @@ static const char *unit_of(bool is_distance, int order)
     return units[is_distance][order];
 }
 
-// Velocities and accelerations for the inputs' own.
+// Velocities and accelerations for those of the inputs.
 typedef struct Rates {
     YkRates velocities, accelerations;
 } Rates;
@@ -196,7 +196,7 @@ static void add_reactions(YkFile *file, const Rates *r)
 
 // --- drives
 
-// What a drive gives: its expression, or a law of it, with two derivatives in time.
+// Returns a drive's value: its expression, or a law of it, with two time derivatives.
 static YkMotionRef drive_of(YkProgram *p, const YkDrive *drive)
 {
     YkDag *g = &p->graph;

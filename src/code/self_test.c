@@ -1,4 +1,4 @@
-// The self-test at the end of the printed file: poses that the engine computed, compared value by value.
+// Writes the self-test at the end of the printed file: poses that the engine computed, compared value by value.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 
 enum { POSES = 5 };
 
-// Numbers of our own between -1 and 1, the same everywhere.
+// Returns a number between -1 and 1, the same on every machine.
 static double random_number(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -39,7 +39,7 @@ static void set_inputs(YkFile *file, YkState *state, size_t pose, double reach, 
     }
 }
 
-// Moves the state to a pose; one that does not close lies too far, and a nearer one is taken.
+// Moves the state to a pose; one that does not close is too far away, and a nearer one is taken.
 static void find_pose(YkFile *file, YkState *state, size_t pose, double *row)
 {
     double reach = file->program.mech->has_groups ? 0.05 : 0.3;
@@ -53,7 +53,7 @@ static void find_pose(YkFile *file, YkState *state, size_t pose, double *row)
     yk_state_solve(state);
 }
 
-// What the engine says to a routine's results at the state's inputs. Returns false if it has no answer.
+// Finds the engine's values of a routine's results at the state's inputs. Returns false if it has no answer.
 static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const YkRoutine *r, double *wanted)
 {
     const YkMechanism *mech = file->program.mech;
@@ -98,7 +98,7 @@ static void write_tables(YkFile *file, const YkRoutine *r, const double *rows, s
     yk_text_puts(out, "    };\n");
 }
 
-// By what each value's error is measured: the largest of all of its unit.
+// Writes the scale of each value's error: the largest value with its unit.
 static void write_scales(YkFile *file, const YkRoutine *r, const double *wanted, size_t poses)
 {
     yk_text_format(&file->text, "    static const %s scale[%d] = {\n        ", file->single ? "float" : "double",
@@ -115,7 +115,7 @@ static void write_scales(YkFile *file, const YkRoutine *r, const double *wanted,
     yk_text_puts(&file->text, "};\n");
 }
 
-// One pose a call, then all of them at once.
+// Writes runs of one pose a call, then of all of them at once.
 static void write_runs(YkFile *file, const YkRoutine *r, size_t poses)
 {
     YkText *out = &file->text;

@@ -1,4 +1,4 @@
-// What the inputs and the configuration of the printed program hold, with their values at the start.
+// The members of the inputs and the configuration of the printed program, with their values at the start.
 #include <string.h>
 #include "code/file.h"
 

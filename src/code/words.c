@@ -1,8 +1,8 @@
-// Words that a name of the model cannot be as it is: those of C, C++ and their headers, and the printed file's own.
+// Words that a name of the model must not be: those of C, C++ and their headers, and the printed file's own.
 #include <string.h>
 #include "code/program.h"
 
-// Lists of words, with blanks between them.
+// Lists of words, separated by blanks.
 
 // Keywords of C11, C23 and C++23, with the words that GNU C adds.
 static const char keywords[] =
@@ -17,8 +17,8 @@ static const char keywords[] =
     "this thread_local throw true try typedef typeid typename typeof typeof_unqual union unsigned using virtual void "
     "volatile wchar_t while xor xor_eq";
 
-// Macros of <stddef.h>, <math.h>, <stdint.h>, <string.h>, <stdio.h> and what they include, here or on other systems;
-// names that compilers define by themselves. Those that begin with an underscore have a rule of their own.
+// Macros of <stddef.h>, <math.h>, <stdint.h>, <string.h>, <stdio.h> and the headers that they include, on any system;
+// names that compilers define themselves. Those that begin with an underscore have a rule of their own.
 static const char macros[] =
     "BIG_ENDIAN BUFSIZ BYTE_ORDER DOMAIN EOF EXIT_FAILURE EXIT_SUCCESS HUGE INFINITY LITTLE_ENDIAN L_ctermid L_cuserid "
     "L_tmpnam MATH_ERREXCEPT MATH_ERRNO MAXFLOAT NAN NFDBITS NULL OVERFLOW PDP_ENDIAN PLOSS P_tmpdir SING TLOSS "
@@ -26,7 +26,7 @@ static const char macros[] =
     "WCONTINUED WEXITED WNOHANG WNOWAIT WSTOPPED WUNTRACED X_TLOSS alloca assert complex errno hpux i386 imaginary "
     "linux "
     "m68k math_errhandling mips noreturn offsetof signgam sparc stderr stdin stdout sun unix vax";
-// Macros by the dozen, by how they begin: M_PI_2f128, FP_NAN; limits of types, by how they end too: UINT_LEAST8_MAX.
+// Families of macros by their beginnings: M_PI_2f128, FP_NAN; limits of types by their ends too: UINT_LEAST8_MAX.
 static const char macro_beginnings[] =
     "DBL_ FD_ FLT_ FP_ HUGE_VAL LDBL_ M_1_PI M_2_PI M_2_SQRT M_E M_LN M_LOG M_PI M_SQRT RENAME_ SEEK_ SNAN";
 static const char limit_beginnings[] = "BOOL_ CHAR_ FILENAME_ FOPEN_ INT LLONG_ LONG_ MB_CUR_ PTRDIFF_ RAND_ SCHAR_ "
@@ -34,7 +34,7 @@ static const char limit_beginnings[] = "BOOL_ CHAR_ FILENAME_ FOPEN_ INT LLONG_ 
                                        "ULLONG_ ULONG_ USHRT_ WCHAR_ WINT_";
 static const char limit_endings[] = "_MAX _MIN _WIDTH";
 
-// What the printed file calls things of its own, behind its prefix; macros are in upper case.
+// Names of the printed file's own things, after its prefix; macros are in upper case.
 static const char own_words[] =
     "accelerations angle configuration defaults differ drives efforts equations inputs largest least machine motion "
     "nearest nonzero parameters per_root piece points prepare prepared reactions residuals root sign sincos start "
@@ -42,7 +42,7 @@ static const char own_words[] =
 static const char own_beginnings[] = "find_ law_ loops_ solve_ test_";
 static const char own_endings[] = "_arrays _of";
 
-typedef enum Part { WHOLE, BEGINNING, ENDING } Part; // of the name that a word is compared with
+typedef enum Part { WHOLE, BEGINNING, ENDING } Part; // the part of the name that a word is compared with
 
 static bool is_among(const char *name, Part part, const char *words)
 {
@@ -63,7 +63,7 @@ static bool is_upper_case(const char *name)
     return true;
 }
 
-// C keeps a leading underscore for itself, C++ two of them anywhere; behind a last one an ending would make two.
+// C reserves a leading underscore, C++ two of them anywhere; an ending after a final one would make two.
 static bool has_odd_underscores(const char *name)
 {
     size_t length = strlen(name);
@@ -76,7 +76,7 @@ static bool is_macro(const char *name)
            (is_among(name, BEGINNING, limit_beginnings) && is_among(name, ENDING, limit_endings));
 }
 
-// Is it what the printed file calls a macro, a type or a function of its own?
+// Returns whether it is a macro, a type or a function of the printed file's own.
 static bool is_own(const YkProgram *p, const char *name)
 {
     size_t length = strlen(p->prefix);
@@ -91,7 +91,7 @@ bool yk_program_is_reserved(const YkProgram *p, const char *name)
     return has_odd_underscores(name) || is_among(name, WHOLE, keywords) || is_macro(name) || is_own(p, name);
 }
 
-// One underscore for each run of what is no letter or digit, none at the ends.
+// Writes one underscore for each run of characters that are not letters or digits, none at the ends.
 static void tidy(char *name)
 {
     char *to = name;
