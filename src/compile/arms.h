@@ -1,19 +1,19 @@
-// What the lengths of a dyad's arms give, once and for all poses where the arms are constant: whatever takes a root or
-// a division.
+// The arms of a dyad: everything in their lengths that takes a root or a division, computed once for all poses if the
+// arms are constant.
 #ifndef COMPILE_ARMS_H
 #define COMPILE_ARMS_H
 #include <stdbool.h>
 #include "base/vec.h"
 
-// Of the two arms U, W of an RRR dyad.
+// For the two arms U, W of an RRR dyad.
 typedef struct YkArmPair {
     double outer, inner, product; // (U+W)^2, (U-W)^2, (U+W) (U-W)
     double scale, rectangle;      // 1 / (4 U^2 W^2), U W
-    double share;                 // of a margin: yk_arm_share of the shorter one
+    double share;                 // of a margin: yk_arm_share of the shorter arm
     YkVec inverse_U, inverse_W;   // 1 / U, 1 / W as complex numbers
 } YkArmPair;
 
-// Of the arm W of an RRP dyad: its circle, and what turns a vector of the circle back to e^(i Phi).
+// For the arm W of an RRP dyad: its circle, and the factors that turn a vector of the circle back to e^(i Phi).
 typedef struct YkArmCircle {
     double radius, inverse_square, share;
     YkVec inverse;
@@ -24,24 +24,24 @@ typedef union YkArms {
     YkArmCircle circle;
 } YkArms;
 
-// Whether a constant vector points along x (is a real number), as most points and slides do.
+// Returns whether a constant vector points along x (is a real number), as for most points and slides.
 static inline bool yk_is_axial(YkVec v)
 {
     return v.y == 0;
 }
 
-// 1 / a, as a complex number.
+// Returns 1 / a, as a complex number.
 static inline YkVec yk_vec_inverse(YkVec a)
 {
     return yk_scale(1 / yk_dot(a, a), yk_conj(a));
 }
 
-// From which length on an arm's angle counts as well known: a constant arm from a thousandth of the machine's size (1
-// over its square), one that varies, and may vanish on the way, from the size itself.
+// The angle of a constant arm counts as well known from a thousandth of the machine's size (this is 1 over its square);
+// that of an arm which varies, and may vanish on the way, from the size itself.
 #define YK_PER_ARM_ENOUGH2 1e6
 
-// By how much an arm's margin is less for its length: over `enough`, squared; 1 where it is enough. per_enough2:
-// 1 / enough^2, or 0 where nothing is known of the machine.
+// Returns the factor by which its length reduces an arm's margin: (length / enough)^2; 1 if it is long enough.
+// per_enough2: 1 / enough^2, or 0 if nothing is known of the machine.
 static inline double yk_arm_share(double square, double per_enough2)
 {
     double share = square * per_enough2;

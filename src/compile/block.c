@@ -1,4 +1,4 @@
-// From a closed loop to a block: what is known, what is unknown, and which closed form solves it.
+// Turns a closed loop into a block: what is known, what is unknown, and which closed form solves it.
 #include "compile/judge.h"
 
 typedef struct Parts { // of a loop
@@ -82,7 +82,7 @@ static bool are_parallel(const YkTerm *a, const YkTerm *b)
     return a->slot == b->slot && fabs(yk_cross(a->v, b->v)) < 1e-12;
 }
 
-// Which kind the parts make; false where they make none that can be solved.
+// Finds the kind that the parts make; returns false if they make none that can be solved.
 static bool kind_of(const YkPlan *plan, const Parts *p, YkBlockKind *kind)
 {
     if (p->too_many) return false;
@@ -102,7 +102,8 @@ static bool kind_of(const YkPlan *plan, const Parts *p, YkBlockKind *kind)
     return p->angles == 0 || !is_zero_arm(plan, &p->arm[0]);
 }
 
-// Angles in the order of their orientations, so that a branch's sign does not depend on the way round the loop.
+// Puts angles in the order of their orientations, so that the sign of a branch does not depend on the direction round
+// the loop.
 static void order_angles(Parts *p)
 {
     if (p->angles < 2 || p->root[0] < p->root[1]) return;
@@ -134,7 +135,7 @@ YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints
     }
     YkBlock *block = &mech->blocks[mech->block_count];
     *block = (YkBlock){.kind = kind, .first_joint = (uint32_t)mech->member_count, .joint_count = (uint32_t)count};
-    // labelled by the joint that closes its loop in the coordinates' tree, otherwise by its middle joint
+    // labelled by the joint that closes its loop in the tree of coordinates, otherwise by its middle joint
     int32_t label = joints[count / 2];
     for (size_t k = 0; k < count; k++) {
         const YkJoint *j = &mech->model->joints[joints[k]];
@@ -172,7 +173,7 @@ static double share_of(const YkBlock *block, int k, double per_enough2)
     return yk_arm_share(yk_dot(block->arm[k].constant, block->arm[k].constant), per_enough2);
 }
 
-// per_enough2: of arms, as yk_arm_share takes it; short ones are rare.
+// Finds the form. per_enough2 is that of the arms, as for yk_arm_share; short arms are rare.
 static YkBlockForm form_of(const YkBlock *block, double per_enough2)
 {
     YkVec arm = block->arm[0].constant;

@@ -1,4 +1,4 @@
-// Channels: names of numbers that can be asked of a pose.
+// Channels: names of numbers that a pose can tell.
 #include <string.h>
 #include "base/problems.h"
 #include "base/text.h"
@@ -18,7 +18,7 @@ static int find_joint(const YkMechanism *mech, const char *name)
 {
     return yk_names_find(&mech->model->joint_names, name);
 }
-// A joint, or what follows them: gears, racks, belts and cams by name.
+// Finds a joint, or a contact, which come after the joints: gears, racks, belts and cams by name.
 static int find_contact(const YkMechanism *mech, const char *name)
 {
     int joint = find_joint(mech, name);
@@ -76,7 +76,7 @@ static bool set_force(YkChannel *channel, YkChannelKind kind, int index, YkQuant
     return true;
 }
 
-// Of the whole machine.
+// Parses a channel of the whole machine.
 static bool parse_whole(const char *name, YkChannel *channel)
 {
     static const struct {
@@ -94,7 +94,7 @@ static bool parse_whole(const char *name, YkChannel *channel)
     return false;
 }
 
-// Of a joint or along a coordinate.
+// Parses a force in a joint or along a coordinate.
 static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *channel)
 {
     char name[NAME_MAX];
@@ -151,7 +151,7 @@ static const char *nearest(const char *name, const YkNames *names)
     return yk_nearest(name, names->keys, names->capacity);
 }
 
-// The name that somebody may have meant, its ending kept.
+// Suggests the name that may have been meant; keeps its ending.
 static bool suggest_name(const YkMechanism *mech, const char *asked, char *name, YkProblems *problems)
 {
     const YkModel *model = mech->model;
@@ -169,7 +169,7 @@ static bool suggest_name(const YkMechanism *mech, const char *asked, char *name,
     size_t k = 0;
     while (*kinds[k].suffix && !cut_suffix(name, kinds[k].suffix)) k++;
     const char *near = nearest(name, kinds[k].names[0]);
-    bool may_be_second = kinds[k].names[1] && (*kinds[k].suffix || is_derivative); // a body alone is no number
+    bool may_be_second = kinds[k].names[1] && (*kinds[k].suffix || is_derivative); // a body alone is not a number
     if (!near && may_be_second) near = nearest(name, kinds[k].names[1]);
     if (!near || strcmp(near, name) == 0) return false;
     YkText meant = {0};

@@ -1,3 +1,4 @@
+// Residuals of the tree's loops and relations, their Jacobian, and guesses of the variables.
 #include "compile/closure.h"
 #include <math.h>
 #include <string.h>
@@ -72,7 +73,7 @@ YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint)
     return (YkJointAngle){a->orientation, b->orientation, b->turn - a->turn};
 }
 
-// The first body of an orientation that the tree reaches gives it its angle: that of the body before, turned by the
+// Guesses an orientation's angle from its first body that the tree reaches: the angle of the body before, turned by the
 // joint.
 static void guess_orientation(const YkMechanism *mech, int32_t body, const double *coordinates, double *x)
 {
@@ -84,8 +85,8 @@ static void guess_orientation(const YkMechanism *mech, int32_t body, const doubl
     x[to - 1] = (from == 0 ? 0 : x[from - 1]) + (angle.a == from ? turn : -turn);
 }
 
-// The distance of a joint that closes a loop is no coordinate and appears in no other loop: where the loop comes
-// nearest to closing.
+// Guesses the distance of a joint that closes a loop: it is not a coordinate and appears in no other loop, so it takes
+// the value at which its loop comes nearest to closing.
 static void guess_closing_distance(const YkMechanism *mech, size_t loop, double *x)
 {
     const YkSum *sum = &mech->loops[loop].sum;

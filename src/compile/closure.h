@@ -1,4 +1,4 @@
-// How far the loops of the tree are from closing, and their Jacobian; and the freedom by its rank.
+// The closure errors of the tree's loops and their Jacobian; and the freedom by its rank.
 #ifndef COMPILE_CLOSURE_H
 #define COMPILE_CLOSURE_H
 #include "compile/mechanism.h"
@@ -8,39 +8,39 @@ static inline size_t yk_variable_count(const YkMechanism *mech)
 {
     return mech->orientation_count - 1 + mech->distance_count;
 }
-// One loop: residual[2], and its two rows of J[2][n] row-major, or NULL; the caller has zeroed them. Variable v belongs
-// in column[v] (column NULL: in column v).
+// Evaluates one loop: residual[2], and its two rows of J[2][n] row-major, or NULL; the caller has zeroed them. Variable
+// v belongs in column[v] (column NULL: in column v).
 void yk_closure_loop(const YkMechanism *mech, size_t loop, const double *x, double *residual, double *J, size_t n,
                      const int32_t *column);
-// One relation, over its weight: a length. Its row of J[n] likewise.
+// Evaluates one relation, divided by its weight to give a length. Its row of J[n] likewise.
 void yk_closure_relation(const YkMechanism *mech, size_t relation, const double *x, double *residual, double *J,
                          const int32_t *column);
-// All loops: residual[2 loops]; jacobian[2 loops][variables] row-major, or NULL.
+// Evaluates all loops: residual[2 loops]; jacobian[2 loops][variables] row-major, or NULL.
 void yk_closure(const YkMechanism *mech, const double *x, double *residual, double *jacobian);
-// Guesses from `start:` (unknown ones 0), mapped to variables along the tree; distances that are no coordinates where
-// their loops come nearest to closing. Cost O(bodies log coordinates + terms of all loops).
+// Maps the guesses from `start:` (0 if unknown) to variables along the tree; distances that are not coordinates take
+// the values at which their loops come nearest to closing. Cost O(bodies log coordinates + terms of all loops).
 void yk_closure_guess(const YkMechanism *mech, const double *coordinates, double *x);
 
-// Freedom by rank: closes the loops, with their relations, from the guesses and takes the rank of their Jacobian there;
-// which candidates are independent inputs. Parts of the machine that share only the ground are measured one by one. In
-// a part that does not close, or has more than YK_CLOSURE_MAX variables (the work is dense), accepted[] keeps what the
-// caller put there; also where equations do not repeat each other and it determines the motion. freedom: of the whole
-// machine, or -1 where a part could not be measured. false when out of memory.
+// Finds the freedom by rank, and which candidates are independent inputs: closes the loops, with their relations, from
+// the guesses and takes the rank of their Jacobian there. Measures parts of the machine that share only the ground one
+// by one. accepted[] keeps what the caller put there in a part that does not close, or has more than YK_CLOSURE_MAX
+// variables (the work is dense), and also where equations do not repeat each other and it determines the motion.
+// freedom: of the whole machine, or -1 if a part could not be measured. Returns false when out of memory.
 enum { YK_CLOSURE_MAX = 300 };
-#define YK_CLOSURE_ROUNDING 1e-13 // over the size: an arm of less is what rounding leaves of points that coincide
+#define YK_CLOSURE_ROUNDING 1e-13 // over the size: a shorter arm is what rounding leaves of points that coincide
 typedef struct YkCandidates {
     const int32_t *items; // coordinates in order of preference
-    size_t count, firm;   // the first `firm` were asked for, or are driven
+    size_t count, firm;   // the first `firm` were requested, or are driven
     bool *accepted;       // [count]
-    bool is_peeled;       // all are dyads: what was counted stands unless the guesses close as they are
+    bool is_peeled;       // all are dyads: the count stands unless the guesses close as they are
 } YkCandidates;
-// A closed pose by which an order of solution is judged: the guesses', or one close by where the accepted inputs do not
-// determine the motion at the guesses'.
+// A closed pose by which an order of solution is judged: that of the guesses, or one close by if the accepted inputs do
+// not determine the motion at the guesses.
 typedef struct YkClosedPose {
     double *x;         // [variables]
-    bool *is_repeated; // [variables]: of a part that closes there and whose equations repeat each other
+    bool *is_repeated; // [variables]: it belongs to a part that closes there and whose equations repeat each other
 } YkClosedPose;
-// pose: filled where it is not NULL; the caller has cleared is_repeated.
+// pose: filled unless NULL; the caller has cleared is_repeated.
 bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const YkCandidates *wish, int *freedom,
                         const YkClosedPose *pose);
 

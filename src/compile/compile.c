@@ -1,4 +1,4 @@
-// The entry: model -> mechanism.
+// Compiles a model into a mechanism.
 #include <stdlib.h>
 #include "base/problems.h"
 #include "compile/closure.h"

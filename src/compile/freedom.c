@@ -1,14 +1,14 @@
-// The freedom by rank, part by part. Counting is not enough where constraints repeat each other: only the Jacobian of
-// the closed loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
+// Finds the freedom by rank, part by part. Counting is not enough when constraints repeat each other: only the Jacobian
+// of the closed loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
 #include "num/dense.h"
 
-// A machine falls into parts that share only the ground: their variables, loops and candidates, sorted by part.
+// The parts of a machine, which share only the ground: their variables, loops and candidates, sorted by part.
 typedef struct Parts {
-    int32_t *of_variable, *column; // per variable: its part, its place in it
+    int32_t *of_variable, *column; // per variable: its part, and its column there
     size_t count;
     uint32_t *variable_first, *loop_first, *relation_first, *candidate_first; // per part
     int32_t *variables, *loops, *relations, *candidates;
@@ -19,17 +19,17 @@ typedef struct Work { // on one part; x holds all variables of the machine
     const int32_t *variables, *loops, *relations, *column;
     const YkCandidates *wish;
     const double *told;     // [coordinate]: the guesses
-    const int32_t *members; // of the candidates, those of this part
+    const int32_t *members; // the candidates of this part
     size_t member_count;
     size_t loop_count, m, n;
     double *x, *residual, *J, *A, *tau, *step, *old, *guess, *basis;
-    double *scale;   // of each column of A, by which it was divided
+    double *scale;   // the factor by which each column of A was divided
     double *near[3]; // closed poses: the one found, and two that its free motions lead to
-    double *judge;   // the pose to judge by: of the best rank, and where the accepted inputs determine the motion
-    double *kept;    // the same, of the attempt that counts
-    bool is_closed;  // there is one
-    bool is_given;   // the guesses close as they are
-    bool holds;      // loops are closed with the inputs that were counted where they stand
+    double *judge;   // the pose to judge by: of the best rank, and one where the accepted inputs determine the motion
+    double *kept;    // the same, for the attempt that counts
+    bool is_closed;  // there is a closed pose
+    bool is_given;   // the guesses close unchanged
+    bool holds;      // loops are closed while the inputs that were counted keep their values
     bool *other;     // [members] accepted at another pose
     bool *counted;   // [members] accepted by the caller
     size_t *order;
@@ -37,7 +37,6 @@ typedef struct Work { // on one part; x holds all variables of the machine
 } Work;
 
 // --- parts
-// --------------------------------------------------------------------------------------------------------------
 
 static int32_t leader(int32_t *up, int32_t v)
 {
@@ -66,12 +65,12 @@ static int32_t term_variable(const YkMechanism *mech, YkRelationTerm term)
 
 static void join_relation(const YkMechanism *mech, const YkRelation *r, int32_t *up)
 {
-    const YkRelationTerm *terms = mech->relation_terms + r->first_term; // its argument's stand behind
+    const YkRelationTerm *terms = mech->relation_terms + r->first_term; // the terms of its argument follow
     for (uint32_t k = 1; k < r->term_count + r->argument_count; k++)
         up[leader(up, term_variable(mech, terms[k]))] = leader(up, term_variable(mech, terms[0]));
 }
 
-// A variable of a relation, or YK_NONE where it ties nothing that moves.
+// Returns a variable of a relation, or YK_NONE if it ties nothing that moves.
 static int32_t relation_variable(const YkMechanism *mech, const YkRelation *r)
 {
     bool has_any = r->term_count + r->argument_count > 0;
@@ -86,7 +85,7 @@ static int32_t loop_variable(const YkMechanism *mech, size_t loop)
     return t.slot > 0 ? t.slot - 1 : (int32_t)mech->orientation_count - 1 + t.distance;
 }
 
-// A variable that the coordinate measures, or YK_NONE where its angle is constant.
+// Returns a variable that the coordinate measures, or YK_NONE if its angle is constant.
 static int32_t coordinate_variable(const YkMechanism *mech, int32_t coordinate)
 {
     const YkTreeCoordinate *c = &mech->coordinates[coordinate];
@@ -95,7 +94,7 @@ static int32_t coordinate_variable(const YkMechanism *mech, int32_t coordinate)
     return angle.a == angle.b ? YK_NONE : (angle.a > 0 ? angle.a : angle.b) - 1;
 }
 
-// items[i] belongs to part key[i] (or to none): sorted by part, in order within.
+// Sorts items by part: items[i] belongs to part key[i] (or to none); keeps the order within a part.
 static void sort_by_part(const int32_t *key, size_t count, size_t parts, uint32_t *first, int32_t *items)
 {
     for (size_t i = 0; i < count; i++)
@@ -110,7 +109,8 @@ static int32_t part_of(const Parts *p, int32_t variable)
     return variable == YK_NONE ? YK_NONE : p->of_variable[variable];
 }
 
-// Loops and relations tie their variables together, and angles of the tree the two orientations between which they are.
+// Finds the parts: loops and relations tie their variables together, and an angle of the tree ties its two
+// orientations.
 static void find_parts(Parts *p, const YkMechanism *mech, int32_t *up)
 {
     size_t n = yk_variable_count(mech);
@@ -156,7 +156,6 @@ static bool sort_parts(Parts *p, const YkMechanism *mech, const int32_t *candida
 }
 
 // --- closing
-// ------------------------------------------------------------------------------------------------------------
 
 static bool is_angle(const Work *w, size_t column)
 {
@@ -172,20 +171,21 @@ static void restore(Work *w, const double *from)
     for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] = from[j];
 }
 
-// Between -1 and 1.
+// Draws a number between -1 and 1.
 static double draw(Work *w)
 {
     w->seed = w->seed * 6364136223846793005u + 1442695040888963407u;
     return (double)(w->seed >> 11) * 0x1p-52 - 1;
 }
 
-// Moves each variable by up to `by` radians, or times the machine's size.
+// Moves each variable by up to `by` radians, or `by` times the machine's size.
 static void disturb(Work *w, double by)
 {
     for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += by * draw(w) * (is_angle(w, j) ? 1 : w->mech->size);
 }
 
-// Residuals over the size, in dimensionless variables: angles, and distances over the size. Returns their length.
+// Evaluates residuals over the size, in dimensionless variables: angles, and distances over the size. Returns their
+// length.
 static double evaluate(Work *w)
 {
     double sum = 0, size = w->mech->size;
@@ -204,7 +204,7 @@ static double evaluate(Work *w)
     return sqrt(sum);
 }
 
-// A coordinate's rate, times `by`, as a row of the unknowns.
+// Adds a coordinate's rate, times `by`, as a row of the unknowns.
 static void add_rate(const Work *w, int32_t coordinate, double by, double *row)
 {
     const YkTreeCoordinate *c = &w->mech->coordinates[coordinate];
@@ -214,8 +214,7 @@ static void add_rate(const Work *w, int32_t coordinate, double by, double *row)
     if (!c->is_distance && angle.a > 0) row[w->column[angle.a - 1]] -= by;
 }
 
-// One Levenberg step: least squares of [J; mu I] step = [-r; 0]; where inputs are held, also of their rates, which are
-// 0.
+// Takes one Levenberg step: least squares of [J; mu I] step = [-r; 0]; while inputs are held, also with their rates 0.
 static void damped_step(Work *w, double mu)
 {
     const double heavy = 1e6;
@@ -252,10 +251,9 @@ static bool close_loops(Work *w)
 }
 
 // --- rank
-// ---------------------------------------------------------------------------------------------------------------
 
-// The Jacobian as rank sees it: each column over its length, so that short links count as long ones do, and without
-// what is left of lengths that cancel but for rounding.
+// Copies the Jacobian for its rank: each column divided by its length, so that short links count as much as long ones,
+// and without the remainders of lengths that cancel up to rounding.
 static void copy_jacobian(Work *w)
 {
     const double shortest = 1e-6;
@@ -281,8 +279,8 @@ static double dot(const double *a, const double *b, size_t n)
     return sum;
 }
 
-// Makes `v` orthogonal to rows[count][n] of length 1; true, and v of length 1, when more than `tolerance` of it is
-// left.
+// Makes `v` orthogonal to rows[count][n] of length 1. Returns true, with v of length 1, if more than `tolerance` of it
+// is left.
 static bool orthogonalise(double *v, const double *rows, size_t count, size_t n, double tolerance)
 {
     for (int twice = 0; twice < 2; twice++)
@@ -296,8 +294,8 @@ static bool orthogonalise(double *v, const double *rows, size_t count, size_t n,
     return true;
 }
 
-// The motions that the factored Jacobian leaves, as orthonormal rows basis[n - rank][n]. Source: Golub & Van Loan
-// 2013, 5.5.
+// Finds the free motions that the factored Jacobian leaves, as orthonormal rows basis[n - rank][n]. Source: Golub & Van
+// Loan 2013, 5.5.
 static size_t free_motions(Work *w, size_t rank)
 {
     size_t n = w->n, f = 0;
@@ -316,7 +314,7 @@ static size_t free_motions(Work *w, size_t rank)
     return f;
 }
 
-// How fast a coordinate changes in each free motion.
+// Finds how fast a coordinate changes in each free motion.
 static void rates_of(const Work *w, int32_t coordinate, size_t f, double *rates)
 {
     const YkTreeCoordinate *c = &w->mech->coordinates[coordinate];
@@ -330,7 +328,7 @@ static void rates_of(const Work *w, int32_t coordinate, size_t f, double *rates)
     }
 }
 
-// A candidate is an input when it moves in a way that those before it do not tell.
+// Accepts a candidate as an input if its motion does not follow from those before it.
 static void accept(Work *w, size_t rank)
 {
     size_t f = free_motions(w, rank), taken = 0;
@@ -345,7 +343,7 @@ static void accept(Work *w, size_t rank)
     }
 }
 
-// A coordinate's rate as a row of the scaled unknowns, of length 1.
+// Writes a coordinate's rate as a row of the scaled unknowns, of length 1.
 static void rate_row(const Work *w, int32_t coordinate, double *row)
 {
     memset(row, 0, w->n * sizeof *row);
@@ -355,7 +353,7 @@ static void rate_row(const Work *w, int32_t coordinate, double *row)
     for (size_t j = 0; j < w->n && length > 0; j++) row[j] /= length;
 }
 
-// Whether the accepted inputs determine the motion at the pose whose Jacobian is J.
+// Returns whether the accepted inputs determine the motion at the pose whose Jacobian is J.
 static bool inputs_determine(Work *w)
 {
     size_t rows = w->m, n = w->n;
@@ -365,7 +363,7 @@ static bool inputs_determine(Work *w)
     return yk_qr_factor(rows, n, w->A, w->order, w->tau, 1e-6) == n;
 }
 
-// A motion that the factored Jacobian leaves free, at random, its largest part 1; nothing where it leaves none.
+// Draws a random motion that the factored Jacobian leaves free, its largest part 1; zero if there is none.
 static void draw_motion(Work *w, size_t free_count, double *motion)
 {
     double largest = 0;
@@ -383,8 +381,8 @@ static void move(Work *w, const double *motion, double by)
     for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += by * motion[j] * (is_angle(w, j) ? 1 : w->mech->size);
 }
 
-// The pose that stands, and where its free motions lead, so that no other assembly is measured. rank[k]: 0 where a pose
-// does not close. Returns the largest.
+// Compares the present pose with those to which its free motions lead, so that no other assembly is measured. rank[k]
+// is 0 if a pose does not close. Returns the largest.
 static size_t look_around(Work *w, size_t rank[3])
 {
     size_t best = rank[0] = factor(w), free_count = free_motions(w, best);
@@ -408,8 +406,8 @@ static void go_to(Work *w, int near)
     evaluate(w);
 }
 
-// Takes the inputs of a near pose; with `firm`, only where what was asked for or is driven is an input there and was
-// none before.
+// Accepts the inputs of a near pose; with `firm`, only if something requested or driven is an input there and was not
+// before.
 static void accept_at(Work *w, int near, size_t rank, bool firm)
 {
     bool *accepted = w->wish->accepted, gains = !firm;
@@ -429,7 +427,8 @@ static size_t count_inputs(const Work *w)
     return count;
 }
 
-// A drive that stands still on the sheet of motion where the guesses are may move on another that meets it.
+// Keeps firm inputs: a drive that stands still on the branch of motion at the guesses may move on another that meets
+// it.
 static void keep_firm(Work *w)
 {
     bool is_lost = false;
@@ -438,10 +437,10 @@ static void keep_firm(Work *w)
     for (size_t k = 0; k < w->member_count && is_lost; k++) w->wish->accepted[w->members[k]] = w->counted[k];
 }
 
-// At a closed pose: the freedom, with the largest rank near by, since dead points and change points have less than
-// their neighbours; and the inputs: as they were counted, where equations do not repeat each other and these determine
-// the motion; otherwise those of the pose itself, but what is firm also where it stands at its dead point. A pose that
-// the guesses do not give may be a dead point by chance: then poses beside it come first.
+// Finds the freedom at a closed pose, with the largest rank nearby, since dead points and change points have a smaller
+// rank than their neighbours. The inputs stay as counted if equations do not repeat each other and they determine the
+// motion; otherwise they are those of the pose itself, together with firm ones that stand at their dead point. A pose
+// that the guesses do not give may be a dead point by chance: poses beside it then come first.
 static int freedom_here(Work *w)
 {
     static const int orders[2][3] = {{1, 2, 0}, {0, 1, 2}};
@@ -485,15 +484,15 @@ static bool work_start(Work *w)
     w->scale = w->kept + w->n;
     w->step = w->scale + w->n;
     w->tau = w->step + w->n;
-    w->residual = w->tau + w->n; // and the right side of a step behind it
+    w->residual = w->tau + w->n; // the right side of a step follows it
     w->J = w->residual + w->m + rows;
     w->A = w->J + w->m * w->n;
     w->basis = w->A + rows * w->n;
     return true;
 }
 
-// Do the variables say what the guesses do? Coordinates of bodies that never turn against each other share an angle: of
-// two that differ only one can be kept.
+// Returns whether the variables agree with the guesses. Coordinates of bodies that never turn relative to each other
+// share an angle: if two differ, only one can be kept.
 static bool stands_as_told(const Work *w)
 {
     for (size_t k = 0; k < w->member_count; k++) {
@@ -507,9 +506,9 @@ static bool stands_as_told(const Work *w)
     return true;
 }
 
-// From the guesses with the inputs held, from the guesses, then from about them: the first pose that closes and moves;
-// -1 when none closes. A machine with repeated constraints can often be put together in rigid ways as well: these count
-// only when nothing else is found, or when the guesses close as they are.
+// Searches from the guesses with the inputs held, from the guesses, then from points around them, for the first pose
+// that closes and moves; -1 if none closes. A machine with repeated constraints can often be put together in rigid ways
+// as well: these count only if nothing else is found, or if the guesses close unchanged.
 static int measure(Work *w)
 {
     int freedom = -1;
@@ -524,13 +523,13 @@ static int measure(Work *w)
         w->holds = false;
         if (!is_closed) continue;
         int one = freedom_here(w);
-        if (freedom == 0 && one == 0) continue; // the first pose stays the one to judge by
+        if (freedom == 0 && one == 0) continue; // the first pose remains the one to judge by
         freedom = one;
         memcpy(w->kept, w->judge, w->n * sizeof *w->kept);
     }
     bool has_relations = w->m > 2 * w->loop_count;
     w->is_closed = freedom >= 0;
-    if (freedom < 0 && has_relations) { // phases that do not go together; assembling will say so
+    if (freedom < 0 && has_relations) { // phases that do not fit together; assembling will report it
         restore(w, w->guess);
         evaluate(w);
         size_t rank = factor(w);
@@ -550,7 +549,7 @@ static void tell_pose(const Work *w, int freedom, const YkClosedPose *pose)
     }
 }
 
-// The freedom of one part, -1 where it is not measured; *enough becomes false when out of memory.
+// Returns the freedom of one part, -1 if it is not measured; *enough becomes false when out of memory.
 static int part_freedom(Work *w, const Parts *p, size_t part, const YkClosedPose *pose, bool *enough)
 {
     int freedom = -1;
@@ -562,7 +561,7 @@ static int part_freedom(Work *w, const Parts *p, size_t part, const YkClosedPose
     w->relations = p->relations + p->relation_first[part];
     w->loop_count = p->loop_first[part + 1] - p->loop_first[part];
     w->m = 2 * w->loop_count + p->relation_first[part + 1] - p->relation_first[part];
-    if (w->m == 0) return (int)w->n; // an open chain: the caller's choice is right
+    if (w->m == 0) return (int)w->n; // an open chain: the caller's choice is correct
     if (w->n > YK_CLOSURE_MAX) return -1;
     *enough = work_start(w);
     if (*enough) freedom = measure(w);

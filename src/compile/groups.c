@@ -1,6 +1,6 @@
-// What peeling leaves: larger Assur groups. Their loops, and the gears and cams that need them, are matched with
-// unknowns, and the strong components of the matching are solved one after another. Source: Duff & Reid 1978; Pothen &
-// Fan 1990.
+// Solves what peeling leaves: larger Assur groups. Their loops, and the gears and cams that need them, are matched with
+// unknowns; the strong components of the matching are solved one after another. Source: Duff & Reid 1978; Pothen & Fan
+// 1990.
 #include <stdlib.h>
 #include "compile/judge.h"
 #include "compile/plan.h"
@@ -9,31 +9,31 @@
 
 typedef struct Rest {
     YkPlan *plan;
-    YkTree tree; // over the bodies left, rooted at known bodies
+    YkTree tree; // over the remaining bodies, rooted at known bodies
     bool *is_reached;
     int32_t *queue;
     size_t tail;
     int32_t *loop_joint; // joints that close loops
     YkSum *loop_sum;
-    int32_t *relation; // relations left: equation loop_count + k is relation[k]
+    int32_t *relation; // remaining relations: equation loop_count + k is relation[k]
     size_t relation_count;
     YkColumn *relation_columns;
     uint32_t *column_first; // columns of equation l: columns[column_first[l] ..)
     int32_t *columns;
     size_t loop_count, column_total, column_capacity;
     uint32_t *row_first;   // rows of equation l: row_first[l] .. row_first[l + 1]
-    int32_t *row_equation; // which equation a row belongs to
+    int32_t *row_equation; // the equation of each row
     uint32_t *path_first;  // joints round loop l, its closing joint last: path[path_first[l] ..)
     int32_t *path;
     size_t path_count, path_capacity;
     YkMatching matching;
     int32_t *component;
-    uint32_t *joint_stamp, *cluster_stamp; // the component that took them last, plus one
+    uint32_t *joint_stamp, *cluster_stamp; // the last component that took them, plus one
     int32_t *joints, *clusters;            // of the component being emitted
 } Rest;
 
-// Loops are equations of two rows, relations, behind all loops, of a single one; where equations repeat each other,
-// only the rows count that are independent.
+// Counts the equations: loops have two rows; relations, which follow all loops, have one. If equations repeat each
+// other, only independent rows count.
 static size_t equation_count(const Rest *r)
 {
     return r->loop_count + r->relation_count;
@@ -57,8 +57,8 @@ static void reach_body(Rest *r, int32_t body, int32_t parent, int32_t joint)
     r->queue[r->tail++] = body;
 }
 
-// The rest of the cluster hangs on its first body reached: up to the root of the cluster's own tree, then outwards from
-// there.
+// Reaches the rest of the cluster from its first body reached: up to the root of the cluster's own tree, then outwards
+// from there.
 static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
 {
     const YkPlan *plan = r->plan;
@@ -67,14 +67,14 @@ static void reach_cluster(Rest *r, int32_t body, int32_t parent, int32_t joint)
     reach_body(r, body, parent, joint);
     for (int32_t b = body; tree->parent[b] != YK_NONE; b = tree->parent[b])
         reach_body(r, tree->parent[b], b, tree->joint[b]);
-    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents stand before children
+    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents come before children
         int32_t b = plan->cluster_member[k];
         if (!r->is_reached[b]) reach_body(r, b, tree->parent[b], tree->joint[b]);
     }
 }
 
-// Bodies that a group of their own has placed relative to each other hang together by its joints, whose equations are
-// spent: such joints come first.
+// Follows the joints of groups that have placed bodies relative to each other. The equations of these joints are used
+// up, so they come first.
 static void follow_used(Rest *r, size_t *next)
 {
     const YkPlan *plan = r->plan;
@@ -89,7 +89,7 @@ static void follow_used(Rest *r, size_t *next)
 
 static void grow(Rest *r)
 {
-    size_t next = 0; // in the queue, whose used joints are not followed yet
+    size_t next = 0; // in the queue: the first body whose used joints have not been followed
     YkPlan *plan = r->plan;
     const YkModel *model = plan->mech->model;
     for (size_t b = 0; b < model->body_count; b++) {
@@ -122,7 +122,7 @@ static void note_path(Rest *r, int32_t joint)
         r->plan->failed = true;
 }
 
-// Round the loop: over the joint, then both ends back until they meet or stand on known bodies.
+// Collects the terms round the loop: over the joint, then back from both ends until they meet or reach known bodies.
 static void loop_terms(Rest *r, int32_t joint)
 {
     YkPlan *plan = r->plan;
@@ -195,7 +195,7 @@ static bool make_loops(Rest *r)
     return true;
 }
 
-// Gears, racks, belts, cams and laws that wait for what the loops determine.
+// Lists the gears, racks, belts, cams and laws that wait for the results of the loops.
 static bool make_relations(Rest *r)
 {
     YkPlan *plan = r->plan;
@@ -231,7 +231,7 @@ static bool is_judged(const Rest *r, size_t equation)
            yk_is_judged(plan, column_of_id(plan->mech, r->columns[r->column_first[equation]]));
 }
 
-// The unknowns of the equations that are judged, each once; NULL when out of memory.
+// Returns the unknowns of the equations that are judged, each once; NULL when out of memory.
 static int32_t *judged_columns(const Rest *r, size_t *count)
 {
     const YkMechanism *mech = r->plan->mech;
@@ -248,8 +248,8 @@ static int32_t *judged_columns(const Rest *r, size_t *count)
     return ids;
 }
 
-// rows[l]: how many independent rows an equation has. Those of few unknowns come first, so that what a few bodies say
-// of each other stays among them. False when out of memory.
+// Finds rows[l], how many independent rows an equation has. Equations with few unknowns come first, so that relations
+// between a few bodies stay among them. Returns false when out of memory.
 static bool judge_rows(const Rest *r, size_t *rows)
 {
     YkJudge judge;
@@ -263,7 +263,7 @@ static bool judge_rows(const Rest *r, size_t *rows)
             rows[l] = l < r->loop_count ? yk_judge_loop(&judge, &r->loop_sum[l])
                                         : yk_judge_relation(&judge, (size_t)r->relation[l - r->loop_count]);
         }
-    bool all_told = judge.taken == unknowns; // otherwise counting must do
+    bool all_told = judge.taken == unknowns; // otherwise counting has to suffice
     for (size_t l = 0; l < equation_count(r) && !all_told; l++) rows[l] = l < r->loop_count ? 2 : 1;
     return true;
 }
@@ -297,7 +297,7 @@ static bool match(Rest *r)
     return true;
 }
 
-// An equation needs those whose rows are matched with its columns.
+// Orders the equations: one needs those whose rows are matched with its columns.
 static bool order(Rest *r, size_t *count)
 {
     YkArena *arena = r->plan->arena;
@@ -340,13 +340,13 @@ static void add_group_loop(YkPlan *plan, YkSum sum)
     mech->group_loops[mech->group_loop_count++] = sum;
 }
 
-// The joints round the component's loops, those that close them last, and the clusters it places; stamps keep each
-// once.
+// Gathers the joints round the component's loops, those that close them last, and the clusters it places; stamps keep
+// each once.
 static size_t gather_joints(Rest *r, const int32_t *members, size_t count, uint32_t stamp)
 {
     size_t joints = 0;
     for (int closing = 0; closing < 2; closing++)
-        for (size_t k = 0; k < count && (size_t)members[k] < r->loop_count; k++) { // relations stand last
+        for (size_t k = 0; k < count && (size_t)members[k] < r->loop_count; k++) { // relations come last
             uint32_t last = r->path_first[members[k] + 1] - 1;
             for (uint32_t e = closing ? last : r->path_first[members[k]]; e < last + (uint32_t)closing; e++) {
                 if (r->joint_stamp[r->path[e]] == stamp) continue;
@@ -372,7 +372,7 @@ static size_t gather_clusters(Rest *r, size_t joints, uint32_t stamp)
     return clusters;
 }
 
-// The loops, then the relations of a component, and the unknowns matched with them.
+// Fills in the loops, then the relations of a component, and the unknowns matched with them.
 static void fill_group(Rest *r, YkBlock *group, const int32_t *members, size_t count)
 {
     YkPlan *plan = r->plan;
@@ -394,7 +394,7 @@ static void fill_group(Rest *r, YkBlock *group, const int32_t *members, size_t c
     group->relation_count = (uint32_t)mech->group_relation_count - group->first_relation;
 }
 
-// Loops of a group that repeat something, by the joints that close them.
+// Notes the loops of a group that repeat something, by the joints that close them.
 static void note_redundant(Rest *r, const int32_t *members, size_t count)
 {
     YkMechanism *mech = r->plan->mech;
@@ -407,14 +407,14 @@ static void note_redundant(Rest *r, const int32_t *members, size_t count)
     }
 }
 
-// members: the equations of the component, in file order, loops first.
+// Emits a component. members: its equations in file order, loops first.
 static void emit_group(Rest *r, const int32_t *members, size_t count, uint32_t stamp)
 {
     YkPlan *plan = r->plan;
     YkMechanism *mech = plan->mech;
     YkBlock group;
     fill_group(r, &group, members, count);
-    if (group.column_count == 0) return; // all that it ties is tied already: left for a check
+    if (group.column_count == 0) return; // everything that it ties is known already: left for a check
     size_t joints = gather_joints(r, members, count, stamp), rows = yk_block_rows(&group);
     YkBlock *block = plan->failed ? NULL : yk_plan_new_block(plan, YK_BLOCK_GROUP, r->joints, joints);
     if (!block) return;
@@ -435,7 +435,7 @@ static void emit_group(Rest *r, const int32_t *members, size_t count, uint32_t s
     for (size_t k = block->first_column; k < mech->column_count; k++) yk_plan_learn(plan, mech->group_columns[k]);
 }
 
-// Does the component need nothing of the others, and determine all that is in it?
+// Returns whether the component needs no other and determines everything in it.
 static bool stands_alone(const Rest *r, const int32_t *members, size_t count)
 {
     for (size_t k = 0; k < count; k++)
@@ -446,7 +446,8 @@ static bool stands_alone(const Rest *r, const int32_t *members, size_t count)
     return count > 0;
 }
 
-// Emits the components that stand alone, or all; returns how many. Equations sorted by component, file order within.
+// Emits the components that stand alone, or all; returns how many. Equations are sorted by component, in file order
+// within.
 static size_t emit_groups(Rest *r, size_t count, bool all)
 {
     YkArena *arena = r->plan->arena;
@@ -468,7 +469,7 @@ static size_t emit_groups(Rest *r, size_t count, bool all)
     return emitted;
 }
 
-// Every body left now hangs on known ones, in the order it was reached.
+// Places the remaining bodies, each next to a known one, in the order in which they were reached.
 static void place_rest(Rest *r)
 {
     YkPlan *plan = r->plan;
@@ -501,8 +502,8 @@ static bool allocate(Rest *r)
     return !yk_arena_failed(a);
 }
 
-// One round: groups that need nothing unknown become blocks. Where there are none, or in the last round, all do, and
-// every body left is placed. Returns whether to go on.
+// Runs one round: groups that need nothing unknown become blocks. If there are none, or in the last round, all groups
+// do, and every remaining body is placed. Returns whether to go on.
 static bool round_of_groups(YkPlan *plan, bool last)
 {
     Rest r = {.plan = plan};
@@ -524,8 +525,8 @@ static bool round_of_groups(YkPlan *plan, bool last)
     return !last && !plan->failed;
 }
 
-// What hangs on a group may be dyads again, so peeling goes on after each round. The number of rounds is bounded, for
-// linear cost.
+// Solves groups in rounds. Bodies attached to a group may form dyads again, so peeling continues after each round. The
+// number of rounds is bounded, for linear cost.
 void yk_plan_groups(YkPlan *plan)
 {
     enum { ROUNDS_MAX = 64 };

@@ -1,4 +1,4 @@
-// What callers ask of a mechanism.
+// Answers questions about a mechanism.
 #include <string.h>
 #include "compile/mechanism.h"
 
@@ -48,7 +48,7 @@ int yk_coordinate_find(const YkMechanism *mech, const char *name)
 
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance)
 {
-    size_t low = 0, high = mech->coordinate_count; // in the order of their joints
+    size_t low = 0, high = mech->coordinate_count; // sorted by their joints
     while (low < high) {
         size_t middle = (low + high) / 2;
         if (mech->coordinates[middle].joint < joint)
@@ -98,7 +98,7 @@ static int32_t meeting(const YkTree *tree, int32_t a, int32_t b)
     return a;
 }
 
-// From the joint's first body up to where both ends' paths meet, and down to its second body.
+// Lists the bodies from the joint's first body up to where both ends' paths meet, and down to its second body.
 size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity)
 {
     const YkJoint *joint = &mech->model->joints[mech->loops[loop].joint];

@@ -1,3 +1,4 @@
+// Chooses the inputs: by counting equations and unknowns, and by rank where counting is not enough.
 #include "compile/inputs.h"
 #include <string.h>
 #include "base/problems.h"
@@ -12,7 +13,7 @@ typedef struct Choice {
     YkProblems *problems;
     int32_t *candidates; // coordinates in order of preference
     bool *is_candidate, *accepted;
-    size_t count, wanted, driven; // the first `wanted` were asked for, the next `driven` have drives
+    size_t count, wanted, driven; // the first `wanted` were requested, the next `driven` have drives
 } Choice;
 
 static void propose(Choice *c, int32_t coordinate)
@@ -52,7 +53,8 @@ static bool propose_all(Choice *c, const YkCompileOptions *options)
     return true;
 }
 
-// Structural independence: each loop's two equations matched with its variables, then one equation a held coordinate.
+// Tests structural independence: matches each loop's two equations with its variables, then one equation for each held
+// coordinate.
 static bool accept_by_structure(Choice *c)
 {
     YkMechanism *mech = c->mech;
@@ -79,7 +81,7 @@ static bool accept_by_structure(Choice *c)
     }
     for (size_t r = 0; r < mech->relation_count; r++) {
         const YkRelation *relation = &mech->relations[r];
-        size_t n = 0; // its terms and its law's arguments stand together
+        size_t n = 0; // its terms and its law's arguments are contiguous
         for (uint32_t k = 0; k < relation->term_count + relation->argument_count; k++) {
             const YkRelationTerm *t = &mech->relation_terms[relation->first_term + k];
             row[n++] = t->is_distance ? (int32_t)o + t->index : t->index;
@@ -116,7 +118,7 @@ static void take_accepted(Choice *c)
     }
 }
 
-// Where groups are left or constraints repeat, counting is not enough: the rank of the assembled machine decides.
+// Decides by the rank of the assembled machine if groups are left or constraints repeat: counting is then not enough.
 static bool accept_by_rank(Choice *c, bool is_peeled, YkClosedPose *pose)
 {
     int freedom;
@@ -148,7 +150,7 @@ void yk_inputs_guess(const YkMechanism *mech, double *guess)
     }
 }
 
-// A gearbox in neutral: more freedoms than drives, and locks that nobody chose from.
+// Reports a gearbox in neutral: more freedoms than drives, and locks from which none was chosen.
 static void report_open_lock(Choice *c)
 {
     const YkModel *model = c->mech->model;
@@ -166,7 +168,7 @@ static void report_open_lock(Choice *c)
     yk_problem_hint(c->problems, "--lock %s", model->locks[0].name);
 }
 
-// What was asked for must have been accepted; false where it was not.
+// Checks that the requested inputs were accepted; returns false if one was not.
 static bool report_overdriven(Choice *c)
 {
     YkMechanism *mech = c->mech;
@@ -204,7 +206,8 @@ static bool plan(Choice *c, const YkClosedPose *pose, size_t *missing)
     return ok;
 }
 
-// Machines of so few unknowns are measured by rank even where counting finds nothing wrong: dimensions can be special.
+// Machines with this many unknowns or fewer are measured by rank even if counting finds nothing wrong: dimensions can
+// be special.
 enum { RANK_ALWAYS_MAX = 40 };
 
 static bool choose(Choice *c, const YkCompileOptions *options)
@@ -215,7 +218,7 @@ static bool choose(Choice *c, const YkCompileOptions *options)
     take_accepted(c);
     if (!plan(c, NULL, &missing)) return false;
     bool is_peeled = !mech->has_groups && missing == 0 && mech->redundant_count + mech->redundant_relation_count == 0;
-    if (!is_peeled || yk_variable_count(mech) <= RANK_ALWAYS_MAX) { // twice at most: structure, then rank
+    if (!is_peeled || yk_variable_count(mech) <= RANK_ALWAYS_MAX) { // at most twice: structure, then rank
         YkClosedPose pose;
         bool *counted = YK_NEW(c->arena, bool, c->count + 1);
         if (!counted) return false;

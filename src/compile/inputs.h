@@ -1,4 +1,4 @@
-// Which coordinates are inputs: as many as the machine has freedoms.
+// Chooses which coordinates are inputs: as many as the machine has freedoms.
 #ifndef COMPILE_INPUTS_H
 #define COMPILE_INPUTS_H
 #include "compile/topology.h"
@@ -7,7 +7,8 @@
 // Reports drives beyond the freedom and unknown inputs.
 bool yk_inputs_choose(YkMechanism *mech, const YkIncidence *incidence, const YkCompileOptions *options,
                       YkProblems *problems);
-// Values of the tree's coordinates at the start: drives at t = 0, otherwise `start:`, otherwise 0. guess[coordinate].
+// Returns the values of the tree's coordinates at the start: drives at t = 0, otherwise `start:`, otherwise 0.
+// guess[coordinate].
 void yk_inputs_guess(const YkMechanism *mech, double *guess);
 
 #endif

@@ -1,8 +1,9 @@
+// Judges equations at a closed pose by the independence of columns and rows.
 #include "compile/judge.h"
 #include <string.h>
 
 #define BLOCK_SINE 1e-6 // least sine between the columns of a dyad, and least arm over the machine's size
-#define ROW_LEFT 1e-8   // of a row's length: what must be left of it beside the rows before
+#define ROW_LEFT 1e-8   // the part of a row's length that must remain after subtracting the rows before
 
 static double distance_at(const YkPlan *plan, int32_t distance)
 {
@@ -15,9 +16,8 @@ static YkVec turned_at(const YkPlan *plan, const YkTerm *term)
 }
 
 // --- blocks
-// --------------------------------------------------------------------------------------------------------------
 
-// By how much the loop of plan->list changes with a column: metres, over the size where it is an angle.
+// Returns how the loop of plan->list changes with a column: in metres, over the size for an angle.
 static YkVec column_of(const YkPlan *plan, YkColumn column)
 {
     YkVec sum = {0, 0};
@@ -43,7 +43,6 @@ bool yk_judge_block(const YkPlan *plan, const YkColumn *columns, size_t count)
 }
 
 // --- rows
-// ----------------------------------------------------------------------------------------------------------------
 
 bool yk_judge_start(YkJudge *judge, YkPlan *plan, const int32_t *ids, size_t count)
 {
@@ -75,7 +74,7 @@ static double length_of(const double *row, size_t n)
     return sqrt(sum);
 }
 
-// Takes away from a row what the rows taken say; twice, for rounding.
+// Subtracts from a row its part in the rows taken; twice, because of rounding.
 static void reduce(const YkJudge *judge, double *row, size_t from)
 {
     size_t n = judge->unknowns;
@@ -88,7 +87,7 @@ static void reduce(const YkJudge *judge, double *row, size_t from)
         }
 }
 
-// Takes the longer of the rows that are left, then the other, as long as enough of them is left.
+// Takes the longer of the remaining rows, then the other, as long as enough of them remains.
 static size_t take(YkJudge *judge, size_t count)
 {
     size_t n = judge->unknowns, before = judge->taken;

@@ -1,9 +1,9 @@
 // The inside of YkMechanism: the machine as sums of turned vectors, and the steps that solve it.
 //
-// Bodies that never turn against each other (joined by slides and welds) share an *orientation* o with one unit vector
-// e^(i Phi_o); a body keeps a constant angle `turn` to it. A joint that slides has a *distance* d. Every loop and every
-// position is a sum of vectors v e^(i Phi_o) and d v e^(i Phi_o). Orientation 0 is the ground's. An angle that is an
-// input ties two orientations together: they form a *group*, solved as one unknown.
+// Bodies that never turn relative to each other (joined by slides and welds) share an *orientation* o with one unit
+// vector e^(i Phi_o); a body keeps a constant angle `turn` to it. A joint that slides has a *distance* d. Every loop
+// and every position is a sum of vectors v e^(i Phi_o) and d v e^(i Phi_o). Orientation 0 is the ground's. An angle
+// that is an input ties two orientations together: they form a *group*, solved as one unknown.
 #ifndef COMPILE_MECHANISM_H
 #define COMPILE_MECHANISM_H
 #include <stdbool.h>
@@ -12,7 +12,7 @@
 #include "compile/arms.h"
 #include "model/model.h"
 
-// v e^(i Phi_slot), times the distance where there is one. Slots: the orientations, then their relative orientations.
+// v e^(i Phi_slot), times the distance if there is one. Slots: the orientations, then their relative orientations.
 typedef struct YkTerm {
     int32_t slot;     // 0: the ground
     int32_t distance; // or YK_NONE
@@ -39,7 +39,7 @@ typedef struct YkPlacing { // where a body is
     YkSum origin; // of the body's origin in the world; valid for bodies placed
 } YkPlacing;
 
-// Where the angle of a joint comes from: Phi_b - Phi_a + offset.
+// The angle of a joint: Phi_b - Phi_a + offset.
 typedef struct YkJointAngle {
     int32_t a, b;
     double offset;
@@ -54,13 +54,13 @@ typedef struct YkTreeCoordinate {
     int32_t input;      // or YK_NONE
     int32_t distance;   // its distance variable, or YK_NONE
     YkJointAngle angle; // of its joint
-    // Where gears and the like make the angle a sum of inputs: that sum, exact over any number of turns.
+    // If gears and the like make the angle a sum of inputs: that sum, exact over any number of turns.
     bool is_sum;
     double sum_offset;
     uint32_t first_source, source_count; // in sources
 } YkTreeCoordinate;
 
-typedef struct YkLoop { // of the spanning tree: first body's point minus the second's
+typedef struct YkLoop { // of the spanning tree: the first body's point minus the second's
     int32_t joint;
     YkSum sum; // slots are orientations; all distances included; no nodes
 } YkLoop;
@@ -81,8 +81,8 @@ typedef enum YkRelationKind {
     YK_RELATION_LAW
 } YkRelationKind;
 
-// Where a relation takes a value from: an input, an orientation that loops place (its angle nearest to a reference,
-// kept in the state), a distance, or an unknown of the group that the relation is solved in (its place there).
+// The source of a value in a relation: an input, an orientation that loops place (its angle nearest to a reference kept
+// in the state), a distance, or an unknown of the group in which the relation is solved (its index there).
 typedef enum YkSourceKind { YK_SOURCE_INPUT, YK_SOURCE_SLOT, YK_SOURCE_DISTANCE, YK_SOURCE_COLUMN } YkSourceKind;
 typedef struct YkRelationSource {
     YkSourceKind kind;
@@ -92,19 +92,19 @@ typedef struct YkRelationSource {
 
 typedef struct YkRelation {
     YkRelationKind kind;
-    int32_t index; // of the model's gear, rack, belt, cam or drive
+    int32_t index; // index of the model's gear, rack, belt, cam or drive
     const char *name;
     uint32_t first_term, term_count; // in relation_terms
     uint32_t first_argument, argument_count;
     const YkLaw *law; // NULL: none
     double constant, argument_constant;
-    // Solved for a target: value = offset + sources + gain law(argument_offset + argument sources). In a group, or
-    // where it only repeats others: that value, in metres, is what it misses by.
+    // Solved for a target: value = offset + sources + gain law(argument_offset + argument sources). In a group, or if
+    // it only repeats others, that value is its residual, in metres.
     bool is_solved, is_redundant;
     YkRelationTerm target;
     uint32_t first_source, source_count, first_argument_source, argument_source_count; // in sources
     double offset, argument_offset, gain;                                              // gain of the law
-    double weight; // by which all of them are multiplied, of the argument's nothing; 0: a target's own
+    double weight; // the factor on all of them, except on those of the argument; 0: the target's own
 } YkRelation;
 
 typedef enum YkStepKind {
@@ -113,8 +113,8 @@ typedef enum YkStepKind {
     YK_STEP_DISTANCE, // distance = input
     YK_STEP_NODE,     // node = sum
     YK_STEP_BLOCK,    // solve a block
-    YK_STEP_RELATION, // orientation or distance = what a relation says; target: the relation
-    YK_STEP_CHECK     // a relation that repeats others: only measured; target: the relation
+    YK_STEP_RELATION, // orientation or distance from a relation; target: the relation
+    YK_STEP_CHECK     // measures a relation that repeats others; target: the relation
 } YkStepKind;
 
 typedef struct YkStep {
@@ -129,8 +129,8 @@ typedef struct YkColumn { // an unknown
     int32_t index; // orientation (a group's root) or distance
 } YkColumn;
 
-// How a block of one pose is solved, of those that are common: constant arms; the line of an RRP on the ground or
-// turning, of an RPR fixed in what turns.
+// How to solve a block of one pose in the common cases: constant arms; the line of an RRP fixed to the ground or
+// turning, that of an RPR fixed in the body that turns.
 typedef enum YkBlockForm {
     YK_FORM_RARE,
     YK_FORM_RRR,
@@ -139,35 +139,36 @@ typedef enum YkBlockForm {
     YK_FORM_RRP_AXIAL, // line and arm point along x
     YK_FORM_RRP_TURNING,
     YK_FORM_RPR,
-    YK_FORM_RPR_AXIAL // the line points along x, and passes the pin
+    YK_FORM_RPR_AXIAL // the line points along x and passes through the pin
 } YkBlockForm;
 
 typedef struct YkBlock {
     YkBlockKind kind;
     YkBlockForm form;
-    // dyads: known part, arms (in relative slots, in the axes of the unknown), lines. What a pose needs comes first.
+    // Dyads: known part, arms (in relative slots, in the axes of the unknown), lines. What a pose needs comes first.
     bool arm_is_constant[2];
     int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
     YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
     YkSum known;
-    YkArms arms;      // of RRR and RRP, where the arms are constant
-    double per_size2; // 1 / size^2 of the machine: what a base or an arm that vanishes is measured by
+    YkArms arms;      // of RRR and RRP with constant arms
+    double per_size2; // 1 / size^2 of the machine: the scale for a base or an arm that vanishes
     YkVec line[2];    // constant unit vectors
     YkSum arm[2];     // RRR: U, W; RRP: W; RPR: C; LINK: U
     const char *label;
     int32_t assur_class;
     uint32_t first_joint, joint_count; // in block_members
     uint32_t first_body, body_count;   // in block_members
-    // groups
+    // Groups:
     uint32_t first_column, column_count;     // in group_columns
     uint32_t first_loop, loop_count;         // in group_loops: all terms, known and unknown
-    uint32_t first_relation, relation_count; // in group_relations: one equation each, behind those of the loops
+    uint32_t first_relation, relation_count; // in group_relations: one equation each, after those of the loops
 } YkBlock;
 
-// Works out the block's form, `arms` and `per_size2`: after every change of its vectors or of the machine's size.
+// Computes the block's form, `arms` and `per_size2`: call it after every change of its vectors or of the machine's
+// size.
 void yk_block_measure(YkBlock *block, double size);
 
-// Equations of a group.
+// Returns the number of equations of a group.
 static inline size_t yk_block_rows(const YkBlock *block)
 {
     return 2 * (size_t)block->loop_count + block->relation_count;
@@ -177,7 +178,7 @@ struct YkMechanism {
     YkArena *arena;
     const YkModel *model;
     double size;
-    // topology
+    // Topology:
     YkPlacing *bodies;
     size_t orientation_count, distance_count;
     int32_t *orientation_body; // a body of each orientation (the one with turn 0)
@@ -190,13 +191,13 @@ struct YkMechanism {
     size_t loop_count;
     int32_t *inputs;
     size_t input_count; // coordinates
-    // groups of orientations tied by inputs
+    // Groups of orientations tied by inputs:
     int32_t *group_root;    // per orientation
     int32_t *relative_slot; // per orientation: slot of e^(i (Phi_o - Phi_root)); 0 at a root
     size_t slot_count;
-    YkSum *node_sums; // [node]: where it is
+    YkSum *node_sums; // [node]: its position
     size_t node_count, node_capacity;
-    // solution
+    // Solution:
     YkStep *steps;
     size_t step_count, step_capacity;
     YkBlock *blocks;
@@ -216,32 +217,34 @@ struct YkMechanism {
     size_t redundant_relation_count;            // relations that are only checked
     size_t largest_group;                       // columns or equations
     bool has_groups;
-    // relations
-    YkRelation *relations; // those of the model, then sums of them that solve several together
+    // Relations:
+    YkRelation *relations; // those of the model, then sums of relations that solve several together
     size_t relation_count, derived_count;
     YkRelationTerm *relation_terms;
-    size_t relation_term_count, relation_term_capacity, own_term_count; // own: of the model's
+    size_t relation_term_count, relation_term_capacity, own_term_count; // own: those of the model
     YkRelationSource *sources;
     size_t source_count, source_capacity, reference_count;
     int gruebler;
-    struct YkRecipe *recipe; // while compiling for a variant; otherwise NULL
+    struct YkRecipe *recipe; // only while compiling for a variant; otherwise NULL
 };
 
-// The angle of any joint.
+// Returns the angle of any joint.
 YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
-// Gears, racks, belts and cams, which bodies feel: the first of the relations; laws come after them.
+// Returns the number of gears, racks, belts and cams, which transmit forces: they come first among the relations, laws
+// after them.
 static inline size_t yk_contact_count(const YkMechanism *mech)
 {
     size_t count = mech->relation_count;
     while (count > 0 && mech->relations[count - 1].kind == YK_RELATION_LAW) count--;
     return count;
 }
-// The tree's coordinate of a joint, or YK_NONE. O(log coordinates).
+// Returns the tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
-// What makes a relation's value a length: gears and the like are equations of angles, times teeth. Over the machine's
-// size, a relation then weighs about as much as a loop: a power of two, so that it costs no rounding.
+// Returns the factor that makes a relation's value a length: gears and the like are equations of angles, times teeth.
+// Divided by the machine's size, a relation then weighs about as much as a loop. The factor is a power of two, so that
+// it adds no rounding.
 double yk_relation_weight(const YkMechanism *mech, const YkRelation *relation);
-// A body's point as a sum, appended to nothing: origin plus one term. The term is returned apart.
+// Writes a body's point as a sum: its origin plus one term, which is returned separately.
 YkTerm yk_body_term(const YkMechanism *mech, int32_t body, YkVec at);
 
 #endif

@@ -1,6 +1,6 @@
-// Peeling: a cluster joined to what is known by two joints, or two clusters joined to it and to each other, with two
-// unknowns between them, form a dyad: one loop solves it. Each cluster is looked at when a neighbour becomes known, so
-// that the whole costs time linear in the number of joints. Source: Assur groups of class II; Galletti 1986.
+// Peels dyads: a cluster joined to known bodies by two joints, or two clusters joined to them and to each other, with
+// two unknowns between them, form a dyad, which one loop solves. A cluster is visited when a neighbour becomes known,
+// so the total cost is linear in the number of joints. Source: Assur groups of class II; Galletti 1986.
 #include "compile/plan.h"
 
 typedef struct Columns {
@@ -37,7 +37,7 @@ static void add_joint(const YkPlan *plan, Columns *columns, int32_t joint)
     if (is_distance_open(plan, joint)) add_column(columns, true, plan->mech->joint_distance[joint]);
 }
 
-// The end of a joint that is in (or not in) this cluster.
+// Returns the end of a joint that is in (or not in) this cluster.
 static int32_t end_in(const YkPlan *plan, int32_t joint, int32_t cluster)
 {
     const YkJoint *j = &plan->mech->model->joints[joint];
@@ -48,7 +48,7 @@ static int32_t end_beyond(const YkPlan *plan, int32_t joint, int32_t cluster)
     return yk_other_body(plan->mech->model, joint, end_in(plan, joint, cluster));
 }
 
-// The whole cluster hangs on one joint whose freedom is already known.
+// Places a whole cluster by one joint whose freedom is already known.
 static bool try_follow(YkPlan *plan, int32_t cluster)
 {
     for (int32_t k = 0; k < plan->anchor_count[cluster]; k++) {
@@ -60,7 +60,7 @@ static bool try_follow(YkPlan *plan, int32_t cluster)
     return false;
 }
 
-// Loop: known - j1 - cluster - j2 - known.
+// Tries the loop: known - j1 - cluster - j2 - known.
 static bool try_two_joints(YkPlan *plan, int32_t cluster, int32_t j1, int32_t j2, size_t wanted)
 {
     Columns columns = {0};
@@ -83,7 +83,7 @@ static bool try_two_joints(YkPlan *plan, int32_t cluster, int32_t j1, int32_t j2
     return true;
 }
 
-// Loop: known - j1 - cluster X - j - cluster Y - j2 - known.
+// Tries the loop: known - j1 - cluster X - j - cluster Y - j2 - known.
 static bool try_three_joints(YkPlan *plan, int32_t X, int32_t j1, int32_t j, int32_t j2, size_t wanted)
 {
     Columns columns = {0};
@@ -140,7 +140,8 @@ static bool try_neighbours(YkPlan *plan, int32_t X, size_t wanted)
     return false;
 }
 
-// Two unknowns first: what has fewer repeats constraints, and may find a dyad later that leaves it nothing to solve.
+// Visits a cluster. Two unknowns come first: with fewer, a loop repeats constraints, and a dyad found later may leave
+// it nothing to solve.
 static void look_at(YkPlan *plan, int32_t X)
 {
     if (try_follow(plan, X) || try_pairs(plan, X, 2) || try_neighbours(plan, X, 2)) return;

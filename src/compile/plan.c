@@ -1,3 +1,4 @@
+// Makes the plan: groups of orientations, clusters, placing, and the rounds of peeling and groups.
 #include "compile/closure.h"
 #include "compile/plan.h"
 
@@ -68,7 +69,6 @@ static void reset(YkPlan *plan)
 }
 
 // --- groups of orientations
-// -------------------------------------------------------------------------------------------
 
 static void tie(YkPlan *plan, int32_t joint, int32_t from, int32_t root)
 {
@@ -92,7 +92,8 @@ static void tie(YkPlan *plan, int32_t joint, int32_t from, int32_t root)
                                 .sign = forward ? 1 : -1});
 }
 
-// Breadth first over orientations, along the joints whose angle is an input. The queue is the group's own list.
+// Makes groups breadth first over orientations, along the joints whose angle is an input. The group's own list is the
+// queue.
 static void make_groups(YkPlan *plan)
 {
     YkMechanism *mech = plan->mech;
@@ -127,7 +128,6 @@ static void make_groups(YkPlan *plan)
 }
 
 // --- clusters
-// -----------------------------------------------------------------------------------------------------------
 
 static bool is_rigid(const YkPlan *plan, int32_t joint)
 {
@@ -167,9 +167,8 @@ static void make_clusters(YkPlan *plan)
 }
 
 // --- placing
-// ------------------------------------------------------------------------------------------------------------
 
-enum { TERMS_MAX = 3 }; // a longer origin becomes a node of its own, so that sums stay short however deep the machine
+enum { TERMS_MAX = 3 }; // a longer origin becomes a node of its own, so that sums stay short in a deep machine
 
 static void set_origin(YkPlan *plan, int32_t body)
 {
@@ -194,7 +193,7 @@ static void enqueue(YkPlan *plan, int32_t cluster)
     plan->queue[plan->tail++ % (plan->mech->model->body_count + 1)] = cluster;
 }
 
-// A body next to one that is placed, over a joint of the cluster.
+// Places a body next to one that is placed, over a joint of the cluster.
 static void place_beside(YkPlan *plan, int32_t placed, int32_t joint)
 {
     int32_t body = yk_other_body(plan->mech->model, joint, placed);
@@ -216,8 +215,8 @@ static void announce(YkPlan *plan, int32_t body)
     }
 }
 
-// The entry's origin is in plan->list. From it up to the root of its cluster's tree, then all others from their
-// parents.
+// Places a cluster from its entry, whose origin is in plan->list: up to the root of the cluster's tree, then all others
+// from their parents.
 static void place_cluster(YkPlan *plan, int32_t entry)
 {
     const YkTree *tree = &plan->cluster_tree;
@@ -227,7 +226,7 @@ static void place_cluster(YkPlan *plan, int32_t entry)
     set_origin(plan, entry);
     plan->body_placed[entry] = true;
     for (int32_t b = entry; tree->parent[b] != YK_NONE; b = tree->parent[b]) place_beside(plan, b, tree->joint[b]);
-    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents stand before children
+    for (uint32_t k = plan->cluster_first[c]; k < plan->cluster_first[c + 1]; k++) { // parents come before children
         int32_t b = plan->cluster_member[k];
         if (!plan->body_placed[b]) place_beside(plan, tree->parent[b], tree->joint[b]);
     }
@@ -253,7 +252,7 @@ void yk_plan_learn(YkPlan *plan, YkColumn column)
     }
     int32_t root = column.index;
     plan->root_known[root] = true;
-    // A group lists its members; each turns with its root. Bodies of these orientations may now follow.
+    // A group lists its members; each turns with its root. Bodies of these orientations may follow now.
     int32_t o = root;
     do {
         if (o != root)
@@ -265,8 +264,7 @@ void yk_plan_learn(YkPlan *plan, YkColumn column)
     } while (o != root);
 }
 
-// --- what closes without need
-// --------------------------------------------------------------------------------------------
+// --- loops that close without a solution
 
 static void check_leftover_joints(YkPlan *plan)
 {

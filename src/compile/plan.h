@@ -1,19 +1,18 @@
-// The plan: in which order the machine is solved when certain coordinates are inputs.
+// The plan: the order in which the machine is solved when certain coordinates are inputs.
 //
-// Bodies whose pose relative to each other is an input form a *cluster*. From the ground's cluster outwards the plan
-// peels what two unknowns and one loop determine (dyads); what is left falls into groups by matching and strong
-// components.
+// Bodies whose relative pose is an input form a *cluster*. From the ground's cluster outwards the plan peels dyads,
+// which two unknowns and one loop determine. Matching and strong components divide the rest into groups.
 #ifndef COMPILE_PLAN_H
 #define COMPILE_PLAN_H
 #include "compile/terms.h"
 #include "compile/topology.h"
 
-enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters than that tell nothing new
+enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters tell nothing new
 
 typedef struct YkPlan {
     YkMechanism *mech;
     const YkIncidence *incidence;
-    YkArena *arena; // scratch
+    YkArena *arena; // scratch memory
     YkProblems *problems;
     int32_t *angle_input, *distance_input; // per joint: input, or YK_NONE
     // clusters
@@ -26,24 +25,23 @@ typedef struct YkPlan {
     int32_t *group_next;       // circular list of the orientations of a group
     int32_t *orientation_next; // list of the bodies of an orientation
     int32_t *orientation_first;
-    // what is known so far
+    // What is known so far:
     bool *cluster_known, *root_known, *distance_known, *joint_used, *body_placed;
     int32_t (*anchors)[YK_ANCHORS_MAX]; // per cluster: joints to known clusters
     int32_t *anchor_count;
-    int32_t *queue; // clusters to look at
+    int32_t *queue; // clusters to visit
     bool *is_queued;
     size_t head, tail, unknown_clusters;
-    const struct YkClosedPose *pose; // where equations repeat each other it judges what determines what; or NULL
-    struct YkInputSum
-        *forms; // per orientation: its angle as a sum of inputs, where it is one (machines with relations)
+    // Judges which equations determine which unknowns if equations repeat each other; or NULL.
+    const struct YkClosedPose *pose;
+    struct YkInputSum *forms; // per orientation: its angle as a sum of inputs, if it is one (machines with relations)
     YkTermList list;
     size_t missing; // unknowns that nothing determines
     bool failed;    // out of memory
 } YkPlan;
 
-// Makes steps and blocks for the inputs of mech->inputs. false when out of memory. plan->missing > 0: more inputs
-// needed.
-// pose: a closed pose, or NULL where counting unknowns and equations is enough.
+// Makes steps and blocks for the inputs of mech->inputs. Returns false when out of memory. plan->missing > 0: more
+// inputs are needed. pose: a closed pose, or NULL if counting unknowns and equations is enough.
 bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence, const struct YkClosedPose *pose,
                   YkArena *scratch);
 void yk_plan_end(YkPlan *plan);
@@ -55,18 +53,18 @@ bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count,
 YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints, size_t count);
 void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters, size_t count);
 void yk_plan_learn(YkPlan *plan, YkColumn column);
-void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body); // the cluster beyond the joint is now known
+void yk_plan_place(YkPlan *plan, int32_t joint, int32_t known_body); // makes the cluster beyond the joint known
 void yk_plan_peel(YkPlan *plan);
 void yk_plan_groups(YkPlan *plan);
-// Solves every relation with one unknown; true where there was one.
+// Solves every relation with one unknown; returns whether there was one.
 bool yk_plan_relations(YkPlan *plan);
-// Notes the coordinates that are sums of inputs, at the end.
+// Notes, at the end, the coordinates that are sums of inputs.
 void yk_plan_coordinate_sums(YkPlan *plan);
-// The unknowns of a relation that is left, at most one for each of its terms.
+// Lists the unknowns of a remaining relation, at most one for each of its terms.
 size_t yk_plan_relation_columns(const YkPlan *plan, size_t relation, YkColumn *columns);
 // Puts a relation into the group of these columns.
 void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *columns, size_t count);
-void yk_plan_note_turn(YkPlan *plan, const YkStep *step); // a TURN or COMPOSE step was made
+void yk_plan_note_turn(YkPlan *plan, const YkStep *step); // notes that a TURN or COMPOSE step was made
 static inline bool yk_plan_body_known(const YkPlan *plan, int32_t body)
 {
     return plan->cluster_known[plan->cluster[body]];

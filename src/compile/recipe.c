@@ -1,3 +1,4 @@
+// Records the recipe of a mechanism while it is compiled.
 #include "compile/recipe.h"
 #include <stdlib.h>
 #include "base/memory.h"
@@ -52,7 +53,7 @@ int32_t yk_recipe_add(YkRecipe *recipe, int32_t a, int32_t b, YkVec value)
     return append(recipe, (YkRecipeNode){varies ? YK_RECIPE_ADD : YK_RECIPE_FIXED, a, b, varies, value});
 }
 
-// Sets items[at], whatever lies between the end and it becoming 0.
+// Sets items[at] to the node; items between the end and it become 0.
 static bool put(YkRecipe *recipe, int32_t **items, size_t *count, size_t *capacity, size_t at, int32_t node)
 {
     while (*count <= at) {

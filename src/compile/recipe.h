@@ -1,6 +1,6 @@
 // The recipe: how the numbers of a mechanism - the vectors of its sums - follow from points and directions of its
-// model. Kept only for variants (variant.h): every vector is then a node of a list of additions, which is gone through
-// again for other values. The same additions in the same order, hence the same bits as compiling anew.
+// model. It is kept only for variants (variant.h): every vector is then a node in a list of additions, which is
+// repeated for other values. The same additions in the same order give the same bits as compiling anew.
 #ifndef COMPILE_RECIPE_H
 #define COMPILE_RECIPE_H
 #include <stdbool.h>
@@ -43,16 +43,16 @@ typedef struct YkRecipe {
 
 bool yk_recipe_start(YkRecipe *recipe, const YkRedesign *redesign);
 void yk_recipe_end(YkRecipe *recipe);
-// Nodes; recipe NULL: 0, and nothing is kept. value: what the mechanism has there now.
+// Return nodes; with recipe NULL they return 0 and keep nothing. value: the vector's present value in the mechanism.
 int32_t yk_recipe_leaf(YkRecipe *recipe, YkRecipeKind kind, int32_t joint, int side, YkVec value);
 int32_t yk_recipe_negate(YkRecipe *recipe, int32_t node, YkVec value);
 int32_t yk_recipe_add(YkRecipe *recipe, int32_t a, int32_t b, YkVec value);
 void yk_recipe_note_term(YkRecipe *recipe, size_t term, int32_t node);
 void yk_recipe_note_constant(YkRecipe *recipe, size_t first, int32_t node);
-// The node of the constant of a stored sum. A sum that is nothing but a node (first 0, has_plus) has constant 0.
+// Returns the node of the constant of a stored sum. A sum that is only a node (first 0, has_plus) has constant 0.
 static inline int32_t yk_recipe_constant(const YkRecipe *recipe, uint32_t first, bool has_plus)
 {
-    if (!recipe || (first == 0 && has_plus) || first >= recipe->constant_count) return 0; // not there: out of memory
+    if (!recipe || (first == 0 && has_plus) || first >= recipe->constant_count) return 0; // missing: out of memory
     return recipe->of_constant[first];
 }
 void yk_recipe_note_line(YkRecipe *recipe, int32_t block, int32_t line, int32_t node);

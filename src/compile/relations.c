@@ -1,3 +1,4 @@
+// Writes the model's gears, racks, belts, cams and laws as relations between angles and distances.
 #include "compile/relations.h"
 #include "base/memory.h"
 #include "compile/inputs.h"
@@ -7,8 +8,8 @@ typedef struct Build {
     YkMechanism *mech;
     double *guess;  // per coordinate of the tree
     bool *is_given; // by `start:` or a drive
-    double *share;  // per coordinate: its factor in the relation in work
-    size_t first;   // term of the sum in work
+    double *share;  // per coordinate: its factor in the present relation
+    size_t first;   // first term of the present sum
     bool failed;
 } Build;
 
@@ -31,8 +32,8 @@ static void add_term(Build *b, YkRelationTerm term)
     if (!yk_relation_add_term(b->mech, b->first, term)) b->failed = true;
 }
 
-// factor * (angle of the body, as the sum of joint angles along the tree); the constant part of its orientation is
-// returned, to be taken to the other side.
+// Adds factor * (angle of the body, as the sum of joint angles along the tree); returns the constant part of its
+// orientation, which belongs on the other side.
 static double add_body(Build *b, int32_t body, double factor)
 {
     const YkMechanism *mech = b->mech;
@@ -52,7 +53,7 @@ static void add_distance(Build *b, int32_t joint, double factor)
     if (c != YK_NONE) b->share[c] += factor;
 }
 
-// The value of the relation at the start, where all coordinates that it ties are given; otherwise 0.
+// Returns the value of the relation at the start if all coordinates that it ties are given; otherwise 0.
 static double phase(Build *b)
 {
     double sum = 0;
@@ -77,7 +78,7 @@ static YkRelation *begin(Build *b, YkRelationKind kind, size_t index, const char
     return r;
 }
 
-// Drops what cancels: a belt round equal pulleys does not feel its carrier. Returns how many terms are left.
+// Drops terms that cancel: a belt round equal pulleys does not involve its carrier. Returns how many terms are left.
 static uint32_t end_sum(Build *b)
 {
     YkMechanism *mech = b->mech;
@@ -98,7 +99,7 @@ static void end_terms(Build *b, YkRelation *r)
     b->first = b->mech->relation_term_count;
 }
 
-// factor_a (a - carrier) + factor_b (b - carrier) = phase
+// Adds factor_a (a - carrier) + factor_b (b - carrier) = phase.
 static void add_wheels(Build *b, YkRelationKind kind, size_t index, const char *name, const int32_t body[2],
                        int32_t carrier, double factor_a, double factor_b)
 {
@@ -136,7 +137,7 @@ static void add_gears(Build *b)
     }
 }
 
-// The coordinate of a pin: its second body's angle less its first's.
+// Adds the coordinate of a pin: the angle of its second body less that of its first.
 static double add_pin(Build *b, int32_t joint, double factor)
 {
     const YkJoint *j = &b->mech->model->joints[joint];
@@ -162,7 +163,7 @@ static void add_cams(Build *b)
     }
 }
 
-// A coordinate of the model: its distance, or the angle of its joint.
+// Adds a coordinate of the model: its distance, or the angle of its joint.
 static double add_coordinate(Build *b, int32_t declared, double factor)
 {
     const YkCoordinate *c = &b->mech->model->coordinates[declared];

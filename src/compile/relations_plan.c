@@ -1,7 +1,7 @@
-// Relations in the plan: as soon as all but one of its angles and distances are known, a relation gives the last.
+// Relations in the plan: once all but one of its angles and distances are known, a relation gives the last.
 //
-// An angle that is a sum of inputs is kept as such a sum (a *form*), so that trains of gears stay exact over any number
-// of turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// An angle that is a sum of inputs is kept as such a sum (a *form*), so that gear trains stay exact over any number of
+// turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "compile/plan.h"
 #include "compile/relations.h"
 
@@ -22,7 +22,7 @@ static YkInputSum *forms_of(YkPlan *plan)
     return plan->forms;
 }
 
-// target += factor * form
+// Adds target += factor * form.
 static void add_form(YkPlan *plan, YkInputSum *target, const YkInputSum *form, double factor)
 {
     YkRelationSource *sources = YK_NEW(plan->arena, YkRelationSource, target->count + form->count + 1);
@@ -75,7 +75,7 @@ static YkRelationTerm root_of(const YkPlan *plan, YkRelationTerm term)
     return term;
 }
 
-// The factor that a column has in some of a relation's terms.
+// Returns the factor of a column in some of a relation's terms.
 static double factor_in(const YkPlan *plan, uint32_t first, uint32_t count, YkRelationTerm root)
 {
     double sum = 0;
@@ -86,19 +86,20 @@ static double factor_in(const YkPlan *plan, uint32_t first, uint32_t count, YkRe
     return sum;
 }
 
-// What cancels in all of a relation's terms is no unknown of it: a belt round equal pulleys does not feel its carrier.
+// Returns whether a term is an unknown. One that cancels in all terms is not: a belt round equal pulleys does not
+// involve its carrier.
 static bool counts(const YkPlan *plan, const YkRelation *r, YkRelationTerm root)
 {
     return fabs(factor_in(plan, r->first_term, r->term_count, root)) > 1e-12 ||
            fabs(factor_in(plan, r->first_argument, r->argument_count, root)) > 1e-12;
 }
 
-// The one unknown of a relation and its factor; how many unknowns there are (2 for more).
+// Finds the one unknown of a relation and its factor; returns how many unknowns there are (2 for more).
 static size_t find_unknown(const YkPlan *plan, const YkRelation *r, YkRelationTerm *unknown)
 {
     const YkRelationTerm *terms = plan->mech->relation_terms;
     size_t count = 0;
-    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // the argument's stand behind
+    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // those of the argument follow
         YkRelationTerm root = root_of(plan, terms[r->first_term + k]);
         if (is_known(plan, terms[r->first_term + k]) || !counts(plan, r, root)) continue;
         if (count == 1 && root.is_distance == unknown->is_distance && root.index == unknown->index) continue;
@@ -127,7 +128,7 @@ static void add_source(YkPlan *plan, YkRelationSource source, uint32_t first)
     mech->sources[mech->source_count++] = source;
 }
 
-// The value of a known term, times its factor, as sources since `first`; returns its constant part.
+// Adds the value of a known term, times its factor, as sources since `first`; returns its constant part.
 static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_t first, int32_t skip_root)
 {
     YkMechanism *mech = plan->mech;
@@ -137,7 +138,8 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
         return 0;
     }
     int32_t slot = term.index;
-    if (skip_root >= 0 && mech->group_root[slot] == skip_root) slot = mech->relative_slot[slot]; // beyond the target
+    // Takes only the part beyond the target's group.
+    if (skip_root >= 0 && mech->group_root[slot] == skip_root) slot = mech->relative_slot[slot];
     if (slot == 0) return 0;
     const YkInputSum *form = &plan->forms[slot];
     if (!form->is_known) {
@@ -152,7 +154,7 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
     return factor * form->constant;
 }
 
-// The target's own form, where all it comes from are inputs.
+// Notes the target's own form if all its sources are inputs.
 static void note_form(YkPlan *plan, const YkRelation *r)
 {
     if (r->target.is_distance || r->law) return;
@@ -164,7 +166,7 @@ static void note_form(YkPlan *plan, const YkRelation *r)
     target->is_known = true;
 }
 
-typedef struct Columns { // of the group that a relation is solved in
+typedef struct Columns { // of the group in which a relation is solved
     const YkColumn *items;
     size_t count;
 } Columns;
@@ -176,8 +178,8 @@ static void add_column(YkPlan *plan, const Columns *columns, YkRelationTerm root
             add_source(plan, (YkRelationSource){YK_SOURCE_COLUMN, (int32_t)c, YK_NONE, factor}, first);
 }
 
-// Adds a term to the sources since `first`: what is unknown as a column (or not at all: the target), what is known
-// beyond it, or of itself, as it comes. Returns the constant part.
+// Adds a term to the sources since `first`: an unknown as a column (the target not at all), and known parts as they
+// are. Returns the constant part.
 static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_t first, const Columns *columns)
 {
     if (is_known(plan, term)) return add_term(plan, term, factor, first, YK_NONE);
@@ -186,7 +188,7 @@ static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uin
     return term.is_distance ? 0 : add_term(plan, term, factor, first, root.index);
 }
 
-// Sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant).
+// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant).
 static void write_sources(YkPlan *plan, YkRelation *r, double times, const Columns *columns)
 {
     YkMechanism *mech = plan->mech;
@@ -218,7 +220,7 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// All that it ties is known: it repeats others, and the pose has to fit it.
+// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it.
 static void check(YkPlan *plan, size_t index)
 {
     YkRelation *r = &plan->mech->relations[index];
@@ -230,14 +232,13 @@ static void check(YkPlan *plan, size_t index)
 }
 
 // --- in a group
-// ----------------------------------------------------------------------------------------------------------
 
 size_t yk_plan_relation_columns(const YkPlan *plan, size_t relation, YkColumn *columns)
 {
     const YkRelation *r = &plan->mech->relations[relation];
     size_t count = 0;
     for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) {
-        YkRelationTerm term = plan->mech->relation_terms[r->first_term + k]; // the argument's stand behind
+        YkRelationTerm term = plan->mech->relation_terms[r->first_term + k]; // those of the argument follow
         if (is_known(plan, term)) continue;
         YkRelationTerm root = root_of(plan, term);
         size_t at = 0;
@@ -262,10 +263,9 @@ void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *colum
 }
 
 // --- several at once
-// ------------------------------------------------------------------------------------------------------
 
 // Relations that need each other (the meshes of a planetary set): rows of factors over their unknowns, reduced until
-// each row that can have a single unknown has it. Each row remembers of which relations it is the sum.
+// each row that can have a single unknown has it. Each row remembers the relations of which it is the sum.
 typedef struct Rows {
     size_t count, columns;
     int32_t *relation;       // [row]
@@ -308,7 +308,7 @@ static bool gather(YkPlan *plan, Rows *rows)
     rows->factor = YK_NEW(plan->arena, double, rows->count *(unknowns + 1));
     rows->share = YK_NEW(plan->arena, double, rows->count * rows->count);
     if (yk_arena_failed(plan->arena)) return false;
-    for (int pass = 0; pass < 2; pass++) // first the columns, then, with their number known, the factors
+    for (int pass = 0; pass < 2; pass++) // first the columns, then, once their number is known, the factors
         for (size_t i = 0; i < rows->count; i++) {
             const YkRelation *r = &mech->relations[rows->relation[i]];
             rows->share[i * rows->count + i] = 1;
@@ -346,7 +346,7 @@ static void swap_rows(Rows *rows, size_t i, size_t j)
     }
 }
 
-// Gauss and Jordan, with the largest pivot of each column.
+// Reduces by Gauss and Jordan, with the largest pivot of each column.
 static void reduce(Rows *rows)
 {
     size_t rank = 0;
@@ -365,7 +365,7 @@ static void reduce(Rows *rows)
     }
 }
 
-// The sum of relations that a row stands for, as a relation of its own behind the others.
+// Appends the sum of relations that a row stands for as a relation of its own.
 static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
 {
     YkMechanism *mech = plan->mech;
@@ -388,7 +388,7 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     return index;
 }
 
-// What a row leaves of other unknowns' factors is rounding: it must not keep the row from its single unknown.
+// Drops the rounding that remains in the factors of a row's other unknowns: it must not hide the row's single unknown.
 static void drop_rounding(YkPlan *plan, const YkRelation *sum, YkRelationTerm wanted)
 {
     for (uint32_t k = 0; k < sum->term_count; k++) {
@@ -398,7 +398,8 @@ static void drop_rounding(YkPlan *plan, const YkRelation *sum, YkRelationTerm wa
     }
 }
 
-// A row without unknowns: its relations repeat each other. The sum is checked in place of the one that counts most.
+// Handles a row without unknowns: its relations repeat each other. Checks the sum in place of the relation with the
+// largest share.
 static void check_row(YkPlan *plan, const Rows *rows, size_t row)
 {
     YkRelation *relations = plan->mech->relations;
@@ -416,7 +417,7 @@ static void check_row(YkPlan *plan, const Rows *rows, size_t row)
     check(plan, index);
 }
 
-// Solves what the relations determine together; true where there was anything.
+// Solves what the relations determine together; returns whether there was anything.
 static bool solve_together(YkPlan *plan)
 {
     Rows rows = {0};
@@ -424,7 +425,7 @@ static bool solve_together(YkPlan *plan)
     if (!gather(plan, &rows)) return false;
     reduce(&rows);
     for (size_t i = 0; i < rows.count && !plan->failed; i++) {
-        if (plan->mech->derived_count == plan->mech->relation_count) break; // each uses one up
+        if (plan->mech->derived_count == plan->mech->relation_count) break; // each derived relation uses one up
         size_t single = rows.columns, count = 0;
         for (size_t c = 0; c < rows.columns; c++)
             if (rows.factor[i * rows.columns + c] != 0) {
@@ -440,7 +441,7 @@ static bool solve_together(YkPlan *plan)
         solve(plan, index, unknown);
         solved = true;
     }
-    for (size_t k = 0; k < rows.count && solved; k++) { // those that are used up
+    for (size_t k = 0; k < rows.count && solved; k++) { // the relations that are used up
         YkRelation *r = &plan->mech->relations[rows.relation[k]];
         YkRelationTerm unknown;
         if (!r->is_redundant && find_unknown(plan, r, &unknown) == 0) r->is_solved = true;

@@ -1,3 +1,4 @@
+// Builds sums of turned vectors and stores them in the mechanism.
 #include "compile/terms.h"
 #include <stdlib.h>
 
@@ -83,7 +84,7 @@ void yk_terms_add_origin(YkTermList *list, const YkMechanism *mech, int32_t body
         yk_terms_add_node(list, mech->terms[k], recipe && k < recipe->term_count ? recipe->of_term[k] : 0, sign);
 }
 
-// A joint's point on one of its sides, from that body's origin.
+// Adds a joint's point on one of its sides, relative to that body's origin.
 static void add_joint_point(YkTermList *list, const YkMechanism *mech, int32_t joint, int side, double sign)
 {
     const YkJoint *j = &mech->model->joints[joint];
@@ -120,7 +121,7 @@ void yk_terms_walk(YkTermList *list, const YkMechanism *mech, const YkTree *tree
 bool yk_terms_store(const YkTermList *list, YkMechanism *mech, YkSum *sum)
 {
     *sum = (YkSum){list->constant, list->plus, list->minus, (uint32_t)mech->term_count,
-                   0}; // counts what is stored, also on failure
+                   0}; // counts the stored terms, also on failure
     yk_recipe_note_constant(list->recipe, mech->term_count, list->constant_node);
     for (size_t k = 0; k < list->count; k++) {
         if (!yk_terms_is_there(list, k)) continue;
@@ -129,7 +130,7 @@ bool yk_terms_store(const YkTermList *list, YkMechanism *mech, YkSum *sum)
         mech->terms[mech->term_count++] = list->items[k];
         sum->count++;
     }
-    if (list->recipe && sum->count == 0) { // no other sum may begin here: the recipe knows it by its first term
+    if (list->recipe && sum->count == 0) { // no other sum may begin here: its first term identifies it in the recipe
         if (!YK_ROOM(mech->terms, mech->term_count, mech->term_capacity)) return false;
         yk_recipe_note_term(list->recipe, mech->term_count, 0);
         mech->terms[mech->term_count++] = (YkTerm){.distance = YK_NONE};

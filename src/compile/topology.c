@@ -1,3 +1,4 @@
+// Finds orientations and distances, grows the spanning tree, and closes its loops.
 #include "compile/topology.h"
 #include "compile/terms.h"
 #include "base/problems.h"
@@ -16,13 +17,13 @@ bool yk_incidence_build(YkIncidence *incidence, YkArena *arena, const YkModel *m
     return true;
 }
 
-// Does the joint keep the angle between its bodies?
+// Returns whether the joint keeps the angle between its bodies.
 static bool keeps_angle(const YkJoint *joint)
 {
     return !yk_part(joint->kind)->turns;
 }
 
-// Where a slide or weld comes back to a body that already has its turn: they must agree.
+// Checks a slide or weld that returns to a body whose turn is known: the two must agree.
 static void check_turn(const YkMechanism *mech, const YkJoint *joint, YkProblems *problems, bool *ok)
 {
     const YkPlacing *a = &mech->bodies[joint->body[0]], *b = &mech->bodies[joint->body[1]];
@@ -100,7 +101,7 @@ static void reach(Growth *g, int32_t body, int32_t parent, int32_t joint)
     g->stack[g->depth++] = body;
 }
 
-// Takes a body and all that hangs on it by declared coordinates: those joints are branches.
+// Takes a body and everything attached to it by declared coordinates: those joints become branches.
 static void reach_declared(Growth *g, int32_t body, int32_t parent, int32_t joint)
 {
     const YkModel *model = g->mech->model;
@@ -115,7 +116,8 @@ static void reach_declared(Growth *g, int32_t body, int32_t parent, int32_t join
     }
 }
 
-// Breadth first from the ground; short loops, and welds before slides before pins where the file leaves the choice.
+// Grows the tree breadth first from the ground; prefers short loops, and welds before slides before pins, where the
+// file leaves the choice.
 static void grow_tree(Growth *g)
 {
     const YkModel *model = g->mech->model;
@@ -173,7 +175,7 @@ static bool add_loop(YkMechanism *mech, int32_t joint, YkTermList *list)
 {
     const YkJoint *j = &mech->model->joints[joint];
     yk_terms_clear(list);
-    // from b's point back through the tree to a's point: r_a + at_a (+ d along) - r_b - at_b
+    // From b's point back through the tree to a's point: r_a + at_a (+ d along) - r_b - at_b.
     yk_terms_cross(list, mech, joint, j->body[0], 1);
     yk_terms_walk(list, mech, &mech->tree, j->body[1], j->body[0]);
     mech->loops[mech->loop_count].joint = joint;

@@ -3,7 +3,7 @@
 #define COMPILE_TOPOLOGY_H
 #include "compile/mechanism.h"
 
-// Joints of each body: incidence.joint[first[b] .. first[b + 1]).
+// The joints of each body: incidence.joint[first[b] .. first[b + 1]).
 typedef struct YkIncidence {
     uint32_t *first;
     int32_t *joint;
@@ -15,9 +15,9 @@ static inline int32_t yk_other_body(const YkModel *model, int32_t joint, int32_t
     const YkJoint *j = &model->joints[joint];
     return j->body[0] == body ? j->body[1] : j->body[0];
 }
-// Fills bodies' orientations, joints' distances; reports slides and welds that contradict each other.
+// Finds the bodies' orientations and the joints' distances; reports slides and welds that contradict each other.
 bool yk_topology_orientations(YkMechanism *mech, const YkIncidence *incidence, YkProblems *problems);
-// Fills tree, coordinates, loops, gruebler; reports declared coordinates that close a loop.
+// Finds tree, coordinates, loops, gruebler; reports declared coordinates that close a loop.
 bool yk_topology_tree(YkMechanism *mech, const YkIncidence *incidence, YkProblems *problems);
 
 #endif

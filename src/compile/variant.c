@@ -1,5 +1,5 @@
-// Variants: a second mechanism, compiled from a copy of the model at values a little beside the file's - so that what
-// is 0 or cancels there by chance is kept - with the recipe of all its vectors.
+// Makes variants. A second mechanism, with the recipe of all its vectors, is compiled from a copy of the model at
+// values slightly beside the file's, so that a vector which is 0 or cancels there by chance is kept.
 #include "compile/variant.h"
 #include "compile/relations.h"
 #include <math.h>
@@ -7,15 +7,16 @@
 #include <string.h>
 #include "base/problems.h"
 
-// Beside the file's value of parameter k: 0.1 % off, by parts that no sum or difference of a few makes 0 again.
+// Returns a value beside the file's for parameter k: about 0.1 % off, by amounts that no sum or difference of a few
+// makes 0 again.
 static double beside(double own, size_t k, double sign)
 {
     double part = sign * 1e-3 * (0.5 + fmod((double)(k + 1) * 0.6180339887498949, 1));
     return own != 0 ? own * (1 + part) : part;
 }
 
-// Where a value beside the file's makes no machine - a restitution above 1 - it is looked for on the other side; where
-// there is none either, the file's stays.
+// Sets the values one by one. If a value beside the file's makes no machine - a restitution above 1 - it tries the
+// other side; failing that, the file's value stays.
 static bool set_one_by_one(const YkVariant *v, size_t count, const double *own, double *values)
 {
     memcpy(values, own, count * sizeof *values);
@@ -29,7 +30,7 @@ static bool set_one_by_one(const YkVariant *v, size_t count, const double *own, 
     return yk_redesign_set(v->redesign, values) == YK_OK;
 }
 
-// Values beside the file's, into the copy. values[count]: room.
+// Sets values beside the file's in the copy. values[count]: scratch.
 static bool set_beside(const YkVariant *v, size_t count, const double *own, double *values)
 {
     for (size_t k = 0; k < count; k++) values[k] = beside(own[k], k, 1);
@@ -43,7 +44,7 @@ static bool same_plan(const YkMechanism *a, const YkMechanism *b)
                 a->column_count == b->column_count && a->reference_count == b->reference_count;
     for (size_t k = 0; same && k < a->block_count; k++) same = a->blocks[k].kind == b->blocks[k].kind;
     for (size_t k = 0; same && k < a->input_count; k++) same = a->inputs[k] == b->inputs[k];
-    for (size_t k = 0; same && k < a->column_count; k++) // their order is in the sign of a group's branch
+    for (size_t k = 0; same && k < a->column_count; k++) // their order determines the sign of a group's branch
         same = a->group_columns[k].is_distance == b->group_columns[k].is_distance &&
                a->group_columns[k].index == b->group_columns[k].index;
     return same;
@@ -56,7 +57,7 @@ static bool lacks_memory(const YkProblems *problems)
     return false;
 }
 
-// NULL where the copy is another machine; sets v->failed for want of memory, of which `problems` tell.
+// Returns NULL if the copy is another machine, or, with v->failed set, when out of memory, which `problems` tell.
 static YkMechanism *compile(YkVariant *v, const YkMechanism *mech, YkProblems *problems)
 {
     const char **inputs = calloc(mech->input_count + 1, sizeof *inputs);
@@ -74,7 +75,7 @@ static YkMechanism *compile(YkVariant *v, const YkMechanism *mech, YkProblems *p
     return NULL;
 }
 
-// At values beside the file's, of which nobody wants to hear why they make another machine.
+// Compiles at values beside the file's. If these make another machine, the reasons are of no interest and are dropped.
 static YkMechanism *compile_beside(YkVariant *v, const YkMechanism *mech)
 {
     YkProblems *unheard = yk_problems_new();
@@ -84,8 +85,7 @@ static YkMechanism *compile_beside(YkVariant *v, const YkMechanism *mech)
     return made;
 }
 
-// --- what is to be set
-// --------------------------------------------------------------------------------------------------
+// --- the values to be set
 
 static void add_patch(YkVariant *v, YkVec *at, int32_t node)
 {
@@ -134,9 +134,8 @@ static void list_active(YkVariant *v)
 }
 
 // --- making
-// -------------------------------------------------------------------------------------------------------------
 
-// Of those that have a phase.
+// Returns the place of a relation that has a phase.
 static YkPlace place_of(const YkModel *model, const YkRelation *r)
 {
     return r->kind == YK_RELATION_GEAR   ? model->gears[r->index].place
@@ -144,8 +143,8 @@ static YkPlace place_of(const YkModel *model, const YkRelation *r)
                                          : model->racks[r->index].place;
 }
 
-// A phase that follows a parameter would change what the order of solution was made for. Asked while the copy has the
-// probe's values.
+// Checks phases: one that follows a parameter would change the basis of the order of solution. Call it while the copy
+// has the probe's values.
 static bool check_phases(const YkVariant *v, const YkMechanism *mech, YkProblems *problems)
 {
     double *constants = calloc(mech->relation_count + 1, sizeof *constants);
@@ -224,7 +223,6 @@ const YkMechanism *yk_variant_mechanism(const YkVariant *v)
 }
 
 // --- a design
-// -----------------------------------------------------------------------------------------------------------
 
 static YkVec value_of(const YkVariant *v, const YkRecipeNode *node)
 {
@@ -247,7 +245,7 @@ static YkVec value_of(const YkVariant *v, const YkRecipeNode *node)
     return node->value;
 }
 
-// The weights of relations follow the machine's size, by powers of two: every product of them is exact.
+// Weighs a relation: weights follow the machine's size, by powers of two, so that every product of them is exact.
 static void weigh_relation(YkMechanism *mech, YkRelation *r)
 {
     if (r->weight == 0) return;

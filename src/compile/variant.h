@@ -5,7 +5,7 @@
 #include "compile/mechanism.h"
 #include "compile/recipe.h"
 
-typedef struct YkPatch { // a vector of the mechanism, and the node it comes from
+typedef struct YkPatch { // a vector of the mechanism, and its node
     YkVec *at;
     int32_t node;
 } YkPatch;
@@ -18,8 +18,8 @@ struct YkVariant {
     size_t active_count;
     YkPatch *patches;
     size_t patch_count, patch_capacity;
-    // Values beside the file's make another machine: it is compiled at the file's own, and what is 0 or cancels there
-    // stays so.
+    // Values beside the file's make another machine: it is compiled at the file's own values, and terms that are 0 or
+    // cancel there stay so.
     bool is_of_file;
     bool failed;
 };

@@ -1,8 +1,8 @@
-// Dimension inference over a whole file: names, uses, and the order in which they are looked at.
+// Dimension inference over a whole file: names, uses, and the order in which they are visited.
 //
-// Every parameter and every use is a constraint on one expression. A constraint is looked at again only when a name in
-// it has got its dimension, which happens once for every name: the cost is the sum over expressions of their size times
-// the number of open parameters in them, so linear for files whose expressions are short.
+// Every parameter and every use is a constraint on one expression. A constraint is visited again only when a name in it
+// has got its dimension, which happens once for every name. The cost is therefore the sum over expressions of their
+// size times the number of open parameters in them: linear for files whose expressions are short.
 #include "expr/dimension.h"
 #include <string.h>
 
@@ -15,7 +15,7 @@ YkDimensions *yk_dimensions_new(YkArena *arena, const YkUnits *units)
     return dims;
 }
 
-// Room for one more in an array that lives in the arena. NULL when out of memory.
+// Makes room for one more in an array that lives in the arena. Returns NULL when out of memory.
 static void *room(YkDimensions *dims, void *items, size_t count, size_t *capacity, size_t size)
 {
     if (count < *capacity) return items;
@@ -64,7 +64,7 @@ void yk_dimensions_use(YkDimensions *dims, YkExpr *expr, YkDimension expected, c
     if (expr) add_constraint(dims, (YkConstraint){.expr = expr, .expected = expected, .what = what, .parameter = -1});
 }
 
-// FNV-1a, and a last mix so that the low bits depend on all.
+// Hashes by FNV-1a, with a final mix so that the low bits depend on all.
 static size_t hash(const char *name)
 {
     uint64_t h = 0xcbf29ce484222325u;
@@ -72,7 +72,7 @@ static size_t hash(const char *name)
     return (size_t)(h ^ h >> 29);
 }
 
-// The slot of a name: where it is, or the empty one where it belongs.
+// Returns the slot of a name: where it is, or the empty slot where it belongs.
 static int32_t *slot_of(const YkDimensions *dims, const char *name)
 {
     size_t mask = dims->slot_count - 1, i = hash(name) & mask;
@@ -94,12 +94,12 @@ static bool index_names(YkDimensions *dims)
     dims->slot_count = count;
     for (size_t i = 0; i < dims->name_count; i++) {
         int32_t *slot = slot_of(dims, dims->names[i].name);
-        if (*slot == 0) *slot = (int32_t)i + 1; // of a repeated name the first counts
+        if (*slot == 0) *slot = (int32_t)i + 1; // the first of a repeated name counts
     }
     return true;
 }
 
-// Parameters become constraints too, before the uses.
+// Adds the parameters as constraints too, before the uses.
 static bool add_parameters(YkDimensions *dims)
 {
     YkConstraint *uses = dims->constraints;
@@ -129,7 +129,8 @@ static void note_dependent(void *context, const YkExpr *name)
     dims->dependents[(*at)++] = (int32_t)(dims->current - dims->constraints);
 }
 
-// Who mentions whom, by counting and filling: afterwards first_dependent[i] is the start of i's dependents.
+// Indexes which constraints mention a name, by counting and filling: first_dependent[i] becomes the start of i's
+// dependents.
 static bool index_dependents(YkDimensions *dims)
 {
     size_t names = dims->name_count;
@@ -144,7 +145,7 @@ static bool index_dependents(YkDimensions *dims)
         dims->current = &dims->constraints[i];
         yk_expr_names(dims->current->expr, note_dependent, dims);
     }
-    for (size_t i = names; i > 0; i--) dims->first_dependent[i] = dims->first_dependent[i - 1]; // filling moved them on
+    for (size_t i = names; i > 0; i--) dims->first_dependent[i] = dims->first_dependent[i - 1]; // filling advanced them
     dims->first_dependent[0] = 0;
     return true;
 }
@@ -166,9 +167,9 @@ void yk_dim_set(YkDimensions *dims, int32_t name, YkDimension dimension, const Y
     entry->origin_place = place;
     for (size_t i = dims->first_dependent[name]; i < dims->first_dependent[name + 1]; i++)
         enqueue(dims, dims->dependents[i]);
-    // its own expression, whose bare parts can take the dimension now
+    // Its own expression may have bare parts that can take the dimension now.
     for (size_t low = 0, high = dims->constraint_count; low < high;) {
-        size_t middle = low + (high - low) / 2; // parameters' constraints stand in the order of their names
+        size_t middle = low + (high - low) / 2; // parameters' constraints are in the order of their names
         int32_t parameter = dims->constraints[middle].parameter;
         if (parameter == name) {
             enqueue(dims, (int32_t)middle);
@@ -181,7 +182,7 @@ void yk_dim_set(YkDimensions *dims, int32_t name, YkDimension dimension, const Y
     }
 }
 
-// One look at a constraint under the rules of the phase.
+// Visits a constraint once under the rules of the phase.
 static void visit(YkDimensions *dims, YkConstraint *constraint)
 {
     YkExpr *expr = constraint->expr;
@@ -220,15 +221,15 @@ static void run_phase(YkDimensions *dims, YkDimPhase phase)
     drain(dims);
 }
 
-// Does the value come from functions of literals, as that of cos(15 deg)?
+// Returns whether the value comes from functions of literals, as that of cos(15 deg) does.
 static bool is_computed(const YkExpr *expr)
 {
     if (!expr || !expr->is_literal || expr->kind == YK_EXPR_NUMBER) return false;
     return expr->kind == YK_EXPR_CALL || is_computed(expr->a) || is_computed(expr->b);
 }
 
-// What nothing decides is a plain number; one parameter at a time, since that may decide the next: of two in a product
-// one counts as the number. Sines and cosines are the first to be numbers.
+// Makes what nothing decides a plain number, one parameter at a time, since each may decide the next: of two in a
+// product one counts as the number. Sines and cosines become numbers first.
 static void settle_open(YkDimensions *dims, bool only_computed)
 {
     for (size_t i = 0; i < dims->name_count; i++) {

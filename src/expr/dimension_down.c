@@ -1,4 +1,4 @@
-// What an expression must be in its place: from the root down, after yk_dim_up.
+// Determines what an expression must be in its place: from the root down, after yk_dim_up.
 #include <math.h>
 #include "expr/dimension.h"
 
@@ -7,14 +7,16 @@ static void down(YkDimensions *dims, const YkExpr *expr, const YkDimension *want
     yk_dim_down(dims, (YkExpr *)expr, want, is_direct);
 }
 
-static bool is_function_of_numbers(const YkExpr *expr) // of what it is given as it stands: sin, exp, sign, ...
+// Returns whether a function takes its argument as it stands: sin, exp, sign, ...
+static bool is_function_of_numbers(const YkExpr *expr)
 {
     if (expr->kind != YK_EXPR_CALL) return false;
     return expr->function != YK_SQRT && expr->function != YK_ABS && expr->function != YK_MIN &&
            expr->function != YK_MAX;
 }
 
-// Can a factor on the value of a bare expression go into numbers in it? Not into pi, cos(...), 2^cos(...).
+// Returns whether a factor on the value of a bare expression can go into its numbers. It cannot go into pi, cos(...),
+// 2^cos(...).
 static bool takes_scale(const YkExpr *expr)
 {
     const YkExpr *a = expr->a, *b = expr->b;
@@ -40,7 +42,7 @@ static bool takes_scale(const YkExpr *expr)
     return takes_scale(a) && (!b || takes_scale(b));
 }
 
-// Makes `x` the product `1 * x`, whose 1 takes the scale.
+// Turns `x` into the product `1 * x`, whose 1 takes the scale.
 static void scale_whole(YkDimensions *dims, YkExpr *expr, double scale)
 {
     YkExpr *parts = YK_NEW(dims->arena, YkExpr, 2);
@@ -61,7 +63,7 @@ static void scale_whole(YkDimensions *dims, YkExpr *expr, double scale)
     expr->is_literal = true;
 }
 
-// Multiplies the value of an expression of bare numbers by `scale`, through one of them where there is one.
+// Multiplies the value of an expression of bare numbers by `scale`, through one of its numbers if it has one.
 static void scale_bare(YkDimensions *dims, YkExpr *expr, double scale)
 {
     YkExpr *a = (YkExpr *)expr->a, *b = (YkExpr *)expr->b;
@@ -93,7 +95,7 @@ static void scale_bare(YkDimensions *dims, YkExpr *expr, double scale)
     case YK_EXPR_SUBTRACT:
         break;
     }
-    scale_bare(dims, a, scale); // of sums, abs, min and max both
+    scale_bare(dims, a, scale); // in sums, abs, min and max both take it
     if (b) scale_bare(dims, b, scale);
 }
 
@@ -112,7 +114,7 @@ static YkDimension without_angle(YkDimension dimension)
 
 static void down_call(YkDimensions *dims, YkExpr *expr, const YkDimension *want, bool is_direct);
 
-// What functions in a bare expression are given: angles, plain numbers.
+// Gives the arguments of functions in a bare expression their dimensions: angles, plain numbers.
 static void down_arguments(YkDimensions *dims, const YkExpr *expr)
 {
     if (is_function_of_numbers(expr)) {
@@ -123,7 +125,7 @@ static void down_arguments(YkDimensions *dims, const YkExpr *expr)
     if (expr->b) down_arguments(dims, expr->b);
 }
 
-// A product, power or function of bare numbers as a whole takes the dimension that is wanted, or is a number.
+// Gives a product, power or function of bare numbers as a whole the wanted dimension, or makes it a number.
 static void down_bare(YkDimensions *dims, YkExpr *expr, const YkDimension *want)
 {
     clear_scales(expr);
@@ -136,7 +138,7 @@ static void down_bare(YkDimensions *dims, YkExpr *expr, const YkDimension *want)
     down_arguments(dims, expr);
 }
 
-// An open parameter takes what is wanted. One that took another kind of angle before would have another scale.
+// Gives an open parameter the wanted dimension. One that took another kind of angle before would have another scale.
 static void down_name(YkDimensions *dims, YkExpr *expr, const YkDimension *want, bool is_direct)
 {
     if (!want || expr->parameter < 0) return;
@@ -149,7 +151,7 @@ static void down_name(YkDimensions *dims, YkExpr *expr, const YkDimension *want,
     if (is_direct && differs && name->origin && dims->units.angle != 1) yk_dim_report_two_ways(dims, expr, *want);
 }
 
-// One operand of a product is bare, so a plain number; the other takes what is wanted of the product.
+// Handles a product with one bare operand, which is a plain number; the other takes what is wanted of the product.
 static void down_multiple(YkDimensions *dims, const YkExpr *expr, const YkExpr *bare, const YkDimension *want,
                           bool is_direct)
 {
@@ -203,7 +205,7 @@ static void down_root(YkDimensions *dims, YkExpr *expr, const YkDimension *want)
     down(dims, expr->a, solves ? &square : NULL, false);
 }
 
-// The arguments of atan2 are alike; two bare ones are plain numbers.
+// Handles atan2, whose arguments have equal dimensions; two bare ones are plain numbers.
 static void down_atan2(YkDimensions *dims, YkExpr *expr)
 {
     const YkExpr *a = expr->a, *b = expr->b;

@@ -1,13 +1,13 @@
-// A product whose numbers lack their units, written as it may have been meant: `10*theta.rate` as a torque is
-// `10 N*m*s/rad * theta.rate`.
+// Writes a product whose numbers lack their units as it may have been meant: `10*theta.rate` as a torque is `10
+// N*m*s/rad * theta.rate`.
 #include <math.h>
 #include <string.h>
 #include "base/text.h"
 #include "expr/dimension.h"
 
 enum {
-    NUMBERS_MAX = 16, // of one product
-    POWER_MAX = 16,   // of a base that a unit may repair
+    NUMBERS_MAX = 16, // most numbers of one product
+    POWER_MAX = 16,   // largest power of a base that a unit may repair
 };
 
 // A bare number that is a factor, or the base of a power.
@@ -21,7 +21,7 @@ typedef struct Product {
     int count;
 } Product;
 
-// What is put behind a number, and round the base of a power.
+// The text inserted after a number, and around the base of a power.
 typedef struct Insertion {
     const YkExpr *number;
     YkDimension unit;
@@ -40,7 +40,7 @@ static void add_factor(Product *product, const YkExpr *number, int power)
         product->factors[product->count++] = (Factor){number, power};
 }
 
-// The bare numbers among the factors of a product.
+// Finds the bare numbers among the factors of a product.
 static void find_factors(const YkExpr *expr, int sign, Product *product)
 {
     double power;
@@ -81,7 +81,8 @@ static bool is_decimal(const YkExpr *number)
     return memchr(number->text, '.', number->text_length) != NULL;
 }
 
-// Lengths that are missing are dimensions: one for each number, those with a decimal point before counts like 2.
+// Gives missing lengths to the numbers, one each: those with a decimal point come before counts like 2. Returns the
+// rest.
 static int insert_lengths(Repair *repair, const Product *product, int missing)
 {
     const YkDimension length = {.length = 1};
@@ -100,7 +101,7 @@ static bool is_length_power(YkDimension d)
     return d.length > 0 && d.mass == 0 && d.time == 0 && d.angle == 0;
 }
 
-// Gives the numbers of a product the units that it lacks. False where none can take them.
+// Gives the numbers of a product the units that it lacks. Returns false if none can take them.
 static bool repair_product(const YkExpr *expr, YkDimension missing, Repair *repair)
 {
     Product product = {.count = 0};
@@ -112,7 +113,7 @@ static bool repair_product(const YkExpr *expr, YkDimension missing, Repair *repa
     }
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < product.count; i++) {
-            int sign = pass == 0 ? 1 : -1; // a number above the line rather than one below it
+            int sign = pass == 0 ? 1 : -1; // prefers a number above the line to one below
             if (product.factors[i].power != sign) continue;
             insert(repair, &product.factors[i], sign > 0 ? missing : yk_dimension_times(YK_DIM_NONE, missing, -1));
             return !repair->failed;
@@ -120,7 +121,7 @@ static bool repair_product(const YkExpr *expr, YkDimension missing, Repair *repa
     return false;
 }
 
-// Every term of a sum lacks the same, but for bare numbers: they take the kind of the others.
+// Repairs a sum. All its terms lack the same, except bare numbers, which take the kind of the others.
 static bool repair_terms(const YkExpr *expr, YkDimension missing, Repair *repair)
 {
     if (yk_dim_is_bare(expr)) return true;
@@ -139,7 +140,7 @@ static const Insertion *insertion_at(const Repair *repair, const char *at, bool 
     return NULL;
 }
 
-// Copies blanks and the operator behind a unit, so that the operator has blanks round it: `10 m * x`.
+// Copies the blanks and the operator after a unit, so that the operator has blanks around it: `10 m * x`.
 static const char *add_operator(YkText *text, const char *at, const char *end)
 {
     const char *sign = at;
@@ -150,7 +151,7 @@ static const char *add_operator(YkText *text, const char *at, const char *end)
     return sign;
 }
 
-// Writes the whole expression with the insertions. Units of force are in N where the file names none.
+// Writes the whole expression with the insertions. Units of force are in N if the file names none.
 static void write(const YkUnits *file, const YkExpr *whole, const Repair *repair, YkText *text)
 {
     YkUnits units = *file;

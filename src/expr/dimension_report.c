@@ -1,19 +1,19 @@
-// What does not fit, in words.
+// Reports dimensions that do not fit, in words.
 #include <string.h>
 #include "base/text.h"
 #include "expr/dimension.h"
 #include "expr/function.h"
 
-enum { QUOTE_MAX = 40 }; // how much of an expression a hint repeats
+enum { QUOTE_MAX = 40 }; // the longest quotation of an expression in a hint
 
-// Nothing is final before the last phase, so nothing is reported.
+// Returns whether to stay silent: before the last phase nothing is final.
 static bool is_silent(YkDimensions *dims)
 {
     if (dims->phase == YK_PHASE_FINAL) dims->has_errors = true;
     return dims->phase != YK_PHASE_FINAL;
 }
 
-// "mass of `link1`", or "parameter `a`".
+// Returns "mass of `link1`", or "parameter `a`".
 static const char *describe(const YkDimensions *dims, const YkConstraint *constraint)
 {
     if (constraint->parameter < 0) return constraint->what ? constraint->what : "a value";
@@ -28,7 +28,7 @@ static const char *describe(const YkDimensions *dims, const YkConstraint *constr
     return text;
 }
 
-// The parameter, without a unit of its own, that an expression is but for its sign and a factor; or NULL.
+// Returns the parameter without a unit that the expression is, up to sign and a factor; or NULL.
 static const YkExpr *parameter_in(const YkDimensions *dims, const YkExpr *expr)
 {
     while (expr->kind != YK_EXPR_NAME) {
@@ -58,7 +58,7 @@ void yk_dim_report_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension 
         yk_problem_hint(dims->problems, "give %q a unit, or use two parameters", expr->name);
 }
 
-// The expression's dimension is not the wanted one because a parameter in it has got its dimension elsewhere.
+// Returns whether the dimension is wrong because a parameter in it has got its dimension elsewhere.
 static bool is_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
 {
     const YkExpr *name = parameter_in(dims, expr);
@@ -66,8 +66,8 @@ static bool is_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension want
     return name != NULL;
 }
 
-// The part has numbers as factors, and should be `wanted`: how the whole expression may have been meant. False where
-// it has none.
+// Hints how the whole expression may have been meant if the part has numbers as factors and should be `wanted`. Returns
+// false if it has none.
 static bool hint_at_product(YkDimensions *dims, const YkExpr *part, YkDimension wanted)
 {
     YkText repaired = {0};
@@ -80,7 +80,7 @@ static bool hint_at_product(YkDimensions *dims, const YkExpr *part, YkDimension 
     return done;
 }
 
-// A number that no unit stands in: what would make it `wanted`.
+// Hints at what would make a number without a unit `wanted`.
 static void hint_at_number(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
 {
     YkText repaired = {0};
@@ -127,7 +127,7 @@ void yk_dim_report_pair(YkDimensions *dims, const YkExpr *expr)
     if (!hint_at_product(dims, expr->b, a)) hint_at_product(dims, expr->a, b);
 }
 
-// Units of force, and those made with one: of SI, and the dyne's.
+// Returns whether the units of force, and those made with one, are usual: those of SI, and the dyne's.
 bool yk_dimensions_is_usual(const YkUnits *units, YkDimension dimension)
 {
     if (units->force > 0 || dimension.mass == 0 || dimension.time == 0) return true;

@@ -1,4 +1,4 @@
-// What an expression is by itself: from the leaves up.
+// Determines what an expression is by itself: from the leaves up.
 #include <math.h>
 #include <string.h>
 #include "expr/dimension.h"
@@ -84,7 +84,7 @@ static void up_name(const YkDimensions *dims, YkExpr *expr)
     become(expr, is_pi ? YK_DIM_BARE_PI : name->is_known ? YK_DIM_KNOWN : YK_DIM_OPEN, name->dimension);
 }
 
-// A number made of literals alone is a bare number.
+// Makes a number of literals alone a bare number.
 static void become_bare_if_literal(YkExpr *expr)
 {
     if (expr->is_literal && expr->state == YK_DIM_KNOWN && yk_dimension_equal(expr->dimension, YK_DIM_NONE) &&
@@ -104,7 +104,7 @@ static bool is_literal(const YkExpr *expr)
     return expr->a->is_literal && (!expr->b || expr->b->is_literal);
 }
 
-// Two that must be equal: terms of a sum, arguments of min, max and atan2.
+// Handles two that must have equal dimensions: terms of a sum, arguments of min, max and atan2.
 static void up_equal(YkDimensions *dims, YkExpr *expr)
 {
     const YkExpr *a = expr->a, *b = expr->b;
@@ -132,7 +132,7 @@ static void up_product(YkExpr *expr)
         become(expr, a->state == YK_DIM_BARE ? b->state : YK_DIM_BARE_PI, YK_DIM_NONE);
     else if (a->state == YK_DIM_OPEN || b->state == YK_DIM_OPEN)
         become(expr, YK_DIM_OPEN, YK_DIM_NONE);
-    else // a bare part has the dimension of a number
+    else // A bare part has the dimension of a number.
         become(expr, YK_DIM_KNOWN,
                yk_dimension_times(a->dimension, b->dimension, expr->kind == YK_EXPR_DIVIDE ? -1 : 1));
 }
@@ -170,7 +170,7 @@ static void up_root(YkDimensions *dims, YkExpr *expr)
     become(expr, fits ? YK_DIM_KNOWN : YK_DIM_SKIP, half);
 }
 
-// A function of a plain number or an angle, which are equal dimensions.
+// Handles a function of a plain number or an angle, which have equal dimensions.
 static void up_argument(YkDimensions *dims, YkExpr *expr, YkDimension argument, YkDimension result)
 {
     if (expr->a->state == YK_DIM_KNOWN && !yk_dimension_equal(expr->a->dimension, argument))

@@ -1,4 +1,4 @@
-// The value of an expression in SI, with its derivatives in time.
+// Evaluates an expression in SI, with its derivatives in time.
 #include <math.h>
 #include <string.h>
 #include "base/vec.h"

@@ -1,9 +1,9 @@
-// Evaluation of formulas.
+// Evaluates formulas.
 #include <math.h>
 #include <stdlib.h>
 #include "expr/formula_inside.h"
 
-// By repeated squaring; of a negative exponent the reciprocal.
+// Computes a power by repeated squaring; for a negative exponent its reciprocal.
 static double whole_power(double base, double exponent)
 {
     double power = 1;

@@ -1,16 +1,16 @@
-// From the tree of an expression to the instructions of a formula.
+// Turns the tree of an expression into the instructions of a formula.
 //
-// Two walks. The first measures every part: how many nodes it has and how many registers it needs. The second emits,
-// the larger operand first, and folds what is constant. Both recurse as deep as the tree is high.
+// Two walks: the first counts the nodes and registers that every part needs; the second emits the larger operand first,
+// and folds constants. Both recurse as deep as the tree is high.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/vec.h"
 #include "expr/formula_inside.h"
 
-enum { WHOLE_MAX = 64 }; // the largest exponent for which multiplying is as exact as pow and faster
+enum { WHOLE_MAX = 64 }; // the largest exponent for which multiplying is as exact as pow, and faster
 
-// A part of the expression. The parts stand in the order of a walk that takes a node before its operands, a before b.
+// A part of the expression. Parts are in the order of a walk that visits a node before its operands, a before b.
 typedef struct Part {
     uint32_t size; // nodes
     int registers;
@@ -19,7 +19,7 @@ typedef struct Part {
 typedef struct Operand {
     YkOperandSource from;
     int32_t index;
-    double value; // of a constant, which gets its index when an instruction needs it
+    double value; // the value of a constant, which gets its index when an instruction needs it
 } Operand;
 
 typedef struct Compiler {
@@ -42,7 +42,7 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-// Measures the part and all in it; leaves need no register.
+// Measures the part and everything in it; leaves need no register.
 static Part measure(Compiler *compiler, const YkExpr *expr)
 {
     Part *part = &compiler->parts[compiler->part_count++];
@@ -153,11 +153,11 @@ static void finish(Compiler *compiler, const Operand *result)
     formula->index = place_of(formula, result);
     sort_variables(formula);
     if (!compiler->has_no_value) return;
-    *formula = (YkFormula){.constants = formula->constants}; // a part without value leaves none to the whole
+    *formula = (YkFormula){.constants = formula->constants}; // a part without a value leaves the whole without one
     formula->constants[0] = NAN;
 }
 
-// Room for all that `count` parts may become: of the parts with two operands there are fewer than leaves.
+// Allocates enough for anything that `count` parts may become: there are fewer parts with two operands than leaves.
 static YkFormula *new_formula(YkArena *arena, size_t count)
 {
     YkFormula *formula = count < INT32_MAX ? YK_NEW(arena, YkFormula, 1) : NULL;

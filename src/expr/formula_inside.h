@@ -1,8 +1,8 @@
-// The inside of YkFormula; nobody else includes it.
+// The inside of YkFormula; no other room includes it.
 //
-// A formula is a list of instructions, each of one operation on one or two operands, whose result goes into a register.
-// An operand is a constant of the formula, a variable of the caller or a register. The larger operand of an operation
-// is computed first (Sethi & Ullman 1970), so that a tree of n leaves needs at most 1 + log2(n) registers.
+// A formula is a list of instructions. Each applies one operation to one or two operands and puts the result into a
+// register. An operand is a constant of the formula, a variable of the caller or a register. The larger operand of an
+// operation is computed first (Sethi & Ullman 1970), so that a tree of n leaves needs at most 1 + log2(n) registers.
 #ifndef EXPR_FORMULA_INSIDE_H
 #define EXPR_FORMULA_INSIDE_H
 #include "expr/formula.h"
@@ -19,20 +19,20 @@ typedef enum YkOperandSource { YK_FROM_CONSTANT, YK_FROM_VARIABLE, YK_FROM_REGIS
 
 typedef struct YkInstruction {
     uint8_t operation, result; // a register
-    uint8_t from[2];           // YkOperandSource of the operands; of one operand the second is constant 0
+    uint8_t from[2];           // YkOperandSource of the operands; the second of a single operand is constant 0
     int32_t index[2];
 } YkInstruction;
 
 struct YkFormula {
     YkInstruction *instructions;
     double *constants;  // at least one
-    int32_t *variables; // that it depends on, ascending
+    int32_t *variables; // the variables on which it depends, ascending
     size_t instruction_count, constant_count, variable_count;
-    YkOperandSource from; // where the value is in the end
+    YkOperandSource from; // where the value ends up
     int32_t index;
 };
 
-// The value of an operation on finite operands; not finite where there is none.
+// Returns the value of an operation on finite operands; not finite if there is none.
 double yk_formula_operate(int operation, double a, double b);
 
 #endif

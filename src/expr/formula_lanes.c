@@ -1,4 +1,4 @@
-// Formulas over lanes: one instruction over all lanes, then the next. The same bits as one by one.
+// Evaluates formulas over lanes: one instruction over all lanes, then the next. The same bits as one by one.
 #include <math.h>
 #include <string.h>
 #include "expr/formula_inside.h"
@@ -26,7 +26,7 @@ static void operate(int operation, const double *a, const double *b, double *out
     }
 }
 
-// Where a part has no value, the whole has none: only quotients, powers and functions could hide that.
+// Returns whether a part without a value could go unnoticed: only quotients, powers and functions could hide it.
 static bool may_hide(const YkFormula *formula)
 {
     for (size_t k = 0; k < formula->instruction_count; k++)

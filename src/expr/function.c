@@ -1,3 +1,4 @@
+// The functions of expressions: their names and numbers of arguments.
 #include "expr/function.h"
 #include <string.h>
 #include "base/names.h"

@@ -6,7 +6,7 @@
 const char *yk_function_name(YkFunction function);
 int yk_function_arity(YkFunction function); // 1 or 2
 bool yk_function_find(const char *name, YkFunction *function);
-// What somebody may have meant who wrote an unknown function, or NULL.
+// Returns the function that an unknown name may have meant, or NULL.
 const char *yk_function_nearest(const char *name);
 
 #endif

@@ -1,3 +1,4 @@
+// Arithmetic of truncated Taylor series.
 #include "expr/jet.h"
 #include <math.h>
 

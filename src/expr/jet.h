@@ -19,10 +19,10 @@ YkSeries yk_series_sum(const YkSeries *a, const YkSeries *b, double sign); // a 
 YkSeries yk_series_scaled(const YkSeries *a, double factor);
 YkSeries yk_series_product(const YkSeries *a, const YkSeries *b);
 YkSeries yk_series_quotient(const YkSeries *a, const YkSeries *b); // b.c[0] != 0
-// The sign of x just after its moment: that of its first coefficient that is not zero; 0 for the constant 0.
+// Returns the sign of x just after its time: that of its first nonzero coefficient; 0 for the constant 0.
 double yk_series_sign_after(const YkSeries *x);
 
-// These return NULL, or what is wrong: "square root of a negative number".
+// These return NULL, or what went wrong: "square root of a negative number".
 const char *yk_series_power(const YkSeries *base, const YkSeries *exponent, YkSeries *result);
 const char *yk_series_function(YkFunction function, const YkSeries *a, const YkSeries *b, YkSeries *result);
 

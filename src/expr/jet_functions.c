@@ -1,10 +1,10 @@
-// Powers and functions of Taylor series, from the differential equation that each satisfies.
+// Powers and functions of Taylor series, each from the differential equation that it satisfies.
 #include <math.h>
 #include "expr/jet.h"
 
 enum { N = YK_JET_ORDER };
 
-// Coefficient k of y where y' = g x', from g up to k - 1: k y_k = sum over j = 1..k of j x_j g_(k-j).
+// Returns coefficient k of y, with y' = g x', from g up to k - 1: k y_k = sum over j = 1..k of j x_j g_(k-j).
 static double next(const YkSeries *x, const YkSeries *g, int k)
 {
     double sum = 0;
@@ -12,7 +12,7 @@ static double next(const YkSeries *x, const YkSeries *g, int k)
     return sum / k;
 }
 
-// y with y(0) = start and y' = slope x', the slope known.
+// Returns y with y(0) = start and y' = slope x' for a known slope.
 static YkSeries integrate(double start, const YkSeries *x, const YkSeries *slope)
 {
     YkSeries y = {{start}};
@@ -20,7 +20,7 @@ static YkSeries integrate(double start, const YkSeries *x, const YkSeries *slope
     return y;
 }
 
-// s' = c x', c' = sign s x': sine and cosine with sign -1, the hyperbolic ones with 1.
+// Solves s' = c x', c' = sign s x': sine and cosine with sign -1, the hyperbolic ones with 1.
 static void sine_pair(const YkSeries *x, double sign, YkSeries *s, YkSeries *c)
 {
     *s = yk_series_constant(sign < 0 ? sin(x->c[0]) : sinh(x->c[0]));
@@ -31,7 +31,7 @@ static void sine_pair(const YkSeries *x, double sign, YkSeries *s, YkSeries *c)
     }
 }
 
-// y' = (1 + sign y^2) x': tangent with sign 1, hyperbolic tangent with -1.
+// Solves y' = (1 + sign y^2) x': tangent with sign 1, hyperbolic tangent with -1.
 static YkSeries tangent(const YkSeries *x, double sign)
 {
     YkSeries y = yk_series_constant(sign > 0 ? tan(x->c[0]) : tanh(x->c[0])), slope = {{0}};
@@ -71,7 +71,7 @@ static const char *square_root(const YkSeries *x, YkSeries *result)
     if (x->c[0] < 0) return "square root of a negative number";
     if (x->c[0] == 0) return yk_series_is_constant(x) ? NULL : "the square root has no derivative at zero";
     for (int k = 1; k <= N; k++) {
-        double rest = x->c[k]; // of y y = x
+        double rest = x->c[k]; // coefficient k of y y = x
         for (int j = 1; j < k; j++) rest -= result->c[j] * result->c[k - j];
         result->c[k] = rest / (2 * result->c[0]);
     }
@@ -87,7 +87,7 @@ static const char *arc_tangent(const YkSeries *x, YkSeries *result)
     return NULL;
 }
 
-// asin, and acos whose slope is the opposite.
+// Computes asin, and acos, whose slope is the opposite.
 static const char *arc_sine(const YkSeries *x, bool is_cosine, YkSeries *result)
 {
     double start = is_cosine ? acos(x->c[0]) : asin(x->c[0]);
@@ -95,7 +95,7 @@ static const char *arc_sine(const YkSeries *x, bool is_cosine, YkSeries *result)
     if (fabs(x->c[0]) > 1) return is_cosine ? "acos of a number beyond 1" : "asin of a number beyond 1";
     if (yk_series_is_constant(x)) return NULL;
     if (fabs(x->c[0]) == 1) return is_cosine ? "acos has no derivative at 1" : "asin has no derivative at 1";
-    // 1 - x^2 as a product keeps its digits near 1
+    // Written as a product, 1 - x^2 keeps its digits near 1.
     YkSeries below = yk_series_scaled(x, -1), above = *x, root;
     below.c[0] += 1;
     above.c[0] += 1;
@@ -108,7 +108,7 @@ static const char *arc_sine(const YkSeries *x, bool is_cosine, YkSeries *result)
     return NULL;
 }
 
-// phi = atan2(y, x): phi' = (x y' - y x') / (x^2 + y^2), after both are scaled to the size 1.
+// Computes phi = atan2(y, x) from phi' = (x y' - y x') / (x^2 + y^2), after scaling both to size 1.
 static const char *arc_tangent2(const YkSeries *y, const YkSeries *x, YkSeries *result)
 {
     double size = fmax(fabs(y->c[0]), fabs(x->c[0]));
@@ -129,14 +129,14 @@ static const char *arc_tangent2(const YkSeries *y, const YkSeries *x, YkSeries *
     return NULL;
 }
 
-// Where two are equal, the one that will be the larger (sign 1) or smaller (-1) just after.
+// Returns the larger (sign 1) or smaller (-1); of two equal ones, the one that will be just after.
 static YkSeries extreme(const YkSeries *a, const YkSeries *b, double sign)
 {
     YkSeries difference = yk_series_sum(a, b, -1);
     return sign * yk_series_sign_after(&difference) >= 0 ? *a : *b;
 }
 
-// By repeated squaring, so that a base of zero needs no care.
+// Computes a power by repeated squaring, so that a base of zero needs no special care.
 static YkSeries whole_power(YkSeries base, double exponent)
 {
     YkSeries power = yk_series_constant(1);
@@ -147,7 +147,7 @@ static YkSeries whole_power(YkSeries base, double exponent)
     return power;
 }
 
-// y = x^n for a constant n that is not whole: x y' = n y x'.
+// Computes y = x^n for a constant n that is not whole, from x y' = n y x'.
 static const char *broken_power(const YkSeries *x, double n, YkSeries *result)
 {
     if (x->c[0] < 0) return "a broken power of a negative number";

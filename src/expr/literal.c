@@ -1,12 +1,12 @@
-// Numbers and their units: `0.75`, `3/4 m`, `30deg`, `0.5 rad/s`.
+// Reads numbers and their units: `0.75`, `3/4 m`, `30deg`, `0.5 rad/s`.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
 #include "expr/parser.h"
 
-enum { QUOTE_MAX = 40 }; // how much of a text a hint repeats
+enum { QUOTE_MAX = 40 }; // the longest quotation of a text in a hint
 
-// A piece of the text as a string of its own, for messages.
+// Copies a piece of the text as a string of its own, for messages.
 static const char *piece(YkParser *parser, size_t start, size_t end)
 {
     size_t length = end - start < QUOTE_MAX ? end - start : QUOTE_MAX;
@@ -31,7 +31,7 @@ static size_t skip_blanks_from(const YkParser *parser, size_t at)
     return at;
 }
 
-// One factor of a unit: "kg", "s^2", "m^-1". A caret before anything else is the operator.
+// Skips one factor of a unit: "kg", "s^2", "m^-1". A caret before anything else is the operator.
 static size_t skip_factor(const YkParser *parser, size_t at)
 {
     while (yk_is_name_part(yk_parser_peek(parser, at)) || yk_parser_peek(parser, at) == '%') at++;
@@ -41,7 +41,7 @@ static size_t skip_factor(const YkParser *parser, size_t at)
     return end > digits ? end : at;
 }
 
-// The end of the unit word that starts at `at`: factors joined by * and / without spaces.
+// Returns the end of the unit word that starts at `at`: factors joined by * and / without spaces.
 static size_t unit_end(const YkParser *parser, size_t at)
 {
     for (;;) {
@@ -52,7 +52,7 @@ static size_t unit_end(const YkParser *parser, size_t at)
     }
 }
 
-// `t` is the time far more often than the tonne: after an operator it is refused as a unit.
+// Returns where a unit contains the word `t` after an operator: it means the time far more often than the tonne.
 static size_t find_time(const YkParser *parser, size_t start, size_t end)
 {
     for (size_t i = start + 1; i < end; i++) {
@@ -69,7 +69,7 @@ static bool looks_like_a_name(const char *word)
     return strpbrk(word, "0123456789_") != NULL;
 }
 
-// Something else stands where a unit belongs: a misspelt unit, or a factor whose operator is missing or has no spaces.
+// Refuses what stands in place of a unit: a misspelt unit, or a factor whose operator is missing or has no spaces.
 static YkExpr *refuse_unit(YkParser *parser, size_t number, size_t unit, size_t bad, size_t bad_length)
 {
     if (bad_length == 0) bad_length = 1;
@@ -96,7 +96,7 @@ static YkExpr *refuse_unit(YkParser *parser, size_t number, size_t unit, size_t 
     return NULL;
 }
 
-// Reads the unit word at `unit` into the number. False with a problem when it is none.
+// Reads the unit word at `unit` into the number. Returns false with a problem if it is not a unit.
 static bool read_unit(YkParser *parser, YkExpr *number, size_t start, size_t unit)
 {
     size_t end = unit_end(parser, unit), bad_length = 0;
@@ -139,8 +139,8 @@ static YkExpr *read_number(YkParser *parser)
     return number;
 }
 
-// Is there a ratio of integers with a unit at `start`, such as `3/4 m`? Then *second is where its second integer starts
-// and *unit where its unit does. Without a unit the quotient is an operation like any other.
+// Returns whether a ratio of integers with a unit starts at `start`, such as `3/4 m`. *second is then where its second
+// integer starts and *unit where its unit does. Without a unit the quotient is an operation like any other.
 static bool is_ratio(const YkParser *parser, size_t start, size_t *second, size_t *unit)
 {
     size_t slash = skip_digits(parser, start);
@@ -152,7 +152,7 @@ static bool is_ratio(const YkParser *parser, size_t start, size_t *second, size_
     return starts_unit(yk_parser_peek(parser, *unit));
 }
 
-// `3/4 m` becomes (3 m) / 4: exact, and of the same value.
+// Turns `3/4 m` into (3 m) / 4: exact, and of the same value.
 static YkExpr *parse_ratio(YkParser *parser, size_t second, size_t unit)
 {
     size_t start = parser->at;
@@ -174,7 +174,7 @@ YkExpr *yk_parse_literal(YkParser *parser)
 {
     size_t start = parser->at, second, unit;
     if (is_ratio(parser, start, &second, &unit)) {
-        // An exponent in `1/2e3 m` makes the second no integer: read it as an operation.
+        // In `1/2e3 m` the exponent makes the second number not an integer: reads it as an operation.
         double value;
         size_t bytes = yk_number_read(parser->text + second, parser->length - second, &value);
         if (skip_blanks_from(parser, second + bytes) == unit) return parse_ratio(parser, second, unit);

@@ -24,7 +24,7 @@ void yk_parser_skip_blanks(YkParser *parser)
 YkPlace yk_parser_place(const YkParser *parser, size_t start, size_t end)
 {
     YkPlace place = parser->place;
-    if (place.line == 0) return place; // nowhere stays nowhere
+    if (place.line == 0) return place; // an unknown place stays unknown
     place.column += (uint32_t)start;
     place.length = (uint32_t)(end - start);
     return place;
@@ -69,7 +69,7 @@ static YkExpr *too_deep(YkParser *parser, size_t start, const char *message)
     return NULL;
 }
 
-// Joins operands (b NULL for one) whose heights are given, into a node over text[start..at).
+// Joins operands (b NULL for one), given their heights, into a node over text[start..at).
 static YkExpr *join(YkParser *parser, YkExprKind kind, size_t start, const YkExpr *a, int a_height, const YkExpr *b)
 {
     if (!a) return NULL;
@@ -100,7 +100,7 @@ static size_t name_end(const YkParser *parser, size_t at)
     }
 }
 
-// The arguments and the closing parenthesis; the opening one is read.
+// Parses the arguments and the closing parenthesis; the opening one has been read.
 static YkExpr *parse_call(YkParser *parser, const char *name, size_t start, size_t name_stop)
 {
     YkFunction function;
@@ -170,7 +170,7 @@ static YkExpr *parse_power(YkParser *parser)
     return exponent ? join(parser, YK_EXPR_POWER, start, base, height, exponent) : NULL;
 }
 
-// Every recursion passes here: parentheses, arguments, signs, exponents.
+// Parses a sign. Every recursion passes here: parentheses, arguments, signs, exponents.
 static YkExpr *parse_sign(YkParser *parser)
 {
     yk_parser_skip_blanks(parser);
@@ -188,7 +188,7 @@ static YkExpr *parse_sign(YkParser *parser)
     return result;
 }
 
-// Reads one of two operators, or leaves the text where it is.
+// Reads one of two operators, or leaves the text unread.
 static bool take_operator(YkParser *parser, char first, char second, bool *is_second)
 {
     size_t start = parser->at;

@@ -1,4 +1,4 @@
-// What the parser says when something else stands where a piece of an expression belongs.
+// What the parser says when something else stands in place of a piece of an expression.
 #include <string.h>
 #include "base/utf8.h"
 #include "expr/function.h"
@@ -8,7 +8,7 @@ typedef struct Look {
     const char *character, *meant;
 } Look;
 
-// Characters that word processors and keyboards offer in place of the plain ones.
+// Returns the plain character for one that word processors and keyboards offer in its place.
 static const char *meant_by(const char *text, size_t length)
 {
     static const Look looks[] = {{"\xe2\x88\x92", "-"}, {"\xe2\x80\x93", "-"}, {"\xc3\x97", "*"},   {"\xc2\xb7", "*"},
@@ -35,7 +35,7 @@ static YkExpr *refuse_character(YkParser *parser)
     return NULL;
 }
 
-// Something else stands where `wanted` belongs.
+// Reports that something else stands in place of `wanted`.
 YkExpr *yk_parser_expected(YkParser *parser, const char *wanted)
 {
     char c = yk_parser_peek(parser, parser->at);

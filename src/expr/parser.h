@@ -1,9 +1,9 @@
-// What the parser's files share; nobody else includes it.
+// What the parser's files share; no other room includes it.
 #ifndef EXPR_PARSER_H
 #define EXPR_PARSER_H
 #include "expr/expr.h"
 
-// Everything outside ASCII ends the parse, so up to any problem a byte is a column.
+// Everything outside ASCII ends the parse, so every byte before a problem is one column.
 typedef struct YkParser {
     const char *text;
     size_t length, at;
@@ -17,20 +17,20 @@ typedef struct YkParser {
 char yk_parser_peek(const YkParser *parser, size_t at); // '\0' at the end
 void yk_parser_skip_blanks(YkParser *parser);
 YkPlace yk_parser_place(const YkParser *parser, size_t start, size_t end);
-// A new node over text[start..at), of height 1. NULL when out of memory, with a problem.
+// Makes a node over text[start..at), of height 1. Returns NULL when out of memory, with a problem.
 YkExpr *yk_parser_node(YkParser *parser, YkExprKind kind, size_t start);
 
 bool yk_is_digit(char c);
 bool yk_is_name_start(char c); // a letter or _
 bool yk_is_name_part(char c);  // or a digit
 
-// Problems; all return NULL, for the caller to return. `expected`: something else stands where `wanted` belongs.
+// Report problems; all return NULL, for the caller to return. `expected`: something else stands in place of `wanted`.
 YkExpr *yk_parser_expected(YkParser *parser, const char *wanted);
 YkExpr *yk_parser_expected_operator(YkParser *parser);
 YkExpr *yk_parser_refuse_function(YkParser *parser, const char *name, size_t start, size_t end);
 YkExpr *yk_parser_refuse_arguments(YkParser *parser, YkFunction function, size_t start, size_t end);
 
-// A number with its unit, if any; the text stands at a digit, or at a point before one. NULL with a problem.
+// Parses a number with its unit, if any; the text stands at a digit, or at a point before one. NULL with a problem.
 YkExpr *yk_parse_literal(YkParser *parser);
 
 #endif

@@ -1,5 +1,5 @@
-// How far rounding may have moved the value of an expression. Source: Higham 2002, Accuracy and Stability of Numerical
-// Algorithms, 3.3 (running error analysis).
+// Bounds how much rounding may have changed the value of an expression. Source: Higham 2002, Accuracy and Stability of
+// Numerical Algorithms, 3.3 (running error analysis).
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -29,7 +29,7 @@ static Rounded number(const YkExpr *expr)
     return rounded(expr->number * scale, 0);
 }
 
-// The time is what it is; a parameter was rounded.
+// Handles a name: the time is exact; a parameter was rounded.
 static Rounded name(const Source *source, const YkExpr *expr)
 {
     YkJet jet = {{0}};
@@ -40,7 +40,7 @@ static Rounded name(const Source *source, const YkExpr *expr)
     return rounded(jet.d[0], 0);
 }
 
-// What a function makes of its operand's error: the slope there, from the series of the function itself.
+// Propagates the operand's error through a function by its slope there, taken from the function's own series.
 static double carried(const YkExpr *expr, YkSeries a, YkSeries b, double error)
 {
     YkSeries result = {{0}};
@@ -92,5 +92,5 @@ double yk_expr_rounding(const YkExpr *expr, YkLookup lookup, const void *context
 {
     Source source = {lookup, context};
     Rounded result = evaluate(&source, expr);
-    return result.error >= 0 ? result.error : INFINITY; // NaN too
+    return result.error >= 0 ? result.error : INFINITY; // also NaN
 }

@@ -1,3 +1,4 @@
+// Visits the names in an expression.
 #include <string.h>
 #include "expr/expr.h"
 

@@ -1,4 +1,4 @@
-// Looking into elements: powers and coefficients of a symbol, content; equality under roots.
+// Examines elements: powers and coefficients of a symbol, content, equality under roots.
 #include "ring/inside.h"
 
 bool yk_ring_powers(const YkRing *ring, const YkPoisson *a, int32_t symbol, int32_t *lowest, int32_t *highest)
@@ -40,7 +40,7 @@ bool yk_ring_mentions(const YkRing *ring, const YkPoisson *a, int32_t symbol)
     return false;
 }
 
-// The exponent of a symbol in a term, outside of phases.
+// Returns the exponent of a symbol in a term, outside of phases.
 static int32_t exponent_in(YkRing *ring, YkRingTerm term, int32_t symbol)
 {
     uint32_t monomial = yk_key_monomial(term.key);
@@ -68,7 +68,7 @@ const YkPoisson *yk_ring_coefficient(YkRing *ring, const YkPoisson *a, int32_t s
     return yk_gather_end(ring);
 }
 
-// What the monomials of all terms have in common with *monomial. False on failure.
+// Reduces *monomial to its common part with the monomials of all terms. Returns false on failure.
 static bool take_common(YkRing *ring, const YkPoisson *a, uint32_t *monomial)
 {
     for (size_t i = 0; i < a->count && *monomial != YK_NO_PRODUCT; i++)
@@ -99,7 +99,8 @@ const YkPoisson *yk_ring_common_content(YkRing *ring, const YkPoisson *a, const 
     return yk_poisson_term(ring, yk_key(0, monomial, 0), number, denominator);
 }
 
-// a times root^2k, as few as make all its powers >= 0, with every root^2 replaced by the square: zero just when a is.
+// Returns a times root^2k, with the least k that makes all its powers >= 0, and every root^2 replaced by the square:
+// zero exactly when a is.
 static const YkPoisson *without_root(YkRing *ring, const YkPoisson *a, int32_t symbol)
 {
     int32_t lowest, highest;
@@ -121,7 +122,7 @@ bool yk_ring_is_equal(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
 {
     if (yk_ring_is_same(a, b)) return true;
     const YkPoisson *difference = yk_ring_subtract(ring, a, b);
-    // A square mentions only symbols older than its root: from the youngest root down each is met once.
+    // A square mentions only symbols older than its root: going down from the youngest root meets each once.
     for (size_t i = ring->symbol_count; i-- > 0 && difference && difference->count > 0;)
         if (ring->symbols[i].square) difference = without_root(ring, difference, (int32_t)i);
     return yk_ring_is_zero(difference);

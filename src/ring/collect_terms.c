@@ -1,9 +1,9 @@
-// Collecting terms: a hash table from keys to coefficients, sorted at the end.
+// Collects terms: a hash table from keys to coefficients, sorted at the end.
 #include <stdlib.h>
 #include <string.h>
 #include "ring/inside.h"
 
-enum { INSERTION_MAX = 24, FEW = 12 }; // of few terms each is found by looking at all
+enum { INSERTION_MAX = 24, FEW = 12 }; // FEW: so few terms are searched one by one
 
 void yk_gather_free(YkGather *gather)
 {
@@ -27,7 +27,7 @@ static void enter_all(YkGather *gather)
     }
 }
 
-// Makes the slots anew, twice as many, with all terms entered.
+// Allocates twice as many slots and enters all terms anew.
 static bool more_slots(YkGather *gather)
 {
     size_t slot_count = gather->slot_count ? 2 * gather->slot_count : 64;
@@ -73,7 +73,7 @@ static bool fail(YkRing *ring, YkRingStatus status)
     return false;
 }
 
-// The term of a key, or NULL; *slot is then where it belongs.
+// Returns the term of a key, or NULL; *slot is then where it belongs.
 static YkRingTerm *find_term(YkGather *gather, uint64_t key, size_t *slot)
 {
     if (gather->count <= FEW) {
@@ -86,7 +86,7 @@ static YkRingTerm *find_term(YkGather *gather, uint64_t key, size_t *slot)
     return NULL;
 }
 
-// The first key that does not ascend: what is there is entered.
+// Handles the first key that does not ascend: enters the terms collected so far.
 static bool stop_ascending(YkGather *gather)
 {
     while (gather->count >= FEW && 2 * (gather->count + 2) > gather->slot_count)
@@ -151,7 +151,7 @@ static void empty_slots(YkGather *gather)
         if (gather->slots) memset(gather->slots, 0, gather->slot_count * sizeof *gather->slots);
         return;
     }
-    // Few terms in a large table: undo in reverse order, so that each is found along its own chain.
+    // Few terms in a large table: undoes them in reverse order, so that each is found along its own chain.
     for (size_t i = gather->count; i-- > 0;) {
         size_t slot = slot_start(gather, gather->terms[i].key);
         while (gather->slots[slot] != (uint32_t)i + 1) slot = (slot + 1) & (gather->slot_count - 1);
@@ -179,7 +179,7 @@ static void merge_runs(const YkRingTerm *from, YkRingTerm *to, size_t count, siz
     }
 }
 
-// Merge sort from runs sorted by insertion. False when out of memory.
+// Sorts by merging runs that are sorted by insertion. Returns false when out of memory.
 static bool sort_terms(YkGather *gather)
 {
     size_t count = gather->count;

@@ -6,7 +6,7 @@ static bool has_no_phase(const YkPoisson *a)
     return a->count == 0 || yk_key_phase(a->terms[a->count - 1].key) == 0; // keys ascend by phase
 }
 
-// Of an element without phases: the terms without i, or those with it, which is taken off. Their order stays.
+// Returns, for an element without phases, the terms without i, or those with it, divided by i. Keeps their order.
 static const YkPoisson *half_of_constant(YkRing *ring, const YkPoisson *a, bool imaginary)
 {
     size_t count = 0;
@@ -19,7 +19,7 @@ static const YkPoisson *half_of_constant(YkRing *ring, const YkPoisson *a, bool 
     return count == a->count && !imaginary ? a : yk_poisson_make(ring, out, count, a->denominator);
 }
 
-// The first term whose key is not below.
+// Returns the first term whose key is not below `key`.
 static size_t find_key(const YkPoisson *a, size_t from, uint64_t key)
 {
     size_t low = from, high = a->count;
@@ -40,7 +40,7 @@ static size_t end_of_phase(const YkPoisson *a, size_t start)
     return end;
 }
 
-// Are count terms from `other` on the conjugates of those from `start` on, phases apart?
+// Returns whether count terms from `other` on are the conjugates of those from `start` on, apart from their phases.
 static bool are_conjugates(const YkPoisson *a, size_t start, size_t other, size_t count)
 {
     const uint64_t rest = ((uint64_t)1 << (YK_MONOMIAL_BITS + YK_UNIT_BITS)) - 1;
@@ -53,11 +53,11 @@ static bool are_conjugates(const YkPoisson *a, size_t start, size_t other, size_
     return true;
 }
 
-// Every phase has its opposite among the phases, with the conjugates of its terms in the same order: nothing is made.
+// Checks that every phase has its opposite, with the conjugates of its terms in the same order: makes no elements.
 bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
 {
     if (a && a->count > 0 && yk_key_phase(a->terms[a->count - 1].key) == 0) return are_conjugates(a, 0, 0, a->count);
-    size_t first = 0, second = 0; // terms of the phases that come first of two opposite ones, and of the others
+    size_t first = 0, second = 0; // terms of the phases that come first of two opposite ones, and of their opposites
     for (size_t start = 0, end; a && start < a->count; start = end) {
         uint32_t phase = yk_key_phase(a->terms[start].key), opposite = yk_ring_opposite(ring, phase);
         end = end_of_phase(a, start);
@@ -66,7 +66,8 @@ bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
             second += end - start;
             continue;
         }
-        bool is_next = end < a->count && yk_key_phase(a->terms[end].key) == opposite; // made one after the other
+        // The opposite phase often comes right after it.
+        bool is_next = end < a->count && yk_key_phase(a->terms[end].key) == opposite;
         size_t other = opposite == phase ? start : is_next ? end : find_key(a, end, yk_key(opposite, 0, 0));
         if (a->count - other < end - start || !are_conjugates(a, start, other, end - start)) return false;
         if (opposite == phase) continue;
@@ -77,20 +78,20 @@ bool yk_ring_is_real(YkRing *ring, const YkPoisson *a)
     return a && first == second;
 }
 
-// Stands the opposite of a phase among the phases, too?
+// Returns whether the opposite of a phase occurs as well.
 static bool has_opposites(YkRing *ring, const YkPoisson *a)
 {
     for (size_t start = 0, end; start < a->count; start = end) {
         uint32_t phase = yk_key_phase(a->terms[start].key), opposite = yk_ring_opposite(ring, phase);
         end = end_of_phase(a, start);
-        if (opposite <= phase) continue; // itself, or found from the other side
+        if (opposite <= phase) continue; // itself, or found from its opposite
         size_t other = find_key(a, end, yk_key(opposite, 0, 0));
         if (other < a->count && yk_key_phase(a->terms[other].key) == opposite) return true;
     }
     return false;
 }
 
-// Gathers (sign a + conjugate a) * i^turns / 2, turns 0 or 1, a without i and with it turned.
+// Gathers (sign a + conjugate a) * i^turns / 2, turns 0 or 1, for a without i and with i multiplied in.
 static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
 {
     int64_t denominator;
@@ -111,7 +112,7 @@ static const YkPoisson *half(YkRing *ring, const YkPoisson *a, bool imaginary)
         if (phase != 0) {
             yk_gather_add(ring, yk_key(yk_key_phase(key), yk_key_monomial(key), unit), direct);
             yk_gather_add(ring, yk_key(phase, yk_key_monomial(key), unit), mirrored);
-        } else if (has_i == imaginary) { // both are one
+        } else if (has_i == imaginary) { // the two terms are one
             if (!yk_exact_add(direct, mirrored, &direct))
                 ring->gather.failed = yk_ring_fail(ring, YK_RING_OVERFLOW) == NULL;
             yk_gather_add(ring, yk_key(0, yk_key_monomial(key), unit), direct);

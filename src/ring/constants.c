@@ -26,7 +26,8 @@ const YkPoisson *yk_ring_i(YkRing *ring)
     return yk_poisson_term(ring, YK_UNIT_I, 1, 1);
 }
 
-// Takes the powers of a prime out of *rest: returns the root of its square part; *odd tells whether one is left over.
+// Divides *rest by all powers of a prime: returns the root of its square part; *odd tells whether one factor is left
+// over.
 static int64_t take_prime(int64_t *rest, int64_t prime, bool *odd)
 {
     int64_t root = 1;
@@ -38,7 +39,7 @@ static int64_t take_prime(int64_t *rest, int64_t prime, bool *odd)
     return root;
 }
 
-// The whole square root, or 0 where it is none.
+// Returns the whole square root, or 0 if the number is not a square.
 static int64_t whole_root(int64_t square)
 {
     int64_t root = (int64_t)(sqrt((double)square) + 0.5), product;
@@ -102,7 +103,7 @@ const YkPoisson *yk_ring_sin(YkRing *ring, const YkAngleTerm *terms, size_t coun
     return yk_ring_imaginary(ring, yk_ring_exp(ring, terms, count));
 }
 
-// e^(i steps * 15 deg), exactly: cos 15 deg = (sqrt 6 + sqrt 2) / 4, sin 15 deg = (sqrt 6 - sqrt 2) / 4.
+// Returns e^(i steps * 15 deg) exactly: cos 15 deg = (sqrt 6 + sqrt 2) / 4, sin 15 deg = (sqrt 6 - sqrt 2) / 4.
 static const YkPoisson *fifteenths(YkRing *ring, int32_t steps)
 {
     const YkRingTerm first[] = {

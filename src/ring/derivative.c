@@ -1,13 +1,13 @@
-// Derivations of the ring: fixed by what they do to the symbols, the rest is Leibniz.
-// D(c x^n e^(i k a)) = c x^n e^(i k a) (n D(x) / x + i k D(a)).
+// Derivations of the ring, determined by their effect on the symbols and the product rule: D(c x^n e^(i k a)) = c x^n
+// e^(i k a) (n D(x) / x + i k D(a)).
 #include "ring/inside.h"
 
-enum { TIME = -1, DEPTH_MAX = 64 }; // the variable that stands for time; dependence upon dependence
+enum { TIME = -1, DEPTH_MAX = 64 }; // TIME: the variable that stands for time; DEPTH_MAX: nested dependences
 
 static const YkPoisson *derivative(YkRing *ring, const YkPoisson *a, int32_t variable, int depth);
 static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t variable, int depth);
 
-// D of a dependent symbol by the chain rule.
+// Differentiates a dependent symbol by the chain rule.
 static const YkPoisson *chain(YkRing *ring, const YkPartial *partials, int32_t variable, int depth)
 {
     const YkPoisson *sum = ring->zero;
@@ -27,7 +27,7 @@ static const YkPoisson *root_derivative(YkRing *ring, int32_t index, int32_t var
     return yk_ring_divide(ring, inner, yk_ring_scale(ring, yk_ring_of(ring, index), 2, 1));
 }
 
-// What D does to a symbol. That of a root or a function is kept until a rule is added.
+// Returns D of a symbol. That of a root or a function is kept until a rule is added.
 static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t variable, int depth)
 {
     const YkRingSymbol *symbol = &ring->symbols[index];
@@ -44,7 +44,7 @@ static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t v
     return known;
 }
 
-// The marks of all symbols that are not taken to 0, and maybe of others.
+// Returns the marks of all symbols whose derivative is not 0, perhaps with marks of others.
 static uint64_t marks_touched(const YkRing *ring, int32_t variable)
 {
     return ring->dependent_marks | (variable == TIME ? ring->moving_marks : yk_mark(variable));
@@ -64,7 +64,7 @@ static bool find_images_of(YkRing *ring, const YkPowers *table, uint32_t item, i
     return true;
 }
 
-// Makes the images that are not at hand, those of symbols that depend on others; finds the common denominator of all.
+// Makes the missing images, those of symbols that depend on others; finds the common denominator of all.
 static bool find_images(YkRing *ring, const YkPoisson *a, int32_t variable, int depth, int64_t *denominator)
 {
     *denominator = 1;
@@ -77,11 +77,11 @@ static bool find_images(YkRing *ring, const YkPoisson *a, int32_t variable, int 
     return true;
 }
 
-// A derivation while its terms are gathered: all images are at hand.
+// A derivation while its terms are gathered: all images are available.
 typedef struct Gathering {
     YkRing *ring;
     int32_t variable;
-    int64_t denominator; // of all images
+    int64_t denominator; // common denominator of all images
     uint64_t touched;
 } Gathering;
 

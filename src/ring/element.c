@@ -1,4 +1,4 @@
-// Making elements, and comparing them.
+// Makes and compares elements.
 #include "ring/inside.h"
 
 uint64_t yk_poisson_content(const YkPoisson *a)
@@ -8,7 +8,7 @@ uint64_t yk_poisson_content(const YkPoisson *a)
     return divisor;
 }
 
-// Divides numbers and denominator by what they share.
+// Divides numbers and denominator by their common divisor.
 static void reduce(YkPoisson *a)
 {
     uint64_t divisor = (uint64_t)a->denominator;
@@ -75,7 +75,7 @@ bool yk_ring_is_rational(const YkPoisson *a, int64_t *numerator, int64_t *denomi
     return true;
 }
 
-// Both without their contents, a sign apart.
+// Compares both without their contents, up to a sign.
 bool yk_ring_is_multiple(const YkPoisson *a, const YkPoisson *b, int64_t *over, int64_t *under)
 {
     if (!a || !b || a->count != b->count || a->count == 0) return false;

@@ -1,5 +1,5 @@
 // Exact whole numbers of 63 bits and a sign: every operation tells whether its result fits. INT64_MIN counts as too
-// large, so that every number has its negative.
+// large, so that every number has a negative.
 #ifndef RING_EXACT_H
 #define RING_EXACT_H
 #include <stdbool.h>
@@ -18,7 +18,7 @@ static inline bool yk_exact_add(int64_t a, int64_t b, int64_t *sum)
     return true;
 }
 
-static inline bool yk_is_short(int64_t a) // of 31 bits and a sign
+static inline bool yk_is_short(int64_t a) // fits 31 bits and a sign
 {
     return a == (int32_t)a;
 }
@@ -35,10 +35,10 @@ static inline bool yk_exact_multiply(int64_t a, int64_t b, int64_t *product)
     return true;
 }
 
-// Greatest common divisor; of 0 and b it is b.
+// Returns the greatest common divisor; that of 0 and b is b.
 static inline uint64_t yk_gcd(uint64_t a, uint64_t b)
 {
-    while (b > 1) { // most of ours end at 1: no division by it
+    while (b > 1) { // most of ours end at 1, without a division
         uint64_t rest = a % b;
         a = b;
         b = rest;
@@ -51,7 +51,7 @@ typedef struct YkRatio {
     int64_t over, under;
 } YkRatio;
 
-// Brings over / under, under != 0, to lowest terms; false when that does not fit.
+// Reduces over / under, under != 0, to lowest terms; returns false when that does not fit.
 static inline bool yk_ratio_make(int64_t over, int64_t under, YkRatio *ratio)
 {
     if (over == INT64_MIN || under == INT64_MIN || under == 0) return false;

@@ -1,4 +1,4 @@
-// What the ring is made of; nobody outside of ring/ includes it.
+// The inside of the ring; no other room includes it.
 #ifndef RING_INSIDE_H
 #define RING_INSIDE_H
 #include "base/memory.h"
@@ -7,7 +7,7 @@
 #include "ring/powers.h"
 #include "ring/ring.h"
 
-// A term's key: phase, monomial and unit in one word. The unit is a product of i, sqrt 2 and sqrt 3, one bit each.
+// The key of a term: phase, monomial and unit in one word. The unit is a product of i, sqrt 2 and sqrt 3, one bit each.
 enum { YK_UNIT_I = 1, YK_UNIT_SQRT2 = 2, YK_UNIT_SQRT3 = 4, YK_UNIT_SURD = 6, YK_UNITS = 8 };
 enum { YK_UNIT_BITS = 3, YK_MONOMIAL_BITS = 31, YK_PHASE_BITS = 30 };
 
@@ -18,7 +18,7 @@ typedef struct YkRingTerm {
 
 struct YkPoisson {
     size_t count;
-    int64_t denominator; // > 0, without common divisor with all numbers
+    int64_t denominator; // > 0, without a common divisor with all numbers
     YkRingTerm terms[];  // keys ascend
 };
 
@@ -45,7 +45,7 @@ static inline int yk_unit_factor(unsigned a, unsigned b)
     return (both & YK_UNIT_I ? -1 : 1) * (both & YK_UNIT_SQRT2 ? 2 : 1) * (both & YK_UNIT_SQRT3 ? 3 : 1);
 }
 
-// A symbol depends on a variable: derivative NULL where it is not known.
+// The dependence of a symbol on a variable; derivative is NULL if it is unknown.
 typedef struct YkPartial {
     struct YkPartial *next;
     int32_t variable;
@@ -57,21 +57,21 @@ typedef struct YkRingSymbol {
     size_t name_length;
     YkRingClass kind;
     bool is_angle, has_rates;
-    int32_t rate_symbol;      // with rates: the first of them, the other follows
+    int32_t rate_symbol;      // of the symbols with rates: the first of the two; the other follows
     const YkPoisson *element; // the symbol itself; made at first use
-    uint32_t monomial;        // the same as a monomial; 0: not made yet
+    uint32_t monomial;        // the symbol as a monomial; 0: not made yet
     const YkPoisson *rate;    // declared total time derivative, or NULL
     YkPartial *partials;
-    const YkPoisson *square; // of a root
-    const YkPoisson *number; // for which it is a name, or NULL
-    const YkPoisson *known;  // its derivative by known_variable, with known_rules of the ring's rules
+    const YkPoisson *square; // of a root symbol: its square
+    const YkPoisson *number; // the number that the symbol names, or NULL
+    const YkPoisson *known;  // its derivative by known_variable, made when the ring had known_rules rules
     int32_t known_variable;
     size_t known_rules;
     int64_t pi_over;                // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
-    const char *latex, *c, *mathml; // as it is typeset
+    const char *latex, *c, *mathml; // its name when typeset
 } YkRingSymbol;
 
-// Collects terms by key. As long as keys ascend there is nothing to be found and nothing to be sorted.
+// Collects terms by key. As long as keys ascend it neither searches nor sorts.
 typedef struct YkGather {
     YkRingTerm *terms;
     size_t count, capacity;
@@ -80,46 +80,46 @@ typedef struct YkGather {
     YkRingTerm *sorted; // room for sorting
     size_t sorted_capacity;
     int64_t denominator;
-    bool ascends;     // all keys so far; then the slots are free
-    bool is_distinct; // no key comes twice: none is looked up
+    bool ascends;     // all keys so far ascend; the slots are then unused
+    bool is_distinct; // no key comes twice, so none is looked up
     bool failed;
 } YkGather;
 
-enum { YK_RING_MADE_MAX = 48000000 }; // terms of all elements of a ring: 768 MB of them
+enum { YK_RING_MADE_MAX = 48000000 }; // terms of all elements of a ring, 768 MB in total
 
 struct YkRing {
     YkRingStatus status;
     size_t limit;
     size_t made; // terms of all elements together
     YkArena *arena;
-    YkArena *sheet; // memory of one printing
+    YkArena *sheet; // memory for one printing
     YkRingSymbol *symbols;
     size_t symbol_count, symbol_capacity;
-    size_t typeset_count; // the first so many have names in all formats
-    YkNames names;        // in text, aliases included
+    size_t typeset_count; // the first so many symbols have names in all formats
+    YkNames names;        // the names of symbols in text, aliases included
     YkNames latex_names, c_names;
     YkPowers monomials, phases;
     YkGather gather;
     const YkPoisson *zero, *one;
-    YkRingChanges *changes;  // the newest
+    YkRingChanges *changes;  // the newest set of changes
     size_t derivative_names; // names that end in .rate or .accel
-    size_t rule_count;       // rates, partial derivatives and roots that were declared
-    // Marks of symbols with a rate; of those whose derivatives have to be made, or have a denominator.
+    size_t rule_count;       // rates, partial derivatives and roots declared so far
+    // Marks of symbols with a rate; marks of symbols whose derivatives are not ready or have a denominator.
     uint64_t moving_marks, dependent_marks;
     size_t form_count; // structured forms made so far
 };
 
-// --- symbols.c: the symbol of pi / pi_over, `pi_7`; entered where new; -1 on failure.
+// --- symbols.c: returns the symbol of pi / pi_over, `pi_7`; enters it if it is new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
 
-// --- print/typeset.c: names in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in their ring, of
-// all symbols that have none yet. False with the status: no memory.
+// --- print/typeset.c: makes names in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in their
+// ring, for all symbols that have none yet. Returns false with the status when out of memory.
 bool yk_ring_typeset(YkRing *ring);
 
 // --- substitute.c
 void yk_ring_free_all_changes(YkRing *ring);
 
-// --- keys.c: products of keys. YK_NO_PRODUCT with the status on failure.
+// --- keys.c: products of keys. They return YK_NO_PRODUCT with the status on failure.
 uint32_t yk_ring_make_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
 uint32_t yk_ring_make_phase(YkRing *ring, uint32_t a, uint32_t b, int32_t times);
 static inline uint32_t yk_ring_monomial(YkRing *ring, uint32_t a, uint32_t b, int32_t times) // a * b^times
@@ -134,15 +134,15 @@ static inline uint32_t yk_ring_phase(YkRing *ring, uint32_t a, uint32_t b, int32
     bool at_hand = yk_powers_at_hand(&ring->phases, a, b, times, &product);
     return at_hand ? product : yk_ring_make_phase(ring, a, b, times);
 }
-uint32_t yk_ring_common_monomial(YkRing *ring, uint32_t a, uint32_t b); // of each symbol the lower exponent
+uint32_t yk_ring_common_monomial(YkRing *ring, uint32_t a, uint32_t b); // the lower exponent of each symbol
 uint32_t yk_ring_opposite(YkRing *ring, uint32_t phase);                // -phase
-unsigned yk_ring_classes(YkRing *ring, uint32_t monomial);              // of its symbols: a mask of 1 << class
+unsigned yk_ring_classes(YkRing *ring, uint32_t monomial);              // classes of its symbols: a mask of 1 << class
 uint32_t yk_ring_monomial_of(YkRing *ring, int32_t symbol, int32_t exponent);
-// The part of a monomial whose symbols are wanted.
+// Returns the part of a monomial whose symbols are wanted.
 uint32_t yk_ring_part(YkRing *ring, uint32_t monomial, bool (*is_wanted)(const void *context, int32_t symbol),
                       const void *context);
 uint32_t yk_ring_phase_of(YkRing *ring, int32_t angle, int32_t factor);
-// key a times key b, units apart: the caller multiplies by yk_unit_factor. False on failure.
+// Multiplies keys a and b except their units: the caller multiplies by yk_unit_factor. Returns false on failure.
 static inline bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uint64_t *product)
 {
     uint32_t monomial = yk_ring_monomial(ring, yk_key_monomial(a), yk_key_monomial(b), 1);
@@ -151,25 +151,25 @@ static inline bool yk_ring_key_product(YkRing *ring, uint64_t a, uint64_t b, uin
     return monomial != YK_NO_PRODUCT && phase != YK_NO_PRODUCT;
 }
 
-// --- print/lumped_constants.c: is a symbol an inertia, a mass, another parameter, that nothing changes? A monomial as
-// the product of those and of the rest; false on failure.
+// --- print/lumped_constants.c: returns whether a symbol is an inertia, a mass or another parameter that nothing
+// changes. Splits a monomial into the product of such symbols and the rest; false on failure.
 bool yk_ring_is_constant(const YkRing *ring, int32_t symbol);
 bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant, uint32_t *rest);
 
-// --- collect_terms.c: begin, add any terms over one denominator, end. No other operation of the ring in between.
+// --- collect_terms.c: begin, add any terms over one denominator, end. Call no other operation of the ring in between.
 void yk_gather_begin(YkRing *ring, int64_t denominator);
-void yk_gather_begin_distinct(YkRing *ring, int64_t denominator); // no key will come twice
+void yk_gather_begin_distinct(YkRing *ring, int64_t denominator); // for keys that are all different
 bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number);
 bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *b, int64_t factor); // factor * a * b
 const YkPoisson *yk_gather_end(YkRing *ring);
 void yk_gather_free(YkGather *gather);
-bool yk_gather_room(YkRing *ring, size_t count); // gather.terms has room for so many
-// The element of sorted terms, zeros among them allowed, over a denominator.
+bool yk_gather_room(YkRing *ring, size_t count); // makes room for so many in gather.terms
+// Makes the element of sorted terms, zeros among them allowed, over a denominator.
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator);
 const YkPoisson *yk_poisson_term(YkRing *ring, uint64_t key, int64_t number, int64_t denominator);
-uint64_t yk_poisson_content(const YkPoisson *a); // common divisor of the numbers
+uint64_t yk_poisson_content(const YkPoisson *a); // common divisor of its numbers
 
-// The least common multiple of denominators, in *all; false on overflow.
+// Finds the least common multiple of denominators, *all; returns false on overflow.
 bool yk_common_denominator(int64_t a, int64_t b, int64_t *all);
 
 #endif

@@ -1,3 +1,4 @@
+// Products of the keys of terms, and the classes and parts of monomials.
 #include "ring/inside.h"
 
 static uint32_t outcome(YkRing *ring, uint32_t item, YkPowersFault fault)

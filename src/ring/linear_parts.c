@@ -1,4 +1,4 @@
-// An element that is linear in some symbols, taken apart in one walk over its terms.
+// Takes an element that is linear in some symbols apart, in one walk over its terms.
 #include <stdlib.h>
 #include <string.h>
 #include "ring/inside.h"
@@ -8,14 +8,14 @@ typedef struct Split {
     const YkPoisson *a;
     const int32_t *symbols;
     size_t count;
-    uint64_t marks;     // of all these symbols
-    uint32_t *place;    // per symbol of the ring: its place in `symbols` + 1, or 0
-    uint32_t *of;       // per term: the place + 1 of the symbol that stands in it, or 0
-    uint32_t *starts;   // [count + 2]: where a symbol's terms start in `in_order`
-    uint32_t *in_order; // terms, those without any of the symbols first
+    uint64_t marks;     // marks of all these symbols
+    uint32_t *place;    // per symbol of the ring: its index in `symbols` + 1, or 0
+    uint32_t *of;       // per term: the index + 1 of its symbol, or 0
+    uint32_t *starts;   // [count + 2]: where the terms of a symbol start in `in_order`
+    uint32_t *in_order; // terms; those without any of the symbols come first
 } Split;
 
-// The place + 1 of the one symbol that stands in a monomial, 0 of none; UINT32_MAX where it is not linear.
+// Returns the index + 1 of the one symbol in a monomial, 0 if there is none, UINT32_MAX if the monomial is not linear.
 static uint32_t place_in(const Split *s, uint32_t monomial)
 {
     uint32_t count, place = 0;
@@ -30,7 +30,7 @@ static uint32_t place_in(const Split *s, uint32_t monomial)
     return place;
 }
 
-// Sorts the terms by symbol, by counting. False with the status where the element is not linear.
+// Sorts the terms by symbol, by counting. Returns false with the status if the element is not linear.
 static bool sort_by_symbol(Split *s)
 {
     for (size_t k = 0; k < s->count; k++) {
@@ -44,10 +44,10 @@ static bool sort_by_symbol(Split *s)
     }
     for (size_t k = 0; k <= s->count; k++) s->starts[k + 1] += s->starts[k];
     for (size_t i = 0; i < s->a->count; i++) s->in_order[s->starts[s->of[i]]++] = (uint32_t)i;
-    return true; // now starts[k] is where the terms of place k end
+    return true; // starts[k] is now where the terms of place k end
 }
 
-// The terms at one place, without their symbol.
+// Returns the terms at one place, without their symbol.
 static const YkPoisson *part(const Split *s, uint32_t place)
 {
     YkRing *ring = s->ring;

@@ -1,11 +1,12 @@
+// The table of products of powers: every monomial or phase once, found by its hash.
 #include "ring/powers.h"
 #include <stdlib.h>
 #include "base/memory.h"
 #include "base/mix.h"
 
-enum { MADE_MIN = 64, MADE_MAX = 8192 }; // products that are kept
+enum { MADE_MIN = 64, MADE_MAX = 8192 }; // number of products kept
 
-// A random odd number for each symbol.
+// Returns a random odd number for each symbol.
 static uint64_t symbol_hash(int32_t symbol)
 {
     return yk_mix(((uint64_t)symbol + 1) * YK_MIX_STEP) | 1;
@@ -111,7 +112,7 @@ static bool is_same(const YkPower *a, const YkPower *b, size_t count)
     return true;
 }
 
-// The item of these powers, whose hash is known; entered where it is new.
+// Returns the item of these powers, whose hash is known; enters it if it is new.
 static uint32_t find_or_add(YkPowers *table, const YkPower *powers, size_t count, uint64_t hash, uint32_t limit,
                             YkPowersFault *fault)
 {
@@ -138,7 +139,7 @@ uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, u
     return find_or_add(table, powers, count, hash, limit, fault);
 }
 
-// Merges a * b^times, times not 0, into out, which has room for all; returns the count, or SIZE_MAX when an exponent is
+// Merges a * b^times, times not 0, into out, which has room for all. Returns the count, or SIZE_MAX when an exponent is
 // too large.
 static size_t merge(const YkPower *a, size_t a_count, const YkPower *b, size_t b_count, int32_t times, YkPower *out)
 {
@@ -192,7 +193,7 @@ static uint32_t multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times,
     return find_or_add(table, table->scratch, count, hash, limit, fault);
 }
 
-// Of a larger table more products are kept; those that were are forgotten. Without memory all stays as it is.
+// Enlarges the memory of products as the table grows, and forgets those kept so far. Without memory it changes nothing.
 static void keep_more(YkPowers *table)
 {
     if (table->made_count >= MADE_MAX || table->count < table->made_count) return;

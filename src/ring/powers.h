@@ -1,5 +1,5 @@
-// Products of whole powers, each kept once and known by a number: monomials and phases.
-// A product's hash is the sum of exponent * hash of the symbol, so the hash of a product of two is the sum of theirs.
+// Products of whole powers, each kept once and identified by a number: monomials and phases. A product's hash is the
+// sum of exponent * hash of the symbol, so the hash of a product of two is the sum of theirs.
 #ifndef RING_POWERS_H
 #define RING_POWERS_H
 #include <stdbool.h>
@@ -12,19 +12,19 @@ typedef struct YkPower {
 
 typedef struct YkProductOfPowers {
     uint64_t hash;
-    uint64_t marks; // of all its symbols
+    uint64_t marks; // marks of all its symbols
     size_t first;   // index of its first power in the pool; powers ascend by symbol
     uint32_t count;
-    uint32_t note; // what the owner of the table has found out about it; 0 at first
+    uint32_t note; // what the owner of the table has found out about it; initially 0
 } YkProductOfPowers;
 
-// One bit of 64 for a symbol: where a product has not the mark, it has not the symbol.
+// Returns a symbol's mark, one bit of 64: a product without the mark does not contain the symbol.
 static inline uint64_t yk_mark(int32_t symbol)
 {
     return (uint64_t)1 << (symbol & 63);
 }
 
-// A product that was made before. Where two would stand at one place the later one stays.
+// A product that was made before. If two belong in one place, the later one stays.
 typedef struct YkProductMade {
     uint32_t a, b, product;
     int32_t times; // 0: none
@@ -39,7 +39,7 @@ typedef struct YkPowers {
     size_t slot_count;
     YkPower *scratch;
     size_t scratch_capacity;
-    YkProductMade *made; // [made_count]; grows with the table, anew
+    YkProductMade *made; // [made_count]; cleared when it grows with the table
     size_t made_count;   // a power of two
 } YkPowers;
 
@@ -48,25 +48,26 @@ enum { YK_POWER_MAX = 1000000 };
 
 typedef enum YkPowersFault { YK_POWERS_FINE, YK_POWERS_MEMORY, YK_POWERS_TOO_LARGE } YkPowersFault;
 
-bool yk_powers_start(YkPowers *table); // of a zeroed table; false when out of memory
+bool yk_powers_start(YkPowers *table); // given a zeroed table; false when out of memory
 void yk_powers_free(YkPowers *table);
-// The powers of a product, until the next new one.
+// Returns the powers of a product, valid until the next new one.
 static inline const YkPower *yk_powers_of(const YkPowers *table, uint32_t item, uint32_t *count)
 {
     *count = table->items[item].count;
     return *count > 0 ? table->pool + table->items[item].first : NULL;
 }
-// An order that does not depend on what was made first: fewer symbols, lower symbols, lower exponents.
+// Compares in an order that does not depend on what was made first: fewer symbols, lower symbols, lower exponents.
 int yk_powers_compare(const YkPowers *table, uint32_t a, uint32_t b);
-int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol); // 0 where it does not occur
-// The number of a product. Powers ascend by symbol. YK_NO_PRODUCT with *fault on failure; at most `limit` items.
+int32_t yk_powers_exponent(const YkPowers *table, uint32_t item, int32_t symbol); // 0 if it does not occur
+// Returns the number of a product. Powers ascend by symbol. On failure YK_NO_PRODUCT with *fault; at most `limit`
+// items.
 uint32_t yk_powers_enter(YkPowers *table, const YkPower *powers, size_t count, uint32_t limit, YkPowersFault *fault);
-// Of each symbol the lower exponent, 0 where it does not occur: what two products have in common.
+// Returns the common part of two products: for each symbol the lower exponent, 0 where it does not occur.
 uint32_t yk_powers_common(YkPowers *table, uint32_t a, uint32_t b, uint32_t limit, YkPowersFault *fault);
-// a * b^times, times = 1 or -1 (or any other small power), b not 0.
+// Returns a * b^times, times = 1 or -1 (or any other small power), b not 0.
 uint32_t yk_powers_multiply(YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t limit,
                             YkPowersFault *fault);
-// The product of those powers of an item whose symbols are wanted.
+// Returns the product of those powers of an item whose symbols are wanted.
 uint32_t yk_powers_part(YkPowers *table, uint32_t item, bool (*is_wanted)(const void *context, int32_t symbol),
                         const void *context, uint32_t limit, YkPowersFault *fault);
 static inline YkProductMade *yk_powers_place(const YkPowers *table, uint32_t a, uint32_t b, int32_t times)
@@ -74,7 +75,7 @@ static inline YkProductMade *yk_powers_place(const YkPowers *table, uint32_t a, 
     uint32_t mixed = (a * 0x9e3779b1u ^ b * 0x85ebca6bu ^ (uint32_t)times) >> 16;
     return &table->made[mixed & (table->made_count - 1)];
 }
-// Is a * b^times at hand?
+// Returns whether a * b^times is among the products kept.
 static inline bool yk_powers_at_hand(const YkPowers *table, uint32_t a, uint32_t b, int32_t times, uint32_t *product)
 {
     const YkProductMade *made = yk_powers_place(table, a, b, times);

@@ -3,8 +3,8 @@
 
 enum { WORK_PER_TERM = 64 }; // products of terms allowed for each term of the ring's limit
 
-// The denominator of a * b, and the factor by which products of numbers shrink: common divisors of one's numbers and
-// the other's denominator cancel before anything is multiplied.
+// The denominator of a * b, and the factors that cancel before multiplying: common divisors of one's numbers and the
+// other's denominator.
 typedef struct Cancelled {
     int64_t a_divisor, b_divisor, denominator;
 } Cancelled;
@@ -24,7 +24,7 @@ static bool cancel(const YkPoisson *a, const YkPoisson *b, Cancelled *cancelled)
                              &cancelled->denominator);
 }
 
-// Of single terms, numbers cancelled.
+// Multiplies single terms whose numbers have been cancelled.
 static const YkPoisson *multiply_terms(YkRing *ring, const YkRingTerm *a, const YkRingTerm *b, const Cancelled *by)
 {
     uint64_t key;
@@ -67,7 +67,7 @@ const YkPoisson *yk_ring_product(YkRing *ring, const YkPoisson *const *parts, si
     return product;
 }
 
-// The conjugate that turns one of i, sqrt 2, sqrt 3 into its negative and leaves the rest, phases included.
+// Returns the conjugate that negates one of i, sqrt 2, sqrt 3 and changes nothing else, phases included.
 static const YkPoisson *flip(YkRing *ring, const YkPoisson *a, unsigned unit)
 {
     if (!a || !yk_gather_room(ring, a->count)) return NULL;
@@ -86,7 +86,7 @@ static bool is_single(const YkPoisson *a)
     return a->count > 0;
 }
 
-// 1 / a for a single term. Multiplying by conjugates makes the coefficient rational.
+// Returns 1 / a for a single term. Multiplying by conjugates makes the coefficient rational.
 static const YkPoisson *reciprocal(YkRing *ring, const YkPoisson *a)
 {
     if (!a) return NULL;

@@ -1,3 +1,4 @@
+// The ring itself: its memory, its status and its limits.
 #include "ring/ring.h"
 #include <stdlib.h>
 #include "ring/inside.h"

@@ -1,12 +1,12 @@
-// Substitution of many symbols at once. A term is split into what is replaced of it and what stays; the image of each
-// replaced part is computed once for the changes, and all products of images and rests are gathered.
+// Substitutes many symbols at once. A term splits into the part that is replaced and the part that stays. The image of
+// each replaced part is computed once for the changes, and all products of images and rests are gathered.
 #include <stdlib.h>
 #include "ring/inside.h"
 
 enum { WORK_PER_TERM = 64 }; // products of terms allowed for each term of the ring's limit
 
 typedef struct Image {
-    uint64_t replaced; // monomial and phase made of the symbols that change, as a key without unit; 0: a free slot
+    uint64_t replaced; // monomial and phase of the symbols that change, as a key without unit; 0: a free slot
     const YkPoisson *value;
 } Image;
 
@@ -14,21 +14,21 @@ typedef struct Image {
 typedef struct Part {
     uint64_t key, kept; // monomial and phase; kept == key: nothing changes
     const YkPoisson *image;
-    bool is_new; // `kept` is what goes; what stays is found when terms are gathered
+    bool is_new; // `kept` is still the replaced part; the part that stays is found when terms are gathered
 } Part;
 
 enum { TERMS_MADE_MIN = 64, TERMS_MADE_MAX = 1024 };
 
 struct YkRingChanges {
-    YkRingChanges *older;    // of the same ring
-    const YkRingChange **of; // [symbol_count], NULL where a symbol stays; newer symbols stay, too
+    YkRingChanges *older;    // older changes of the same ring
+    const YkRingChange **of; // [symbol_count], NULL for symbols that stay, as newer symbols do
     size_t symbol_count;
-    uint64_t marks; // of the symbols that change
+    uint64_t marks; // marks of the symbols that change
     Image *images;  // open addressing
     size_t image_count, slot_count;
-    Part *made;        // [made_count], terms that came before: of two at one place the later; NULL: none are kept
+    Part *made;        // [made_count], earlier terms: if two share a place, the later; NULL: none are kept
     size_t made_count; // a power of two
-    Part *parts;       // of each term of the element at hand
+    Part *parts;       // for each term of the present element
     size_t part_capacity;
     YkRingChange changes[]; // a copy
 };
@@ -82,7 +82,7 @@ static const YkPoisson *make_image(YkRing *ring, const YkRingChanges *changes, u
     return image;
 }
 
-// What a replaced part becomes.
+// Returns the image of a replaced part.
 static const YkPoisson *image_of(YkRing *ring, YkRingChanges *changes, uint64_t replaced)
 {
     if (replaced == 0) return ring->one;
@@ -117,8 +117,8 @@ static bool has_unit(const void *changes, int32_t symbol)
     return change && change->unit;
 }
 
-// The part of a term whose symbols change: in the monomial those with a value, in the phase those with a unit. False on
-// failure.
+// Finds the part of a term whose symbols change: in the monomial those with a value, in the phase those with a unit.
+// Returns false on failure.
 static bool find_replaced(YkRing *ring, const YkRingChanges *changes, uint64_t key, uint64_t *replaced)
 {
     YkPowersFault fault;
@@ -156,7 +156,7 @@ static bool find_part(YkRing *ring, YkRingChanges *changes, uint64_t key, Part *
     return part->image != NULL;
 }
 
-// What changes of every term, and the common denominator of the images. *is_same: nothing does. False on failure.
+// Finds what changes in every term, and the common denominator of the images. *is_same: nothing does. False on failure.
 static bool find_images(YkRing *ring, YkRingChanges *changes, const YkPoisson *a, int64_t *denominator, bool *is_same)
 {
     size_t work = 0;
@@ -175,7 +175,7 @@ static bool find_images(YkRing *ring, YkRingChanges *changes, const YkPoisson *a
     return true;
 }
 
-// Takes what is replaced off the term. False on failure.
+// Divides the replaced part out of the term. Returns false on failure.
 static bool finish_part(YkRing *ring, YkRingChanges *changes, Part *part)
 {
     if (!part->is_new) return true;
@@ -255,7 +255,8 @@ YkRingChanges *yk_ring_changes(YkRing *ring, const YkRingChange *list, size_t co
     changes->made_count = TERMS_MADE_MIN;
     while (changes->made_count < TERMS_MADE_MAX && changes->made_count < 2 * changes->symbol_count)
         changes->made_count *= 2;
-    changes->made = calloc(changes->made_count, sizeof *changes->made); // without, all is as slow as the first time
+    // Without memory for it everything is merely as slow as the first time.
+    changes->made = calloc(changes->made_count, sizeof *changes->made);
     changes->older = ring->changes;
     ring->changes = changes;
     return changes;

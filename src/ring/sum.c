@@ -1,7 +1,7 @@
-// Sums: two sorted elements merge; many are gathered.
+// Sums: merges two sorted elements, gathers many.
 #include "ring/inside.h"
 
-// number * factor into *out; false with the status on overflow.
+// Computes *out = number * factor; returns false with the status on overflow.
 static bool scaled(YkRing *ring, int64_t number, int64_t factor, int64_t *out)
 {
     if (yk_exact_multiply(number, factor, out)) return true;
@@ -85,7 +85,7 @@ const YkPoisson *yk_ring_scale(YkRing *ring, const YkPoisson *a, int64_t numerat
     if (!yk_ratio_make(numerator, denominator, &ratio)) return yk_ring_fail(ring, YK_RING_OVERFLOW);
     if (ratio.over == 0 || a->count == 0) return ring->zero;
     if (ratio.over == 1 && ratio.under == 1) return a;
-    // content / denominator * ratio with everything cancelled first: the result overflows only when it must.
+    // Computes content / denominator * ratio with everything cancelled first: it overflows only if the result must.
     bool is_whole = a->denominator == 1 && ratio.under == 1;
     int64_t content = is_whole ? 1 : (int64_t)yk_poisson_content(a);
     if (!yk_ratio_multiply((YkRatio){content, a->denominator}, ratio, &whole))

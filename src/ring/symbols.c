@@ -1,4 +1,4 @@
-// Symbols: names, classes, and what they depend on.
+// Symbols: their names, classes and dependences.
 #include <string.h>
 #include "base/text.h"
 #include "ring/inside.h"
@@ -27,7 +27,7 @@ static bool is_name(const char *name)
     return *c == '\0' && c - name <= NAME_MAX_LENGTH && c[-1] != '.' && !is_reserved(name);
 }
 
-// NAME.rate and NAME.accel are other names of NAME' and NAME'': not entered, but understood. The symbol, or -1.
+// Returns the symbol that NAME.rate or NAME.accel means, or -1: they name NAME' and NAME'' without being entered.
 static int32_t find_derivative(const YkRing *ring, const char *name)
 {
     static const char *const endings[] = {".rate", ".accel"};
@@ -45,7 +45,7 @@ static int32_t find_derivative(const YkRing *ring, const char *name)
     return -1;
 }
 
-// Enters a name for a symbol; false with the status when it is taken.
+// Enters a name for a symbol; returns false with the status when it is taken.
 static bool enter_name(YkRing *ring, const char *name, int32_t symbol)
 {
     int32_t existing;
@@ -57,7 +57,7 @@ static bool enter_name(YkRing *ring, const char *name, int32_t symbol)
     return existing == YK_NONE || yk_ring_fail(ring, YK_RING_NAME) != NULL;
 }
 
-// `name`, in the ring's arena and the last that was taken from it, is given back where it does not become a symbol's.
+// Adds a symbol. `name`, the last memory taken from the ring's arena, is given back if no symbol is made.
 static int32_t add_symbol(YkRing *ring, char *name, YkRingSymbol symbol)
 {
     if (!name || !YK_ROOM(ring->symbols, ring->symbol_count, ring->symbol_capacity)) {
@@ -123,7 +123,7 @@ bool yk_ring_alias(YkRing *ring, int32_t symbol, const char *name)
     return enter_name(ring, copy, symbol);
 }
 
-// A symbol named as the coordinate with so many primes.
+// Adds a symbol named as the coordinate with this many primes.
 static int32_t add_derived(YkRing *ring, int32_t coordinate, size_t primes, YkRingClass kind)
 {
     const char *of = ring->symbols[coordinate].name;
@@ -138,7 +138,7 @@ static int32_t add_derived(YkRing *ring, int32_t coordinate, size_t primes, YkRi
     return -1;
 }
 
-// Is NAME.rate or NAME.accel a name of its own? Few are: names that end so are counted.
+// Returns whether NAME.rate or NAME.accel is itself a name. Few are, so names with such endings are counted.
 static bool is_derivative_taken(const YkRing *ring, int32_t coordinate)
 {
     static const char *const endings[] = {".rate", ".accel"};
@@ -177,7 +177,7 @@ bool yk_ring_set_rate(YkRing *ring, int32_t symbol, const YkPoisson *rate)
     return true;
 }
 
-// derivative NULL: it is not known.
+// Adds a dependence; derivative NULL: it is unknown.
 static bool add_partial(YkRing *ring, int32_t symbol, int32_t variable, const YkPoisson *derivative)
 {
     YkPartial *partial = YK_NEW(ring->arena, YkPartial, 1);

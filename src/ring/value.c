@@ -1,4 +1,4 @@
-// Elements as numbers.
+// Evaluates elements in numbers.
 #include "ring/inside.h"
 
 static double whole_power(double base, int32_t exponent)
@@ -29,7 +29,7 @@ static double phase_value(const YkRing *ring, uint32_t phase, const double *valu
     return value;
 }
 
-// A term's size with its sign, before the element's denominator.
+// Returns a term's magnitude with its sign, before the element's denominator.
 static double term_value(const YkRing *ring, const YkRingTerm *term, const double *values)
 {
     double size = (double)term->number * monomial_value(ring, yk_key_monomial(term->key), values);

@@ -1,15 +1,15 @@
-// Elements as operations: sums of constants times sine or cosine, grouped by what they are multiplied with.
+// Turns elements into operations: sums of constants times sine or cosine, grouped by their common factor.
 #include <math.h>
 #include <stdlib.h>
 #include "ring/graph/inside.h"
 
-// A term of a real element, its conjugate taken together with it.
+// A term of a real element, taken together with its conjugate.
 typedef struct Piece {
     uint32_t rest, constant; // monomials: coordinates and rates; constants
     uint32_t phase;
     bool is_sine;
     double number;
-    size_t order; // of the term
+    size_t order; // index of the term
 } Piece;
 
 static int by_rest(const void *left, const void *right)
@@ -33,7 +33,7 @@ static Unit unit_product(YkGraph *graph, Unit a, Unit b)
                   yk_graph_add(graph, yk_graph_multiply(graph, a.im, b.re), yk_graph_multiply(graph, a.re, b.im))};
 }
 
-// e^(i factor angle); small factors by products.
+// Returns e^(i factor angle); small factors by products.
 static Unit unit_of_angle(YkGraph *graph, int32_t symbol, int32_t factor)
 {
     enum { FACTOR_MAX = 3 };
@@ -56,7 +56,7 @@ static Unit unit_of(YkGraph *graph, uint32_t phase)
     Unit unit = {yk_graph_number(graph, 1), yk_graph_number(graph, 0)};
     yk_powers_of(&graph->ring->phases, phase, &count);
     for (uint32_t k = 0; k < count; k++) {
-        YkPower power = yk_powers_of(&graph->ring->phases, phase, &count)[k]; // a square may enter new ones
+        YkPower power = yk_powers_of(&graph->ring->phases, phase, &count)[k]; // squaring may enter new ones
         unit = unit_product(graph, unit, unit_of_angle(graph, power.symbol, power.exponent));
     }
     return unit;
@@ -91,7 +91,7 @@ static YkGraphValue monomial_of(YkGraph *graph, uint32_t monomial)
 
 // --- Terms
 
-// Of a phase and its negative one is enough: the one whose first factor is positive.
+// Returns whether a phase is the one of a negative pair that is skipped: the one with a positive first factor is kept.
 static bool is_second_half(const YkRing *ring, uint32_t phase)
 {
     uint32_t count;
@@ -124,7 +124,7 @@ static size_t make_pieces(YkRing *ring, const YkPoisson *a, Piece *pieces)
     return count;
 }
 
-// The constants of one sine or cosine.
+// Returns the sum of the constants of one sine or cosine.
 static YkGraphValue lump_of(YkGraph *graph, const Piece *pieces, size_t count)
 {
     YkGraphValue sum = yk_graph_number(graph, 0);

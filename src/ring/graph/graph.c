@@ -1,3 +1,4 @@
+// The graph of operations: every node once, with the simplest algebra done on the way.
 #include "ring/graph/inside.h"
 #include <math.h>
 #include <stdlib.h>
@@ -29,7 +30,7 @@ bool yk_graph_failed(const YkGraph *graph)
     return graph->failed;
 }
 
-// Symbols may have been added to the ring since.
+// Makes room for symbols that were added to the ring since.
 static bool make_room_for_symbols(YkGraph *graph)
 {
     size_t count = yk_ring_symbol_count(graph->ring);
@@ -52,7 +53,7 @@ static bool make_room_for_symbols(YkGraph *graph)
     return true;
 }
 
-// --- Every node once
+// --- Nodes, each once
 
 static bool is_constant_symbol(const YkRing *ring, int32_t index)
 {
@@ -86,7 +87,7 @@ static bool grow_slots(YkGraph *graph)
     return true;
 }
 
-// Where the node stands, or would stand.
+// Returns the slot of the node, or the one where it would go.
 static size_t slot_of(const YkGraph *graph, YkOperation operation, int32_t a, int32_t b, double number)
 {
     size_t at = hash_of(operation, a, b, number) & (graph->slot_count - 1);
@@ -193,7 +194,7 @@ void yk_graph_forget(YkGraph *graph, size_t count)
     }
 }
 
-// a + b of positive values, whichever order was first.
+// Adds positive values a + b, the same in either order.
 static YkGraphValue plain_sum(YkGraph *graph, int32_t a, int32_t b)
 {
     bool is_there = graph->slots[slot_of(graph, YK_OP_ADD, b, a, 0)];
@@ -254,11 +255,11 @@ YkGraphValue yk_graph_divide(YkGraph *graph, YkGraphValue a, YkGraphValue b)
     return is_negative(a) != is_negative(b) ? yk_graph_negate(quotient) : quotient;
 }
 
-// The sine of a negative argument is that of the positive one, negated; the cosine is the same.
+// Uses symmetry: the sine of a negative argument is that of the positive one, negated; the cosine is the same.
 YkGraphValue yk_graph_function(YkGraph *graph, YkOperation operation, YkGraphValue argument)
 {
     if (argument < 0) return YK_GRAPH_NONE;
-    if (operation == YK_OP_SQRT) return yk_graph_node(graph, operation, argument >> 1, -1, 0); // of a square
+    if (operation == YK_OP_SQRT) return yk_graph_node(graph, operation, argument >> 1, -1, 0); // of the square's value
     YkGraphValue value = yk_graph_node(graph, operation, argument >> 1, -1, 0);
     return operation == YK_OP_SIN && is_negative(argument) ? yk_graph_negate(value) : value;
 }

@@ -18,19 +18,19 @@ typedef enum YkOperation {
 
 typedef struct YkGraphNode {
     YkOperation operation;
-    int32_t a, b;  // nodes, none of them negative; of a symbol: a is the symbol
-    double number; // of a number
+    int32_t a, b;  // nodes, none of them negative; a is the symbol of a symbol node
+    double number; // value of a number
     uint32_t depth;
     bool is_constant; // depends on constants alone
     bool is_wanted;   // by the present function
-    uint32_t uses;    // in it
-    int32_t name;     // of its variable in it, from 1; 0: none
-    int32_t constant; // place among the constants, or -1
+    uint32_t uses;    // in that function
+    int32_t name;     // number of its variable in that function, from 1; 0: none
+    int32_t constant; // index among the constants, or -1
 } YkGraphNode;
 
 struct YkGraph {
     YkRing *ring;
-    YkGraphNode *nodes; // parts before wholes
+    YkGraphNode *nodes; // parts come before wholes
     size_t count, capacity;
     int32_t *slots; // node + 1, 0 is free
     size_t slot_count;
@@ -43,13 +43,13 @@ struct YkGraph {
     size_t definition_count, definition_capacity;
     int32_t *constants; // nodes
     size_t constant_count, constant_capacity;
-    bool *is_read, *is_written; // per symbol: by any function; by the present one
+    bool *is_read, *is_written; // per symbol: read by any function; written by the present one
     int32_t name_count;
-    bool is_of_constants; // the present function computes them
+    bool is_of_constants; // whether the present function computes them
     bool failed;
 };
 
-// Beyond this depth of nested operations a part gets a variable of its own.
+// A part nested more deeply than this gets a variable of its own.
 enum { YK_GRAPH_DEPTH_MAX = 24 };
 
 YkGraphValue yk_graph_node(YkGraph *graph, YkOperation operation, int32_t a, int32_t b, double number);

@@ -1,4 +1,4 @@
-// A graph in numbers.
+// Evaluates a graph in numbers.
 #include <math.h>
 #include "ring/graph/inside.h"
 

@@ -1,4 +1,4 @@
-// A graph as C.
+// Writes a graph as C.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
@@ -10,7 +10,7 @@ static bool is_leaf(const YkGraphNode *node)
     return node->operation == YK_OP_NUMBER || node->operation == YK_OP_SYMBOL;
 }
 
-// Computed elsewhere: read from the constants.
+// Returns whether the node is computed elsewhere and read from the constants.
 static bool is_hoisted(const YkGraph *graph, const YkGraphNode *node)
 {
     return !graph->is_of_constants && node->is_constant && !is_leaf(node);
@@ -47,7 +47,7 @@ static void want_part(YkGraph *graph, int32_t node)
     if (node >= 0) yk_graph_want(graph, 2 * node);
 }
 
-// Constants that were not asked for before get their places.
+// Gives places to constants that no function has used before.
 static void place_constants(YkGraph *graph)
 {
     for (size_t k = 0; k < graph->count && !graph->failed; k++) {
@@ -62,7 +62,7 @@ static void place_constants(YkGraph *graph)
     }
 }
 
-// Wholes come after their parts, so one pass from the back finds all that is needed.
+// Marks all nodes that are needed: wholes come after their parts, so one pass from the back suffices.
 static void spread(YkGraph *graph)
 {
     for (size_t k = graph->count; k-- > 0;) {
@@ -123,7 +123,8 @@ static void put_operation(const YkGraph *graph, const YkGraphNode *node, YkText 
         bool is_inline = part->name == 0 && !is_leaf(part) && !is_hoisted(graph, part) && part->b >= 0 &&
                          !(graph->is_of_constants && part->constant >= 0);
         bool part_is_sum = part->operation == YK_OP_ADD || part->operation == YK_OP_SUBTRACT;
-        // a sum in a product, and on the right what is not tighter, as it is computed first
+        // A sum in a product needs brackets, and so does a right operand that does not bind more tightly: it is
+        // computed first.
         bool brackets = is_inline && (is_sum ? part_is_sum && side == 1 : part_is_sum || side == 1);
         if (side == 1) yk_text_puts(text, words[node->operation]);
         if (brackets) yk_text_puts(text, "(");
@@ -211,7 +212,7 @@ size_t yk_graph_constants(const YkGraph *graph)
 
 bool yk_graph_reads(const YkGraph *graph, int32_t symbol)
 {
-    bool is_pi = graph->ring->symbols[symbol].pi_over > 0; // a number in C
+    bool is_pi = graph->ring->symbols[symbol].pi_over > 0; // pi is a number in C
     return (size_t)symbol < graph->defined_count && graph->is_read[symbol] && !is_pi;
 }
 

@@ -1,4 +1,4 @@
-// Parts of monomials, and what terms have in common.
+// Parts of monomials, and the common part of terms.
 #include <string.h>
 #include "ring/print/shown.h"
 
@@ -24,7 +24,7 @@ static YkShownPower *new_powers(YkSheet *sheet, size_t count)
     return powers;
 }
 
-// The powers of a * b^-1, which has room for all; returns how many.
+// Writes the powers of a * b^-1 to out, which has room for all; returns how many.
 static uint32_t divide(YkMonomial a, YkMonomial b, YkShownPower *out)
 {
     uint32_t i = 0, k = 0, count = 0;
@@ -42,13 +42,14 @@ static uint32_t divide(YkMonomial a, YkMonomial b, YkShownPower *out)
 YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor)
 {
     if (divisor.count == 0) return monomial;
-    if (monomial.count > 0 && divisor.powers + divisor.count == monomial.powers + monomial.count) // its own last piece
+    // The divisor is the last piece of the monomial itself.
+    if (monomial.count > 0 && divisor.powers + divisor.count == monomial.powers + monomial.count)
         return with_classes(monomial.powers, monomial.count - divisor.count);
     YkShownPower *powers = new_powers(sheet, monomial.count + divisor.count);
     return with_classes(powers, powers ? divide(monomial, divisor, powers) : 0);
 }
 
-// Leaves of powers[count] the positive ones that the other monomial shares; returns how many.
+// Keeps, of powers[count], the positive ones that the other monomial shares; returns how many.
 static uint32_t share(YkShownPower *powers, uint32_t count, YkMonomial other)
 {
     uint32_t kept = 0, k = 0;

@@ -1,4 +1,4 @@
-// Grouping for the reader: polynomials by inertia and mass, sums by cos and sin.
+// Groups terms for the reader: polynomials by inertia and mass, sums by cos and sin.
 #include "ring/print/shown.h"
 
 static bool all_negative(const YkShownTerm *terms, size_t count)
@@ -8,7 +8,7 @@ static bool all_negative(const YkShownTerm *terms, size_t count)
     return true;
 }
 
-// The common rational divisor with the sign that leaves the bracket readable: minus where every term has it.
+// Finds the common rational divisor with the sign that leaves the bracket readable: minus if every term has it.
 static bool bracket_number(YkSheet *sheet, const YkShownTerm *terms, size_t count, YkRatio *number)
 {
     if (!yk_common_number(terms, count, number)) return !(sheet->failed = true);
@@ -22,13 +22,13 @@ static void append_terms(YkSheet *sheet, YkShow *sum, const YkShownTerm *terms, 
         yk_show_append(sum, yk_show_term(sheet, terms[i].number, terms[i].monomial, NULL));
 }
 
-// 1 or -1: not written as a factor.
+// Returns whether the number is 1 or -1, which is not written as a factor.
 static bool is_sign(YkRatio number)
 {
     return number.under == 1 && (number.over == 1 || number.over == -1);
 }
 
-// One mass or inertia: common factor times bracket, or the terms one by one where nothing is common.
+// Shows the terms of one mass or inertia: the common factor times a bracket, or term by term if nothing is common.
 static void polynomial_group(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     YkRatio number;
@@ -50,7 +50,7 @@ static void polynomial_group(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, si
     yk_show_append(sum, product);
 }
 
-// The same with products of rates: list[count] of one mass or inertia.
+// Does the same with products of rates: list[count] of one mass or inertia.
 static void rate_group(YkSheet *sheet, YkShow *sum, YkRateProduct *list, size_t count)
 {
     YkShownTerm *terms = YK_NEW(sheet->arena, YkShownTerm, count);
@@ -90,7 +90,8 @@ static bool has_mass(YkMonomial monomial)
     return yk_holds(monomial, YK_RING_MASS) || yk_holds(monomial, YK_RING_INERTIA);
 }
 
-// (m1 + m2) a for terms that are one length, or one product of such, times masses alone. False where they are not so.
+// Shows (m1 + m2) a for terms that are one length, or one product of lengths, times masses alone. Returns false for
+// others.
 static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     YkRatio number;
@@ -144,8 +145,8 @@ static bool has_rate(const YkShownTerm *terms, size_t count)
     return false;
 }
 
-// Number, unit and constants of a bracket's factor, then - gravity, function and rates aside - the bracket:
-// 1/2 l1 (m1 + 2 m2) g cos(theta1), m2 l1 g cos(theta2) (theta1' + ...), in the order that reads best.
+// Shows number, unit and constants of a bracket's factor, then - with gravity, function and rates kept apart - the
+// bracket, in the order that reads best: 1/2 l1 (m1 + 2 m2) g cos(theta1), m2 l1 g cos(theta2) (theta1' + ...).
 static void bracket_times_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     const YkRatio one = {1, 1};

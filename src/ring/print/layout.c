@@ -1,4 +1,4 @@
-// The sections of an equation: accelerations, one bracket each; products of rates; gravity; the rest.
+// The sections of an equation: accelerations, with one bracket each; products of rates; gravity; the rest.
 #include "ring/print/shown.h"
 
 typedef struct Section {
@@ -14,7 +14,7 @@ static SectionKind section_of(YkMonomial monomial)
     return yk_holds(monomial, YK_RING_GRAVITY) ? GRAVITY : REST;
 }
 
-// Is there more than the rest?
+// Returns whether there is a section besides the rest.
 static bool has_sections(const YkShownTerm *terms, size_t count)
 {
     uint32_t classes = 0;
@@ -40,7 +40,7 @@ static void take_sections(YkSheet *sheet, const YkShownTerm *terms, size_t count
     }
 }
 
-// The common rational factor of the terms goes before the bracket where it is not 1.
+// Puts the common rational factor of the terms before the bracket if it is not 1.
 static void append_factor(YkSheet *sheet, YkShow *product, YkShownTerm *terms, size_t count)
 {
     const YkMonomial none = {NULL, 0, 0};
@@ -50,7 +50,7 @@ static void append_factor(YkSheet *sheet, YkShow *product, YkShownTerm *terms, s
     yk_show_append(product, yk_show_term(sheet, number, none, NULL));
 }
 
-// Takes the minus out of a sum whose parts all have it.
+// Takes the minus out of a sum in which every part has one.
 static bool take_minus(YkShow *sum)
 {
     bool minus = sum && sum->first;
@@ -64,7 +64,7 @@ static bool is_one(const YkShow *show)
     return show && show->kind == YK_SHOW_TERM && show->has_number && yk_ratio_is(show->term.number, 1);
 }
 
-// (bracket) * lead for terms that all hold the monomial `lead`, which is divided out.
+// Shows (bracket) * lead for terms that all contain the monomial `lead`, which is divided out.
 static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count, YkMonomial lead,
                          bool with_factor)
 {
@@ -80,7 +80,7 @@ static void lead_bracket(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t
     yk_show_append(sum, product);
 }
 
-// One bracket for each different part of the class, rates or accelerations.
+// Shows one bracket for each different part of the class, rates or accelerations.
 static void brackets(YkSheet *sheet, YkShow *sum, Section section, YkRingClass kind)
 {
     bool is_rate = kind == YK_RING_RATE;
@@ -98,7 +98,7 @@ static void brackets(YkSheet *sheet, YkShow *sum, Section section, YkRingClass k
     }
 }
 
-// g (...) where gravity stands in several places to the same power; else by atoms.
+// Shows g (...) if gravity occurs in several terms to the same power; otherwise by atoms.
 static void gravity_section(YkSheet *sheet, YkShow *sum, Section section)
 {
     YkShownTerm *terms = section.count > 1 ? yk_arena_take(sheet->arena, section.count * sizeof *terms) : NULL;

@@ -1,4 +1,4 @@
-// Lumped constants: every polynomial in constants alone, under one name.
+// Lumps constants: gives every polynomial in constants alone one name.
 #include <stdlib.h>
 #include "ring/inside.h"
 
@@ -29,7 +29,7 @@ bool yk_ring_split_constants(YkRing *ring, uint32_t monomial, uint32_t *constant
     return *constant != YK_NO_PRODUCT && *rest != YK_NO_PRODUCT;
 }
 
-// Takes a term apart: symbols of constant classes, and what is left.
+// Splits a term into symbols of constant classes and the rest.
 static bool take_apart(YkRing *ring, YkRingTerm term, Piece *piece)
 {
     uint32_t constant, rest;
@@ -46,15 +46,15 @@ static int by_rest(const void *a, const void *b)
     return p->constant.key < q->constant.key ? -1 : p->constant.key > q->constant.key;
 }
 
-// The pieces of one rest: pieces[first ... end).
+// The pieces with one rest: pieces[first ... end).
 typedef struct Group {
     const YkRing *ring;
     uint64_t rest;
     size_t first, end;
 } Group;
 
-// By phase, then by monomial and unit of the rest: the order in which lumps get their names does not depend on what the
-// ring has made before.
+// Compares by phase, then by monomial and unit of the rest: the order in which lumps get their names does not depend on
+// what the ring has made before.
 static int by_order_of_rests(const void *a, const void *b)
 {
     const Group *p = a, *q = b;
@@ -63,7 +63,7 @@ static int by_order_of_rests(const void *a, const void *b)
     return order != 0 ? order : (int)yk_key_unit(p->rest) - (int)yk_key_unit(q->rest);
 }
 
-// By the first class - inertias, masses, numbers last - then as above.
+// Compares by the first class - inertias, masses, numbers last - then as above.
 static int compare_constants(YkRing *ring, uint64_t a, uint64_t b)
 {
     unsigned left = yk_ring_classes(ring, yk_key_monomial(a)), right = yk_ring_classes(ring, yk_key_monomial(b));
@@ -72,7 +72,7 @@ static int compare_constants(YkRing *ring, uint64_t a, uint64_t b)
     return yk_powers_compare(&ring->monomials, yk_key_monomial(a), yk_key_monomial(b));
 }
 
-// The piece whose constants come first.
+// Returns the piece whose constants come first.
 static const YkRingTerm *first_of(YkRing *ring, const Piece *pieces, size_t count)
 {
     const YkRingTerm *first = &pieces[0].constant;
@@ -81,7 +81,7 @@ static const YkRingTerm *first_of(YkRing *ring, const Piece *pieces, size_t coun
     return first;
 }
 
-// What the pieces of one rest have in common, with the sign of the first.
+// Returns the common divisor of the pieces with one rest, with the sign of the first.
 static int64_t content_of(const Piece *pieces, size_t count, const YkRingTerm *first)
 {
     uint64_t content = 0;
@@ -90,12 +90,12 @@ static int64_t content_of(const Piece *pieces, size_t count, const YkRingTerm *f
     return first->number < 0 ? -(int64_t)content : (int64_t)content;
 }
 
-// The lump of pieces over their content. Where its numbers are large, decimals among them, the first is 1 instead: the
-// number by which the lump is multiplied grows with it. NULL on failure.
+// Returns the lump of pieces over their content. If its numbers are large, for example decimals, its first number
+// becomes 1 instead, and the number by which the lump is multiplied grows with it. NULL on failure.
 static const YkPoisson *lump_of(YkRing *ring, const Piece *pieces, size_t count, const YkRingTerm *first,
                                 int64_t *content)
 {
-    enum { NUMBER_MAX = 1000 }; // of a lump in whole numbers
+    enum { NUMBER_MAX = 1000 }; // the largest whole number in a lump
     int64_t most = 0, lead = 1;
     if (!yk_gather_room(ring, count)) return NULL;
     for (size_t i = 0; i < count; i++) {
@@ -108,7 +108,7 @@ static const YkPoisson *lump_of(YkRing *ring, const Piece *pieces, size_t count,
     return yk_poisson_make(ring, ring->gather.terms, count, lead);
 }
 
-// Puts the terms that one rest becomes: a number times the lump's symbol, or what was there. Returns how many there
+// Puts the terms that replace one rest: a number times the lump's symbol, or what was there. Returns how many there
 // are, 0 on failure.
 static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLumpSymbol symbol_of, void *context,
                          YkRingTerm *out)
@@ -130,7 +130,7 @@ static size_t put_lumped(YkRing *ring, const Piece *pieces, size_t count, YkLump
     return monomial != YK_NO_PRODUCT;
 }
 
-// The pieces of each rest, in order; returns how many rests there are.
+// Finds the pieces of each rest, in order; returns how many rests there are.
 static size_t find_groups(const YkRing *ring, Piece *pieces, size_t count, Group *groups)
 {
     size_t found = 0;

@@ -21,14 +21,14 @@ static bool index_of(Form *form, uint32_t rate, size_t *index)
     return true;
 }
 
-// Of second degree, in one or two rates?
+// Returns whether the rates are of second degree, in one or two rates.
 static bool is_quadratic(YkMonomial rates)
 {
     if (rates.count == 1) return rates.powers[0].exponent == 2;
     return rates.count == 2 && rates.powers[0].exponent == 1 && rates.powers[1].exponent == 1;
 }
 
-// False where a term is not of second degree, or there are too many rates.
+// Reads a quadratic form. Returns false if a term is not of second degree, or there are too many rates.
 static bool read_form(const YkShownTerm *terms, size_t count, Form *form)
 {
     form->count = 0;
@@ -45,7 +45,7 @@ static bool read_form(const YkShownTerm *terms, size_t count, Form *form)
     return true;
 }
 
-// Rates in ascending order, rows and columns with them.
+// Sorts the rates in ascending order, and the rows and columns with them.
 static void sort_form(Form *form)
 {
     for (size_t i = 1; i < form->count; i++)
@@ -66,7 +66,7 @@ static void sort_form(Form *form)
         }
 }
 
-// Rank one with pivot k: S[i][j] S[k][k] = S[i][k] S[k][j] for all.
+// Returns whether the form has rank one with pivot k: S[i][j] S[k][k] = S[i][k] S[k][j] for all.
 static bool is_square_at(const Form *form, size_t k)
 {
     if (form->S[k][k].over == 0) return false;
@@ -81,7 +81,7 @@ static bool is_square_at(const Form *form, size_t k)
     return true;
 }
 
-// Does every term hold rate k?
+// Returns whether every term contains rate k.
 static bool is_common(const Form *form, size_t k)
 {
     for (size_t i = 0; i < form->count; i++)
@@ -98,8 +98,8 @@ static YkMonomial rate_power(YkSheet *sheet, uint32_t rate, int32_t exponent)
     return (YkMonomial){power, power ? 1 : 0, 1u << YK_RING_RATE};
 }
 
-// The linear form with these coefficients as factor * (whole combination, first sign +)^exponent: a symbol or a sum.
-// NULL on overflow. The factor is that of the form, not raised.
+// Shows the linear form with these coefficients as factor * (whole combination, first sign +)^exponent: a symbol or a
+// sum. The factor is that of the form, not raised. Returns NULL on overflow.
 static YkShow *linear_form(YkSheet *sheet, const Form *form, const YkRatio *coefficients, int32_t exponent,
                            YkRatio *factor)
 {
@@ -161,7 +161,7 @@ static YkShow *factored(YkSheet *sheet, const YkShownTerm *terms, size_t count, 
     return NULL;
 }
 
-// Terms with their rates alone left as monomials; the rests apart. False where one has no rate.
+// Splits terms into monomials of their rates alone and the rests. Returns false if a term has no rate.
 static bool split_rates(YkSheet *sheet, YkShownTerm *terms, size_t count, YkMonomial *rests)
 {
     for (size_t i = 0; i < count; i++) {
@@ -187,7 +187,7 @@ YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t
     memcpy(rates, terms, count * sizeof *rates);
     if (!split_rates(sheet, rates, count, rests)) return NULL;
     for (size_t start = 0, end; start < count; start = end) {
-        // Equal rests stand together: the sort puts rates after all other classes.
+        // Equal rests are adjacent: the sort puts rates after all other classes.
         for (end = start + 1; end < count && yk_is_same_monomial(rests[end], rests[start]); end++) {}
         YkRateProduct *product = &list[*products];
         product->monomial = rests[start];

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "ring/print/shown.h"
 
-enum { FEW = 6 }; // terms that are sorted by insertion
+enum { FEW = 6 }; // up to so many terms are sorted by insertion
 
 YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial)
 {
@@ -55,7 +55,7 @@ static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm
     return yk_compare_monomials(yk_part_of(a->monomial, kind, kind), yk_part_of(b->monomial, kind, kind)) <= 0;
 }
 
-// Few terms by insertion, more by merging; stable, so that equal terms keep their order on every machine.
+// Sorts few terms by insertion, more by merging; stable, so that equal terms keep their order on every machine.
 static void sort(const YkRing *ring, YkShownTerm *terms, YkShownTerm *room, size_t count, YkTermOrder order)
 {
     size_t half = count / 2, i = 0, k = half;

@@ -1,5 +1,5 @@
 // An element as the reader sees it: real terms with cos and sin, and the tree of sums and products in which they are
-// grouped. Inside of ring/.
+// grouped. For use inside ring/ only.
 #ifndef RING_PRINT_SHOWN_H
 #define RING_PRINT_SHOWN_H
 #include "ring/inside.h"
@@ -7,7 +7,7 @@
 
 typedef enum YkShownFunction { YK_SHOWN_ONE, YK_SHOWN_COS, YK_SHOWN_SIN, YK_SHOWN_EXP } YkShownFunction;
 
-// What stands beside number and monomial: [i] sqrt(surd) function(phase + shift * 15 deg).
+// The factor besides number and monomial: [i] sqrt(surd) function(phase + shift * 15 deg).
 typedef struct YkAtom {
     uint32_t phase;
     int8_t shift;
@@ -22,16 +22,16 @@ typedef struct YkShownPower {
     int32_t exponent;
 } YkShownPower;
 
-// A product of powers as it is printed: they ascend by rank, so that a class is a piece of it. In the sheet's memory,
-// shared.
+// A product of powers as it is printed, in shared memory of the sheet. Powers ascend by rank, so that each class is a
+// contiguous piece.
 typedef struct YkMonomial {
     const YkShownPower *powers;
     uint32_t count, classes; // a mask of 1 << class, and YK_MAY_BE_BELOW
 } YkMonomial;
 
-#define YK_MAY_BE_BELOW ((uint32_t)1 << 31) // where it is not set no exponent is negative
+#define YK_MAY_BE_BELOW ((uint32_t)1 << 31) // if it is not set, no exponent is negative
 
-enum { YK_RANK_BITS = 28 }; // of the symbol
+enum { YK_RANK_BITS = 28 }; // bits for the symbol
 
 static inline YkRingClass yk_rank_class(uint32_t rank)
 {
@@ -42,7 +42,7 @@ static inline int32_t yk_rank_symbol(uint32_t rank)
     return (int32_t)(rank & (((uint32_t)1 << YK_RANK_BITS) - 1));
 }
 
-// What a power adds to a monomial's classes.
+// Returns what a power adds to a monomial's classes.
 static inline uint32_t yk_shown_class(YkShownPower power)
 {
     return (uint32_t)1 << yk_rank_class(power.rank) | (power.exponent < 0 ? YK_MAY_BE_BELOW : 0);
@@ -54,7 +54,7 @@ typedef struct YkShownTerm {
     YkAtom atom;
 } YkShownTerm;
 
-// One printing: its memory, and what is wanted.
+// One printing: its memory and its options.
 typedef struct YkSheet {
     YkRing *ring;
     YkArena *arena;
@@ -63,25 +63,26 @@ typedef struct YkSheet {
     bool failed;
 } YkSheet;
 
-// Terms of an element, real ones as cos and sin. NULL on failure (memory or overflow, with the ring's status).
+// Returns the terms of an element, real ones as cos and sin. NULL on failure (memory or overflow, with the ring's
+// status).
 YkShownTerm *yk_shown_terms(YkSheet *sheet, const YkPoisson *a, size_t *count);
 
-// --- reading_order.c: the order of the reader. Monomials: by class, then symbol, higher powers first.
-YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial); // of the ring's
+// --- reading_order.c: the reader's order. Monomials: by class, then symbol, higher powers first.
+YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial); // from one of the ring's monomials
 int yk_compare_monomials(YkMonomial a, YkMonomial b);
 bool yk_is_same_monomial(YkMonomial a, YkMonomial b);
 int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b);
 typedef enum YkTermOrder { YK_BY_MONOMIAL, YK_BY_ATOM, YK_BY_RATE, YK_BY_ACCELERATION } YkTermOrder;
-// By atom, then by monomial; by the rates (accelerations) of the monomial alone. Equal terms stay as they stand.
+// Sorts by atom, then by monomial; or by the rates (accelerations) of the monomial alone. Equal terms keep their order.
 void yk_sort_terms(YkSheet *sheet, YkShownTerm *terms, size_t count, YkTermOrder order);
 
 // --- common_parts.c: parts of monomials
-// Does it hold a symbol of the class?
+// Returns whether the monomial contains a symbol of the class.
 static inline bool yk_holds(YkMonomial monomial, YkRingClass kind)
 {
     return monomial.classes >> kind & 1;
 }
-// The piece of the classes `from` to `to`, within the same memory.
+// Returns the piece of the classes `from` to `to`, within the same memory.
 YkMonomial yk_piece_of(YkMonomial monomial, YkRingClass from, YkRingClass to);
 static inline YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRingClass to)
 {
@@ -90,7 +91,8 @@ static inline YkMonomial yk_part_of(YkMonomial monomial, YkRingClass from, YkRin
     return classes & wanted ? yk_piece_of(monomial, from, to) : (YkMonomial){NULL, 0, 0};
 }
 YkMonomial yk_quotient(YkSheet *sheet, YkMonomial monomial, YkMonomial divisor);
-// Of all terms: the greatest common monomial with positive powers, and the greatest common rational divisor (> 0).
+// Returns the greatest common monomial of all terms with positive powers, and the greatest common rational divisor (>
+// 0).
 YkMonomial yk_common_monomial(YkSheet *sheet, const YkShownTerm *terms, size_t count);
 bool yk_common_number(const YkShownTerm *terms, size_t count, YkRatio *common);
 // Divides terms by a monomial and a number, in place.
@@ -103,26 +105,26 @@ typedef struct YkShow YkShow;
 struct YkShow {
     YkShowKind kind;
     bool negative;    // its sign as a summand
-    bool has_number;  // of a term: its number is written
+    bool has_number;  // of a term: whether its number is written
     int32_t exponent; // of a sum as a factor
     // |number| * i sqrt(surd) * constants of the monomial * function * rates and accelerations
     YkShownTerm term;
     YkShow *first, *last, *next; // parts, siblings
 };
 
-// All of the following give NULL and set sheet->failed when out of memory, and take NULL.
+// All of the following return NULL and set sheet->failed when out of memory, and accept NULL.
 YkShow *yk_show(YkSheet *sheet, YkShowKind kind);
-// Adds a part to a sum or product; products within products and sums within sums (their signs turned where the inner
-// one is negative) become one. A product takes the sign of its terms.
+// Adds a part to a sum or product; flattens products within products and sums within sums (turning signs if the inner
+// sum is negative). A product takes the sign of its terms.
 void yk_show_append(YkShow *whole, YkShow *part);
-// A term with its sign; a 1 by itself is written. atom may be NULL.
+// Returns a term with its sign; writes a 1 that stands alone. atom may be NULL.
 YkShow *yk_show_term(YkSheet *sheet, YkRatio number, YkMonomial monomial, const YkAtom *atom);
-// A product that begins with this part.
+// Returns a product that begins with this part.
 YkShow *yk_show_product(YkSheet *sheet, YkShow *part);
-// A sum with one part is that part.
+// Returns the sum, or its part if it has only one.
 YkShow *yk_show_simplest(YkShow *sum);
 
-// The parts of a sum or product in turn; a term is its own only one.
+// Return the parts of a sum or product in turn; a term is its own only part.
 static inline const YkShow *yk_show_first(const YkShow *whole)
 {
     return whole->kind == YK_SHOW_TERM ? whole : whole->first;
@@ -131,23 +133,23 @@ static inline const YkShow *yk_show_next(const YkShow *whole, const YkShow *part
 {
     return whole->kind == YK_SHOW_TERM ? NULL : part->next;
 }
-// How many powers stand below the line; *high tells whether one is higher than the first.
+// Returns how many powers stand below the line; *high tells whether one exceeds the first power.
 size_t yk_show_below(const YkShow *product, bool *high);
 
 // --- grouping
 // Products of rates as perfect squares or a common rate times a linear form, one for each monomial of the rest. Terms
-// sorted by monomial; NULL where one of them has no such form (or *count is 0).
+// must be sorted by monomial; NULL if one of them has no such form (or *count is 0).
 typedef struct YkRateProduct {
     YkMonomial monomial; // of the rest
     YkRatio number;
     YkShow *rates;
 } YkRateProduct;
 YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t count, size_t *products);
-// Adds a polynomial (all atoms alike, left out) to a sum, grouped by inertias and masses.
+// Adds a polynomial (the atom, common to all its terms, is left out) to a sum, grouped by inertias and masses.
 void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count);
 // Adds terms grouped by their atoms, constants first.
 void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count);
-// The whole element in the sheet's style: a sum or a term.
+// Shows the whole element in the sheet's style: a sum or a term.
 YkShow *yk_show_element(YkSheet *sheet, YkShownTerm *terms, size_t count);
 
 // --- writing the tree
@@ -157,15 +159,15 @@ static inline int64_t yk_surd_square(unsigned surd) // 2, 3 or 6
 }
 void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text); // TEXT, BOOK, LATEX, C
 void yk_write_mathml(const YkSheet *sheet, const YkShow *sum, YkText *text);
-// The angle of a function: its terms in order, each with sign and multiple, pi among them.
+// The angle of a function: its terms in order, each with sign and multiple, including pi.
 typedef struct YkAngleShown {
     bool negative;
     int64_t factor; // > 0
     int32_t symbol; // an angle, or -1 for pi / pi_over
     int64_t pi_over;
 } YkAngleShown;
-uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase); // how many, such as pi_7
-// The k-th term of the angle, false after the last.
+uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase); // how many such as pi_7 the phase has
+// Returns the k-th term of the angle, false after the last.
 bool yk_angle_shown(const YkSheet *sheet, const YkAtom *atom, uint32_t k, YkAngleShown *shown);
 
 #endif

@@ -1,5 +1,5 @@
-// From terms with e^(i phi) to terms with cos and sin: c e^(i phi) and its conjugate are 2 Re(c) cos phi - 2 Im(c) sin
-// phi.
+// Turns terms with e^(i phi) into terms with cos and sin: c e^(i phi) and its conjugate are 2 Re(c) cos phi - 2 Im(c)
+// sin phi.
 #include "ring/print/shown.h"
 
 // All terms of one phase and monomial: their numbers by unit.
@@ -15,7 +15,8 @@ static const int8_t twelfths[12][YK_UNITS] = {
     {2, 0, 0, 0, 0, 2, 0, 0},  {0, 0, -1, 1, 0, 0, 1, 1}, {0, 4, 0, 0, 0, 0, 0, 0},  {0, 0, 1, 1, 0, 0, -1, 1},
     {-2, 0, 0, 0, 0, 2, 0, 0}, {0, 0, -2, 2, 0, 0, 0, 0}, {0, 2, 0, 0, -2, 0, 0, 0}, {0, 0, -1, -1, 0, 0, -1, 1}};
 
-// Is the cluster's coefficient a rational multiple of e^(i k 15 deg)? The multiple is over 4 of the denominator: *four.
+// Returns whether the cluster's coefficient is a rational multiple of e^(i k 15 deg): 4 *number / *divisor over the
+// denominator.
 static bool is_turned(const Cluster *cluster, int k, int64_t *number, int64_t *divisor)
 {
     unsigned lead = 0, units = 0;
@@ -32,7 +33,7 @@ static bool is_turned(const Cluster *cluster, int k, int64_t *number, int64_t *d
     return yk_exact_multiply(cluster->number[lead], 4, number);
 }
 
-// The order of the first angle of a phase decides which of phase and -phase is shown.
+// Returns whether the first angle of a phase has a positive factor, which decides whether phase or -phase is shown.
 static bool is_first_positive(const YkRing *ring, uint32_t phase)
 {
     uint32_t count;
@@ -45,14 +46,14 @@ typedef struct Writer {
     YkShownTerm *terms;
     size_t count;
     bool is_real;
-    YkRatio scale, paired; // of numbers: one over the denominator; twice that where two terms make a cosine or sine
+    YkRatio scale, paired; // factors of numbers: 1 over the denominator; twice that if two terms make a cosine or sine
 } Writer;
 
-// A term of number / divisor.
+// Adds a term of number / divisor.
 static void put(Writer *writer, YkMonomial monomial, int64_t number, int64_t divisor, YkAtom atom)
 {
     YkRatio ratio = {0, 1}, scale = writer->is_real && atom.phase != 0 ? writer->paired : writer->scale;
-    bool is_whole = divisor == 1 && scale.under == 1; // most are
+    bool is_whole = divisor == 1 && scale.under == 1; // for most terms
     if (is_whole ? !yk_exact_multiply(number, scale.over, &ratio.over)
                  : !yk_ratio_divide(scale, (YkRatio){divisor, 1}, &scale) ||
                        !yk_ratio_multiply((YkRatio){number, 1}, scale, &ratio)) {
@@ -63,7 +64,7 @@ static void put(Writer *writer, YkMonomial monomial, int64_t number, int64_t div
     writer->terms[writer->count++] = (YkShownTerm){monomial, ratio, atom};
 }
 
-// One term cos(phi + shift) where the coefficient is a number times e^(i shift), other than 1 and i.
+// Adds one term cos(phi + shift) if the coefficient is a number times e^(i shift), other than 1 and i.
 static bool put_turned(Writer *writer, YkMonomial monomial, const Cluster *cluster)
 {
     if (writer->sheet->format == YK_RING_C || cluster->phase == 0) return false;
@@ -91,7 +92,7 @@ static void put_unit(Writer *writer, YkMonomial monomial, uint32_t phase, unsign
     put(writer, monomial, atom.function == YK_SHOWN_SIN ? -number : number, 1, atom);
 }
 
-// All terms of a[start ... end) have one phase and monomial.
+// Adds the terms a[start ... end), which all have one phase and monomial.
 static void put_cluster(Writer *writer, const YkPoisson *a, size_t start, size_t end)
 {
     uint64_t key = a->terms[start].key;

@@ -103,8 +103,8 @@ bool yk_angle_shown(const YkSheet *sheet, const YkAtom *atom, uint32_t k, YkAngl
     const YkPower *powers = yk_powers_of(&sheet->ring->phases, atom->phase, &count);
     if (k < count) {
         int64_t exponent = powers[k].exponent, pi_over = sheet->ring->symbols[powers[k].symbol].pi_over;
-        // 3 pi_7 is shown as 3 pi/7, which reads back so; 7 pi_7 as it is, since 7 pi/7 would read as pi, and pi_5 +
-        // pi_7, too.
+        // 3 pi_7 is shown as 3 pi/7, which reads back correctly. 7 pi_7 stays, since 7 pi/7 would read as pi; so does
+        // pi_5 + pi_7.
         bool is_pi = pi_over > 0 && sheet->format != YK_RING_C &&
                      yk_gcd(yk_magnitude(exponent), (uint64_t)pi_over) == 1 &&
                      yk_constant_angles(sheet->ring, atom->phase) == 1;

@@ -1,4 +1,4 @@
-// A symbol's name as it is printed: theta1'' is a base theta, a subscript 1 and two dots.
+// Typesets a symbol's name: theta1'' is a base theta, a subscript 1 and two dots.
 #include <string.h>
 #include "base/text.h"
 #include "ring/inside.h"
@@ -6,7 +6,7 @@
 typedef struct Greek {
     const char *name, *utf8;
 } Greek;
-// No capital that looks Latin, no omicron.
+// No capital that looks like a Latin letter, and no omicron.
 static const Greek letters[] = {
     {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},
     {"theta", "θ"}, {"iota", "ι"},  {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},   {"xi", "ξ"},
@@ -17,7 +17,7 @@ static const Greek letters[] = {
 typedef struct Parts {
     size_t stem, base, dots; // lengths: the name without primes, its base; the number of primes
     const Greek *greek;      // or NULL
-    bool is_word;            // set as one word: no subscript, or a base of three letters and more
+    bool is_word;            // set as one word: no subscript, or a base of three or more letters
 } Parts;
 
 static bool is_alpha(char c)
@@ -30,7 +30,7 @@ static bool is_lower(char c)
     return c >= 'a' && c <= 'z';
 }
 
-// A Greek letter's name at the start, not followed by more of a lower-case word.
+// Finds a Greek letter's name at the start, not followed by more of a lower-case word.
 static const Greek *find_greek(const char *name)
 {
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++) {
@@ -53,7 +53,7 @@ static Parts take_apart(const char *name)
     return parts;
 }
 
-// The subscript, its underscores at the ends dropped and those within as commas.
+// Writes the subscript without underscores at its ends; those within become commas.
 static void put_subscript(YkText *text, const char *name, size_t from, size_t end)
 {
     while (from < end && name[from] == '_') from++;
@@ -129,8 +129,8 @@ static void put_c(YkText *text, const YkRingSymbol *symbol, const Parts *parts)
         if (strcmp(yk_text_get(text), keywords[i]) == 0) yk_text_puts(text, "_");
 }
 
-// Keeps a copy of the text in the arena; enters it in `names` unless it is taken (*taken; names NULL: any text will
-// do).
+// Keeps a copy of the text in the arena and enters it in `names` unless it is taken (*taken). With names NULL any text
+// is accepted.
 static const char *keep(YkRing *ring, YkNames *names, const YkText *text, bool *taken)
 {
     int32_t existing = YK_NONE, index = (int32_t)ring->typeset_count;
@@ -148,7 +148,7 @@ static const char *latex_name(YkRing *ring, const char *name, const Parts *parts
     put_latex(text, name, parts);
     const char *latex = keep(ring, &ring->latex_names, text, &taken);
     if (!latex || !taken) return latex;
-    yk_text_clear(text); // lc1 and l_c1 look alike: the later one is set as the word it is
+    yk_text_clear(text); // lc1 and l_c1 look alike: the later one is set as a word
     for (size_t i = 0; i < parts->dots; i++) yk_text_puts(text, i == 0 ? "\\" : "d");
     yk_text_puts(text, parts->dots > 0 ? "dot{\\mathtt{" : "\\mathtt{");
     put_escaped(text, name, parts->stem);

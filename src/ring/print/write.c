@@ -1,4 +1,4 @@
-// The tree as a line of text: TEXT, BOOK, LATEX and C.
+// Writes the tree as a line of text: TEXT, BOOK, LATEX and C.
 #include "ring/print/write.h"
 #include "ring/print/shown.h"
 
@@ -35,7 +35,8 @@ static void put_name(const Pen *pen, int32_t symbol)
 {
     const YkRingSymbol *named = &pen->sheet->ring->symbols[symbol];
     if (pen->is_plain)
-        yk_text_add_padded(pen->text, named->name, named->name_length); // an arena's memory comes in sixteens
+        // An arena's memory comes in multiples of 16 bytes.
+        yk_text_add_padded(pen->text, named->name, named->name_length);
     else
         yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, symbol, pen->format));
 }
@@ -58,7 +59,7 @@ static void put_times(const Pen *pen)
     yk_text_add(pen->text, &pen->times, 1);
 }
 
-// k pi / n
+// Writes k pi / n.
 static void put_pi(const Pen *pen, const YkAngleShown *shown)
 {
     bool latex = pen->format == YK_RING_LATEX, fraction = shown->pi_over != 1;
@@ -74,7 +75,7 @@ static void put_pi(const Pen *pen, const YkAngleShown *shown)
     if (latex) yk_text_puts(pen->text, "}");
 }
 
-// Returns how many terms the angle has.
+// Writes an angle; returns how many terms it has.
 static uint32_t put_angle(const Pen *pen, const YkAtom *atom)
 {
     YkAngleShown shown;
@@ -137,7 +138,7 @@ static void put_root(const Pen *pen, unsigned surd)
     yk_text_puts(pen->text, latex ? "}" : ")");
 }
 
-// A sum, or a symbol where there is none.
+// Writes a sum, or a symbol if there is none.
 static void put_base(const Pen *pen, const YkShow *sum, int32_t symbol)
 {
     if (!sum) {
@@ -149,7 +150,7 @@ static void put_base(const Pen *pen, const YkShow *sum, int32_t symbol)
     yk_text_puts(pen->text, ")");
 }
 
-// A base to a positive power. C has no powers: small ones are written out, others are pow().
+// Writes a base to a positive power. C has no powers: small ones become products, others pow().
 static void put_power(const Pen *pen, const YkShow *sum, int32_t symbol, int32_t exponent)
 {
     enum { WRITTEN_OUT_MAX = 4 };
@@ -170,15 +171,15 @@ static void put_power(const Pen *pen, const YkShow *sum, int32_t symbol, int32_t
     yk_text_puts(pen->text, call ? ")" : pen->format == YK_RING_LATEX ? "}" : "");
 }
 
-// Between factors.
+// Writes what separates two factors.
 static void separate(const Pen *pen, bool *any)
 {
     if (*any) put_times(pen);
     *any = true;
 }
 
-// Of a monomial's powers from `k` on those up to a class, with positive exponents (sign 1) or with negative ones (sign
-// -1); returns which is next.
+// Writes the powers of a monomial from `k` up to a class, those with positive exponents (sign 1) or with negative ones
+// (sign -1); returns the next k.
 static uint32_t put_powers(const Pen *pen, YkMonomial monomial, uint32_t k, YkRingClass last, int32_t sign, bool *any)
 {
     for (; k < monomial.count && yk_rank_class(monomial.powers[k].rank) <= last; k++) {
@@ -190,7 +191,7 @@ static uint32_t put_powers(const Pen *pen, YkMonomial monomial, uint32_t k, YkRi
     return k;
 }
 
-// What of a term stands above the line.
+// Writes the part of a term above the line.
 static void put_term(const Pen *pen, const YkShow *show, bool *any)
 {
     const YkAtom *atom = &show->term.atom;
@@ -271,7 +272,7 @@ const char *yk_ring_name_in(YkRing *ring, int32_t symbol, YkRingFormat format)
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
 {
     if (!a) return false;
-    if (a->count == 0 && format != YK_RING_MATHML) { // most entries of a matrix
+    if (a->count == 0 && format != YK_RING_MATHML) { // as most entries of a matrix
         yk_text_puts(text, format == YK_RING_C ? "0.0" : "0");
         if (text->failed) yk_ring_fail(ring, YK_RING_MEMORY);
         return !text->failed;

@@ -1,4 +1,4 @@
-// The tree as presentation MathML (W3C, MathML Core).
+// Writes the tree as presentation MathML (W3C, MathML Core).
 #include "ring/print/shown.h"
 
 static const char *const TIMES = "<mo>&#x2062;</mo>";                            // invisible times
@@ -69,14 +69,14 @@ static void put_function(const YkSheet *sheet, const YkAtom *atom, YkText *text)
     yk_text_puts(text, "<mo>)</mo></mrow>");
 }
 
-// Between factors.
+// Writes what separates two factors.
 static void separate(YkText *text, const char *times, bool *any)
 {
     if (*any) yk_text_puts(text, times);
     *any = true;
 }
 
-// Powers with positive exponents (sign 1) or with negative ones (sign -1).
+// Writes powers with positive exponents (sign 1) or with negative ones (sign -1).
 static void put_powers(const YkSheet *sheet, YkMonomial monomial, int32_t sign, bool *any, YkText *text)
 {
     for (uint32_t i = 0; i < monomial.count; i++) {
@@ -91,7 +91,7 @@ static void put_powers(const YkSheet *sheet, YkMonomial monomial, int32_t sign, 
     }
 }
 
-// What of a term stands above the line.
+// Writes the part of a term above the line.
 static void put_term(const YkSheet *sheet, const YkShow *show, bool *any, YkText *text)
 {
     const YkAtom *atom = &show->term.atom;

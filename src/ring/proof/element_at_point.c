@@ -1,13 +1,13 @@
-// Elements at points of the prime field.
+// Evaluates elements at points of the prime field.
 #include <stdlib.h>
 #include <string.h>
 #include "base/mix.h"
 #include "ring/inside.h"
 #include "ring/proof/field.h"
 
-enum { DENOMINATORS = 64, /* 2^6 */ TRIES = 256, DRAWS = 64 }; // half of all points make a square a square
+enum { DENOMINATORS = 64, /* 2^6 */ TRIES = 256, DRAWS = 64 }; // half of all values are squares at a random point
 
-// Inverses are made when they are asked for: most never are. 0: not made yet.
+// Inverses are computed on demand: most never are. 0: not computed yet.
 typedef struct Denominator {
     int64_t of;
     uint64_t inverse;
@@ -17,11 +17,11 @@ struct YkFieldPoint {
     size_t count;
     uint64_t *value, *value_inverse, *unit, *unit_inverse; // [count]; one block, `value`
     uint64_t number[YK_UNITS];                             // i, sqrt 2, sqrt 3 and their products
-    Denominator *denominators;                             // [DENOMINATORS]: met last, by a hash
+    Denominator *denominators;                             // [DENOMINATORS]: the latest ones, by hash
     bool is_loose;
 };
 
-// Below p and not 0.
+// Returns a random value below p, not 0.
 static uint64_t random_value(uint64_t *seed)
 {
     return yk_mix_next(seed) % (YK_PRIME - 1) + 1;
@@ -33,7 +33,7 @@ static void set_numbers(YkFieldPoint *point)
     point->number[0] = 1;
     for (unsigned bit = 0; bit < 3; bit++) {
         uint64_t root = 0;
-        yk_field_sqrt(squares[bit], &root); // p - 1 is a multiple of 24: they exist
+        yk_field_sqrt(squares[bit], &root); // p - 1 is a multiple of 24, so the roots exist
         for (unsigned unit = 0; unit < 1u << bit; unit++)
             point->number[unit | 1u << bit] = yk_field_multiply(point->number[unit], root);
     }
@@ -71,7 +71,7 @@ static void draw(const YkRing *ring, YkFieldPoint *point, int32_t symbol, uint64
     if (ring->symbols[symbol].is_angle) yk_field_point_set_unit(point, symbol, random_value(seed));
 }
 
-// A symbol of the square on which no earlier root depends; -1 where there is none.
+// Returns a symbol of the square on which no earlier root depends; -1 if there is none.
 static int32_t free_symbol(const YkRing *ring, const YkPoisson *square, const bool *is_taken)
 {
     int32_t symbol = yk_ring_next_symbol(ring, square, -1);
@@ -80,15 +80,15 @@ static int32_t free_symbol(const YkRing *ring, const YkPoisson *square, const bo
     return symbol;
 }
 
-// What the root depends on stays from now on.
+// Fixes from now on what the root depends on.
 static void take(const YkRing *ring, const YkPoisson *square, bool *is_taken)
 {
     for (int32_t s = yk_ring_next_symbol(ring, square, -1); s >= 0; s = yk_ring_next_symbol(ring, square, s))
         is_taken[s] = true;
 }
 
-// Only what the square depends on is drawn again. The square of a number, 7, may have no root at all in this field: its
-// root is any value then.
+// Draws anew only what the square depends on. The square of a number such as 7 may have no root in this field: its root
+// is then any value.
 static bool find_root(const YkRing *ring, YkFieldPoint *point, size_t root, bool *is_taken, uint64_t *seed)
 {
     const YkPoisson *square = ring->symbols[root].square;
@@ -104,12 +104,12 @@ static bool find_root(const YkRing *ring, YkFieldPoint *point, size_t root, bool
         draw(ring, point, symbol, seed);
     }
     take(ring, square, is_taken);
-    bool is_turned = random_value(seed) & 1; // which of the two is positive, the field does not know
+    bool is_turned = random_value(seed) & 1; // the field does not know which of the two is positive
     yk_field_point_set(point, (int32_t)root, is_turned ? yk_field_negate(value) : value);
     return true;
 }
 
-// Random values for all symbols and roots for the roots; false where one of them has none here.
+// Draws random values for all symbols and computes the roots; returns false if a root does not exist here.
 static bool fill(const YkRing *ring, YkFieldPoint *point, bool *is_taken, uint64_t *seed)
 {
     for (size_t i = 0; i < point->count; i++)
@@ -157,7 +157,7 @@ void yk_field_point_free(YkFieldPoint *point)
     free(point);
 }
 
-// Values of symbols, or units of angles, and their inverses.
+// The values of symbols, or units of angles, and their inverses.
 typedef struct Bases {
     const uint64_t *value;
     uint64_t *inverse;
@@ -177,7 +177,7 @@ static uint64_t power_of(uint64_t base, int64_t exponent)
     return exponent == 2 ? yk_field_multiply(base, base) : yk_field_power(base, (uint64_t)exponent);
 }
 
-// Of the conjugate: with each power's inverse.
+// Returns the value of a product; of the conjugate by the inverse of each power.
 static uint64_t powers_value(const YkPowers *table, uint32_t item, const Bases *bases, bool conjugate)
 {
     uint32_t count;

@@ -1,3 +1,4 @@
+// Inverses, square roots and signed numbers in the prime field.
 #include "ring/proof/field.h"
 
 uint64_t yk_field_power(uint64_t base, uint64_t exponent)
@@ -10,14 +11,14 @@ uint64_t yk_field_power(uint64_t base, uint64_t exponent)
     return power;
 }
 
-// a^(2^times): squared so often.
+// Returns a^(2^times).
 static uint64_t squared(uint64_t a, int times)
 {
     for (int k = 0; k < times; k++) a = yk_field_multiply(a, a);
     return a;
 }
 
-// Fermat: a^(p - 2), where p - 2 = 31 ones, a zero and 32 ones in binary; ones(2 n) = ones(n)^(2^n) * ones(n).
+// Uses Fermat: a^(p - 2), where p - 2 = 31 ones, a zero and 32 ones in binary; ones(2 n) = ones(n)^(2^n) * ones(n).
 uint64_t yk_field_invert(uint64_t a)
 {
     uint64_t ones2 = yk_field_multiply(squared(a, 1), a), ones3 = yk_field_multiply(squared(ones2, 1), a),
@@ -34,7 +35,7 @@ uint64_t yk_field_of(int64_t value)
     return value < 0 ? yk_field_negate(size) : size; // |value| <= 2^63 < p
 }
 
-// p - 1 = 2^32 * odd. 7 generates the field, so 7^odd has order 2^32 (Tonelli 1891, Shanks 1973).
+// Uses p - 1 = 2^32 * odd. 7 generates the field, so 7^odd has order 2^32 (Tonelli 1891, Shanks 1973).
 bool yk_field_sqrt(uint64_t a, uint64_t *root)
 {
     const uint64_t odd = 0xffffffffu;

@@ -1,18 +1,18 @@
-// Linear equations over the prime field, by elimination on sparse rows. Which row becomes the pivot's changes no
-// result - the reduced form of a matrix is one -, so the shortest is taken, and rows stay as sparse as they are.
+// Solves linear equations over the prime field, by elimination on sparse rows. The choice of pivot rows does not change
+// the result, since a matrix has one reduced form; taking the shortest keeps the rows sparse.
 #include <stdlib.h>
 #include "ring/proof/field.h"
 
 typedef struct Row {
-    YkFieldEntry *entry; // by columns; the first is the lead
+    YkFieldEntry *entry; // by columns; the first is the leading entry
     size_t count;
     uint64_t right;
-    size_t next; // with the same lead; NONE: the last
+    size_t next; // next row with the same leading column; NONE: the last
 } Row;
 
 typedef struct Elimination {
     Row *rows;
-    size_t columns, *first; // per column: the first of the rows that it leads
+    size_t columns, *first; // per column: the first of the rows it leads
     size_t *pivots, rank;
     bool contradicts, failed;
 } Elimination;
@@ -46,7 +46,7 @@ static void norm(Row *pivot)
     pivot->right = yk_field_multiply(pivot->right, inverse);
 }
 
-// a - factor * b behind their common lead, in order and without what is 0.
+// Computes a - factor * b after their common leading entry, in order and without zeros.
 static size_t merge(const Row *a, const Row *b, uint64_t factor, YkFieldEntry *out)
 {
     size_t i = 1, k = 1, count = 0;
@@ -90,7 +90,7 @@ static void eliminate(Elimination *e)
     }
 }
 
-// From the last pivot to the first: each row's, by what stands behind it.
+// Substitutes from the last pivot to the first: each row by the entries after its pivot.
 static void substitute_back(const Elimination *e, uint64_t *x)
 {
     for (size_t i = e->rank; i-- > 0;) {

@@ -63,7 +63,7 @@ const YkForm *yk_form_multiply(YkRing *ring, const YkForm *a, const YkForm *b)
     return combine(ring, YK_FORM_PRODUCT, (const YkForm *const[]){a, b}, 2);
 }
 
-// number * i^turned * a
+// Returns number * i^turned * a.
 static const YkForm *times(YkRing *ring, const YkForm *a, int64_t over, int64_t under, bool turned)
 {
     const YkPoisson *number = yk_ring_scale(ring, turned ? yk_ring_i(ring) : ring->one, over, under);

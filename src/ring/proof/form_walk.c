@@ -1,16 +1,16 @@
-// Structured forms multiplied out, as numbers, and in the prime field. Every node is visited once.
+// Multiplies structured forms out, and evaluates them in numbers and in the prime field. Visits every node once.
 #include <stdlib.h>
 #include "ring/proof/form_inside.h"
 
 typedef enum Way { EXPAND, FIELD, DOUBLE } Way;
 
-// What a node comes to; in the prime field with its conjugate beside it.
+// The result for a node; in the prime field together with its conjugate.
 typedef struct Result {
     bool known;
     const YkPoisson *element;
     uint64_t field, mirrored;
     YkVec value;
-    double magnitude; // what rounding in the value is measured by
+    double magnitude; // scale of rounding errors in the value
 } Result;
 
 typedef struct Walk {
@@ -83,7 +83,7 @@ static Result divide(const Walk *walk, Result a, Result b)
     return a;
 }
 
-// The results of all parts are known.
+// Combines the results of all parts, which are known.
 static Result of_parts(const Walk *walk, const YkForm *form)
 {
     bool product = form->kind == YK_FORM_PRODUCT;
@@ -112,7 +112,7 @@ static bool visit(const Walk *walk, const YkForm *form)
     return result->known;
 }
 
-// Visits the whole graph; false on failure. *result is the root's.
+// Visits the whole graph; returns false on failure. *result is the root's.
 static bool run(Walk *walk, const YkForm *form, Result *result)
 {
     if (!form) return false;
@@ -159,7 +159,7 @@ double yk_form_magnitude(YkRing *ring, const YkForm *form, const double *values)
     return run(&walk, form, &result) ? result.magnitude : NAN;
 }
 
-// One point: 1 equal, 0 different, -1 no value there.
+// Compares at one point: 1 equal, 0 different, -1 no value there.
 static int compare_at(YkRing *ring, const YkForm *a, const YkForm *b, const YkFieldPoint *point)
 {
     uint64_t left, right;

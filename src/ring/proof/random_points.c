@@ -7,7 +7,7 @@ enum { POINTS_MAX = 16 };
 struct YkFieldPoints {
     const YkRing *ring;
     uint64_t seed;
-    size_t symbols; // of the ring when they were made
+    size_t symbols; // of the ring when the points were made
     YkFieldPoint *point[POINTS_MAX];
     bool is_tried[POINTS_MAX];
 };

@@ -79,7 +79,7 @@ const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted)
     return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s is wanted here", wanted);
 }
 
-// The ring's own refusal, as a problem.
+// Reports a refusal of the ring as a problem.
 static const YkPoisson *checked(YkRingReader *reader, size_t start, const YkPoisson *result)
 {
     if (result || reader->failed) return result;
@@ -126,7 +126,7 @@ static const YkPoisson *base(YkRingReader *reader)
     return yk_reader_expected(reader, "a number, a name or `(`");
 }
 
-// A whole number after ^, perhaps in brackets; false with a problem.
+// Reads a whole number after ^, perhaps in brackets; returns false with a problem.
 static bool exponent(YkRingReader *reader, int32_t *power)
 {
     char close = yk_reader_takes(reader, "(") ? ')' : yk_reader_takes(reader, "{") ? '}' : '\0';
@@ -162,7 +162,7 @@ const YkPoisson *yk_reader_factor(YkRingReader *reader)
     return negative ? checked(reader, start, yk_ring_negate(reader->ring, value)) : value;
 }
 
-// Does a factor begin here, without an operator before it?
+// Returns whether a factor begins here, without an operator before it.
 static bool juxtaposed(const YkRingReader *reader)
 {
     char c = yk_reader_peek(reader);
@@ -185,7 +185,7 @@ static const YkPoisson *product(YkRingReader *reader)
     return value;
 }
 
-// Parts of a sum. They are added at once: one by one, a long sum would be copied for each of its terms.
+// The parts of a sum. They are added at once: one by one, a long sum would be copied for each of its terms.
 typedef struct Parts {
     const YkPoisson **items;
     size_t count, capacity;

@@ -1,4 +1,4 @@
-// What the files that read expressions share. Inside of ring/.
+// What the files that read expressions share. For use inside ring/ only.
 #ifndef RING_READ_READER_H
 #define RING_READ_READER_H
 #include "ring/inside.h"
@@ -17,7 +17,7 @@ typedef struct YkRingReader {
 
 char yk_reader_peek(const YkRingReader *reader); // '\0' at the end
 void yk_reader_blanks(YkRingReader *reader);     // also LaTeX's spaces and \left, \right
-// If the text goes on so (in LaTeX, a command not followed by a letter), skips it and the blanks behind.
+// Skips `what` and the blanks after it if the text continues with it (in LaTeX, a command not followed by a letter).
 bool yk_reader_takes(YkRingReader *reader, const char *what);
 bool yk_reader_sees(const YkRingReader *reader, const char *what);
 // Reports a problem over text[start..at) and returns NULL.
@@ -25,11 +25,11 @@ const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t star
                                   const char *detail);
 const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted);
 
-// A decimal number, exactly; `1i` is the imaginary unit.
+// Reads a decimal number, exactly; `1i` is the imaginary unit.
 const YkPoisson *yk_reader_number(YkRingReader *reader);
-// A name in the reader's format: the symbol, or pi, or i; in LaTeX with accents and subscript.
+// Reads a name in the reader's format: the symbol, or pi, or i; in LaTeX with accents and subscript.
 const YkPoisson *yk_reader_name(YkRingReader *reader);
-// cos(...), sin(...), exp(...), sqrt(...), pow(...): *found tells whether one of them stands here.
+// Reads cos(...), sin(...), exp(...), sqrt(...), pow(...): *found tells whether one of them stands here.
 const YkPoisson *yk_reader_function(YkRingReader *reader, bool *found);
 
 const YkPoisson *yk_reader_sum(YkRingReader *reader);

@@ -1,4 +1,4 @@
-// Numbers, names and functions in expressions.
+// Reads numbers, names and functions in expressions.
 #include <string.h>
 #include "base/number.h"
 #include "ring/read/reader.h"
@@ -61,7 +61,7 @@ static const YkPoisson *unknown_name(YkRingReader *reader, size_t start, const c
     return NULL;
 }
 
-// Copies text[start..at) as a string; false where it is too long for a name.
+// Copies text[start..at) as a string; returns false if it is too long for a name.
 static bool token(const YkRingReader *reader, size_t start, char out[TOKEN_MAX])
 {
     size_t length = reader->at - start;
@@ -86,7 +86,7 @@ static void skip_group(YkRingReader *reader)
     if (yk_reader_peek(reader) == '}') reader->at++;
 }
 
-// A symbol in LaTeX: [\dot{] base [}] [_{subscript}], base a letter, a command, or \mathit{word}.
+// Skips a symbol in LaTeX: [\dot{] base [}] [_{subscript}], base a letter, a command, or \mathit{word}.
 static void skip_latex_name(YkRingReader *reader)
 {
     bool accent =
@@ -125,7 +125,7 @@ static void skip_name(YkRingReader *reader)
     while (yk_reader_peek(reader) == '\'') reader->at++;
 }
 
-// x_1 is the same as x_{1}.
+// Turns x_1 into x_{1}: both mean the same.
 static void brace_subscript(char name[TOKEN_MAX])
 {
     size_t length = strlen(name);
@@ -159,7 +159,7 @@ static const YkPoisson *refuse_angle(YkRingReader *reader, size_t start)
                             "an angle here is a sum of whole multiples of angles and of fractions of pi");
 }
 
-// (angle), or ((angle)) turned by i for exp; in LaTeX e^{...}.
+// Reads (angle), or ((angle)) turned by i for exp; in LaTeX e^{...}.
 static const YkPoisson *unit_argument(YkRingReader *reader, bool is_exp, const char *close)
 {
     size_t start = reader->at;
@@ -185,7 +185,7 @@ static const YkPoisson *root_argument(YkRingReader *reader, const char *close)
     return yk_reader_takes(reader, close) ? root : yk_reader_expected(reader, close[0] == ')' ? "`)`" : "`}`");
 }
 
-// base, exponent)
+// Reads: base, exponent)
 static const YkPoisson *power_arguments(YkRingReader *reader)
 {
     int64_t exponent, one;
