@@ -1,12 +1,12 @@
-// Pages as C: a struct of all that the formulas speak of, and one function a section, which computes what it states.
-// Shared parts are computed once (graph/graph.h).
+// Prints pages as C: a struct of everything in the formulas, and one function per section, which computes what the
+// section states. Shared parts are computed once (graph/graph.h).
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
 #include "page/print.h"
 #include "ring/graph/graph.h"
 
-// What a function gives: an array, a number, or a field of the struct.
+// A result of a function: an array, a number, or a field of the struct.
 typedef struct Result {
     const char *name; // NULL: a field
     int32_t field;
@@ -21,7 +21,7 @@ typedef struct Code {
     YkText prototypes, functions, words;
     bool *is_field; // per symbol: some function writes it
     size_t symbol_count;
-    // of the present function:
+    // Of the present function:
     Result *results;
     size_t result_count, result_capacity;
     YkGraphValue *values;
@@ -84,7 +84,7 @@ static bool is_constant(const Code *code, int32_t symbol)
     return kind <= YK_RING_CONSTANT || kind == YK_RING_GRAVITY;
 }
 
-// A symbol that the line solves for: a field of the struct, and from now on known. Names of constants are for readers.
+// Adds a symbol that the line solves for: a field of the struct, known from now on. Names of constants are for readers.
 static void add_field(Code *code, const YkLine *line)
 {
     if (is_constant(code, line->solved) || !add_result(code, NULL, line->solved, 0, 0)) return;
@@ -94,7 +94,7 @@ static void add_field(Code *code, const YkLine *line)
     if (!code->failed) yk_graph_define(code->graph, line->solved, value);
 }
 
-// Loops' equations: one array for all.
+// Adds a loop's equation; one array holds them all.
 static void add_row(Code *code, const YkLine *line)
 {
     Result *last = code->result_count > 0 ? &code->results[code->result_count - 1] : NULL;
@@ -103,7 +103,7 @@ static void add_row(Code *code, const YkLine *line)
     add_value(code, value_of(code, line->over, line->under));
 }
 
-// --- Names: p^{A/O} is p_A_O; what two lines call alike gets a number.
+// --- Names: p^{A/O} is p_A_O; a name that two lines share gets a number
 
 static bool is_taken(const Code *code, const char *name)
 {
@@ -135,7 +135,7 @@ static const char *name_of(Code *code, const YkPagePiece *piece)
     return copy ? copy : "";
 }
 
-// "F_12 = ...", with a value: a formula that says what something is.
+// Returns whether it is "F_12 = ..." with a value, a definition.
 static bool is_named_value(const YkLine *line)
 {
     const YkPagePiece *first = line->first, *second = first ? first->next : NULL;
@@ -229,7 +229,7 @@ static size_t size_of(const Result *r)
     return r->rows > 0 ? r->rows * r->columns : 1;
 }
 
-// The statements, in `words`.
+// Writes the statements in `words`.
 static void put_body(Code *code)
 {
     YkText *text = &code->words;
@@ -260,7 +260,7 @@ static void put_remarks(Code *code, const YkLine *first, const char *section)
                 put_comment(&code->functions, "", piece->matrix->code_remark);
 }
 
-// One section; returns the line after it.
+// Writes one section; returns the line after it.
 static const YkLine *put_section(Code *code, const YkLine *first)
 {
     const char *section = first->section;
@@ -295,7 +295,7 @@ static bool is_in_struct(const Code *code, size_t symbol)
     return code->is_field[symbol] || yk_graph_reads(code->graph, (int32_t)symbol);
 }
 
-// Fields: first constants, then the rest.
+// Writes the fields: constants first, then the rest.
 static void put_struct(Code *code, YkText *text)
 {
     size_t count = 0;

@@ -1,4 +1,4 @@
-// Pages as a LaTeX document: article and amsmath.
+// Prints pages as a LaTeX document: article and amsmath.
 #include <string.h>
 #include "base/utf8.h"
 #include "page/latex_display.h"
@@ -32,7 +32,7 @@ static void put_character(YkText *text, char c)
     }
 }
 
-// Latin letters as they are; beyond them article knows none, and a ? is better than a page that does not compile.
+// Writes Latin letters as they are; article does not know others, and a ? is better than a page that does not compile.
 static void put_words(YkText *text, const char *words)
 {
     size_t length = strlen(words), bytes;
@@ -49,7 +49,7 @@ static void put_words(YkText *text, const char *words)
     }
 }
 
-// Part of a point's name: O1 as O_1, crank.A upright.
+// Writes a part of a point's name: O1 as O_1, crank.A upright.
 static void put_point(YkText *text, const char *name, size_t length)
 {
     bool is_letter = length > 0 && strspn(name + 1, "0123456789") >= length - 1 &&
@@ -108,7 +108,7 @@ static void put_name(YkText *text, const YkPagePiece *piece)
     }
 }
 
-// 1.5e-7 as 1.5 \cdot 10^{-7}
+// Writes 1.5e-7 as 1.5 \cdot 10^{-7}.
 static void put_number(YkText *text, double value)
 {
     YkText digits = {0};

@@ -1,11 +1,11 @@
-// Wide entries of matrices and long sides of quotients as numbers in boxes.
+// Replaces wide entries of matrices and long sides of quotients by numbers in boxes.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
 #include "page/latex_display.h"
 
-enum { QUOTIENT = YK_LATEX_LINE - 12 }; // a side of a quotient beside what it is equal to
+enum { QUOTIENT = YK_LATEX_LINE - 12 }; // a side of a quotient beside the rest of its equation
 
 void yk_latex_boxes_free(YkLatexBoxes *boxes)
 {
@@ -14,7 +14,7 @@ void yk_latex_boxes_free(YkLatexBoxes *boxes)
     *boxes = (YkLatexBoxes){0};
 }
 
-// The number of a part, from 1; 0 when out of memory.
+// Returns the number of a part, from 1; 0 when out of memory.
 static size_t number_of(YkLatexBoxes *boxes, const char *text, size_t length)
 {
     for (size_t k = 0; k < boxes->count; k++)
@@ -43,7 +43,7 @@ static void put_part(YkLatexBoxes *boxes, const char *text, size_t length, doubl
     yk_text_add(&boxes->formula, text + own, length - own);
 }
 
-// Behind the brace that closes the one at `at`.
+// Returns the place after the brace that closes the one at `at`.
 static const char *behind_brace(const char *at)
 {
     int depth = 0;
@@ -54,7 +54,7 @@ static const char *behind_brace(const char *at)
     return at;
 }
 
-// The entries from behind the array's head to its end.
+// Copies the entries from after the array's head to its end.
 static const char *put_array(YkLatexBoxes *boxes, const char *from, double widest)
 {
     const char *end = strstr(from, "\\end{array}");
@@ -74,7 +74,7 @@ static const char *put_array(YkLatexBoxes *boxes, const char *from, double wides
     return end;
 }
 
-// From behind \frac: both sides.
+// Copies both sides of a \frac.
 static const char *put_quotient(YkLatexBoxes *boxes, const char *at)
 {
     for (int side = 0; side < 2 && *at == '{'; side++) {

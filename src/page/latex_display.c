@@ -1,6 +1,6 @@
-// A displayed formula on a page of a width: sums that are too long for a line break before their signs; matrices that
-// are too wide become smaller, and where that is not enough their widest entries, like long numerators, stand below
-// under a number (latex_boxes.c).
+// Displays a formula on a page of limited width. Sums that are too long for a line break before their signs; matrices
+// that are too wide become smaller. If that is not enough, their widest entries, like long numerators, are written
+// below under a number (latex_boxes.c).
 #include "page/latex_display.h"
 #include <math.h>
 #include <string.h>
@@ -10,11 +10,11 @@ enum { DEPTH_MAX = 64 };
 // --- Breaking sums
 
 typedef struct Walk {
-    char open[DEPTH_MAX]; // brackets around: { a group or \left, f of a function, ( of a sum
+    char open[DEPTH_MAX]; // brackets around it: { a group or \left, f of a function, ( of a sum
     size_t depth;
 } Walk;
 
-// One step; returns how far.
+// Takes one step; returns its length.
 static size_t step(Walk *walk, const char *text, size_t at)
 {
     const char *c = text + at;
@@ -35,7 +35,7 @@ static size_t step(Walk *walk, const char *text, size_t at)
     return 1;
 }
 
-// Where a sum may break: outside of brackets and in those of the first depth, or further inside.
+// Where a sum may break: outside brackets and at their first depth, or further inside.
 typedef enum Break { BREAK_NONE, BREAK_DEEP, BREAK_SHALLOW } Break;
 
 static Break break_at(const Walk *walk, const char *c)
@@ -46,15 +46,15 @@ static Break break_at(const Walk *walk, const char *c)
     return walk->depth <= 1 ? BREAK_SHALLOW : BREAK_DEEP;
 }
 
-// A formula on its way into lines: the line begun, and the last places where it may break, in sums of sums only where
-// nothing else helps.
+// A formula as it is broken into lines: the line begun, and the last places where it may break; in nested sums only
+// if nothing else helps.
 typedef struct Lines {
     const char *formula;
     size_t begin, shallow, deep;
     YkText *text;
 } Lines;
 
-// Ends lines until what is left up to `at` has room in one, or cannot break.
+// Ends lines until the text up to `at` fits on one, or cannot break.
 static void fill_lines(Lines *lines, size_t at)
 {
     while (yk_latex_width(lines->formula + lines->begin, at - lines->begin) > YK_LATEX_LINE) {
@@ -88,7 +88,7 @@ static void put_lines(const char *formula, YkText *text)
 
 // --- Matrices
 
-// Behind a matrix a formula may break: the length of what comes before, or of all.
+// A formula may break after a matrix: returns the length before it, or the whole length.
 static size_t through_matrix(const char *formula)
 {
     static const char end[] = "\\end{array}\\right]";
@@ -101,7 +101,7 @@ static const char *size_for(double times)
     return times > 1.4 ? "\\tiny" : times > 1.2 ? "\\scriptsize" : times > 1 ? "\\footnotesize" : NULL;
 }
 
-// Over the width of a line: A x = b on one line or, where that is too narrow, two: the first matrix, then the rest.
+// Returns the ratio to a line's width: A x = b on one line or, if it is too wide, two: the first matrix, then the rest.
 static double times_of(const char *formula, bool *breaks)
 {
     size_t length = strlen(formula), first = through_matrix(formula);
@@ -139,16 +139,16 @@ static void put_display(const char *formula, YkText *text)
         yk_text_format(text, "\\[\n%s\n\\]\n", formula);
 }
 
-// --- What stands below under a number
+// --- Boxed parts, below under their numbers
 
-// Does it fit on the page, be it in small type?
+// Returns whether it fits on the page, if necessary in small type.
 static bool fits(const char *formula)
 {
     bool breaks;
     return !strstr(formula, "\\begin{array}") || times_of(formula, &breaks) <= 1.4;
 }
 
-// What each number stands for: as many on a line as there is room for.
+// Writes the meaning of each number: as many on a line as fit.
 static void put_boxes(const YkLatexBoxes *boxes, YkText *text)
 {
     YkText line = {0};

@@ -1,15 +1,15 @@
-// Formulas in display on a page of A4 across, text 267 mm wide.
+// Displays formulas on a landscape A4 page, text 267 mm wide.
 #ifndef PAGE_LATEX_DISPLAY_H
 #define PAGE_LATEX_DISPLAY_H
 #include "base/text.h"
 
-// Adds a formula (LaTeX without dollars) as \[ \], or where it is too long for a line as a multline* that breaks before
-// signs. Matrices that are too wide are set smaller; where small type is not enough, the widest entries, and long
-// numerators and denominators, become numbers in boxes, and lines below say what each stands for. An estimate: what
-// cannot break may still stand out.
+// Adds a formula (LaTeX without dollars) as \[ \] or, if it is too long for a line, as a multline* that breaks before
+// signs. Matrices that are too wide are set smaller; if small type is not enough, the widest entries, and long
+// numerators and denominators, become numbers in boxes, with their meaning in lines below. Widths are estimates:
+// something that cannot break may still exceed the line.
 void yk_latex_display(YkText *text, const char *formula);
 
-// --- latex_width.c: widths in letters, about
+// --- latex_width.c: widths in letters, approximate
 enum { YK_LATEX_LINE = 118 }; // a line holds about so many
 bool yk_latex_is_letter(char c);
 double yk_latex_width(const char *formula, size_t length);
@@ -25,8 +25,8 @@ typedef struct YkLatexBoxes {
     } * items; // what they stand for; equal parts share a number
     size_t count, capacity;
 } YkLatexBoxes;
-// Boxes entries of matrices that are wider than `widest`, and sides of quotients that fill a line. Again: anew. False
-// when out of memory.
+// Boxes the entries of matrices that are wider than `widest`, and sides of quotients that fill a line. A second call
+// starts afresh. Returns false when out of memory.
 bool yk_latex_box(YkLatexBoxes *boxes, const char *formula, double widest);
 void yk_latex_boxes_free(YkLatexBoxes *boxes);
 

@@ -1,4 +1,4 @@
-// How wide a formula is in print, about: in letters.
+// Estimates how wide a formula is in print, in letters.
 #include <string.h>
 #include "page/latex_display.h"
 
@@ -9,7 +9,7 @@ bool yk_latex_is_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// The length of a command's name at \, and how many letters it takes in print: \cos three, \theta one.
+// Returns the length of a command's name at \, and its printed width in letters: three for \cos, one for \theta.
 static size_t command(const char *at, double *width)
 {
     static const char *const silent[] = {"left", "right", "mathbf", "mathit", "mathrm", "boldsymbol", "text", "tfrac",
@@ -43,7 +43,7 @@ double yk_latex_width(const char *text, size_t length)
     return sum;
 }
 
-// An array from behind its head to its end: as wide as its columns.
+// Returns the width of an array, from after its head to its end: that of its columns.
 double yk_latex_width_of_array(const char *from, const char *end)
 {
     double widest[COLUMNS_MAX] = {0}, sum = 0;

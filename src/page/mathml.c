@@ -1,4 +1,4 @@
-// Pages as an HTML document with presentation MathML.
+// Prints pages as an HTML document with presentation MathML.
 #include <string.h>
 #include "page/print.h"
 
@@ -17,7 +17,7 @@ static void put_escaped(YkText *text, const char *words)
     }
 }
 
-// A point's name: a letter with digits as subscript, other names upright.
+// Writes a point's name: a letter with digits as subscript, other names upright.
 static void put_point(YkText *text, const char *name)
 {
     if (yk_print_is_letter_name(name) && name[1]) {

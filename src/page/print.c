@@ -13,7 +13,7 @@ YkPageFormat yk_page_format_find(const char *name)
     return (YkPageFormat)format;
 }
 
-// Of a format that comes in parts.
+// A printer of a format that comes in parts.
 typedef struct Printer {
     void (*head)(YkPrinting *printing);
     void (*part)(YkPrinting *printing, const YkPage *part);
@@ -136,7 +136,7 @@ const YkShownMatrix *yk_print_only_matrix(const YkLine *line)
 void yk_print_number(YkText *text, double value)
 {
     char digits[YK_NUMBER_SIZE];
-    if (fabs(value) < 1e-14) value = 0; // what rounding leaves of 0
+    if (fabs(value) < 1e-14) value = 0; // rounding of a zero
     yk_number_write_digits(value, 6, digits);
     yk_text_puts(text, digits);
 }

@@ -1,4 +1,4 @@
-// Pages of mathematics (derive/page.h) in print.
+// Prints pages of mathematics (derive/page.h).
 #ifndef PAGE_PRINT_H
 #define PAGE_PRINT_H
 #include "base/text.h"
@@ -28,22 +28,22 @@ typedef struct YkPrinting {
     bool failed;
 } YkPrinting;
 
-// Writes a page: text for people (80 columns are not kept: a formula is one line, a matrix a box); a whole LaTeX
-// document (article, amsmath); a whole HTML document with presentation MathML; JSON as in man/yoke-derive.1.scd; a
-// C file with a function a section. false when out of memory or where the ring failed.
+// Writes a page: text for people (a formula is one line, a matrix a box, whatever the width); a whole LaTeX document
+// (article, amsmath); a whole HTML document with presentation MathML; JSON as in man/yoke-derive.1.scd; a C file with a
+// function for each section. Returns false when out of memory or if the ring failed.
 bool yk_page_write(const YkPage *page, YkPageFormat format, const char *title, const double *values, YkText *text);
-// The page as a part of an HTML document, headings from the level given on. Values as above. false as above.
+// Writes the page as a part of an HTML document, with headings from the given level. Values and result as above.
 bool yk_page_write_part(const YkPage *page, int heading, const double *values, YkText *html);
-// A page that comes in parts, in any format but C, whose struct has to know all: each is added to printing->text, the
-// first below the page's head. At the end yk_page_end_parts adds what closes the page and gives the memory back.
-// Between parts the text may be taken away. false when out of memory or where the ring failed.
+// A page that comes in parts, in any format except C, whose struct needs the whole page: each part is added to
+// printing->text, the first after the page's head. At the end yk_page_end_parts adds what closes the page and frees the
+// memory. Between parts the text may be removed. Returns false when out of memory or if the ring failed.
 bool yk_page_has_parts(YkPageFormat format);
 bool yk_page_add_part(YkPrinting *printing, const YkPage *part);
 bool yk_page_end_parts(YkPrinting *printing);
-// "text", "latex", ...; YK_PAGE_FORMATS where there is no such format.
+// Finds "text", "latex", ...; returns YK_PAGE_FORMATS for an unknown name.
 YkPageFormat yk_page_format_find(const char *name);
 
-// --- Inside: one file a format. The head of a page, its lines, its end.
+// --- Inside: one file for each format, with the head of a page, its lines, its end
 void yk_print_text_head(YkPrinting *printing);
 void yk_print_text_part(YkPrinting *printing, const YkPage *part);
 void yk_print_text_end(YkPrinting *printing);
@@ -57,7 +57,7 @@ void yk_print_json_head(YkPrinting *printing);
 void yk_print_json_part(YkPrinting *printing, const YkPage *part);
 void yk_print_json_end(YkPrinting *printing);
 void yk_print_c(YkPrinting *printing, const YkPage *page);
-// One formula without its value, on one line: matrices as [a, b; c, d].
+// Writes one formula without its value, on one line: matrices as [a, b; c, d].
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text);
 void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *text);
 void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
@@ -65,13 +65,13 @@ bool yk_print_has_sum(const char *text); // + or - outside of brackets
 bool yk_print_is_one_factor(const char *text);
 void yk_print_brackets(YkText *text, size_t start);             // round what was written since `start`
 bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a); // does it need brackets as a factor?
-// The value of a line; false if there is none. 6 significant digits.
+// Returns the value of a line to 6 significant digits; false if there is none.
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value);
-// The matrix of a line that shows just one, else NULL: its values may stand behind it.
+// Returns the matrix of a line that shows just one, otherwise NULL: its values may follow it.
 const YkShownMatrix *yk_print_only_matrix(const YkLine *line);
 double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry);
 void yk_print_number(YkText *text, double value);
-// Names: a letter with digits behind it is set with a subscript, others as words.
+// Returns whether a name is a letter with digits, which is set with a subscript; others are set as words.
 bool yk_print_is_letter_name(const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-// Pages as plain text: a formula is a row of parts - words and elements, or a matrix - each a few lines high.
+// Prints pages as plain text: a formula is a row of parts - words and elements, or a matrix - each a few lines high.
 #include <stdlib.h>
 #include <string.h>
 #include "page/print.h"
@@ -8,12 +8,12 @@ typedef struct Slice {
     size_t start, length;
 } Slice;
 
-// Lines of one width, the middle of which stands beside the middles of other parts.
+// Lines of one width, whose middle is in line with the middles of other parts.
 typedef struct Part {
     size_t first, height, width; // first of its lines
 } Part;
 
-// One formula before it is put in rows; its memory is used again for the next.
+// One formula before it is laid out in rows; its memory is reused for the next.
 typedef struct YkTextSheet {
     YkPrinting *printing;
     YkText text, cells; // of the lines, and of a matrix's entries
@@ -45,7 +45,7 @@ void yk_print_text_end(YkPrinting *printing)
     free(sheet);
 }
 
-// Ends a line of the last part; it began at `start`.
+// Ends a line of the last part, which began at `start`.
 static void end_line(Sheet *sheet, size_t start)
 {
     if (!YK_ROOM(sheet->lines, sheet->line_count, sheet->line_capacity)) {
@@ -66,7 +66,7 @@ static bool add_part(Sheet *sheet)
     return true;
 }
 
-// What was written since `start` is a part of one line.
+// Makes a part of one line of everything written since `start`.
 static void add_line(Sheet *sheet, size_t start)
 {
     if (sheet->text.length > start && add_part(sheet)) end_line(sheet, start);
@@ -77,7 +77,7 @@ static size_t middle(size_t height)
     return height > 0 ? (height - 1) / 2 : 0;
 }
 
-// All parts side by side, without blanks at the ends of lines.
+// Writes all parts side by side, without blanks at the ends of lines.
 static void put_rows(const Sheet *sheet)
 {
     YkText *out = sheet->printing->text;
@@ -114,7 +114,7 @@ static void put_factor(YkPrinting *printing, const YkPoisson *a, YkText *text)
     if (yk_print_has_sum(yk_text_get(text) + start)) yk_print_brackets(text, start);
 }
 
-// A minus before a single product needs none.
+// Writes a dividend; a minus before a single product needs no brackets.
 static void put_dividend(YkPrinting *printing, const YkPoisson *a, YkText *text)
 {
     size_t start = text->length;
@@ -123,7 +123,7 @@ static void put_dividend(YkPrinting *printing, const YkPoisson *a, YkText *text)
     if (yk_print_has_sum(written + (*written == '-'))) yk_print_brackets(text, start);
 }
 
-// A divisor of more than one symbol needs brackets.
+// Writes a divisor; more than one symbol needs brackets.
 static void put_divisor(YkPrinting *printing, const YkPoisson *a, YkText *text)
 {
     size_t start = text->length;
@@ -131,7 +131,7 @@ static void put_divisor(YkPrinting *printing, const YkPoisson *a, YkText *text)
     if (!yk_print_is_one_factor(yk_text_get(text) + start)) yk_print_brackets(text, start);
 }
 
-// A product of factors; under the line in brackets where there are several.
+// Writes a product of factors; below the line in brackets if there are several.
 static void put_factors(YkPrinting *printing, const YkPagePiece *piece, int side, YkText *text)
 {
     size_t count = piece->factor_count[side];
@@ -244,7 +244,7 @@ static void put_cell(Sheet *sheet, const Slice *cell, size_t width)
     yk_text_repeat(&sheet->text, ' ', free_space - free_space / 2);
 }
 
-// A row of entries, or of dashes below it.
+// Writes a row of entries, or of dashes below it.
 static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, const size_t *widths, bool dashes)
 {
     YkText *text = &sheet->text;
@@ -261,7 +261,7 @@ static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, const
     end_line(sheet, start);
 }
 
-// Rows with cuts between blocks as lines of dashes.
+// Adds rows, with cuts between blocks as lines of dashes.
 static void add_matrix(Sheet *sheet, const YkShownMatrix *matrix, bool numbers)
 {
     size_t *widths = calloc(matrix->columns + 1, sizeof *widths);

@@ -1,3 +1,4 @@
+// Draws the profiles of a cam to scale, as SVG and DXF.
 #include "picture/cam_picture.h"
 #include <stdlib.h>
 #include "base/escape.h"
@@ -45,7 +46,7 @@ void yk_cam_picture_free(YkCamPicture *picture)
     picture->count = 0;
 }
 
-// What is drawn lies within.
+// The box around everything drawn.
 typedef struct Box {
     YkVec low, high;
 } Box;
@@ -130,7 +131,7 @@ static const char *style_of(const char *layer)
     }
 }
 
-// The roller, or the face as a line along itself, at cam angle 0.
+// Adds the roller, or the face as a line along itself, at cam angle 0.
 static void add_follower(const YkCamPicture *picture, YkText *svg)
 {
     static const char style[] = "fill=\"none\" stroke=\"#8b4a9c\" stroke-width=\"0.35\"";
@@ -167,7 +168,7 @@ static void add_words(const YkCamPicture *picture, YkText *svg, YkVec at, double
     yk_text_free(&style);
 }
 
-// The page: margins all round, words at the foot, white behind.
+// Adds the page: margins on all sides, words at the foot, a white background.
 static void add_page(const YkCamPicture *picture, YkText *svg)
 {
     Box box = extent(picture);

@@ -21,12 +21,13 @@ typedef struct YkCamPicture {
     bool ran_out;  // of memory
 } YkCamPicture;
 
-// All curves of the cam within a tolerance (m). Returns false when out of memory or the tolerance is too small.
+// Takes all curves of the cam within a tolerance (m). Returns false when out of memory or if the tolerance is too
+// small.
 bool yk_cam_picture_take(YkCamPicture *picture, const YkCamDesign *design, double tolerance, double cutter);
 void yk_cam_picture_free(YkCamPicture *picture);
-// Surface, base circle, pitch curve, roller or face at cam angle 0, centre marks; one user unit is a millimetre.
+// Writes surface, base circle, pitch curve, roller or face at cam angle 0, centre marks; one user unit is 1 mm.
 void yk_cam_picture_svg(const YkCamPicture *picture, YkText *svg);
-// The curves, the base circle and centre marks, on layers.
+// Writes the curves, the base circle and centre marks, on layers.
 void yk_cam_picture_dxf(const YkCamPicture *picture, YkText *dxf);
 
 #endif

@@ -1,3 +1,4 @@
+// Converts SVG text to PDF or PNG by rsvg-convert.
 #include "picture/convert.h"
 #include "base/problems.h"
 #include "write/process.h"

@@ -1,4 +1,4 @@
-// A drawing from first to last: gathering poses, then writing the layers.
+// Makes drawings: collects poses, then writes the layers.
 #include "picture/drawing.h"
 #include <stdlib.h>
 #include <string.h>
@@ -54,7 +54,7 @@ void yk_drawing_free(YkDrawing *drawing)
     free(drawing);
 }
 
-// Room for one more row of `size` bytes; rows are doubled.
+// Makes room for one more row of `size` bytes, by doubling.
 static bool make_room(void **rows, size_t count, size_t *capacity, size_t size)
 {
     if (count < *capacity) return true;
@@ -109,7 +109,7 @@ void yk_drawing_open(YkDrawing *drawing, const char *title)
     yk_text_puts(svg, "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fcfcfa\"/>\n");
 }
 
-// The whole page; with seconds > 0 it moves.
+// Writes the whole page, animated if seconds > 0.
 static const char *write_document(YkDrawing *drawing, double seconds, bool to_and_fro)
 {
     YkText *svg = &drawing->svg;

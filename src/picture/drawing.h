@@ -1,4 +1,4 @@
-// The inside of a drawing: poses gathered in metres, then laid out in pixels and written in layers.
+// A drawing inside: poses collected in metres, then laid out in pixels and written in layers.
 #ifndef PICTURE_DRAWING_H
 #define PICTURE_DRAWING_H
 #include <yoke/draw.h>
@@ -6,13 +6,12 @@
 #include "base/vec.h"
 #include "model/model.h"
 
-// Where a body's axes lie: origin in metres, direction of x as a unit vector.
+// The frame of a body's axes: origin in metres, direction of x as a unit vector.
 typedef struct YkFrame {
     YkVec origin, axis;
 } YkFrame;
 
-// A body's outline, once and for all in its own axes: the convex hull of its points. 1 corner: a dot, 2: a bar, more: a
-// plate.
+// A body's outline in its own axes, made once: the convex hull of its points. 1 corner: a dot, 2: a bar, more: a plate.
 typedef struct YkOutline {
     size_t first, count;
 } YkOutline;
@@ -22,7 +21,7 @@ typedef struct YkDrawnCam YkDrawnCam; // drawing_cams.c
 struct YkDrawing {
     const YkMechanism *mech;
     const YkModel *model;
-    YkDrawOptions options; // traced_points is our own copy
+    YkDrawOptions options; // traced_points is a copy of its own
     YkOutline *outlines;   // [body]
     YkVec *corners;
     size_t corner_count;
@@ -48,49 +47,49 @@ static inline const YkFrame *yk_drawing_frames(const YkDrawing *drawing, size_t 
 {
     return drawing->frames + pose * drawing->model->body_count;
 }
-// A joint's point on body side 0 or 1, in metres.
+// Returns a joint's point on body side 0 or 1, in metres.
 static inline YkVec yk_drawing_joint(const YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, int side)
 {
     (void)drawing;
     return yk_frame_apply(frames[joint->body[side]], joint->at[side]);
 }
 
-// The pose in which everything is written: the last.
+// Returns the pose in which everything is written: the last one.
 static inline size_t yk_drawing_reference(const YkDrawing *drawing)
 {
     return drawing->pose_count - 1;
 }
 
-// Moving drawings: what comes between belongs to the body, or is a name that follows a place (metres, of the pose
-// `reference` and of the pose shown). Otherwise they write nothing. Groups do not nest.
+// For moving drawings: what comes between belongs to the body, or is a name that follows a place (metres, at the pose
+// `reference` and at the pose shown). Otherwise they write nothing. Groups do not nest.
 void yk_drawing_group(YkDrawing *drawing, size_t body);
 void yk_drawing_group_name(YkDrawing *drawing, char kind, size_t index, YkVec from, YkVec to);
 void yk_drawing_ungroup(YkDrawing *drawing);
-// How a body lies to its place in the reference pose, on the page.
+// The displacement of a body on the page from its place in the reference pose.
 typedef struct YkShift {
     YkVec by;     // px
     double turn;  // clockwise as SVG counts, rad, within half a turn
     YkVec center; // about which it turns: where its origin is in the reference pose, px
 } YkShift;
 YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose);
-// Where a name of a joint or a body is attached, m.
+// Returns where the name of a joint or a body is attached, m.
 YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body);
-// Keyframes of all bodies and names over the poses.
+// Writes keyframes of all bodies and names over the poses.
 void yk_drawing_keyframes(YkDrawing *drawing, double seconds, bool to_and_fro);
 
-// Builds all outlines; false when out of memory. Cost O(points log points).
+// Builds all outlines. Returns false when out of memory. Cost: O(points log points).
 bool yk_drawing_outline(YkDrawing *drawing);
-// Places all bodies as `state` has them. Returns false when a body depends on nothing that is placed, or is not finite.
+// Places all bodies in the pose of `state`. Returns false if a body is attached to nothing placed, or is not finite.
 bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *frames);
-// Sets scale, size and bar width from all that was gathered.
+// Sets scale, size and bar width from everything collected.
 void yk_drawing_fit(YkDrawing *drawing);
 YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres);
 
-// Instead of fitting all: `middle` (m) at the middle of a page of this size (px), so many px per metre.
+// Does not fit: puts `middle` (m) at the middle of a page of this size (px), at `scale` px per metre.
 void yk_drawing_center(YkDrawing *drawing, YkVec middle, double scale, double width, double height);
-// How large the machine is that fits into a drawing: the largest coordinate of a joint or corner, m.
+// Returns the size of the machine in a drawing: the largest coordinate of a joint or corner, m.
 double yk_drawing_extent(const YkDrawing *drawing);
-// The head of the document.
+// Writes the head of the document.
 void yk_drawing_open(YkDrawing *drawing, const char *title);
 
 // Layers, from the back to the front; `pose` is the one whose joints are drawn.
@@ -106,26 +105,26 @@ typedef struct YkColour {
 } YkColour;
 YkColour yk_drawing_colour(size_t body);
 
-// The stretch of its line that a slide or pin-slot passes in all poses, in metres from the joint's `from` point.
+// The stretch of its line that a slide or pin-slot covers in all poses, in metres from the joint's `from` point.
 typedef struct YkStretch {
     double low, high;
 } YkStretch;
 YkStretch yk_drawing_stretch(const YkDrawing *drawing, const YkJoint *joint);
-// The lines of moving bodies along which others slide: they lie under everything.
+// Draws the lines of moving bodies along which others slide, below everything else.
 void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames);
-// Pitch circles with marks, pulleys and belts, base circles of cams.
+// Draws pitch circles with marks, pulleys and belts, base circles of cams.
 void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames);
 double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 where neither centres nor module are given
 // Raises `reach` to the largest radius of the body's wheels about its origin, m.
 void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach);
-// All wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle. frames may
-// be NULL where centres do not matter.
+// Visits all wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle.
+// frames may be NULL if centres are not needed.
 typedef void YkSeeWheel(void *context, YkVec center, double radius, bool is_base);
 void yk_drawing_each_wheel(const YkDrawing *drawing, const YkFrame *frames, int32_t body, YkSeeWheel *see,
                            void *context);
-// Outlines of cams, and rollers, faces and edges of their followers. Taken once; false when out of memory.
+// Takes the outlines of cams, and rollers, faces and edges of their followers, once. Returns false when out of memory.
 bool yk_drawing_take_cams(YkDrawing *drawing);
-// Followers that are drawn away from where the model has them: called once, when all bodies are placed.
+// Moves followers that are drawn away from their place in the model: called once, when all bodies are placed.
 void yk_drawing_move_followers(const YkDrawing *drawing, YkFrame *frames);
 double yk_drawing_follower_turn(const YkDrawing *drawing, size_t body); // how far it is turned by that, rad
 void yk_drawing_free_cams(YkDrawing *drawing);
@@ -134,10 +133,10 @@ YkVec yk_drawing_cam_center(const YkDrawing *drawing, const YkFrame *frames, siz
 double yk_drawing_cam_reach(const YkDrawing *drawing, size_t cam); // the farthest of its outline from its centre, m
 YkVec yk_drawing_rider(const YkDrawing *drawing, const YkFrame *frames,
                        size_t cam); // centre of the roller, the edge, a point of the face, m
-// Pins, boxes and slots of one pose.
+// Draws the pins, boxes and slots of one pose.
 void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
 
-// One body by itself: its bar or plate; its wheels as circles; what a joint looks like on its body side 0 or 1.
+// Draw one body by itself: its bar or plate; its wheels as circles; a joint's shape on its body side 0 or 1.
 void yk_drawing_body(YkDrawing *drawing, const YkFrame *frame, size_t body);
 void yk_drawing_body_wheels(YkDrawing *drawing, const YkFrame *frames, int32_t body);
 void yk_drawing_joint_on(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, int side);

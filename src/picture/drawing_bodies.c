@@ -1,8 +1,8 @@
-// Bars and plates: an outline drawn twice with round joins, dark and then a little narrower and light.
+// Draws bars and plates: an outline drawn twice with round joins, dark and then a little narrower and light.
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
-enum { CORNERS_MAX = 64 }; // a plate with more corners is drawn with so many of them
+enum { CORNERS_MAX = 64 }; // corners beyond these are not drawn
 
 static void add_shape(YkDrawing *drawing, const YkVec *corners, size_t count, const char *colour, double width)
 {

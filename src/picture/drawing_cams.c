@@ -1,16 +1,16 @@
-// Cams: their outlines, and what rides on them - a roller, a flat face or an edge - with the stem or arm that holds it.
+// Draws cams: their outlines, and what rides on them - a roller, a flat face or an edge - with its stem or arm.
 //
-// The outline is in the cam's axes and turns with it. The follower's part is where it must be to touch the cam. The
-// model measures the lift alone, from the base circle: so a follower that depends on nothing but its guide is drawn
-// moved to where its point rides.
+// The outline is in the cam's axes and turns with it. The follower's part is drawn where it touches the cam. The model
+// only measures the lift from the base circle, so a follower that is attached to nothing but its guide is drawn moved
+// to where its point rides.
 #include <stdlib.h>
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
-static const double tolerance = 2e-3; // of the base circle: what an outline may be off
+static const double tolerance = 2e-3; // of the base circle: largest error of an outline
 
-// What is drawn of a cam: outlines in the cam's axes; where roller, edge or contact of the face is at one lift, and the
-// normal there, in the carrier's axes from the cam's centre.
+// The drawing of a cam: outlines in the cam's axes; roller, edge or contact of the face at one lift, and the normal
+// there, in the carrier's axes from the cam's centre.
 struct YkDrawnCam {
     YkVec *surface, *outer;
     size_t surface_count, outer_count;
@@ -38,8 +38,8 @@ static size_t joints_of(const YkModel *model, int32_t body)
     return count;
 }
 
-// From where the model has the follower's point at this lift to where it rides. The point is `at:`, or what the guide
-// holds where the guide's line begins at the cam's centre.
+// Finds the vector from the follower's point in the model at this lift to where it rides. The point is `at:`, or the
+// guide's point if the guide's line begins at the cam's centre.
 static void find_shift(const YkModel *model, const YkCam *cam, YkDrawnCam *own)
 {
     const YkJoint *guide = &model->joints[cam->follower_joint], *pin = &model->joints[cam->cam_joint];
@@ -65,7 +65,7 @@ static bool take(const YkModel *model, size_t k, YkDrawnCam *own)
     YkCamDesign *design = yk_cam_design_new(model, k);
     if (!design) return false;
     const YkCam *cam = &model->cams[k];
-    YkCamPoint point = yk_cam_at(design, 0); // where the cam's axes are the carrier's
+    YkCamPoint point = yk_cam_at(design, 0); // the cam's axes are here the carrier's
     const double *at = cam->face == YK_CAM_FLAT ? point.surface : point.pitch;
     own->at = yk_vec(at[0], at[1]);
     own->normal = yk_vec(point.normal[0], point.normal[1]);
@@ -103,7 +103,7 @@ double yk_drawing_cam_reach(const YkDrawing *drawing, size_t cam)
 
 // --- Where the follower is
 
-// The frame of the carrier with its origin at the cam's centre.
+// Returns the frame of the carrier with its origin at the cam's centre.
 static YkFrame carrier_frame(const YkDrawing *drawing, const YkFrame *frames, const YkCam *cam)
 {
     const YkJoint *pin = &drawing->model->joints[cam->cam_joint];
@@ -115,7 +115,7 @@ YkVec yk_drawing_cam_center(const YkDrawing *drawing, const YkFrame *frames, siz
     return carrier_frame(drawing, frames, &drawing->model->cams[cam]).origin;
 }
 
-// The follower's coordinate at a pose; an angle within half a turn.
+// Returns the follower's coordinate at a pose; an angle within half a turn.
 static double lift_of(const YkDrawing *drawing, const YkFrame *frames, size_t k)
 {
     const YkCam *cam = &drawing->model->cams[k];
@@ -208,7 +208,7 @@ static void add_outline(YkDrawing *drawing, const YkFrame *frames, size_t k, YkT
     yk_drawing_ungroup(drawing);
 }
 
-// The stem or arm goes from the follower's joint to what rides.
+// Draws the stem or arm from the follower's joint to what rides.
 static void add_rider(YkDrawing *drawing, const YkFrame *frames, size_t k, YkText *style)
 {
     const YkCam *cam = &drawing->model->cams[k];

@@ -1,4 +1,4 @@
-// From metres to pixels: the scale that lets everything drawn fit the page.
+// From metres to pixels: finds the scale at which everything fits the page.
 #include "picture/drawing.h"
 #include <stdlib.h>
 
@@ -37,7 +37,7 @@ static void include_pose(YkDrawing *drawing, const YkFrame *frames)
     }
 }
 
-// The mean length of a link, m: the distance between the first two corners of an outline.
+// Returns the mean length of a link, m: the distance between the first two corners of an outline.
 static double mean_link(const YkDrawing *drawing)
 {
     double sum = 0;

@@ -1,4 +1,4 @@
-// What stands still: pins on their pedestals, rails of guides, hatched where the ground is.
+// Draws what is fixed: pins on their pedestals, rails of guides, hatched towards the ground.
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
@@ -6,7 +6,7 @@ static const char edge[] = "fill=\"#eeeeea\" stroke=\"#55585c\" stroke-width=\"1
 static const char rail[] = "stroke=\"#55585c\" stroke-width=\"1.4\" stroke-linecap=\"round\"";
 static const char stroke[] = "stroke=\"#8a8d91\" stroke-width=\"0.9\" stroke-linecap=\"round\"";
 
-// Short slanted strokes along a line, on the side to which `down` points.
+// Draws short slanted strokes along a line, on the side to which `down` points.
 static void add_hatch(YkDrawing *drawing, YkVec a, YkVec b, YkVec down)
 {
     double spacing = fmax(3, 0.6 * drawing->bar), length = yk_norm(yk_sub(b, a));
@@ -42,7 +42,7 @@ YkStretch yk_drawing_stretch(const YkDrawing *drawing, const YkJoint *joint)
     return stretch;
 }
 
-// The two rails of a guide in the ground, over the whole stretch that is used and a little more.
+// Draws the two rails of a guide in the ground, over the stretch that is used and a little more.
 static void add_rails(YkDrawing *drawing, const YkJoint *joint)
 {
     double gap = joint->kind == YK_SLIDE ? 1.02 * drawing->bar : 0.5 * drawing->bar, beyond = 3 * drawing->bar;

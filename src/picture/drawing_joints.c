@@ -1,9 +1,9 @@
-// Joints of one pose: boxes that slide, rods they slide on, slots, welds, pins; and the named points that are no
+// Draws the joints of one pose: sliding boxes, rods that they slide on, slots, welds, pins; and named points without
 // joints.
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
-// A run of attributes: fill, edge and its width.
+// Writes attributes: fill, edge and its width.
 static void set_style(YkText *style, const char *fill, const char *edge, double width)
 {
     yk_text_clear(style);
@@ -12,13 +12,13 @@ static void set_style(YkText *style, const char *fill, const char *edge, double 
     yk_text_puts(style, "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"");
 }
 
-// The direction of a joint's line, as a unit vector on the page.
+// Returns the direction of a joint's line, as a unit vector on the page.
 static YkVec page_direction(const YkFrame *frames, const YkJoint *joint)
 {
     return yk_conj(yk_mul(frames[joint->body[0]].axis, joint->along));
 }
 
-// The line of a body that moves, along which another slides: a rod from its start to where the other is.
+// Draws the line of a moving body along which another slides: a rod from its start to where the other is.
 static void add_rod(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, YkText *style)
 {
     YkVec from = yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 0));
@@ -96,7 +96,7 @@ static void add_each(YkDrawing *drawing, const YkFrame *frames, YkPartKind kind,
     }
 }
 
-// Points with a name that no joint uses (a coupler point, a tip): small dots.
+// Draws named points without joints (a coupler point, a tip) as small dots.
 static void add_points(YkDrawing *drawing, const YkFrame *frames, YkText *style)
 {
     const YkModel *model = drawing->model;

@@ -1,4 +1,4 @@
-// Names of pins and bodies, each where it covers least of what is drawn already.
+// Places the names of pins and bodies, each where it covers least of what is already drawn.
 #include "picture/drawing.h"
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ static bool add_lines(YkDrawing *drawing, const YkFrame *frames, YkLabels *label
     return true;
 }
 
-// Joints first, as obstacles, so that no name hides a pin, a box or a pedestal.
+// Takes joints first, as obstacles, so that no name hides a pin, a box or a pedestal.
 static void take_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *labels)
 {
     double bar = drawing->bar;

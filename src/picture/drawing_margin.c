@@ -1,8 +1,8 @@
-// Round the picture: the machine's name, and a bar that gives the scale in the file's unit of length.
+// Draws the machine's name, and a bar that gives the scale in the file's unit of length.
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
-// The largest of 1, 2, 5 times a power of ten that is not over `most`.
+// Returns the largest of 1, 2, 5 times a power of ten that is at most `most`.
 static double round_down(double most)
 {
     double power = pow(10, floor(log10(most)));

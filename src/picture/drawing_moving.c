@@ -1,5 +1,5 @@
-// Drawings that move: everything that belongs to a body stands in groups of its class, written at the reference pose.
-// To show another pose the groups are moved: a turn about where the body's origin was, then a shift to where it is.
+// Drawings that move: everything of a body is in groups with its class, written at the reference pose. Another pose is
+// shown by moving the groups: a turn about the former place of the body's origin, then a shift to the new one.
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
@@ -62,7 +62,7 @@ void yk_drawing_ungroup(YkDrawing *drawing)
 
 // --- Keyframes
 
-// Where body or name stands at a pose.
+// Returns where a body or name is at a pose.
 typedef YkShift ShiftOf(const YkDrawing *drawing, size_t index, size_t pose);
 
 static YkShift joint_shift(const YkDrawing *drawing, size_t joint, size_t pose)
@@ -91,7 +91,7 @@ static bool stands_still(const YkDrawing *drawing, ShiftOf *shift, size_t index)
     return true;
 }
 
-// Turns are counted on from pose to pose, so that a whole turn is one.
+// Turns are counted from pose to pose, so that a whole turn is one.
 static void add_keyframes(YkDrawing *drawing, char kind, size_t index, ShiftOf *shift, const char *timing)
 {
     YkText *svg = &drawing->svg;

@@ -1,8 +1,8 @@
-// What a body looks like: the convex hull of its points, by Andrew's monotone chain (Andrew 1979).
+// Finds the outline of a body: the convex hull of its points, by Andrew's monotone chain (Andrew 1979).
 #include "picture/drawing.h"
 #include <stdlib.h>
 
-// A point on its way into an outline.
+// A point that may become part of an outline.
 typedef struct Spot {
     size_t body;
     YkVec at;
@@ -16,7 +16,7 @@ static int compare(const void *left, const void *right)
     return a->at.y < b->at.y ? -1 : a->at.y > b->at.y;
 }
 
-// All points of all bodies: those with a name, and the places that joints use. The ground has no outline.
+// Collects all points of all bodies: named ones, and the places that joints use. The ground has no outline.
 static size_t gather(const YkModel *model, Spot *spots)
 {
     size_t count = 0;
@@ -29,14 +29,14 @@ static size_t gather(const YkModel *model, Spot *spots)
     return count;
 }
 
-// Does the chain turn left at its last corner when it goes on to `next`? Nearly straight counts as straight.
+// Returns whether the chain turns left at its last corner towards `next`. Nearly straight counts as straight.
 static bool turns_left(const YkVec *corner, YkVec next, double tolerance)
 {
     YkVec before = yk_sub(corner[-1], corner[-2]), after = yk_sub(next, corner[-1]);
     return yk_cross(before, after) > tolerance * yk_norm(before) * yk_norm(after);
 }
 
-// Walks the sorted spots there and back; returns the number of corners.
+// Walks the sorted spots in both directions; returns the number of corners.
 static size_t hull(const Spot *spots, size_t count, YkVec *corners)
 {
     const double tolerance = 1e-9;
@@ -53,7 +53,7 @@ static size_t hull(const Spot *spots, size_t count, YkVec *corners)
     return count > 1 ? n - 1 : n;
 }
 
-// Drops repeats; spots are sorted.
+// Drops repeats from the sorted spots.
 static size_t unique(Spot *spots, size_t count)
 {
     size_t kept = 0;

@@ -1,4 +1,4 @@
-// Where the bodies are: from a point of each, or from a neighbour where a body names no point.
+// Places the bodies: by a point of each, or by a neighbour if a body has no named point.
 #include "picture/drawing.h"
 
 static bool is_placed(YkFrame frame)
@@ -24,8 +24,8 @@ static double distance_of(const YkState *state, const YkModel *model, size_t joi
     return yk_state_channel(state, channel);
 }
 
-// One pass over the joints; true when it placed something. A body without points is rare and depends on one that has
-// some, so a pass or two do.
+// Passes once over the joints; returns true if it placed something. Bodies without points are rare and attached to one
+// with points, so one or two passes are enough.
 static bool pass(const YkModel *model, const YkState *state, YkFrame *frames)
 {
     bool found = false;

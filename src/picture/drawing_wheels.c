@@ -1,7 +1,7 @@
-// Wheels: pitch circles of gears with a mark at every tooth, pulleys, pinions, base circles of cams.
+// Draws wheels: pitch circles of gears with a mark at every tooth, pulleys, pinions, base circles of cams.
 //
-// Marks of two wheels in mesh meet at their pitch point. They are set so at the pose drawn; since both circles roll on
-// each other by the same arc, they meet in every pose. A body has one set of marks for every mesh it takes part in.
+// The marks of two wheels in mesh meet at their pitch point. They are placed so at the drawn pose; since both circles
+// roll through the same arc, they meet in every pose. A body has a set of marks for every mesh it takes part in.
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
@@ -27,7 +27,7 @@ static void set_style(YkText *style, size_t body, double width, const char *dash
     yk_text_format(style, "\"%s", dashes);
 }
 
-// A circle with the body's colour, in its group.
+// Draws a circle in the body's colour, in its group.
 static void add_circle(YkDrawing *drawing, YkVec center, double radius, size_t body, const char *dashes, YkText *style)
 {
     if (!(radius > 0)) return;
@@ -37,12 +37,12 @@ static void add_circle(YkDrawing *drawing, YkVec center, double radius, size_t b
     yk_drawing_ungroup(drawing);
 }
 
-// A mark at every tooth, the first at the angle given (world, rad); inwards, or outwards on a ring.
+// Draws a mark at every tooth, the first at the given angle (world, rad); inwards, or outwards on a ring.
 static void add_marks(YkDrawing *drawing, YkVec center, double radius, double first, int64_t teeth, double way,
                       size_t body, YkText *style)
 {
     double pitch = 2 * YK_PI * radius / (double)teeth, length = 0.35 * pitch;
-    if (teeth > MARKS_MAX || pitch * drawing->scale < 2) return; // they would run together
+    if (teeth > MARKS_MAX || pitch * drawing->scale < 2) return; // they would merge
     set_style(style, body, fmin(1, 0.15 * drawing->bar), "");
     yk_drawing_group(drawing, body);
     for (int64_t k = 0; k < teeth; k++) {
@@ -54,7 +54,7 @@ static void add_marks(YkDrawing *drawing, YkVec center, double radius, double fi
     yk_drawing_ungroup(drawing);
 }
 
-// The first wheel's marks go with its own axes; the second's start from where the first's nearest mark is off the pitch
+// The first wheel's marks follow its own axes; the second's start where the first's nearest mark is off the pitch
 // point.
 static void add_pair(YkDrawing *drawing, const YkFrame *frames, const YkGear *gear, YkText *style)
 {
@@ -72,7 +72,7 @@ static void add_pair(YkDrawing *drawing, const YkFrame *frames, const YkGear *ge
     add_marks(drawing, b, rb, other, gear->teeth[1], gear->is_internal ? 1 : -1, (size_t)gear->body[1], style);
 }
 
-// The straight runs of a belt: outer tangents, or inner ones where it is crossed.
+// Draws the straight runs of a belt: outer tangents, or inner ones if it is crossed.
 static void add_belt(YkDrawing *drawing, const YkFrame *frames, const YkBelt *belt, YkText *style)
 {
     YkVec a = center_of(frames, belt->body[0]), b = center_of(frames, belt->body[1]), line = yk_sub(b, a);

@@ -1,9 +1,10 @@
+// Writes DXF.
 #include "picture/dxf.h"
 #include "base/number.h"
 
 enum { DECIMALS = 9 };
 
-// A group: its code, its value, each in a line of its own.
+// Writes a group: its code and its value, each on its own line.
 static void group(YkText *dxf, int code, const char *value)
 {
     yk_text_format(dxf, "%d\n%s\n", code, value);

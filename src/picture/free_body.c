@@ -1,4 +1,4 @@
-// Free-body drawings from first to last: pictures, arrows, names.
+// Makes free-body drawings: pictures, arrows, names.
 #include "picture/free_body.h"
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,7 @@ static const char ink[] = "#1c1e21", force_colour[] = "#b3261e", moment_colour[]
 
 // --- Making
 
-// Values of the pose; every unknown is 1, so that what it multiplies is its direction.
+// Sets the values of the pose; every unknown is 1, so that its factor is its direction.
 static bool set_values(YkFreeBodyDrawings *p, const YkState *state)
 {
     const YkDeriveForces *f = p->forces;
@@ -52,7 +52,7 @@ YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *st
     YkFreeBodyDrawings *p = calloc(1, sizeof *p);
     if (p) p->d = d;
     if (p && make(p, state)) return p;
-    // Nothing to draw, or no memory: then the derivation, whose equations they show, has failed.
+    // If there is nothing to draw, or no memory, the derivation whose equations they show has failed.
     if (!p || (!p->is_infinite && yk_ring_status(d->ring) == YK_RING_OK)) d->failed = true;
     yk_free_body_drawings_free(p);
     return NULL;
@@ -100,7 +100,7 @@ static void set_style(YkText *style, const char *fill, const char *stroke, doubl
     yk_text_format(style, "\"%s", more);
 }
 
-// A head at `tip`, pointing along.
+// Draws a head at `tip`, pointing along.
 static void add_head(YkText *svg, YkVec tip, YkVec along, const char *colour, YkText *style)
 {
     YkVec back = yk_sub(tip, yk_scale(10, along)), across = yk_scale(3.6, yk_quarter(along));
@@ -117,7 +117,7 @@ static void add_force(YkText *svg, const YkArrow *arrow, YkText *style)
     add_head(svg, arrow->to, arrow->along, colour, style);
 }
 
-// Three quarters of a circle, open to where it began.
+// Draws three quarters of a circle, open at its beginning.
 static void add_moment(YkText *svg, const YkArrow *arrow, YkText *style)
 {
     enum { STEPS = 27 };
@@ -133,7 +133,7 @@ static void add_moment(YkText *svg, const YkArrow *arrow, YkText *style)
     add_head(svg, points[STEPS], yk_scale(1 / yk_norm(along), along), colour, style);
 }
 
-// "-m1 a^{C1}, inertia": what a reader of the picture sees on pointing at it.
+// Adds "-m1 a^{C1}, inertia": shown when a reader points at the arrow.
 static void add_title(YkText *svg, const YkArrow *arrow)
 {
     const YkSvgName *name = &arrow->name;
@@ -169,7 +169,7 @@ static void add_shape(YkFreeBodyDrawings *p, int32_t body)
     const YkFrame *frames = yk_drawing_frames(drawing, 0);
     const YkModel *model = p->d->model;
     yk_drawing_body_wheels(drawing, frames, body);
-    for (int pass = 0; pass < 2; pass++) { // rods and slots lie under the body, pins and boxes on it
+    for (int pass = 0; pass < 2; pass++) { // rods and slots below the body, pins and boxes above
         for (size_t j = 0; j < model->joint_count; j++)
             for (int side = 0; side < 2; side++) {
                 const YkJoint *joint = &model->joints[j];

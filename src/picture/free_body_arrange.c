@@ -1,14 +1,14 @@
-// Where the arrows of free-body drawings go: at which end of the arrow the point is, and which way a force points whose
-// direction is unknown, so that arrows keep clear of each other and of the body.
+// Arranges the arrows of free-body drawings: at which end of the arrow the point is, and which way a force of unknown
+// direction points, so that arrows keep clear of each other and of the body.
 #include <stdlib.h>
 #include <string.h>
 #include "picture/free_body_inside.h"
 
-static const double clear = 13; // px between an arrow and anything else, where there is room
+static const double clear = 13; // px between an arrow and anything else, if there is room
 
-// --- What is there
+// --- Obstacles
 
-// Rods of the body, along which others slide.
+// Adds the body's rods, along which others slide.
 static size_t add_rods(const YkFreeBodyDrawings *p, int32_t body, YkVec (*lines)[2])
 {
     const YkFrame *frames = yk_drawing_frames(p->drawing, 0);
@@ -98,7 +98,7 @@ typedef struct Place { // a candidate
     double price;
 } Place;
 
-// --- The price of a place: how near the arrow runs to what is there, sampled from just off its point.
+// --- The price of a place: how near the arrow runs to obstacles, sampled from just off its point
 
 static double price_of(YkVec (*lines)[2], size_t count, YkVec at, const Place *place)
 {
@@ -115,7 +115,7 @@ static double price_of(YkVec (*lines)[2], size_t count, YkVec at, const Place *p
     return sum;
 }
 
-// The best of: leaving the point or arriving at it, on the line or a little beside it.
+// Returns the better of leaving the point or arriving at it, on the line or a little beside it.
 static Place best_place(const YkArrow *arrow, YkVec along, YkVec (*lines)[2], size_t count)
 {
     static const double aside[] = {0, 14, -14};
@@ -166,7 +166,7 @@ static YkVec direction(const YkArrow *arrow, double degrees)
     return arrow->is_negative ? yk_scale(-1, e) : e;
 }
 
-// One direction for both bodies that the force acts on, opposite on the second.
+// Chooses one direction for both bodies that the force acts on, opposite on the second.
 static void arrange_free(YkFreeBodyDrawings *p, YkArrow *arrow, YkVec (*lines)[2], YkVec (*others)[2])
 {
     static const double degrees[] = {45, 35, 55, 25, 65, 15, 75};
@@ -186,7 +186,7 @@ static void arrange_free(YkFreeBodyDrawings *p, YkArrow *arrow, YkVec (*lines)[2
     }
 }
 
-// Moments at one point lie round each other.
+// Puts moments at one point round each other.
 static void arrange_moment(const YkFreeBodyDrawings *p, YkArrow *arrow)
 {
     const YkFreeBodyDrawing *picture = &p->pictures[arrow->picture];
@@ -213,7 +213,7 @@ static void pair(YkArrow *arrows, int32_t a, int32_t b)
     arrows[a].angle = arrows[b].angle = fmax(arrows[a].angle, arrows[b].angle); // a junction's
 }
 
-// Arrows of one name stand in a list, the last first: few, whatever the machine's size.
+// Finds equal names in lists, last one first; these are short, whatever the machine's size.
 static void find_partners(YkFreeBodyDrawings *p)
 {
     YkNames names = {0};

@@ -1,17 +1,17 @@
-// What acts on every body and junction, as arrows with names; and where the pictures look.
+// Collects the action on every body and junction, as arrows with names, and the view of each picture.
 #include <stdlib.h>
 #include <string.h>
 #include "page/print.h"
 #include "picture/free_body_inside.h"
 
-static const char minus[] = "\xe2\x88\x92"; // a real one
+static const char minus[] = "\xe2\x88\x92"; // the Unicode minus
 
 // --- Places
 
-// Where a body's reference is, m.
+// Returns a body's reference point, m.
 static YkVec reference_of(const YkFreeBodyDrawings *p, int32_t body)
 {
-    const YkBody *of = &p->d->model->bodies[body]; // by the pose: far from the ground no formula is written out
+    const YkBody *of = &p->d->model->bodies[body]; // from the pose: far from the ground no formula is written out
     return yk_frame_apply(yk_drawing_frames(p->drawing, 0)[body], of->has_mass ? of->center : yk_vec(0, 0));
 }
 
@@ -21,7 +21,7 @@ static YkVec place_of(const YkFreeBodyDrawings *p, const YkDerivePush *push)
     return yk_add(reference_of(p, push->body), arm);
 }
 
-// Where a load's couple is drawn: at its joint, as couples have no place of their own.
+// Draws a load's couple at its joint, as couples have no place of their own.
 static YkVec couple_place(const YkFreeBodyDrawings *p, const YkDeriveLoad *load, const YkDerivePush *push)
 {
     if (load->joint == YK_NONE) return place_of(p, push);
@@ -53,7 +53,7 @@ static YkArrow *add_arrow(YkFreeBodyDrawings *p, size_t picture, YkSvgName name,
     return arrow;
 }
 
-// The direction of a vector on the page; of nothing, `otherwise`.
+// Returns the direction of a vector on the page; `otherwise` for a zero vector.
 static YkVec direction_of(const YkFreeBodyDrawings *p, const YkPoisson *vector, YkVec otherwise)
 {
     YkVec v = yk_conj(yk_ring_value(p->d->ring, vector, p->values));
@@ -120,7 +120,7 @@ static void add_load(YkFreeBodyDrawings *p, size_t picture, const YkDeriveLoad *
     arrow->turn = k == 1 ? -1 : 1;
 }
 
-// l^2 as it is printed: powers of a factor are squares and cubes.
+// Writes l^2 as it is printed: powers of a factor are squares and cubes.
 static void raise_powers(const char *from, YkText *to)
 {
     for (const char *c = from; *c; c++) {
@@ -132,7 +132,7 @@ static void raise_powers(const char *from, YkText *to)
     }
 }
 
-// A factor before a name: in brackets where it is a sum, a blank behind it.
+// Returns a factor before a name: in brackets if it is a sum, with a blank after it.
 static const char *factor_text(YkFreeBodyDrawings *p, const YkPoisson *factor)
 {
     YkText text = {0}, raised = {0};
@@ -195,7 +195,7 @@ static void include_body(const YkFreeBodyDrawings *p, int32_t body, Extent *exte
         include(extent, yk_add(frame->origin, yk_vec(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach)));
 }
 
-// The body and all places at which something acts fill the middle of the page.
+// Centres the page on the body and all places at which something acts.
 static void look_at(YkFreeBodyDrawings *p, YkFreeBodyDrawing *picture)
 {
     static const double across = 230, up = 170; // px
@@ -255,7 +255,7 @@ static bool gather_body(YkFreeBodyDrawings *p, size_t picture)
     return !p->failed;
 }
 
-// The pin itself: what it exerts on the bodies comes back. The arrows share a quarter of the turn among them.
+// The pin itself: the bodies' forces on it are opposite. The arrows share a quarter turn.
 static bool gather_junction(YkFreeBodyDrawings *p, size_t picture)
 {
     const YkDeriveForces *f = p->forces;

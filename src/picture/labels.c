@@ -1,3 +1,4 @@
+// Finds places for names in a picture.
 #include "picture/labels.h"
 
 enum { RINGS = 4, PLACES = 16 };
@@ -8,7 +9,7 @@ static double overlap(YkBox a, YkBox b)
     return across > 0 && up > 0 ? across * up : 0;
 }
 
-// How much of a line runs within a box: samples would do, but clipping is exact (Liang & Barsky 1984).
+// Returns how much of a line runs within a box, by clipping, which is exact (Liang & Barsky 1984).
 static double covered(YkBox box, const YkVec line[2])
 {
     YkVec d = yk_sub(line[1], line[0]);
@@ -22,7 +23,7 @@ static double covered(YkBox box, const YkVec line[2])
     return high > low ? (high - low) * yk_norm(d) : 0;
 }
 
-// What leaves the page costs more than what is covered.
+// Leaving the page costs more than covering something.
 static double outside(const YkLabels *labels, YkBox box)
 {
     if (labels->width <= 0) return 0;

@@ -1,4 +1,4 @@
-// Names in a picture, each where it covers least of what is drawn already. Pixels, y down.
+// Names in a picture, each where it covers least of what is already drawn. Pixels, y down.
 #ifndef PICTURE_LABELS_H
 #define PICTURE_LABELS_H
 #include <stddef.h>
@@ -15,16 +15,16 @@ typedef struct YkLabels {
     size_t count;
     YkVec (*lines)[2]; // of bodies' edges, of arrows: the caller's
     size_t line_count;
-    double half;  // so far from its middle a line is inked, px
-    double width; // names stay within the page where these are not 0
+    double half;  // half the width of a line, px
+    double width; // names stay within the page if these are not 0
     double height;
 } YkLabels;
 
 YkBox yk_box_at(YkVec middle, double width, double height);
-// Takes a place; beyond YK_LABELS_MAX nothing happens.
+// Takes a place; does nothing beyond YK_LABELS_MAX.
 void yk_labels_take(YkLabels *labels, YkBox box);
-// The best place of a word of that size round a point, at least `reach` away from it, near before far: of the cheapest
-// the first. What it would cover is its price; `price` may be NULL. Nothing is taken.
+// Finds the best place of a word of that size round a point, at least `reach` away from it, near before far: the first
+// of the cheapest. What it would cover is its price; `price` may be NULL. Takes nothing.
 YkBox yk_labels_find(const YkLabels *labels, YkVec at, double reach, double width, double height, double *price);
 
 #endif

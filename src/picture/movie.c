@@ -1,3 +1,4 @@
+// Makes movies of drawings, by rsvg-convert and ffmpeg.
 #include "picture/movie.h"
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +36,7 @@ static bool run_out(YkProblems *problems)
 
 // --- Pictures
 
-// One pose as PNG.
+// Adds one pose as PNG.
 static bool add_picture(YkDrawing *drawing, size_t pose, YkText *pictures, YkProblems *problems)
 {
     static const char *const convert[] = {"rsvg-convert", "--format=png", NULL};
@@ -53,7 +54,7 @@ static bool add_picture(YkDrawing *drawing, size_t pose, YkText *pictures, YkPro
     return good;
 }
 
-// All poses one behind the other; the way back leaves out both ends, which stand already.
+// Adds all poses in order; the way back leaves out both ends, which are already there.
 static bool add_pictures(YkDrawing *drawing, bool to_and_fro, YkText *pictures, YkProblems *problems)
 {
     size_t count = drawing->pose_count;
@@ -76,7 +77,7 @@ static bool add_pictures(YkDrawing *drawing, bool to_and_fro, YkText *pictures, 
 
 // --- Movies
 
-// Standard output is a file here, and by its name one that can be gone back in, as MP4 needs.
+// Standard output is a file here, with a name, so that ffmpeg can seek in it, as MP4 requires.
 static bool encode(const YkText *pictures, YkMovieKind kind, double rate, YkText *output, YkProblems *problems)
 {
     static const char even[] = "pad=ceil(iw/2)*2:ceil(ih/2)*2";

@@ -1,3 +1,4 @@
+// Draws plots by gnuplot.
 #include "picture/plot.h"
 #include <math.h>
 #include <string.h>
@@ -10,7 +11,7 @@ enum { WIDTH = 800, PANEL_HEIGHT = 320, POINTS_PER_INCH = 72 };
 static const char *const colours[] = {"#1f6fb2", "#d1622b", "#2e8b57", "#8b4a9c",
                                       "#b8860b", "#c0394b", "#4a7c8c", "#5d5d5d"};
 
-// A string in gnuplot's single quotes, in which only the quote itself is special.
+// Writes a string in gnuplot's single quotes, in which only the quote itself is special.
 static void add_quoted(YkText *script, const char *string)
 {
     if (string == yk_text_lost) yk_text_fail(script);
@@ -28,7 +29,7 @@ static void add_number(YkText *script, double value)
     }
 }
 
-// Is this column the first of its unit, so that a panel begins with it?
+// Returns whether this column is the first of its unit, so that a panel begins with it.
 static bool opens_panel(const YkPlot *plot, size_t column)
 {
     for (size_t i = 0; i < column; i++)
@@ -69,7 +70,7 @@ static void add_data(const YkPlot *plot, YkText *script)
     yk_text_puts(script, "EOD\n");
 }
 
-// The range of x, so that every panel shows the same one even where lines have gaps.
+// Writes the range of x, so that every panel shows the same one even if lines have gaps.
 static void add_range(const YkPlot *plot, YkText *script)
 {
     double low = plot->x[0], high = low;

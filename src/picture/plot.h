@@ -25,9 +25,9 @@ typedef struct YkPlot {
     size_t mark_count;
 } YkPlot;
 
-// The gnuplot script that draws it on standard output, data inside. Deterministic.
+// Writes the gnuplot script that draws it on standard output, data inside. Deterministic.
 void yk_plot_script(const YkPlot *plot, YkFileKind kind, YkText *script);
-// Runs gnuplot; adds the picture to `output`. False with a problem added (E0710 when gnuplot is missing).
+// Runs gnuplot; adds the picture to `output`. Returns false with a problem added (E0710 if gnuplot is missing).
 bool yk_plot_draw(const YkPlot *plot, YkFileKind kind, YkText *output, YkProblems *problems);
 
 #endif

@@ -1,3 +1,4 @@
+// Writes SVG elements.
 #include "picture/svg.h"
 #include <string.h>
 #include "base/escape.h"

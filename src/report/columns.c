@@ -1,4 +1,5 @@
-// What is recorded on the way: for diagrams, for arrows in the drawing, for findings. Large machines: the first ones.
+// Chooses what is recorded on the way: for diagrams, for arrows in the drawing, for findings. In large machines, the
+// first ones.
 #include <math.h>
 #include <string.h>
 #include "report/report.h"
@@ -13,7 +14,7 @@ enum {
     NAME_SIZE = 256
 };
 
-// Refuses what no channel can name, and what is there already.
+// Skips what no channel can name, and what is already there.
 static void add(YkReportPage *report, const char *name, YkReportRole role, size_t of)
 {
     YkChannel channel;
@@ -27,7 +28,7 @@ static void add(YkReportPage *report, const char *name, YkReportRole role, size_
     report->columns[report->column_count++] = (YkReportColumn){own, channel, role, of};
 }
 
-// "NAME" and each of the endings.
+// Adds "NAME" with each of the endings.
 static void add_each(YkReportPage *report, const char *base, const char *const *endings, size_t count,
                      YkReportRole role, size_t of)
 {
@@ -41,7 +42,7 @@ static void add_each(YkReportPage *report, const char *base, const char *const *
     yk_text_free(&name);
 }
 
-// Those that the file names, where it names any.
+// Adds the coordinates that the file names, if it names any.
 static void add_coordinates(YkReportPage *report)
 {
     static const char *const orders[] = {"", ".rate", ".accel"};
@@ -56,7 +57,7 @@ static void add_coordinates(YkReportPage *report)
     }
 }
 
-// A simulation may take other coordinates on its way, and with them other blocks.
+// A simulation may change its coordinates on the way, and with them the blocks.
 static void add_transmissions(YkReportPage *report)
 {
     static const char *const ending[] = {".transmission"};
@@ -133,7 +134,7 @@ static bool is_at_joint(const YkModel *model, size_t point)
     return false;
 }
 
-// Is the point where an earlier one is: two bodies meet in a pin there?
+// Returns whether the point coincides with an earlier one, as where two bodies meet in a pin.
 static bool is_seen(const YkReportPage *report, size_t point)
 {
     YkPointMotion own = yk_state_point(report->start, point);
@@ -154,7 +155,7 @@ static void trace(YkReportPage *report, size_t point)
         report->traced[report->traced_count++] = point;
 }
 
-// First what was asked for, then points that no joint uses, then the others.
+// Chooses first the points asked for, then points that no joint uses, then the others.
 void yk_report_choose_traces(YkReportPage *report)
 {
     const YkModel *model = report->model;

@@ -1,5 +1,5 @@
-// What the script reads: numbers of every row, where each body is, what can be shown. Values in the page's units,
-// places in pixels of the drawing.
+// Writes the script's data: numbers of every row, positions of the bodies, what can be shown. Values are in the page's
+// units, places in pixels of the drawing.
 #include <math.h>
 #include "base/number.h"
 #include "report/panels.h"
@@ -90,7 +90,7 @@ static void add_panels(const YkReportPage *report, YkJson *json)
     yk_json_end(json);
 }
 
-// Position, rate and acceleration of each coordinate, by column.
+// Writes the columns of position, rate and acceleration of each coordinate.
 static void add_readout(const YkReportPage *report, YkJson *json)
 {
     yk_json_list(json, "readout", YK_JSON_INLINE);
@@ -105,7 +105,7 @@ static void add_readout(const YkReportPage *report, YkJson *json)
 
 // --- The drawing
 
-// Of every body: where its origin is at the pose drawn, and for every row the shift and the turn (deg, counted on).
+// Writes for every body the place of its origin at the drawn pose and, for every row, shift and turn (deg, cumulative).
 static void add_bodies(const YkReportPage *report, YkJson *json)
 {
     yk_json_list(json, "bodies", YK_JSON_LINES);
@@ -138,7 +138,7 @@ static void add_bodies(const YkReportPage *report, YkJson *json)
     yk_json_end(json);
 }
 
-// A place on a body: what is written there follows it.
+// Writes a place on a body, which the label there follows.
 static void add_place(const YkReportPage *report, YkJson *json, size_t body, YkVec at)
 {
     YkVec place = yk_drawing_pixel(report->drawing, at);

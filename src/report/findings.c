@@ -1,4 +1,4 @@
-// Findings: what a reader wants to know first, in sentences. One file for each kind.
+// Findings: what a reader wants to know first, in sentences, with one file for each kind.
 #include <string.h>
 #include "base/number.h"
 #include "base/problems.h"
@@ -32,7 +32,7 @@ void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text)
     yk_text_clear(text);
 }
 
-// Angles in degrees where the file would have radians: so they are read.
+// Angles are in degrees if the file has radians, since they are easier to read.
 const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, double *size)
 {
     double own = 1;

@@ -1,10 +1,10 @@
-// What it takes: efforts of the drives, the largest reaction, the shaking force, the balance of energy.
+// Findings on forces: efforts of the drives, the largest reaction, the shaking force, the balance of energy.
 #include <math.h>
 #include "report/report.h"
 
-static const double noise = 1e-6; // of a sum over rows: a cam's laws are not smooth enough for more
+static const double noise = 1e-6; // of a sum over rows: laws of cams are not smooth enough for less
 
-// A dead point or change point on the way: forces have no bound near it, so there is no largest one to tell.
+// Forces are unbounded near a dead point or change point, so there is no largest one to report.
 static bool passes_singular(const YkReportPage *report)
 {
     for (size_t i = 0; report->sweep && i < yk_sweep_event_count(report->sweep); i++) {
@@ -19,7 +19,7 @@ static bool swept(const YkReportPage *report)
     return report->sweep && report->row_count > 1;
 }
 
-// The mean over the motion by the trapezoidal rule: exact to rounding over a whole turn of a smooth machine.
+// Returns the mean over the motion by the trapezoidal rule: exact to rounding over a whole turn of a smooth machine.
 static double mean(const YkReportPage *report, size_t column)
 {
     double sum = 0, span = report->at[report->row_count - 1] - report->at[0];
@@ -94,8 +94,8 @@ static void find_shaking(YkReportPage *report, YkText *text)
     yk_report_find(report, YK_FINDING_FACT, text);
 }
 
-// Work of all inputs' efforts over one turn at a steady rate: what loads and friction take, since the energy comes
-// back.
+// Finds the work of all inputs' efforts over one turn at a steady rate: the loss in loads and friction, since the
+// energy returns to its value.
 static void find_work(YkReportPage *report, YkText *text)
 {
     if (report->motion.kind != YK_REPORT_TURN || report->motion_status < 0) return;
@@ -132,7 +132,7 @@ static void find_work(YkReportPage *report, YkText *text)
     yk_report_find(report, YK_FINDING_FACT, text);
 }
 
-// A machine that stands: what holds it.
+// Says what holds a machine at rest.
 static void find_at_rest(YkReportPage *report, YkText *text)
 {
     double largest = 0;

@@ -1,4 +1,4 @@
-// Where it goes: ranges, dead points, strokes and their time ratio, transmission angles.
+// Findings on motion: ranges, dead points, strokes and their time ratio, transmission angles.
 #include <math.h>
 #include <yoke/design.h>
 #include "report/report.h"
@@ -11,7 +11,7 @@ static const char *input_name(const YkReportPage *report)
     return yk_coordinate_info(report->mech, yk_input_coordinate(report->mech, 0)).name;
 }
 
-// The range that holds the start, and how many there are besides.
+// Finds the range that contains the start, and how many others there are.
 static void find_range(YkReportPage *report, YkText *text)
 {
     if (report->range_count == 0 || report->status < 0) return;
@@ -35,7 +35,7 @@ static void find_range(YkReportPage *report, YkText *text)
     }
 }
 
-// Dead points, change points, and where the sweep had to end.
+// Finds dead points, change points, and where the sweep had to end.
 static void find_events(YkReportPage *report, YkText *text)
 {
     size_t told = 0;
@@ -58,7 +58,7 @@ static void find_events(YkReportPage *report, YkText *text)
     }
 }
 
-// A cam's follower dwells: its turning points do not tell when it comes and goes.
+// A cam's follower dwells, so its turning points do not tell when it moves.
 static bool is_follower(const YkReportPage *report, size_t joint)
 {
     for (size_t k = 0; k < report->model->cam_count; k++)
@@ -66,7 +66,7 @@ static bool is_follower(const YkReportPage *report, size_t joint)
     return report->model->follow_count > 0;
 }
 
-// A coordinate that goes to and fro once in a turn.
+// Finds the stroke of a coordinate that goes back and forth once in a turn.
 static void find_stroke(YkReportPage *report, YkState *state, size_t coordinate, YkText *text)
 {
     YkCoordinateInfo info = yk_coordinate_info(report->mech, coordinate);
@@ -98,7 +98,7 @@ static void find_stroke(YkReportPage *report, YkState *state, size_t coordinate,
     yk_report_find(report, YK_FINDING_FACT, text);
 }
 
-// Over less than a turn: how far a coordinate goes, where it turns round on the way.
+// Over less than a turn: how far a coordinate moves, and where it turns round on the way.
 static void find_reach(YkReportPage *report, size_t column, YkText *text)
 {
     const YkReportColumn *of = &report->columns[column];
@@ -146,8 +146,8 @@ static bool is_singular(const YkReportPage *report, size_t block)
     return false;
 }
 
-// The least transmission angle of each dyad over the motion. Where the motion ends at a limit it is 0 there, which says
-// nothing new.
+// Finds the least transmission angle of each dyad over the motion. It is 0 where the motion ends at a limit, which
+// is nothing new.
 static void find_transmission(YkReportPage *report, YkText *text)
 {
     if (!report->sweep || report->motion.is_cut) return;

@@ -1,4 +1,4 @@
-// What gears and cams say by themselves.
+// Findings on gears and cams.
 #include <math.h>
 #include <yoke/train.h>
 #include "base/problems.h"

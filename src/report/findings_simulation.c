@@ -1,4 +1,4 @@
-// What happens when it is let go.
+// Findings on what the machine does when it is released.
 #include <math.h>
 #include <yoke/simulation.h>
 #include "report/report.h"
@@ -56,8 +56,8 @@ static void find_energy(YkReportPage *report, YkText *text)
     yk_report_find(report, YK_FINDING_FACT, text);
 }
 
-// At rest at the start, with nothing that would move it; and no load makes it move later. An equilibrium that does not
-// last may be left by what rounding adds up to.
+// Returns whether it is at rest at the start, with nothing that would move it then or later. From an unstable
+// equilibrium rounding alone may move it.
 static bool rests(const YkReportPage *report)
 {
     for (size_t c = 0; c < report->column_count; c++) {

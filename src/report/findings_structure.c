@@ -1,4 +1,4 @@
-// What the machine is: its freedom, constraints that repeat others, the four-bars in it.
+// Findings on structure: freedom, redundant constraints, four-bars.
 #include <stdlib.h>
 #include <yoke/design.h>
 #include "report/report.h"

@@ -1,4 +1,4 @@
-// Gathering: from a state whose inputs are set to all that the page tells.
+// Gathers everything on the page, from a state whose inputs are set.
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
@@ -13,7 +13,7 @@ YkReportOptions yk_default_report_options(void)
 
 static void assemble(YkReportPage *report)
 {
-    // A pose that the caller's state has stands; inputs alone are assembled.
+    // Keeps the pose of the caller's state if it has one; otherwise assembles at its inputs.
     report->status =
         yk_state_has_pose(report->start) ? yk_state_solve(report->start) : yk_state_assemble(report->start);
     const char *said = yk_state_report(report->start)->message;
@@ -31,8 +31,8 @@ static void make_dynamics(YkReportPage *report, YkProblems *problems)
     report->dynamics = NULL;
 }
 
-// The pose at the start with its forces: an imposed motion's where one is shown, otherwise those of the motion that
-// begins there.
+// Solves the pose at the start with its forces: those of the imposed motion if one is shown, otherwise those of the
+// motion that begins there.
 static void solve_start(YkReportPage *report)
 {
     if (!report->dynamics || report->status < 0) return;
@@ -42,7 +42,7 @@ static void solve_start(YkReportPage *report)
     if (!report->has_forces) report->forces_message = yk_dynamics_report(report->dynamics)->message;
 }
 
-// A drawing of all rows, and of the start as the pose that stands on the page.
+// Begins a drawing of all rows, and of the start as the pose at which the page opens.
 static void begin_drawing(YkReportPage *report)
 {
     YkDrawOptions options = yk_default_draw_options();
@@ -62,11 +62,11 @@ static void end_drawing(YkReportPage *report)
     YkStatus status = yk_drawing_pose(report->drawing, report->start);
     yk_report_note(report, status);
     if (status == YK_OK) return;
-    yk_drawing_free(report->drawing); // a pose that cannot be drawn: the page does without
+    yk_drawing_free(report->drawing); // a pose that cannot be drawn: the page has no drawing
     report->drawing = NULL;
 }
 
-// Only the motion and its drawing, with the paths that were asked for.
+// Gathers only the motion and its drawing, with the paths that were asked for.
 static void gather_movie(YkReportPage *report, YkProblems *problems)
 {
     assemble(report);

@@ -1,5 +1,5 @@
-// Places: distances on the page as close as can be to distances in the graph, by majorization of the stress
-// (Gansner, Koren & North 2004), from a circle in the order of the bodies.
+// Places bodies so that distances on the page are as close as possible to distances in the graph, by stress
+// majorization (Gansner, Koren & North 2004), starting from a circle in the order of the bodies.
 #include "report/graph.h"
 #include <math.h>
 #include <stdlib.h>
@@ -78,7 +78,7 @@ static void gather(Graph *graph)
         }
 }
 
-// Shortest ways between all bodies (Floyd 1962); bodies that hang together by nothing lie a little farther apart.
+// Finds shortest paths between all bodies (Floyd 1962); unconnected bodies are put a little farther apart.
 static void measure(Graph *graph)
 {
     size_t n = graph->count;
@@ -115,7 +115,7 @@ static void place(Graph *graph)
         }
 }
 
-// Turns the whole so that the ground lies at the foot, and fits it to the page.
+// Turns the picture so that the ground is at the bottom, and fits it to the page.
 static YkVec settle(Graph *graph)
 {
     YkVec middle = {0, 0}, low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
@@ -144,7 +144,7 @@ static void add_path(YkText *svg, YkVec a, YkVec by, YkVec b)
     yk_text_puts(svg, "\"");
 }
 
-// Links between the same two bodies bow to both sides.
+// Adds a link; links between the same two bodies bend to both sides.
 static void add_link(Graph *graph, const Link *own, YkText *svg)
 {
     YkVec a = graph->at[own->a], b = graph->at[own->b], along = yk_sub(b, a);

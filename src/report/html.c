@@ -1,3 +1,4 @@
+// Writes small pieces of HTML.
 #include "report/html.h"
 #include <stdint.h>
 #include <string.h>
@@ -33,7 +34,7 @@ static void close_figure(YkText *html, const char *caption)
     yk_text_puts(html, "</figure>\n");
 }
 
-// The root element takes the role of one image; its own title goes, since the label says more.
+// The root element takes the role of one image; its own title is removed, since the label says more.
 void yk_html_picture(YkText *html, const char *svg, const char *told, const char *caption)
 {
     const char *root = strstr(svg, "<svg"), *title = strstr(svg, "<title>"), *after = strstr(svg, "</title>");

@@ -1,4 +1,4 @@
-// Which motion a report shows: what the machine's drives say, or its loads, or else all that its first input can do.
+// Chooses the motion of a report: that of the machine's drives, or of its loads, or else the range of its first input.
 #include <math.h>
 #include "base/vec.h"
 #include "report/report.h"
@@ -7,7 +7,7 @@ enum { TURN_STEPS = 180, RANGE_STEPS = 120, TIME_STEPS = 240, STEPS_MIN = 24, PO
 static const double full_turn = 2 * YK_PI;
 static const double time_default = 5, time_least = 1e-3, time_most = 60; // s
 static const double pass_default = 5, pass_least = 2.5, pass_most = 15;  // s, on a screen
-static const double inset = 0.01; // of a range, at each end that is a limit: rates have no bound there
+static const double inset = 0.01; // of a range, at each end that is a limit: rates are unbounded there
 
 static YkCoordinateInfo input_info(const YkReportPage *report, size_t input)
 {
@@ -16,7 +16,7 @@ static YkCoordinateInfo input_info(const YkReportPage *report, size_t input)
 
 // --- Drives in time
 
-// What an input's drive does: its rate where that is constant; otherwise its period, were it a harmonic.
+// The motion of an input's drive: its rate if that is constant; otherwise its period as if it were harmonic.
 typedef struct Course {
     bool moves, is_steady;
     double rate, period;
@@ -47,7 +47,7 @@ static Course course_of(YkReportPage *report, YkState *scratch, size_t input)
     return course;
 }
 
-// A time after which all drives come round again, if their periods are small multiples of one; otherwise the longest.
+// Returns a time after which all drives repeat, if their periods are small multiples of one; otherwise the longest.
 static double common_period(const double *periods, size_t count)
 {
     double longest = 0;
@@ -82,8 +82,8 @@ static double time_of_drives(YkReportPage *report, YkState *scratch)
 
 // --- Under loads
 
-// A few swings: of a pendulum as long as the machine is large, of its mass on its softest spring, or what its start
-// rates and drives take for one turn.
+// Returns the time of a few swings: of a pendulum as long as the machine is large, of its mass on its softest spring,
+// or of one turn at the rates of its start and drives.
 static double time_of_loads(YkReportPage *report, YkState *scratch)
 {
     const YkModel *model = report->model;
@@ -127,7 +127,7 @@ static bool is_full_turn(YkRange range)
     return range.to - range.from > full_turn - 1e-9;
 }
 
-// Through the range of the first input that holds the present pose; several inputs: a turn, or as far as it goes.
+// Chooses the range of the first input around the present pose; with several inputs a turn, or as far as it goes.
 static void choose_range(YkReportPage *report, Course course)
 {
     YkReportMotion *motion = &report->motion;
@@ -195,7 +195,7 @@ static void choose(YkReportPage *report, YkState *scratch)
     motion->to = motion->from + motion->duration;
 }
 
-// As long as it takes, within what eyes can follow.
+// Returns the real duration, within limits that an eye can follow.
 double yk_report_seconds(const YkReportPage *report)
 {
     double known = report->motion.duration;

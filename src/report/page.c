@@ -1,4 +1,4 @@
-// The page: head, contents, one section after the other, data and script.
+// Writes the page: head, contents, one section after the other, data and script.
 #include <yoke/yoke.h>
 #include "base/problems.h"
 #include "report/html.h"
@@ -45,7 +45,7 @@ static void open_page(YkReportPage *report, YkText *html)
     yk_html_element(html, "h1", report->model->name);
 }
 
-// "5 moving bodies, 7 joints, 2 loops".
+// Writes "5 moving bodies, 7 joints, 2 loops".
 static void add_subtitle(YkReportPage *report, YkText *html)
 {
     size_t moving = report->model->body_count - 1, joints = report->model->joint_count,
@@ -72,7 +72,7 @@ static void add_section(const Section *section, const YkText *part, YkText *html
     yk_text_puts(html, "</section>\n");
 }
 
-// JSON inside HTML: no text of it may end the element.
+// Writes JSON inside HTML, in which no text may end the element.
 static void add_data(YkReportPage *report, YkText *html)
 {
     YkText json = {0};

@@ -1,7 +1,8 @@
+// Decides which columns share a diagram.
 #include "report/panels.h"
 #include <math.h>
 
-// A panel holds one role in one quantity.
+// A panel shows one role in one quantity.
 typedef struct Kind {
     YkReportRole role;
     YkQuantity quantity;
@@ -23,7 +24,7 @@ static const Kind kinds[] = {
     {YK_ROLE_SHAKING, YK_QUANTITY_FORCE, "frame", "Force on the frame"},
 };
 
-// A column with a finite value that is not 0 throughout: others would only fill the page.
+// Returns whether a column has a finite value and is not 0 throughout; others would only fill the page.
 static bool is_worth_showing(const YkReportPage *report, size_t column)
 {
     for (size_t row = 0; row < report->row_count; row++) {

@@ -11,7 +11,7 @@ typedef struct YkPanel {
     size_t count;
 } YkPanel;
 
-// The panels that have something to show, at most `capacity`; none where there are no rows.
+// Finds the panels that have something to show, at most `capacity`; none if there are no rows.
 size_t yk_report_panels(const YkReportPage *report, YkPanel *panels, size_t capacity);
 enum { YK_PANELS_MAX = 12 };
 

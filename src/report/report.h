@@ -1,8 +1,8 @@
-// The inside of a report: what was gathered of a machine, and the parts of the page that tell it.
+// A report inside: what was gathered about a machine, and the parts of the page that present it.
 //
-// `gather` fills it, in this order: the pose at the start, the motion that is shown (`motion`), its rows (`rows`), what
-// there is to say in sentences (`findings*`). Then `page` asks every section for its part; a section that has nothing
-// to say writes nothing. Sections read what was gathered and compute nothing anew.
+// `gather` fills it in this order: the pose at the start, the motion that is shown (`motion`), its rows (`rows`), the
+// findings in sentences (`findings*`). Then `page` asks every section for its part; a section without content writes
+// nothing. Sections read what was gathered and compute nothing anew.
 #ifndef REPORT_REPORT_H
 #define REPORT_REPORT_H
 #include <yoke/report.h>
@@ -15,7 +15,7 @@
 typedef enum YkReportMotionKind {
     YK_REPORT_STILL,     // nothing moves: no freedom, or no pose
     YK_REPORT_TURN,      // an input through one whole turn
-    YK_REPORT_RANGE,     // an input through the range in which the machine closes, or that was asked for; to and fro
+    YK_REPORT_RANGE,     // an input through the range in which the machine closes, or a given one; back and forth
     YK_REPORT_TIME,      // all drives, in time
     YK_REPORT_SIMULATION // free inputs move under loads
 } YkReportMotionKind;
@@ -29,7 +29,7 @@ typedef struct YkReportMotion {
     bool is_cut;     // RANGE: both ends are limits of the machine, and the sweep stops a little before them
 } YkReportMotion;
 
-// What a column of numbers is for.
+// The purpose of a column of numbers.
 typedef enum YkReportRole {
     YK_ROLE_COORDINATE,   // and its derivatives
     YK_ROLE_TRANSMISSION, // angle of a block
@@ -48,7 +48,7 @@ typedef struct YkReportColumn {
     size_t of; // coordinate, block, joint, point
 } YkReportColumn;
 
-typedef enum YkFindingKind { YK_FINDING_FACT, YK_FINDING_LOOK } YkFindingKind; // LOOK: worth a second thought
+typedef enum YkFindingKind { YK_FINDING_FACT, YK_FINDING_LOOK } YkFindingKind; // LOOK: worth a closer look
 typedef struct YkFinding {
     YkFindingKind kind;
     const char *text; // one or two sentences
@@ -64,8 +64,8 @@ struct YkReportPage {
     YkState *start; // the pose at the start
     YkStatus status;
     const char *message;
-    YkDynamics *dynamics; // where the machine has masses or loads: stands at the start, solved there when has_forces
-    YkDynamics *along;    // the same machine's for sweeps, which leave it wherever their last row was
+    YkDynamics *dynamics; // for a machine with masses or loads: at the start, solved there when has_forces
+    YkDynamics *along;    // the same machine's for sweeps, which leave it at their last row
     bool has_forces;
     const char *forces_message;
     YkRange ranges[YK_REPORT_RANGES_MAX]; // of the one input, in which the configuration closes
@@ -82,10 +82,10 @@ struct YkReportPage {
     YkStatus motion_status; // how it ended
     const char *motion_message;
 
-    YkDrawing *drawing;                // poses: one a row, then that of the start
+    YkDrawing *drawing;                // poses: one for each row, then that of the start
     size_t *traced;                    // model points with a path
     size_t traced_count, traced_shown; // the first of them are shown when the page opens
-    size_t posed;                      // rows of which the drawing has a pose
+    size_t posed;                      // rows whose pose is in the drawing
 
     YkFinding *findings;
     size_t finding_count, finding_capacity;
@@ -97,29 +97,29 @@ static inline double yk_report_value(const YkReportPage *report, size_t row, siz
 {
     return report->values[row * report->column_count + column];
 }
-// The first column of a role for `of`; -1 if there is none. order: of a coordinate's derivative.
+// Returns the first column of a role for `of`; -1 if there is none. order: of a coordinate's derivative.
 int yk_report_column(const YkReportPage *report, YkReportRole role, size_t of, int order);
-// "theta1", or "t" where time runs; its quantity.
+// Returns "theta1", or "t" for a motion in time; its quantity.
 const char *yk_report_axis(const YkReportPage *report);
 YkQuantity yk_report_axis_quantity(const YkReportPage *report);
 
-// motion.c: chooses what is shown.
+// motion.c: chooses the motion.
 void yk_report_choose_motion(YkReportPage *report);
 // columns.c: chooses what is recorded on the way.
 void yk_report_choose_columns(YkReportPage *report);
 void yk_report_choose_traces(YkReportPage *report);
-// rows.c: goes through the motion.
+// rows.c: runs the motion.
 void yk_report_run(YkReportPage *report, YkProblems *problems);
 
-// The largest magnitude of a column over the rows, refined between them where it can be. row_count must not be 0.
+// The largest magnitude of a column over the rows, refined between them if possible. row_count must not be 0.
 typedef struct YkPeak {
     double value, at;
 } YkPeak;
 YkPeak yk_report_peak(YkReportPage *report, size_t column);
 YkPeak yk_report_least(YkReportPage *report, size_t column); // the same for the least value
 
-// findings.c: sentences. `text` is emptied.
-// Keep in mind that memory ran out below, whatever else is made of the answer: the page is then refused as a whole.
+// findings.c: writes sentences into `text`, which is emptied. yk_report_note remembers that memory ran out below,
+// whatever else happens to the answer: the whole page is then refused.
 void yk_report_note(YkReportPage *report, YkStatus status);
 void yk_report_note_problems(YkReportPage *report, const YkProblems *problems);
 void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text);
@@ -129,23 +129,23 @@ void yk_findings_motion(YkReportPage *report, YkText *text);    // ranges, dead 
 void yk_findings_forces(YkReportPage *report, YkText *text);    // efforts, reactions, energy
 void yk_findings_simulation(YkReportPage *report, YkText *text);
 void yk_findings_parts(YkReportPage *report, YkText *text); // gears, cams
-// The unit in which the page tells a quantity, its size in SI (may be NULL), and a value in it: the file's unit, angles
-// in degrees rather than in radians.
+// Returns the unit of a quantity on the page, its size in SI (may be NULL), and a value in it: the file's unit, but
+// degrees instead of radians.
 const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, double *size);
 double yk_report_in_unit(const YkReportPage *report, double value, YkQuantity quantity);
 void yk_report_error(YkText *text, double value); // to two digits
-// "190.09 deg"; "theta1 = 30 deg".
+// Writes "190.09 deg"; "theta1 = 30 deg".
 void yk_report_amount(const YkReportPage *report, YkText *text, double value, YkQuantity quantity);
 void yk_report_amount_at(const YkReportPage *report, YkText *text, double at);
 
-// page.c asks these, in their order; each adds to `html` what stands below its heading.
+// Called by page.c in order; each adds to `html` what is below its heading.
 typedef void YkReportSection(YkReportPage *report, YkText *html, YkProblems *problems);
 YkReportSection yk_section_findings, yk_section_motion, yk_section_diagrams, yk_section_forces, yk_section_gears,
     yk_section_cams, yk_section_parameters, yk_section_topology, yk_section_equations, yk_section_method;
-// What the script reads, as JSON.
+// Writes the script's data as JSON.
 void yk_report_data(YkReportPage *report, YkText *json);
 
-// Embedded at build time: the page's style; its script, empty where there was no Node to bundle it.
+// Embedded at build time: the page's style and its script, which is empty if there was no Node to bundle it.
 extern const unsigned char yk_report_style[], yk_report_script[];
 extern const size_t yk_report_style_size, yk_report_script_size;
 

@@ -1,4 +1,4 @@
-// Going through the motion: a row of numbers and a pose of the drawing at each step.
+// Runs the motion, with a row of numbers and a pose of the drawing at each step.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,7 @@ static bool make_room(YkReportPage *report)
     return report->at && report->values;
 }
 
-// A pose of the drawing for the row that comes now.
+// Adds a pose of the drawing for the present row.
 static void pose(void *context, const YkState *state)
 {
     YkReportPage *report = context;
@@ -38,8 +38,8 @@ static void pose(void *context, const YkState *state)
 
 // --- Sweeps
 
-// The swept machine's forces are those of an imposed motion, at the start too. Sweeps get dynamics of their own: the
-// page tells the start's forces after they ran.
+// Takes the swept machine's forces as those of an imposed motion, at the start too. Sweeps have a dynamics of their
+// own, since the page reports the start's forces after they have run.
 static bool prescribe_all(YkReportPage *report)
 {
     if (!report->dynamics) return true;
@@ -111,7 +111,7 @@ static void take_row(YkReportPage *report)
     pose(report, yk_simulation_state(report->simulation));
 }
 
-// From the start to the end of the motion; false with what there is to say where it cannot begin.
+// Simulates from the start to the end of the motion. Returns false, with the reason, if it cannot begin.
 static bool simulate(YkReportPage *report)
 {
     YkProblems *problems = yk_problems_new();
@@ -142,7 +142,7 @@ static bool simulate(YkReportPage *report)
     return report->simulation != NULL;
 }
 
-// Does an angle turn so far from row to row that neither lines nor eyes can follow?
+// Returns whether an angle turns so far from row to row that neither lines nor eyes can follow.
 static bool is_coarse(const YkReportPage *report)
 {
     for (size_t c = 0; c < report->column_count; c++) {
@@ -164,7 +164,7 @@ static void forget_rows(YkReportPage *report)
     if (report->drawing) report->drawing->pose_count = report->drawing->trace_count = 0;
 }
 
-// A time that was chosen for it is halved while the machine turns too fast for its rows.
+// Halves a chosen duration while the machine turns too fast for its rows.
 static void run_simulation(YkReportPage *report)
 {
     while (simulate(report) && report->options.duration == 0 && is_coarse(report) &&
@@ -190,7 +190,7 @@ void yk_report_run(YkReportPage *report, YkProblems *problems)
 
 // --- Peaks
 
-// Is a value better than the best so far: larger in magnitude, or less?
+// Returns whether a value beats the best so far: larger in magnitude, or least.
 static bool beats(double value, double best, bool least)
 {
     if (!isfinite(value)) return false;
@@ -209,7 +209,7 @@ static YkPeak best_of_rows(const YkReportPage *report, size_t column, bool least
     return best;
 }
 
-// Between the rows beside the best one, in finer steps, twice. A simulation is not run again.
+// Searches between the rows beside the best one, in finer steps, twice. Simulations are not run again.
 static YkPeak best_of(YkReportPage *report, size_t column, bool least)
 {
     size_t row = 0;

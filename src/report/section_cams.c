@@ -1,4 +1,4 @@
-// Every cam: its outline to scale, its lift and pressure angle over a turn.
+// Writes the section on cams: each outline to scale, with lift and pressure angle over a turn.
 #include <math.h>
 #include "picture/cam_picture.h"
 #include "report/html.h"

@@ -1,4 +1,4 @@
-// Diagrams: drawn by the script; without it pictures by gnuplot.
+// Writes the diagrams, which the script draws; without it, pictures by gnuplot.
 #include <math.h>
 #include <stdlib.h>
 #include "base/problems.h"
@@ -6,7 +6,7 @@
 #include "report/html.h"
 #include "report/panels.h"
 
-// "theta2 between -1 and 1 rad, d3 ...": what a diagram says to those who cannot see it.
+// Writes "theta2 between -1 and 1 rad, d3 ...": a diagram's description for readers who cannot see it.
 static void tell(YkReportPage *report, const YkPanel *panel, YkText *text)
 {
     yk_text_format(text, "%s over %s: ", panel->title, yk_report_axis(report));
@@ -59,7 +59,7 @@ static bool draw_plain(YkReportPage *report, const YkPanel *panel, YkText *svg, 
     return good;
 }
 
-// Returns false when gnuplot is missing or failed: then no other panel is tried.
+// Returns false if gnuplot is missing or failed: then no other panel is tried.
 static bool add_plain(YkReportPage *report, const YkPanel *panel, const char *told, YkText *html)
 {
     YkProblems *problems = yk_problems_new();

@@ -1,4 +1,4 @@
-// The equations in symbols, with the values of the start beside them.
+// Writes the equations in symbols, with the values of the start beside them.
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
@@ -12,7 +12,7 @@ enum {
     BODIES_MAX = 32,
     PICTURES_MAX = 32,
     LENGTH_MAX = 400000
-}; // of one part: longer ones belong into a file of their own
+}; // of one part: longer ones belong in a file of their own
 
 static void add_part(YkReportPage *report, YkDerivation *derivation, size_t section, YkText *html)
 {
@@ -42,7 +42,7 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
     yk_arena_free(page.arena);
 }
 
-// Every body by itself with what acts on it, under the names of the equations.
+// Adds every body by itself with what acts on it, under the names of the equations.
 static void add_pictures(YkReportPage *report, YkDerivation *derivation, YkText *html)
 {
     YkFreeBodyDrawings *pictures = report->status >= 0 ? yk_free_body_drawings_new(derivation, report->start) : NULL;

@@ -1,3 +1,4 @@
+// Writes the findings as a list.
 #include "report/html.h"
 #include "report/report.h"
 

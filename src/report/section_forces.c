@@ -1,4 +1,4 @@
-// Forces at the start: reactions, efforts, and every body's balance.
+// Writes the forces at the start: reactions, efforts, and every body's balance.
 #include <math.h>
 #include "report/html.h"
 #include "report/report.h"
@@ -86,7 +86,7 @@ static void add_efforts(const YkReportPage *report, bool is_distance, double lar
     yk_text_free(&words);
 }
 
-// A free body as a table: what pulls, what holds, what is left for its inertia.
+// Adds a free body as a table: loads, reactions, and the remainder for its inertia.
 static void add_balances(const YkReportPage *report, double largest, YkText *html)
 {
     const char *force = yk_amount_unit(report->model, YK_QUANTITY_FORCE, NULL),

@@ -1,4 +1,4 @@
-// A gear train: its meshes, how fast everything turns, the shift table.
+// Writes a gear train: its meshes, all speeds, the shift table.
 #include <math.h>
 #include <string.h>
 #include <yoke/train.h>
@@ -10,7 +10,7 @@
 enum { DIGITS = 6 };
 static const double rpm = 30 / YK_PI;
 
-// Ties of an engaged lock stand among the belts.
+// Ties of an engaged lock are listed with the belts.
 static bool is_lock(const YkModel *model, const char *name)
 {
     for (size_t k = 0; k < model->belt_count; k++)
@@ -100,7 +100,7 @@ void yk_section_gears(YkReportPage *report, YkText *html, YkProblems *problems)
     const YkModel *model = report->model;
     (void)problems;
     if (model->gear_count + model->belt_count + model->rack_count == 0) return;
-    YkProblems *own = yk_problems_new(); // what it finds wrong is an answer here
+    YkProblems *own = yk_problems_new(); // its problems are answers here
     YkTrain *train = own ? yk_train_new(model, NULL, own) : NULL;
     yk_report_note_problems(report, own);
     if (train) {
@@ -108,7 +108,7 @@ void yk_section_gears(YkReportPage *report, YkText *html, YkProblems *problems)
             yk_html_element(html, "p", yk_train_message(train));
         add_meshes(report, train, html);
         add_speeds(report, train, html);
-        if (!has_lock(model)) add_gears(train, html); // with one engaged, the others cannot be
+        if (!has_lock(model)) add_gears(train, html); // with one lock engaged the others cannot be
         for (size_t i = 0; i < yk_train_remark_count(train); i++) {
             YkTrainRemark remark = yk_train_remark(train, i);
             yk_text_format(html, "<p>%s: ", remark.mesh);

@@ -1,4 +1,4 @@
-// How it was computed, and how well it closes.
+// Writes how the report was computed, and how well it closes.
 #include <math.h>
 #include "report/html.h"
 #include "report/report.h"

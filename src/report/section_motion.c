@@ -1,4 +1,4 @@
-// The machine drawn at its start; with the script, moving: the controls that it works stand here, hidden without it.
+// Writes the machine at its start; with the script it moves, by the controls that are written here, hidden without it.
 #include <string.h>
 #include "report/html.h"
 #include "report/report.h"

@@ -1,4 +1,4 @@
-// Parameters with their units; bodies with their points and masses.
+// Writes the parameters with their units, and the bodies with their points and masses.
 #include <math.h>
 #include "report/html.h"
 #include "report/report.h"
@@ -6,7 +6,7 @@
 
 enum { DIGITS = 8, ROWS_MAX = 300 };
 
-// The quantity that tells a dimension in the file's units; NUMBER if there is none of its own.
+// Returns the quantity that shows a dimension in the file's units; NUMBER if there is none.
 static YkQuantity quantity_of(YkDimension dimension)
 {
     static const struct {
@@ -33,7 +33,7 @@ static void add_power(YkText *unit, const char *name, int power, bool *is_first)
     *is_first = false;
 }
 
-// "kg*m^2/s": a dimension in SI.
+// Writes "kg*m^2/s": a dimension in SI.
 static void add_si(YkText *unit, YkDimension d)
 {
     bool is_first = true;

@@ -1,4 +1,5 @@
-// Structure: bodies as boxes, joints between them, as a picture; loops, order of solution and coordinates as tables.
+// Writes the structure: bodies as boxes with joints between them, as a picture; loops, order of solution and
+// coordinates as tables.
 #include "report/graph.h"
 #include "report/html.h"
 #include "report/report.h"

@@ -1,3 +1,4 @@
+// Runs forward dynamics of open trees of pins in SIMD lanes.
 #include "study/tree_batch.h"
 #include <stdlib.h>
 #include <string.h>
@@ -8,13 +9,13 @@
 
 enum { LANES = YK_FORMULA_LANES };
 
-// Rows of a link: what the kernel is given, and of a rod its vector from end to end.
+// Rows of a link: the kernel's, and for a rod its vector from end to end.
 enum { ROD_X = YK_GIVEN_COUNT, ROD_Y, ROW_COUNT };
 
 // A row that follows the parameters: lanes = sum of sign * value over up to two values of the model.
 typedef struct Part {
     const YkFormula *formula; // NULL: constant
-    int32_t variable;         // that the formula is, or YK_NONE
+    int32_t variable;         // the variable that the formula is, or YK_NONE
     double constant, sign;
 } Part;
 typedef struct Given {
@@ -48,7 +49,7 @@ struct YkTreeBatch {
     Part gravity_part[2];
     double *scratch, *ok, *own; // own: [3 * input][LANES] constants for NULL arrays
     double **derived;           // rows of derived parameters
-    double **chosen;            // rows of parameters that a case leaves out
+    double **chosen;            // rows of parameters that a case omits
 };
 
 // --- does it fit?
@@ -95,13 +96,13 @@ static void give(YkTreeBatch *b, int32_t link, int32_t row, const double *first,
     if (is_one) g->variable = g->part[0].variable;
 }
 
-// The coordinates of a joint's point on one of its sides; NULL: an origin.
+// Returns the coordinates of a joint's point on one of its sides; NULL: an origin.
 static const YkVec *point_of(const YkModel *model, const YkJoint *joint, int side)
 {
     return joint->point[side] == YK_NONE ? NULL : &model->points[joint->point[side]].at;
 }
 
-// The rows of a link: its pin on the parent, less where the parent's own pin is; its centre, less its own pin.
+// Makes the rows of a link: its pin on the parent, relative to the parent's own pin; its centre, relative to its pin.
 static void give_link(YkTreeBatch *b, int32_t k, int32_t body, const int32_t *link_of_body)
 {
     const YkMechanism *mech = b->variant->mech;
@@ -168,7 +169,7 @@ static bool give_all(YkTreeBatch *b)
     return true;
 }
 
-// Efforts of parameters alone; false if one needs more than that.
+// Makes the efforts, which depend only on parameters. Returns false if one needs more.
 static bool give_efforts(YkTreeBatch *b)
 {
     const YkMechanism *mech = b->variant->mech;
@@ -286,7 +287,7 @@ static void find_parameters(YkTreeBatch *b, const YkMotionCase *asked, size_t fr
     }
 }
 
-// A uniform rod: its centre lies half way, its inertia is m L^2 / 12.
+// Finishes a uniform rod: its centre is half way, its inertia is m L^2 / 12.
 static void finish_rod(const Link *link, double *ok, size_t n)
 {
     const double *x = link->row[ROD_X], *y = link->row[ROD_Y], *mass = link->row[YK_GIVEN_MASS];
@@ -320,7 +321,7 @@ static void find_links(YkTreeBatch *b, size_t n)
         if (b->gravity_part[c].formula) find_part(b, &b->gravity_part[c], false, b->gravity[c], n);
 }
 
-// The torque along an input: as asked, or what the file says.
+// Returns the torque along an input: the case's, or the file's.
 static const double *torque_of(YkTreeBatch *b, const YkMotionCase *asked, size_t i, size_t from, size_t n)
 {
     double *own = b->own + (3 * i + 2) * LANES;

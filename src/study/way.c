@@ -15,7 +15,7 @@ static double input_at(const YkWorker *w, size_t input, size_t pose)
 
 // --- by lanes
 
-// How many lanes it takes to a pose from the last lane that was put.
+// Returns how many lanes it takes from the last lane to a pose.
 static double steps_to(const YkWorker *w, size_t pose)
 {
     double longest = 0;
@@ -35,7 +35,7 @@ typedef struct Answers { // of one call
     size_t count, done; // poses
 } Answers;
 
-// Runs the lanes that were put. Returns false if not all of them are the way's for sure.
+// Runs the lanes that were put in. Returns false if not all of them are surely on the way.
 static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
 {
     size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count, n = *put;
@@ -55,7 +55,7 @@ static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
     return clear == n;
 }
 
-// Puts a lane at `part` of the way from the last pose to the next one; at 1 it is that one.
+// Puts in a lane at `part` of the way from the last pose to the next one; at 1 it is that pose.
 static void put_lane(YkWorker *w, size_t *put, size_t pose, double part)
 {
     size_t k = (*put)++;
@@ -74,7 +74,7 @@ static bool is_there(const YkWorker *w, const double *from, size_t pose)
     return true;
 }
 
-// The first lane: the start itself, which may be the first pose.
+// Runs the first lane: the start itself, which may be the first pose.
 static bool run_start(YkWorker *w, Answers *a)
 {
     size_t put = 0;
@@ -90,7 +90,7 @@ static void end_at(YkWorker *w, size_t pose)
     for (size_t i = 0; i < 3 * w->mech->input_count; i++) w->end[i] = input_at(w, i, pose);
 }
 
-// To a pose, with lanes between; they run when there is no room for more.
+// Adds lanes up to a pose; they run when there is no room for more.
 static bool add_lanes(YkWorker *w, size_t *put, size_t pose, double steps, Answers *a)
 {
     for (double k = 1; k <= steps; k++) {
@@ -112,13 +112,13 @@ bool yk_poses_are_fine(const YkMechanism *mech, const double *const *inputs, siz
     return !is_far;
 }
 
-// All poses from `pose` on lie close together, the first to where the lanes end.
+// Returns whether all poses from `pose` on lie close together, and the first close to where the lanes end.
 static bool is_fine(const YkWorker *w, size_t pose, size_t count)
 {
     return !(steps_to(w, pose) > 1) && (w->is_fine || yk_poses_are_fine(w->mech, w->inputs, pose, count));
 }
 
-// Straight from the caller's arrays to the caller's arrays.
+// Runs poses straight from the caller's arrays to the caller's arrays.
 static bool run_poses(YkWorker *w, Answers *a)
 {
     size_t pose = a->done, inputs = 3 * w->mech->input_count;
@@ -133,7 +133,7 @@ static bool run_poses(YkWorker *w, Answers *a)
     return a->done == a->count;
 }
 
-// As far as lanes tell; false if the rest is to be moved.
+// Goes on as far as lanes can tell. Returns false if the rest must be moved.
 static bool go_by_lanes(YkWorker *w, Answers *a)
 {
     size_t put = 0, pose;
@@ -157,7 +157,7 @@ static bool go_by_lanes(YkWorker *w, Answers *a)
 
 // --- pose by pose
 
-// Puts the state where the lanes have come to, or, where they have come to no pose yet, at the start.
+// Puts the state where the lanes ended or, if they have not reached a pose yet, at the start.
 static YkStatus take_over(YkWorker *w)
 {
     w->way.is_stepwise = true;
@@ -168,7 +168,7 @@ static YkStatus take_over(YkWorker *w)
     return yk_state_solve(w->state);
 }
 
-// The only input that the goal moves; the number of inputs if there is none, or more than one.
+// Returns the only input that the goal moves; the number of inputs if there is none, or more than one.
 static size_t moving_input(const YkWorker *w)
 {
     size_t moving = w->mech->input_count;

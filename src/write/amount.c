@@ -1,9 +1,10 @@
+// Writes quantities as people read them.
 #include "write/amount.h"
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
 
-static const double noise = 1e-13; // of the machine's size: what rounding leaves of a zero
+static const double noise = 1e-13; // of the machine's size: the rounding of a zero
 
 const char *yk_amount_unit(const YkModel *model, YkQuantity quantity, double *size)
 {

@@ -4,18 +4,18 @@
 #include <yoke/mechanism.h>
 #include "base/text.h"
 
-// The unit of a quantity and its size in SI: the file's own. Where it names no unit of force, and its units of length,
-// mass and time would make an unusual one (kg*mm/s^2), forces are told in N, N*m and J; energies always in J rather
-// than in N*m. size may be NULL.
+// Returns the unit of a quantity and its size in SI: the file's own. If the file names no unit of force, and its units
+// of length, mass and time would make an unusual one (kg*mm/s^2), forces are given in N, N*m and J; energies always in
+// J, not in N*m. size may be NULL.
 const char *yk_amount_unit(const YkModel *model, YkQuantity quantity, double *size);
-// A value in that unit.
+// Returns a value in that unit.
 double yk_amount_of(const YkModel *model, double value, YkQuantity quantity);
-// A value in that unit, with rounding noise (1e-13 of the machine's size) taken for zero. mech may be NULL.
+// Returns a value in that unit, with rounding noise (1e-13 of the machine's size) set to zero. mech may be NULL.
 double yk_amount_in_unit(const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity);
 // Adds "190.09 deg", to `digits` significant digits; angles in radians also in degrees.
 void yk_amount_write(YkText *text, const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity,
                      int digits);
-// The same of a value that is in the unit already.
+// Does the same for a value that is already in the unit.
 void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits);
 
 // Adds "2.96 to 3.49", "3 or more", "up to 5" or "any": numbers from low to high, either of which may be infinite.

@@ -1,3 +1,4 @@
+// Writes CSV.
 #include "write/csv.h"
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-// CSV out (RFC 4180, with plain newlines): a head line and rows of numbers that read back to the same double.
+// Writes CSV (RFC 4180, with plain newlines): a head line and rows of numbers that read back to the same double.
 #ifndef WRITE_CSV_H
 #define WRITE_CSV_H
 #include "base/text.h"

@@ -1,3 +1,4 @@
+// Writes whole files, each by way of a new file beside it.
 #define _XOPEN_SOURCE 700 // realpath
 #include "write/file_inside.h"
 #include <errno.h>
@@ -95,7 +96,7 @@ int yk_file_find(const char *path, char **target, bool *exists, struct stat *old
     if (*exists && !S_ISREG(old->st_mode)) return 0;
     if (!*exists && *path == '\0') return ENOENT;
     if (!*exists && path[strlen(path) - 1] == '/') return EISDIR;
-    *target = *exists ? realpath(path, NULL) : strdup(path); // what a link points to is replaced, not the link
+    *target = *exists ? realpath(path, NULL) : strdup(path); // replaces what a link points to, not the link
     if (!*target) return errno;
     return *exists && access(*target, W_OK) < 0 ? errno : 0;
 }

@@ -1,21 +1,21 @@
-// Output files: they appear whole or not at all. Of a text that failed (base/text.h) nothing is written: E0100.
+// Output files: they appear whole or not at all. A text that failed (base/text.h) is not written: E0100.
 #ifndef WRITE_FILE_H
 #define WRITE_FILE_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <yoke/problem.h>
 
-// What a file's ending says that it is.
+// The kind of a file, by its ending.
 typedef enum YkFileKind { YK_FILE_SVG, YK_FILE_PDF, YK_FILE_PNG, YK_FILE_OTHER } YkFileKind;
 YkFileKind yk_file_kind(const char *path);
 const char *yk_file_kind_name(YkFileKind kind); // "svg", "pdf", "png", "other"
 
-// Writes a file by way of a new one beside it, synced and renamed into place: whatever goes wrong, what stood there
-// before still stands. Links are followed; devices and pipes are written directly. False with a problem added (E07xx).
+// Writes a new file beside the old one, synced and renamed into place: whatever goes wrong, the old file remains.
+// Links are followed; devices and pipes are written directly. Returns false with a problem added (E07xx).
 bool yk_file_write(const char *path, const char *data, size_t length, YkProblems *problems);
-// Writes everything to an open descriptor, `name` standing for it in messages. False with a problem added.
+// Writes everything to an open descriptor, called `name` in messages. Returns false with a problem added.
 bool yk_file_write_to(int descriptor, const char *name, const char *data, size_t length, YkProblems *problems);
-// Adds the problem that an error number stands for, when a file could not be written; returns false.
+// Adds the problem of an error number when a file could not be written; returns false.
 bool yk_file_fail(const char *path, int error, YkProblems *problems);
 
 #endif

@@ -1,3 +1,4 @@
+// Writes several files into a folder, all or none.
 #define _XOPEN_SOURCE 700
 #include "write/file_set.h"
 #include <errno.h>
@@ -15,7 +16,7 @@ typedef struct Place {
     bool made_folder;
 } Place;
 
-// The paths of one file, aside and in its place. false when out of memory.
+// Makes the paths of one file, aside and in its place. Returns false when out of memory.
 static bool name_file(Place *place, const char *name)
 {
     yk_text_clear(&place->from);

@@ -11,9 +11,9 @@ typedef struct YkFileEntry {
     YkText text;
 } YkFileEntry;
 
-// Writes the files into a folder, which is made where it does not exist (the one above it must). They are written and
-// brought to the disk aside, and only then take their places; older files of the same names are replaced, others stay.
-// False with a problem added; then a folder made here is gone again. Cost O(bytes).
+// Writes the files into a folder, which is made if it does not exist (its parent must). The files are written and
+// synced aside before they take their places; older files with the same names are replaced, others stay. Returns false
+// with a problem added; a folder made here is then removed. Cost: O(bytes).
 bool yk_files_write(const char *folder, const YkFileEntry *files, size_t count, YkProblems *problems);
 
 #endif

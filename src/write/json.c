@@ -1,3 +1,4 @@
+// Writes JSON.
 #include "write/json.h"
 #include <math.h>
 #include "base/number.h"
@@ -27,7 +28,7 @@ static void add_break(YkJson *json)
     yk_text_repeat(json->text, ' ', (size_t)json->depth * 2);
 }
 
-// What stands before a member: a comma where one is due, the place, the key.
+// Writes what comes before a member: a comma if one is due, the indentation, the key.
 static void add_member(YkJson *json, const char *key)
 {
     if (json->depth > 0) {
@@ -46,7 +47,7 @@ static void open_level(YkJson *json, const char *key, YkLayout layout, char open
 {
     add_member(json, key);
     yk_text_add(json->text, &opening, 1);
-    if (json->depth >= YK_JSON_DEPTH) { // our own mistake; the text must not pass for whole
+    if (json->depth >= YK_JSON_DEPTH) { // an error of the caller; the text must not pass for complete
         json->text->failed = true;
         return;
     }

@@ -1,11 +1,11 @@
-// JSON out: nested objects and lists, written into a text as it goes; no tree, no NaN, the same bytes every time.
+// Writes JSON: nested objects and lists, written as they come; no tree, no NaN, the same bytes every time.
 #ifndef WRITE_JSON_H
 #define WRITE_JSON_H
 #include "base/text.h"
 
 enum { YK_JSON_DEPTH = 32 };
 
-// How an object or a list is laid out: one member a line, or all on one line (and so is everything inside it).
+// The layout of an object or a list: one member per line, or all on one line (including everything inside).
 typedef enum YkLayout { YK_JSON_LINES, YK_JSON_INLINE } YkLayout;
 
 // A zeroed writer with `text` set is ready.

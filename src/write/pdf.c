@@ -1,4 +1,4 @@
-// The browser wants files: both stand in a folder of our own, which is gone afterwards with all that it left there.
+// Prints HTML to PDF. The browser needs files: both are in a folder of their own, which is removed afterwards.
 #include "write/pdf.h"
 #include <dirent.h>
 #include <stdio.h>
@@ -42,7 +42,7 @@ static bool read_file(const char *path, YkText *text)
     return good;
 }
 
-// The first browser that is there prints page.html into page.pdf.
+// Prints page.html into page.pdf with the first browser that exists.
 static bool run(const char *folder, YkProblems *problems)
 {
     YkText page = {0}, print = {0}, profile = {0}, said = {0}, nothing = {0};
@@ -51,7 +51,7 @@ static bool run(const char *folder, YkProblems *problems)
     yk_text_format(&page, "file://%s/page.html", folder);
     yk_text_format(&print, "--print-to-pdf=%s/page.pdf", folder);
     yk_text_format(&profile, "--user-data-dir=%s/profile", folder);
-    // a browser's own cage needs a user other than root
+    // A browser's own sandbox needs a user other than root.
     const char *words[] = {NULL,
                            "--headless",
                            "--disable-gpu",

@@ -1,3 +1,4 @@
+// Runs other programs as filters.
 #include "write/process.h"
 #include <errno.h>
 #include <signal.h>
@@ -31,7 +32,7 @@ static void close_streams(Streams *streams)
     if (streams->error) fclose(streams->error);
 }
 
-// What the command ignores, to be told of it, ends the program: it may not look at what its writes say.
+// Signals that the caller ignores end the program, since it may not check whether its writes succeed.
 static int take_signals(posix_spawnattr_t *attributes)
 {
     sigset_t signals;
@@ -78,7 +79,7 @@ static bool read_all(FILE *stream, YkText *text)
     return !ferror(stream) && !text->failed;
 }
 
-// The program's exit status, -1 when it did not end by itself.
+// Returns the program's exit status; -1 if it did not exit by itself.
 static int wait_for(pid_t child)
 {
     int status;
@@ -87,7 +88,7 @@ static int wait_for(pid_t child)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// Adds the last line of what the program said to the problem's text.
+// Adds the last line of the program's output to the problem's text.
 static bool fail_with(const char *program, const char *purpose, int status, FILE *error, YkProblems *problems)
 {
     char words[WORDS_MAX + 1];
@@ -120,7 +121,7 @@ bool yk_process_filter(const char *const *argv, const char *purpose, const YkTex
                    purpose, argv[0]);
     } else {
         int status = wait_for(child);
-        if (status == 127) { // how some systems say that there was nothing to run
+        if (status == 127) { // the way some systems report a program that does not exist
             yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0},
                        "%s needs the program %q, which could not be run", purpose, argv[0]);
         } else if (status != 0 || !read_all(streams.output, output)) {

@@ -1,3 +1,4 @@
+// Writes output line by line.
 #define _XOPEN_SOURCE 700 // strdup
 #include "write/stream.h"
 #include <errno.h>
@@ -7,7 +8,7 @@
 #include <unistd.h>
 #include "write/file_inside.h"
 
-// A new file beside the place, or what stands there and is no file.
+// Opens a new file beside the path, or what exists there and is not a file.
 static int open_at(YkStream *stream, const char *path, const struct stat *old)
 {
     YkText temporary = {0};
@@ -42,14 +43,14 @@ bool yk_stream_open(YkStream *stream, const char *path, YkProblems *problems)
     return yk_file_fail(path, error, problems);
 }
 
-// How much of the data ends behind a line.
+// Returns how much of the data is whole lines.
 static size_t whole_lines(const char *data, size_t length)
 {
     while (length > 0 && data[length - 1] != '\n') length--;
     return length;
 }
 
-// Takes back the last bytes; where that cannot be done (a pipe), they stay.
+// Removes the last bytes; if that is impossible (a pipe), they stay.
 static void cut(const YkStream *stream, size_t length)
 {
     off_t end = lseek(stream->descriptor, 0, SEEK_CUR);

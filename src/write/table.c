@@ -1,3 +1,4 @@
+// Writes tables for people.
 #include "write/table.h"
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +7,7 @@
 #include "base/memory.h"
 #include "base/number.h"
 
-// All cells' texts stand in one buffer, a NUL behind each.
+// All cells' texts are in one buffer, each followed by a NUL.
 typedef struct Cell {
     size_t start; // in table->words
     bool is_number;
@@ -93,8 +94,8 @@ static size_t columns_of(const YkTable *table, const Cell *cell)
     return yk_text_columns(word, strlen(word));
 }
 
-// Where a number is aligned: at its point, its exponent, or its end; a dash stands where the last digit before the
-// point would.
+// Returns where a number is aligned: at its point, its exponent, or its end; a dash takes the place of the last digit
+// before the point.
 static size_t left_part(const char *number)
 {
     return strcspn(number, ".e");
@@ -121,7 +122,7 @@ static void measure(const YkTable *table, Width *widths)
     }
 }
 
-// Blanks before the cell; what follows it is filled by the next cell's, so that no line ends in blanks.
+// Writes the blanks before the cell; the next cell fills what follows it, so that no line ends in blanks.
 static size_t lead(const YkTable *table, const Cell *cell, const Width *width)
 {
     if (cell->is_number)
@@ -170,7 +171,7 @@ size_t yk_table_rows(const YkTable *table)
     return table && table->count > table->columns ? table->count / table->columns - 1 : 0;
 }
 
-// A head over nothing and an empty cell are plain cells.
+// A head without a unit and an empty cell are plain cells.
 static void write_cell(const YkTable *table, size_t index, YkText *html)
 {
     const Cell *cell = &table->cells[index];

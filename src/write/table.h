@@ -5,22 +5,22 @@
 
 typedef struct YkTable YkTable;
 
-// A table of so many columns; NULL when out of memory (the other calls then do nothing). A table that ran out of
-// memory, or was given a text that did, makes the text fail into which it is written.
+// Makes a table with so many columns. Returns NULL when out of memory (the other calls then do nothing). A table that
+// ran out of memory, or took a text that did, makes the text fail into which it is written.
 YkTable *yk_table_new(size_t columns);
 void yk_table_free(YkTable *table);
-// Heads, from the left; as many as there are columns, before the first cell. unit may be NULL.
+// Adds heads from the left: as many as there are columns, before the first cell. unit may be NULL.
 void yk_table_head(YkTable *table, const char *name, const char *unit);
-// Cells, row by row from the left.
+// Add cells, row by row from the left.
 void yk_table_word(YkTable *table, const char *word);           // aligned left
 void yk_table_number(YkTable *table, double value, int digits); // significant digits; "-" unless finite
-// Writes head and rows, `indent` blanks before each line. Returns false when out of memory. Cost linear in the cells.
+// Writes head and rows, `indent` blanks before each line. Returns false when out of memory. Cost: linear in the cells.
 bool yk_table_write(const YkTable *table, size_t indent, YkText *text);
 size_t yk_table_rows(const YkTable *table); // complete ones, without the heads
 bool yk_table_failed(const YkTable *table); // also if there is none
-// The same as an HTML table with a caption: the first column heads the rows. Returns false when out of memory.
+// Writes an HTML table with a caption; the first column heads the rows. Returns false when out of memory.
 bool yk_table_write_html(const YkTable *table, const char *caption, YkText *html);
-// How many columns of a terminal a text takes: code points, without those that combine.
+// Returns how many columns of a terminal a text takes: code points, without combining ones.
 size_t yk_text_columns(const char *text, size_t length);
 
 #endif
