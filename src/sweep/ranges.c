@@ -1,6 +1,7 @@
 // The ranges of an input in which a configuration closes.
 #include <stdlib.h>
-#include "sweep/path.h"
+#include <string.h>
+#include "sweep/walk.h"
 
 enum { SAMPLES = 1440 };
 
@@ -93,6 +94,46 @@ static void join_ends(Scan *scan)
     scan->count--;
 }
 
+// How far the motion goes from where `home` stands: through change points, up to a limit or to `to`. NaN when out of
+// memory.
+static double reach(Scan *scan, YkState *home, double from, double to)
+{
+    YkWalk walk;
+    YkPath path;
+    yk_state_copy(scan->path.state, home);
+    yk_path_start(&path, scan->path.state, scan->path.state->mech->inputs[scan->path.input]);
+    bool ok = yk_walk_start(&walk, path, 2 * YK_PI / 180) && yk_path_probe(&walk.path, from, true) >= 0;
+    walk.from = from;
+    double end = ok && !yk_walk_go(&walk, from, to) ? walk.path.last : to;
+    if (!walk.margins || !walk.flipped_at || !walk.path.others || walk.failed) end = (double)NAN;
+    yk_walk_end(&walk);
+    return end;
+}
+
+// Beyond a change point a redundant link, or a later dyad, may close with the other sign alone: the range of the state
+// goes on there. Those that it takes in are no others.
+static bool widen(Scan *scan, YkState *home, double here)
+{
+    size_t n = scan->count < scan->capacity ? scan->count : scan->capacity, kept = 0;
+    bool is_whole = n == 1 && scan->ranges[0].to - scan->ranges[0].from >= scan->high - scan->low;
+    if (is_whole || n == 0 || scan->count > scan->capacity || home->mech->block_count < 2) return true;
+    YkRange own = {reach(scan, home, here, scan->low), reach(scan, home, here, scan->high)};
+    if (!(own.to >= own.from)) return false;
+    for (size_t k = 0; k < n; k++) {
+        YkRange other = scan->ranges[k];
+        bool overlaps = other.from < own.to - 1e-9 && other.to > own.from + 1e-9;
+        if (overlaps && fabs(other.from - own.from) < 1e-9) own.from = other.from;
+        if (overlaps && fabs(other.to - own.to) < 1e-9) own.to = other.to;
+        if (!overlaps) scan->ranges[kept++] = other;
+    }
+    size_t at = 0;
+    while (at < kept && scan->ranges[at].from < own.from) at++;
+    memmove(scan->ranges + at + 1, scan->ranges + at, (kept - at) * sizeof own);
+    scan->ranges[at] = own;
+    scan->count = kept + 1;
+    return true;
+}
+
 size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity)
 {
     const YkMechanism *mech = state->mech;
@@ -105,7 +146,7 @@ size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, siz
         yk_state_free(probe);
         return (size_t)-1;
     }
-    bool is_distance = mech->coordinates[coordinate].is_distance;
+    bool is_distance = mech->coordinates[coordinate].is_distance, is_good = true;
     double here = state->valid_input[3 * input], reach = is_distance ? 0 : YK_PI;
     for (size_t b = 0; is_distance && b < mech->model->point_count; b++) reach += yk_norm(mech->model->points[b].at);
     scan.low = is_distance ? -reach : here - reach;
@@ -117,9 +158,10 @@ size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, siz
         close_range(&scan, high);
     } else {
         scan_closed_form(&scan);
+        is_good = widen(&scan, state, here);
         if (!is_distance) join_ends(&scan);
     }
     yk_path_end(&scan.path);
     yk_state_free(probe);
-    return scan.count;
+    return is_good ? scan.count : (size_t)-1;
 }

@@ -127,8 +127,13 @@ static void test_a_cylinder_closes_between_its_triangles_limits(void **unused)
 static void test_a_full_turn_is_one_range(void **unused)
 {
     (void)unused;
-    static const char *const files[] = {"four-bar",      "slider-crank", "jansen",
-                                        "parallelogram", "scotch-yoke",  "double-pendulum"};
+    static const char *const files[] = {"four-bar",
+                                        "slider-crank",
+                                        "jansen",
+                                        "parallelogram",
+                                        "scotch-yoke",
+                                        "double-pendulum",
+                                        "three-crank-parallelogram"};
     for (size_t k = 0; k < sizeof files / sizeof files[0]; k++) {
         Machine m = machine_load(files[k]);
         YkRange found[CAPACITY];
