@@ -1,25 +1,29 @@
 // Section: velocities, block by block: unknown rates from earlier ones, the rates of bodies, influence coefficients.
+#include <stdlib.h>
 #include "derive/blocks.h"
 #include "derive/motion.h"
 #include "derive/sections.h"
 
 enum { BLOCK_SHOWN_MAX = 40 };
 
-// Returns row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
+// Returns row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates. Added
+// up at once: sums on the way there would be kept, and in a long loop come to the square of what is wanted.
 static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row,
                                    bool accelerations)
 {
-    const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
-    for (size_t k = 0; k < row->count; k++) {
+    size_t count = 0;
+    const YkPoisson **parts = yk_derive_scratch(d, row->count + 1, sizeof *parts), *sum = NULL;
+    for (size_t k = 0; parts && k < row->count; k++) {
         const YkDeriveCoordinate *c = &d->coordinates[row->columns[k]];
         const YkPoisson *entry = row->entries[k];
         int32_t of = d->blocks->block_of[row->columns[k]];
         bool is_known = of == YK_NONE || d->blocks->blocks[of].first_column < block->first_column;
         if (!is_known || yk_ring_is_zero(entry)) continue;
-        sum = yk_ring_subtract(
-            d->ring, sum,
-            yk_ring_multiply(d->ring, entry, yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate)));
+        parts[count++] =
+            yk_ring_multiply(d->ring, entry, yk_ring_of(d->ring, accelerations ? c->acceleration : c->rate));
     }
+    if (parts) sum = yk_ring_negate(d->ring, yk_ring_sum(d->ring, parts, count));
+    free((void *)parts);
     return sum;
 }
 
@@ -87,9 +91,10 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
 {
     YkRing *ring = d->ring;
     const YkDeriveBlock *last = &d->blocks->blocks[block];
-    const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
     if (d->blocks->last_of[body] != (int32_t)block) return NULL;
-    for (; d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
+    size_t count = 0;
+    const YkPoisson **parts = yk_derive_scratch(d, (size_t)d->most_depth + 1, sizeof *parts), *sum = NULL;
+    for (; parts && d->bodies[body].parent != YK_NONE; body = d->bodies[body].parent) {
         int32_t joint = d->bodies[body].joint, c = d->joint_angle[joint];
         if (c == YK_NONE) continue;
         const YkDeriveCoordinate *of = &d->coordinates[c];
@@ -98,8 +103,10 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
         for (size_t k = 0; k < last->column_count; k++)
             if (d->blocks->column_order[last->first_column + k] == c) share = over[k];
         bool forwards = d->model->joints[joint].body[1] == body;
-        sum = forwards ? yk_ring_add(ring, sum, share) : yk_ring_subtract(ring, sum, share);
+        parts[count++] = forwards ? share : yk_ring_negate(ring, share);
     }
+    if (parts) sum = yk_ring_sum(ring, parts, count);
+    free((void *)parts);
     return sum;
 }
 
