@@ -74,6 +74,7 @@ struct YkSession {
     YkState *state;
     YkSetInput *holds; // [hold_count]
     size_t hold_count;
+    YkMotion *bodies;               // yk_session_bodies keeps them here
     double time;                    // --time, s
     YkMove move;                    // how the pose was reached
     YkText reach_message;           // why it was not

@@ -1,7 +1,7 @@
 // What counts as rounding noise, by the largest values told beside it.
 #include "scale.h"
 #include <math.h>
-#include "cli.h"
+#include "session.h"
 
 // Of the scale: what closing loops and adding vectors leave of a zero; and what sums and products alone leave.
 static const double noise = 1e-13, noise_of_sums = 1e-15;
@@ -88,8 +88,8 @@ static void add_forces(YkSession *session)
 void yk_scale_add_bodies(YkSession *session, const YkState *state)
 {
     if (!yk_state_has_rates(state)) return;
-    for (size_t i = 1; i < yk_model_body_count(session->model); i++)
-        add_motion(session, yk_state_body(state, i), false);
+    const YkMotion *bodies = yk_session_bodies(session, state);
+    for (size_t i = 1; bodies && i < yk_model_body_count(session->model); i++) add_motion(session, bodies[i], false);
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
         YkPointMotion m = yk_state_point(state, i);
         yk_scale_add(session, hypot(m.velocity[0], m.velocity[1]), YK_QUANTITY_SPEED);

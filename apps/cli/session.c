@@ -19,6 +19,16 @@ void yk_session_run_out(YkSession *session)
     session->ran_out = true;
 }
 
+const YkMotion *yk_session_bodies(YkSession *session, const YkState *state)
+{
+    if (!session->bodies) session->bodies = calloc(yk_model_body_count(session->model), sizeof *session->bodies);
+    if (session->bodies)
+        yk_state_bodies(state, session->bodies);
+    else
+        yk_session_run_out(session);
+    return session->bodies;
+}
+
 bool yk_ran_out(const YkProblems *problems)
 {
     for (size_t k = 0; problems && k < yk_problems_count(problems); k++)
@@ -354,6 +364,7 @@ void yk_session_free(YkSession *session)
     yk_model_free(session->model);
     yk_model_free(session->own);
     free(session->holds);
+    free(session->bodies);
     yk_text_free(&session->reach_message);
     yk_problems_free(session->file_problems);
     yk_text_free(&session->out);

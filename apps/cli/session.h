@@ -38,6 +38,8 @@ YkQuantity yk_quantity_of(bool is_distance, int order);
 bool yk_ran_out(const YkProblems *problems);
 // Remembers that memory ran out while an answer was made: it is refused then, whatever was found.
 void yk_session_run_out(YkSession *session);
+// What yk_state_bodies tells, until it is asked again; NULL where memory ran out, which is remembered.
+const YkMotion *yk_session_bodies(YkSession *session, const YkState *state);
 // A refusal that needs no more words than these; returns false.
 bool yk_session_refuse(YkSession *session, YkCode code, const char *format, const char *word);
 // Writes the answer to -o FILE or standard output; returns `exit_code`, or YK_EXIT_WRONG when it could not be written.

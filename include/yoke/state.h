@@ -59,6 +59,8 @@ YK_API bool yk_state_has_pose(const YkState *state); // false until it is assemb
 YK_API bool yk_state_has_rates(const YkState *state);
 YK_API YkMotion yk_state_coordinate(const YkState *state, size_t coordinate);
 YK_API YkMotion yk_state_body(const YkState *state, size_t body); // angle to the ground
+// Writes the motion of every body at once, as yk_state_body tells it: motions[body]. Cost linear in their number.
+YK_API void yk_state_bodies(const YkState *state, YkMotion *motions);
 YK_API YkPointMotion yk_state_point(const YkState *state, size_t point);
 YK_API double yk_state_channel(const YkState *state, YkChannel channel);
 // Returns the transmission angle of a block, rad in [0, pi/2]: the angle between the two directions in which its dyad

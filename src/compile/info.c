@@ -61,6 +61,14 @@ int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_dista
     return YK_NONE;
 }
 
+size_t yk_tree_path(const YkMechanism *mech, int32_t body, size_t from, int32_t *path)
+{
+    size_t end = (size_t)mech->tree.depth[body] + 1, last = end < from + YK_TREE_PATH ? end : from + YK_TREE_PATH;
+    for (; end > last; end--) body = mech->tree.parent[body];
+    for (size_t depth = last; depth > from; depth--, body = mech->tree.parent[body]) path[depth - 1 - from] = body;
+    return last > from ? last - from : 0;
+}
+
 size_t yk_input_count(const YkMechanism *mech)
 {
     return mech->input_count;

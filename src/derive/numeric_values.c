@@ -1,4 +1,5 @@
 // Numbers for the symbols: from the file, and from a pose of the numeric engine.
+#include <stdlib.h>
 #include "derive/inside.h"
 
 static void set(double *values, int32_t symbol, double value)
@@ -31,16 +32,19 @@ static void fill_coordinates(const YkDerivation *d, const YkState *state, double
 }
 
 // A body's own angle is that of the first body of its orientation, against which its axes do not turn.
-static void fill_bodies(const YkDerivation *d, const YkState *state, double *values)
+static void fill_bodies(YkDerivation *d, const YkState *state, double *values)
 {
+    YkMotion *motions = yk_derive_scratch(d, d->model->body_count, sizeof *motions);
+    if (!motions) return;
+    yk_state_bodies(state, motions);
     for (size_t b = 0; b < d->model->body_count; b++) {
         const YkDeriveBody *body = &d->bodies[b];
         if (body->joint == YK_NONE || d->joint_angle[body->joint] == YK_NONE) continue;
-        YkMotion motion = yk_state_body(state, b);
-        set(values, body->angle, motion.position);
-        set(values, body->rate, motion.velocity);
-        set(values, body->acceleration, motion.acceleration);
+        set(values, body->angle, motions[b].position);
+        set(values, body->rate, motions[b].velocity);
+        set(values, body->acceleration, motions[b].acceleration);
     }
+    free(motions);
 }
 
 void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamics, double *values)

@@ -28,7 +28,9 @@ YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *options)
     drawing->model = yk_mechanism_model(mech);
     drawing->options = options ? *options : yk_default_draw_options();
     drawing->placed = calloc(drawing->model->body_count, sizeof *drawing->placed);
-    if (!drawing->placed || !copy_traced(drawing)) {
+    drawing->motions = calloc(drawing->model->body_count, sizeof *drawing->motions);
+    if (!drawing->placed || !drawing->motions || !copy_traced(drawing)) {
+        free(drawing->motions);
         free(drawing->placed);
         free(drawing);
         return NULL;
@@ -49,6 +51,7 @@ void yk_drawing_free(YkDrawing *drawing)
     free(drawing->corners);
     free(drawing->frames);
     free(drawing->placed);
+    free(drawing->motions);
     free(drawing->traces);
     yk_text_free(&drawing->svg);
     free(drawing);

@@ -29,6 +29,7 @@ struct YkDrawing {
     bool keeps_followers; // bodies are drawn where the equations have them: no follower is moved to where it rides
     YkFrame *frames;      // [pose][body]
     YkFrame *placed;      // [body]: scratch
+    YkMotion *motions;    // [body]: scratch
     size_t pose_count, pose_capacity;
     YkVec *traces; // [position][traced point]
     size_t trace_count, trace_capacity;

@@ -42,8 +42,9 @@ static bool pass(const YkModel *model, const YkState *state, YkFrame *frames)
 bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *frames)
 {
     const YkModel *model = drawing->model;
+    yk_state_bodies(state, drawing->motions);
     for (size_t b = 0; b < model->body_count; b++) {
-        frames[b].axis = yk_unit(yk_state_body(state, b).position);
+        frames[b].axis = yk_unit(drawing->motions[b].position);
         frames[b].origin = b == 0 ? yk_vec(0, 0) : yk_vec(NAN, NAN);
         if (b == 0 || model->bodies[b].point_count == 0) continue;
         size_t p = (size_t)model->bodies[b].first_point;

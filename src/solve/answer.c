@@ -48,20 +48,40 @@ YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)
     return (YkMotion){in[0], in[1], in[2]};
 }
 
-// Angles add up along the tree, so that a body's angle is as continuous as its coordinates.
-YkMotion yk_state_body(const YkState *s, size_t body)
+// What the joint below its parent adds to a body's angle.
+static double turn_at(const YkState *s, int32_t body)
 {
     const YkMechanism *mech = s->mech;
-    YkMotion sum = {0, 0, 0};
-    for (int32_t b = (int32_t)body; mech->tree.parent[b] != YK_NONE; b = mech->tree.parent[b]) {
-        const YkJoint *joint = &mech->model->joints[mech->tree.joint[b]];
-        double way = joint->body[1] == b ? 1 : -1;
-        int32_t c = yk_tree_coordinate(mech, mech->tree.joint[b], false);
-        YkMotion m = c == YK_NONE ? (YkMotion){joint->turned, 0, 0} : yk_state_coordinate(s, (size_t)c);
-        sum.position += way * m.position;
+    const YkJoint *joint = &mech->model->joints[mech->tree.joint[body]];
+    int32_t c = yk_tree_coordinate(mech, mech->tree.joint[body], false);
+    double turn = c == YK_NONE ? joint->turned : yk_state_coordinate(s, (size_t)c).position;
+    return joint->body[1] == body ? turn : -turn;
+}
+
+static YkMotion motion_of(const YkState *s, size_t body, double angle)
+{
+    Line t = pose_turns(&s->space)[s->mech->bodies[body].orientation];
+    return without_rates((YkMotion){angle, t.w, t.a}, s->has_rates);
+}
+
+// Angles add up along the tree, so that a body's angle is as continuous as its coordinates; from the root, as
+// yk_state_bodies and batches add them: the same bits.
+YkMotion yk_state_body(const YkState *s, size_t body)
+{
+    int32_t path[YK_TREE_PATH];
+    double angle = 0;
+    for (size_t from = 1, n; (n = yk_tree_path(s->mech, (int32_t)body, from, path)) > 0; from += n)
+        for (size_t k = 0; k < n; k++) angle += turn_at(s, path[k]);
+    return motion_of(s, body, angle);
+}
+
+void yk_state_bodies(const YkState *s, YkMotion *motions)
+{
+    const YkMechanism *mech = s->mech;
+    for (size_t k = 0; k < mech->model->body_count; k++) {
+        int32_t b = mech->tree_order[k], parent = mech->tree.parent[b];
+        motions[b] = motion_of(s, (size_t)b, parent == YK_NONE ? 0 : motions[parent].position + turn_at(s, b));
     }
-    Line t = pose_turns(&s->space)[mech->bodies[body].orientation];
-    return without_rates((YkMotion){sum.position, t.w, t.a}, s->has_rates);
 }
 
 // By the lanes' arithmetic, as the batch does: the same bits.

@@ -2,6 +2,7 @@
 #include "solve/batch.h"
 #include <stdlib.h>
 #include <string.h>
+#include "solve/coincidence.h"
 #include "solve/watch.h"
 
 // Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache.
@@ -194,18 +195,22 @@ static void write_coordinate_angle(const YkBatch *b, const YkRun *run, size_t co
     if (b->is_along && q->input == YK_NONE) count_turns(b, coordinate, out, n);
 }
 
+static void add_turn_at(const YkBatch *b, const YkRun *run, int32_t body, double *out, double *one, size_t n)
+{
+    int32_t at = b->mech->tree.joint[body], coordinate = yk_tree_coordinate(b->mech, at, false);
+    const YkJoint *joint = &b->mech->model->joints[at];
+    double way = joint->body[1] == body ? 1 : -1;
+    if (coordinate != YK_NONE) write_coordinate_angle(b, run, (size_t)coordinate, one, n);
+    for (size_t k = 0; k < n; k++) out[k] += way * (coordinate != YK_NONE ? one[k] : joint->turned);
+}
+
 // A body's angle: the sum along the tree, as yk_state_body adds it.
 static void write_body_angle(const YkBatch *b, const YkRun *run, size_t body, double *out, double *one, size_t n)
 {
-    const YkMechanism *mech = b->mech;
+    int32_t path[YK_TREE_PATH];
     for (size_t k = 0; k < n; k++) out[k] = 0;
-    for (int32_t at = (int32_t)body; mech->tree.parent[at] != YK_NONE; at = mech->tree.parent[at]) {
-        const YkJoint *joint = &mech->model->joints[mech->tree.joint[at]];
-        int32_t coordinate = yk_tree_coordinate(mech, mech->tree.joint[at], false);
-        double way = joint->body[1] == at ? 1 : -1;
-        if (coordinate != YK_NONE) write_coordinate_angle(b, run, (size_t)coordinate, one, n);
-        for (size_t k = 0; k < n; k++) out[k] += way * (coordinate != YK_NONE ? one[k] : joint->turned);
-    }
+    for (size_t from = 1, count; (count = yk_tree_path(b->mech, (int32_t)body, from, path)) > 0; from += count)
+        for (size_t k = 0; k < count; k++) add_turn_at(b, run, path[k], out, one, n);
 }
 
 // The angle of a joint: the difference of its bodies'.
@@ -310,12 +315,42 @@ static YkStatus worse(YkStatus a, YkStatus b)
     return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
 }
 
-// Whether a lane's rates are worth telling, as the state sees it.
-static bool is_blurred(YkBatch *b, size_t lane)
+// Whether the state finds a lane's pose singular: its rates are then not worth telling.
+static bool is_singular(YkBatch *b, size_t lane)
 {
     yk_state_copy(b->state, b->home);
     for (size_t i = 0; i < 3 * b->mech->input_count; i++) b->state->input[i] = b->lanes_of[i][lane];
     return yk_state_solve(b->state) == YK_SINGULAR;
+}
+
+// At a coincidence the state settles what no loop holds, and a lane cannot: its answers are then the state's. Until they
+// are written, its margin is this.
+#define SETTLED_MARGIN (-2.0)
+
+// Leaves a margin that masks what the lane cannot tell. Along a way the state judges what is close, not a lane.
+static YkStatus judge_lane(YkBatch *b, size_t k)
+{
+    double *margin = &b->space.margin[k];
+    bool closes = *margin >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, *margin);
+    bool is_close = closes ? *margin <= YK_BLUR_MARGIN : !b->is_along && yk_may_coincide(*margin);
+    if (is_close && b->is_along) {
+        *margin = fmin(*margin, YK_SINGULAR_MARGIN);
+    } else if (is_close && is_singular(b, k)) {
+        *margin = b->state->is_kept ? SETTLED_MARGIN : fmin(*margin, YK_SINGULAR_MARGIN);
+        return YK_SINGULAR;
+    } else if (!closes) {
+        *margin = -1;
+    }
+    return !closes ? YK_LIMIT : *margin <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
+}
+
+static void write_settled(YkBatch *b, double *const *outputs, size_t at, size_t n)
+{
+    for (size_t lane = 0; lane < n; lane++) {
+        if (b->space.margin[lane] != SETTLED_MARGIN || !is_singular(b, lane)) continue;
+        for (size_t k = 0; k < b->channel_count; k++)
+            outputs[k][at + lane] = yk_state_channel(b->state, b->channels[k]);
+    }
 }
 
 static YkStatus judge(YkBatch *b, signed char *status, size_t n)
@@ -328,13 +363,7 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
         return YK_OK;
     }
     for (size_t k = 0; k < n; k++) {
-        bool closes =
-            b->space.margin[k] >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, b->space.margin[k]);
-        bool is_close = closes && b->space.margin[k] <= YK_BLUR_MARGIN; // along a way the state judges it, not a lane
-        if (is_close && (b->is_along || is_blurred(b, k)))
-            b->space.margin[k] = fmin(b->space.margin[k], YK_SINGULAR_MARGIN); // masks its rates
-        YkStatus one = !closes ? YK_LIMIT : b->space.margin[k] <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
-        if (!closes) b->space.margin[k] = -1; // masks its answers
+        YkStatus one = judge_lane(b, k);
         if (status) status[k] = (signed char)one;
         worst = worse(worst, one);
     }
@@ -407,6 +436,7 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     YkStatus here = judge(b, status ? status + at : NULL, run->lanes);
     if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
     for (size_t k = 0; k < b->channel_count; k++) write_channel(b, run, k, here != YK_OK, outputs[k] + at);
+    if (here != YK_OK) write_settled(b, outputs, at, run->lanes);
     return here;
 }
 

@@ -317,6 +317,25 @@ static int branch_at_start(const Machine *m, const Family *f)
     return 0;
 }
 
+// A batch that begins at the start tells the same of the pose as the state does that comes from there.
+static void check_batch(Machine *m, const Family *f, double input)
+{
+    double value = 0, rate = 1, acceleration = 0.25, *outputs[] = {&value};
+    const double *inputs[] = {&input, &rate, &acceleration};
+    signed char status = 0;
+    assert_true(machine_solve(m, f->start, 1, 0) >= 0);
+    YkChannel channel = machine_channel(m, f->answer);
+    YkBatch *batch = yk_batch_new(m->state, &channel, 1);
+    assert_non_null(batch);
+    yk_batch_run(batch, inputs, outputs, &status, 1);
+    YkStatus alone = machine_solve(m, input, rate, acceleration);
+    if (alone < 0) alone = YK_LIMIT;
+    if (status != alone) print_error("%sinput %.17g\n", f->text, input);
+    assert_int_equal(status, alone == YK_REDUNDANT ? YK_OK : alone);
+    if (alone >= 0) assert_true(value == yk_state_channel(m->state, channel));
+    yk_batch_free(batch);
+}
+
 static void check_family(uint64_t seed, Tally *tally)
 {
     uint64_t start = seed;
@@ -328,6 +347,7 @@ static void check_family(uint64_t seed, Tally *tally)
             yk_state_set_branch(m.state, 0, branch);
             assert_true(machine_solve(&m, f.start, 1, 0) >= 0);
             check_pose(&m, &f, f.coincidence + offset(k), branch_at_start(&m, &f), tally);
+            if (k < 16 && seed % 4 == 0) check_batch(&m, &f, f.coincidence + offset(k));
         }
     machine_free(&m);
 }

@@ -1,4 +1,5 @@
 // One line a quantity: configuration, kind, name, position, velocity, acceleration. A point has two, for x and y.
+#include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/csv.h"
 
@@ -44,8 +45,9 @@ void yk_solve_csv(YkSession *session, const YkState *state, size_t index)
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)
         add_row(session, state, word, "coordinate", yk_coordinate_info(session->mech, i).name,
                 yk_state_coordinate(state, i));
-    for (size_t i = 1; i < yk_model_body_count(session->model); i++)
-        add_row(session, state, word, "body", yk_model_body_name(session->model, i), yk_state_body(state, i));
+    const YkMotion *bodies = yk_session_bodies(session, state);
+    for (size_t i = 1; bodies && i < yk_model_body_count(session->model); i++)
+        add_row(session, state, word, "body", yk_model_body_name(session->model, i), bodies[i]);
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) add_point(session, state, word, i);
     if (session->dynamics) yk_forces_csv(session, word);
     yk_text_free(&label);

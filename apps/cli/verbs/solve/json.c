@@ -1,5 +1,6 @@
 #include <math.h>
 #include "reach.h"
+#include "session.h"
 #include "verbs/solve/solve.h"
 
 static void add_rates(YkSession *session, YkJson *json, const YkState *state, const char *rate, YkMotion motion)
@@ -24,11 +25,11 @@ static void add_coordinates(YkSession *session, YkJson *json, const YkState *sta
 static void add_bodies(YkSession *session, YkJson *json, const YkState *state)
 {
     yk_json_object(json, "bodies", YK_JSON_LINES);
-    for (size_t i = 1; i < yk_model_body_count(session->model); i++) {
-        YkMotion motion = yk_state_body(state, i);
+    const YkMotion *bodies = yk_session_bodies(session, state);
+    for (size_t i = 1; bodies && i < yk_model_body_count(session->model); i++) {
         yk_json_object(json, yk_model_body_name(session->model, i), YK_JSON_INLINE);
-        yk_json_number(json, "angle", motion.position);
-        add_rates(session, json, state, "rate", motion);
+        yk_json_number(json, "angle", bodies[i].position);
+        add_rates(session, json, state, "rate", bodies[i]);
         yk_json_end(json);
     }
     yk_json_end(json);

@@ -70,8 +70,9 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
 static void add_bodies(YkSession *session, const YkState *state)
 {
     YkTable *table = motion_table(session, "body angle", false);
-    for (size_t i = 1; i < yk_model_body_count(session->model); i++)
-        add_motion(session, table, state, yk_model_body_name(session->model, i), yk_state_body(state, i), false, NULL);
+    const YkMotion *bodies = yk_session_bodies(session, state);
+    for (size_t i = 1; bodies && i < yk_model_body_count(session->model); i++)
+        add_motion(session, table, state, yk_model_body_name(session->model, i), bodies[i], false, NULL);
     write_table(session, table);
 }
 
