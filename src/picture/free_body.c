@@ -11,13 +11,14 @@ static const char ink[] = "#1c1e21", force_colour[] = "#b3261e", moment_colour[]
 
 // --- Making
 
-// Sets the values of the pose; every unknown is 1, so that its factor is its direction.
-static bool set_values(YkFreeBodyDrawings *p, const YkState *state)
+// Sets the values of the pose; every unknown is 1, so that its factor is its direction. The forces that are known say
+// which flanks of a mesh push.
+static bool set_values(YkFreeBodyDrawings *p, const YkState *state, YkDynamics *dynamics)
 {
     const YkDeriveForces *f = p->forces;
     p->values = calloc(yk_ring_symbol_count(p->d->ring) + 1, sizeof *p->values);
     if (!p->values) return false;
-    yk_derive_values(p->d, state, NULL, p->values);
+    yk_derive_values(p->d, state, dynamics, p->values);
     for (size_t k = 0; k < f->reaction_count; k++) p->values[f->reactions[k]] = 1;
     for (size_t k = 0; k < f->load_count; k++)
         if (f->loads[k].symbol != YK_NONE) p->values[f->loads[k].symbol] = 1;
@@ -25,7 +26,7 @@ static bool set_values(YkFreeBodyDrawings *p, const YkState *state)
     return true;
 }
 
-static bool make(YkFreeBodyDrawings *p, const YkState *state)
+static bool make(YkFreeBodyDrawings *p, const YkState *state, YkDynamics *dynamics)
 {
     const YkDrawOptions options = yk_default_draw_options();
     p->arena = yk_arena_new();
@@ -39,7 +40,7 @@ static bool make(YkFreeBodyDrawings *p, const YkState *state)
     size_t bodies = p->d->model->body_count - 1;
     p->count = bodies + p->forces->junction_count;
     p->pictures = YK_NEW(p->arena, YkFreeBodyDrawing, p->count + 1);
-    if (!p->pictures || !set_values(p, state)) return false;
+    if (!p->pictures || !set_values(p, state, dynamics)) return false;
     for (size_t k = 0; k < p->count; k++) {
         p->pictures[k].body = k < bodies ? (int32_t)k + 1 : YK_NONE;
         p->pictures[k].junction = k < bodies ? YK_NONE : (int32_t)(k - bodies);
@@ -47,11 +48,11 @@ static bool make(YkFreeBodyDrawings *p, const YkState *state)
     return yk_free_body_gather(p) && yk_free_body_arrange(p);
 }
 
-YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state)
+YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state, YkDynamics *dynamics)
 {
     YkFreeBodyDrawings *p = calloc(1, sizeof *p);
     if (p) p->d = d;
-    if (p && make(p, state)) return p;
+    if (p && make(p, state, dynamics)) return p;
     // If there is nothing to draw, or no memory, the derivation whose equations they show has failed.
     if (!p || (!p->is_infinite && yk_ring_status(d->ring) == YK_RING_OK)) d->failed = true;
     yk_free_body_drawings_free(p);

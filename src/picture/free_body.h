@@ -7,10 +7,11 @@
 
 typedef struct YkFreeBodyDrawings YkFreeBodyDrawings;
 
-// Lays out all pictures at the pose of `state` (assembled; only positions are used). The derivation, with its model and
-// mechanism, must outlive them. Returns NULL when out of memory (as the derivation then is), if the ring failed, or if
-// the pose cannot be drawn. Cost: at worst O(arrows^2), some microseconds per arrow.
-YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state);
+// Lays out all pictures at the pose of `state` (assembled; only positions are used; `dynamics`, solved there or NULL,
+// says which flanks of gears push). The derivation, with its model and mechanism, must outlive them. Returns NULL when
+// out of memory (as the derivation then is), if the ring failed, or if the pose cannot be drawn. Cost: at worst
+// O(arrows^2), some microseconds per arrow.
+YkFreeBodyDrawings *yk_free_body_drawings_new(YkDerivation *d, const YkState *state, YkDynamics *dynamics);
 void yk_free_body_drawings_free(YkFreeBodyDrawings *pictures);
 size_t yk_free_body_drawings_count(const YkFreeBodyDrawings *pictures);
 const char *yk_free_body_drawings_title(const YkFreeBodyDrawings *pictures,

@@ -37,11 +37,14 @@ static void find_happenings(YkReportPage *report, YkText *text)
 static void find_energy(YkReportPage *report, YkText *text)
 {
     YkSimulationSummary summary = yk_simulation_summary(report->simulation);
+    double start = summary.energy_start, end = summary.energy_end, off = end - start;
     size_t told = 0;
+    for (size_t k = 0; k < yk_simulation_work_count(report->simulation); k++)
+        off -= yk_simulation_work(report->simulation, k);
     yk_text_puts(text, "Its energy goes from ");
-    yk_report_amount(report, text, summary.energy_start, YK_QUANTITY_ENERGY);
+    yk_report_amount(report, text, fabs(start) > fabs(off) ? start : 0, YK_QUANTITY_ENERGY);
     yk_text_puts(text, " to ");
-    yk_report_amount(report, text, summary.energy_end, YK_QUANTITY_ENERGY);
+    yk_report_amount(report, text, fabs(end) > 1.000001 * fabs(off) ? end : 0, YK_QUANTITY_ENERGY); // else noise
     for (size_t k = 0; k < yk_simulation_work_count(report->simulation) && told < WORKS_MAX; k++) {
         double work = yk_simulation_work(report->simulation, k);
         if (work == 0) continue;

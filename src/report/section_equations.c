@@ -45,7 +45,9 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
 // Adds every body by itself with what acts on it, under the names of the equations.
 static void add_pictures(YkReportPage *report, YkDerivation *derivation, YkText *html)
 {
-    YkFreeBodyDrawings *pictures = report->status >= 0 ? yk_free_body_drawings_new(derivation, report->start) : NULL;
+    YkDynamics *forces = report->has_forces ? report->dynamics : NULL;
+    YkFreeBodyDrawings *pictures =
+        report->status >= 0 ? yk_free_body_drawings_new(derivation, report->start, forces) : NULL;
     if (!pictures && yk_derivation_ran_out(derivation)) yk_text_fail(html);
     size_t all = pictures ? yk_free_body_drawings_count(pictures) : 0, count = all < PICTURES_MAX ? all : PICTURES_MAX;
     YkText told = {0};

@@ -6,7 +6,7 @@
 static bool draw_all(const Machine *m)
 {
     YkDerivation *d = yk_derivation_new(m->model, m->mech, NULL);
-    YkFreeBodyDrawings *pictures = d ? yk_free_body_drawings_new(d, m->state) : NULL;
+    YkFreeBodyDrawings *pictures = d ? yk_free_body_drawings_new(d, m->state, NULL) : NULL;
     bool good = pictures != NULL;
     for (size_t k = 0; good && k < yk_free_body_drawings_count(pictures); k++)
         good = yk_free_body_drawings_svg(pictures, k) != NULL;
@@ -20,7 +20,7 @@ static void bodies_come_first_then_junctions(void **state)
     (void)state;
     Machine m = example("toggle");
     YkDerivation *d = yk_derivation_new(m.model, m.mech, NULL);
-    YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(d, m.state);
+    YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(d, m.state, NULL);
     assert_non_null(pictures);
     assert_int_equal(yk_free_body_drawings_count(pictures), 6);
     assert_string_equal(yk_free_body_drawings_title(pictures, 0), "link1, body 1");
@@ -55,7 +55,7 @@ static void long_chains_are_drawn_to_their_end(void **state)
     yk_text_free(&text);
     yk_state_set_time(m.state, 0, NULL);
     assert_true(yk_state_assemble(m.state) >= 0);
-    YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(m.d, m.state);
+    YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(m.d, m.state, NULL);
     assert_non_null(pictures);
     assert_int_equal(yk_free_body_drawings_count(pictures), LINKS);
     const char *svg = yk_free_body_drawings_svg(pictures, LINKS - 1);

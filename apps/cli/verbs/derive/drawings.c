@@ -49,7 +49,9 @@ int yk_derive_drawings(YkSession *session, YkDerivation *derivation)
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--svg draws machines of at most 2000 bodies%s", "");
         return YK_EXIT_WRONG;
     }
-    YkFreeBodyDrawings *pictures = yk_free_body_drawings_new(derivation, session->state);
+    bool has_forces = session->dynamics && yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED) >= 0;
+    YkFreeBodyDrawings *pictures =
+        yk_free_body_drawings_new(derivation, session->state, has_forces ? session->dynamics : NULL);
     if (!pictures) {
         const char *why = yk_ring_status_text(yk_ring_status(derivation->ring));
         if (yk_derivation_ran_out(derivation)) {
