@@ -44,4 +44,7 @@ bool yk_grow(void **items, size_t count, size_t *capacity, size_t size);
 #define YK_ROOM(items, count, capacity)                                                                                \
     ((count) < (capacity) || yk_grow((void **)&(items), (count), &(capacity), sizeof *(items)))
 
+// array + offset; NULL where the array was never made because it would be empty: C does not define NULL + 0.
+#define yk_from(array, offset) ((array) ? (array) + (offset) : NULL)
+
 #endif

@@ -2,6 +2,7 @@
 // unknowns; the strong components of the matching are solved one after another. Source: Duff & Reid 1978; Pothen & Fan
 // 1990.
 #include <stdlib.h>
+#include "base/memory.h"
 #include "compile/judge.h"
 #include "compile/plan.h"
 #include "num/components.h"
@@ -292,7 +293,7 @@ static bool match(Rest *r)
     if (!yk_matching_start(&r->matching, r->plan->arena, columns, rows, 2 * r->column_total)) return false;
     for (size_t row = 0; row < rows; row++) {
         size_t l = equation_of(r, (int32_t)row);
-        yk_matching_add(&r->matching, r->columns + r->column_first[l], columns_of(r, l), true);
+        yk_matching_add(&r->matching, yk_from(r->columns, r->column_first[l]), columns_of(r, l), true);
     }
     return true;
 }

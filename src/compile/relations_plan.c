@@ -2,6 +2,7 @@
 //
 // An angle that is a sum of inputs is kept as such a sum (a *form*), so that gear trains stay exact over any number of
 // turns; an angle that loops place is taken nearest to a reference that follows the motion.
+#include "base/memory.h"
 #include "compile/plan.h"
 #include "compile/relations.h"
 
@@ -158,7 +159,7 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
 static void note_form(YkPlan *plan, const YkRelation *r)
 {
     if (r->target.is_distance || r->law) return;
-    YkInputSum form = {true, r->offset, plan->mech->sources + r->first_source, r->source_count};
+    YkInputSum form = {true, r->offset, yk_from(plan->mech->sources, r->first_source), r->source_count};
     for (uint32_t k = 0; k < r->source_count; k++)
         if (form.sources[k].kind != YK_SOURCE_INPUT) return;
     YkInputSum *target = &plan->forms[r->target.index];

@@ -1,6 +1,7 @@
 #include "equations/coefficients.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/memory.h"
 #include "equations/gradient_pose.h"
 #include "num/dense.h"
 
@@ -35,7 +36,7 @@ static void add_relation_rows(const YkCoefficients *work, const YkSpace *space, 
 {
     const YkElimination *e = work->e;
     const YkBlock *block = &e->mech->blocks[op->block];
-    const double *factor = e->factors + op->first_factor;
+    const double *factor = yk_from(e->factors, op->first_factor);
     size_t n = op->own, q = op->given;
     for (size_t k = 0; k < block->relation_count; k++, factor += 2 * (n + q)) {
         size_t row = 2 * block->loop_count + k;
@@ -103,7 +104,7 @@ bool yk_coefficients_find(const YkCoefficients *work, const YkSpace *space, cons
         for (uint32_t k = 0; k < q; k++) C[k] = 1;
         return true;
     case YK_OP_RELATION: {
-        const double *factor = work->e->factors + op->first_factor;
+        const double *factor = yk_from(work->e->factors, op->first_factor);
         double slope = space->gain[op->block * space->stride];
         for (uint32_t k = 0; k < q; k++) C[k] = factor[2 + 2 * k] + slope * factor[3 + 2 * k];
         return true;

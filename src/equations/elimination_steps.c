@@ -206,7 +206,7 @@ static void add_group(YkEliminationOrder *o, const YkBlock *b)
         for (uint32_t k = 0; k < count; k++)
             if (!add_group_term(o, o->mech->terms[first + k], (int32_t)l, b->column_count)) o->failed = true;
     }
-    const int32_t *relation = o->mech->group_relations + b->first_relation;
+    const int32_t *relation = yk_from(o->mech->group_relations, b->first_relation);
     for (uint32_t k = 0; k < b->relation_count; k++)
         add_relation_columns(o, &o->mech->relations[relation[k]], b->column_count);
     yk_gradient_end(e, &o->columns, &gradient);

@@ -1,6 +1,7 @@
 // Gradients of sums with numbers, at a pose of one lane: the columns i u of what turns, u of what slides.
 #ifndef EQUATIONS_GRADIENT_POSE_H
 #define EQUATIONS_GRADIENT_POSE_H
+#include "base/memory.h"
 #include "equations/elimination.h"
 #include "solve/space.h"
 
@@ -40,7 +41,7 @@ static inline void yk_add_piece(const YkSpace *space, const YkGradientPiece *pie
 static inline void yk_gradient_columns(const YkElimination *e, const YkSpace *space, const YkGradient *gradient,
                                        YkVec *columns)
 {
-    const YkGradientPiece *piece = &e->pieces[gradient->first_piece];
+    const YkGradientPiece *piece = yk_from(e->pieces, gradient->first_piece);
     if (gradient->is_plain) {
         for (uint32_t k = 0; k < gradient->columns; k++)
             columns[k] = yk_quarter(yk_turned_by(yk_turn_at(space, piece[k].unit), piece[k].v));
@@ -83,7 +84,7 @@ static inline YkVec yk_gradient_acceleration(const YkElimination *e, const YkSpa
                                              YkVec *columns)
 {
     YkVec sum = {0, 0};
-    const YkGradientPiece *piece = &e->pieces[gradient->first_piece];
+    const YkGradientPiece *piece = yk_from(e->pieces, gradient->first_piece);
     if (gradient->is_plain) {
         for (uint32_t k = 0; k < gradient->columns; k++) {
             const double *t = yk_turn_at(space, piece[k].unit);

@@ -119,7 +119,8 @@ static uint32_t find_or_add(YkPowers *table, const YkPower *powers, size_t count
     size_t slot = slot_start(table, hash);
     for (; table->slots[slot] != 0; slot = (slot + 1) & (table->slot_count - 1)) {
         const YkProductOfPowers *item = &table->items[table->slots[slot] - 1];
-        if (item->hash != hash || item->count != count || !is_same(table->pool + item->first, powers, count)) continue;
+        if (item->hash != hash || item->count != count || !is_same(yk_from(table->pool, item->first), powers, count))
+            continue;
         *fault = YK_POWERS_FINE;
         return table->slots[slot] - 1;
     }

@@ -1,5 +1,6 @@
 // One pose: every record of the space is read where it lies, and what a step needs of another stays in registers.
 #include "solve/single.h"
+#include "base/memory.h"
 #include "solve/elementary.h"
 #include "solve/kernels/rpr.h"
 #include "solve/kernels/rrp.h"
@@ -174,7 +175,7 @@ YK_INLINE void solve_block(const YkRun *run, const Pose *p, const YkStep *step)
 void yk_run_single(const YkRun *run, size_t from, size_t to)
 {
     const Pose p = pose_of(run);
-    const YkStep *step = run->mech->steps + from, *end = run->mech->steps + to;
+    const YkStep *step = yk_from(run->mech->steps, from), *end = yk_from(run->mech->steps, to);
     for (; step < end; step++) {
         if (step->kind == YK_STEP_BLOCK)
             solve_block(run, &p, step);
