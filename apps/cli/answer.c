@@ -1,3 +1,4 @@
+// What the answers of all verbs share.
 #include "answer.h"
 #include <math.h>
 #include <stdlib.h>
@@ -52,7 +53,7 @@ int yk_status_exit(YkStatus status)
                : YK_EXIT_WRONG;
 }
 
-// What a status means, where the solver has no more to say of it.
+// Returns the meaning of a status, if the solver has no more to say about it.
 static const char *words_of(YkStatus status, const char *message)
 {
     if (message && *message) return message;

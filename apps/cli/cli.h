@@ -1,5 +1,5 @@
-// The command `yoke`: what its files share. One verb, one question; results on standard output, all else on standard
-// error.
+// The command `yoke`: what its files share. One verb, one question; results go to standard output, everything else to
+// standard error.
 #ifndef CLI_CLI_H
 #define CLI_CLI_H
 #include <stdbool.h>
@@ -10,12 +10,12 @@
 #include "base/text.h"
 #include "scale.h"
 
-// What the shell gets to know.
+// Exit codes.
 enum { YK_EXIT_DONE = 0, YK_EXIT_NO_ANSWER = 1, YK_EXIT_WRONG = 2 };
 
 typedef enum YkFormat { YK_FORMAT_TEXT, YK_FORMAT_JSON, YK_FORMAT_CSV } YkFormat;
 
-// --at theta1=30deg: a name and a value, apart.
+// --at theta1=30deg, as a name and a value.
 typedef struct YkAssignment {
     const char *name, *value;
 } YkAssignment;
@@ -31,7 +31,7 @@ typedef struct YkWords {
 typedef struct YkVerb YkVerb;
 typedef struct YkAnswerColumns YkAnswerColumns;
 
-// A command line, understood.
+// A command line, read.
 typedef struct YkRequest {
     YkArena *arena;     // copies of words
     const YkVerb *verb; // NULL: none given
@@ -63,27 +63,27 @@ typedef struct YkSetInput {
     double value;
 } YkSetInput;
 
-// One run: the request and what was made of it so far.
+// One run: the request and its results so far.
 struct YkSession {
     const YkRequest *request;
     YkProblems *problems; // of the command line and of the answer: printed as "yoke: error: ..."
     YkModel *model;
     YkMechanism *mech;
-    YkMechanism *base; // compiled without the command line's inputs, where those are others; otherwise NULL
-    YkModel *own;      // the file with its own parameters, where --param gives others; otherwise NULL
+    YkMechanism *base; // compiled without the command line's inputs, if those differ; otherwise NULL
+    YkModel *own;      // the file with its own parameters, if --param gives others; otherwise NULL
     YkState *state;
     YkSetInput *holds; // [hold_count]
     size_t hold_count;
     YkMotion *bodies;               // yk_session_bodies keeps them here
     double time;                    // --time, s
     YkMove move;                    // how the pose was reached
-    YkText reach_message;           // why it was not
-    bool is_chosen;                 // --assembly took the configuration
+    YkText reach_message;           // why it was not reached
+    bool is_chosen;                 // --assembly chose the configuration
     bool is_start;                  // the configuration that is written is the machine's own
-    YkDynamics *dynamics;           // where forces are asked for and the machine has masses or loads; otherwise NULL
-    const char *forces_message;     // why the pose has no forces, though the machine has loads; otherwise NULL
-    const YkAnswerColumns *columns; // solve: those of --of; NULL: everything is told
-    bool lacks_accelerations;       // the dynamics has none for the pose: those of the state mean nothing
+    YkDynamics *dynamics;           // if forces are asked for and the machine has masses or loads; otherwise NULL
+    const char *forces_message;     // why the pose has no forces although the machine has loads; otherwise NULL
+    const YkAnswerColumns *columns; // solve: those of --of; NULL: everything is written
+    bool lacks_accelerations;       // the dynamics found none for the pose: the state's are meaningless
     bool is_told;                   // the problems are printed already
     bool has_told_error;            // of these or of another list
     bool ran_out;                   // of memory: there is no answer
@@ -97,12 +97,12 @@ struct YkSession {
 struct YkVerb {
     const char *name, *summary;
     const char *usage; // "FILE [options]"
-    const char *about; // for --help: what it answers, a few lines
+    const char *about; // for --help: what the verb answers, in a few lines
     const char *example;
     int (*run)(YkSession *session);
 };
 
-// Verbs, in the order in which they are listed; ends at name NULL.
+// The verbs in the order in which they are listed; ends at name NULL.
 extern const YkVerb yk_verbs[];
 const YkVerb *yk_verb_find(const char *name);
 int yk_run_check(YkSession *session);
@@ -120,13 +120,13 @@ int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
 
-// Was a request for memory refused since the start, anywhere in the program? watch.c; always false if the linker
-// cannot tell.
+// Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
+// if the linker cannot tell.
 bool yk_memory_ran_out(void);
-// Tells a list of problems on standard error; with --quiet, only where there is an error among them. NULL: there was no
-// memory for a list. A verb that returns YK_EXIT_WRONG without having told why ran out of memory, and main says so.
+// Prints a list of problems on standard error; with --quiet, only if there is an error among them. NULL: there was
+// no memory for a list. A verb that returns YK_EXIT_WRONG without a report ran out of memory, and main says so.
 void yk_tell_problems(YkSession *session, YkProblems *problems);
-// The same in words, "" for nothing. They are kept in the list: telling it afterwards needs no more memory.
+// Returns them in words, "" for none. The words are kept in the list, so that printing it needs no more memory.
 const char *yk_words_of_problems(const YkSession *session, YkProblems *problems);
 
 #endif

@@ -1,4 +1,4 @@
-// Columns: reading --of, and their values at a pose.
+// Reads --of, and computes the columns' values at a pose.
 #include "columns.h"
 #include <math.h>
 #include <stdlib.h>

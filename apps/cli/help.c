@@ -1,3 +1,4 @@
+// Writes help.
 #include "help.h"
 #include <string.h>
 #include "options.h"

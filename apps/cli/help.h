@@ -1,4 +1,4 @@
-// Help: a short tour for who types `yoke` alone, and what each verb takes.
+// Help: a short tour for a user who types only `yoke`, and the options of each verb.
 #ifndef CLI_HELP_H
 #define CLI_HELP_H
 #include "cli.h"

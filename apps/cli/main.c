@@ -8,7 +8,7 @@
 #include "options.h"
 #include "session.h"
 
-// Colours only for people: on a terminal, and where nobody asked for none (https://no-color.org).
+// Colours are for people: on a terminal, unless the user asked for none (https://no-color.org).
 static int wants_colour(void)
 {
     const char *none = getenv("NO_COLOR"), *terminal = getenv("TERM");
@@ -50,7 +50,7 @@ static int run(YkSession *session)
     return request->verb->run(session);
 }
 
-// A file that may not grow any more is a failed write, which is told, and whose rest is removed.
+// A file that cannot grow any more is a failed write, which is reported, and the rest of the file is removed.
 static void ignore_file_limit(void)
 {
 #ifdef SIGXFSZ

@@ -1,3 +1,4 @@
+// The table of options.
 #include <string.h>
 #include "options.h"
 

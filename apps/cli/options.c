@@ -1,3 +1,4 @@
+// Reads a command line.
 #include "options.h"
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +7,7 @@
 enum { OPTIONS_MAX = 64, WORDS_IN_LIST = 3 };
 static const YkPlace nowhere = {0};
 
-// The command line while it is read.
+// The command line as it is read.
 typedef struct Reader {
     int argc, next;
     char **argv;
@@ -167,7 +168,7 @@ static void read_verb(Reader *reader, const char *word)
     }
 }
 
-// The first word is the verb, the second the file; `help VERB` is another way to say `VERB --help`.
+// Takes a word: the first is the verb, the second the file; `help VERB` is another way to say `VERB --help`.
 static void read_word(Reader *reader, const char *word)
 {
     size_t place = reader->words++;

@@ -1,4 +1,4 @@
-// Options: a table says what there is, one loop reads it.
+// Options: a table lists them, one loop reads them.
 #ifndef CLI_OPTIONS_H
 #define CLI_OPTIONS_H
 #include "cli.h"
@@ -9,8 +9,8 @@ typedef struct YkOption {
     const char *name;
     char letter; // short form, or 0
     YkOptionKind kind;
-    size_t offset;     // where it goes in YkRequest
-    const char *value; // what stands for its value in help
+    size_t offset;     // its place in YkRequest
+    const char *value; // the placeholder of its value in help
     const char *verbs; // names of the verbs that take it, each between blanks; "*": all
     const char *help;
 } YkOption;
@@ -18,7 +18,7 @@ typedef struct YkOption {
 extern const YkOption yk_options[]; // ends at name NULL
 bool yk_option_is_for(const YkOption *option, const char *verb);
 
-// Reads a command line. Mistakes are added to `problems`, all of them.
+// Reads a command line, and adds all its errors to `problems`.
 void yk_options_read(int argc, char **argv, YkRequest *request, YkProblems *problems);
 void yk_request_free(YkRequest *request);
 

@@ -1,9 +1,10 @@
+// Reads --over.
 #include "range.h"
 #include <string.h>
 #include "base/number.h"
 #include "session.h"
 
-// How much of the text is a number, or a ratio of two, with its sign.
+// Returns the length of the number at the start of the text, or of a ratio of two, with its sign.
 static size_t number_length(const char *text)
 {
     double value;
@@ -15,7 +16,7 @@ static size_t number_length(const char *text)
     return under > 0 ? length + 1 + under : length;
 }
 
-// The unit that ends a number ("deg" of "360 deg"), or NULL if there is none or more than that.
+// Returns the unit that ends a number ("deg" of "360 deg"); NULL if there is none, or more than a unit.
 static const char *unit_after(const char *text)
 {
     size_t length = number_length(text);
@@ -24,7 +25,7 @@ static const char *unit_after(const char *text)
     return length > 0 && is_letter && !strpbrk(unit, " +-(") ? unit : NULL;
 }
 
-// Gives the first end the second one's unit when it has none of its own.
+// Gives the first end the second one's unit if it has none of its own.
 static const char *share_unit(YkArena *arena, const char *from, const char *to)
 {
     const char *unit = unit_after(to);
@@ -67,7 +68,7 @@ bool yk_over_read(YkSession *session, YkOver *over)
             return yk_session_refuse(session, YK_CODE_NOT_AN_INPUT, "no freedom is left to move %q", over->name);
         over->quantity = yk_quantity_of(info.is_distance, 0);
     }
-    // The end first: where it lends its unit, a mistake in that is best quoted there.
+    // Reads TO first: if it lends its unit to FROM, an error in the unit is best quoted there.
     return yk_session_value(session, "--over", over->name, over->to_text, over->quantity, &over->to) &&
            yk_session_value(session, "--over", over->name, over->from_text, over->quantity, &over->from);
 }

@@ -1,4 +1,4 @@
-// --over NAME=FROM:TO, understood.
+// --over NAME=FROM:TO, read.
 #ifndef CLI_RANGE_H
 #define CLI_RANGE_H
 #include "cli.h"
@@ -11,7 +11,7 @@ typedef struct YkOver {
     double from, to; // SI
 } YkOver;
 
-// Takes the words apart, before there is a mechanism. A unit at the end holds for both ends: 0:360deg.
+// Splits the words, before there is a mechanism. A unit at the end holds for both ends: 0:360deg.
 bool yk_over_split(YkSession *session, const char *text, YkOver *over);
 // Finds the coordinate and reads the ends.
 bool yk_over_read(YkSession *session, YkOver *over);

@@ -1,4 +1,4 @@
-// From the pose at which the machine was put together to the one that was asked for.
+// Moves the machine from the pose in which it was assembled to the one that was asked for.
 #include "reach.h"
 #include <math.h>
 #include <stdlib.h>
@@ -12,9 +12,9 @@ static YkStatus run_out(YkSession *session)
     return YK_NO_MEMORY;
 }
 
-// --- where the machine was put together
+// --- where the machine was assembled
 
-// The state of a mechanism at t = 0, assembled nearest to the guesses of `start:`; NULL when out of memory.
+// Returns the state of a mechanism at t = 0, assembled nearest to the guesses of `start:`; NULL when out of memory.
 static YkState *assemble(const YkMechanism *mech, YkStatus *status)
 {
     YkState *state = yk_state_new(mech);
@@ -24,8 +24,8 @@ static YkState *assemble(const YkMechanism *mech, YkStatus *status)
     return state;
 }
 
-// With other parameters: the file's own assembly, at its own.
-// Returns NULL if these make no machine, or none that goes together.
+// Assembles the file's own machine when --param gives other parameters. Returns NULL if the file's make no valid
+// machine, or one that cannot be assembled.
 static YkState *assemble_own(YkSession *session, YkMechanism **mech)
 {
     YkProblems *quiet = yk_problems_new();
@@ -40,8 +40,8 @@ static YkState *assemble_own(YkSession *session, YkMechanism **mech)
     return NULL;
 }
 
-// Moves the parameters from the file's to the command line's, all at once, with the assembly. Returns false if they do
-// not vary continuously, as numbers of teeth do not.
+// Moves all parameters at once from the file's to the command line's, with the assembly. Returns false if they do not
+// vary continuously, such as numbers of teeth.
 static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *status)
 {
     const YkAssignments *param = &session->request->param;
@@ -72,7 +72,7 @@ static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *st
     return good;
 }
 
-// The configuration that the file has at its own parameters, with those of the command line.
+// Takes the configuration that the file has at its own parameters, with those of the command line.
 static YkStatus take_own(YkSession *session, YkState *own, YkState *state)
 {
     YkStatus status = yk_state_set_time(state, 0, NULL);
@@ -98,7 +98,8 @@ YkState *yk_reach_start(YkSession *session, YkStatus *status)
     return state;
 }
 
-// Does a drive or `start:` give every input its place? Otherwise the file does not say where it was put together.
+// Returns whether a drive or `start:` gives every input a value. Otherwise the file does not say where it was
+// assembled.
 static bool tells_start(const YkMechanism *mech)
 {
     for (size_t i = 0; i < yk_input_count(mech); i++) {
@@ -124,7 +125,7 @@ static void note_way(YkSession *session)
                yk_block_info(session->mech, (size_t)move->passes[0].block).label);
 }
 
-// All inputs at once, to what they are held at.
+// Moves all inputs at once to the values at which they are held.
 static YkStatus go_straight(YkSession *session)
 {
     YkState *state = session->state;
@@ -138,7 +139,7 @@ static YkStatus go_straight(YkSession *session)
     return status;
 }
 
-// Along the drives, to --time; what the way so far met is kept.
+// Moves along the drives to --time; keeps the events of the way so far.
 static YkStatus go_in_time(YkSession *session)
 {
     YkMove before = session->move;
@@ -158,7 +159,7 @@ static YkStatus move(YkSession *session)
     return status < 0 || session->time == 0 ? status : go_in_time(session);
 }
 
-// Does the way leave the pose of the start?
+// Returns whether the way leaves the start's pose.
 static bool moves(const YkSession *session)
 {
     for (size_t k = 0; k < session->hold_count; k++) {
@@ -177,7 +178,7 @@ static void warn_of_start(YkSession *session, const YkState *start)
     yk_text_free(&label);
 }
 
-// Puts session->state where the machine was put together, with the inputs of the command line.
+// Puts session->state where the machine was assembled, with the inputs of the command line.
 static YkStatus enter(YkSession *session, const YkState *start)
 {
     if (!session->base) {
@@ -209,8 +210,8 @@ static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus st
     return status;
 }
 
-// The machine where it was put together, and a fresh session->state; NULL when out of memory. is_untold: the file does
-// not say where that is.
+// Returns the machine where it was assembled, and a fresh session->state; NULL when out of memory. is_untold: the
+// file does not say where that is.
 static YkState *find_start(YkSession *session, YkStatus *status, bool *is_untold)
 {
     *status = YK_NO_MEMORY;
@@ -227,7 +228,7 @@ static YkState *find_start(YkSession *session, YkStatus *status, bool *is_untold
     return start;
 }
 
-// is_untold: the file does not say where the machine was put together, and session->state has no pose.
+// is_untold: the file does not say where the machine was assembled, and session->state has no pose.
 static YkStatus reach(YkSession *session, bool *is_untold)
 {
     YkStatus status;
@@ -253,7 +254,7 @@ YkState *yk_reach_own(YkSession *session)
     return NULL;
 }
 
-// A range is asked for at its FROM.
+// A range starts at its FROM.
 static void hold_range(YkSession *session, const YkOver *over)
 {
     if (over && over->coordinate >= 0) {
@@ -274,7 +275,7 @@ YkStatus yk_session_stand(YkSession *session, const YkOver *over, YkState **star
     *start = find_start(session, &status, &is_untold);
     if (!*start) return run_out(session);
     if (!is_untold && (status < 0 || !session->base)) return stand(session, *start, status);
-    if (!is_untold) return yk_state_adopt(session->state, *start); // a design may stand beside the file's dead point
+    if (!is_untold) return yk_state_adopt(session->state, *start); // a design may be near the file's dead point
     yk_state_free(*start);
     *start = NULL;
     return yk_reach_untold(session);

@@ -21,7 +21,7 @@ bool yk_same_configuration(const YkState *a, const YkState *b)
 
 // --- names
 
-// Of the configurations at a pose those with one label: how many there are, and which of them is the one sought.
+// The configurations with one label at a pose: how many there are, and which of them is wanted.
 typedef struct Namesakes {
     const YkState *sought;
     YkText label;
@@ -49,7 +49,7 @@ static Namesakes namesakes(YkState *at, const YkState *sought)
     return n;
 }
 
-// Moves a configuration back to where the machine was put together: its number there among those of its label, or 0.
+// Moves a configuration back to where the machine was assembled. Returns its number there within its label, or 0.
 static size_t number_at_start(YkSession *session, const YkState *state)
 {
     YkState *back = yk_state_new(session->mech), *start = yk_state_new(session->mech);
@@ -98,11 +98,11 @@ YkText yk_configuration_name(YkSession *session, const YkState *state)
 typedef struct Chooser {
     YkSession *session;
     const char *word;
-    size_t number; // sought, or 0: by name
+    size_t number; // the one wanted, or 0: by name
     size_t seen;
     YkState *found;
     bool has_found;
-    YkText list; // the names that there are
+    YkText list; // the names available
 } Chooser;
 
 static bool look(void *context, YkState *state)
@@ -136,7 +136,7 @@ static YkStatus refuse(YkSession *session, const Chooser *c)
     return YK_NO_ASSEMBLY;
 }
 
-// Is the configuration that was chosen the one that the machine would come to?
+// Returns whether the chosen configuration is the one that the machine would get to.
 static bool is_own(YkSession *session, const YkState *chosen)
 {
     YkState *state = yk_reach_own(session);

@@ -1,4 +1,4 @@
-// What is said where the machine cannot come to the asked pose.
+// Explains why the machine cannot get to the requested pose.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static void add_input(const YkSession *session, YkText *text, size_t input, doub
     yk_add_value(session, text, value, yk_quantity_of(info.is_distance, 0), digits);
 }
 
-// "theta4 = 54.9 deg", of up to three inputs.
+// Writes "theta4 = 54.9 deg", for up to three inputs.
 static void add_inputs(const YkSession *session, YkText *text, const YkState *state, bool asked)
 {
     size_t count = yk_input_count(session->mech);
@@ -85,7 +85,7 @@ static void add_range(YkSession *session, YkText *text, size_t input, YkRange ra
     yk_text_free(&label);
 }
 
-// The range in which the machine stands, of its only input; and the way round by which an angle a turn off is reached.
+// Hints at the range of the machine's only input, and at the detour to an angle a turn away.
 static void hint_range(YkSession *session, YkText *text, double asked)
 {
     YkRange ranges[RANGES_MAX];
@@ -108,7 +108,7 @@ static void hint_range(YkSession *session, YkText *text, double asked)
     }
 }
 
-// A state with the asked inputs and no pose; NULL if there is none.
+// Returns a state with the requested inputs and no pose; NULL if there is none.
 static YkState *asked_state(YkSession *session)
 {
     YkState *state = yk_state_new(session->mech);
@@ -130,7 +130,7 @@ size_t yk_reach_count(YkSession *session)
     return count;
 }
 
-// What closes at the asked pose, and the command that shows it.
+// Hints at what closes at the requested pose, and at the command that shows it.
 static void hint_others(YkSession *session, const YkState *asked, YkText *text)
 {
     size_t count = yk_reach_count(session);

@@ -1,9 +1,9 @@
-// What counts as rounding noise, by the largest values told beside it.
+// Decides what is rounding noise, by the largest values written beside it.
 #include "scale.h"
 #include <math.h>
 #include "session.h"
 
-// Of the scale: what closing loops and adding vectors leave of a zero; and what sums and products alone leave.
+// Relative to the scale: what closing loops and adding vectors leave of a zero; what sums and products alone leave.
 static const double noise = 1e-13, noise_of_sums = 1e-15;
 
 static void raise(double *scale, double value)
@@ -110,7 +110,7 @@ double yk_scale_noise(const YkSession *session, YkQuantity quantity)
 {
     const YkScale *scale = &session->scale;
     double size = size_of(session), of_angles = scale->is_exact ? noise_of_sums : noise;
-    double acceleration = fmax(scale->acceleration, scale->rate * scale->rate); // centripetal ones are added up, too
+    double acceleration = fmax(scale->acceleration, scale->rate * scale->rate); // centripetal ones are added too
     double force = fmax(noise * scale->force, noise_of_sums * scale->mass * acceleration * size);
     switch (quantity) {
     case YK_QUANTITY_ANGLE:

@@ -1,3 +1,4 @@
+// A run's steps that the verbs share.
 #include "session.h"
 #include <math.h>
 #include <stdlib.h>
@@ -64,7 +65,7 @@ static void add_name(const char **names, size_t *count, const char *name)
     names[(*count)++] = name;
 }
 
-// Compiles with the coordinates that are set as inputs: the swept one, then in the order given.
+// Compiles with the coordinates that are set as inputs: the swept one, then in the given order.
 static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *problems)
 {
     const YkRequest *request = session->request;
@@ -90,11 +91,11 @@ static bool is_input(const YkMechanism *mech, const char *name)
     return coordinate >= 0 && yk_coordinate_info(mech, (size_t)coordinate).input >= 0;
 }
 
-// The file's own choice of inputs says where the machine was put together. Where the command line's are the same in
-// another order, that mechanism serves for both: then every verb computes the same bits.
+// The file's own choice of inputs says where the machine was assembled. If the command line has the same in another
+// order, that mechanism serves for both, and every verb computes the same bits.
 static void find_base(YkSession *session)
 {
-    YkProblems *quiet = yk_problems_new(); // the same as those of session->mech, if there are any
+    YkProblems *quiet = yk_problems_new(); // the same as those of session->mech, if any
     session->base = quiet ? yk_mechanism_compile(session->model, NULL, quiet) : NULL;
     if (!session->base && yk_ran_out(quiet)) yk_session_run_out(session);
     yk_problems_free(quiet);
@@ -116,7 +117,7 @@ static bool has_file(YkSession *session)
     return false;
 }
 
-// The model, and with `compiles` the mechanism.
+// Loads the model and, with `compiles`, the mechanism.
 static bool load(YkSession *session, bool compiles, const char *swept)
 {
     if (!has_file(session)) return false;
@@ -178,7 +179,7 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
     yk_problems_set_source(problems, yk_text_get(&source), text, strlen(text));
     bool good = yk_model_value(session->model, text, quantity, value, problems) == YK_OK && isfinite(*value);
     yk_tell_problems(session, problems);
-    good = good && yk_problems_error_count(problems) == 0; // memory for the messages' source may be short
+    good = good && yk_problems_error_count(problems) == 0; // there may be no memory for the messages' source
     if (!good && yk_problems_error_count(problems) == 0)
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q is not a value that can be used here", text);
     yk_problems_free(problems);
@@ -231,7 +232,7 @@ bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordin
     return false;
 }
 
-// The input that a coordinate is; refuses names that are none.
+// Finds the input of a coordinate; refuses unknown names.
 static bool find_input(YkSession *session, const char *name, size_t *input, bool *is_distance)
 {
     size_t coordinate;
@@ -245,7 +246,7 @@ static bool find_input(YkSession *session, const char *name, size_t *input, bool
     return true;
 }
 
-// Reads what every coordinate's order-th derivative is held at.
+// Reads the values at which coordinates' order-th derivatives are held.
 static bool read_holds(YkSession *session, const char *option, const YkAssignments *pairs, int order)
 {
     for (size_t i = 0; i < pairs->count; i++) {
@@ -270,7 +271,7 @@ void yk_session_hold(const YkSession *session, YkState *state)
 bool yk_session_inputs(YkSession *session)
 {
     const YkRequest *request = session->request;
-    size_t most = request->at.count + request->rate.count + request->accel.count + 1; // one more: of a sweep's start
+    size_t most = request->at.count + request->rate.count + request->accel.count + 1; // one more: for a sweep's start
     session->state = yk_state_new(session->mech);
     session->holds = calloc(most, sizeof *session->holds);
     if (!session->state || !session->holds) return run_out(session);
@@ -283,7 +284,7 @@ bool yk_session_inputs(YkSession *session)
         return false;
     }
     bool good = read_holds(session, "--at", &request->at, 0);
-    if (!session->is_simulation) // there --rate is of the start alone
+    if (!session->is_simulation) // there --rate applies only to the start
         good = good && read_holds(session, "--rate", &request->rate, 1) &&
                read_holds(session, "--accel", &request->accel, 2);
     yk_session_hold(session, session->state);

@@ -1,46 +1,46 @@
-// A run's steps that the verbs share: from the file to a pose, and the answer to where it should go.
+// A run's steps that the verbs share: from the file to a pose, and the output of the answer.
 #ifndef CLI_SESSION_H
 #define CLI_SESSION_H
 #include "cli.h"
 
-// Loads the model alone. Returns false when the file is wrong: all is printed then.
+// Loads only the model. Returns false if the file is wrong, with everything printed.
 bool yk_session_model(YkSession *session);
 // Loads the model and compiles it; coordinates that the command line sets are its inputs. `swept` (or NULL) is one
-// more, the first. Returns false when the file or a name is wrong: all is printed then.
+// more, the first. Returns false if the file or a name is wrong, with everything printed.
 bool yk_session_load(YkSession *session, const char *swept);
-// Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel, which are held from then on. False
-// when a value is wrong. The pose comes from yk_session_reach (reach.h).
+// Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel, which are held from then on.
+// Returns false if a value is wrong. The pose comes from yk_session_reach (reach.h).
 bool yk_session_inputs(YkSession *session);
-// The model with the parameters of --param, or (with_params false) with the file's own.
+// Loads the model with the parameters of --param or, with_params false, with the file's own.
 YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems);
 // Holds the inputs of a state as --at, --rate and --accel say.
 void yk_session_hold(const YkSession *session, YkState *state);
-// Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all (a motion that is imposed). False
-// when a name or value is wrong.
+// Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all are (an imposed motion). Returns
+// false if a name or value is wrong.
 bool yk_session_forces(YkSession *session, bool all_prescribed);
 // Reads --method reduced|newton-euler.
 bool yk_session_method(YkSession *session, YkDynamicsMethod *method);
-// Finds a coordinate by name; refuses names that are none, with the nearest.
+// Finds a coordinate by name; refuses unknown names and suggests the nearest.
 bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordinate);
 // Reads --effort pair `index`: the coordinate and its value.
 bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, double *effort);
 // Reads a value of the command line; option and name ("--at", "theta1") stand for it in messages.
 bool yk_session_value(YkSession *session, const char *option, const char *name, const char *text, YkQuantity quantity,
                       double *value);
-// Reads a count between 1 and `most`; `fallback` where text is NULL.
+// Reads a count between 1 and `most`; `fallback` if text is NULL.
 bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
                       size_t *count);
-// Finds points by name, BODY.POINT; points[names->count]. Returns false when one is none.
+// Finds points by name, BODY.POINT; points[names->count]. Returns false for an unknown name.
 bool yk_session_points(YkSession *session, const YkWords *names, size_t *points);
-// The quantity of a coordinate's order-th derivative.
+// Returns the quantity of a coordinate's order-th derivative.
 YkQuantity yk_quantity_of(bool is_distance, int order);
-// Was it for want of memory that something could not be made? Its problems say so, or there are none at all.
+// Returns whether something could not be made for want of memory: its problems say so, or there are none at all.
 bool yk_ran_out(const YkProblems *problems);
-// Remembers that memory ran out while an answer was made: it is refused then, whatever was found.
+// Remembers that memory ran out during an answer: it is then refused, whatever was found.
 void yk_session_run_out(YkSession *session);
-// What yk_state_bodies tells, until it is asked again; NULL where memory ran out, which is remembered.
+// Returns what yk_state_bodies does, valid until the next call; NULL when out of memory, which is remembered.
 const YkMotion *yk_session_bodies(YkSession *session, const YkState *state);
-// A refusal that needs no more words than these; returns false.
+// Refuses with a short message; returns false.
 bool yk_session_refuse(YkSession *session, YkCode code, const char *format, const char *word);
 // Writes the answer to -o FILE or standard output; returns `exit_code`, or YK_EXIT_WRONG when it could not be written.
 int yk_session_finish(YkSession *session, int exit_code);

@@ -1,3 +1,4 @@
+// The table of verbs.
 #include <string.h>
 #include "cli.h"
 

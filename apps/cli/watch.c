@@ -1,6 +1,6 @@
-// Memory, watched by the linker: every request of the command and of the library in it passes through here, and one
-// that was refused is remembered. The library says by itself where it ran out of memory; this is the second way to the
-// same knowledge, so that the command never hands over an answer of which a part might be missing.
+// Watches memory by the linker: every request of the command and of the library in it passes through here, and a
+// refusal is remembered. The library itself says where it ran out of memory; this is a second way to know, so that the
+// command never gives out an answer of which a part might be missing.
 #include <stdatomic.h>
 #include <stdlib.h>
 #include "cli.h"

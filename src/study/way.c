@@ -180,7 +180,7 @@ static size_t moving_input(const YkWorker *w)
     return moving;
 }
 
-// Beyond a barrier that is known?
+// Returns whether the pose is beyond a known barrier.
 static bool is_blocked(const YkWorker *w, size_t moving)
 {
     if (moving == w->mech->input_count || moving != w->way.input) return false;
@@ -197,7 +197,7 @@ static void note_barrier(YkWorker *w, size_t moving, double from, double part)
     w->way.barrier[to > from] = (YkBarrier){true, from + part * (to - from)};
 }
 
-// Moves the state to a pose; where it does not come there, it stays at the last one that it came to.
+// Moves the state to a pose; if it cannot get there, it stays at the last pose it reached.
 static YkStatus move(YkWorker *w, size_t pose)
 {
     YkMoveOptions options = yk_default_move_options();
@@ -217,7 +217,7 @@ static YkStatus move(YkWorker *w, size_t pose)
     yk_state_copy(w->state, w->kept);
     if (status == YK_LIMIT && moving < w->mech->input_count)
         note_barrier(w, moving, w->state->valid_input[3 * moving], way.part);
-    return status == YK_BAD_ARGUMENT ? YK_LIMIT : status; // inputs that are no numbers close nothing
+    return status == YK_BAD_ARGUMENT ? YK_LIMIT : status; // inputs that are not finite close nothing
 }
 
 static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const *outputs)
@@ -236,7 +236,7 @@ static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const 
     return status;
 }
 
-// Does the state stand where branches meet? From there the next move would not know on which of them it came.
+// Returns whether the state stands where branches meet: the next move would not know which of them it is on.
 static bool is_between_branches(const YkWorker *w, YkStatus status)
 {
     return status == YK_SINGULAR || w->state->space.margin[0] <= MEETING_MARGIN;

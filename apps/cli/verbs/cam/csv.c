@@ -1,3 +1,4 @@
+// `yoke cam --format csv`.
 #include "verbs/cam/cam.h"
 #include "write/csv.h"
 

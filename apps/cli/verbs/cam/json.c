@@ -1,4 +1,4 @@
-// `yoke cam --format json`: the shape stands in yoke-cam(1).
+// `yoke cam --format json`; yoke-cam(1) gives its shape.
 #include <math.h>
 #include "verbs/cam/cam.h"
 

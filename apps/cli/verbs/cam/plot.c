@@ -1,4 +1,4 @@
-// Diagrams and outlines of a cam as files.
+// Writes diagrams and outlines of a cam as files.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,12 +12,12 @@
 enum { POINTS = 1441, CURVES = 5 };
 static const double full_turn = 6.28318530717958647692;
 
-// s, v, a, j, then the pressure angle, of one law.
+// Fills in s, v, a, j, then the pressure angle, of one law.
 static void fill(const YkCamAnswer *answer, const YkCamDesign *design, double *values)
 {
     YkQuantity lift = yk_cam_lift_quantity(answer);
     for (size_t i = 0; i < POINTS; i++) {
-        // the end of the turn, not its start again
+        // The end of the turn, not its start again.
         double angle = i + 1 < POINTS ? full_turn * (double)i / (POINTS - 1) : nextafter(full_turn, 0);
         YkCamPoint p = yk_cam_at(design, angle);
         for (size_t k = 0; k < 4; k++) values[k * POINTS + i] = yk_shown(answer->session, p.lift[k], lift);
@@ -100,7 +100,7 @@ bool yk_cam_plot(const YkCamAnswer *answer, const char *path)
     return good;
 }
 
-// curve, x, y in m: the points of all curves.
+// Writes curve, x, y in m: the points of all curves.
 static void add_csv(const YkCamPicture *picture, YkText *text)
 {
     YkCsv csv = {.text = text};

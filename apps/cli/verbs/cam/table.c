@@ -1,4 +1,4 @@
-// The rows that `yoke cam` tells, whatever the format.
+// Makes the rows of `yoke cam`, whatever the format.
 #include <math.h>
 #include "verbs/cam/cam.h"
 

@@ -74,13 +74,13 @@ static void add_head(const YkCamAnswer *answer)
     yk_text_puts(out, "\n");
 }
 
-// "s(120 deg) = 20 mm": a condition as one reads it.
+// Writes a condition as "s(120 deg) = 20 mm".
 static void add_condition(const YkCamAnswer *answer, YkCamCondition condition, YkText *text)
 {
     static const char *const names[] = {"s", "v", "a", "j", "p"};
     const YkCamColumn column = {"", yk_cam_lift_quantity(answer), condition.order};
     double size = 1;
-    bool is_rad = strcmp(yk_unit_of(answer->session, YK_QUANTITY_ANGLE), "rad") == 0; // then degrees, to be read
+    bool is_rad = strcmp(yk_unit_of(answer->session, YK_QUANTITY_ANGLE), "rad") == 0; // then degrees
     yk_text_format(text, "%s(", names[condition.order]);
     yk_cam_number(text,
                   is_rad ? condition.at * to_degrees : yk_shown(answer->session, condition.at, YK_QUANTITY_ANGLE));
@@ -155,7 +155,7 @@ static void add_strokes(const YkCamAnswer *answer)
     yk_cam_table(out, table);
 }
 
-// A peak at the cam's speed, in the file's unit of the lift, per second: "4860 mm/s^2".
+// Writes a peak at the cam's speed, in the file's unit of the lift, per second: "4860 mm/s^2".
 static void add_in_time(const YkCamAnswer *answer, double peak, int order, YkText *text)
 {
     double rate = 1, size = 1;

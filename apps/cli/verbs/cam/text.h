@@ -1,4 +1,4 @@
-// What the files that write `yoke cam` for people share; nobody else includes it.
+// Private functions of the files that write `yoke cam` for people.
 #ifndef CLI_CAM_TEXT_H
 #define CLI_CAM_TEXT_H
 #include "verbs/cam/cam.h"

@@ -1,4 +1,4 @@
-// Geometry and forces of a cam, for people.
+// Writes geometry and forces of a cam for people.
 #include <math.h>
 #include <string.h>
 #include "verbs/cam/text.h"

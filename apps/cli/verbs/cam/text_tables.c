@@ -1,4 +1,4 @@
-// Tables of `yoke cam`: other laws side by side, rows over a turn.
+// Writes the tables of `yoke cam`: other laws side by side, rows over a turn.
 #include <math.h>
 #include "verbs/cam/text.h"
 

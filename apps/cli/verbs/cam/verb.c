@@ -12,7 +12,7 @@ static const YkPlace nowhere = {0};
 static const double chord = 1e-5; // m
 static const double degree = 0.017453292519943295;
 
-// --cam NAME, or the first.
+// Finds --cam NAME, or the first cam.
 static bool find_cam(YkSession *session, size_t *cam)
 {
     const YkModel *model = session->model;
@@ -28,7 +28,7 @@ static bool find_cam(YkSession *session, size_t *cam)
     return false;
 }
 
-// The next word of a list, up to a comma; NULL at the end.
+// Returns the next word of a list, up to a comma; NULL at the end.
 static const char *next_word(YkArena *arena, const char **at)
 {
     if (!**at) return NULL;
@@ -166,7 +166,7 @@ static void tell_undercut(const YkCamAnswer *answer, const char *of, const YkCam
     yk_text_free(&words);
 }
 
-// A cutter that is larger than a hollow's radius gouges it.
+// Warns of a cutter that is larger than a hollow's radius, which it gouges.
 static void tell_cutter(const YkCamAnswer *answer)
 {
     YkCamExtreme hollow = answer->summary.surface_hollow;
@@ -220,7 +220,7 @@ static int write_answer(YkCamAnswer *answer)
     }
     bool is_undercut = answer->summary.undercut_count > 0 || answer->second.undercut_count > 0;
     bool has_profile = request->profile && !is_undercut && !session->out.failed;
-    // before the answer: a profile that memory has no room for leaves none
+    // Before the answer: there is none if memory has no room for the profile.
     if (has_profile && !yk_cam_write_profile(answer, request->profile)) return YK_EXIT_WRONG;
     int exit_code = yk_session_finish(session, YK_EXIT_DONE);
     if (request->plot && exit_code == YK_EXIT_DONE && !yk_cam_plot(answer, request->plot)) exit_code = YK_EXIT_WRONG;

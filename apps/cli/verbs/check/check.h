@@ -1,4 +1,4 @@
-// What the machine is, in each format.
+// The answer of `yoke check`, in each format.
 #ifndef CLI_CHECK_H
 #define CLI_CHECK_H
 #include "answer.h"
@@ -7,20 +7,20 @@ enum { YK_FOUR_BARS_MAX = 64 };
 
 typedef struct YkCheckAnswer {
     YkSession *session;
-    YkStatus status; // of assembling at the start
+    YkStatus status; // of the assembly at the start
     const char *message;
     YkFourBar four_bars[YK_FOUR_BARS_MAX];
     size_t four_bar_count;
     size_t *bodies; // room for the bodies round a loop
     bool has_loads;
     YkLoadCounts loads;
-    YkEquationCount equations; // where there are loads
+    YkEquationCount equations; // if there are loads
 } YkCheckAnswer;
 
 void yk_check_text(const YkCheckAnswer *answer);
 void yk_check_json(const YkCheckAnswer *answer);
 void yk_check_csv(const YkCheckAnswer *answer);
-// Bodies round a loop, into answer->bodies; returns how many.
+// Finds the bodies round a loop, in answer->bodies. Returns their number.
 size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop);
 
 #endif

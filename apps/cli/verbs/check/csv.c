@@ -1,4 +1,4 @@
-// The check as a list of facts with a number each: what, value.
+// Writes the check as a list of facts, each with a number: what, value.
 #include "verbs/check/check.h"
 #include "write/csv.h"
 

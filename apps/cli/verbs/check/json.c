@@ -1,3 +1,4 @@
+// `yoke check --format json`.
 #include "verbs/check/check.h"
 #include "verbs/solve/solve.h"
 

@@ -1,9 +1,9 @@
-// The check for a reader who takes the first course: counts with their sum, loops by name, the order of solution.
+// `yoke check` for a first-course reader: counts with their sum, loops by name, the order of solution.
 #include "verbs/check/check.h"
 #include "verbs/solve/solve.h"
 #include "write/table.h"
 
-enum { LIST_MAX = 400 }; // lines of a list; a machine of thousands of links is told by its counts
+enum { LIST_MAX = 400 }; // lines of a list; a machine with thousands of links is described by its counts
 
 static const char *plural(size_t count)
 {
@@ -201,7 +201,7 @@ static void add_four_bars(const YkCheckAnswer *answer)
     }
 }
 
-// "; 2 springs", where there are some.
+// Adds "; 2 springs" if there are any.
 static void add_kind(YkText *out, size_t count, const char *noun)
 {
     if (count > 0) yk_text_format(out, "; %z %s%s", count, noun, plural(count));

@@ -10,7 +10,7 @@ size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop)
     return count < most ? count : most;
 }
 
-// Can it be put together at the start? The answer to the check does not depend on it, the exit code does.
+// Tries to assemble the machine at the start. The answer does not depend on it, the exit code does.
 static YkStatus try_assembly(YkCheckAnswer *answer)
 {
     YkStatus status = yk_session_reach(answer->session, NULL);
@@ -33,7 +33,7 @@ static void write_answer(const YkCheckAnswer *answer)
     }
 }
 
-// Masses and loads, and the count of equations that they lead to. Returns false when out of memory.
+// Finds masses and loads, and the number of equations that they lead to. Returns false when out of memory.
 static bool look_at_loads(YkCheckAnswer *answer)
 {
     YkSession *session = answer->session;

@@ -4,7 +4,7 @@
 #include "reach.h"
 #include "write/json.h"
 
-// A prefix begins a C name and is none of C's own.
+// Returns whether the text can begin a C name and is not a word of C.
 static bool is_prefix(const char *text)
 {
     size_t length = strlen(text);
@@ -55,7 +55,7 @@ int yk_run_code(YkSession *session)
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
         return YK_EXIT_WRONG;
     }
-    if (!yk_session_load(session, NULL)) return YK_EXIT_WRONG; // what is wrong with the machine is told as ever
+    if (!yk_session_load(session, NULL)) return YK_EXIT_WRONG; // problems of the machine are reported as usual
     YkState *start = NULL;
     if (request->param.count > 0 && !find_start(session, &start)) return YK_EXIT_NO_ANSWER;
     options.pose = start;

@@ -11,7 +11,7 @@ enum { SHOWN_MAX = 12 }; // coordinates of a pose
 typedef struct Checking {
     YkSession *session;
     YkDerivation *derivation;
-    YkState *start; // each check begins at the pose that was asked for
+    YkState *start; // each check starts at the requested pose
     YkJson json;
     bool as_json;
     int exit_code;
@@ -23,7 +23,7 @@ static const char *word_of(YkCheckKind kind)
     return words[kind];
 }
 
-// ", theta1' = 3 rad/s": where the equation speaks of rates; of accelerations, too, where it speaks of these.
+// Writes ", theta1' = 3 rad/s" if the equation contains rates; accelerations too if it contains these.
 static void add_derivative(Checking *checking, YkText *text, const YkCoordinateInfo *info, double value, int order)
 {
     yk_text_format(text, ", %s%s = ", info->name, order == 1 ? "'" : "''");
@@ -47,7 +47,7 @@ static void add_pose(Checking *checking, YkText *text, const YkCheckShown *shown
     if (shown->forces) yk_text_format(text, ", %s (SI)", shown->forces);
 }
 
-// All digits where six do not tell the sides apart.
+// Writes all digits if six do not show the difference.
 static void add_difference(Checking *checking, YkText *text, const YkCheckShown *shown)
 {
     bool is_close = fabs(shown->left - shown->right) < 1e-4 * fabs(shown->left);
@@ -62,7 +62,7 @@ static void add_difference(Checking *checking, YkText *text, const YkCheckShown 
     yk_text_puts(text, "\n");
 }
 
-// What was shown, no more: at how many poses, of which machines.
+// Says only what was shown: at how many poses, of which machines.
 static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
 {
     YkText *out = &checking->session->out;
@@ -184,7 +184,7 @@ static void say_json(Checking *checking, const char *equation, const YkCheckVerd
     yk_json_end(json);
 }
 
-// Where an equation stands: an option's value, or a line of standard input.
+// The place of an equation: an option's value, or a line of standard input.
 typedef struct Source {
     const char *name, *text;
     size_t length;
@@ -223,7 +223,7 @@ static size_t next_equals(const char *text, size_t from)
     return from;
 }
 
-// a = b = c, as pages and books write it: every two neighbours are an equation.
+// Checks a = b = c, as pages and textbooks write it: every two neighbours are an equation.
 static void check_chain(Checking *checking, const char *equation, const Source *source)
 {
     size_t start = 0, middle = next_equals(equation, 0);
@@ -245,7 +245,7 @@ static void check_chain(Checking *checking, const char *equation, const Source *
     }
 }
 
-// Equations from standard input, one a line; empty lines and those that begin with # are passed over.
+// Reads equations from standard input, one per line; skips empty lines and those that begin with #.
 static void check_lines(Checking *checking)
 {
     size_t length = 0;

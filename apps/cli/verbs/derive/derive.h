@@ -6,11 +6,11 @@
 #include "prove/check.h"
 #include "session.h"
 
-// Assembles at the inputs and solves the forces too; false (told) where the machine does not close.
+// Assembles at the inputs and solves the forces too. Returns false (reported) if the machine does not close.
 bool yk_derive_pose(YkSession *session);
-// --check: verdicts on all equations; returns the exit code.
+// --check: gives verdicts on all equations; returns the exit code.
 int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json);
-// --svg: free bodies as drawings; returns the exit code.
+// --svg: draws the free bodies; returns the exit code.
 int yk_derive_drawings(YkSession *session, YkDerivation *derivation);
 
 #endif

@@ -1,4 +1,4 @@
-// yoke derive --svg DIR: the free bodies as drawings, one file for each body and junction.
+// yoke derive --svg DIR: draws the free bodies, with one file for each body and junction.
 #include <stdlib.h>
 #include "picture/free_body.h"
 #include "reach.h"

@@ -1,4 +1,4 @@
-// Standard input as a text; apart, because doc/ and the command both have a YkAssignment.
+// Reads standard input as a text; in a file of its own, because doc/ and the command both have a YkAssignment.
 #include "doc/node.h"
 #include "verbs/derive/input.h"
 

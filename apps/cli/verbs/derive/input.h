@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <yoke/problem.h>
 
-// malloc'd; NULL with a problem added.
+// Returns a text from malloc; NULL with a problem added.
 char *yk_derive_read_input(size_t *length, YkProblems *problems);
 
 #endif

@@ -43,7 +43,7 @@ static bool refuse_section(YkSession *session, const char *word, size_t length)
     return false;
 }
 
-// "loops,jacobian" or "all"; wanted[section]. Without the option: all that the machine has.
+// Reads "loops,jacobian" or "all" into wanted[section]. Without the option: all that the machine has.
 static bool read_what(YkSession *session, bool *wanted)
 {
     const char *word = session->request->what;
@@ -87,7 +87,7 @@ bool yk_derive_pose(YkSession *session)
     return status >= 0;
 }
 
-// The section at which it came to an end, and why.
+// Says at which section it stopped, and why.
 static int cannot(YkSession *session, const YkDerivation *derivation, const YkPage *page)
 {
     YkRingStatus why = yk_ring_status(derivation->ring);
@@ -109,7 +109,7 @@ static int cannot(YkSession *session, const YkDerivation *derivation, const YkPa
     return why == YK_RING_MEMORY ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
 }
 
-// A page part by part: what a large machine needs is neither memory for the whole nor patience for its first lines. A
+// A page in parts, so that a large machine needs neither memory for the whole nor patience for the first lines. A
 // file appears whole or not at all.
 typedef struct Parts {
     YkSession *session;
@@ -118,7 +118,7 @@ typedef struct Parts {
     bool good;
 } Parts;
 
-enum { BYTES_AT_ONCE = 1 << 22 }; // a page up to here is written at once, to standard output too
+enum { BYTES_AT_ONCE = 1 << 22 }; // a smaller page is written at once, to standard output too
 
 static bool flush(Parts *parts)
 {
@@ -145,7 +145,7 @@ static int finish_parts(Parts *parts, YkDerivation *derivation, const YkPage *pa
 {
     YkSession *session = parts->session;
     derived = derived && !yk_derivation_ran_out(derivation);
-    if (!derived || !parts->good) { // the latter has been said
+    if (!derived || !parts->good) { // the latter was reported
         yk_stream_drop(&parts->stream);
         return parts->good ? cannot(session, derivation, page) : YK_EXIT_WRONG;
     }
@@ -184,7 +184,7 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page
         if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation, page);
     if (session->request->numbers) {
         if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
-        // what is printed may enter a few more symbols, none of which stands in a formula
+        // Printing may enter a few more symbols, none of which is in a formula.
         values = calloc(yk_ring_symbol_count(derivation->ring) + 1, sizeof *values);
         if (!values) yk_text_fail(&session->out);
         if (values) yk_derive_values(derivation, session->state, session->dynamics, values);

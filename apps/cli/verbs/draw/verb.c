@@ -14,7 +14,7 @@ static const double full_turn = 6.28318530717958647692;
 typedef struct Drawer {
     YkSession *session;
     YkOver over;
-    bool has_range; // over.from, over.to stand
+    bool has_range; // over.from, over.to are set
     size_t poses;
     size_t *points; // traced
     YkDrawing *drawing;
@@ -28,7 +28,7 @@ static bool find_points(Drawer *drawer)
     return yk_session_points(drawer->session, trace, drawer->points);
 }
 
-// Without --over a path is drawn over the range round the present pose in which the machine closes.
+// Without --over a path is drawn over the closing range around the present pose.
 static void choose_range(Drawer *drawer)
 {
     YkState *state = drawer->session->state;
@@ -47,7 +47,7 @@ static void choose_range(Drawer *drawer)
     }
 }
 
-// What becomes of the poses of a walk through the range.
+// How the poses of a walk through the range are drawn.
 typedef struct Walk {
     Drawer *drawer;
     size_t seen, stride, most, added; // every stride-th pose is drawn, faint; up to `most`
@@ -85,14 +85,14 @@ static void tell_clipped(Drawer *drawer, double from, double to)
     yk_text_free(&part);
 }
 
-// Walks the range once from where the state stands, verified as a sweep is, adding the traced points' positions and, at
-// equal distances, faint poses. What lies beyond a limit is left out, and told.
+// Walks the range once from the present state, verified as in a sweep; adds the traced points' positions and, at equal
+// distances, faint poses. What is beyond a limit is left out, and reported.
 static YkStatus walk_range(Drawer *drawer, YkState *state)
 {
     YkSweepOptions options = yk_default_sweep_options();
     double span = drawer->over.to - drawer->over.from;
     bool is_turn = drawer->over.quantity == YK_QUANTITY_ANGLE && span > full_turn - 1e-9 && span < full_turn + 1e-9;
-    // over a turn the last pose is the first
+    // Over a turn the last pose is the first.
     size_t gaps = drawer->poses > 1 && !is_turn ? drawer->poses - 1 : drawer->poses;
     Walk walk = {.drawer = drawer, .most = drawer->poses, .stride = gaps > 0 ? (TRACE_STEPS + gaps - 1) / gaps : 0};
     options.coordinate = drawer->over.coordinate;
@@ -108,7 +108,7 @@ static YkStatus walk_range(Drawer *drawer, YkState *state)
         status = yk_sweep_status(sweep);
         double end = last_limit(sweep, options.from);
         if (walk.seen == 0)
-            options.from = end; // FROM is out of reach: from as near to it as the machine comes
+            options.from = end; // FROM is out of reach: starts as near to it as the machine gets
         else
             options.to = status == YK_LIMIT ? end : options.to;
         yk_sweep_free(sweep);
@@ -151,7 +151,7 @@ static bool draw(Drawer *drawer, YkFileKind kind)
     return yk_convert_svg(svg, kind, &session->out, session->problems);
 }
 
-// The kind of picture; standard output takes SVG.
+// Reads the kind of picture; standard output takes SVG.
 static bool read_kind(YkSession *session, YkFileKind *kind)
 {
     const char *path = session->request->output;

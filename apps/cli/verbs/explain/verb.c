@@ -1,10 +1,10 @@
-// yoke explain: what stands behind a message's code.
+// yoke explain: explains a message's code.
 #include <string.h>
 #include "session.h"
 
 enum { LINE = 100 };
 
-// "E0401", "e401", "401": the number, or -1. Any of the letters E, W, N may stand before it.
+// Reads "E0401", "e401", "401"; returns the number, or -1. Any of the letters E, W, N may come before it.
 static int read_code(const char *word)
 {
     if (*word && strchr("EWNewn", *word)) word++;

@@ -1,4 +1,4 @@
-// The train as rows of numbers: the shift table where there is one, the speeds otherwise.
+// Writes the train as rows of numbers: the shift table if there is one, otherwise the speeds.
 #include <math.h>
 #include "verbs/gears/gears.h"
 #include "write/csv.h"

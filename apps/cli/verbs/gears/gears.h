@@ -1,4 +1,4 @@
-// A gear train's analysis, in each format.
+// The answer of `yoke gears`, in each format.
 #ifndef CLI_GEARS_H
 #define CLI_GEARS_H
 #include "session.h"

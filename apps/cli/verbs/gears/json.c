@@ -1,3 +1,4 @@
+// `yoke gears --format json`.
 #include <math.h>
 #include "verbs/gears/gears.h"
 #include "write/json.h"

@@ -1,4 +1,4 @@
-// A gear train's motion for people: inputs, speeds, ratio, shift table.
+// Writes a gear train's motion for people: inputs, speeds, ratio, shift table.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
@@ -53,7 +53,7 @@ static bool is_needed(const char *exact)
     return exact && strcmp(exact, "0") != 0;
 }
 
-// "theta1*(1 + N1/N2) - theta2*N1/N2": the speed in terms of the inputs; in fractions where there is no formula.
+// Writes "theta1*(1 + N1/N2) - theta2*N1/N2", the speed in terms of the inputs; in fractions if there is no formula.
 static void write_relation(const YkGearsAnswer *answer, size_t member, YkText *text)
 {
     bool is_first = true;
@@ -137,7 +137,7 @@ static void add_ratio(const YkGearsAnswer *answer)
         yk_text_puts(out, "  (too large a train for a formula in tooth numbers)\n");
 }
 
-// Steps between neighbouring gears, as a driver feels them.
+// Shows the step from the gear before, as a driver feels it.
 static void add_gear(YkTable *table, const YkTrainGear *gear, double before)
 {
     const YkTrainRatio *ratio = &gear->ratio;

@@ -1,4 +1,4 @@
-// A gear train's torques for people.
+// Writes a gear train's torques for people.
 #include <math.h>
 #include "verbs/gears/gears.h"
 #include "write/table.h"

@@ -1,4 +1,4 @@
-// A gear train for people: the wheels, Willis' equations, the tabular method, what the teeth say.
+// Writes a gear train for people: the wheels, Willis' equations, the tabular method, remarks on the teeth.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"

@@ -1,4 +1,4 @@
-// yoke gears: the speeds and torques of a gear train. It asks the model, not the engine: no pose is needed.
+// yoke gears: the speeds and torques of a gear train. It needs the model only, no pose.
 #include <stdlib.h>
 #include <string.h>
 #include "verbs/gears/gears.h"
@@ -15,7 +15,7 @@ const char *yk_gears_kind(YkTrainKind kind)
     return kind == YK_TRAIN_GEARS ? "gears" : kind == YK_TRAIN_BELT ? "belt" : "rack";
 }
 
-// Loads the model alone; false when that failed, all is printed then.
+// Loads only the model. Returns false if that failed, with everything printed.
 static bool load(YkSession *session)
 {
     const YkAssignments *param = &session->request->param;
@@ -69,15 +69,14 @@ static bool read_options(YkSession *session, YkTrainOptions *options, YkTrainEff
     return read_efforts(session, efforts);
 }
 
-// A train that several drives leave open is no answer; one that nothing drives has relations only, which were asked
-// for.
+// A train that its drives leave undetermined is no answer; one without drives has only relations, which were asked for.
 static int judge(YkSession *session, const YkTrain *train)
 {
     YkTrainStatus status = yk_train_status(train);
     YkCode code = status == YK_TRAIN_LOCKED ? YK_CODE_TRAIN_LOCKED : YK_CODE_TRAIN_UNDETERMINED;
     bool has_table = yk_train_gear_count(train) > 0 || yk_train_ratio(train).is_known;
     if (status == YK_TRAIN_OK || status == YK_TRAIN_FREE) return YK_EXIT_DONE;
-    if (status == YK_TRAIN_UNDETERMINED && has_table) return YK_EXIT_DONE; // each row tells of itself
+    if (status == YK_TRAIN_UNDETERMINED && has_table) return YK_EXIT_DONE; // each row reports its own status
     yk_problem(session->problems, code, nowhere, "%s", yk_train_message(train));
     return YK_EXIT_NO_ANSWER;
 }

@@ -1,4 +1,4 @@
-// yoke new: a machine to begin with, from the gallery.
+// yoke new: a machine to start from, from the gallery.
 #include <string.h>
 #include "base/names.h"
 #include "session.h"

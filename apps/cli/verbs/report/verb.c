@@ -1,4 +1,4 @@
-// yoke report: all that there is to say of a machine, as one page.
+// yoke report: everything about a machine on one page.
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
@@ -29,7 +29,7 @@ static bool ends_with(const char *path, const char *ending)
     return n >= m && strcmp(path + n - m, ending) == 0;
 }
 
-// --format html|pdf, or what the file's ending says.
+// Reads --format html|pdf, or the file's ending.
 static bool read_format(Reporter *reporter)
 {
     const YkRequest *request = reporter->session->request;
@@ -49,7 +49,7 @@ static bool find_points(Reporter *reporter)
     return yk_session_points(session, trace, reporter->points);
 }
 
-// What the machine was compiled with, for a simulation to compile it alike.
+// Keeps the options with which the machine was compiled, so that a simulation compiles it alike.
 static bool keep_inputs(Reporter *reporter, const char *swept)
 {
     const YkAssignments *at = &reporter->session->request->at;
@@ -119,7 +119,7 @@ int yk_run_report(YkSession *session)
     YkStatus reached = YK_BAD_ARGUMENT;
     bool good = prepare(&reporter);
     if (good) reached = yk_session_reach(session, NULL);
-    if (good && reached < 0 && reached != YK_NO_ASSEMBLY) { // a machine that does not go together has a page
+    if (good && reached < 0 && reached != YK_NO_ASSEMBLY) { // a machine that cannot be assembled has a page
         yk_reach_tell(session, reached);
         exit_code = yk_status_exit(reached);
     } else if (good) {

@@ -1,4 +1,4 @@
-// One line an equilibrium: its number, stability, potential, coordinates, and the frequencies of its modes in Hz.
+// Writes one line per equilibrium: its number, stability, potential, coordinates, and its modes' frequencies in Hz.
 #include "verbs/rest/rest.h"
 #include "write/csv.h"
 

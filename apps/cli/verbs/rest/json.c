@@ -1,3 +1,4 @@
+// `yoke rest --format json`.
 #include "verbs/rest/rest.h"
 
 static const char *input_name(const YkRestAnswer *answer, size_t k)

@@ -1,4 +1,4 @@
-// Equilibria and small vibrations, in each format.
+// The answer of `yoke rest`, in each format.
 #ifndef CLI_REST_H
 #define CLI_REST_H
 #include "answer.h"
@@ -6,11 +6,11 @@
 typedef struct YkRestAnswer {
     YkSession *session;
     YkRest *rest;
-    const YkMechanism *mech; // that the search used: its coordinates are told
+    const YkMechanism *mech; // the one of the search, whose coordinates are written
 } YkRestAnswer;
 
 const char *yk_stability_word(YkStability stability); // "stable", "unstable", "neutral"
-// Of the undamped motion, Hz; NaN where the mode does not vibrate.
+// Returns the frequency of the undamped motion, Hz; NaN if the mode does not vibrate.
 double yk_mode_hertz(YkMode mode);
 void yk_rest_text(const YkRestAnswer *answer);
 void yk_rest_json(const YkRestAnswer *answer);

@@ -1,12 +1,13 @@
+// `yoke rest` for people.
 #include <math.h>
 #include "session.h"
 #include "verbs/rest/rest.h"
 #include "write/table.h"
 
 static const double noise = 1e-12;         // of the largest: stiffnesses are differences
-static const double damping_noise = 1e-20; // far less is left where nothing damps
+static const double damping_noise = 1e-20; // without damping, far less is left
 
-enum { SHAPES_MAX = 8 }; // columns of a table that a page can hold; more are in the JSON
+enum { SHAPES_MAX = 8 }; // columns that fit a page; the JSON has all
 
 static void write_table(YkText *out, YkTable *table, bool has_rows)
 {
@@ -47,7 +48,7 @@ static double without_noise(double value, double limit)
     return fabs(value) <= limit ? 0 : value;
 }
 
-// An entry of M, C or K beside the inertias of its row and column: 1, a rate, the square of one.
+// Returns an entry of M, C or K relative to the inertias of its row and column: 1, a rate, the square of one.
 static double beside_inertia(const YkRestAnswer *answer, size_t index, const double *entries, size_t i)
 {
     size_t size = shapes(answer);
@@ -63,7 +64,7 @@ static double largest_beside_inertia(const YkRestAnswer *answer, size_t index, c
     return largest;
 }
 
-// Frequencies, damping and shapes, in SI: what each free input does while the largest does 1.
+// Writes frequencies, damping and shapes, in SI: the motion of each free input relative to the largest, 1.
 static void add_modes(const YkRestAnswer *answer, size_t index)
 {
     size_t freedom = yk_rest_freedom(answer->rest), columns = shapes(answer);
@@ -96,7 +97,7 @@ static void add_matrix(const YkRestAnswer *answer, const char *name, const doubl
     double rate = sqrt(largest_beside_inertia(answer, index, yk_rest_stiffness(answer->rest, index)));
     bool is_damping = entries == yk_rest_damping(answer->rest, index);
     double limit = noise * largest_beside_inertia(answer, index, entries);
-    if (is_damping) limit = fmax(limit, damping_noise * rate); // where nothing damps, noise is the largest
+    if (is_damping) limit = fmax(limit, damping_noise * rate); // without damping, noise is the largest
     YkTable *table = yk_table_new(size + 1);
     yk_table_head(table, name, NULL);
     for (size_t k = 0; k < size; k++)
@@ -129,13 +130,13 @@ static void add_equilibrium(const YkRestAnswer *answer, size_t index)
     add_matrix(answer, "K (SI)", yk_rest_stiffness(answer->rest, index), index);
 }
 
-// Energies beside the largest of them, and beside weights times the machine's size.
+// Scales energies by the largest of them, and by weights times the machine's size.
 static void find_scale(const YkRestAnswer *answer)
 {
     YkSession *session = answer->session;
     const double about_g = 10; // m/s^2
     yk_scale_begin(session);
-    session->scale.is_exact = false; // a pose at rest is searched for
+    session->scale.is_exact = false; // a pose at rest comes from a search
     for (size_t i = 0; i < yk_rest_count(answer->rest); i++)
         yk_scale_add(session, yk_rest_equilibrium(answer->rest, i).potential, YK_QUANTITY_ENERGY);
     if (yk_model_loads(session->model).has_gravity)

@@ -17,7 +17,8 @@ double yk_mode_hertz(YkMode mode)
     return mode.frequency >= 0 ? mode.frequency / full_turn : (double)NAN;
 }
 
-// Did the search fail because the machine does not go together? That is an answer, not a mistake in the file.
+// Returns whether the search failed because the machine cannot be assembled: that is an answer, not an error in the
+// file.
 static bool has_no_assembly(const YkProblems *problems)
 {
     for (size_t i = 0; i < yk_problems_count(problems); i++) {

@@ -1,3 +1,4 @@
+// `yoke simulate --format json`.
 #include "verbs/simulate/simulate.h"
 
 static void add_rows(const YkSimulationAnswer *answer, YkJson *json)
@@ -59,7 +60,7 @@ static void add_summary(const YkSimulation *simulation, YkJson *json)
     yk_json_end(json);
 }
 
-// What stopped it: at a dead point "singular".
+// Returns what stopped it: at a dead point "singular".
 static YkStatus status_of(const YkSimulationAnswer *answer)
 {
     bool failed = answer->status < 0 && answer->simulation;

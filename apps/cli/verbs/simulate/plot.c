@@ -1,10 +1,10 @@
-// The columns of a simulation as a plot over time, in the file's units.
+// Plots the columns of a simulation over time, in the file's units.
 #include <stdlib.h>
 #include "picture/plot.h"
 #include "session.h"
 #include "verbs/simulate/simulate.h"
 
-// Column after column, t first.
+// Fills in column after column, t first.
 static void fill(const YkSimulationAnswer *answer, double *values, YkPlotColumn *columns)
 {
     const YkSession *session = answer->session;
@@ -22,7 +22,7 @@ bool yk_simulate_plot(const YkSimulationAnswer *answer, const char *path)
 {
     YkSession *session = answer->session;
     size_t rows = answer->row_count;
-    if (rows == 0 || answer->column_count == 0) return true; // nothing to draw; the reason is told already
+    if (rows == 0 || answer->column_count == 0) return true; // nothing to draw; the reason was reported
     double *values = calloc((answer->column_count + 1) * rows, sizeof *values);
     YkPlotColumn *columns = calloc(answer->column_count, sizeof *columns);
     YkText picture = {0};

@@ -1,4 +1,4 @@
-// What a simulation is asked for.
+// Reads the request for a simulation.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 enum { STEPS_MAX = 10000000, STEPS = 100 };
 static const double tolerance_least = 1e-15, tolerance_most = 0.1;
 
-// A value more than 0; left as it is where the option is not given.
+// Reads a value greater than 0; leaves it as it is without the option.
 static bool read_positive(YkSession *session, const char *option, const char *text, YkQuantity quantity, double *value)
 {
     if (!text) return true;
@@ -53,7 +53,7 @@ static bool read_options(YkSimulationAnswer *answer)
                              request->tolerance);
 }
 
-// --to, --from, and a row --every so often or --steps of them.
+// Reads --to, --from, and --every or --steps for the rows.
 static bool read_times(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -91,7 +91,7 @@ static bool add_column(YkSimulationAnswer *answer, size_t *capacity, const char 
     return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
 }
 
-// The coordinates (those that the file names, where it names any) and the energy.
+// Takes the coordinates (those that the file names, if any) and the energy.
 static bool take_usual_columns(YkSimulationAnswer *answer, size_t *capacity)
 {
     const YkMechanism *mech = answer->session->mech;
@@ -104,7 +104,7 @@ static bool take_usual_columns(YkSimulationAnswer *answer, size_t *capacity)
     return good && add_column(answer, capacity, "energy");
 }
 
-// --of a,b,c; all bad names are reported.
+// Reads --of a,b,c; reports all bad names.
 static bool read_columns(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -120,7 +120,7 @@ static bool read_columns(YkSimulationAnswer *answer)
     return good;
 }
 
-// A start value in place of the file's; a drive's own values cannot be replaced.
+// Reads a start value that replaces the file's; a drive's values cannot be replaced.
 static bool read_pair(YkSimulationAnswer *answer, const char *option, YkAssignment pair, bool is_rate)
 {
     YkSession *session = answer->session;
@@ -136,7 +136,7 @@ static bool read_pair(YkSimulationAnswer *answer, const char *option, YkAssignme
                             &value->value);
 }
 
-// A coordinate that --at sets is one of the independent ones.
+// Makes a coordinate set by --at one of the independent ones.
 static bool read_start(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -178,7 +178,7 @@ bool yk_simulate_read(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
     answer->options = yk_default_simulation_options();
-    if (session->request->file && !check_request(session)) return false; // without a file, that is what to say
+    if (session->request->file && !check_request(session)) return false; // without a file, that is the error to report
     if (!read_method(session, &answer->options.integrator) || !yk_session_load(session, NULL)) return false;
     if (!read_times(answer) || !read_options(answer) || !read_columns(answer) || !read_start(answer)) return false;
     answer->options.start = answer->from;
@@ -198,7 +198,7 @@ static bool set_effort(YkSimulationAnswer *answer, size_t index)
            yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the effort along %q cannot be set", name);
 }
 
-// An event is named as it was asked for: theta1=90deg.
+// Sets an event, named as it was asked for: theta1=90deg.
 static bool set_event(YkSimulationAnswer *answer, YkAssignment pair)
 {
     YkSession *session = answer->session;

@@ -1,4 +1,4 @@
-// Rows of a simulation, written as they are computed: lines of text or CSV into the stream, or kept for JSON and plots.
+// Writes rows of a simulation as they are computed: lines of text or CSV to the stream, or kept for JSON and plots.
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
@@ -27,9 +27,9 @@ static const char *name_of(const YkSimulationAnswer *answer, size_t column)
     return column == 0 ? "t" : answer->columns[column - 1].name;
 }
 
-// --- text: columns whose width is known before the rows are
+// --- text: the width of columns is known before their rows
 
-// "theta1 [rad]", into `head`; returns how many columns of a terminal the numbers below it take.
+// Writes "theta1 [rad]" into `head`. Returns how many columns of a terminal the numbers below it take.
 static size_t head_of(const YkSimulationAnswer *answer, size_t column, YkText *head)
 {
     const char *unit = yk_unit_of(answer->session, quantity_of(answer, column));
@@ -58,7 +58,7 @@ static void add_text_head(YkSimulationAnswer *answer, YkText *head)
     yk_text_puts(out, "\n");
 }
 
-// The scale grows as the rows come.
+// The scale grows as rows arrive.
 static void raise_scale(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -126,7 +126,7 @@ bool yk_simulate_row(YkSimulationAnswer *answer)
     for (size_t c = 0; c < answer->column_count; c++)
         answer->row[c + 1] = yk_simulation_channel(answer->simulation, answer->columns[c].channel);
     if (yk_simulate_keeps_rows(answer) && !keep_row(answer)) return false;
-    bool has_cams = yk_model_cam_count(answer->session->model) > 0; // only then are forces needed at every row
+    bool has_cams = yk_model_cam_count(answer->session->model) > 0; // only they need forces at every row
     if (has_cams && !answer->is_pulled)
         answer->is_pulled =
             yk_warn_of_pulling_cams(answer->session, yk_simulation_dynamics(answer->simulation), answer->row);

@@ -7,8 +7,8 @@
 
 typedef struct YkSimulationAnswer {
     YkSession *session;
-    // what is asked for
-    double from, to, every;  // s; every: 0 where --steps says it
+    // the request
+    double from, to, every;  // s; every: 0 if --steps gives it
     size_t steps;            // rows after the first
     YkAnswerColumn *columns; // after t
     size_t column_count;
@@ -16,32 +16,32 @@ typedef struct YkSimulationAnswer {
     YkStartValue *values; // --at, --rate
     const char **inputs;  // --at
     YkCompileOptions compile;
-    // what came of it
+    // the answer
     YkSimulation *simulation;
     YkStream stream; // where rows of text and CSV go
     double *row;     // [1 + column], t first; SI
-    double *rows;    // all of them, where JSON or a plot wants them
+    double *rows;    // all of them, if JSON or a plot needs them
     size_t row_count, row_capacity;
     YkStatus status;
-    bool is_pulled;              // a cam was seen to pull its follower: told once
-    bool is_interrupted, is_cut; // by a signal; by an output that takes no more
+    bool is_pulled;              // a cam was seen to pull its follower: reported once
+    bool is_interrupted, is_cut; // by a signal; by an output that accepts no more
 } YkSimulationAnswer;
 
-// request.c. Each false with a problem added.
-bool yk_simulate_read(YkSimulationAnswer *answer);    // all that the command line asks for; the machine is compiled
+// request.c. Each returns false with a problem added.
+bool yk_simulate_read(YkSimulationAnswer *answer);    // reads the whole command line; the machine is compiled
 bool yk_simulate_prepare(YkSimulationAnswer *answer); // --effort and --event
 double yk_simulate_time_of(const YkSimulationAnswer *answer, size_t row); // s
 
 // rows.c: rows as they are computed.
 bool yk_simulate_keeps_rows(const YkSimulationAnswer *answer);
 void yk_simulate_head(YkSimulationAnswer *answer);
-bool yk_simulate_row(YkSimulationAnswer *answer); // reads and writes the present one; false: out of memory, told
+bool yk_simulate_row(YkSimulationAnswer *answer); // reads and writes the present one; false: out of memory, reported
 bool yk_simulate_flush(YkSimulationAnswer *answer);
 
 void yk_simulate_json(const YkSimulationAnswer *answer, const char *message, const char *code);
 bool yk_simulate_plot(const YkSimulationAnswer *answer, const char *path);
 const char *yk_happening_word(YkHappeningKind kind);
-// Events, works and the summary line, for standard error.
+// Writes events, works and the summary line, for standard error.
 void yk_simulate_tell(const YkSimulationAnswer *answer, YkText *text);
 
 #endif

@@ -1,4 +1,4 @@
-// What is told of a simulation besides its rows: what happened, the work of each load, the cost and the errors.
+// Reports on a simulation besides its rows: events, the work of each load, the cost and the errors.
 #include "base/number.h"
 #include "verbs/simulate/simulate.h"
 
@@ -10,7 +10,7 @@ const char *yk_happening_word(YkHappeningKind kind)
     return words[kind];
 }
 
-// "  stop        t = 0.451524 s  h"
+// Writes "  stop        t = 0.451524 s  h".
 static void add_event(const YkSimulationAnswer *answer, size_t index, YkText *text)
 {
     YkHappening happening = yk_simulation_happening(answer->simulation, index);

@@ -11,9 +11,9 @@
 #include "verbs/simulate/simulate.h"
 
 enum { CHUNK = 16384 };
-static const double flush_after = 0.1, progress_after = 0.2; // s of the clock on the wall
+static const double flush_after = 0.1, progress_after = 0.2; // s of real time
 
-// Set by the first Ctrl-C (or a polite kill): what there is comes out whole. A second one ends the program at once.
+// Set by the first Ctrl-C (or SIGTERM): what is done comes out whole. A second one ends the program at once.
 static volatile sig_atomic_t interrupted;
 
 static void interrupt(int signal_number)
@@ -28,7 +28,7 @@ static void catch_signals(void)
     once.sa_flags = (int)SA_RESETHAND;
     sigaction(SIGINT, &once, NULL);
     sigaction(SIGTERM, &once, NULL);
-    sigaction(SIGPIPE, &ignore, NULL); // a closed pipe is a failed write, which is told
+    sigaction(SIGPIPE, &ignore, NULL); // a closed pipe is a failed write, which is reported
 }
 
 static double now(void)
@@ -38,7 +38,7 @@ static double now(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-// --- after every step: does it go on? And progress, for people who look on
+// --- after every step: whether to go on, and progress for people who watch
 
 typedef struct Watch {
     double from, to; // s
@@ -48,7 +48,7 @@ typedef struct Watch {
     YkSession *session;
 } Watch;
 
-// Said once, after the first steps, where there would be very many at their pace.
+// Warns once, after the first steps, if there would be very many at their pace.
 static void foretell(const Watch *watch, double time)
 {
     const double many = 1e7;
@@ -64,7 +64,7 @@ static void foretell(const Watch *watch, double time)
     yk_problems_free(problems);
 }
 
-// Not where the rows come to the same terminal.
+// Shows no progress if the rows go to the same terminal.
 static bool wants_progress(const YkSession *session)
 {
     const char *terminal = getenv("TERM"), *output = session->request->output;
@@ -94,7 +94,7 @@ static void clear_progress(const Watch *watch)
 
 // --- running
 
-// Rows go out when there are many of them, or when somebody may wait for them.
+// Flushes rows when there are many of them, or when a reader may be waiting.
 static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
 {
     if (answer->session->out.length < CHUNK && now() - watch->last_flush < flush_after) return true;
@@ -102,7 +102,7 @@ static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
     return yk_simulate_flush(answer);
 }
 
-// Returns false when memory or the output is at its end; told.
+// Returns false when memory or the output is exhausted; reported.
 static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
 {
     bool streams = answer->session->request->format != YK_FORMAT_JSON;
@@ -133,7 +133,7 @@ static bool run(YkSimulationAnswer *answer, Watch *watch)
 
 // --- the end of it
 
-// What stopped it, as a problem; the message, or NULL if it came to its end.
+// Adds what stopped it, as a problem. Returns the message, or NULL if it came to its end.
 static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
 {
     YkSession *session = answer->session;
@@ -147,7 +147,7 @@ static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
     return yk_text_get(message);
 }
 
-// All that is to be told is in words before a file appears: it does not stand beside E0100.
+// Puts everything into words before a file appears, since no file may appear along with E0100.
 static bool close_rows(YkSimulationAnswer *answer, const YkText *summary)
 {
     YkSession *session = answer->session;
@@ -180,7 +180,7 @@ static int finish(YkSimulationAnswer *answer, bool good)
     return exit_code;
 }
 
-// A machine that does not go together has no motion: that is an answer. Everything else is a mistake in the file.
+// A machine that cannot be assembled has no motion: that is an answer. Everything else is an error in the file.
 static int refuse(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -197,8 +197,8 @@ static int refuse(YkSimulationAnswer *answer)
     return yk_session_finish(session, YK_EXIT_NO_ANSWER);
 }
 
-// The pose at --from, on the machine's own assembly or that of --assembly. Where it is not reached there is no motion,
-// which is an answer.
+// Finds the pose at --from, on the machine's own assembly or that of --assembly. If it is not reached there is no
+// motion, which is an answer.
 static int refuse_pose(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;

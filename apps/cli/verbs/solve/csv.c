@@ -1,4 +1,4 @@
-// One line a quantity: configuration, kind, name, position, velocity, acceleration. A point has two, for x and y.
+// Writes one line per quantity: configuration, kind, name, position, velocity, acceleration; two per point (x, y).
 #include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/csv.h"

@@ -1,4 +1,4 @@
-// Forces of a configuration: reactions, efforts, energy, balances, the count of equations.
+// Writes forces of a configuration: reactions, efforts, energy, balances, the count of equations.
 #include <math.h>
 #include "session.h"
 #include "verbs/solve/solve.h"
@@ -70,7 +70,7 @@ static bool has_ranges(const YkSession *session)
     return false;
 }
 
-// Efforts that dry friction at rest leaves open: null at an end means that there is none.
+// Writes the efforts that dry friction at rest leaves open; null at an end means that there is none.
 static void add_ranges(YkSession *session, YkJson *json)
 {
     if (!has_ranges(session)) return;
@@ -261,7 +261,7 @@ void yk_forces_text(YkSession *session, const YkState *state)
     yk_text_puts(out, "\n");
 }
 
-// --- CSV: one line a force: x, y and moment in place of position, velocity and acceleration
+// --- CSV: one line per force: x, y and moment instead of position, velocity and acceleration
 
 static void add_csv(YkSession *session, const char *label, const char *kind, const char *name, double a, double b,
                     double c)
@@ -293,7 +293,7 @@ void yk_forces_csv(YkSession *session, const char *label)
         if (!yk_dynamics_has_effort(session->dynamics, c)) continue;
         if (range.is_single)
             add_csv(session, label, "effort", name, range.low, (double)NAN, (double)NAN);
-        else // from and to, in place of a value that there is not
+        else // from and to, instead of a value
             add_csv(session, label, "effort_range", name, range.low, range.high, (double)NAN);
     }
     YkEnergy energy = yk_dynamics_energy(session->dynamics);

@@ -1,3 +1,4 @@
+// `yoke solve --format json`.
 #include <math.h>
 #include "reach.h"
 #include "session.h"
@@ -35,7 +36,7 @@ static void add_bodies(YkSession *session, YkJson *json, const YkState *state)
     yk_json_end(json);
 }
 
-// [x, y], or [null, null] where it is not known.
+// Writes [x, y], or [null, null] if it is not known.
 static void add_vector(YkJson *json, const char *key, const double vector[2], bool is_known)
 {
     yk_json_list(json, key, YK_JSON_INLINE);
@@ -63,7 +64,7 @@ static void add_points(YkSession *session, YkJson *json, const YkState *state)
     yk_text_free(&name);
 }
 
-// Transmission angles of the dyads, by the label of their block.
+// Writes the transmission angles of the dyads, by the label of their block.
 static void add_transmission(YkSession *session, YkJson *json, const YkState *state)
 {
     yk_json_object(json, "transmission", YK_JSON_INLINE);

@@ -1,4 +1,4 @@
-// The columns of `solve --of`: what was asked for at the pose, in each format.
+// Writes the columns of `solve --of`, in each format.
 #include <string.h>
 #include "columns.h"
 #include "verbs/solve/solve.h"
@@ -50,7 +50,7 @@ void yk_solve_of_text(YkSession *session, const YkState *state)
     yk_table_free(table);
 }
 
-// Is the column's name one of those before it? An object has each key once.
+// Returns whether the column's name is one of those before it: an object has each key once.
 static bool is_repeated(const YkAnswerColumns *columns, size_t index)
 {
     for (size_t c = 0; c < index; c++)

@@ -1,4 +1,4 @@
-// One configuration, in each format.
+// The answer of `yoke solve`: one configuration, in each format.
 #ifndef CLI_SOLVE_H
 #define CLI_SOLVE_H
 #include "answer.h"
@@ -8,17 +8,17 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index);
 void yk_solve_json(YkSession *session, YkJson *json, const YkState *state);
 void yk_solve_csv_head(YkSession *session);
 void yk_solve_csv(YkSession *session, const YkState *state, size_t index);
-// The same of the columns that --of asks for, session->columns.
+// The same for the columns of --of, session->columns.
 void yk_solve_of_warn(YkSession *session); // of efforts among the columns that dry friction at rest leaves open
 void yk_solve_of_text(YkSession *session, const YkState *state);
 void yk_solve_of_json(YkSession *session, YkJson *json, const YkState *state); // "of": {name: value}
 void yk_solve_of_csv_head(YkSession *session);
 void yk_solve_of_csv(YkSession *session, const YkState *state); // one row a configuration
-// Forces of the configuration, where session->dynamics has them.
+// Write the forces of the configuration if session->dynamics has them.
 void yk_forces_text(YkSession *session, const YkState *state);
 void yk_forces_json(YkSession *session, YkJson *json, const YkState *state);
 void yk_forces_csv(YkSession *session, const char *label);
-// "12 force + 4 moment + 4 acceleration = 20 equations; 20 unknowns"
+// Writes "12 force + 4 moment + 4 acceleration = 20 equations; 20 unknowns".
 void yk_add_count(YkText *text, YkEquationCount count);
 void yk_add_equations_json(YkJson *json, YkEquationCount count); // "equations": the counts and the text
 

@@ -1,3 +1,4 @@
+// `yoke solve` for people.
 #include <string.h>
 #include "reach.h"
 #include "session.h"
@@ -29,7 +30,7 @@ static YkTable *motion_table(YkSession *session, const char *subject, bool is_di
     return table;
 }
 
-// `given`: the coordinate whose values on the command line are told as they are; or NULL.
+// `given`: the coordinate whose values on the command line are written as given; or NULL.
 static void add_motion(YkSession *session, YkTable *table, const YkState *state, const char *name, YkMotion motion,
                        bool is_distance, const char *given)
 {
@@ -45,7 +46,7 @@ static void add_motion(YkSession *session, YkTable *table, const YkState *state,
     }
 }
 
-// Coordinates of one kind; inputs are marked.
+// Adds coordinates of one kind; inputs are marked.
 static void add_coordinates(YkSession *session, const YkState *state, bool is_distance)
 {
     YkTable *table = motion_table(session, is_distance ? "distance" : "angle", is_distance);

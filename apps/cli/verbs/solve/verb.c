@@ -3,7 +3,7 @@
 #include "reach.h"
 #include "verbs/solve/solve.h"
 
-// The writer that the format asks for, and what it writes of a configuration.
+// The writer for the format, and what it writes for a configuration.
 typedef struct Writer {
     YkSession *session;
     YkJson json;
@@ -11,10 +11,10 @@ typedef struct Writer {
     YkDynamics *dynamics;
     YkDynamicsMethod method;
     YkState *scratch;
-    YkState *own; // --all: the machine's own pose; NULL if it does not come there
+    YkState *own; // --all: the machine's own pose; NULL if it does not get there
 } Writer;
 
-// Has the machine inputs whose accelerations are sought?
+// Returns whether the machine has inputs whose accelerations are sought.
 static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics)
 {
     for (size_t i = 0; i < yk_input_count(session->mech); i++)
@@ -22,8 +22,8 @@ static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics
     return false;
 }
 
-// Forces at a pose, and the accelerations that they give to free inputs. A pose without (a dead point, a freedom
-// without inertia) keeps its motion. session->dynamics is NULL if there are none, and the status says why.
+// Finds forces at a pose, and the accelerations that they give to free inputs. A pose without forces (a dead point, a
+// freedom without inertia) keeps its motion; session->dynamics is then NULL, and the status says why.
 static YkStatus find_forces(Writer *writer, YkState *state)
 {
     YkSession *session = writer->session;
@@ -62,7 +62,8 @@ static void write_one(Writer *writer, const YkState *state)
     writer->count++;
 }
 
-// One of several configurations: its forces are found in a state of their own, since the search goes on from this one.
+// Writes one of several configurations. Its forces are found in another state, since the search continues from this
+// one.
 static bool visit(void *context, YkState *state)
 {
     Writer *writer = context;
@@ -75,7 +76,7 @@ static bool visit(void *context, YkState *state)
     return true;
 }
 
-// Poses that stand get written; a failure leaves the list empty.
+// Writes the valid poses; a failure leaves the list empty.
 static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
 {
     YkSession *session = writer->session;
@@ -156,7 +157,7 @@ static int solve(Writer *writer)
     return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));
 }
 
-// --of: the columns; forces among them need a machine that has some.
+// Reads --of; forces among the columns need a machine that has some.
 static bool read_columns(YkSession *session, YkAnswerColumns *columns)
 {
     if (!session->request->of) return true;

@@ -1,7 +1,8 @@
+// `yoke study --format csv`.
 #include "verbs/study/study.h"
 #include "write/csv.h"
 
-// design, the parameters, status, poses, then the answers; SI and radians. Answers that do not stand are empty.
+// Writes design, parameters, status, poses, then the answers; SI and radians. Invalid answers are empty.
 void yk_study_csv(const YkStudyAnswer *a)
 {
     YkCsv csv = {.text = &a->session->out};

@@ -1,3 +1,4 @@
+// `yoke study --format json`.
 #include <math.h>
 #include "verbs/study/study.h"
 

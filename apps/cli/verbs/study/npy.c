@@ -1,5 +1,5 @@
-// NumPy's format, version 1.0 (numpy.lib.format): a head that is a Python dictionary, then the rows as little-endian
-// doubles with a name each. The status is its number in yoke/status.h.
+// Writes NumPy's format, version 1.0 (numpy.lib.format): a head that is a Python dictionary, then the rows as
+// little-endian doubles, each with a name. The status is its number in yoke/status.h.
 #include <string.h>
 #include "verbs/study/study.h"
 

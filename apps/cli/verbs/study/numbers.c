@@ -16,7 +16,7 @@ YkQuantity yk_study_quantity(const YkStudyAnswer *a, size_t k)
     return a->columns[k / yk_study_kinds(a)].channel.quantity;
 }
 
-// Welford 1962.
+// Source: Welford 1962.
 YkMoments yk_study_moments(const YkStudyAnswer *a, size_t k)
 {
     YkMoments m = {0, 0, 0, INFINITY, -INFINITY};

@@ -1,6 +1,6 @@
-// What an interrupted study leaves: OUTPUT.partial, a line that tells which study, then blocks of rows as they were
-// computed: how many rows, a checksum, the rows as doubles. The same study goes on behind the last block that is whole;
-// from a block on that is not as it was written, it computes its designs again.
+// Keeps what an interrupted study has done: OUTPUT.partial, a line that identifies the study, then blocks of rows in
+// the order of their computation: number of rows, a checksum, the rows as doubles. The same study continues after the
+// last whole block; from a damaged block on, it computes its designs again.
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static struct {
     uint64_t signature;
 } partial;
 
-// --- which study it is: FNV-1a over all that decides its rows
+// --- identity of the study: FNV-1a over all that decides its rows
 
 static uint64_t add_bytes(uint64_t hash, const void *bytes, size_t length)
 {
@@ -80,7 +80,7 @@ static void write_head(const YkStudyAnswer *answer, char *head)
 
 // --- the file
 
-// Of the study, of where the block stands in it, and of every bit of its rows.
+// Returns the checksum of the study, of the block's place in it, and of every bit of its rows.
 static uint64_t checksum_of(const YkStudyAnswer *answer, size_t from, size_t rows)
 {
     uint64_t sum = yk_mix(partial.signature + YK_MIX_STEP * (from + 1)) + rows, bits;
@@ -98,7 +98,7 @@ void yk_partial_tell(YkProblems *problems)
     yk_problem_hint(problems, "what was computed stays in %q: the same command goes on from there", partial.path);
 }
 
-// Rows that were written stay: with more room the study goes on from them.
+// Rows already written stay: with more room the study continues from them.
 static bool fail(const YkStudyAnswer *answer)
 {
     int error = errno;
@@ -111,7 +111,7 @@ static bool fail(const YkStudyAnswer *answer)
     return false;
 }
 
-// A name of its own for what is no regular place: then nothing is kept.
+// Returns whether the output is a regular place; otherwise nothing is kept.
 static bool is_kept(const char *output, const char *model)
 {
     return output && strcmp(output, "-") != 0 && strncmp(output, "/dev/", 5) != 0 && strcmp(model, "-") != 0 &&
@@ -125,8 +125,8 @@ static bool start(const YkStudyAnswer *answer, const char *head)
     return true;
 }
 
-// The next block into its rows. False at the file's end, in a block that is not whole, or, told so, in one that is not
-// as it was written.
+// Reads the next block into its rows. Returns false at the file's end, for an incomplete block, or for a damaged one
+// (is_damaged).
 static bool read_block(YkStudyAnswer *answer, bool *is_damaged)
 {
     BlockHead head;
@@ -166,7 +166,7 @@ bool yk_partial_open(YkStudyAnswer *answer)
     size_t got = fread(found, 1, HEAD, partial.file);
     if (got < HEAD && (got == 0 || memcmp(found, head, got < 20 ? got : 20) == 0)) {
         fclose(partial.file);
-        return start(answer, head); // killed before its first line was whole
+        return start(answer, head); // killed before its first line was complete
     }
     if (memcmp(found, head, HEAD) != 0) {
         fclose(partial.file);

@@ -1,4 +1,4 @@
-// What a study is asked: which parameters vary and how, at which poses, with which columns.
+// Reads the request for a study: which parameters vary and how, at which poses, with which columns.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -96,7 +96,7 @@ static bool read_sample(YkStudyAnswer *answer)
 void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *values)
 {
     size_t rest = design;
-    for (size_t k = answer->axis_count; k-- > 0;) { // the last axis goes fastest
+    for (size_t k = answer->axis_count; k-- > 0;) { // the last axis varies fastest
         const YkAxis *axis = &answer->axes[k];
         if (answer->is_sample) {
             values[k] = yk_distribution_draw(&axis->distribution, answer->seed, design, k);
@@ -130,8 +130,8 @@ static bool read_columns(YkStudyAnswer *answer)
     return good;
 }
 
-// The inputs at every pose: of the cycle, or the one that is asked. Over time all drives move, over a coordinate that
-// alone; what is held stays.
+// Reads the inputs at every pose: of the cycle, or the one requested. Over time all drives move, over a coordinate only
+// that one; what is held stays.
 static bool read_poses(YkStudyAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
@@ -186,7 +186,7 @@ static bool read_format(YkStudyAnswer *answer)
     static const char *const words[] = {"text", "json", "csv", "npy"};
     const YkRequest *request = answer->session->request;
     const char *output = request->output, *dot = output ? strrchr(output, '.') : NULL;
-    if (!request->format_word && dot) // the output's ending tells
+    if (!request->format_word && dot) // by the output's ending
         for (size_t k = 1; k < 4; k++)
             if (strcmp(dot + 1, words[k]) == 0) answer->format = (YkStudyFormat)k;
     if (!request->format_word) return true;
@@ -202,7 +202,7 @@ static bool check_request(YkStudyAnswer *answer)
 {
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
-    if (!request->file) return true; // that is what will be said
+    if (!request->file) return true; // that is the error to report
     if (request->vary.count == 0 && !request->sample)
         return missing(session, "--vary or --sample", "as in --vary l2=0.9m:1.1m:200, or --sample tolerance.yaml");
     if (request->vary.count > 0 && request->sample)

@@ -16,7 +16,7 @@ typedef struct YkAxis { // a parameter that varies
     YkDistribution distribution; // of a sample
 } YkAxis;
 
-// The table has a row a design: values of the parameters, status, how many poses stand, then the answers.
+// The table has a row per design: values of the parameters, status, number of valid poses, then the answers.
 typedef struct YkStudyAnswer {
     YkSession *session;
     YkStudyFormat format;
@@ -32,21 +32,21 @@ typedef struct YkStudyAnswer {
     const double **input_row; // NULL: the state's
     YkAnswerColumn *columns;  // --of
     size_t column_count;
-    YkState *start; // where other inputs say where the machine was put together: its pose with these; otherwise NULL
+    YkState *start; // if other inputs gave the assembly: its pose with these; otherwise NULL
     YkStudy *study;
     double *rows; // [design][width]
     size_t width, done;
     bool is_interrupted;
     double *derivative, *difference;           // [column][axis], with --sensitivities
-    YkStatus start_status, sensitivity_status; // below 0: the file itself does not stand, and no design does
+    YkStatus start_status, sensitivity_status; // below 0: the file itself has no valid pose, and no design has
 } YkStudyAnswer;
 
-// request.c: all that the command line asks for; the study is made. False with problems added.
+// request.c: reads the whole command line and makes the study. Returns false with problems added.
 bool yk_study_read(YkStudyAnswer *answer);
 void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *values); // [axis]
 
-// partial.c: what is done so far, beside the output. Reads what an interrupted run left into rows; false with a
-// problem added where it is of another study.
+// partial.c: keeps what is done beside the output. Reads the rows of an interrupted run; returns false with a problem
+// added if they are of another study.
 bool yk_partial_open(YkStudyAnswer *answer);
 bool yk_partial_add(YkStudyAnswer *answer, size_t from, size_t to); // rows [from, to)
 void yk_partial_close(bool is_finished);                            // finished: removes it
@@ -69,11 +69,11 @@ static inline size_t yk_study_kinds(const YkStudyAnswer *a) // answers a column 
 {
     return a->over.name ? YK_REDUCTIONS : 1;
 }
-// "d5.min", or "d5" for one pose; the quantity of the k-th answer.
+// Writes "d5.min", or "d5" for one pose; returns the quantity of the k-th answer.
 void yk_study_name(const YkStudyAnswer *answer, size_t k, YkText *name);
 YkQuantity yk_study_quantity(const YkStudyAnswer *answer, size_t k);
 
-// Over the designs that stand, at every pose.
+// Over the valid designs, at every pose.
 typedef struct YkMoments {
     size_t count;
     double mean, deviation, least, largest;

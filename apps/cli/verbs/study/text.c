@@ -1,3 +1,4 @@
+// `yoke study` for people.
 #include <math.h>
 #include "verbs/study/study.h"
 #include "write/table.h"
@@ -16,7 +17,7 @@ static double shown_parameter(const YkStudyAnswer *a, size_t axis, double value)
     return value / yk_model_parameter_unit(a->session->model, a->axes[axis].name);
 }
 
-// Designs one by one, where they are few.
+// Writes the designs one by one if there are few.
 static void add_rows(const YkStudyAnswer *a)
 {
     if (a->done > ROWS_SHOWN) return;
@@ -60,7 +61,7 @@ static void add_moments(const YkStudyAnswer *a)
     write_table(&a->session->out, table);
 }
 
-// Units of the answer a unit of the parameter; what each contributes to the worst case.
+// Writes the change of the answer per unit of the parameter, and what each contributes to the worst case.
 static void add_sensitivities(const YkStudyAnswer *a, size_t column)
 {
     YkText *out = &a->session->out;

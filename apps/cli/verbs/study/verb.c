@@ -9,7 +9,7 @@
 #include "session.h"
 #include "verbs/study/study.h"
 
-static const double chunk_seconds = 0.2; // between two looks at signals, progress and the partial file
+static const double chunk_seconds = 0.2; // s between checks of signals, progress and the partial file
 enum { CHUNK = 64, CHUNK_MAX = 1 << 20 };
 
 static volatile sig_atomic_t interrupted; // by the first Ctrl-C; a second one ends the program at once
@@ -71,7 +71,7 @@ static bool start_chunk(const YkStudyAnswer *a, Chunk *chunk, size_t most)
     return true;
 }
 
-// Answers that do not stand are NaN in the row, beside its status: empty fields, null.
+// Invalid answers are NaN in the row, beside its status: empty fields, null.
 static void fill_row(YkStudyAnswer *a, const Chunk *chunk, size_t k, size_t count, double *row)
 {
     YkStatus status = (YkStatus)chunk->status[k];
@@ -91,7 +91,7 @@ static void fill_row(YkStudyAnswer *a, const Chunk *chunk, size_t k, size_t coun
     }
 }
 
-// Returns false when out of memory: then these rows are no answer.
+// Returns false when out of memory: these rows are then invalid.
 static bool run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
 {
     for (size_t k = 0; k < count; k++) {

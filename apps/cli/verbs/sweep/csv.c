@@ -1,3 +1,4 @@
+// `yoke sweep --format csv`.
 #include "verbs/sweep/sweep.h"
 #include "write/csv.h"
 

@@ -1,3 +1,4 @@
+// `yoke sweep --format json`.
 #include <string.h>
 #include "verbs/sweep/sweep.h"
 
@@ -24,7 +25,7 @@ static void add_rows(const YkSweepAnswer *answer, YkJson *json)
     yk_json_end(json);
 }
 
-// The columns at an event, each name once.
+// Writes the columns at an event, each name once.
 static void add_values(const YkSweepAnswer *answer, YkJson *json, size_t event)
 {
     yk_json_object(json, "values", YK_JSON_INLINE);

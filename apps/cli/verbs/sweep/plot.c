@@ -1,10 +1,10 @@
-// The columns of a sweep as a plot, in the file's units.
+// Plots the columns of a sweep in the file's units.
 #include <stdlib.h>
 #include "picture/plot.h"
 #include "session.h"
 #include "verbs/sweep/sweep.h"
 
-// x and the columns, one after the other; limits and the like as marks.
+// Fills in x and the columns; limits and similar events are marks.
 static bool fill(const YkSweepAnswer *answer, double *values, YkPlotColumn *columns, YkPlotMark *marks, YkPlot *plot)
 {
     const YkSession *session = answer->session;
@@ -39,7 +39,7 @@ bool yk_sweep_plot(const YkSweepAnswer *answer, const char *path)
                    .x_name = answer->over.name,
                    .x_unit = yk_unit_of(session, answer->over.quantity),
                    .rows = answer->sweep ? yk_sweep_row_count(answer->sweep) : 0};
-    if (plot.rows == 0 || answer->column_count == 0) return true; // nothing to draw; the reason is told already
+    if (plot.rows == 0 || answer->column_count == 0) return true; // nothing to draw; the reason was reported
     double *values = calloc((answer->column_count + 1) * plot.rows, sizeof *values);
     YkPlotColumn *columns = calloc(answer->column_count, sizeof *columns);
     YkPlotMark *marks = calloc(yk_sweep_event_count(answer->sweep) + 1, sizeof *marks);

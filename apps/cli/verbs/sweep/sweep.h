@@ -1,4 +1,4 @@
-// A sweep's answer, and its writers.
+// The answer of `yoke sweep`, and its writers.
 #ifndef CLI_SWEEP_H
 #define CLI_SWEEP_H
 #include "answer.h"
@@ -11,11 +11,11 @@ typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
     YkDynamicsMethod method;
-    YkAnswerColumn *columns; // as --of names them; the swept variable is not among them
+    YkAnswerColumn *columns; // as --of names them, without the swept variable
     size_t column_count;
     YkSweep *sweep;
     YkStatus status;
-    YkText message;                // one sentence, where the status is not ok
+    YkText message;                // one sentence, if the status is not ok
     YkText label;                  // of the configuration
     YkRange ranges[YK_RANGES_MAX]; // where it closes, at a limit
     size_t range_count;
@@ -28,18 +28,18 @@ typedef struct YkSweepAnswer {
     YkEffortRange held;
 } YkSweepAnswer;
 
-// A value of the table; NaN where it is not defined (rates at a dead point).
+// Returns a value of the table; NaN if it is undefined (rates at a dead point).
 double yk_sweep_cell(const YkSweepAnswer *answer, size_t row, size_t column);
 const char *yk_event_word(YkEvent event); // "limit", "dead-point", "change-point", "maximum", "minimum"
-// "theta1 from ... to ...", for every range.
+// Writes "theta1 from ... to ..." for every range.
 void yk_sweep_add_ranges(const YkSweepAnswer *answer, YkText *text);
-// Of every row's pose, for yk_sweep_options.visit: are efforts among the columns that have no single answer there?
+// For yk_sweep_options.visit, at every row's pose: looks for efforts among the columns that are not unique there.
 void yk_sweep_look_at_friction(void *answer, const YkState *state);
 void yk_sweep_warn_of_friction(const YkSweepAnswer *answer);
 void yk_sweep_text(const YkSweepAnswer *answer);
 void yk_sweep_json(const YkSweepAnswer *answer);
 void yk_sweep_csv(const YkSweepAnswer *answer);
-// Draws the columns into --plot's file; false with a problem added.
+// Draws the columns into --plot's file. Returns false with a problem added.
 bool yk_sweep_plot(const YkSweepAnswer *answer, const char *path);
 
 #endif

@@ -1,3 +1,4 @@
+// `yoke sweep` for people.
 #include <math.h>
 #include "verbs/sweep/sweep.h"
 #include "write/amount.h"
@@ -14,7 +15,7 @@ static void write_table(YkText *out, YkTable *table, bool has_rows)
     yk_table_free(table);
 }
 
-// The scale of the whole table: its values, and the pose at its end.
+// Scales by the whole table: its values, and the pose at its end.
 static void find_scale(const YkSweepAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -26,7 +27,7 @@ static void find_scale(const YkSweepAnswer *answer)
             yk_scale_add(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel.quantity);
 }
 
-// The swept value in the file's unit; 0 where only the steps' rounding is left of it.
+// Returns the swept value in the file's unit; 0 if only rounding of the steps is left.
 static double shown_at(const YkSweepAnswer *answer, double at)
 {
     double largest = fmax(fabs(answer->over.from), fabs(answer->over.to));
@@ -50,7 +51,7 @@ static void add_rows(const YkSweepAnswer *answer)
     write_table(&answer->session->out, table, rows > 0);
 }
 
-// "d5 = 1.2 m", or "at joint C".
+// Writes "d5 = 1.2 m", or "at joint C".
 static void add_event_value(const YkSweepAnswer *answer, YkEvent event, YkText *text)
 {
     if (event.kind == YK_EVENT_EXTREME) {
@@ -62,7 +63,7 @@ static void add_event_value(const YkSweepAnswer *answer, YkEvent event, YkText *
     }
 }
 
-// With --of every column stands beside its events; not so where each is an extreme of the one column.
+// With --of, every column is shown at its events, unless each is an extreme of the only column.
 static size_t columns_at_events(const YkSweepAnswer *answer, size_t count)
 {
     bool has_more = answer->column_count > 1;

@@ -1,4 +1,4 @@
-// yoke sweep: a coordinate, or time, through a range.
+// yoke sweep: moves a coordinate, or time, through a range.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static bool add_column(YkSweepAnswer *answer, size_t *capacity, const char *name
     return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
 }
 
-// --of a,b,c; without it all coordinates but the swept one. All bad names are reported.
+// Reads --of a,b,c; without it takes all coordinates but the swept one. Reports all bad names.
 static bool read_columns(YkSweepAnswer *answer)
 {
     YkSession *session = answer->session;
@@ -37,7 +37,7 @@ static bool read_columns(YkSweepAnswer *answer)
     return good;
 }
 
-// The coordinate whose closing ranges are of interest: the swept one, or the one that time drives; -1 if there are
+// Returns the coordinate whose closing ranges matter: the swept one, or the one that time drives; -1 if there are
 // several.
 static int ranged_coordinate(const YkSweepAnswer *answer)
 {
@@ -59,7 +59,7 @@ static void find_ranges(YkSweepAnswer *answer, YkState *start)
     answer->ranges_quantity = yk_quantity_of(info.is_distance, 0);
 }
 
-// Time ratios of quick-returns: only where the sweep is one whole turn of an input.
+// Finds time ratios of quick-returns, if the sweep is one whole turn of an input.
 static void find_strokes(YkSweepAnswer *answer, YkState *start)
 {
     if (answer->over.quantity != YK_QUANTITY_ANGLE ||
@@ -74,7 +74,7 @@ static void find_strokes(YkSweepAnswer *answer, YkState *start)
     }
 }
 
-// "limit at theta1 = 190.09 deg: dyad C (RRP) closes no further".
+// Writes "limit at theta1 = 190.09 deg: dyad C (RRP) closes no further".
 static void word_limit(YkSweepAnswer *answer)
 {
     YkText *text = &answer->message;
@@ -155,7 +155,7 @@ static int write_answer(YkSweepAnswer *answer)
     return exit_code;
 }
 
-// From a good request to the answer; where nothing assembles, an empty sweep says so.
+// Answers a valid request; if nothing can be assembled, an empty sweep says so.
 static int answer_sweep(YkSweepAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
@@ -207,7 +207,7 @@ int yk_run_sweep(YkSession *session)
     }
     answer->session = session;
     bool good = yk_session_method(session, &answer->method);
-    good = good && (!session->request->file || check_request(session)); // without a file, that is what to say
+    good = good && (!session->request->file || check_request(session)); // without a file, that is the error to report
     good = good && (!session->request->over || yk_over_split(session, session->request->over, &answer->over));
     good = good && yk_session_count(session, "--steps", session->request->steps, STEPS_MAX, STEPS, &steps);
     const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
