@@ -1,9 +1,9 @@
-// `bodies:` the ground first, then the bodies in the file's order, each with its points.
+// Reads `bodies:`: the ground first, then the bodies in the file's order, each with its points.
 #include "model/load.h"
 
 static const char *const keys[] = {"points", "mass", "center", "inertia", "rod", NULL};
 
-// The body's map, or NULL where it has none (`sun:` is a body without points).
+// Returns the body's map, or NULL if it has none (`sun:` is a body without points).
 static const YkNode *body_map(YkLoader *loader, const YkNode *node, const char *name)
 {
     YkSubject subject = {.noun = "body", .part = name};
@@ -12,7 +12,7 @@ static const YkNode *body_map(YkLoader *loader, const YkNode *node, const char *
     return node;
 }
 
-// Gives every body its number and name; nodes[i] is its map. The ground is number 0 wherever it stands.
+// Gives every body its number and name; nodes[i] is its map. The ground is number 0 wherever it appears.
 static void name_bodies(YkLoader *loader, const YkNode *section, const YkNode **nodes)
 {
     YkModel *model = loader->model;

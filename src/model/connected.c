@@ -1,4 +1,4 @@
-// Is every body held, by some chain of joints, to the ground? Groups by union-find (Tarjan 1975); near-linear.
+// Checks that a chain of joints holds every body to the ground. Groups by union-find (Tarjan 1975); near-linear.
 #include "model/load.h"
 
 enum { NAMES_SHOWN = 8 };
@@ -6,7 +6,7 @@ enum { NAMES_SHOWN = 8 };
 typedef struct Groups {
     int32_t *parent; // towards the group's representative
     int32_t *size;
-    int32_t *next; // bodies of one group in file order: first is the representative's `first`
+    int32_t *next; // bodies of one group in file order; the list starts at the representative's `first`
     int32_t *first, *last;
 } Groups;
 

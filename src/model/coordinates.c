@@ -1,8 +1,8 @@
-// Coordinates: named at their joint, or spoken of as JOINT.angle and JOINT.distance.
+// Coordinates: named at their joint, or referred to as JOINT.angle and JOINT.distance.
 #include <string.h>
 #include "model/load.h"
 
-// Room for one more in the arena; doubling leaves the old arrays behind, together less than the last.
+// Makes room for one more in the arena; the old arrays that doubling leaves behind are together smaller than the last.
 static bool make_room(YkLoader *loader)
 {
     YkModel *model = loader->model;
@@ -45,7 +45,7 @@ int32_t yk_load_declare(YkLoader *loader, const char *name, YkPlace place, int32
     return index;
 }
 
-// JOINT.angle or JOINT.distance: the coordinate there, declared now if nothing has named it before.
+// Returns the coordinate JOINT.angle or JOINT.distance; declares it now if it has no name yet.
 static int32_t joint_coordinate(YkLoader *loader, const char *name, YkPlace place)
 {
     const char *dot = strrchr(name, '.');

@@ -1,5 +1,5 @@
-// `drives:` coordinates whose motion is given as an expression of time; `start:` values at the start. Two sections of
-// one form: COORDINATE: expression.
+// Reads `drives:`, coordinates whose motion is an expression of time, and `start:`, values at the start. Both sections
+// have the form COORDINATE: expression.
 #include <math.h>
 #include "model/load.h"
 
@@ -15,7 +15,7 @@ static void add_drive(YkLoader *loader, int32_t coordinate, YkPlace place, YkExp
     model->drives[model->drive_count++] = (YkDrive){.coordinate = coordinate, .place = place, .expr = expr, .law = law};
 }
 
-// {law: NAME, of: a coordinate or an expression of t}
+// Reads {law: NAME, of: a coordinate or an expression of t}.
 static void read_law(YkLoader *loader, int32_t coordinate, const YkNodePair *pair)
 {
     static const char *const keys[] = {"law", "of", NULL};

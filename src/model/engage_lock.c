@@ -1,6 +1,6 @@
-// One of `locks:` engaged. What a joint lets go is held by a drive that stands; bodies that no joint ties are held by
-// what ties their turns, as equal pulleys on the ground do. All that is computed with drives and belts then acts with
-// locks too, and the effort of the drive is what holds.
+// Engages one of the `locks:`. A drive that stands still holds the freedom of a joint; bodies that no joint ties are
+// held by a tie between their turns, like equal pulleys on the ground. Everything that handles drives and belts then
+// handles locks too, and the effort of the drive is the holding effort.
 #include <string.h>
 #include "base/text.h"
 #include "model/load.h"
@@ -33,7 +33,7 @@ static const YkStart *start_of(const YkModel *model, int32_t coordinate)
     return NULL;
 }
 
-// A coordinate stands where `start:` has it, at 0 where nothing else places it.
+// Holds a coordinate where `start:` places it, or at 0.
 static void hold_coordinate(const Engaging *e, int32_t coordinate)
 {
     YkModel *model = e->loader->model;
@@ -61,7 +61,7 @@ static void hold_coordinate(const Engaging *e, int32_t coordinate)
                                                     .is_hold = true};
 }
 
-// The bodies turn as one.
+// Makes the bodies turn as one.
 static void tie_turns(const Engaging *e, int32_t a, int32_t b)
 {
     YkModel *model = e->loader->model;
@@ -74,7 +74,8 @@ static void tie_turns(const Engaging *e, int32_t a, int32_t b)
     }
 }
 
-// What the joints between two bodies let go: their coordinates, those without a name too. False where there is none.
+// Holds what the joints between two bodies leave free: their coordinates, named or not. Returns false if there is no
+// joint.
 static bool hold_joints(const Engaging *e, int32_t a, int32_t b)
 {
     YkModel *model = e->loader->model;
@@ -103,7 +104,7 @@ static YkExpr *number(YkLoader *loader, const char *text)
     return expr;
 }
 
-// Room for all that the lock may add: a drive or a tie for each joint between what it names.
+// Makes room for everything that the lock may add: a drive or a tie for each joint between the bodies it names.
 static bool make_room(YkLoader *loader, const YkLock *lock)
 {
     YkModel *model = loader->model;

@@ -1,4 +1,4 @@
-// The value of an expression of parameters and time.
+// Evaluates expressions of parameters and time.
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -34,7 +34,7 @@ static void report(const YkModel *model, const YkExpr *fault, const char *why, Y
         yk_problem(problems, YK_CODE_EVALUATION, fault->place, "%s", why);
     } else if (yk_names_find(&model->parameter_names, fault->name) == YK_NONE) {
         yk_problem(problems, YK_CODE_EVALUATION, fault->place, "%q has no value here", fault->name);
-    } // otherwise a parameter without a value, which is reported where it stands
+    } // otherwise a parameter without a value, which is reported at its own place
 }
 
 bool yk_load_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems)
@@ -51,7 +51,7 @@ YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet
     return yk_load_eval(model, expr, t, jet, problems) ? YK_OK : YK_BAD_MODEL;
 }
 
-// law(u(t)) with its derivatives: Faa di Bruno's formula to the fourth order.
+// Computes law(u(t)) with its derivatives: Faa di Bruno's formula to the fourth order.
 static void apply_law(const YkLaw *law, const double *u, double *out)
 {
     double d[YK_LAW_ORDER + 1];
@@ -84,7 +84,7 @@ double yk_model_drive_rounding(const YkModel *model, size_t drive, double t)
     if (d->law == YK_NONE || !(rounding < INFINITY)) return rounding;
     if (yk_model_eval(model, d->expr, t, &argument, NULL) != YK_OK) return INFINITY;
     yk_law_eval(model->laws[d->law].law, argument.d[0], law);
-    // a law repeats itself after a period that is rounded too
+    // A law repeats after a period that is rounded too.
     return fabs(law[1]) * (rounding + DBL_EPSILON * fabs(argument.d[0])) + DBL_EPSILON * fabs(law[0]);
 }
 

@@ -1,4 +1,4 @@
-// Exact values: numerator / denominator * pi^k in 64-bit whole numbers, as far as an expression is written so.
+// Exact values: numerator / denominator * pi^k in 64-bit whole numbers, for expressions that allow it.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static int64_t common_divisor(int64_t a, int64_t b)
     return a < 0 ? -a : a;
 }
 
-// a * b where it fits.
+// Computes a * b; returns false if it does not fit.
 static bool times(int64_t a, int64_t b, int64_t *product)
 {
     const int64_t most = INT64_MAX;
@@ -100,7 +100,7 @@ static YkExact decimal(int64_t mantissa, int32_t exponent)
     return value;
 }
 
-// The shortest decimal that reads as this double: a unit's size is a short decimal (mm, in) ...
+// Returns the shortest decimal that reads as this double: a unit's size is a short decimal (mm, in) ...
 static YkExact short_decimal(double size)
 {
     char text[YK_NUMBER_SIZE];
@@ -141,7 +141,7 @@ static bool is_zero(YkExact a)
     return a.is_exact && a.numerator == 0;
 }
 
-// One evaluation. Parameters that are twice others, many deep, stand for more numbers than can be looked at.
+// One evaluation. Parameters that are each twice another, in a long chain, stand for more numbers than can be visited.
 typedef struct Evaluation {
     const YkModel *model;
     size_t looks_left;
@@ -173,7 +173,7 @@ static Line eval_name(Evaluation *evaluation, const YkExpr *expr, int depth)
 
 static Line product(Line a, Line b)
 {
-    if (!is_zero(a.rate) && !is_zero(b.rate)) return no_line; // no line in t
+    if (!is_zero(a.rate) && !is_zero(b.rate)) return no_line; // not linear in t
     return (Line){multiply(a.constant, b.constant), add(multiply(a.rate, b.constant), multiply(b.rate, a.constant))};
 }
 

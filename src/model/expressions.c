@@ -1,4 +1,4 @@
-// The second pass over expressions: the names in them, their dimensions, their values.
+// The second pass over expressions: checks the names in them, infers their dimensions, computes their values.
 #include <math.h>
 #include <string.h>
 #include "model/load.h"
@@ -17,7 +17,7 @@ static void report_not_here(NameCheck *check, const YkExpr *name, const char *wh
     check->is_bad = true;
 }
 
-// A name gets its dimension once, however often it is mentioned.
+// Fixes the dimension of a name once, however often it is mentioned.
 static void fix_once(YkLoader *loader, const char *name, YkDimension dimension)
 {
     int32_t existing;

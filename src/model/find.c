@@ -1,4 +1,4 @@
-// Bodies and points by name.
+// Finds bodies and points by name.
 #include <string.h>
 #include "model/load.h"
 

@@ -1,4 +1,4 @@
-// What the names in an expression of the model stand for, once it is loaded.
+// Resolves the names in an expression of a loaded model.
 #include "model/formulas.h"
 #include <string.h>
 
@@ -10,7 +10,7 @@ typedef struct Names {
     void *context;
 } Names;
 
-// Takes the ending off the name; false where it ends otherwise.
+// Removes the ending from the name; returns false if it ends differently.
 static bool cut(char *name, const char *ending)
 {
     size_t length = strlen(name), size = strlen(ending);
@@ -19,7 +19,7 @@ static bool cut(char *name, const char *ending)
     return true;
 }
 
-// The declared coordinate that NAME, JOINT.angle or JOINT.distance speaks of. Changes the text.
+// Returns the declared coordinate that NAME, JOINT.angle or JOINT.distance refers to. Changes the text.
 static int32_t find_coordinate(const YkModel *model, char *name)
 {
     int32_t found = yk_names_find(&model->coordinate_names, name);

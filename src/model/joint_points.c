@@ -1,16 +1,16 @@
-// Where a joint sits on each of its two bodies.
+// Finds where a joint sits on each of its two bodies.
 #include <string.h>
 #include "model/load.h"
 
-// Pin and weld: one point known to both bodies, by the name in `at:` or by the joint's own name. On neither: both
-// origins.
+// Places a pin or weld: one point known to both bodies, by the name in `at:` or by the joint's own name. If neither
+// body has it: both origins.
 static void share_point(YkLoader *loader, YkJoint *joint, const YkNode *at)
 {
     const YkModel *model = loader->model;
     const char *name = at ? at->text : joint->name;
     for (int k = 0; k < 2; k++) joint->point[k] = yk_load_find_point(loader, joint->body[k], name);
     if (joint->point[0] != YK_NONE && joint->point[1] != YK_NONE) return;
-    for (int k = 0; k < 2; k++) { // a wheel's centre needs no name: it is its origin
+    for (int k = 0; k < 2; k++) { // a wheel's centre needs no name: it is the wheel's origin
         if (joint->point[k] == YK_NONE && joint->point[1 - k] != YK_NONE && loader->is_wheel &&
             loader->is_wheel[joint->body[k]])
             return;

@@ -1,9 +1,9 @@
-// `joints:` what holds the bodies together, and the coordinates named there.
+// Reads `joints:`, which hold the bodies together, and the coordinates named there.
 #include <math.h>
 #include <string.h>
 #include "model/load.h"
 
-// Which of the keys says what kind of joint this is; NULL (reported) unless it is exactly one.
+// Returns the key that gives the kind of joint; NULL (reported) unless there is exactly one.
 static const YkNodePair *find_kind(YkLoader *loader, const YkNode *node, const YkNode *name)
 {
     const YkNodePair *found = NULL;
@@ -44,7 +44,7 @@ static void read_bodies(YkLoader *loader, YkJoint *joint, const YkNode *list, co
                yk_load_subject(loader, &subject), loader->model->bodies[joint->body[0]].name);
 }
 
-// Named directions are exact; any other is an angle, turned into a direction once it has a value.
+// Reads a named direction, which is exact; any other is an angle, turned into a direction once it has a value.
 static bool read_named_direction(YkJoint *joint, const char *text)
 {
     static const struct {
@@ -84,7 +84,7 @@ static int32_t read_coordinate(YkLoader *loader, int32_t index, const YkNode *no
     return yk_load_declare(loader, name->text, name->place, index, is_distance);
 }
 
-// A key that other kinds of joint take gets a word about why this one does not.
+// Checks the keys; a key that other kinds of joint take gets a message why this one does not.
 static void check_keys(YkLoader *loader, const YkJoint *joint, const YkNode *node)
 {
     const YkPart *part = yk_part(joint->kind);

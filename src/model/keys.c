@@ -1,4 +1,4 @@
-// Sections of the file and their keys.
+// Reads sections of the file and checks their keys.
 #include <string.h>
 #include "model/load.h"
 

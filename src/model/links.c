@@ -1,4 +1,4 @@
-// A link of no length: a body held by exactly two pins at one and the same place. Almost always a slip of the pen.
+// Warns of a link without length: a body held by exactly two pins at the same place. This is almost always a slip.
 #include <math.h>
 #include "model/load.h"
 
@@ -13,7 +13,7 @@ static const char *point_name(const YkModel *model, const YkJoint *joint, int en
     return joint->point[end] == YK_NONE ? "origin" : model->points[joint->point[end]].name;
 }
 
-// The last two joints at each body, as joint * 2 + end, and how many there are.
+// The last two joints at each body, as joint * 2 + end, and their number.
 typedef struct Holds {
     int32_t count, hold[2];
 } Holds;
@@ -42,7 +42,7 @@ void yk_load_check_links(YkLoader *loader)
             int32_t body = model->joints[i].body[end];
             if (body == YK_NONE) continue;
             Holds *at = &holds[body];
-            if (model->joints[i].body[1 - end] == YK_NONE) at->count += 2; // in error: nothing is said of its points
+            if (model->joints[i].body[1 - end] == YK_NONE) at->count += 2; // in error: its points are not judged
             if (at->count < 2) at->hold[at->count] = (int32_t)i * 2 + end;
             at->count++;
         }

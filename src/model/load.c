@@ -1,4 +1,4 @@
-// The loader: a model file becomes a YkModel, or a list of everything that is wrong with it.
+// The loader: turns a model file into a YkModel, or into a list of everything that is wrong with it.
 #include <stdlib.h>
 #include <string.h>
 #include "model/load.h"
@@ -12,7 +12,7 @@ YkLoadOptions yk_default_load_options(void)
     return (YkLoadOptions){0};
 }
 
-// The file's name without folder and ending.
+// Returns the file's name without folder and ending.
 static const char *base_name(YkArena *arena, const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -32,7 +32,7 @@ static void read_name(YkLoader *loader)
     if (name->length) model->name = name->text;
 }
 
-// First pass: every section, parameters before what uses them, bodies before joints, joints before coordinates.
+// Runs the first pass: every section, parameters before their uses, bodies before joints, joints before coordinates.
 static void read_sections(YkLoader *loader)
 {
     yk_load_check_keys(loader, loader->root, keys, &(YkSubject){.noun = "a model file"});
@@ -60,7 +60,7 @@ static void read_sections(YkLoader *loader)
     }
 }
 
-// Second pass: names, dimensions, values; then what can be said of the machine only with values at hand.
+// Runs the second pass: names, dimensions, values; then the checks that need values.
 static void resolve(YkLoader *loader)
 {
     yk_load_check_uses(loader);
@@ -100,7 +100,8 @@ static void load(YkLoader *loader)
     }
     read_sections(loader);
     if (is_out_of_memory(loader)) return;
-    loader->dimensions = yk_dimensions_new(loader->arena, &loader->model->units); // it keeps a copy: after `units:`
+    // It copies the units, so it comes after `units:`.
+    loader->dimensions = yk_dimensions_new(loader->arena, &loader->model->units);
     if (loader->dimensions) resolve(loader);
 }
 
@@ -118,14 +119,14 @@ static YkModel *new_model(const char *name)
     return model;
 }
 
-// Was there an error among what was reported since there were `errors` of them? A list that is full may have lost some.
+// Returns whether an error came after the first `errors` errors. A list that is full may have lost some.
 static bool has_new_errors(const YkProblems *problems, size_t errors)
 {
     size_t now = yk_problems_error_count(problems);
     return now > errors || (now > 0 && yk_problems_count(problems) > YK_PROBLEMS_MAX);
 }
 
-// Loads into a fresh model; false when there was an error.
+// Loads into a new model; returns false if there was an error.
 static bool fill(YkModel *model, const char *text, size_t length, const YkLoadOptions *options, YkProblems *problems)
 {
     size_t errors = yk_problems_error_count(problems);
@@ -146,7 +147,7 @@ static bool fill(YkModel *model, const char *text, size_t length, const YkLoadOp
 YkModel *yk_model_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
                         YkProblems *problems)
 {
-    YkProblems *own = problems ? NULL : yk_problems_new(); // errors are counted even where nobody reads them
+    YkProblems *own = problems ? NULL : yk_problems_new(); // errors are counted even if the caller does not want them
     YkModel *model = problems || own ? new_model(name) : NULL;
     if (!model) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
@@ -175,5 +176,5 @@ void yk_model_free(YkModel *model)
     yk_names_free(&model->parameter_names);
     yk_names_free(&model->coordinate_names);
     yk_names_free(&model->point_names);
-    yk_arena_free(model->arena); // the model itself lies in it
+    yk_arena_free(model->arena); // the arena contains the model itself
 }

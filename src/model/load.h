@@ -1,9 +1,9 @@
-// The loader's inside: what its files share while a tree of nodes becomes a YkModel.
+// The inside of the loader, shared by its files while a tree of nodes becomes a YkModel.
 //
-// Reading and evaluating are two passes. The first reads every section, and leaves each expression that is more than a
-// number in a list of uses; the second checks the names in them, infers dimensions over the whole file, orders and
-// evaluates the parameters, then fills the targets. A value that could not be had is NaN, which the checks take for
-// "reported already".
+// Reading and evaluating are two passes. The first reads every section, and puts each expression that is more than a
+// number into a list of uses. The second checks the names in them, infers dimensions over the whole file, orders and
+// evaluates the parameters, then fills the targets. A value that could not be determined is NaN, which means "reported
+// already" to the checks.
 #ifndef MODEL_LOAD_H
 #define MODEL_LOAD_H
 #include "base/problems.h"
@@ -32,11 +32,11 @@ enum { YK_NAME_MAX = 100, YK_COUNT_MAX = 10000000, YK_REPORTED = -2 };
 #define YK_DIM_TURN_STIFFNESS YK_DIM(2, 1, -2, -1)
 #define YK_DIM_TURN_DAMPING YK_DIM(2, 1, -1, -1)
 
-// What an expression may mention besides parameters and pi.
+// The names that an expression may mention besides parameters and pi.
 typedef enum YkScope { YK_SCOPE_CONSTANT, YK_SCOPE_TIME, YK_SCOPE_STATE } YkScope;
 
-// What a value is, for messages: "x of point `A` of `link1`" is {"x of ", "point", "A", "link1"}; all but noun
-// optional.
+// Describes a value for messages: "x of point `A` of `link1`" is {"x of ", "point", "A", "link1"}; all but noun may be
+// NULL.
 typedef struct YkSubject {
     const char *axis, *noun, *part, *owner;
 } YkSubject;
@@ -47,19 +47,19 @@ typedef struct YkWant {
     YkSubject subject;
 } YkWant;
 
-// An expression waiting for its value.
+// An expression that waits for its value.
 typedef struct YkUse {
     YkExpr *expr;
     YkDimension dimension;
     YkScope scope;
     const char *what;
-    double *target; // SI; NULL where only names and dimensions matter
+    double *target; // SI; NULL if only names and dimensions matter
     bool is_bad;    // a name in it is unknown
 } YkUse;
 
 typedef struct YkLoader {
     YkModel *model;
-    YkArena *arena; // the model's
+    YkArena *arena; // that of the model
     YkProblems *problems;
     const YkNode *root;
     const YkLoadOptions *options;
@@ -67,52 +67,52 @@ typedef struct YkLoader {
     YkUse *uses;
     size_t use_count, use_capacity;
     size_t coordinate_capacity;
-    const YkExpr **replaced; // per parameter: what an override replaced, or NULL
+    const YkExpr **replaced; // per parameter: the expression that an override replaced, or NULL
     YkNames fixed;           // names whose dimension is already fixed
     YkText text;             // scratch
-    bool *is_wheel;          // per body: gears, belts or racks name it, so that its centre is its origin
-    bool has_bad_joint;      // a joint's bodies are unknown: connections cannot be judged
+    bool *is_wheel;          // per body: gears, belts or racks name it, so its centre is its origin
+    bool has_bad_joint;      // a joint's bodies are unknown, so connections cannot be judged
     bool failed;             // out of memory
 } YkLoader;
 
-// values.c: single values, pairs of values, and what kind a node is.
+// values.c: single values, pairs of values, and kinds of nodes.
 const char *yk_load_subject(YkLoader *loader, const YkSubject *subject); // in scratch
 bool yk_load_is_empty(const YkNode *node);                               // nothing, `~` or `null`
-// Is it of this kind? Reports it as wrong or empty otherwise.
+// Returns whether a node is of this kind; reports it as wrong or empty otherwise.
 bool yk_load_expect(YkLoader *loader, const YkNode *node, YkNodeKind kind, const YkSubject *subject);
-// The place where the expression of a scalar begins (behind its quote).
+// Returns the place where the expression of a scalar begins (after its quote).
 YkPlace yk_load_text_place(const YkNode *node);
-// Reads a scalar; the target gets its value now (a plain number) or in the second pass. NULL when there was a mistake.
+// Reads a scalar; the target gets its value now (a plain number) or in the second pass. Returns NULL after a mistake.
 YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, double *target);
 // Reads [x, y].
 bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target);
-// Reports a value that is not finite or too large; false then.
+// Reports a value that is not finite or too large, and returns false for it.
 bool yk_load_in_range(YkLoader *loader, YkPlace place, double value);
 
 // keys.c: sections and their keys.
-// A section of the file: a map, or NULL where it is missing, empty or (reported) something else.
+// Returns a section of the file: a map, or NULL if it is missing, empty or (reported) something else.
 const YkNode *yk_load_section(YkLoader *loader, const char *key);
 // Reports every key of the map that is not among `keys` (NULL-terminated).
 void yk_load_check_keys(YkLoader *loader, const YkNode *map, const char *const *keys, const YkSubject *subject);
-const YkNode *yk_load_key(const YkNode *map, const char *key); // the key itself, for its place; NULL
-// As many as a section may hold? Reports it otherwise.
+const YkNode *yk_load_key(const YkNode *map, const char *key); // the key itself, for its place; or NULL
+// Returns whether a section may have this many entries; reports it otherwise.
 bool yk_load_count_fits(YkLoader *loader, const YkNode *section, size_t count, const char *noun);
 
-// The value of a key of a map: its expression, or NULL where it is left out (the target is 0) or wrong (NaN).
+// Reads the value of a key: returns its expression, or NULL if it is left out (the target is 0) or wrong (NaN).
 YkExpr *yk_load_key_value(YkLoader *loader, const YkNode *map, const char *key, const YkWant *want, double *target);
-// The node of a key that must be there; NULL where it is left out (reported).
+// Returns the node of a required key; NULL if it is missing (reported).
 const YkNode *yk_load_require(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject);
 
-// names.c: which names are allowed, and the nearest one.
+// names.c: which names are allowed, and the nearest name.
 bool yk_load_name(YkLoader *loader, const YkNode *node, const char *noun);
 bool yk_load_symbol_name(YkLoader *loader, const YkNode *node, const char *noun); // for expressions
-// The nearest name among structs of `size` bytes that begin with their name, as a hint to the last problem; false when
-// none is near.
+// Hints at the nearest name, for the last problem, among structs of `size` bytes that begin with their name; returns
+// false if none is near.
 bool yk_load_hint_nearest(YkProblems *problems, const char *name, const void *items, size_t count, size_t size);
 void yk_load_hint_nearest_key(YkLoader *loader, const char *name, const char *const *keys);
 void yk_load_hint_nearest_symbol(YkLoader *loader, const char *name); // parameters and coordinates
 
-// find.c: bodies and points by name; reported where there is none.
+// find.c: finds bodies and points by name, and reports names that do not exist.
 int32_t yk_load_find_point(YkLoader *loader, int32_t body, const char *name);    // YK_NONE, silent
 int32_t yk_load_body(YkLoader *loader, const YkNode *node);                      // YK_NONE, reported
 int32_t yk_load_point(YkLoader *loader, int32_t body, const YkNode *node);       // YK_NONE, reported
@@ -121,14 +121,15 @@ int32_t yk_load_body_point(YkLoader *loader, const YkNode *node, int32_t *body);
 // coordinates.c
 // Declares the coordinate `name` of a joint; reports a name that is taken. Returns its index or YK_NONE.
 int32_t yk_load_declare(YkLoader *loader, const char *name, YkPlace place, int32_t joint, bool is_distance);
-// The coordinate that NAME, NAME.rate, JOINT.angle, JOINT.distance.rate, ... speak of; JOINT.angle declares it where it
-// has no name yet. YK_NONE where there is none; YK_REPORTED where the joint has no such freedom (reported).
+// Returns the coordinate that NAME, NAME.rate, JOINT.angle, JOINT.distance.rate, ... refer to; declares JOINT.angle if
+// it has no name yet. Returns YK_NONE if there is none; YK_REPORTED if the joint has no such freedom (reported).
 int32_t yk_load_coordinate(YkLoader *loader, const char *text, YkPlace place, bool *is_rate);
-// The same for a key of drives, start, efforts or stops: every failure is reported, also `.rate` where is_rate is NULL.
+// Does the same for a key of drives, start, efforts or stops: reports every failure, also `.rate` if is_rate is NULL.
 int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rate);
-// One byte for every coordinate there is or may be declared by this section.
+// Allocates one byte for every coordinate that exists or that this section may declare.
 unsigned char *yk_load_new_seen(YkLoader *loader, const YkNode *section);
-// The coordinate of a key that speaks of it for the first time in its section; a negative number (reported) otherwise.
+// Returns the coordinate of a key that names it for the first time in its section; otherwise a negative number
+// (reported).
 int32_t yk_load_coordinate_once(YkLoader *loader, const YkNode *key, unsigned char *seen, bool *is_rate);
 
 // The sections, one file each.
@@ -139,7 +140,7 @@ void yk_load_bodies(YkLoader *loader);
 void yk_load_points(YkLoader *loader, const YkNode *bodies, const YkNode **nodes);
 void yk_load_mass(YkLoader *loader, int32_t body, const YkNode *node);
 void yk_load_joints(YkLoader *loader);
-void yk_load_laws(YkLoader *loader);                       // after the joints, before what uses laws
+void yk_load_laws(YkLoader *loader);                       // after the joints, before everything that uses laws
 int32_t yk_load_law(YkLoader *loader, const YkNode *node); // a law by name; YK_NONE, reported
 void yk_load_cams(YkLoader *loader);                       // after the laws
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
@@ -151,21 +152,21 @@ void yk_load_forces(YkLoader *loader);
 void yk_load_springs(YkLoader *loader);
 void yk_load_stops(YkLoader *loader);
 void yk_load_friction(YkLoader *loader, const YkNode *node, YkJoint *joint);
-void yk_load_wheels(YkLoader *loader); // before the joints: which bodies are wheels
+void yk_load_wheels(YkLoader *loader); // before the joints: finds which bodies are wheels
 void yk_load_gears(YkLoader *loader);
 void yk_load_racks(YkLoader *loader);
 void yk_load_belts(YkLoader *loader);
 void yk_load_locks(YkLoader *loader);
-void yk_load_engage(YkLoader *loader); // options->lock, after all else
+void yk_load_engage(YkLoader *loader); // options->lock, after everything else
 
 // The second pass.
 void yk_load_check_uses(YkLoader *loader);      // expressions.c: the names in every expression
 void yk_load_infer(YkLoader *loader);           // expressions.c: dimensions
-void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, those it needs first
+void yk_load_eval_parameters(YkLoader *loader); // order.c: each once, after those it needs
 void yk_load_check_overrides(YkLoader *loader); // overrides.c: against the dimension in the file
 void yk_load_eval_uses(YkLoader *loader);       // expressions.c
 void yk_load_keep_uses(YkLoader *loader);       // in the model, for redesigns
-void yk_load_check_gravity(YkLoader *loader);   // model/loads/gravity.c: warns of units that nobody would mean
+void yk_load_check_gravity(YkLoader *loader);   // model/loads/gravity.c: warns of units that no one would mean
 void yk_load_finish_laws(YkLoader *loader);     // model/laws/build.c
 void yk_load_finish_cams(YkLoader *loader);     // model/transmissions/cams_finish.c: after joints and laws
 void yk_load_finish_masses(YkLoader *loader);   // model/loads/mass.c
@@ -174,25 +175,25 @@ void yk_load_finish_forces(YkLoader *loader);   // model/loads/forces.c
 void yk_load_finish_springs(YkLoader *loader);  // model/loads/springs.c
 void yk_load_finish_stops(YkLoader *loader);    // model/loads/stops.c
 void yk_load_finish_friction(YkLoader *loader); // model/loads/friction.c
-void yk_load_finish_gears(YkLoader *loader);    // model/transmissions/gears.c: after the joints, as the next two
+void yk_load_finish_gears(YkLoader *loader);    // model/transmissions/gears.c: after the joints, like the next two
 void yk_load_finish_racks(YkLoader *loader);    // model/transmissions/racks.c
 void yk_load_finish_belts(YkLoader *loader);    // model/transmissions/belts.c
 void yk_load_check_connected(YkLoader *loader); // connected.c
 void yk_load_check_links(YkLoader *loader);     // links.c
 bool yk_load_size(YkModel *model);              // size.c; false when out of memory
 
-// model/transmissions/wheels.c: what gears, racks and belts share.
+// model/transmissions/wheels.c: shared by gears, racks and belts.
 // Reads a list of two different bodies under `key`; reports anything else. The node may be NULL (reported already).
 void yk_load_two_bodies(YkLoader *loader, const YkNode *list, const YkSubject *subject, int32_t body[2]);
-// The list of two values under a key that must be there; NULL with the mistake reported.
+// Returns the list of two values under a required key; NULL with the mistake reported.
 const YkNode *yk_load_two_values(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject);
-// A key that is `true` or `false`; false where it is left out.
+// Reads a key that is `true` or `false`; returns false if it is left out.
 bool yk_load_yes_or_no(YkLoader *loader, const YkNode *map, const char *key, const YkSubject *subject);
-// A body that carries wheels, as `carrier:` names it; YK_NONE where it is left out, YK_REPORTED where it is wrong.
+// Returns the body that carries wheels, as `carrier:` names it; YK_NONE if it is left out, YK_REPORTED if it is wrong.
 int32_t yk_load_carrier(YkLoader *loader, const YkNode *map);
-// Axes: pins and welds that coincide on a body turn about one axis. Which body holds the axes of both wheels?
-// `carrier` is what the file says, or YK_NONE to infer it. Returns it, or YK_NONE with the reason reported; *distance
-// is that of the two axes on it, m. Cost O(joints).
+// Finds the body that holds the axes of both wheels. Pins and welds that coincide on a body turn about one axis.
+// `carrier` is the file's, or YK_NONE to infer it. Returns it, or YK_NONE with the reason reported; *distance is that
+// of the two axes on it, m. Cost O(joints).
 typedef struct YkWheelPair {
     const char *noun, *name; // "gears", the entry's name
     YkPlace place;
@@ -200,12 +201,12 @@ typedef struct YkWheelPair {
 } YkWheelPair;
 int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance);
 
-// placeless_problems.c: passes on what was found wrong in a value that stands nowhere in the file, each message
-// beginning with the value and, unless NULL, what it is for.
+// placeless_problems.c: passes on the problems of a value that has no place in the file; each message begins with the
+// value and, unless NULL, the name of what it sets.
 void yk_load_pass_on(YkProblems *problems, const YkProblems *found, const char *value, const char *name);
 
-// The value of an expression at time t with what the model knows; a fault is reported unless it comes from a parameter
-// that has no value (reported already). False when there is none.
+// Evaluates an expression at time t with the values of the model. Reports a fault unless it comes from a parameter
+// without a value (reported already). Returns false if there is no value.
 bool yk_load_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
 
 #endif

@@ -1,4 +1,4 @@
-// `locks:` sets of bodies and coordinates held still, and of bodies joined to each other, each set by its name:
+// Reads `locks:`, sets of bodies and coordinates that are held, and of bodies that are joined, each set by its name:
 // NAME: [body, coordinate, ...], or NAME: {hold: [...], join: [[a, b], ...]}.
 #include <string.h>
 #include "model/load.h"
@@ -15,7 +15,7 @@ static bool read_hold(YkLoader *loader, const YkNode *node, YkHold *hold)
     bool is_rate = false;
     hold->coordinate = yk_load_coordinate(loader, node->text, node->place, &is_rate);
     if (hold->coordinate >= 0 && !is_rate) return true;
-    if (hold->coordinate != YK_REPORTED) yk_load_body(loader, node); // reports it, with the nearest name
+    if (hold->coordinate != YK_REPORTED) yk_load_body(loader, node); // reports the name, with the nearest one
     return false;
 }
 

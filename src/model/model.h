@@ -1,5 +1,4 @@
-// The inside of YkModel: what compile, derive, design and out read. SI and radians; filled by the loader, then
-// constant.
+// The inside of YkModel, which later rooms read. SI and radians; filled by the loader, then constant.
 #ifndef MODEL_MODEL_H
 #define MODEL_MODEL_H
 #include <stdbool.h>
@@ -33,22 +32,22 @@ typedef struct YkPoint {
 typedef struct YkBody {
     const char *name;
     YkPlace place;
-    int32_t first_point, point_count; // its points stand together in model->points
+    int32_t first_point, point_count; // its points are contiguous in model->points
     bool has_mass;
     double mass, inertia;                                   // kg; kg m^2 about the centre of mass
     YkVec center;                                           // of mass, in the body's axes, m
-    YkExpr *mass_expr, *inertia_expr, *center_x, *center_y; // NULL where not given
+    YkExpr *mass_expr, *inertia_expr, *center_x, *center_y; // NULL if not given
     int32_t rod[2];                                         // points of `rod`, or YK_NONE
 } YkBody;
 
-// Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the turning, and viscous * rate; in a
-// slide: a force coulomb * |normal force| against the sliding, and viscous * speed. A pin-slot slides: as a slide.
+// Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the rotation, and viscous * rate; in a
+// slide or pin-slot: a force coulomb * |normal force| against the sliding, and viscous * speed.
 typedef struct YkFriction {
     double coulomb; // >= 0, a number
     double radius;  // of a pin, m
     double viscous; // N m s (pin) or N s/m (slide, pin-slot), >= 0
     YkPlace place;
-    YkExpr *coulomb_expr, *radius_expr, *viscous_expr; // NULL where not given (0)
+    YkExpr *coulomb_expr, *radius_expr, *viscous_expr; // NULL if not given (0)
 } YkFriction;
 
 typedef struct YkJoint {
@@ -62,14 +61,14 @@ typedef struct YkJoint {
     YkVec along;      // unit direction of the line in a's axes (slide, pin-slot): exact for x and y
     double along_angle;               // rad
     double turned;                    // b's constant angle to a (slide, weld), rad
-    YkExpr *along_expr, *turned_expr; // NULL where default or x / y
+    YkExpr *along_expr, *turned_expr; // NULL for the default or for x / y
     int32_t angle, distance;          // declared coordinates, or YK_NONE
     bool has_friction;
     YkFriction friction;
 } YkJoint;
 
-// A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mention of `JOINT.angle` or
-// `JOINT.distance` in drives, start or efforts. Always second body relative to first.
+// A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mentioning `JOINT.angle` or
+// `JOINT.distance` in drives, start or efforts. It is always the second body's relative to the first.
 typedef struct YkCoordinate {
     const char *name;
     YkPlace place;
@@ -81,9 +80,9 @@ typedef struct YkCoordinate {
 typedef struct YkDrive {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr; // of t and parameters; with a law: the law's argument
-    int32_t law;  // of model->laws, or YK_NONE
-    bool is_hold; // stands: by a lock
+    YkExpr *expr; // in t and parameters; with a law: the law's argument
+    int32_t law;  // index into model->laws, or YK_NONE
+    bool is_hold; // held still by a lock
 } YkDrive;
 
 // `drives: {d: {law: lift, of: theta}}`: a coordinate that follows another by a law, as by a cam.
@@ -102,16 +101,16 @@ typedef struct YkStart {
     double value;
 } YkStart;
 
-// A value given by a law: value = law(argument), the argument being a coordinate or the time.
+// A value that a law gives: value = law(argument), where the argument is a coordinate or the time.
 typedef struct YkLawUse {
-    int32_t law; // of model->laws, or YK_NONE: no law here
-    YkExpr *of;  // of t, parameters, coordinates, rates
+    int32_t law; // index into model->laws, or YK_NONE: no law here
+    YkExpr *of;  // in t, parameters, coordinates, rates
 } YkLawUse;
 
 typedef struct YkEffort {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr; // of t, parameters, coordinates, rates; NULL where a law gives it
+    YkExpr *expr; // in t, parameters, coordinates, rates; NULL if a law gives it
     YkLawUse law;
 } YkEffort;
 
@@ -122,10 +121,10 @@ typedef struct YkForce { // at a point of a body
     int32_t point; // YK_NONE: the body's origin
     YkVec at;      // the same in the body's axes, m
     bool in_body_axes;
-    YkExpr *x, *y, *moment; // N, N m; of t, parameters, coordinates, rates; NULL: 0
+    YkExpr *x, *y, *moment; // N, N m; in t, parameters, coordinates, rates; NULL: 0
 } YkForce;
 
-// A spring and a damper, side by side: between two points, or along a coordinate (a torsion spring on an angle).
+// A spring and a damper in parallel: between two points, or along a coordinate (a torsion spring on an angle).
 typedef struct YkSpring {
     const char *name;
     YkPlace place;
@@ -133,15 +132,15 @@ typedef struct YkSpring {
     int32_t body[2], point[2];                           // of the points
     YkVec at[2];                                         // in each body's axes, m
     double stiffness, length, damping;                   // length: free length, m, or free angle, rad
-    YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL where not given (0)
+    YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL if not given (0)
 } YkSpring;
 
-// A coordinate cannot leave [low, high]: where it hits an end it comes back with `restitution` times its rate.
+// A stop: a coordinate cannot leave [low, high]. Where it hits an end its rate reverses, times `restitution`.
 typedef struct YkStop {
     int32_t coordinate;
     YkPlace place;
-    double low, high, restitution;                   // restitution: 0 to 1, 0 where not given
-    YkExpr *low_expr, *high_expr, *restitution_expr; // NULL where not given
+    double low, high, restitution;                   // restitution: 0 to 1, 0 if not given
+    YkExpr *low_expr, *high_expr, *restitution_expr; // NULL if not given
 } YkStop;
 
 // `laws:` motion programs and tables by name.
@@ -149,11 +148,11 @@ typedef struct YkModelLaw {
     const char *name;
     YkPlace place;
     YkLaw *law;                 // argument and value in SI
-    YkDimension of, value;      // dimensions of both
+    YkDimension of, value;      // their dimensions
     struct YkLawSource *source; // as the file gives it: model/laws/laws.h
 } YkModelLaw;
 
-// A number kept exactly where the file writes it so: numerator / denominator * pi^pi.
+// A number kept exactly if the file writes it so: numerator / denominator * pi^pi.
 typedef struct YkExact {
     bool is_exact;
     int64_t numerator, denominator; // in lowest terms, denominator > 0
@@ -170,20 +169,21 @@ typedef struct YkGear {
     int64_t teeth[2];       // > 0
     double teeth_value[2];  // the same, as first read
     double module;          // m; 0: not given
-    double pressure_angle;  // rad; 20 deg where not given
-    double planets;         // how many alike, equally spaced, mesh here; 0: not given
-    double center_distance; // of the two centres on the carrier, m
+    double pressure_angle;  // rad; 20 deg if not given
+    double planets;         // number of identical, equally spaced planets here; 0: not given
+    double center_distance; // between the two centres on the carrier, m
     YkExpr *teeth_expr[2], *module_expr, *pressure_angle_expr, *planets_expr;
 } YkGear;
 
-// A pinion rolls on a rack, which slides along a line of the carrier. On the left of that line, looking along it, a
-// pinion that turns counter-clockwise (against the carrier) moves the rack forwards; on the right, backwards.
+// A pinion that rolls on a rack, which slides along a line of the carrier. Looking along that line, a pinion on its
+// left that turns counter-clockwise (relative to the carrier) moves the rack forwards; a pinion on its right,
+// backwards.
 typedef struct YkRack {
     const char *name;
     YkPlace place;
     int32_t pinion, rack, carrier;
     int32_t slide; // the joint between carrier and rack
-    int32_t sense; // +1 or -1: rate of the slide over radius times the pinion's rate
+    int32_t sense; // +1 or -1: rate of the slide divided by radius times the pinion's rate
     double radius; // m
     YkExact exact_radius;
     YkExpr *radius_expr;
@@ -197,11 +197,11 @@ typedef struct YkBelt {
     double radius[2]; // m
     YkExact exact_radius[2];
     bool is_crossed;
-    bool is_lock; // no belt: bodies that a lock makes turn as one
+    bool is_lock; // not a belt: bodies that a lock makes turn as one
     YkExpr *radius_expr[2];
 } YkBelt;
 
-// `locks:` a set of bodies and coordinates held still, and of bodies joined to each other, chosen by name.
+// `locks:` a set of bodies and coordinates that are held, and of bodies that are joined, chosen by name.
 typedef struct YkHold {
     int32_t body;       // held to the ground; or YK_NONE:
     int32_t coordinate; // whose rate is zero
@@ -222,18 +222,19 @@ typedef struct YkCam {
     int32_t cam, follower, carrier; // bodies
     int32_t cam_joint;              // pin of cam and carrier
     int32_t follower_joint;         // pin (oscillating) or slide (translating) of follower and carrier
-    int32_t law;                    // of model->laws: over the cam's angle; a length, or an angle where it oscillates
-    int32_t point;                  // `at`: of the follower, where the roller or edge sits; or YK_NONE
+    // index into model->laws: over the cam's angle; gives a length, or an angle for an oscillating follower
+    int32_t law;
+    int32_t point; // `at`: the follower's point with the roller or edge; or YK_NONE
     bool oscillates, is_groove, is_conjugate;
     YkCamFace face;
     double base, roller, offset;   // m; offset towards -i along
     double arm, centers;           // m, oscillating
     double other_roller;           // of a conjugate pair's second roller, m
-    double other_span;             // how far it lies behind the first along the line of motion, m
+    double other_span;             // its distance behind the first along the line of motion, m
     double other_arm, other_angle; // oscillating: its arm, m, and the angle from the first arm to it, rad
-    YkExpr *base_expr, *roller_expr, *offset_expr, *arm_expr, *centers_expr; // NULL where not given
+    YkExpr *base_expr, *roller_expr, *offset_expr, *arm_expr, *centers_expr; // NULL if not given
     YkExpr *other_roller_expr, *other_span_expr, *other_arm_expr, *other_angle_expr;
-    // what follows from the joints, in the carrier's axes
+    // Results of the joints' places, in the carrier's axes:
     double turn;  // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
     double swing; // the same for an oscillating follower
     YkVec along;  // unit direction of a translating follower's lift
@@ -242,7 +243,7 @@ typedef struct YkCam {
 
 enum { YK_QUANTITY_COUNT = YK_QUANTITY_ENERGY + 1 };
 
-// An expression of the file, and the value of the model that it gives.
+// An expression of the file, and the model's value that it sets.
 typedef struct YkModelUse {
     const YkExpr *expr;
     double *target;
@@ -253,7 +254,7 @@ struct YkModel {
     const char *name;        // `name:`, or the file's name without folder and ending
     const char *source_name; // as given to the loader, for messages
     YkUnits units;
-    const char *unit_names[YK_QUANTITY_COUNT]; // in which the file gives each quantity: "mm/s"
+    const char *unit_names[YK_QUANTITY_COUNT]; // the file's unit of each quantity: "mm/s"
     YkParameter *parameters;
     size_t parameter_count;
     YkBody *bodies;
@@ -290,43 +291,43 @@ struct YkModel {
     size_t belt_count;
     YkLock *locks;
     size_t lock_count;
-    const char *engaged; // the name of the lock that acts, or NULL
-    YkModelUse *uses;    // where expressions, not plain numbers, give a value: model/redesign.h evaluates them again
+    const char *engaged; // the name of the engaged lock, or NULL
+    YkModelUse *uses;    // expressions, not plain numbers, that give values: model/redesign.h evaluates them again
     size_t use_count;
     bool has_gravity;
     YkVec gravity; // m/s^2
     YkExpr *gravity_x, *gravity_y;
-    double size; // m: largest distance between two points of one body (origin counted where a joint uses it);
-                 // the largest start distance if that is more; 1 where all is zero. Lengths are measured by it.
+    double size; // m: largest distance between two points of one body (including its origin if a joint uses it), or the
+                 // largest start distance if that is more; 1 if all are zero. The scale for lengths.
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
 
-// A lock by its name; false (reported, with the names that there are) where there is none.
+// Finds a lock by its name; returns false (reported, with the existing names) if there is none.
 bool yk_model_find_lock(const YkModel *model, const char *name, const YkLock **lock, YkProblems *problems);
 
 // Evaluates an expression of parameters and t (coordinates have no value here), with its derivatives in time.
 // Returns YK_OK; YK_BAD_MODEL with a problem added (code 3xx) for a division by zero and the like.
 YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet, YkProblems *problems); // of a drive
-// By how much rounding may have moved the value that yk_model_drive tells, rad or m; INFINITY where it has none.
+// Returns how much rounding may have changed the value of yk_model_drive, rad or m; INFINITY if it has none.
 double yk_model_drive_rounding(const YkModel *model, size_t drive, double t);
-// Where a drive is a + b t with exact a and b: its angle less whole turns, in [-pi, pi], to rounding however many turns
-// there are. False where it is not, and beyond 1e15 turns of a rate that is no fraction of a turn.
+// Finds the angle of a drive that is a + b t with exact a and b, less whole turns, in [-pi, pi]: exact to rounding for
+// any number of turns. Returns false for other drives, and beyond 1e15 turns if the rate is not a fraction of a turn.
 bool yk_model_drive_phase(const YkModel *model, size_t drive, double t, double *phase);
-// Is a drive linear in the time, by the form of its expression?
+// Returns whether a drive is linear in time, judged by the form of its expression.
 bool yk_model_drive_is_steady(const YkModel *model, size_t drive);
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
 
-// A value as yk_model_value reads it, of any dimension; problems get this place.
+// Reads a value as yk_model_value does, of any dimension; problems get this place.
 YkStatus yk_model_value_of(const YkModel *model, const char *text, YkDimension dimension, YkPlace place, double *value,
                            YkProblems *problems);
 
-// The exact SI value of an expression of numbers, pi and parameters, where + - * / and whole powers lead to one;
-// is_exact is false otherwise. The second: of its derivative in t, for an expression that is linear in t.
+// Returns the exact SI value of an expression of numbers, pi and parameters if + - * / and whole powers lead to one;
+// otherwise is_exact is false. The second also gives the rate, for an expression that is linear in t.
 YkExact yk_model_exact(const YkModel *model, const YkExpr *expr);
 YkExact yk_model_exact_rate(const YkModel *model, const YkExpr *expr);
 typedef struct YkExactLine { // constant + rate t
     YkExact constant, rate;
 } YkExactLine;
-YkExactLine yk_model_exact_line(const YkModel *model, const YkExpr *expr); // neither is exact where it is no such line
+YkExactLine yk_model_exact_line(const YkModel *model, const YkExpr *expr); // both inexact if it is not linear
 
 #endif

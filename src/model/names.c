@@ -1,4 +1,4 @@
-// Which names are allowed, and the nearest one to a name that is not there.
+// Decides which names are allowed, and finds the one nearest to an unknown name.
 #include <stdlib.h>
 #include <string.h>
 #include "expr/function.h"
@@ -6,7 +6,7 @@
 
 enum { NEAREST_MAX = 10000 }; // as many as yk_nearest looks at
 
-// What a name means in every expression; NULL where it is free.
+// Returns what a name means in every expression; NULL if it is free.
 static const char *reserved_meaning(const char *name)
 {
     YkFunction function;
@@ -64,7 +64,7 @@ bool yk_load_symbol_name(YkLoader *loader, const YkNode *node, const char *noun)
     return !meaning;
 }
 
-// Names of structs that begin with their name, into a list.
+// Collects the names of structs that begin with their name.
 static size_t gather(const char **names, size_t room, const void *items, size_t count, size_t size)
 {
     size_t found = 0;
@@ -75,7 +75,7 @@ static size_t gather(const char **names, size_t room, const void *items, size_t 
     return found;
 }
 
-// Looking for near names costs; once no more problems are recorded it is for nothing.
+// Returns whether to look for near names, which costs time: not once no more problems are recorded.
 static bool is_worth_a_hint(const YkProblems *problems, const char *name)
 {
     return strlen(name) <= YK_NAME_MAX && yk_problems_count(problems) < YK_PROBLEMS_MAX;

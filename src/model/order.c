@@ -1,5 +1,5 @@
-// Parameters are evaluated once each, those they need first: depth-first order, without recursion since a chain of
-// definitions may be as long as the file. A circle is reported with the names along it. Cost linear in names mentioned.
+// Evaluates parameters once each, after those they need: depth first, without recursion since a chain of definitions
+// may be as long as the file. Reports a cycle with the names along it. Cost linear in names mentioned.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +10,11 @@ typedef enum Visit { NEW, OPEN, DONE } Visit;
 
 typedef struct Order {
     YkLoader *loader;
-    int32_t *needs; // needs[first[i]] .. needs[first[i + 1]]: what parameter i mentions
+    int32_t *needs; // needs[first[i]] .. needs[first[i + 1]]: the parameters that parameter i mentions
     size_t *first;  // [parameters + 1]
     size_t count, capacity;
     unsigned char *visit; // Visit per parameter
-    size_t *next;         // which need to look at next
+    size_t *next;         // the need to visit next
     int32_t *stack;       // open parameters, outermost first
     size_t depth;
     bool failed;
@@ -41,7 +41,7 @@ static void gather_needs(Order *order, const YkModel *model)
     order->first[model->parameter_count] = order->count;
 }
 
-// The open parameters from `back` on define each other in a circle.
+// Reports that the open parameters from `back` on define each other in a cycle.
 static void report_cycle(Order *order, int32_t back)
 {
     YkLoader *loader = order->loader;
@@ -77,7 +77,7 @@ static void open_parameter(Order *order, int32_t index)
     order->stack[order->depth++] = index;
 }
 
-// Looks at the next need of the innermost open parameter, or closes and evaluates it.
+// Visits the next need of the innermost open parameter, or closes and evaluates it.
 static void advance(Order *order)
 {
     int32_t index = order->stack[order->depth - 1];

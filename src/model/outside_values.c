@@ -1,4 +1,4 @@
-// Values from outside the file - the command line - in the model's own terms: its units, its parameters.
+// Reads values from outside the file, such as the command line, in the model's units and with its parameters.
 #include <math.h>
 #include <string.h>
 #include <yoke/variant.h>
@@ -39,7 +39,7 @@ typedef struct Reading {
     bool is_bad;
 } Reading;
 
-// A name in the value: a parameter, whose dimension is known by now, or pi.
+// Checks a name in the value: a parameter, whose dimension is now known, or pi.
 static void check_name(void *context, const YkExpr *name)
 {
     Reading *reading = context;
@@ -76,7 +76,7 @@ static bool read_value(Reading *reading, const char *text, YkDimension dimension
     return true;
 }
 
-// A value of this dimension; its problems stand nowhere, or at `place`.
+// Reads a value of this dimension; its problems have no place, or `place`.
 static bool read_apart(const YkModel *model, const char *text, YkDimension dimension, double *value, YkProblems *found)
 {
     YkArena *arena = yk_arena_new();

@@ -1,5 +1,4 @@
-// Values that replace what the file says of its parameters. They have no place in the file, so each message says
-// which value it speaks of.
+// Values that replace those of parameters in the file. They have no place in the file, so each message names the value.
 #include <string.h>
 #include "model/load.h"
 
@@ -57,8 +56,8 @@ static void fix_parameter(void *context, const YkExpr *name)
     }
 }
 
-// Is what the file says of the parameter of the dimension that its new value has? Asked of a fresh inference in which
-// the names have the dimensions found.
+// Returns whether the parameter's expression in the file has the dimension of its new value. Asks a fresh inference in
+// which the names have the dimensions found.
 static bool fits_the_file(YkLoader *loader, const YkParameter *parameter, const YkExpr *replaced)
 {
     YkProblems *found = yk_problems_new();
@@ -66,7 +65,7 @@ static bool fits_the_file(YkLoader *loader, const YkParameter *parameter, const 
     YkExpr *copy = YK_NEW(loader->arena, YkExpr, 1);
     bool fits = true;
     if (dimensions && copy) {
-        *copy = *replaced; // its top is marked by the inference
+        *copy = *replaced; // the inference marks its top node
         Fixing fixing = {.model = loader->model, .dimensions = dimensions};
         yk_dimensions_fix(dimensions, "pi", YK_DIM_NUMBER);
         yk_expr_names(copy, fix_parameter, &fixing);

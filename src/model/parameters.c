@@ -1,4 +1,4 @@
-// `parameters:` names for constants, each a number or an expression of the others.
+// Reads `parameters:`, names for constants, each a number or an expression of the others.
 #include <math.h>
 #include "model/load.h"
 

@@ -1,5 +1,5 @@
-// The angle of a steady drive after any number of turns, less those turns. A product w t of 1e15 turns keeps no digit
-// behind the point; whole turns are taken off it before it is rounded.
+// Finds the angle of a steady drive after any number of turns, less those turns. A product w t of 1e15 turns keeps no
+// digit after the point, so whole turns are removed before it is rounded.
 #include <float.h>
 #include <math.h>
 #include "base/vec.h"
@@ -11,7 +11,7 @@
 #define TURN_3 (-0x1.f1976b7ed8fbcp-108)
 #define WHOLE_MAX 0x1p53 // up to here every whole number is a double
 
-// a * b mod modulus, for whole numbers below the modulus.
+// Returns a * b mod modulus, for whole numbers below the modulus.
 static double multiply_modulo(double a, double b, double modulus)
 {
     double product = 0, addend = a;
@@ -22,8 +22,8 @@ static double multiply_modulo(double a, double b, double modulus)
     return product;
 }
 
-// numerator / modulus * t in turns, less whole turns. The part of t before the point is multiplied in whole numbers;
-// the part behind it makes a product and its rounding, of which the remainder is exact.
+// Returns numerator / modulus * t in turns, less whole turns. The part of t before the point is multiplied in whole
+// numbers; the part after it gives a product and its rounding, whose remainder is exact.
 static double turns_of(double numerator, double modulus, double t)
 {
     double whole, part = modf(fabs(t), &whole), sign = numerator * t < 0 ? -1 : 1;
@@ -33,7 +33,7 @@ static double turns_of(double numerator, double modulus, double t)
     return sign * (turns - rint(turns));
 }
 
-// numerator / denominator * t in radians, less whole turns.
+// Finds numerator / denominator * t in radians, less whole turns.
 static bool radians_of(double numerator, double denominator, double t, double *phase)
 {
     double product = numerator * t, rounding = fma(numerator, t, -product), high = product / denominator;
@@ -58,7 +58,7 @@ static bool add_phase(YkExact value, double t, double *phase)
     return true;
 }
 
-// Designs of a study have values of their own, which the file's expressions do not tell.
+// Returns whether the expression still gives the value: designs of a study have values of their own.
 static bool has_value(YkExact exact, double value)
 {
     double own = (double)exact.numerator / (double)exact.denominator * (exact.pi == 1 ? YK_PI : 1);

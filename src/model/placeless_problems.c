@@ -1,4 +1,4 @@
-// Problems of values that stand nowhere in the file: they have no place, so the message says which value it is.
+// Problems of values that have no place in the file: the message names the value instead.
 #include "model/load.h"
 
 void yk_load_pass_on(YkProblems *problems, const YkProblems *found, const char *value, const char *name)

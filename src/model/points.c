@@ -1,4 +1,4 @@
-// `points:` of every body; those of one body stand together, and all are found by "body.point".
+// Reads `points:` of every body; those of one body are contiguous, and all are found by "body.point".
 #include <string.h>
 #include "model/load.h"
 
@@ -10,7 +10,7 @@ static const YkNode *points_map(YkLoader *loader, const YkBody *body, const YkNo
     return yk_load_expect(loader, points, YK_NODE_MAP, &subject) ? points : NULL;
 }
 
-// "body.point" in the arena: the key of the table of points.
+// Returns "body.point" in the arena: the key of the table of points.
 static const char *full_name(YkLoader *loader, const char *body, const YkNode *point)
 {
     size_t length = strlen(body);

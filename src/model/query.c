@@ -1,4 +1,4 @@
-// What a model is made of, for the outside.
+// Answers the public door's questions about the contents of a model.
 #include "model/model.h"
 
 const char *yk_model_name(const YkModel *model)

@@ -1,4 +1,4 @@
-// What the public door tells of a joint: its kind and its bodies.
+// Answers the public door's questions about a joint: its kind and its bodies.
 #include "model/model.h"
 
 const char *yk_model_joint_kind(const YkModel *model, size_t joint)

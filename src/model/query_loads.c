@@ -1,4 +1,4 @@
-// What acts on a machine, for the outside.
+// Answers the public door's questions about the loads on a machine.
 #include "model/model.h"
 
 static size_t count_masses(const YkModel *model, double *mass)

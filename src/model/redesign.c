@@ -1,3 +1,4 @@
+// Makes a copy of a model whose values follow some of its parameters, and sets them again and again.
 #include "model/redesign.h"
 #include <stdlib.h>
 #include <string.h>
@@ -39,19 +40,18 @@ struct YkRedesign {
     Follower *follower; // by target
     size_t follower_count;
     bool *point_varies, *along_varies;
-    // The size follows too: of bodies with points that vary, beside the largest of all others.
+    // The size follows too: the bodies with points that vary, compared with the largest of all others.
     int32_t *extended;
     size_t extended_count;
     bool *has_origin; // [body]
     YkVec *room;
     double fixed_size;
     YkCam *cam;     // the copy's: their places follow
-    double *lowest; // [cam] of its law
+    double *lowest; // [cam] least value of its law
     bool failed;
 };
 
 // --- the copy
-// -----------------------------------------------------------------------------------------------------------
 
 static void *duplicate(YkRedesign *r, size_t span, const void *items, size_t count, size_t size)
 {
@@ -82,7 +82,7 @@ static bool copy_model(YkRedesign *r)
     return !yk_arena_failed(r->arena);
 }
 
-// Where the copy has what the original has there; NULL in what is not copied.
+// Returns the copy's counterpart of a value of the original; NULL if it is not copied.
 static double *moved(const YkRedesign *r, const double *target)
 {
     const char *at = (const char *)target;
@@ -92,8 +92,7 @@ static double *moved(const YkRedesign *r, const double *target)
     return NULL;
 }
 
-// --- what depends on what
-// -----------------------------------------------------------------------------------------------
+// --- dependences
 
 typedef struct Look {
     const YkRedesign *r;
@@ -156,7 +155,7 @@ static void look_ready(void *context, const YkExpr *name)
     if (index != YK_NONE && w->r->varies[index] && !w->is_ready[index]) w->waits = true;
 }
 
-// Parameters that depend on the chosen ones, those they need first: passes until nothing changes.
+// Orders the parameters that depend on the chosen ones, after those they need: passes until nothing changes.
 static void order_derived(YkRedesign *r)
 {
     const YkModel *model = r->original;
@@ -185,8 +184,7 @@ static void order_derived(YkRedesign *r)
     }
 }
 
-// --- what cannot follow
-// -------------------------------------------------------------------------------------------------
+// --- values that cannot follow
 
 static void refuse(const YkExpr *expr, const char *what, YkProblems *problems)
 {
@@ -293,7 +291,6 @@ static void prepare_size(YkRedesign *r)
 }
 
 // --- making
-// -------------------------------------------------------------------------------------------------------------
 
 static bool choose(YkRedesign *r, const char *const *names, size_t count, YkProblems *problems)
 {
@@ -385,11 +382,10 @@ int32_t yk_redesign_derived(const YkRedesign *r, size_t k, const YkFormula **for
 }
 
 // --- a design
-// -----------------------------------------------------------------------------------------------------------
 
 static bool fits(double value)
 {
-    return fabs(value) <= YK_VALUE_MAX; // NaN does not
+    return fabs(value) <= YK_VALUE_MAX; // false for NaN
 }
 
 static bool set_parameters(YkRedesign *r, const double *values)
@@ -408,7 +404,7 @@ static bool set_parameters(YkRedesign *r, const double *values)
     return good;
 }
 
-// What the loader works out from values, and refuses.
+// Computes what the loader derives from values, with the same refusals.
 static bool finish_joints(YkModel *model)
 {
     bool good = true;

@@ -1,4 +1,4 @@
-// The size of a machine: the largest distance between two points of one body. Found on the convex hull (Andrew 1979)
+// Finds the size of a machine: the largest distance between two points of one body. Uses the convex hull (Andrew 1979)
 // with rotating calipers (Shamos 1978), since a frame may have as many points as the machine has links: n log n.
 #include <math.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static void sink(YkVec *heap, size_t at, size_t count)
     heap[at] = p;
 }
 
-// By x, then y. A heap in place: qsort may allocate, and variants must not.
+// Sorts by x, then y. Uses a heap in place: qsort may allocate, and variants must not.
 static void sort(YkVec *points, size_t count)
 {
     for (size_t k = count / 2; k-- > 0;) sink(points, k, count);
@@ -46,7 +46,7 @@ static size_t extend(YkVec *hull, size_t count, size_t least, YkVec p)
     return count + 1;
 }
 
-// The hull of sorted points, anticlockwise; hull has room for 2 * count. Returns how many.
+// Finds the hull of sorted points, anticlockwise; hull has room for 2 * count. Returns its number of points.
 static size_t convex_hull(const YkVec *points, size_t count, YkVec *hull)
 {
     size_t n = 0;
@@ -72,7 +72,7 @@ static double diameter(const YkVec *hull, size_t n)
     return largest;
 }
 
-// Of few points: all pairs.
+// Compares all pairs, for few points.
 static double widest_pair(const YkVec *points, size_t count)
 {
     YkVec widest = {0, 0};

@@ -3,9 +3,9 @@
 #define MODEL_SIZE_H
 #include "model/model.h"
 
-// has_origin[body], all false before: those of which a joint takes the origin.
+// Sets has_origin[body], all false before, for bodies whose origin a joint uses.
 void yk_size_origins(const YkModel *model, bool *has_origin);
-// How many vectors yk_size_of_body needs room for, for any body.
+// Returns how many vectors yk_size_of_body needs as scratch, for any body.
 static inline size_t yk_size_room(const YkModel *model)
 {
     return 3 * (model->point_count + 1);

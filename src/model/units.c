@@ -1,4 +1,4 @@
-// `units:` what bare numbers mean; and the unit in which each quantity is told to the reader.
+// Reads `units:`, the meaning of bare numbers; and chooses the unit in which each quantity is shown.
 #include <string.h>
 #include "model/load.h"
 
@@ -17,7 +17,7 @@ static const Entry entries[] = {ENTRY(length, .length = 1), ENTRY(mass, .mass = 
                                 ENTRY(angle, .angle = 1), ENTRY(force, .length = 1, .mass = 1, .time = -2)};
 static const char *const keys[] = {"length", "mass", "time", "angle", "force", NULL};
 
-// Of exactly this dimension? For units an angle and a number are different things: `angle: %` is a mistake.
+// Returns whether the dimensions are exactly equal. For units an angle and a number differ: `angle: %` is a mistake.
 static bool is_same(YkDimension a, YkDimension b)
 {
     return a.length == b.length && a.mass == b.mass && a.time == b.time && a.angle == b.angle;
@@ -46,7 +46,7 @@ static void read_entry(YkLoader *loader, const Entry *entry, const YkNode *node)
     memcpy(units + entry->name_offset, &node->text, sizeof node->text);
 }
 
-// The names of composed units: "mm/s", "deg/s^2", "N*mm".
+// Names the composed units: "mm/s", "deg/s^2", "N*mm".
 static void name_quantities(YkLoader *loader)
 {
     const YkUnits *u = &loader->model->units;

@@ -1,4 +1,4 @@
-// Single values of the file: a plain number has its value at once, an expression becomes a use that waits for it.
+// Reads single values: a plain number has its value at once, an expression becomes a use that waits for its value.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"
@@ -57,7 +57,7 @@ bool yk_load_in_range(YkLoader *loader, YkPlace place, double value)
     return false;
 }
 
-// A plain number as a single node: most of a large file is numbers, which need neither parser nor inference.
+// Makes a plain number a single node: most of a large file is numbers, which need neither parser nor inference.
 static YkExpr *plain_number(YkLoader *loader, const YkNode *node, YkDimension dimension)
 {
     bool is_negative = node->length > 0 && node->text[0] == '-';

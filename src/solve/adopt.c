@@ -1,8 +1,9 @@
-// One state's pose for another state of the machine: with other inputs, or a little other dimensions.
+// Takes another state's pose into a state of the machine with other inputs, or slightly different dimensions.
 #include <yoke/move.h>
 #include "solve/state.h"
 
-#define ADOPTED 1e-5 // rad, or lengths over the size: at a dead point positions are known to the root of rounding
+// rad, or lengths over the size: at a dead point positions are known only to the square root of rounding.
+#define ADOPTED 1e-5
 
 YkStatus yk_state_guess(YkState *to, const YkState *from)
 {

@@ -3,7 +3,7 @@
 #define SOLVE_ANGLE_H
 #include "solve/elementary.h"
 
-// angle + offset, less as many turns as bring it nearest to the reference.
+// Returns angle + offset, less whole turns, nearest to the reference.
 YK_INLINE double near_reference(double angle, double offset, double reference)
 {
     double sum = angle + offset, turns = (sum - reference) * (1 / (2 * YK_PI));
@@ -11,7 +11,7 @@ YK_INLINE double near_reference(double angle, double offset, double reference)
     return sum - k * (2 * YK_PI);
 }
 
-// From a (has_a: not the ground) to b.
+// Returns the angle from a (has_a: not the ground) to b.
 YK_INLINE double angle_between(YkVec a, bool has_a, YkVec b, double offset, double reference)
 {
     YkVec e = has_a ? yk_mul(b, yk_conj(a)) : b;

@@ -1,4 +1,4 @@
-// Answers from a pose.
+// Reads the answers from a pose.
 #include <string.h>
 #include "solve/angle.h"
 #include "solve/pose.h"
@@ -15,7 +15,7 @@ YK_INLINE YkMotion distance_in(const YkSpace *space, int32_t distance)
     return (YkMotion){d.d, d.v, d.a};
 }
 
-// What an angle comes out nearest to: where it last was, or the sum of inputs that it is.
+// Returns the reference of an angle: its last value, or the sum of inputs that it is.
 YK_INLINE double reference_of(const YkState *s, const YkSpace *space, const YkTreeCoordinate *c)
 {
     if (!c->is_sum) return s->reference[c - s->mech->coordinates];
@@ -26,7 +26,7 @@ YK_INLINE double reference_of(const YkState *s, const YkSpace *space, const YkTr
     return sum;
 }
 
-// By the lanes' arithmetic, as the batch does: the same bits.
+// Uses the lanes' arithmetic, as the batch does: the same bits.
 YK_INLINE YkMotion coordinate_in(const YkState *s, const YkSpace *space, const YkTreeCoordinate *c)
 {
     if (c->is_distance) return distance_in(space, c->distance);
@@ -48,7 +48,7 @@ YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)
     return (YkMotion){in[0], in[1], in[2]};
 }
 
-// What the joint below its parent adds to a body's angle.
+// Adds angles along the tree, so that a body's angle is as continuous as its coordinates.
 static double turn_at(const YkState *s, int32_t body)
 {
     const YkMechanism *mech = s->mech;
@@ -84,7 +84,7 @@ void yk_state_bodies(const YkState *s, YkMotion *motions)
     }
 }
 
-// By the lanes' arithmetic, as the batch does: the same bits.
+// Uses the lanes' arithmetic, as the batch does: the same bits.
 YkPointMotion yk_state_point(const YkState *s, size_t point)
 {
     double x[6];
@@ -100,7 +100,7 @@ static YkVec place_of(YkPlane p)
     return yk_vec(p.x[0], p.y[0]);
 }
 
-// sin^2 of the angle between a block's columns. Where a length varies and may vanish the margin is less than that.
+// Returns sin^2 of the angle between a block's columns; the margin is less if a length varies and may vanish.
 static double sine2(const YkState *s, const YkBlock *b, double margin)
 {
     bool is_plain = b->kind >= YK_BLOCK_PP || (b->form != YK_FORM_RARE && b->kind != YK_BLOCK_RPR);
@@ -151,7 +151,8 @@ double yk_state_channel(const YkState *s, YkChannel c)
         return order_of(yk_state_body(s, index), c.order);
     case YK_CHANNEL_JOINT_DISTANCE:
         return order_of(without_rates(distance_in(&s->space, s->mech->joint_distance[index]), s->has_rates), c.order);
-    case YK_CHANNEL_JOINT_ANGLE: { // of a joint that closes a loop: the difference of its bodies' continuous angles
+    // For a joint that closes a loop: the difference of its bodies' continuous angles.
+    case YK_CHANNEL_JOINT_ANGLE: {
         const YkJoint *j = &s->mech->model->joints[index];
         YkMotion a = yk_state_body(s, (size_t)j->body[0]), b = yk_state_body(s, (size_t)j->body[1]);
         return order_of((YkMotion){b.position - a.position, b.velocity - a.velocity, b.acceleration - a.acceleration},
@@ -163,7 +164,7 @@ double yk_state_channel(const YkState *s, YkChannel c)
         return point_order(&p, c.order, c.kind == YK_CHANNEL_POINT_Y);
     case YK_CHANNEL_POINT_SPEED:
         p = yk_state_point(s, index);
-        return sqrt(p.velocity[0] * p.velocity[0] + p.velocity[1] * p.velocity[1]); // the batch's bits: no hypot
+        return sqrt(p.velocity[0] * p.velocity[0] + p.velocity[1] * p.velocity[1]); // not hypot: the batch's bits
     case YK_CHANNEL_TRANSMISSION:
         return yk_state_transmission(s, index);
     default: // forces: yk_dynamics_channel

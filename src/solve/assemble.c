@@ -1,3 +1,4 @@
+// Searches the branches of all blocks for configurations that close.
 #include "solve/assemble.h"
 #include <stdlib.h>
 #include <string.h>
@@ -5,19 +6,18 @@
 #include "solve/coincidence.h"
 #include "solve/relations.h"
 
-// Where the search ends: configurations seen; blocks opened before the first configuration was found, and after it
-// (besides one a block).
+// Limits of the search: configurations seen; blocks opened before the first configuration was found, and after it
+// (besides one for each block).
 enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096, OPENED_BEFORE = 1 << 20, OPENED_AFTER = 1 << 16 };
 
 // --- preparation
-// --------------------------------------------------------------------------------------------------------
 
 static bool has_branches(const YkBlock *b)
 {
     return b->kind <= YK_BLOCK_RPR || b->kind == YK_BLOCK_GROUP;
 }
 
-// The level after which each slot and distance is known; level 0 stands for "before any choice".
+// The level after which each slot and distance is known; level 0 means before any choice.
 typedef struct Known {
     size_t *slot, *distance;
 } Known;
@@ -62,7 +62,7 @@ static size_t level_of(const YkMechanism *mech, const Known *known, size_t coord
     return known->slot[j.a] > known->slot[j.b] ? known->slot[j.a] : known->slot[j.b];
 }
 
-// Coordinates sorted by level (counting sort).
+// Sorts coordinates by level (counting sort).
 static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const Known *known)
 {
     uint32_t *first = calloc(search->level_count + 2, sizeof *first);
@@ -155,9 +155,8 @@ void yk_search_free(YkSearch *search)
 }
 
 // --- searching
-// ----------------------------------------------------------------------------------------------------------
 
-// What a coordinate adds to the distance from the guesses. Coordinates without a guess only decide between equals.
+// Returns what a coordinate adds to the distance from the guesses. Coordinates without a guess only break ties.
 static double coordinate_cost(const YkState *s, size_t k)
 {
     const YkTreeCoordinate *c = &s->mech->coordinates[k];
@@ -176,10 +175,10 @@ static void choose(YkState *s, const YkLevel *level, size_t option)
     }
     memcpy(s->groups.x + b->first_column, level->solutions + option * b->column_count,
            b->column_count * sizeof(double));
-    s->branch[level->block] = 0; // its sign is taken when the solution stands
+    s->branch[level->block] = 0; // its sign is taken once it is solved
 }
 
-// The orientations as guessed.
+// Returns the guessed orientations.
 static const YkTurn *guessed_turns(YkState *s)
 {
     double *variables = s->search->variables;
@@ -192,7 +191,7 @@ static const YkTurn *guessed_turns(YkState *s)
     return s->search->kept.turn;
 }
 
-// Runs steps and judges them. At a coincidence what no loop holds stands as guessed.
+// Runs steps and judges them. At a coincidence, angles that no loop determines keep their guesses.
 static YkStatus run_and_judge(YkState *s, size_t from, size_t to)
 {
     YkRun run = yk_state_run(s, &s->spare);
@@ -209,7 +208,7 @@ static YkStatus run_and_judge(YkState *s, size_t from, size_t to)
     return yk_run_settled(&run, from, to, guessed_turns(s)) ? yk_state_judge(s, &s->spare) : status;
 }
 
-// Runs a level with one option; the cost of what becomes known, or infinity where it does not close.
+// Runs a level with one option; returns the cost of what becomes known, or infinity if it does not close.
 static double run_option(YkState *s, YkLevel *level, size_t option)
 {
     YkRun run = yk_state_run(s, &s->spare);
@@ -239,7 +238,7 @@ static bool is_singular_twin(const YkState *s)
     return s->spare.margin[0] <= YK_SINGULAR_MARGIN;
 }
 
-// Tries all options of a level. Sorted by cost when `nearest`; those that do not close are dropped.
+// Tries all options of a level. Sorts them by cost if `nearest`; drops those that do not close.
 static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
 {
     size_t closing = 0, options;
@@ -254,7 +253,7 @@ static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
         for (; nearest && place > 0 && level->cost[level->order[place - 1]] > level->cost[o]; place--)
             level->order[place] = level->order[place - 1];
         level->order[place] = (unsigned char)o;
-        // at a dead point both branches are one pose
+        // At a dead point both branches are one pose.
         if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s))
             break;
     }
@@ -263,9 +262,9 @@ static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
 
 typedef bool (*Leaf)(void *context, YkState *state, double cost);
 
-// Depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or a cap was
-// reached: with up to about 14 blocks of two branches all is seen; in longer machines the first configuration takes the
-// nearest branch of each block in turn.
+// Searches depth first; `bound` (may be NULL) is the best cost so far. Returns false when a leaf stopped it or a cap
+// was reached. With up to about 14 blocks of two branches it sees everything; in longer machines the first
+// configuration takes the nearest branch of each block in turn.
 static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, void *context, size_t cap)
 {
     YkSearch *q = s->search;
@@ -301,7 +300,6 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
 }
 
 // --- the nearest
-// ---------------------------------------------------------------------------------------------------------
 
 typedef struct Best {
     double cost;
@@ -329,7 +327,7 @@ static void guess_groups(YkState *s)
     }
 }
 
-// Runs everything on the branches set. In machines with groups, from the solution in groups.x.
+// Runs everything with the present branches; groups start from the solution in groups.x.
 static YkStatus run_whole(YkState *s)
 {
     s->groups.global = true;
@@ -353,7 +351,7 @@ YkStatus yk_state_assemble(YkState *s)
     if (s->mech->has_groups) guess_groups(s);
     s->groups.at_guess = s->mech->has_groups;
     search(s, true, &best.cost, keep_best, &best, LEAVES_MAX);
-    if (!best.found && s->groups.at_guess) { // a group's other solutions may fit where the guess does not
+    if (!best.found && s->groups.at_guess) { // another solution of a group may fit where that at the guess does not
         s->groups.at_guess = false;
         search(s, true, &best.cost, keep_best, &best, LEAVES_MAX);
     }
@@ -370,7 +368,6 @@ YkStatus yk_state_assemble(YkState *s)
 }
 
 // --- all
-// ------------------------------------------------------------------------------------------------------------------
 
 typedef struct Each {
     bool (*visit)(void *, YkState *);
@@ -379,7 +376,7 @@ typedef struct Each {
     bool stopped;
 } Each;
 
-// The margin of all blocks: the search ran them level by level.
+// Gathers the margin of all blocks: the search ran them level by level.
 static void gather_margin(const YkState *s, YkSpace *space)
 {
     space->margin[0] = 1;
@@ -390,7 +387,7 @@ static void gather_margin(const YkState *s, YkSpace *space)
     }
 }
 
-// Shows the configuration in `spare` as the state's pose, then takes the pose back.
+// Shows the configuration in `spare` as the state's pose, then restores the pose.
 static bool show(void *context, YkState *s, double cost)
 {
     Each *each = context;
@@ -407,7 +404,7 @@ static bool show(void *context, YkState *s, double cost)
     each->count++;
     size_t bytes = s->mech->column_count * sizeof(double);
     if (bytes > 0) memcpy(s->search->kept_x, s->valid_x, bytes);
-    if (bytes > 0) memcpy(s->valid_x, s->groups.x, bytes); // a copy of the state goes on from this configuration
+    if (bytes > 0) memcpy(s->valid_x, s->groups.x, bytes); // a copy of the state continues from this configuration
     each->stopped = !each->visit(each->context, s);
     if (bytes > 0) memcpy(s->valid_x, s->search->kept_x, bytes);
     s->spare = s->space;
@@ -422,7 +419,7 @@ YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *conte
 {
     Each each = {visit, context, 0, false};
     size_t bytes = s->mech->column_count * sizeof(double), inputs = 3 * s->mech->input_count * sizeof(double);
-    memcpy(s->search->wanted, s->valid_input, inputs); // the poses shown have the present inputs
+    memcpy(s->search->wanted, s->valid_input, inputs); // the shown poses have the present inputs
     memcpy(s->valid_input, s->input, inputs);
     memcpy(s->search->best_branch, s->branch, s->mech->block_count);
     if (bytes > 0) memcpy(s->search->best_x, s->groups.x, bytes);

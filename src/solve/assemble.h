@@ -5,10 +5,10 @@
 
 typedef struct YkLevel { // a block with branches, in the order of solution
     int32_t block;
-    size_t from, to;                             // steps: from its own to the next level's
-    uint32_t first_coordinate, coordinate_count; // that become known in these steps
+    size_t from, to;                             // steps from its own to the next level's
+    uint32_t first_coordinate, coordinate_count; // coordinates that become known in these steps
     uint32_t options, tried;
-    double before;        // cost of all levels before
+    double before;        // cost of all previous levels
     double *cost;         // of each option
     unsigned char *order; // options that close, nearest first
     double *solutions;    // groups: [option][column]
@@ -18,12 +18,12 @@ typedef struct YkSearch {
     YkLevel *levels;
     size_t level_count;
     int gave_up_at;    // the block at which the last search gave up: a cap was reached, or a group found nothing; or -1
-    size_t first_step; // of level 0: steps before it have no choice
-    int32_t *coordinates; // by the level after which they are known
+    size_t first_step; // of level 0: the steps before it involve no choice
+    int32_t *coordinates; // sorted by the level after which they are known
     signed char *best_branch;
     double *best_x, *kept_x, *kept_reference, *path, *wanted;
-    double *variables;         // the unknowns of closing as guessed: scratch
-    double *solutions, *costs; // the levels' own, in one piece each
+    double *variables;         // scratch: the unknowns of the closure from the guesses
+    double *solutions, *costs; // those of the levels, in one block each
     unsigned char *orders;
     YkSpace kept;
 } YkSearch;

@@ -1,33 +1,34 @@
-// Many poses at once: blocks of lanes through the same steps, then the asked channels.
+// Computes many poses at once: runs blocks of lanes through the same steps, then writes the requested channels.
 #include "solve/batch.h"
 #include <stdlib.h>
 #include <string.h>
 #include "solve/coincidence.h"
 #include "solve/watch.h"
 
-// Lanes a block holds: enough to hide a step's dispatch, few enough that a small machine stays in the first cache.
-// Tunable. Rows lie a little further apart: rows a multiple of 4096 bytes from each other get in each other's way.
+// Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in the first-level
+// cache. Tunable. Rows are a little further apart: rows a multiple of 4096 bytes apart compete for the same cache
+// lines.
 enum { LANES = 96, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 struct YkBatch {
     const YkMechanism *mech;
-    YkState *state; // its branches, its reference angles, its inputs for NULL arrays; poses of machines with groups are
+    YkState *state; // its branches, reference angles, and inputs for NULL arrays; poses of machines with groups are
                     // tracked in it
     YkState *home;  // groups: every pose starts here
     YkSpace space;
     YkChannel *channels;
-    int32_t (*turns)[2]; // per channel: orientations of its angle (a, b)
-    double ***row;       // per channel: the lanes it is made in, which are led straight to its output; or NULL
+    int32_t (*turns)[2]; // per channel: the orientations of its angle (a, b)
+    double ***row;       // per channel: the lanes in which it is made, redirected to its output; or NULL
     size_t channel_count, lanes;
     double *constant;        // [3 * input + k][lane]: for NULL arrays
-    const double **lanes_of; // the runner's view of this block's inputs
-    YkPlane point;           // scratch: one point's lanes
+    const double **lanes_of; // the runner's view of the inputs of this block
+    YkPlane point;           // scratch: the lanes of one point
     double *point_lanes;
-    bool is_along;       // the poses are those of one way:
+    bool is_along;       // the poses follow one path:
     YkBranchWatch watch; // where its branches could have met
-    double *next;        // [coordinate]: angles at the end of this block of lanes, references of the next one
-    size_t clear;        // lanes of this block that are the way's for sure
+    double *next;        // [coordinate]: angles at the end of this block of lanes, references of the next
+    size_t clear;        // lanes of this block that are certainly on the path
 };
 
 static size_t lanes_for(const YkMechanism *mech)
@@ -37,7 +38,7 @@ static size_t lanes_for(const YkMechanism *mech)
     return lanes > LANES ? LANES : lanes < LANES_MIN ? LANES_MIN : lanes & ~(size_t)7;
 }
 
-// A channel that is an angle: between which orientations.
+// Prepares a channel that is an angle: between which orientations.
 static void prepare_angle(YkBatch *b, size_t k)
 {
     const YkMechanism *mech = b->mech;
@@ -51,8 +52,8 @@ static void prepare_angle(YkBatch *b, size_t k)
     b->turns[k][1] = angle.b;
 }
 
-// The pointer to the lanes that hold a channel as it is asked: a distance, a rate against the ground. NULL where it
-// takes work.
+// Returns the pointer to the lanes that already hold a channel as requested: a distance, a rate relative to the ground.
+// NULL if it has to be computed.
 static double **row_of(YkBatch *b, size_t k)
 {
     const YkMechanism *mech = b->mech;
@@ -70,7 +71,7 @@ static double **row_of(YkBatch *b, size_t k)
     return NULL;
 }
 
-// A row can be led to one channel only; whoever asks for it again gets a copy.
+// Returns a row that is still free: it can be redirected to one channel only; further channels get a copy.
 static double **free_row_of(YkBatch *b, size_t k)
 {
     double **row = row_of(b, k);
@@ -161,9 +162,8 @@ void yk_batch_free(YkBatch *b)
 }
 
 // --- channels
-// -----------------------------------------------------------------------------------------------------------
 
-// Along a way: from lane to lane by less than half a turn.
+// Counts turns along a path, whose angles change by less than half a turn from lane to lane.
 static void count_turns(const YkBatch *b, size_t coordinate, double *out, size_t n)
 {
     const YkTreeCoordinate *q = &b->mech->coordinates[coordinate];
@@ -204,7 +204,7 @@ static void add_turn_at(const YkBatch *b, const YkRun *run, int32_t body, double
     for (size_t k = 0; k < n; k++) out[k] += way * (coordinate != YK_NONE ? one[k] : joint->turned);
 }
 
-// A body's angle: the sum along the tree, as yk_state_body adds it.
+// Writes a body's angle: the sum along the tree, as yk_state_body adds it.
 static void write_body_angle(const YkBatch *b, const YkRun *run, size_t body, double *out, double *one, size_t n)
 {
     int32_t path[YK_TREE_PATH];
@@ -213,7 +213,7 @@ static void write_body_angle(const YkBatch *b, const YkRun *run, size_t body, do
         for (size_t k = 0; k < count; k++) add_turn_at(b, run, path[k], out, one, n);
 }
 
-// The angle of a joint: the difference of its bodies'.
+// Writes the angle of a joint: the difference of its bodies' angles.
 static void write_joint_angle(const YkBatch *b, const YkRun *run, size_t joint, double *out, size_t n)
 {
     const YkJoint *j = &b->mech->model->joints[joint];
@@ -288,13 +288,13 @@ static void make_channel(const YkBatch *b, const YkRun *run, size_t k, double *o
         break;
     case YK_CHANNEL_TIME:
     case YK_CHANNEL_TRANSMISSION:
-    default: // forces are refused by yk_batch_new
+    default: // yk_batch_new refuses forces
         for (size_t i = 0; i < n; i++) out[i] = b->state->time;
         break;
     }
 }
 
-// masks: some lanes may not close, or stand at a dead point.
+// Writes a channel. masks: some lanes may not close, or are at a dead point.
 static void write_channel(const YkBatch *b, const YkRun *run, size_t k, bool masks, double *out)
 {
     YkChannel c = b->channels[k];
@@ -308,14 +308,13 @@ static void write_channel(const YkBatch *b, const YkRun *run, size_t k, bool mas
 }
 
 // --- running
-// ------------------------------------------------------------------------------------------------------------
 
 static YkStatus worse(YkStatus a, YkStatus b)
 {
     return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
 }
 
-// Whether the state finds a lane's pose singular: its rates are then not worth telling.
+// Returns whether a lane's rates are blurred, as the state judges it.
 static bool is_singular(YkBatch *b, size_t lane)
 {
     yk_state_copy(b->state, b->home);
@@ -323,11 +322,11 @@ static bool is_singular(YkBatch *b, size_t lane)
     return yk_state_solve(b->state) == YK_SINGULAR;
 }
 
-// At a coincidence the state settles what no loop holds, and a lane cannot: its answers are then the state's. Until they
-// are written, its margin is this.
+// The margin of a lane at a coincidence, until its answers are written. They are the state's, which settles the angles
+// that no loop determines; a lane cannot.
 #define SETTLED_MARGIN (-2.0)
 
-// Leaves a margin that masks what the lane cannot tell. Along a way the state judges what is close, not a lane.
+// Judges a lane; leaves a margin that masks what it cannot tell. On a path the state judges close poses, not a lane.
 static YkStatus judge_lane(YkBatch *b, size_t k)
 {
     double *margin = &b->space.margin[k];
@@ -370,8 +369,8 @@ static YkStatus judge(YkBatch *b, signed char *status, size_t n)
     return worst;
 }
 
-// Machines with groups, angles that are followed turn by turn, or a channel that only a state knows: pose by pose, each
-// tracked from the batch's own state.
+// Runs one pose of a machine with groups, with angles that are followed turn by turn, or with a channel that only a
+// state knows: each pose is tracked from the batch's own state.
 static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *outputs, size_t pose)
 {
     yk_state_copy(b->state, b->home);
@@ -419,11 +418,11 @@ static size_t clear_lanes(YkBatch *b, YkStatus worst, size_t n)
 {
     size_t clear = yk_watch_lanes(&b->watch, &b->space, n);
     for (size_t k = 0; worst != YK_OK && k < clear; k++)
-        if (!(b->space.margin[k] > YK_SINGULAR_MARGIN)) clear = k; // of those that gape too: see judge
+        if (!(b->space.margin[k] > YK_SINGULAR_MARGIN)) clear = k; // also false for gaping lanes: see judge
     return clear;
 }
 
-// One block of lanes from `at`.
+// Runs one block of lanes from `at`.
 static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs,
                           signed char *status, size_t at)
 {
@@ -459,8 +458,7 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
     return worst;
 }
 
-// --- along a way
-// --------------------------------------------------------------------------------------------------------
+// --- along a path
 
 void yk_batch_begin(YkBatch *b, const YkState *state)
 {

@@ -1,23 +1,25 @@
-// What a batch lets the rooms after it do.
+// What a batch offers to later rooms.
 #ifndef SOLVE_BATCH_H
 #define SOLVE_BATCH_H
 #include <yoke/batch.h>
 
-// A batch of a machine of dyads whose poses follow each other on one way of the inputs, at most some degrees apart. Its
-// angles are counted turn by turn along the way, and it tells where the branches may not be those of the way.
+// Makes a batch for a machine of dyads whose poses follow each other along one path of the inputs, at most some degrees
+// apart. It counts angles turn by turn along the path, and tells where the branches may no longer be those of the path.
 YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count);
-// Can poses be followed so: closed forms alone, without gears, belts, cams and channels that only a state knows?
+// Returns whether poses can be followed so: closed forms only, without gears, belts, cams and channels that only a
+// state knows.
 bool yk_batch_can_follow(const YkMechanism *mech, const YkChannel *channels, size_t channel_count);
-// Begins a way with the branches and the angles of this state; inputs of NULL arrays stay those of the batch.
+// Begins a path with the branches and angles of this state; inputs of NULL arrays stay those of the batch.
 void yk_batch_begin(YkBatch *batch, const YkState *state);
-// Goes on through `count` poses of the way, as yk_batch_run. Returns how many of them, from the first, are the way's
-// for sure: `count` where nothing came near a limit or a change point. The others have no answer yet, and the way ends.
+// Continues through `count` poses of the path, like yk_batch_run. Returns how many of them, from the first, are
+// certainly on the path: `count` if none came near a limit or a change point. The others have no answer yet, and the
+// path ends.
 size_t yk_batch_run_along(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
                           size_t count);
-// Gives a state the angles that the way has come to, as its references.
+// Gives a state the angles that the path has reached, as its references.
 void yk_batch_refer(const YkBatch *batch, YkState *state);
 
-// Goes on with the branches, reference angles, inputs and pose of this state (of the batch's mechanism).
+// Continues with the branches, reference angles, inputs and pose of this state (of the batch's mechanism).
 void yk_batch_restart(YkBatch *batch, const YkState *state);
 
 #endif

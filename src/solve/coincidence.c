@@ -1,8 +1,8 @@
-// Where any angle closes a dyad it keeps the one that it has: the pose is one of the machine, and its rates are
+// Settles dyads that any angle closes: the angle stays as it was, the pose is one of the machine, and its rates are
 // unknown.
 #include "solve/coincidence.h"
 
-// Over the size: what is shorter has no direction, and may be missed by a loop that closes.
+// Over the size: a shorter vector has no direction, and a loop that closes may miss by as much.
 static const double VANISHED = 5e-13;
 
 static YkVec sum_at(const YkRun *run, const YkSum *sum, int scratch)
@@ -33,7 +33,7 @@ static YkVec kept_unit(const YkTurn *kept, int32_t slot)
     return yk_vec(*kept[slot].c, *kept[slot].s);
 }
 
-// K + U e1 + W e2 = 0. An arm without length leaves its angle open, a base without length both.
+// Settles K + U e1 + W e2 = 0. An arm without length leaves its own angle open, a base without length both.
 static bool settle_rrr(const YkRun *run, const YkBlock *b, const YkTurn *kept, double least)
 {
     YkVec K = sum_at(run, &b->known, YK_SCRATCH_KNOWN), arm[2];
@@ -52,7 +52,7 @@ static bool settle_rrr(const YkRun *run, const YkBlock *b, const YkTurn *kept, d
     return true;
 }
 
-// K + W e^(i Phi) + d e = 0, W without length.
+// Settles K + W e^(i Phi) + d e = 0 if W has no length.
 static bool settle_rrp(const YkRun *run, const YkBlock *b, const YkTurn *kept, double least)
 {
     if (b->arm_is_constant[0] || !(yk_norm(sum_at(run, &b->arm[0], YK_SCRATCH_ARM_1)) < least)) return false;
@@ -65,7 +65,7 @@ static bool settle_rrp(const YkRun *run, const YkBlock *b, const YkTurn *kept, d
     return true;
 }
 
-// K + (C + d f) e^(i Phi) = 0, K without length: the line's point that lies on the pin is the one nearest to it.
+// Settles K + (C + d f) e^(i Phi) = 0 if K has no length: the point of the line at the pin is the one nearest to it.
 static bool settle_rpr(const YkRun *run, const YkBlock *b, const YkTurn *kept, double least)
 {
     if (!(yk_norm(sum_at(run, &b->known, YK_SCRATCH_KNOWN)) < least)) return false;

@@ -1,17 +1,17 @@
-// Coincidences: poses in which a dyad's base, or an arm that varies, has no length left. Any angle closes it there.
+// Coincidences: poses in which a dyad's base, or an arm that varies, has no length. Any angle closes the dyad there.
 #ifndef SOLVE_COINCIDENCE_H
 #define SOLVE_COINCIDENCE_H
 #include "solve/state.h"
 
-// Whether a block's margin may be that of a coincidence: it is one only if settling finds it.
+// Returns whether a block's margin may be that of a coincidence; only settling can confirm it.
 static inline bool yk_may_coincide(double margin)
 {
     return margin <= -0.1 || fabs(margin) < 1e-23;
 }
 
-// Runs steps [from, to) of the space anew, as the state's branches and inputs are, but turns what no loop holds at a
-// coincidence as `kept` says: the angle of each slot. Its rates are 0 and its block's margin is 0, so that the pose is
-// singular. Returns whether there was such a block among them.
+// Runs steps [from, to) of the space again, with the state's branches and inputs. Angles that no loop determines at a
+// coincidence are taken from `kept`, the angle of each slot. Their rates are 0 and the block's margin is 0, so that the
+// pose is singular. Returns whether there was such a block.
 bool yk_run_settled(const YkRun *run, size_t from, size_t to, const YkTurn *kept);
 
 #endif

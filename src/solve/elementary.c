@@ -11,7 +11,7 @@ void yk_sincos(double x, double *s, double *c)
     }
 }
 
-// Again, one by one, for the lanes of which at least one is beyond the reduction's range.
+// Repeats the lanes one by one if at least one is beyond the reduction's range.
 YK_APART void sincos_one_by_one(const double *x, double *s, double *c, size_t n)
 {
     for (size_t i = 0; i < n; i++) yk_sincos(x[i], &s[i], &c[i]);

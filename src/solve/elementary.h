@@ -1,4 +1,4 @@
-// sin, cos and atan2 without branches, one lane: the bodies that kernels inline. Basic IEEE operations only.
+// sin, cos and atan2 without branches, for one lane: the bodies that kernels inline. Basic IEEE operations only.
 //
 // Reduction: Cody & Waite 1980, "Software Manual for the Elementary Functions", ch. 8, in three parts of pi/2 with the
 // rounding of the second difference carried along. Polynomials: the published minimax coefficients of fdlibm (Sun
@@ -25,7 +25,7 @@ YK_INLINE double of_bits(uint64_t bits)
 
 #define YK_SIGN_BIT ((uint64_t)1 << 63)
 
-// sin(y - lost) for |y| <= pi/4, where lost is what rounding added to y.
+// Returns sin(y - lost) for |y| <= pi/4, where lost is what rounding added to y.
 YK_INLINE double sin_poly(double y, double lost, double y2)
 {
     double y4 = y2 * y2, y3 = y2 * y;
@@ -34,7 +34,7 @@ YK_INLINE double sin_poly(double y, double lost, double y2)
     return y - (lost + y3 * (1.66666666666666324348e-01 - y2 * r));
 }
 
-// cos(y - lost), likewise.
+// Returns cos(y - lost), likewise.
 YK_INLINE double cos_poly(double y, double lost, double y2)
 {
     double y4 = y2 * y2, half = 0.5 * y2, w = 1 - half;
@@ -44,17 +44,17 @@ YK_INLINE double cos_poly(double y, double lost, double y2)
     return w + (((1 - w) - half) + (y4 * r + y * lost));
 }
 
-// A number that, added to a small one, rounds it to an integer; the integer then stands in the lowest bits of the sum.
+// A number that rounds a small one to an integer when added to it; the lowest bits of the sum are then the integer.
 #define YK_TO_INTEGER 0x1.8p52
 
-// x in quarter turns, to the nearest, plus YK_TO_INTEGER.
+// Returns x in quarter turns, to the nearest, plus YK_TO_INTEGER.
 YK_INLINE double quarter_turns(double x)
 {
     return x * 0x1.45f306dc9c883p-1 + YK_TO_INTEGER;
 }
 
-// Whether x (NaN too) is beyond the range: a bit of the answer above the lowest 17 is set. Answers of many x may be
-// or-ed.
+// Returns bits that tell whether x (also NaN) is beyond the range: a bit above the lowest 17 is set. The bits of many x
+// may be or-ed.
 YK_INLINE uint64_t sincos_far_bits(double x)
 {
     return bits_of(quarter_turns(x)) - (bits_of(YK_TO_INTEGER) - 0x10000);
@@ -64,7 +64,7 @@ YK_INLINE bool sincos_is_far(uint64_t far_bits)
     return far_bits >> 17 != 0;
 }
 
-// sin and cos of |x| <= YK_SINCOS_LIMIT within 1 ulp; garbage beyond.
+// Computes sin and cos of |x| <= YK_SINCOS_LIMIT within 1 ulp; garbage beyond.
 YK_INLINE void sincos_near(double x, double *sine, double *cosine)
 {
     double shifted = quarter_turns(x), k = shifted - YK_TO_INTEGER;
@@ -77,7 +77,7 @@ YK_INLINE void sincos_near(double x, double *sine, double *cosine)
     *cosine = of_bits(bits_of(is_odd ? s : c) ^ ((q + 1) << 62 & YK_SIGN_BIT));
 }
 
-// atan(u) for |u| <= tan(pi/8).
+// Returns atan(u) for |u| <= tan(pi/8).
 YK_INLINE double atan_poly(double u)
 {
     double z = u * u, w = z * z, w2 = w * w;
@@ -90,9 +90,8 @@ YK_INLINE double atan_poly(double u)
     return u - u * (z * even + w * odd);
 }
 
-// The angle of (x, y), in [-pi, pi], within 2 ulp, signs of zeros as C has them; for magnitudes up to 2^1000.
-// The smaller over the larger magnitude, turned by pi/4 where that is closer; then unfolded by octants: j pi/4 +-
-// atan(u).
+// Returns the angle of (x, y), in [-pi, pi], within 2 ulp, signs of zeros as in C; for magnitudes up to 2^1000. Takes
+// the smaller over the larger magnitude, turned by pi/4 if that is closer; then unfolds by octants: j pi/4 +- atan(u).
 YK_INLINE double atan2_near(double y, double x)
 {
     double ax = fabs(x), ay = fabs(y);
@@ -111,7 +110,7 @@ YK_INLINE double atan2_near(double y, double x)
     return of_bits((bits_of(angle) & ~YK_SIGN_BIT) | (bits_of(y) & YK_SIGN_BIT));
 }
 
-// asin(s) for |s| <= sin(pi/8): our own fit, tools/fit_arc_sine.py, 2^-55.
+// Returns asin(s) for |s| <= sin(pi/8): our own fit, tools/fit_arc_sine.py, 2^-55.
 YK_INLINE double asin_poly(double s)
 {
     double t = s * s, t2 = t * t, t4 = t2 * t2;
@@ -123,9 +122,9 @@ YK_INLINE double asin_poly(double s)
     return s + s * t * (low + t4 * high);
 }
 
-// The angle of the unit vector (x, y), in [-pi, pi], within 2 ulp as far as its length is 1: no division. The smaller
-// component is the sine of the angle to the nearest axis, or after a turn by pi/4 to the diagonal; then unfolded by
-// octants.
+// Returns the angle of the unit vector (x, y), in [-pi, pi], within 2 ulp as far as its length is 1, without a
+// division. The smaller component is the sine of the angle to the nearest axis, or after a turn by pi/4 to the
+// diagonal; then unfolds by octants.
 YK_INLINE double unit_angle(double y, double x)
 {
     double ax = fabs(x), ay = fabs(y);

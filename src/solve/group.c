@@ -1,3 +1,4 @@
+// Solves a group by Newton's method: position, velocity and acceleration, and the search for all its solutions.
 #include "solve/group.h"
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +70,7 @@ static int find_column(const Group *g, bool is_distance, int32_t index)
     return -1;
 }
 
-// Unit vector of an orientation: known, or its group's unknown root turned by the relative orientation.
+// The unit vector of an orientation: known, or its group's unknown root turned by the relative orientation.
 typedef struct Arrow {
     YkVec e;
     double w, a;
@@ -107,7 +108,7 @@ static void add_to_column(double *J, size_t n, size_t row, int column, YkVec v)
     J[(row + 1) * n + (size_t)column] += v.y;
 }
 
-// What the relations miss by, m; the same weight as a loop's.
+// Evaluates the residuals of the relations, m, with the same weight as a loop's.
 static void evaluate_relations(const Group *g, const double *x, double *residual, double *J)
 {
     for (size_t k = 0; k < g->block->relation_count; k++) {
@@ -118,7 +119,7 @@ static void evaluate_relations(const Group *g, const double *x, double *residual
     }
 }
 
-// residual[m]; J[m][n] or NULL.
+// Evaluates residual[m] and J[m][n], or NULL.
 static void evaluate(const Group *g, const double *x, double *residual, double *J)
 {
     if (J) memset(J, 0, g->m * g->n * sizeof *J);
@@ -153,8 +154,8 @@ static double norm(const double *v, size_t n)
     return sqrt(sum);
 }
 
-// The least sine of the angle between a column and those pivoted before it. The factors are in w->A, the columns
-// themselves in w->J.
+// Returns the least sine of the angle between a column and those pivoted before it. The factors are in w->A, the
+// columns themselves in w->J.
 static double least_sine(const YkGroupWork *w, const Group *g)
 {
     double least = 1;
@@ -169,8 +170,8 @@ static double least_sine(const YkGroupWork *w, const Group *g)
     return least;
 }
 
-// Newton (or least-squares) step from J and residual. Returns the normalised determinant; where loops repeat others,
-// the least sine between columns, which is as small at a dead point (rank deficiency: 0).
+// Takes the Newton (or least-squares) step from J and residual. Returns the normalised determinant; if loops repeat
+// others, the least sine between columns, which is equally small at a dead point (rank deficiency: 0).
 static double newton_step(YkGroupWork *w, const Group *g)
 {
     memcpy(w->A, w->J, g->m * g->n * sizeof *w->A);
@@ -187,8 +188,8 @@ static double newton_step(YkGroupWork *w, const Group *g)
     return rank == g->n ? least_sine(w, g) : 0;
 }
 
-// How far the group is from a dead point: its determinant; but the determinant of many columns is small without any of
-// them being near the others, so that a small one is not less than the least sine.
+// Returns how far the group is from a dead point: its determinant, but at least the least sine, since the determinant
+// of many columns is small even if none of them is near the span of the others.
 static double distance_from_dead_point(YkGroupWork *w, const Group *g, double det)
 {
     const double small = 1e-3;
@@ -203,7 +204,8 @@ static double column_size(const Group *g, size_t k)
     return g->columns[k].is_distance ? g->mech->size : 1;
 }
 
-// A step that would turn an angle by more than a quarter, or a distance by more than the size, is shortened.
+// Returns the step length: a step that would turn an angle by more than a quarter turn, or change a distance by more
+// than the size, is shortened.
 static double step_length(const YkGroupWork *w, const Group *g)
 {
     double largest = 0;
@@ -211,7 +213,7 @@ static double step_length(const YkGroupWork *w, const Group *g)
     return largest > 0.7 ? 0.7 / largest : 1;
 }
 
-// Angles of many turns are known to fewer digits: what a relation misses by rounding, m.
+// Returns the residual of a relation that rounding causes, m: angles of many turns are known to fewer digits.
 static double rounding_of(const Group *g)
 {
     double most = 0;
@@ -243,8 +245,8 @@ static bool iterate(YkGroupWork *w, const Group *g)
     return now <= 1e-12 * size + rounding_of(g);
 }
 
-// Known parts of velocity (order 1) or acceleration (order 2) of all loops, with the unknowns' own rates as given in
-// `rate`.
+// Computes the known parts of velocity (order 1) or acceleration (order 2) of all loops, given the unknowns' own rates
+// in `rate`.
 static void known_rates(const Group *g, int order, const double *rate, double *out)
 {
     for (size_t k = 0; k < g->block->relation_count; k++) {
@@ -300,9 +302,9 @@ static void write_solution(const Group *g, const double *rate, const double *acc
     }
 }
 
-// The least sine of the angle between a column and the span of all others, from the factors in w->A: the rows of the
-// inverse are as long as these columns stand off. A determinant is a product of such sines, and in a large group small
-// where none of them is.
+// Returns the least sine of the angle between a column and the span of all others, from the factors in w->A:
+// the length of each row of the inverse is 1 over the distance of a column from that span. A determinant is a product
+// of such sines, and in a large group it is small even if none of them is.
 static double least_sine_square(YkGroupWork *w, const Group *g)
 {
     double *row = w->scale, *b = w->tau, largest = 0;
@@ -321,7 +323,7 @@ static double least_sine_square(YkGroupWork *w, const Group *g)
     return 1 / sqrt(largest);
 }
 
-// The normalised determinant with its sign; in large groups its size is the least sine, where it is small.
+// Returns the normalised determinant with its sign; if it is small in a large group, its size is the least sine.
 static double determinant_of(YkGroupWork *w, const Group *g, double det)
 {
     enum { SMALL_GROUP = 4 };
@@ -400,14 +402,14 @@ static void random_start(const Group *g, const double *guess, uint64_t *seed)
     }
 }
 
-// A start takes at most some sixty factorisations.
+// Returns the number of starts; each takes at most some sixty factorisations.
 static size_t starts_max(const Group *g)
 {
     const double work_max = 1e9, work = 60.0 * (double)g->m * (double)g->n * (double)g->n;
     return (size_t)fmax(4, fmin(40.0 * (double)g->n, work_max / work));
 }
 
-// Is what the first start found the guess itself?
+// Returns whether the first start found the guess itself.
 static bool stands_at_guess(const Group *g, const double *guess)
 {
     for (size_t k = 0; k < g->n; k++)
@@ -421,14 +423,14 @@ size_t yk_group_search(const YkRun *run, size_t index)
     Group g = group_of(run, index);
     size_t count = 0, tries = starts_max(&g);
     uint64_t seed = 1;
-    double *guess = w->tau + g.n; // room of its own: tau has twice the length
+    double *guess = w->tau + g.n; // memory of its own: tau has twice the length
     bool global = w->global;
     memcpy(guess, g.x, g.n * sizeof *guess);
     w->global = true;
     for (size_t t = 0; t <= tries && count < YK_GROUP_SOLUTIONS_MAX; t++) {
         if (t > 0) random_start(&g, guess, &seed);
         if (!iterate(w, &g)) continue;
-        for (size_t k = 0; k < g.n && g.block->relation_count == 0; k++) // where gears count turns they stay
+        for (size_t k = 0; k < g.n && g.block->relation_count == 0; k++) // gears that count turns keep them
             if (!g.columns[k].is_distance) g.x[k] = yk_nearest_turn(g.x[k], guess[k]);
         if (!is_new(w, &g, count)) continue;
         memcpy(w->solutions + count++ * g.n, g.x, g.n * sizeof *g.x);

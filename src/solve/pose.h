@@ -1,4 +1,4 @@
-// The space of one pose (a stride of 1) as records: what belongs together lies side by side there.
+// The space of one pose (a stride of 1) as records, in which the lanes of one thing are contiguous.
 #ifndef SOLVE_POSE_H
 #define SOLVE_POSE_H
 #include "solve/kernels/lanes.h"
@@ -8,7 +8,7 @@ typedef struct Slide {
     double d, v, a;
 } Slide;
 
-// [slot]; that of the ground stands still.
+// [slot]; the ground's is at rest.
 YK_INLINE Line *pose_turns(const YkSpace *space)
 {
     return (Line *)space->data;

@@ -1,3 +1,4 @@
+// Evaluates relations: over lanes, in groups, and the references of their angles.
 #include "solve/relations.h"
 #include <string.h>
 
@@ -10,7 +11,7 @@ static void add_scaled(YkPlane out, double factor, const double *x, const double
     }
 }
 
-// A sum of sources in the x lanes of a plane.
+// Adds up sources in the x lanes of a plane.
 static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double offset, YkPlane out, double *angle)
 {
     size_t n = run->lanes;
@@ -33,7 +34,7 @@ static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double
     }
 }
 
-// out += gain * law(argument), with the rates by the chain rule.
+// Adds gain * law(argument) to out, with the rates by the chain rule.
 static void add_law(const YkRun *run, const YkRelation *r, YkPlane argument, YkPlane out, double *slope)
 {
     for (size_t k = 0; k < run->lanes; k++) {
@@ -84,9 +85,8 @@ void yk_run_relation_check(const YkRun *run, size_t index)
 }
 
 // --- in a group
-// ---------------------------------------------------------------------------------------------------------
 
-// A sum of sources in lane 0; adds the sizes of its parts to *scale.
+// Returns a sum of sources in lane 0; adds the magnitudes of its parts to *scale.
 static YkMotion sum_of(const YkRun *run, uint32_t first, uint32_t count, double offset, const double *x,
                        const double *rate, double *scale)
 {
@@ -146,7 +146,6 @@ void yk_relation_gradient(const YkMechanism *mech, size_t index, double slope, d
 }
 
 // --- references
-// ---------------------------------------------------------------------------------------------------------
 
 void yk_relations_refer(YkState *s, const YkSpace *space)
 {
@@ -159,7 +158,7 @@ void yk_relations_refer(YkState *s, const YkSpace *space)
     }
 }
 
-// The angle of an orientation's body as the coordinates' guesses add up along the tree.
+// Returns the angle of an orientation's body, with the coordinates' guesses added along the tree.
 static double guessed_angle(const YkState *s, int32_t orientation)
 {
     const YkMechanism *mech = s->mech;

@@ -1,11 +1,11 @@
-// What went wrong: which block, which joint, by how much.
+// Reports what went wrong: which block, which joint, by how much.
 #include <string.h>
 #include "base/number.h"
 #include "solve/assemble.h"
 #include "solve/relations.h"
 #include "solve/state.h"
 
-// The first block in the order of solution that does not close, or the one nearest to a dead point.
+// Returns the first block in the order of solution that does not close, or the one nearest to a dead point.
 static int worst_block(const YkState *s, const YkSpace *space, YkStatus status)
 {
     int worst = -1;
@@ -30,7 +30,7 @@ static int redundant_block(const YkState *s)
     return -1;
 }
 
-// The relation that repeats others and fits worst, and by how much; NULL where there is none.
+// Returns the relation that repeats others and fits worst, and by how much; NULL if there is none.
 static const char *redundant_relation(YkState *s, const YkSpace *space, double *worst)
 {
     const char *name = NULL;
@@ -63,7 +63,7 @@ static YkVec line_of(const YkSpace *space, const YkBlock *b, int line)
     return turn.c ? yk_mul(yk_vec(turn.c[0], turn.s[0]), b->line[line]) : b->line[line];
 }
 
-// By how many metres a block's loop misses: of lines that should meet and are parallel, how far they are apart.
+// Returns how many metres a block's loop misses; for parallel lines that should meet, their distance.
 static double gap_of(YkState *s, YkSpace *space, int index)
 {
     const YkBlock *b = &s->mech->blocks[index];
@@ -158,7 +158,7 @@ static double rounding_of(const YkState *s)
     return 1e-12 * s->mech->size;
 }
 
-// Whether two lines fall together, or the points between which a dyad spans: then its loop leaves a position open.
+// Returns whether two lines coincide, or the points that a dyad connects: its loop then leaves a position open.
 static bool is_open(YkState *s, YkSpace *space, int index)
 {
     const YkBlock *b = &s->mech->blocks[index];
@@ -168,7 +168,8 @@ static bool is_open(YkState *s, YkSpace *space, int index)
     return length_at(&run, &b->known, yk_space_scratch(space, YK_SCRATCH_KNOWN)) <= rounding_of(s);
 }
 
-// What is true of a dyad that does not close though it misses by no more than rounding; NULL where it does miss.
+// Returns what is true of a dyad that does not close though it misses by no more than rounding; NULL if it misses by
+// more.
 static const Sentence *coincidence(YkState *s, YkSpace *space, int index, double gap)
 {
     const YkBlock *b = &s->mech->blocks[index];
@@ -178,7 +179,7 @@ static const Sentence *coincidence(YkState *s, YkSpace *space, int index, double
     return b->kind == YK_BLOCK_PP ? &same_line : &same_point;
 }
 
-// A block before the one that does not close whose loop leaves a position open, or -1.
+// Returns a block before the one that does not close whose loop leaves a position open, or -1.
 static int open_before(YkState *s, YkSpace *space, int block)
 {
     for (int b = 0; b < block; b++)

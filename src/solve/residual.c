@@ -1,4 +1,4 @@
-// How well a pose closes, measured in the loops of the tree, in the relations and in the lengths of the bodies, from
+// Measures how well a pose closes, in the loops of the tree, in the relations and in the lengths of the bodies, from
 // the answers themselves: independent of the steps that solved it.
 #include "law/law.h"
 #include "solve/state.h"
@@ -15,7 +15,7 @@ static Angle angle_of(const YkState *s, int32_t slot)
     return (Angle){{t.c[0], t.s[0]}, t.w[0], t.a[0]};
 }
 
-// Sum and sum of sizes of one loop, of order 0, 1, 2.
+// Computes the sum of one loop and the sum of its terms' magnitudes, of order 0, 1, 2.
 static void loop_sums(const YkState *s, const YkSum *sum, YkVec total[3], double scale[3])
 {
     total[0] = sum->constant;
@@ -42,9 +42,8 @@ static void loop_sums(const YkState *s, const YkSum *sum, YkVec total[3], double
 }
 
 // --- relations
-// -------------------------------------------------------------------------------------------------------------
 
-// What a relation's term stands at: a distance, or an angle that adds up along the tree from the coordinates told.
+// Returns the motion of a relation's term: a distance, or an angle that adds up along the tree from the coordinates.
 static YkMotion motion_of(const YkState *s, YkRelationTerm term)
 {
     if (term.is_distance) {
@@ -73,7 +72,7 @@ static YkMotion sum_of(const YkState *s, uint32_t first, uint32_t count, double 
     return sum;
 }
 
-// Angles are told nearest to a reference: whole turns of any one of them close as well.
+// Removes whole turns: angles are given nearest to a reference, and whole turns of any one of them close as well.
 static double without_turns(const YkState *s, const YkRelation *r, double miss)
 {
     double least = fabs(miss);
@@ -85,7 +84,7 @@ static double without_turns(const YkState *s, const YkRelation *r, double miss)
     return least;
 }
 
-// Raises worst[] to what the relation misses by, a length; scale[] to the size of its parts.
+// Raises worst[] to the residual of the relation, a length; scale[] to the size of its parts.
 static void relation_miss(const YkState *s, const YkRelation *r, double worst[3], double scale[3])
 {
     double weight = yk_relation_weight(s->mech, r), own[3] = {fabs(r->constant), 0, 0}, turned[3] = {0, 0, 0},
@@ -100,7 +99,7 @@ static void relation_miss(const YkState *s, const YkRelation *r, double worst[3]
         own[1] += fabs(law[1] * a.velocity);
         own[2] += fabs(law[1]) * turned[2] + fabs(law[2] * a.velocity * a.velocity);
     }
-    // the digits of angles that have made many turns are beyond the relation
+    // The lost digits of angles that have made many turns are not the relation's error.
     double miss = fmax(0, without_turns(s, r, x.position - r->constant) - 1e-15 * (own[0] + fabs(law[1]) * turned[0]));
     const double misses[3] = {miss, fabs(x.velocity), fabs(x.acceleration)};
     for (int k = 0; k < 3; k++) {
@@ -109,14 +108,14 @@ static void relation_miss(const YkState *s, const YkRelation *r, double worst[3]
     }
 }
 
-// A body's lengths are as wrong as its unit vector's.
+// Returns the relative error of a body's lengths, which is that of its unit vector.
 static double stretch(const YkState *s)
 {
     double most = 0;
     for (size_t o = 1; o < s->mech->slot_count; o++) {
         YkTurn t = yk_space_turn(&s->space, (int32_t)o);
         double off = fabs(hypot(t.c[0], t.s[0]) - 1);
-        most = off <= most ? most : off; // a NaN counts
+        most = off <= most ? most : off; // also for NaN
     }
     return most;
 }

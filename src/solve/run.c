@@ -1,3 +1,4 @@
+// Runs compiled steps over lanes: turns, sums, blocks and relations.
 #include "solve/run.h"
 #include "solve/relations.h"
 #include "solve/single.h"
@@ -71,7 +72,7 @@ static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
     return arm;
 }
 
-// Constant arms are judged as yk_block_measure does; what an RPR is judged by is its base, which varies.
+// Returns a constant arm, judged as in yk_block_measure; an RPR is judged by its base, which varies.
 static inline YkArm constant_arm(const YkBlock *block, int k)
 {
     double share = block->kind == YK_BLOCK_RPR ? 1 : YK_PER_ARM_ENOUGH2;
@@ -83,7 +84,7 @@ static inline YkArm arm_of(const YkRun *run, const YkBlock *block, int k)
     return block->arm_is_constant[k] ? constant_arm(block, k) : varying_arm(run, block, k);
 }
 
-// Whether a sum is a constant and one turned vector along x: K.
+// Returns whether a sum is a constant and one turned vector along x: K.
 static bool is_turned(const YkRun *run, const YkSum *sum, YkTurned *K)
 {
     if (sum->count != 1 || sum->plus != YK_NONE || sum->minus != YK_NONE) return false;
@@ -101,7 +102,7 @@ typedef struct Outs { // of a dyad
     double *margin, *own, branch;
 } Outs;
 
-// What the block's kind has none of is the ground's, or the first.
+// Returns the outputs of a block; those that its kind lacks are the ground's, or the first.
 static inline Outs outs_of(const YkRun *run, const YkBlock *b, size_t index)
 {
     const YkSpace *s = run->space;
@@ -114,7 +115,7 @@ static inline Outs outs_of(const YkRun *run, const YkBlock *b, size_t index)
                   run->branch[index] < 0 ? -1 : 1};
 }
 
-// Closed forms: positions and rates together. The commonest work out their known part themselves.
+// Runs closed forms, positions and rates together. The most common compute their known part themselves.
 static bool run_turned(const YkRun *run, const YkBlock *b, size_t index)
 {
     YkTurned K;
@@ -163,7 +164,7 @@ static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
         yk_lanes_rpr_all(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
 }
 
-// Blocks that repeat constraints: one unknown or none.
+// Runs blocks that repeat constraints: one unknown or none.
 static void run_redundant(const YkRun *run, const YkBlock *b)
 {
     YkSpace *s = run->space;

@@ -11,18 +11,17 @@ typedef struct YkRun {
     const signed char *branch;   // per block
     YkGroupWork *groups;         // for GROUP blocks (one lane only), or NULL
     size_t lanes;
-    const double
-        *references; // [mech->reference_count]: angles of orientations that relations start from come out nearest
+    const double *references; // [mech->reference_count]: references of the angles from which relations start
 } YkRun;
 
-// Runs steps [from, to). The margins and gaps go on from where they are: call yk_run_begin before step 0.
+// Runs steps [from, to). Margins and gaps continue from their present values: call yk_run_begin before step 0.
 void yk_run_begin(const YkRun *run);
 void yk_run_steps(const YkRun *run, size_t from, size_t to);
-// One step, by the kernels over lanes.
+// Runs one step by the kernels over lanes.
 void yk_run_lanes(const YkRun *run, const YkStep *step);
-// A sum over lanes: constant + nodes + turned vectors.
+// Computes a sum over lanes: constant + nodes + turned vectors.
 void yk_run_sum(const YkRun *run, const YkSum *sum, YkPlane out);
-// Where a point of the model is, after all steps.
+// Computes the place of a point of the model, after all steps.
 void yk_run_point(const YkRun *run, size_t point, YkPlane out);
 
 #endif

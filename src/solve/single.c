@@ -1,4 +1,4 @@
-// One pose: every record of the space is read where it lies, and what a step needs of another stays in registers.
+// Runs one pose: every record of the space is read in place, and values pass between steps in registers.
 #include "solve/single.h"
 #include "base/memory.h"
 #include "solve/elementary.h"
@@ -23,7 +23,6 @@ static inline Pose pose_of(const YkRun *run)
 }
 
 // --- sums
-// ---------------------------------------------------------------------------------------------------------------
 
 YK_INLINE YkVec start_of(YkVec constant, const YkVec *plus, const YkVec *minus)
 {
@@ -75,7 +74,6 @@ YK_INLINE Known sum_of(const Pose *p, const YkSum *sum)
 }
 
 // --- steps
-// --------------------------------------------------------------------------------------------------------------
 
 YK_INLINE YkVec near_unit(double x)
 {
@@ -112,7 +110,7 @@ YK_INLINE void keep_found(const Pose *p, const YkBlock *b, size_t index, Found f
 
 YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double branch, bool axial)
 {
-    const Known none = {{0, 0}, {0, 0}, {0, 0}}; // of constant arms only the lengths count
+    const Known none = {{0, 0}, {0, 0}, {0, 0}}; // for constant arms only the lengths count
     RrrFound found =
         rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->arms.pair, axial, false, branch);
     p->turn[b->column[0].index] = (Line){found.e1, found.rates.w1, found.rates.a1};

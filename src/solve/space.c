@@ -1,3 +1,4 @@
+// Allocates and copies the space in which steps run.
 #include "solve/space.h"
 #include <stdlib.h>
 #include <string.h>
@@ -52,7 +53,7 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
     space->gain = space->gap + stride;
     space->block_margin = with_margins ? space->gain + stride * space->relations : NULL;
     point_at_lanes(space);
-    for (size_t k = 0; k < stride; k++) space->data[k] = 1; // slot 0, for whoever reads it: the ground's unit vector
+    for (size_t k = 0; k < stride; k++) space->data[k] = 1; // slot 0, if it is read: the ground's unit vector
     return true;
 }
 

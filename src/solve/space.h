@@ -1,4 +1,4 @@
-// The space in which steps run: lanes of orientations, distances, nodes and scratch, one lane a pose, in one
+// The space in which steps run: lanes of orientations, distances, nodes and scratch, one lane for each pose, in one
 // allocation.
 #ifndef SOLVE_SPACE_H
 #define SOLVE_SPACE_H
@@ -6,23 +6,23 @@
 #include "solve/kernels/kernels.h"
 
 typedef struct YkSpace {
-    size_t stride; // lanes there is room for
+    size_t stride; // number of lanes it has room for
     size_t slots, distances, nodes, blocks;
     double *data;            // 64-byte aligned: orientations,
     double *slides, *planes; // then distances, then nodes and scratch
-    double *margin;          // least sin^2 over the blocks: negative where something does not close
-    double *gap;             // largest miss of redundant loops, m
+    double *margin;          // least sin^2 over the blocks: negative if something does not close
+    double *gap;             // largest gap of redundant loops, m
     double *block_margin;    // [block][lane], or NULL
     double *gain;            // [relation][lane]: derivative of its target by its law's argument
     size_t relations;
-    // Where the lanes are, made once: built anew for every call, they cost more than the arithmetic of one pose.
+    // Pointers to the lanes, made once: making them anew for every call costs more than the arithmetic of one pose.
     YkTurn *turn;   // [slot]
     YkSlide *slide; // [distance]
-    YkPlane *plane; // [1 + node], then scratch; 0 is the absent one
+    YkPlane *plane; // [1 + node], then scratch; 0 is absent
     void *memory;
 } YkSpace;
 
-// with_margins: keep every block's own margin.
+// with_margins: keeps every block's own margin.
 bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool with_margins);
 void yk_space_end(YkSpace *space);
 void yk_space_copy(YkSpace *to, const YkSpace *from);
@@ -36,7 +36,7 @@ static inline YkSlide yk_space_slide(const YkSpace *space, int32_t distance)
 {
     return space->slide[distance];
 }
-// Nodes, then three planes of scratch (YK_SCRATCH_KNOWN, ...).
+// Returns nodes, then three planes of scratch (YK_SCRATCH_KNOWN, ...).
 static inline YkPlane yk_space_plane(const YkSpace *space, int32_t node)
 {
     return space->plane[node == YK_NONE ? 0 : node + 1];

@@ -1,3 +1,4 @@
+// States: inputs, solving a pose at them, copies, and the judgement of a pose.
 #include "solve/state.h"
 #include <stdlib.h>
 #include <string.h>
@@ -112,7 +113,6 @@ YkStatus yk_state_copy(YkState *to, const YkState *from)
 }
 
 // --- inputs
-// -------------------------------------------------------------------------------------------------------------
 
 void yk_state_hold_input(YkState *s, size_t input, int order, double value)
 {
@@ -144,7 +144,6 @@ YkMotion yk_state_input(const YkState *s, size_t input)
 }
 
 // --- solving
-// ------------------------------------------------------------------------------------------------------------
 
 static double rate_of(const YkMechanism *mech, const YkSpace *space, YkColumn column, int order)
 {
@@ -156,10 +155,10 @@ static double rate_of(const YkMechanism *mech, const YkSpace *space, YkColumn co
     return fabs(order == 1 ? *t.w : *t.a);
 }
 
-// With rates w, errors of a rounding over the sine in the position come to w^2 over its cube in the accelerations.
+// With rates w, an error of rounding / sine in the position grows to w^2 * rounding / sine^3 in the accelerations.
 static bool is_block_blurred(const YkMechanism *mech, const YkSpace *space, size_t index)
 {
-    const double rounding = 1e-16, most = 1e-2; // of accelerations, or of the rates squared where those are more
+    const double rounding = 1e-16, most = 1e-2; // share of the accelerations, or of the rates squared if these are more
     const YkBlock *b = &mech->blocks[index];
     double m = space->block_margin[index], rate = 0, accel = 0;
     if (b->kind > YK_BLOCK_PP || m > YK_BLUR_MARGIN) return false;
@@ -181,7 +180,8 @@ bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space)
 YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
 {
     if (!(space->margin[0] >= YK_LIMIT_MARGIN)) return YK_LIMIT;
-    bool is_closed = space->gap[0] <= s->mech->size * YK_CLOSING_TOLERANCE; // the least tolerance: mostly it is enough
+    // The smallest tolerance usually suffices.
+    bool is_closed = space->gap[0] <= s->mech->size * YK_CLOSING_TOLERANCE;
     if (!is_closed && !(space->gap[0] <= yk_gap_tolerance(s->mech, space->margin[0]))) return YK_NO_ASSEMBLY;
     if (space->margin[0] <= YK_BLUR_MARGIN && yk_is_blurred(s->mech, space)) return YK_SINGULAR;
     return s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
@@ -205,7 +205,7 @@ void yk_state_refer(YkState *s)
         if (!s->mech->coordinates[k].is_distance) s->reference[k] = yk_coordinate_in(s, &s->space, k).position;
 }
 
-// Numbers, but rates that cannot be computed with.
+// Returns whether the rates are numbers that cannot be computed with.
 static bool is_too_fast(const YkState *s)
 {
     for (const double *in = s->input; in < s->input + 3 * s->mech->input_count; in += 3)
@@ -223,7 +223,8 @@ static YkStatus refuse_rates(YkState *s)
     return s->report.status = YK_BAD_ARGUMENT;
 }
 
-// Where a pose does not close or is singular it may be a coincidence: then what no loop holds keeps its angle.
+// Settles a pose that does not close or is singular, since it may be a coincidence: angles that no loop determines then
+// stay.
 static YkStatus settle(YkState *s, YkStatus status)
 {
     bool may = false;

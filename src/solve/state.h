@@ -4,36 +4,36 @@
 #include <yoke/state.h>
 #include "solve/run.h"
 
-typedef struct YkPhase { // of an input that has made many turns: `angle` stands for it as long as it has this value
+typedef struct YkPhase { // of an input that has made many turns: stands for `angle` as long as the input has this value
     double value, angle;
 } YkPhase;
 
 struct YkState {
     const YkMechanism *mech;
-    YkSpace space, spare;       // the last valid pose; the one being tried
+    YkSpace space, spare;       // the last valid pose; the trial pose
     double *input;              // [3 * input + k]
     const double **input_lanes; // pointers to the same, for the runner
-    double *valid_input;        // inputs of the valid pose
-    double *held;               // [3 * input + k]: what stands in place of a drive's value, where is_held says so
+    double *valid_input;        // inputs at the valid pose
+    double *held;               // [3 * input + k]: replaces a drive's value if is_held
     bool *is_held;
     YkPhase *phases;        // [input]
-    bool has_phases;        // some input has had one
-    double *reference;      // per coordinate: its angle comes out nearest to this
-    double *slot_reference; // [mech->reference_count]: the same of orientations that relations start from
+    bool has_phases;        // some input has had a phase
+    double *reference;      // per coordinate: its angle is taken nearest to this
+    double *slot_reference; // [mech->reference_count]: the same for orientations from which relations start
     double *guess;          // per coordinate, from `start:`
     bool *is_guessed;
-    signed char *branch; // per block; 0 where it has none
+    signed char *branch; // per block; 0 if it has none
     YkGroupWork groups;
-    double *valid_x; // group columns of the valid pose
+    double *valid_x; // group columns at the valid pose
     double time;
     bool has_pose, has_rates;
-    bool is_kept; // at a coincidence: the last pose has angles that no loop holds, kept from the pose before it
+    bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
     YkReport report;
     // assembling: see assemble.c
     struct YkSearch *search;
 };
 
-// Lets the runner read the phases of inputs that have one in place of their angles.
+// Lets the runner read phases in place of the angles of inputs that have one.
 void yk_state_place_phases(YkState *state);
 
 static inline YkRun yk_state_run(YkState *state, YkSpace *space)
@@ -43,24 +43,25 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 }
 
 // Tolerances, in one place.
-#define YK_CLOSING_TOLERANCE 1e-12 // of the size: what a loop may miss and still count as closed
-#define YK_LIMIT_MARGIN (-1e-13)   // sin^2 below this does not close; between this and 0 it is rounding at a limit
+#define YK_CLOSING_TOLERANCE 1e-12 // over the size: a loop that misses by no more counts as closed
+#define YK_LIMIT_MARGIN (-1e-13)   // a smaller sin^2 does not close; between this and 0 it is rounding at a limit
 #define YK_SINGULAR_MARGIN                                                                                             \
     1e-14                   // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
-#define YK_BLUR_MARGIN 1e-9 // sin^2 from which accelerations may be blurred, see yk_is_blurred
+#define YK_BLUR_MARGIN 1e-9 // sin^2 below which accelerations may be blurred, see yk_is_blurred
 
-// What a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding over the sine.
+// Returns how far a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding /
+// sine.
 static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
 {
     return mech->size * (YK_CLOSING_TOLERANCE + 4e-16 / sqrt(fmax(margin, YK_SINGULAR_MARGIN)));
 }
 
-// Whether rounding spoils the accelerations of a block in the space. Near a limit they grow as fast as their errors do;
-// near a change point, or where a base vanishes, they stay as they are, and errors swallow them long before the margin
-// says so.
+// Returns whether rounding spoils the accelerations of a block in the space. Near a limit they grow as fast as their
+// errors do; near a change point, or where a base vanishes, they stay bounded, and errors exceed them long before the
+// margin shows it.
 bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space);
-// Could a margin reach zero between its three samples? Not if it stays well above its own variation; nor where it is
-// zero at an end and rises from there as a parabola or a line does.
+// Returns whether a margin could reach zero between its three samples. It cannot if it stays well above its own
+// variation, nor if it is zero at an end and rises from there like a parabola or a line.
 static inline bool yk_margin_may_vanish(double a, double m, double b)
 {
     double least = fmin(a, fmin(m, b)), most = fmax(a, fmax(m, b));
@@ -68,10 +69,10 @@ static inline bool yk_margin_may_vanish(double a, double m, double b)
     return least < 0.2 * (most - least);
 }
 
-// The status of what stands in the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a
-// redundant loop gapes).
+// Returns the status of the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a redundant
+// loop gapes).
 YkStatus yk_state_judge(const YkState *state, const YkSpace *space);
-// Fills the report for a status: nothing but the status where all is well.
+// Fills the report for a status: only the status if all is well.
 void yk_state_explain(YkState *state, const YkSpace *space, YkStatus status);
 static inline void yk_state_tell(YkState *state, const YkSpace *space, YkStatus status)
 {
@@ -82,14 +83,14 @@ static inline void yk_state_tell(YkState *state, const YkSpace *space, YkStatus 
     report->message[0] = 0;
     if (status != YK_OK && status != YK_REDUNDANT) yk_state_explain(state, space, status);
 }
-// The inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a variant);
-// the pose too where it is the same mechanism.
+// Takes the inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a
+// variant); also the pose if it is the same mechanism.
 void yk_state_take(YkState *to, const YkState *from);
 // Makes the spare space the pose.
 void yk_state_accept(YkState *state);
 // Makes the present angles the reference for the next.
 void yk_state_refer(YkState *state);
-// Coordinate angles and distances straight from a space.
+// Reads coordinate angles and distances directly from a space.
 YkMotion yk_coordinate_in(const YkState *state, const YkSpace *space, size_t coordinate);
 
 #endif

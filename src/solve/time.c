@@ -1,12 +1,12 @@
-// The inputs at a time: what the drives say, and how well that is known after many turns.
+// Sets the inputs at a time: the values of the drives, and how well these are known after many turns.
 #include "solve/state.h"
 #include "base/number.h"
 #include "base/problems.h"
 #include "compile/inputs.h"
 
-#define FAR 1024      // rad: up to here an angle is known to 1e-13
-#define UNSURE 1e-9   // rad, or lengths over the size: from here rounding is told
-#define UNKNOWN 0.125 // from here no digit is left
+#define FAR 1024      // rad: up to this an angle is known to 1e-13
+#define UNSURE 1e-9   // rad, or lengths over the size: from this on rounding is reported
+#define UNKNOWN 0.125 // from this on no digit is left
 
 void yk_state_place_phases(YkState *s)
 {
@@ -16,7 +16,7 @@ void yk_state_place_phases(YkState *s)
     }
 }
 
-// Gears and cams follow the angle itself, with all its turns.
+// Returns whether an input has a phase; gears and cams follow the angle itself, with all its turns.
 static bool has_phase(YkState *s, size_t i, double angle)
 {
     const YkTreeCoordinate *c = &s->mech->coordinates[s->mech->inputs[i]];
@@ -48,7 +48,7 @@ static void tell(const YkState *s, const YkTreeCoordinate *c, YkProblems *proble
                               "gears, cams and laws keep their digits");
 }
 
-// Without problems to tell it in, only what is plain from the value is looked at.
+// Checks the digits of a value; without a list for problems it checks only what is plain from the value.
 static YkStatus look_at_digits(const YkState *s, const YkTreeCoordinate *c, double value, YkProblems *problems)
 {
     double size = c->is_distance ? s->mech->size : 1;
@@ -70,7 +70,7 @@ static YkStatus set_driven(YkState *s, size_t i, YkProblems *problems)
     return YK_OK;
 }
 
-// Rates of coordinates that are held and not driven.
+// Sets the rates of coordinates that are held and not driven.
 static void set_start_rates(YkState *s)
 {
     const YkModel *model = s->mech->model;

@@ -1,15 +1,16 @@
+// Follows a pose along a path of the inputs by prediction and Newton's method.
 #include "solve/track.h"
 #include <string.h>
 #include "solve/relations.h"
 
-#define DEAD_MARGIN 1e-11  // sin^2: from here on rounding moves the unknowns by more than a correction may
+#define DEAD_MARGIN 1e-11  // sin^2: below this rounding moves the unknowns by more than a correction may
 #define DEPARTURE 1e-8     // rad, or lengths over the size: the first step from a dead point
-#define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: where not even such a step succeeds, there is a limit
-#define STRIDE 0.05        // rad, or lengths over the size: no step of an input is longer
-#define TRIALS_SPARE 512   // beside those of a smooth way: 46 halvings to the floor and back, a few trials each
-#define WORK_MAX 2e9       // multiplications on one way: some seconds
+#define STEP_FLOOR 0x1p-46 // rad, or lengths over the size: if not even such a step succeeds, there is a limit
+#define STRIDE 0.05        // rad, or lengths over the size: the longest step of an input
+#define TRIALS_SPARE 512 // in addition to those of a smooth path: 46 halvings to the floor and back, a few trials each
+#define WORK_MAX 2e9     // multiplications on one path: some seconds
 
-// Runs everything at the inputs as they stand, from the guess in groups.x.
+// Runs everything at the present inputs, from the guess in groups.x.
 static YkStatus run_here(YkState *s)
 {
     YkRun run = yk_state_run(s, &s->spare);
@@ -30,7 +31,7 @@ static Path path_of(const YkState *s, size_t i)
                   s->input[3 * i + 2]};
 }
 
-// Largest change of an input along the path: radians, or lengths over the size.
+// Returns the largest change of an input along the path: radians, or lengths over the size.
 static double path_length(const YkState *s)
 {
     double longest = 0;
@@ -41,7 +42,7 @@ static double path_length(const YkState *s)
     return longest;
 }
 
-// Velocity and acceleration (along the path) of a group's unknown.
+// Returns velocity and acceleration (along the path) of a group's unknown.
 static YkMotion rates_of(const YkState *s, YkColumn c)
 {
     if (c.is_distance) {
@@ -61,8 +62,8 @@ static bool at_dead_point(const YkState *s)
     return !(s->space.margin[0] > DEAD_MARGIN);
 }
 
-// Puts the group's unknowns where velocity and acceleration predict them; at a dead point, where they stand.
-// Returns the largest change: radians, or lengths over the size.
+// Puts the group's unknowns where velocity and acceleration predict them; leaves them at a dead point. Returns the
+// largest change: radians, or lengths over the size.
 static double predict(YkState *s, double h)
 {
     double largest = 0;
@@ -76,8 +77,8 @@ static double predict(YkState *s, double h)
     return largest;
 }
 
-// Puts the unknowns `way` along the direction of their velocity: next to a dead point it is the one in which two
-// solutions part.
+// Moves the unknowns by `way` along their velocity: next to a dead point this is the direction in which two solutions
+// separate.
 static bool kick(YkState *s, double way)
 {
     double largest = 0;
@@ -91,7 +92,7 @@ static bool kick(YkState *s, double way)
     return true;
 }
 
-// Inputs at `at` of the path from `base` (its inputs at 0), with the path itself as rate.
+// Sets the inputs at `at` of the path from `base` (its inputs at 0), with the path itself as rate.
 static void set_path(YkState *s, const double *ends, double at)
 {
     for (size_t i = 0; i < s->mech->input_count; i++) {
@@ -104,10 +105,10 @@ static void set_path(YkState *s, const double *ends, double at)
 
 typedef struct Tracker {
     double at, h, longest;
-    size_t trials_left; // 0: the way is given up
+    size_t trials_left; // 0: the path is given up
 } Tracker;
 
-// Multiplications of one trial, roughly: a sum for each step, a few factorisations for each group.
+// Returns roughly the multiplications of one trial: a sum for each step, a few factorisations for each group.
 static double trial_cost(const YkState *s)
 {
     double cost = 30 * (double)(s->mech->step_count + 1);
@@ -120,7 +121,7 @@ static double trial_cost(const YkState *s)
     return cost;
 }
 
-// How many steps may be tried on the way. 0 where even the longest steps would be more work than is allowed.
+// Returns how many steps may be tried on the path: 0 if even the longest steps would be more work than allowed.
 static size_t trials_max(const YkState *s, double longest)
 {
     double strides = longest / STRIDE, most = WORK_MAX / trial_cost(s);
@@ -152,16 +153,16 @@ static void accept_along(YkState *s)
     yk_relations_refer(s, &s->space);
 }
 
-// What Newton's method may correct of a prediction. From a dead point, which predicts nothing, the unknowns move as the
-// root of the step, and the determinant's sign says which way.
+// Returns how far Newton's method may correct a prediction. From a dead point, which predicts nothing, the unknowns
+// move as the square root of the step, and the determinant's sign tells the direction.
 static double correction_max(const YkState *s, double way)
 {
     return at_dead_point(s) ? 0.01 : 0.25 * way + 1e-9;
 }
 
-// One step of the path; false when even the smallest fails, or when no trial is left. Newton's correction must be small
-// against the predicted way: what it reaches is then the continuation and no other solution. Towards a limit steps
-// shrink with the distance that is left.
+// Takes one step of the path; returns false when even the smallest fails, or no trial is left. Newton's correction must
+// be small compared with the predicted change: the result is then the continuation and not another solution. Towards a
+// limit the steps shrink with the remaining distance.
 static bool advance(YkState *s, Tracker *t, const double *ends)
 {
     while (t->at + t->h > t->at && t->h > STEP_FLOOR) {
@@ -180,8 +181,8 @@ static bool advance(YkState *s, Tracker *t, const double *ends)
     return false;
 }
 
-// From a dead point the unknowns move as the root of the input's way; how fast is not known there. Tries amplitudes
-// either way: Newton's method and the determinant's sign tell which one the solution has.
+// Departs from a dead point, where the unknowns move as the square root of the input's path, at an unknown rate. Tries
+// amplitudes in both directions: Newton's method and the determinant's sign tell which one the solution has.
 static void depart(YkState *s, Tracker *t, const double *ends)
 {
     double h = fmin(1, DEPARTURE / t->longest), base = sqrt(h * t->longest);
@@ -231,7 +232,7 @@ YkStatus yk_state_track(YkState *s)
     }
     if (t.longest > STRIDE) t.h = STRIDE / t.longest;
     memcpy(s->groups.x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
-    yk_space_copy(&s->search->kept, &s->space); // to come back to on failure
+    yk_space_copy(&s->search->kept, &s->space); // to return to on failure
     memcpy(s->search->kept_x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
     set_path(s, ends, 0);
     YkStatus status =
@@ -263,7 +264,7 @@ YkStatus yk_state_track(YkState *s)
 void yk_state_walk(YkState *s)
 {
     enum { STEPS_MAX = 100000 };
-    const double stride = 0.1; // rad, or of the size: no angle makes half a turn in it
+    const double stride = 0.1; // rad, or over the size: no angle makes half a turn in it
     double *ends = s->search->path, *wanted = s->search->wanted, length = path_length(s);
     keep_references(s);
     if (!s->has_pose || !(length > stride) || !(length < stride * STEPS_MAX)) return;

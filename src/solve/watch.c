@@ -1,4 +1,4 @@
-// The margins of every dyad in threes, as a walk looks at them.
+// Watches the margins of every dyad three at a time, and how far bodies turn between poses.
 #include "solve/watch.h"
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ void yk_watch_end(YkBranchWatch *w)
     *w = (YkBranchWatch){0};
 }
 
-// Two poses at which a margin differs by more than this are too far apart to tell what lies between them.
+// Two poses whose margins differ by more than this are too far apart to tell what lies between them.
 static const double CHANGE_MOST = 0.4;
 
 static bool is_doubtful(double a, double m, double b)
@@ -32,8 +32,8 @@ static double sample(const double *before, const double *m, ptrdiff_t k)
     return k < 0 ? before[2 + k] : m[k];
 }
 
-// The first of n lanes that is not clear; n where all are. Two poses stand before them. A zero is seen by the first
-// three poses round it: it lies after the last but one of them, or after the last.
+// Returns the first of n lanes that is not clear; n if all are. Two poses precede them. The first three poses around a
+// zero show it: it lies after the second of them, or after the last.
 static size_t first_doubt(const double *before, const double *m, size_t seen, size_t n)
 {
     bool dips = false;
@@ -48,7 +48,7 @@ static size_t first_doubt(const double *before, const double *m, size_t seen, si
 
 static const double SWING_COSINE = 0.99; // 8.1 deg
 
-// The first of n lanes to which a body turns far from the one before; n where there is none.
+// Returns the first of n lanes in which a body has turned far from the one before; n if there is none.
 static size_t first_swing(YkTurn t, YkVec *before, bool is_first, size_t n)
 {
     bool swings = false;

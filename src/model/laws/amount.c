@@ -1,9 +1,9 @@
-// Amounts in messages: in the file's own units.
+// Writes amounts for messages in the file's own units.
 #include "base/number.h"
 #include "base/vec.h"
 #include "model/laws/read.h"
 
-// The unit of a dimension, "" where the file has no word for it; *size gets its size in SI.
+// Returns the unit of a dimension, "" if the file has no word for it; *size gets its size in SI.
 static const char *unit_of(const YkModel *model, YkDimension dimension, double *size)
 {
     *size = 1;
@@ -41,7 +41,7 @@ YkAmount yk_load_law_amount(const YkModel *model, const YkModelLaw *law, double 
     return amount;
 }
 
-// An angle in radians is told in degrees too: that is how cams are drawn up.
+// Returns a place. An angle in radians is also given in degrees: cams are drawn up in degrees.
 YkAmount yk_load_law_place(const YkModel *model, const YkModelLaw *law, double x)
 {
     double size;

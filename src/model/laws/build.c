@@ -1,4 +1,4 @@
-// The second pass over laws: their values are known, they are built, and what does not fit is told with its place.
+// The second pass over laws: with all values known, builds them, and reports what does not fit at its place.
 #include <math.h>
 #include <stdlib.h>
 #include "model/laws/read.h"
@@ -25,7 +25,7 @@ static void add_given(YkLawWork *work)
     }
 }
 
-// At rest at both ends.
+// Adds conditions of rest at both ends.
 static void add_ends(YkLawWork *work)
 {
     const YkLawPart *part = work->part;
@@ -39,7 +39,7 @@ static void add_ends(YkLawWork *work)
 
 enum { DEGREE = 5 };
 
-// Splines of whole degrees only; 0 is refused by the builder.
+// Returns the degree of a spline, whole degrees only; the builder refuses 0.
 static int degree_of(const YkLawPart *part)
 {
     double degree = part->degree.expr ? part->degree.value : DEGREE;
@@ -121,7 +121,7 @@ static bool add_table(YkLawWork *work)
     return fault == YK_LAW_OK;
 }
 
-// Ends the law; it must fill its period.
+// Finishes the law, which must fill its period.
 static YkLaw *finish(YkLawWork *work)
 {
     const YkLawSource *source = work->source;
@@ -133,7 +133,7 @@ static YkLaw *finish(YkLawWork *work)
     return law;
 }
 
-// Where the law begins: `from`, or the first place of its first conditions, or 0.
+// Returns where the law begins: `from`, or the first place of its first conditions, or 0.
 static double start_of(const YkLawSource *source)
 {
     if (source->from.expr || source->part_count == 0) return source->from.expr ? source->from.value : 0;
@@ -144,7 +144,7 @@ static double start_of(const YkLawSource *source)
     return isfinite(from) ? from : 0;
 }
 
-// Is every value there? Those that are not were reported.
+// Returns whether every value is known. Missing ones have been reported.
 static bool are_known(const YkLawNumber *numbers, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

@@ -1,15 +1,15 @@
-// What a law is a function of, and what it gives: the dimensions of its argument and its values.
+// Finds the dimensions of a law's argument and of its values.
 //
-// The rule: what is written with a unit decides - any number of the law, or a parameter that has one. Where nothing is,
-// the use does: `efforts: {d5: {law: cutting, of: d5}}` makes it a force over a length. Where there is none either, it
-// is a length over an angle, as of a cam. Bare numbers then are in the file's units of these dimensions.
+// The rule: an entry with a unit decides - any number of the law, or a parameter that has one. If there is none, the
+// use decides: `efforts: {d5: {law: cutting, of: d5}}` makes it a force over a length. If there is no use either, it is
+// a length over an angle, as for a cam. Bare numbers are then in the file's units of these dimensions.
 #include <stdlib.h>
 #include <string.h>
 #include "model/laws/read.h"
 
 typedef enum Axis { OF, VALUE, AXES } Axis;
 
-// Expressions that may show a dimension through a parameter in them.
+// Expressions that may reveal a dimension through a parameter in them.
 typedef struct Names {
     YkExpr **exprs;
     size_t count, capacity;
@@ -30,7 +30,8 @@ static bool has_letter(const char *text)
     return false;
 }
 
-// A plain number shows nothing: it may be a parameter without a unit, which takes what its use wants.
+// Notes a dimension. A plain number reveals none: it may be a parameter without a unit, which takes the dimension of
+// its use.
 static void show(Search *search, Axis axis, YkDimension dimension)
 {
     if (search->is_known[axis] || (yk_dimension_equal(dimension, YK_DIM_NUMBER) && dimension.angle == 0)) return;
@@ -41,7 +42,7 @@ static void show(Search *search, Axis axis, YkDimension dimension)
 static void consider(Search *search, const YkNode *node, Axis axis)
 {
     if (!node || node->kind != YK_NODE_SCALAR || search->is_known[axis] || !has_letter(node->text)) return;
-    // mistakes in it are reported when the value itself is read
+    // Mistakes in it are reported when the value itself is read.
     YkExpr *expr = yk_expr_parse(node->text, node->length, node->place, search->loader->arena, NULL);
     const YkExpr *number = expr;
     while (number && number->kind == YK_EXPR_NEGATE) number = number->a;
@@ -91,7 +92,7 @@ static void consider_table(Search *search, const YkNode *table)
     }
 }
 
-// What the expressions with names in them show: each as if it were a parameter of its own among those of the file.
+// Infers what the expressions with names reveal: each is treated like a parameter of its own among those of the file.
 static void ask_parameters(Search *search, Axis axis)
 {
     YkLoader *loader = search->loader;
@@ -108,7 +109,7 @@ static void ask_parameters(Search *search, Axis axis)
     for (size_t i = 0; i < names->count; i++) {
         size_t rest = i;
         char *name = own[i];
-        *name++ = '#'; // no name of the file has it
+        *name++ = '#'; // no name of the file contains it
         do *name++ = (char)('0' + rest % 10);
         while ((rest /= 10) > 0);
         yk_dimensions_parameter(dimensions, own[i], names->exprs[i]);
@@ -120,7 +121,7 @@ static void ask_parameters(Search *search, Axis axis)
     }
 }
 
-// Is the coordinate of this name a distance? False where there is no such coordinate.
+// Finds whether the coordinate of this name is a distance. Returns false if there is no such coordinate.
 static bool find_coordinate(const YkModel *model, const char *name, bool *is_distance)
 {
     int32_t index = yk_names_find(&model->coordinate_names, name);
@@ -130,7 +131,7 @@ static bool find_coordinate(const YkModel *model, const char *name, bool *is_dis
     return index != YK_NONE || (ending && (*is_distance || strcmp(ending, ".angle") == 0));
 }
 
-// The uses in a section of the form COORDINATE: {law: NAME, of: ARGUMENT}.
+// Looks at the uses in a section of the form COORDINATE: {law: NAME, of: ARGUMENT}.
 static void ask_uses(Search *search, const char *law, const char *section, YkDimension of_angle,
                      YkDimension of_distance)
 {
@@ -150,7 +151,7 @@ static void ask_uses(Search *search, const char *law, const char *section, YkDim
     }
 }
 
-// The cams that follow the law: a follower that slides wants a length, one on pins only an angle, both over an angle.
+// Looks at the cams that use the law: a sliding follower needs a length, a pinned one an angle, both over an angle.
 static void ask_cams(Search *search, const char *law)
 {
     const YkModel *model = search->loader->model;

@@ -1,10 +1,10 @@
-// The fundamental law of cam design: what moves needs a continuous position, and wants continuous velocity and
-// acceleration. Jumps are told where the segments meet, with their size.
+// Checks the fundamental law of cam design: a motion needs a continuous position, and should have continuous velocity
+// and acceleration. Reports jumps where the segments meet, with their size.
 #include "model/laws/read.h"
 
 enum { JUMPS_MAX = 100 };
 
-// The place of the segment that begins at x or holds it; a table has one for the whole.
+// Returns the place of the segment that begins at x or contains it; a table has one place for the whole.
 static YkPlace place_at(const YkModelLaw *law, double x)
 {
     size_t count = yk_law_segment_count(law->law), i = 0;
@@ -42,9 +42,9 @@ void yk_load_law_report_jumps(YkLoader *loader, const YkModelLaw *law)
     YkLawJump jumps[JUMPS_MAX];
     size_t count = yk_law_jumps(law->law, jumps, JUMPS_MAX);
     bool moves = yk_dimension_equal(law->value, YK_DIM_LENGTH) || yk_dimension_equal(law->value, YK_DIM_ANGLE);
-    bool is_judged = moves && law->source->part_count > 0; // corners of a table are meant, and a force may have any
+    bool is_judged = moves && law->source->part_count > 0; // corners of a table are intended, and a force may have any
     for (size_t i = 0; i < count && i < JUMPS_MAX; i++) {
-        if (i > 0 && jumps[i].x == jumps[i - 1].x) continue; // the lowest order tells
+        if (i > 0 && jumps[i].x == jumps[i - 1].x) continue; // the lowest order suffices
         if (jumps[i].order == 0)
             report_value(loader, law, &jumps[i]);
         else if (is_judged)

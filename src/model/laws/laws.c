@@ -1,4 +1,4 @@
-// `laws:` motion programs and tables, by name. Read here; built in build.c when all values are known.
+// Reads `laws:`, motion programs and tables by name. build.c builds them once all values are known.
 #include <math.h>
 #include <string.h>
 #include "model/laws/laws.h"

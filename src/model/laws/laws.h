@@ -1,13 +1,13 @@
-// A law as the file gives it: what `laws:` reads, from which the law is built once all values are known, and which a
-// derivation shows.
+// A law as the file gives it: `laws:` is read into it, the law is built from it once all values are known, and
+// derivations show it.
 #ifndef MODEL_LAWS_LAWS_H
 #define MODEL_LAWS_LAWS_H
 #include "law/build.h"
 #include "model/model.h"
 
 typedef struct YkLawNumber {
-    YkExpr *expr; // NULL where not given
-    double value; // SI; NaN where it could not be had (reported)
+    YkExpr *expr; // NULL if not given
+    double value; // SI; NaN if it could not be determined (reported)
     YkPlace place;
 } YkLawNumber;
 
@@ -18,17 +18,17 @@ typedef struct YkLawGiven {
 } YkLawGiven;
 
 typedef struct YkLawPart { // a segment
-    YkLawKind kind;        // a rise or fall with `law: spline` too is a rise or fall here
+    YkLawKind kind;        // a rise or fall with `law: spline` is a rise or fall here as well
     YkPlace place;
     YkLawNumber to, by, v, blend, b, c, d, degree;
     YkRise rise;
     bool is_spline;    // rise, fall: `law: spline`
-    YkLawGiven *given; // conditions of a polynomial or spline; points that a spline rise goes through
+    YkLawGiven *given; // conditions of a polynomial or spline; points that a spline rise passes through
     size_t given_count;
 } YkLawPart;
 
 typedef struct YkLawSource {
-    bool is_bad; // a mistake that is reported: not to be built
+    bool is_bad; // has a mistake that is reported: is not built
     YkLawNumber from, period;
     YkLawPart *parts; // of `segments`
     size_t part_count;

@@ -1,4 +1,4 @@
-// What the files that read `laws:` share; nobody else includes it.
+// What the files that read `laws:` share; no other file includes it.
 #ifndef MODEL_LAWS_READ_H
 #define MODEL_LAWS_READ_H
 #include "model/laws/laws.h"
@@ -10,17 +10,17 @@ typedef struct YkLawReader {
     YkLawSource *source;
 } YkLawReader;
 
-// Values of a law; a mistake makes the source bad.
+// Read values of a law; a mistake makes the source bad.
 void yk_load_law_number(YkLawReader *reader, const YkNode *node, const char *noun, YkDimension dimension,
                         YkLawNumber *number);
 bool yk_load_law_optional(YkLawReader *reader, const YkNode *map, const char *key, YkDimension dimension,
-                          YkLawNumber *number); // false where the key is not there
+                          YkLawNumber *number); // false if the key is missing
 void yk_load_law_required(YkLawReader *reader, const YkNode *map, const char *key, YkDimension dimension,
                           YkLawNumber *number);
 bool yk_load_law_expect(YkLawReader *reader, const YkNode *node, YkNodeKind kind, const char *noun);
 
 void yk_load_law_segments(YkLawReader *reader, const YkNode *segments); // segments.c
-void yk_load_law_dimensions(YkLoader *loader, const YkNode *section);   // dimension.c: of all laws
+void yk_load_law_dimensions(YkLoader *loader, const YkNode *section);   // dimension.c: those of all laws
 
 // A law under construction.
 typedef struct YkLawWork {
@@ -28,8 +28,8 @@ typedef struct YkLawWork {
     YkModelLaw *law;
     const YkLawSource *source;
     YkLawBuilder *builder;
-    const YkLawPart *part; // at hand
-    // its conditions, one by one, and where each of them stands
+    const YkLawPart *part; // the present one
+    // its conditions in order, and the place of each:
     YkLawCondition *conditions;
     YkPlace *places;
     size_t count, capacity, place_capacity;

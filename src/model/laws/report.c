@@ -1,4 +1,4 @@
-// What does not fit in a law whose values are known.
+// Reports what does not fit in a law whose values are known.
 #include <math.h>
 #include "model/laws/read.h"
 
@@ -19,7 +19,7 @@ static YkAmount end_so_far(const YkLawWork *work)
     return amount_at(work, yk_law_builder_at(work->builder));
 }
 
-// One of the conditions is at fault.
+// Reports a condition that is at fault.
 static void report_condition(const YkLawWork *work, YkLawFault fault)
 {
     YkProblems *problems = work->loader->problems;

@@ -1,4 +1,4 @@
-// The segments of a law: each a map of one key that says what it is.
+// Reads the segments of a law: each is a map in which one key gives the kind.
 #include <math.h>
 #include <string.h>
 #include "model/laws/read.h"
@@ -95,7 +95,7 @@ static void read_scca(YkLawReader *reader, const YkNode *node, YkLawPart *part)
     yk_load_law_required(reader, node, "d", YK_DIM_NUMBER, &part->d);
 }
 
-// A key that belongs to one law only.
+// Returns a key that belongs to one law only.
 static const YkNode *key_of(YkLawReader *reader, const YkNode *node, const char *key, bool belongs, const char *law)
 {
     const YkNode *value = yk_node_get(node, key);
@@ -158,7 +158,7 @@ static bool is_segment_key(const char *key)
     return false;
 }
 
-// The kind of a segment; NULL (reported) where it has none or several.
+// Returns the kind of a segment; NULL (reported) if it has none or several.
 static const SegmentKind *kind_of(YkLawReader *reader, const YkNode *node)
 {
     const SegmentKind *found = NULL;
@@ -171,7 +171,7 @@ static const SegmentKind *kind_of(YkLawReader *reader, const YkNode *node)
     for (size_t i = 0; i < node->count; i++) strange += !is_segment_key(node->pairs[i].key->text);
     if (count == 1) return found;
     reader->source->is_bad = true;
-    if (count == 0 && strange > 0) return NULL; // a misspelt key, which is told
+    if (count == 0 && strange > 0) return NULL; // a misspelt key, which is reported
     yk_problem(reader->loader->problems, YK_CODE_LAW_SEGMENT, node->place,
                count ? "a segment of law %q is two things at once" : "a segment of law %q does not say what it is",
                reader->law->name);

@@ -1,4 +1,4 @@
-// `efforts:` torques and forces along coordinates: COORDINATE: expression, or COORDINATE: {law: NAME, of: expression}.
+// Reads `efforts:`, torques and forces along coordinates: COORDINATE: expression, or {law: NAME, of: expression}.
 #include "model/load.h"
 
 static YkDimension effort_dimension(const YkLoader *loader, int32_t coordinate)
@@ -6,7 +6,7 @@ static YkDimension effort_dimension(const YkLoader *loader, int32_t coordinate)
     return loader->model->coordinates[coordinate].is_distance ? YK_DIM_FORCE : YK_DIM_TORQUE;
 }
 
-// What the law gives must be an effort along the coordinate.
+// Checks that the law gives an effort along the coordinate.
 static void check_law(YkLoader *loader, const YkEffort *effort, const YkNode *node)
 {
     const YkModelLaw *law = &loader->model->laws[effort->law.law];

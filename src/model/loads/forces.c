@@ -1,4 +1,4 @@
-// `forces:` at points of bodies, in world axes or the body's own, and moments on bodies.
+// Reads `forces:` at points of bodies, in world axes or the body's own, and moments on bodies.
 #include <string.h>
 #include "model/load.h"
 
@@ -12,7 +12,7 @@ static void read_axes(YkLoader *loader, YkForce *force, const YkNode *axes)
                axes->text);
 }
 
-// The force, the moment, or both.
+// Reads the force, the moment, or both.
 static void read_value(YkLoader *loader, YkForce *force, const YkNode *node, const YkSubject *subject)
 {
     const YkNode *moment = yk_node_get(node, "moment");
@@ -27,7 +27,7 @@ static void read_value(YkLoader *loader, YkForce *force, const YkNode *node, con
     if (moment) force->moment = yk_load_value(loader, moment, &want, NULL);
 }
 
-// The body on which it acts: `body:`, or `on:`, which other readers of YAML take for a boolean.
+// Returns the body on which it acts: `body:`, or `on:`, which other readers of YAML take for a boolean.
 static const YkNode *body_of(YkLoader *loader, const YkNode *node, const YkSubject *subject)
 {
     const YkNode *on = yk_node_get(node, "on");

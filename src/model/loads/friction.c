@@ -1,7 +1,8 @@
-// `friction:` of a joint: dry (coulomb), with the radius at which it acts in a pin, and viscous.
+// Reads `friction:` of a joint: dry (coulomb), with the radius at which it acts in a pin, and viscous.
 #include "model/load.h"
 
-// A slide and a pin-slot rub by a force along their line; only a pin's friction is a moment, and needs a radius.
+// Reads the radius, which only a pin needs: its friction is a moment. A slide and a pin-slot rub by a force along their
+// line.
 static void read_radius(YkLoader *loader, YkJoint *joint, const YkNode *node)
 {
     YkFriction *friction = &joint->friction;
@@ -25,7 +26,7 @@ void yk_load_friction(YkLoader *loader, const YkNode *node, YkJoint *joint)
     static const char *const keys[] = {"coulomb", "radius", "viscous", NULL};
     const YkPart *part = yk_part(joint->kind);
     const YkSubject subject = {.noun = "friction", .owner = joint->name};
-    if (!node || (!part->turns && !part->slides)) return; // of a weld the key itself is refused
+    if (!node || (!part->turns && !part->slides)) return; // on a weld the key itself is refused
     if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
     yk_load_check_keys(loader, node, keys, &subject);
     YkFriction *friction = &joint->friction;

@@ -1,10 +1,10 @@
-// `gravity: [gx, gy]` in the world's axes.
+// Reads `gravity: [gx, gy]` in the world's axes.
 #include <math.h>
 #include "model/load.h"
 
 enum { PARAMETERS_DEEP = 64 };
 
-// From the least of the round bodies of the solar system (Ceres, 0.28 m/s^2) to more than the largest planet's.
+// From the smallest round body of the solar system (Ceres, 0.28 m/s^2) to more than the largest planet.
 static const double planet_least = 0.25, planet_most = 30, earth_least = 9.7, earth_most = 9.9; // m/s^2
 
 void yk_load_gravity(YkLoader *loader)
@@ -19,7 +19,7 @@ void yk_load_gravity(YkLoader *loader)
     model->gravity_y = expr[1];
 }
 
-// Does the value rest on the file's units alone: no number in it, nor in its parameters, has a unit?
+// Returns whether the value depends on the file's units alone: no number in it, nor in its parameters, has a unit.
 static bool is_bare(const YkModel *model, const YkExpr *expr, int depth)
 {
     if (!expr) return true;
@@ -30,7 +30,7 @@ static bool is_bare(const YkModel *model, const YkExpr *expr, int depth)
     return depth < PARAMETERS_DEEP && is_bare(model, model->parameters[index].expr, depth + 1);
 }
 
-// The unit in which this number is earth's gravity, or at least a planet's; NULL: in none.
+// Returns the unit in which this number is earth's gravity, or at least a planet's; NULL if there is none.
 static const char *unit_meant(double number)
 {
     static const struct {
@@ -57,7 +57,7 @@ void yk_load_check_gravity(YkLoader *loader)
     if (g >= planet_least && g <= planet_most && !is_earths_number) return;
     YkText unit = {0};
     const char *meant = unit_meant(in_file);
-    double down = model->gravity.x == 0 ? model->gravity.y / size : in_file; // as the file has it, most often
+    double down = model->gravity.x == 0 ? model->gravity.y / size : in_file; // usually as the file has it
     yk_units_name(&model->units, YK_DIM_ACCELERATION, &unit);
     const YkExpr *expr = fabs(model->gravity.y) >= fabs(model->gravity.x) ? model->gravity_y : model->gravity_x;
     yk_problem(loader->problems, YK_CODE_ODD_GRAVITY, expr ? expr->place : (YkPlace){0},

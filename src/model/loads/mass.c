@@ -1,4 +1,4 @@
-// Mass, centre of mass and inertia of a body; or a uniform rod, whose centre and inertia follow.
+// Reads mass, centre of mass and inertia of a body; or a uniform rod, which gives centre and inertia.
 #include <math.h>
 #include "model/load.h"
 
@@ -45,7 +45,7 @@ static void refuse(YkLoader *loader, const YkNode *node, const char *key, YkCode
     if (found) yk_problem(loader->problems, code, found->place, message, body, key);
 }
 
-// Keys that make no sense beside others.
+// Checks for keys that make no sense together.
 static bool keys_agree(YkLoader *loader, int32_t index, const YkNode *node)
 {
     const char *name = loader->model->bodies[index].name;
@@ -78,7 +78,7 @@ void yk_load_mass(YkLoader *loader, int32_t index, const YkNode *node)
     if (rod) read_rod(loader, index, rod);
 }
 
-// A uniform rod of length L: centre at the midpoint, inertia m L^2 / 12 about it.
+// Finishes a uniform rod of length L: centre at the midpoint, inertia m L^2 / 12 about it.
 static void finish_rod(YkLoader *loader, YkBody *body)
 {
     const YkPoint *p = &loader->model->points[body->rod[0]], *q = &loader->model->points[body->rod[1]];
@@ -93,7 +93,7 @@ static void finish_rod(YkLoader *loader, YkBody *body)
     body->inertia = body->mass * length * length / 12;
 }
 
-// The farthest that a point of the body lies from its centre of mass.
+// Returns the largest distance of a point of the body from its centre of mass.
 static double extent_of(const YkModel *model, const YkBody *body)
 {
     double most = 0;
@@ -102,7 +102,8 @@ static double extent_of(const YkModel *model, const YkBody *body)
     return most;
 }
 
-// Inertias go wrong by units, and then by a factor of 1e6 (kg m^2 for kg mm^2): the radius of gyration shows it.
+// Warns of a doubtful inertia: mistaken units change it by a factor of 1e6 (kg m^2 for kg mm^2), which shows in the
+// radius of gyration.
 static void doubt_inertia(YkLoader *loader, const YkBody *body)
 {
     static const double LEAST = 1e-2, MOST = 1e2;

@@ -1,7 +1,7 @@
-// `springs:` springs with dampers, between two points or along a coordinate.
+// Reads `springs:`, springs with dampers, between two points or along a coordinate.
 #include "model/load.h"
 
-// Between points, along a distance, or along an angle: that decides the units, and the name of the free value.
+// Between points, along a distance, or along an angle: this decides the units, and the name of the free value.
 typedef enum Form { BETWEEN, ALONG_DISTANCE, ALONG_ANGLE } Form;
 
 static void read_ends(YkLoader *loader, YkSpring *spring, const YkNode *ends)
@@ -24,7 +24,7 @@ static void read_coordinate(YkLoader *loader, YkSpring *spring, const YkNode *al
     if (coordinate >= 0) spring->coordinate = coordinate;
 }
 
-// False where the spring's place is not known, so that its units are not either.
+// Reads where the spring acts. Returns false if that is unknown, since its units then are as well.
 static bool read_place(YkLoader *loader, YkSpring *spring, const YkNode *node, Form *form)
 {
     const YkSubject subject = {.noun = "spring", .part = spring->name};
@@ -44,7 +44,7 @@ static bool read_place(YkLoader *loader, YkSpring *spring, const YkNode *node, F
     return true;
 }
 
-// The length or angle at which the spring is free. The key of the other kind is refused.
+// Reads the length or angle at which the spring is free. Refuses the key of the other kind.
 static void read_free(YkLoader *loader, YkSpring *spring, const YkNode *node, Form form)
 {
     const char *key = form == ALONG_ANGLE ? "angle" : "length", *other = form == ALONG_ANGLE ? "length" : "angle";

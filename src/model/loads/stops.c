@@ -1,5 +1,5 @@
-// `stops:` the range that a coordinate cannot leave: COORDINATE: [lowest, highest], or with the restitution of the hit
-// COORDINATE: {between: [lowest, highest], restitution: 0.3}.
+// Reads `stops:`, the range that a coordinate cannot leave: COORDINATE: [lowest, highest], or with the restitution of
+// the impact COORDINATE: {between: [lowest, highest], restitution: 0.3}.
 #include "model/load.h"
 
 static void read_ends(YkLoader *loader, YkStop *stop, const YkNode *ends, const YkWant *want)

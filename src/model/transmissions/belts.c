@@ -1,4 +1,4 @@
-// `belts:` belts and chains between two pulleys, open or crossed.
+// Reads `belts:`, belts and chains between two pulleys, open or crossed.
 #include <math.h>
 #include "model/load.h"
 

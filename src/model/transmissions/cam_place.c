@@ -1,3 +1,4 @@
+// Places a cam and its follower by their joints, and judges whether they can touch.
 #include "model/transmissions/cam_place.h"
 #include <math.h>
 
@@ -6,10 +7,11 @@ enum { LIFT_SAMPLES = 720 };
 static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
 {
     cam->along = side == 0 ? guide->along : yk_scale(-1, yk_mul(guide->along, yk_unit(-guide->turned)));
-    if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along))); // of the guide's line
+    // The offset of the guide's line.
+    if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along)));
 }
 
-// Arm and centres from points or keys; two pins at one place are apart by what the file says.
+// Finds arm and centres from points or keys; if two pins share one place, the file gives their distance.
 static void place_pivot(const YkModel *model, const YkJoint *pin, YkVec apart, YkCam *cam)
 {
     cam->pivot = apart;

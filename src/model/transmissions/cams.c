@@ -1,4 +1,4 @@
-// `cams:` a cam on a shaft and the follower that it drives by a law.
+// Reads `cams:`, a cam on a shaft and the follower that it drives by a law.
 #include <string.h>
 #include "model/load.h"
 
@@ -21,7 +21,7 @@ static bool read_switch(YkLoader *loader, const YkNode *map, const char *key, co
     return is_true;
 }
 
-// A roller makes the face round; without one it is a knife's edge.
+// Reads the face: a roller makes it round; without one it is a knife edge.
 static void read_face(YkLoader *loader, YkCam *cam, const YkNode *map)
 {
     static const char *const words[] = {"knife", "roller", "flat", NULL};
@@ -46,13 +46,13 @@ static void read_face(YkLoader *loader, YkCam *cam, const YkNode *map)
     yk_load_hint_nearest_key(loader, node->text, words);
 }
 
-// Does this joint hold the body on a body that the cam is pinned to? That body, or YK_NONE.
+// Returns the body to which this joint attaches the given one, or YK_NONE.
 static int32_t other_body(const YkJoint *joint, int32_t body)
 {
     return joint->body[0] == body ? joint->body[1] : joint->body[1] == body ? joint->body[0] : YK_NONE;
 }
 
-// Cam and follower on one body: the pin and the pin or slide. Counts the ways.
+// Finds the joints of cam and follower on one body: the pin and the pin or slide. Returns the number of ways.
 static size_t find_joints(const YkModel *model, YkCam *cam, int32_t wanted)
 {
     size_t count = 0;
@@ -109,7 +109,7 @@ static const char *not_for(const YkCam *cam, const char *key)
     return NULL;
 }
 
-// Keys that do not go together.
+// Checks for keys that do not go together.
 static void check_fit(YkLoader *loader, const YkCam *cam, const YkNode *map)
 {
     static const char *const keys[] = {"arm", "at", "centers", "offset", "groove", "conjugate"};
@@ -121,7 +121,7 @@ static void check_fit(YkLoader *loader, const YkCam *cam, const YkNode *map)
     }
 }
 
-// {roller: ..., span: ...}, or {roller: ..., arm: ..., angle: ...} for a follower that oscillates.
+// Reads {roller: ..., span: ...}, or {roller: ..., arm: ..., angle: ...} for a follower that oscillates.
 static void read_conjugate(YkLoader *loader, YkCam *cam, const YkNode *map)
 {
     static const char *const slides[] = {"roller", "span", NULL}, *const turns[] = {"roller", "arm", "angle", NULL};

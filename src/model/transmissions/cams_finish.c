@@ -1,10 +1,10 @@
-// The second pass over cams: what follows from the joints, and whether the sizes can be.
+// The second pass over cams: what follows from the joints, and whether the sizes are possible.
 #include <math.h>
 #include "base/number.h"
 #include "model/load.h"
 #include "model/transmissions/cam_place.h"
 
-// A length as the file would give it.
+// Writes a length as the file would give it.
 static const char *length_text(YkLoader *loader, double value)
 {
     YkText *text = &loader->text;
@@ -55,7 +55,7 @@ static bool check_signs(YkLoader *loader, const YkCam *cam)
     return good;
 }
 
-// Where the file's own geometry puts the roller or edge while the follower's angle is 0.
+// Warns if the file's geometry puts the roller or edge elsewhere while the follower's angle is 0.
 static void warn_of_place(YkLoader *loader, const YkCam *cam)
 {
     const YkModel *model = loader->model;
@@ -65,7 +65,8 @@ static void warn_of_place(YkLoader *loader, const YkCam *cam)
     YkVec arm = yk_sub(model->points[cam->point].at, pin->at[pin->body[0] == cam->follower ? 0 : 1]);
     YkVec at = yk_add(cam->pivot, arm);
     double found = yk_norm(at);
-    bool is_lifted = cam->swing * yk_dot(at, yk_quarter(arm)) > 0; // the law's positive sense leads away from the cam
+    // The law's positive direction leads away from the cam.
+    bool is_lifted = cam->swing * yk_dot(at, yk_quarter(arm)) > 0;
     if (fabs(found - asked) <= 1e-4 * asked && is_lifted) return;
     YkText words = {0};
     yk_text_format(&words, "%s", length_text(loader, found));
@@ -114,7 +115,7 @@ static void check_fit(YkLoader *loader, const YkCam *cam)
     }
 }
 
-// The law is over an angle, gives what the follower does, and repeats itself once or more in a turn.
+// Checks that the law is over an angle, gives the follower's motion, and repeats once or more in a turn.
 static void check_law(YkLoader *loader, const YkCam *cam)
 {
     const YkModelLaw *law = &loader->model->laws[cam->law];

@@ -1,4 +1,4 @@
-// `gears:` pairs of gears in mesh.
+// Reads `gears:`, pairs of gears in mesh.
 #include <math.h>
 #include "model/load.h"
 
@@ -54,7 +54,7 @@ void yk_load_gears(YkLoader *loader)
     }
 }
 
-// --- With values at hand ---------------------------------------------------------------------------------------------
+// --- with values known
 
 static bool finish_teeth(YkLoader *loader, YkGear *gear)
 {
@@ -104,7 +104,7 @@ static void check_sizes(YkLoader *loader, YkGear *gear)
     }
 }
 
-// Module and centres must agree: a = module (z2 +- z1) / 2.
+// Checks that module and centres agree: a = module (z2 +- z1) / 2.
 static void check_distance(YkLoader *loader, const YkGear *gear)
 {
     if (!gear->module_expr || !(gear->module > 0)) return;

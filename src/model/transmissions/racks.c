@@ -1,4 +1,4 @@
-// `racks:` pinions that roll on racks.
+// Reads `racks:`, pinions that roll on racks.
 #include <math.h>
 #include "model/load.h"
 
@@ -44,14 +44,14 @@ void yk_load_racks(YkLoader *loader)
     }
 }
 
-// --- With values at hand ---------------------------------------------------------------------------------------------
+// --- with values known
 
 static bool is_at_origin(YkVec at)
 {
     return at.x == 0 && at.y == 0;
 }
 
-// Does the body hold the pinion's centre by a pin? Its place on the body, then.
+// Returns whether the body holds the pinion's centre by a pin; *at is its place on the body.
 static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body, YkVec *at)
 {
     for (size_t i = 0; i < model->joint_count; i++) {
@@ -66,8 +66,9 @@ static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body,
     return false;
 }
 
-// Side of the rack's line on which the pinion lies, as seen along the slide by its first body. A slide written from the
-// rack to the carrier fixes its line in the rack, through which the carrier's point passes: both turn round.
+// Returns the side of the rack's line on which the pinion lies, seen along the slide by its first body. A slide written
+// from the rack to the carrier fixes its line in the rack, and the line passes through the carrier's point: both signs
+// change.
 static int32_t sense_of(const YkJoint *slide, bool is_reversed, YkVec center)
 {
     double side = is_reversed ? yk_cross(slide->along, yk_sub(center, slide->at[1]))

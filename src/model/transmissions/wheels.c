@@ -1,4 +1,4 @@
-// Wheels: what gears, racks and belts share - bodies that turn about their origin, on axes that a carrier holds.
+// Wheels, shared by gears, racks and belts: bodies that turn about their origin, on axes that a carrier holds.
 #include <math.h>
 #include <string.h>
 #include "model/load.h"
@@ -77,12 +77,12 @@ int32_t yk_load_carrier(YkLoader *loader, const YkNode *map)
     return body == YK_NONE ? YK_REPORTED : body;
 }
 
-// --- Axes ------------------------------------------------------------------------------------------------------------
+// --- axes
 
-// Bodies that turn about one axis, each with the place of the axis on it.
+// The bodies that turn about one axis, each with the axis's place on it.
 typedef struct Axis {
     bool *has; // per body
-    YkVec *at; // per body, where it has
+    YkVec *at; // per body, if it has the axis
     size_t count;
 } Axis;
 
@@ -97,7 +97,7 @@ static bool turns_about_a_point(const YkJoint *joint)
     return (joint->kind == YK_PIN || joint->kind == YK_WELD) && joint->body[0] != YK_NONE && joint->body[1] != YK_NONE;
 }
 
-// Grows the axis by the joints that lie on it, until no joint adds a body.
+// Extends the axis by the joints that lie on it, until no joint adds a body.
 static void follow(const YkModel *model, Axis *axis)
 {
     for (bool grows = true; grows;) {
@@ -116,7 +116,7 @@ static void follow(const YkModel *model, Axis *axis)
     }
 }
 
-// The axis through a wheel's centre.
+// Returns the axis through a wheel's centre.
 static Axis axis_of(YkLoader *loader, int32_t wheel)
 {
     size_t count = loader->model->body_count;
@@ -144,7 +144,7 @@ static void report_no_carrier(YkLoader *loader, const YkWheelPair *pair, const A
     yk_problem_hint(loader->problems, "pin both to one body, each at a point of its own");
 }
 
-// A pin of the wheel whose point is given on neither body: it lies at the origin of what it is pinned to, *other.
+// Returns a pin of the wheel whose point is given on neither body: it lies at the origin of the other body, *other.
 static const YkJoint *pin_at_origin(const YkModel *model, int32_t wheel, int32_t *other)
 {
     for (size_t i = 0; i < model->joint_count; i++) {
@@ -164,8 +164,8 @@ static const YkPoint *point_off_origin(const YkModel *model, const YkBody *body)
     return NULL;
 }
 
-// More than one body could carry wheels that turn about one axis, which is no way to mesh: one of their pins should lie
-// elsewhere.
+// Reports that more than one body could carry wheels that turn about one axis, which cannot mesh: one of their pins
+// should lie elsewhere.
 static bool report_one_axis(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
 {
     const YkBody *bodies = loader->model->bodies;
@@ -177,7 +177,7 @@ static bool report_one_axis(YkLoader *loader, const YkWheelPair *pair, const Axi
     int32_t other[2] = {YK_NONE, YK_NONE};
     const YkJoint *pins[2] = {pin_at_origin(loader->model, wheel[0], &other[0]),
                               pin_at_origin(loader->model, wheel[1], &other[1])};
-    int k = other[1] > 0 || !pins[0] || other[0] <= 0 ? 1 : 0; // rather the pin on a body that moves
+    int k = other[1] > 0 || !pins[0] || other[0] <= 0 ? 1 : 0; // prefers the pin on a body that moves
     const YkPoint *point = pins[k] ? point_off_origin(loader->model, &bodies[other[k]]) : NULL;
     if (point)
         yk_problem_hint(loader->problems, "pin %q lies at the origin of %q; name its point there, as in `at: %s`",
@@ -192,7 +192,7 @@ static bool report_one_axis(YkLoader *loader, const YkWheelPair *pair, const Axi
     return true;
 }
 
-// The one body that can be the carrier; YK_NONE, reported, where there is none or more than one.
+// Returns the one body that can be the carrier; YK_NONE, reported, if there is none or more than one.
 static int32_t infer(YkLoader *loader, const YkWheelPair *pair, const Axis axes[2])
 {
     const YkModel *model = loader->model;

@@ -1,4 +1,4 @@
-// Answers: angles between bodies, differences of rates, and the mask over what does not close.
+// Answers: angles between bodies, differences of rates, and masks for lanes that do not close.
 #include "solve/angle.h"
 
 YK_INLINE void angle_loop(double *out, YkTurn a, bool has_a, YkTurn b, bool has_b, double offset, double reference,

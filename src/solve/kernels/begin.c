@@ -1,4 +1,4 @@
-// Inputs that are no numbers close nothing.
+// Starts the margins: a pose whose inputs are not numbers closes nothing.
 #include "solve/kernels/lanes.h"
 
 YK_INLINE void begin(double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n)

@@ -1,8 +1,8 @@
-// Lanes: how a kernel's loop is written once and runs on any instruction set with the same bits.
+// Lanes: a kernel's loop is written once and runs on any instruction set with the same bits.
 //
-// A kernel is a body that is inlined into one function per instruction set; the public function chooses at run time.
-// Every operation is IEEE basic arithmetic in a fixed order (no fused operations, no reassociation), so that all of
-// them, and one lane or many, give the same bits. This file is the only place that knows about instruction sets.
+// A kernel is a body that is inlined into one function for each instruction set; the public function chooses at run
+// time. Every operation is IEEE basic arithmetic in a fixed order (no fused operations, no reassociation), so that all
+// of them, and one lane or many, give the same bits. Only this file knows about instruction sets.
 #ifndef SOLVE_KERNELS_LANES_H
 #define SOLVE_KERNELS_LANES_H
 #include <stdbool.h>
@@ -11,7 +11,7 @@
 #include "compile/arms.h"
 #include "solve/kernels/kernels.h"
 
-// A function that must vanish into its caller, so that it is compiled for the caller's instruction set.
+// A function that must be inlined into its caller, so that it is compiled for the caller's instruction set.
 #if defined(__GNUC__)
 #define YK_INLINE static inline __attribute__((always_inline))
 #define YK_APART static __attribute__((noinline))
@@ -72,7 +72,7 @@
     }
 #endif
 
-// One lane of a vector, its rate and its acceleration; of an orientation; of a distance.
+// Return one lane of a vector, its rate and its acceleration; of an orientation; of a distance.
 YK_INLINE YkVec lane_place(YkPlane p, size_t i)
 {
     return yk_vec(p.x[i], p.y[i]);
@@ -101,7 +101,7 @@ typedef struct Known {
     YkVec place, rate, accel;
 } Known;
 
-// rates: whether they are asked.
+// rates: whether they are needed.
 YK_INLINE Known lane_known(YkPlane p, bool rates, size_t i)
 {
     const YkVec none = {0, 0};
@@ -113,7 +113,7 @@ typedef struct Rates {
     double w, v, turn_accel, slide_accel;
 } Rates;
 
-// What a dyad of an orientation and a distance finds.
+// The result for a dyad of an orientation and a distance.
 typedef struct Found {
     YkVec e;
     double d, margin;
@@ -137,13 +137,13 @@ YK_INLINE YkVec arm_place(YkArm arm, bool varies, size_t i)
     return varies ? lane_place(arm.lanes, i) : arm.constant;
 }
 
-// Whether a constant arm is too short for the short way.
+// Returns whether a constant arm is too short for the fast path.
 YK_INLINE bool arm_is_short(YkArm arm)
 {
     return yk_arm_share(yk_dot(arm.constant, arm.constant), arm.per_enough2) < 1;
 }
 
-// What a loop over lanes is compiled for: what is asked of it, what varies from lane to lane.
+// What a loop over lanes is compiled for: what it computes, and what varies from lane to lane.
 typedef struct Form {
     bool places, rates; // finds positions; velocities and accelerations
     bool varies;        // an arm has lanes
@@ -152,7 +152,7 @@ typedef struct Form {
     bool axial;         // constant vectors point along x, as yk_is_axial says: half the products go
 } Form;
 
-// Products with a constant v that is real where `axial`.
+// Multiplies by a constant v that is real if `axial`.
 YK_INLINE YkVec times(YkVec a, YkVec v, bool axial)
 {
     return axial ? yk_scale(v.x, a) : yk_mul(a, v);
@@ -171,7 +171,7 @@ YK_INLINE Known arm_known(YkArm arm, bool varies, bool rates, size_t i)
     return varies ? lane_known(arm.lanes, rates, i) : (Known){.place = arm.constant};
 }
 
-// The unit vector e = u e^(i line).
+// Returns the unit vector e = u e^(i line).
 YK_INLINE YkVec line_unit(YkTurn line, YkVec u, bool turns, size_t i)
 {
     return turns ? yk_mul(lane_unit(line, i), u) : u;
@@ -192,14 +192,14 @@ YK_INLINE Line lane_line(YkTurn line, YkVec u, bool turns, bool rates, size_t i)
     return (Line){line_unit(line, u, turns, i), turns && rates ? line.w[i] : 0, turns && rates ? line.a[i] : 0};
 }
 
-// sqrt of a, of 0 where a is negative or NaN. The root need not wait for the choice.
+// Returns sqrt of a, or of 0 if a is negative or NaN. The root need not wait for the choice.
 YK_INLINE double root_of(double a)
 {
     double root = sqrt(a);
     return a > 0 ? root : 0;
 }
 
-// The same with a sign: that of a branch, +1 or -1; or of a number. +0 where a is negative or NaN, with both.
+// Does the same with a sign: that of a branch, +1 or -1; or of a number. +0 if a is negative or NaN, for both.
 YK_INLINE double root_on_branch(double a, double branch)
 {
     double root = branch * sqrt(a);
@@ -211,14 +211,15 @@ YK_INLINE double root_like(double a, double sign)
     return a > 0 ? root : 0;
 }
 
-// |a|, or something tiny and harmless for 0. (A choice between a and 1 would tempt compilers into dividing twice.)
+// Returns |a|, or something tiny and harmless for 0. (A choice between a and 1 would tempt compilers into dividing
+// twice.)
 YK_INLINE double not_zero(double a)
 {
     return fabs(a) + 1e-200;
 }
 
-// Keeps the least margin of a lane. `own` gets the block's, and is the same array where nobody asks for it. It counts
-// as -1 where the witness, a part of the solution, is NaN.
+// Keeps the least margin of a lane. `own` gets the block's; it is the same array if it is not requested. The margin
+// counts as -1 if the witness, a part of the solution, is NaN.
 YK_INLINE void lane_margin(double *margin, double *own, size_t i, double m, double witness)
 {
     double before = margin[i], known = witness == witness ? m : -1;

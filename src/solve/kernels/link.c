@@ -1,8 +1,8 @@
-// Loops with one unknown, or none: they repeat constraints. The unknown is the best one, the gap says by how much it
-// misses. Rare; plain loops.
+// Loops with one unknown, or none: they repeat constraints. The unknown takes its best value, and the gap tells how far
+// it misses. Rare; plain loops.
 #include "solve/kernels/lanes.h"
 
-// K + U e^(i Phi) = 0: e^(i Phi) = -K conj(U) / |K U|; any angle will do where that is 0.
+// Solves K + U e^(i Phi) = 0: e^(i Phi) = -K conj(U) / |K U|; any angle will do if that is 0.
 void yk_lanes_link(YkPlane K, YkArm U, YkTurn out, double *gap, size_t n)
 {
     bool varies = arm_varies(U);
@@ -14,7 +14,8 @@ void yk_lanes_link(YkPlane K, YkArm U, YkTurn out, double *gap, size_t n)
     }
 }
 
-// i p Phi' = -G in the direction of i p, p = U e^(i Phi): Phi' = -cross(p, G) / U^2; accelerations with H likewise.
+// Solves i p Phi' = -G in the direction of i p, p = U e^(i Phi): Phi' = -cross(p, G) / U^2; accelerations with H
+// likewise.
 void yk_lanes_link_rates(YkPlane K, YkArm U, YkTurn out, size_t n)
 {
     bool varies = arm_varies(U);
@@ -41,7 +42,7 @@ void yk_lanes_guide(YkPlane K, YkTurn line, YkVec u, YkSlide d, double *gap, siz
     }
 }
 
-// e is a unit vector, so dot(e, e') = 0 and dot(e, e'') = -w^2.
+// Uses that e is a unit vector, so dot(e, e') = 0 and dot(e, e'') = -w^2.
 void yk_lanes_guide_rates(YkPlane K, YkTurn line, YkVec u, YkSlide d, size_t n)
 {
     for (size_t i = 0; i < n; i++) {

@@ -1,4 +1,4 @@
-// PP: K + d1 e1 + d2 e2 = 0 with known directions, two lines meet.
+// PP: K + d1 e1 + d2 e2 = 0 with known directions: two lines meet.
 //
 // D = cross(e1, e2): d1 = -cross(K, e2) / D, d2 = cross(K, e1) / D; rates and accelerations the same with G and H for
 // K.
@@ -17,7 +17,7 @@ YK_INLINE void pp_place_loop(bool turns1, bool turns2, YkPlane K, YkTurn line1, 
     }
 }
 
-// Turning lines are rare here: one loop serves them all.
+// Handles turning lines, which are rare: one loop serves them all.
 YK_APART void pp_place_turning(YkPlane K, YkTurn line1, YkVec u1, YkTurn line2, YkVec u2, YkSlide d1, YkSlide d2,
                                double *margin, double *own, size_t n)
 {
@@ -38,12 +38,12 @@ YK_KERNEL(yk_lanes_pp,
            double *block_margin, size_t n),
           (K, line1, u1, line2, u2, d1, d2, margin, block_margin))
 
-// d e': the part of the velocity that the line's turning brings.
+// Returns d e': the part of the velocity due to the line's rotation.
 YK_INLINE YkVec drift(YkTurn line, YkVec e, double d, size_t i)
 {
     return yk_scale(d * line.w[i], yk_quarter(e));
 }
-// d e'' + 2 d' e'.
+// Returns d e'' + 2 d' e'.
 YK_INLINE YkVec drift_rate(YkTurn line, YkVec e, double d, double rate, size_t i)
 {
     double w = line.w[i];

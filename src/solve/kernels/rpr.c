@@ -1,4 +1,4 @@
-// RPR over lanes.
+// The RPR dyad over lanes.
 #include "solve/kernels/rpr.h"
 #include "solve/kernels/term.h"
 
@@ -14,7 +14,7 @@ YK_INLINE void rpr_loop(Form form, Base K, YkArm C, YkTurn inner, YkVec u, doubl
     }
 }
 
-// Arms that vary and inner turns are rare: one loop serves them all.
+// Handles arms that vary and inner turns, which are rare: one loop serves them all.
 YK_APART void rpr_varying(bool places, bool rates, Base K, YkArm C, YkTurn inner, YkVec u, double branch, YkTurn out,
                           YkSlide d, double *margin, double *own, size_t n)
 {

@@ -1,4 +1,4 @@
-// RRP over lanes.
+// The RRP dyad over lanes.
 #include "solve/kernels/rrp.h"
 #include "solve/kernels/term.h"
 
@@ -16,7 +16,7 @@ YK_INLINE void rrp_loop(Form form, Base K, YkArm W, YkTurn line, YkVec u, double
     }
 }
 
-// Arms that vary or are short are rare: one loop serves them all.
+// Handles arms that vary or are short, which are rare: one loop serves them all.
 YK_APART void rrp_varying(bool places, bool rates, Base K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out,
                           YkSlide d, double *margin, double *own, size_t n)
 {

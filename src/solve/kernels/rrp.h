@@ -1,4 +1,4 @@
-// RRP: K + W e^(i Phi) + d e = 0, a circle meets a line.
+// RRP: K + W e^(i Phi) + d e = 0: a circle meets a line.
 //
 // With q = W e^(i Phi): across the line q has the component cross(e, q) = cross(K, e) = h, so along it g = dot(e, q) =
 // +-sqrt(W^2 - h^2); q = e (g + i h), d = -dot(e, K) - g. The determinant is g, the margin g^2 / W^2.
@@ -18,8 +18,8 @@ YK_INLINE RrpChord rrp_chord(YkVec K, YkArmCircle W, YkVec e, bool axial)
     return (RrpChord){h, dot_with(e, K, axial), (W.radius - h) * (W.radius + h)};
 }
 
-// -g. Where places are not asked, with the sign of what the distance, as it is stored, leaves beside `along`: the same
-// bits, and none of the digits that a distance far away takes from it.
+// Returns -g. If places are not computed, its sign is that of the stored distance plus `along`: the same bits, without
+// the digits lost to a distance far away.
 YK_INLINE double minus_g(Form form, RrpChord known, double branch, double d)
 {
     return form.places ? root_on_branch(known.g2, -branch) : root_like(known.g2, d + known.along);
@@ -38,14 +38,15 @@ YK_INLINE Rates rrp_rates(Form form, Known K, Known W, Line line, double minus_p
     return (Rates){w, v, cross_with(e, H, form.axial) * inverse, yk_dot(q, H) * inverse};
 }
 
-// sin^2 of the angle between the line and the arm's way; less where the arm is short, unless it does not close.
+// Returns sin^2 of the angle between the line and the arm's path; less if the arm is short, unless the loop does not
+// close.
 YK_INLINE double rrp_margin(Form form, RrpChord known, YkArmCircle circle)
 {
     double m = known.g2 * circle.inverse_square;
     return form.careful && m > 0 ? m * circle.share : m;
 }
 
-// `at`: the distance, where places are not asked.
+// Solves one lane. `at`: the distance, if places are not computed.
 YK_INLINE Found rrp_solve(Form form, Known K, Known W, YkArmCircle circle, Line line, double branch, double at)
 {
     RrpChord known = rrp_chord(K.place, circle, line.e, form.axial);

@@ -1,8 +1,8 @@
-// RRR over lanes.
+// The RRR dyad over lanes.
 #include "solve/kernels/rrr.h"
 #include "solve/kernels/term.h"
 
-// The branch of a solution that stands in the lanes: the sign of its determinant.
+// Returns the branch of the solution in the lanes: the sign of its determinant.
 YK_INLINE double branch_of(YkArm U, bool U_varies, YkArm W, bool W_varies, YkTurn out1, YkTurn out2, size_t i)
 {
     YkVec p = yk_mul(arm_place(U, U_varies, i), lane_unit(out1, i));
@@ -10,7 +10,7 @@ YK_INLINE double branch_of(YkArm U, bool U_varies, YkArm W, bool W_varies, YkTur
     return yk_cross(p, q) < 0 ? -1 : 1;
 }
 
-// The loop over the lanes, with what is asked and what varies known when it is compiled.
+// The loop over the lanes; what it computes and what varies are known at compile time.
 YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, bool axial, bool careful, Base K,
                         YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin, double *own,
                         size_t n)
@@ -36,7 +36,7 @@ YK_INLINE void rrr_loop(bool places, bool rates, bool U_varies, bool W_varies, b
     }
 }
 
-// Arms that vary or are short are rare: one loop serves them all.
+// Handles arms that vary or are short, which are rare: one loop serves them all.
 YK_APART void rrr_varying(bool places, bool rates, Base K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
                           double *margin, double *own, size_t n)
 {

@@ -1,4 +1,4 @@
-// RRR: K + U e^(i Phi1) + W e^(i Phi2) = 0, two circles meet.
+// RRR: K + U e^(i Phi1) + W e^(i Phi2) = 0: two circles meet.
 //
 // With L = -K = p + q: dot(p, L) = A = (L^2 + U^2 - W^2) / 2 and cross(p, q) = D, where
 // 4 D^2 = ((U+W)^2 - L^2) (L^2 - (U-W)^2); hence p = L (A - i D) / L^2 and q = L (L^2 - A + i D) / L^2.
@@ -8,9 +8,9 @@
 #define SOLVE_KERNELS_RRR_H
 #include "solve/kernels/lanes.h"
 
-// One lane before any root: 4 D^2, 1 / (2 L^2) and 1 / (4 D^2). Where D^2 <= 0, the last means nothing; where L = 0
-// (any angle would do), the one before. Each has a division of its own: neither waits for more than it needs, and in a
-// chain of dyads the wait is what costs.
+// One lane before any root: 4 D^2, 1 / (2 L^2) and 1 / (4 D^2). If D^2 <= 0, the last is meaningless; if L = 0 (any
+// angle would do), the one before. Each has a division of its own, so that neither waits for more than it needs: in a
+// chain of dyads the waiting is the cost.
 typedef struct RrrTriangle {
     double L2, square, half_per_L2, per_square;
 } RrrTriangle;
@@ -21,8 +21,8 @@ YK_INLINE RrrTriangle rrr_triangle(YkVec K, YkArmPair arms)
     return (RrrTriangle){L2, square, 0.5 / L2, 1 / not_zero(square)};
 }
 
-// sin^2 of the angle between the arms; less where they are short. What does not close is measured by the base where
-// that is short: a gap of 1e-9 is nothing to arms of 1, but to a base of 1e-8 it is.
+// Returns sin^2 of the angle between the arms; less if they are short. A loop that does not close is measured relative
+// to the base if that is short: a gap of 1e-9 is nothing to arms of 1, but much to a base of 1e-8.
 YK_INLINE double rrr_margin(RrrTriangle known, YkArmPair arms, bool careful)
 {
     double m = known.square * arms.scale, shortness = 2 * arms.rectangle * known.half_per_L2;
@@ -39,13 +39,13 @@ YK_INLINE Rrr rrr_place(YkVec K, YkArmPair arms, RrrTriangle known, double branc
 {
     double half = known.half_per_L2, root = root_of(known.square);
     YkVec across =
-        yk_scale(root, yk_quarter(yk_scale(branch * half, K))); // the root, which comes last, meets one product
+        yk_scale(root, yk_quarter(yk_scale(branch * half, K))); // the root, which comes last, enters one product
     YkVec p = yk_add(yk_scale(-(known.L2 + arms.product) * half, K), across);
     YkVec q = yk_sub(yk_scale(-(known.L2 - arms.product) * half, K), across);
     return (Rrr){p, q, 0.5 * branch * root};
 }
 
-// U'' e^(i Phi) + 2 i Phi' U' e^(i Phi): what a varying arm adds to the acceleration.
+// Returns U'' e^(i Phi) + 2 i Phi' U' e^(i Phi): what a varying arm adds to the acceleration.
 YK_INLINE YkVec swing(Known U, YkVec e, double w)
 {
     return yk_mul(yk_add(U.accel, yk_scale(2 * w, yk_quarter(U.rate))), e);
@@ -55,7 +55,7 @@ typedef struct RatePair {
     double w1, w2, a1, a2;
 } RatePair;
 
-// inverse: 1 / D.
+// Returns the rates. inverse: 1 / D.
 YK_INLINE RatePair rrr_rates(Known K, Known U, bool U_varies, Known W, bool W_varies, Rrr at, double inverse, YkVec e1,
                              YkVec e2)
 {
@@ -75,14 +75,14 @@ typedef struct RrrFound {
     RatePair rates;
 } RrrFound;
 
-// Of length 1, where rounding of a base that is long against the arm has left another. Not for 0.
+// Restores length 1, which rounding changes if the base is long compared with the arm. Not for 0.
 YK_INLINE YkVec of_length_one(YkVec e)
 {
     return yk_scale(1 / sqrt(yk_dot(e, e)), e);
 }
 
-// axial: both arms point along x. careful: an arm is short, or may be, so that its unit vector takes more of the
-// rounding of the base than its length bears.
+// Solves one lane. axial: both arms point along x. careful: an arm is short, or may be, so that its unit vector needs
+// correction for the rounding of the base.
 YK_INLINE RrrFound rrr_solve(bool rates, Known K, Known U, bool U_varies, Known W, bool W_varies, YkArmPair arms,
                              bool axial, bool careful, double branch)
 {

@@ -1,7 +1,7 @@
-// Sums of vectors: the known part of a loop and the places of points, with their rates and accelerations.
+// Sums of vectors: the known part of a loop and the positions of points, with their rates and accelerations.
 #include "solve/kernels/term.h"
 
-// Writes or, where `adds`, adds one lane.
+// Writes one lane or, if `adds`, adds to it.
 YK_INLINE void put(YkPlane out, bool adds, size_t i, Known term)
 {
     out.x[i] = adds ? out.x[i] + term.place.x : term.place.x;
@@ -12,7 +12,7 @@ YK_INLINE void put(YkPlane out, bool adds, size_t i, Known term)
     out.ay[i] = adds ? out.ay[i] + term.accel.y : term.accel.y;
 }
 
-// out = constant + plus - minus, for one of the six rows; absent rows are NULL.
+// Computes out = constant + plus - minus, for one of the six rows; absent rows are NULL.
 YK_INLINE void start_row(double *out, double constant, const double *plus, const double *minus, size_t n)
 {
     if (plus && minus) {

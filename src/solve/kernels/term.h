@@ -3,7 +3,7 @@
 #define SOLVE_KERNELS_TERM_H
 #include "solve/kernels/lanes.h"
 
-// z = v e^(i phi): z' = i w z, z'' = (i a - w^2) z.
+// For z = v e^(i phi): z' = i w z, z'' = (i a - w^2) z.
 YK_INLINE YkVec spin_rate(YkVec z, double w)
 {
     return yk_scale(w, yk_quarter(z));
@@ -13,15 +13,15 @@ YK_INLINE YkVec spin_accel(YkVec z, double w, double a)
     return yk_sub(yk_scale(a, yk_quarter(z)), yk_scale(w * w, z));
 }
 
-// v e^(i phi).
+// Returns v e^(i phi).
 YK_INLINE Known term_turned(Line turn, YkVec v, bool axial)
 {
     YkVec z = times(turn.e, v, axial);
     return (Known){z, spin_rate(z, turn.w), spin_accel(z, turn.w, turn.a)};
 }
 
-// The known part of a dyad's loop: in lanes, or a constant and one turned vector along x, as in most loops of
-// machines; that is worked out where it is used and never stored.
+// The known part of a dyad's loop: in lanes, or a constant and one turned vector along x, as in most loops of machines.
+// The latter is computed where it is used and never stored.
 typedef struct Base {
     bool is_turned;
     YkPlane lanes;
@@ -36,7 +36,7 @@ YK_INLINE Known base_at(Base base, bool rates, size_t i)
     return known;
 }
 
-// d z with z = v e^(i phi): d' z + d z', d'' z + 2 d' z' + d z''.
+// Returns d z with z = v e^(i phi): d' z + d z', d'' z + 2 d' z' + d z''.
 YK_INLINE Known term_sliding(Line turn, bool turns, YkVec v, double d, double rate, double accel)
 {
     YkVec z = turns ? yk_mul(turn.e, v) : v;

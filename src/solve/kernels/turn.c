@@ -1,7 +1,7 @@
 // Orientations: the turn of a joint, and of one body by another.
 #include "solve/elementary.h"
 
-// A turn by x, on top of the parent's where there is one.
+// Turns by x, on top of the parent's turn if there is a parent.
 YK_INLINE void turn_lane(YkTurn out, YkTurn parent, bool has_parent, YkVec e, size_t i)
 {
     lane_set_unit(out, i, has_parent ? yk_mul(lane_unit(parent, i), e) : e);
@@ -32,7 +32,7 @@ YK_APART void turn_one_by_one(YkTurn out, YkTurn parent, const double *theta, do
     }
 }
 
-// out = base + sign * change; either may be NULL: zero.
+// Computes out = base + sign * change; either may be NULL: zero.
 YK_INLINE void turn_rates(double *out, const double *base, const double *change, double sign, size_t n)
 {
     if (base && change) {
@@ -62,7 +62,7 @@ YK_KERNEL(yk_lanes_turn,
            double sign, size_t n),
           (out, parent, theta, rate, accel, offset, sign))
 
-// A copy of an orientation; the ground's is (1, 0) at rest.
+// Copies an orientation; the ground's is (1, 0) at rest.
 YK_APART void turn_copy(YkTurn out, YkTurn a, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
