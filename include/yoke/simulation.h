@@ -26,21 +26,23 @@ typedef struct YkSimulationOptions {
     size_t value_count;
     const YkCompileOptions *compile; // NULL: defaults
     const YkState
-        *pose; // where it begins: a state of the machine, whatever its inputs; NULL: assembled as `start:` says
+        *pose;    // where it begins: a state of the machine, whatever its inputs; NULL: assembled as `start:` says
+    size_t pulls; // how many pulls the host may exert at a time (yk_simulation_act_pull); 0: none
 } YkSimulationOptions;
 YK_API YkSimulationOptions yk_default_simulation_options(void);
 
 typedef struct YkSimulation YkSimulation;
 
 // Assembles the machine at its start. Start rates that the loops do not allow are projected, with a note. Returns
-// NULL with problems added: no assembly, a freedom without inertia, stops that exclude the start. The model must
-// outlive the simulation.
+// NULL with problems added: no assembly, a freedom without inertia, stops that exclude the start. The model, and all
+// that the options point to, must outlive the simulation.
 YK_API YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems);
 YK_API void yk_simulation_free(YkSimulation *simulation);
 // Also reports zero crossings of a channel minus a value, as events called `name` (copied). direction: +1, -1, 0: both.
 YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, YkChannel channel, double value,
                                     int direction);
-// Replaces the effort that `efforts:` gives along a coordinate by a constant; only before the first advance.
+// Replaces the effort that `efforts:` gives along a coordinate by a constant; only before the first advance. From then
+// on yk_simulation_act_effort may change it at any time.
 YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
 // Advances to time `to`. The state then stands exactly at `to` (dense output, loops closed by the position solver). On
 // failure it stands at the last good time and the status is below 0: YK_LIMIT (also if a drive goes past a stop),
@@ -56,6 +58,59 @@ YK_API YkState *yk_simulation_state(YkSimulation *simulation);       // pose, ra
 YK_API YkDynamics *yk_simulation_dynamics(YkSimulation *simulation); // forces at that time, solved when first asked for
 YK_API double yk_simulation_channel(YkSimulation *simulation, YkChannel channel);
 YK_API const YkReport *yk_simulation_report(const YkSimulation *simulation);
+
+// Advances by a span of time, s >= 0.
+YK_API YkStatus yk_simulation_step(YkSimulation *simulation, double span);
+
+// Acting on the machine, between advances and in a control. What is set holds from the time at which the simulation
+// stands until it is set again; the state and the forces there are those before it. The integrator begins anew at
+// that time, and only where something has changed. Coordinates and bodies by number (yk_coordinate_find). Each returns
+// YK_BAD_ARGUMENT, and changes nothing, where there is no such thing or a number is not finite.
+
+// Sets the effort along a coordinate, N m or N: one that `efforts:` or yk_simulation_set_effort names.
+YK_API YkStatus yk_simulation_act_effort(YkSimulation *simulation, size_t coordinate, double effort);
+// Takes over a driven coordinate: it goes on from where it stands, at the rate that it has, with this acceleration
+// (rad/s^2 or m/s^2), in place of its drive.
+YK_API YkStatus yk_simulation_act_drive(YkSimulation *simulation, size_t coordinate, double acceleration);
+// A force on a point of a body: force + stiffness (target - point) - damping (velocity of the point), world axes. With
+// a stiffness it is the spring by which a mouse pulls. It is evaluated within the steps, and its work counts as that of
+// "pulls".
+typedef struct YkPull {
+    size_t body;
+    double place[2];  // of the point, in the body's axes, m
+    double target[2]; // in the world, m
+    double stiffness; // N/m
+    double damping;   // N s/m
+    double force[2];  // N
+} YkPull;
+// Sets pull number `index`, which is below options.pulls; NULL lets go.
+YK_API YkStatus yk_simulation_act_pull(YkSimulation *simulation, size_t index, const YkPull *pull);
+
+// Calls `control` now and after every further `period`, s, exactly then: the integrator ends a step there, and the
+// state stands at that time. What the control sets is held until the next sample. Returning false ends the advance
+// there, as options.goes_on does. The control must not advance, reset, restore or free the simulation. One at a time;
+// NULL: none. YK_BAD_ARGUMENT for a period that is not positive.
+typedef bool (*YkControl)(void *context, YkSimulation *simulation, double time);
+YK_API YkStatus yk_simulation_set_control(YkSimulation *simulation, double period, YkControl control, void *context);
+// How often the control was called, and when: sample `index` of the control that is set.
+YK_API size_t yk_simulation_sample_count(const YkSimulation *simulation);
+YK_API double yk_simulation_sample_time(const YkSimulation *simulation, size_t index);
+
+// Goes back to the start: nothing has happened, nothing was set since the first advance. Efforts named before it,
+// watches and the control stay; the control's samples begin at the start again. What follows has the same bits as the
+// first time. On failure (YK_NO_MEMORY) nothing changes.
+YK_API YkStatus yk_simulation_reset(YkSimulation *simulation);
+// A second simulation in the same condition, which goes on with the same bits. It takes the options and the control as
+// they are, with their contexts. NULL when out of memory.
+YK_API YkSimulation *yk_simulation_clone(YkSimulation *simulation);
+// Writes the simulation as bytes, at most `capacity` of them, and returns how many it needs; writes nothing where they
+// do not fit. The bytes carry a format version, the machine's fingerprint and a checksum.
+YK_API size_t yk_simulation_save(YkSimulation *simulation, void *bytes, size_t capacity);
+// Puts a simulation of the same machine where another one was saved: its options, acts, watches and results, but not
+// the callbacks, which stay those of `simulation`. It goes on with the same bits as the one that was saved.
+// YK_BAD_ARGUMENT: the bytes are damaged, incomplete, or of another version; YK_BAD_MODEL: of another machine.
+// On failure nothing changes.
+YK_API YkStatus yk_simulation_restore(YkSimulation *simulation, const void *bytes, size_t count);
 
 typedef enum YkHappeningKind {
     YK_HAPPENING_STOP,
@@ -83,8 +138,8 @@ typedef struct YkSimulationSummary {
     double energy_start, energy_end;
 } YkSimulationSummary;
 YK_API YkSimulationSummary yk_simulation_summary(const YkSimulation *simulation);
-// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, stops): its name, and
-// J.
+// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops): its
+// name, and J.
 YK_API size_t yk_simulation_work_count(const YkSimulation *simulation);
 YK_API const char *yk_simulation_work_name(const YkSimulation *simulation, size_t index);
 YK_API double yk_simulation_work(const YkSimulation *simulation, size_t index);

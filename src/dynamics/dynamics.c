@@ -121,7 +121,7 @@ bool yk_dynamics_prepare(YkDynamics *d)
 {
     if (!d->is_stale) return true;
     size_t free_count = count_free(d);
-    bool fits = free_count == d->mech->input_count;
+    bool fits = free_count == d->mech->input_count && d->loads->handle_count == 0;
     forget_equations(d);
     d->tree = fits ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
     for (size_t i = 0; i < d->mech->input_count; i++) { // for what may push there
@@ -204,7 +204,7 @@ static YkStatus stand(YkDynamics *d, YkState *state, const YkLoad **loads)
         return status;
     }
     *loads = NULL;
-    if (d->loads->item_count == 0 && d->push == 0) return status;
+    if (d->loads->item_count + d->loads->handle_count == 0 && d->push == 0) return status;
     size_t culprit;
     memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
     if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit))

@@ -181,7 +181,17 @@ void yk_loads_free(YkLoads *loads)
     free(loads->is_loaded);
     free(loads->variables);
     free(loads->value);
+    free(loads->handles);
     free(loads);
+}
+
+bool yk_loads_set_handles(YkLoads *loads, size_t count)
+{
+    loads->handles = calloc(count, sizeof *loads->handles);
+    if (!loads->handles) return false;
+    loads->handle_count = count;
+    for (size_t b = 1; b < loads->mech->model->body_count; b++) loads->is_loaded[b] = true;
+    return true;
 }
 
 bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort)

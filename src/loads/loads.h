@@ -65,6 +65,14 @@ typedef struct YkLoadItem {
     bool is_held;           // COULOMB: sticks; `dry` is given from outside
 } YkLoadItem;
 
+// A pull from outside on a point of a body: force + stiffness (target - point) - damping velocity, world axes.
+typedef struct YkHandle {
+    bool is_on;
+    YkLoadEnd end;
+    YkVec target, force;
+    double stiffness, damping;
+} YkHandle;
+
 typedef struct YkVariable { // of the formulas: [0] is the time
     int32_t coordinate;     // of the tree; YK_NONE: time
     bool is_rate;
@@ -79,6 +87,9 @@ typedef struct YkLoads {
     size_t variable_count, variable_capacity;
     double *value;   // of the variables
     bool *is_loaded; // per body: some item may act on it
+    YkHandle *handles;
+    size_t handle_count;
+    double handle_power; // what all handles delivered to the machine when last added, W
     bool has_dry;
     bool failed;
 } YkLoads;
@@ -87,7 +98,9 @@ YkLoads *yk_loads_new(const YkMechanism *mech);
 void yk_loads_free(YkLoads *loads);
 // Replaces the effort along a tree coordinate.
 bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort);
-// Adds all items to load[body], without gravity, at a pose of the space (positions and velocities; the inputs and
+// Makes room for pulls from outside, none of them on; any body may be pulled then. False when out of memory.
+bool yk_loads_set_handles(YkLoads *loads, size_t count);
+// Adds all items and handles to load[body], without gravity, at a pose of the space (positions and velocities; the inputs and
 // references are the state's). power[item] (may be NULL): what it delivers to the machine now, W. False where a value
 // is not finite: *culprit names the item.
 bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power,

@@ -123,6 +123,17 @@ static double push_spring(const Pose *p, const YkLoadItem *item)
     return -item->damping * rate * rate;
 }
 
+// Returns the power that it delivers.
+static double push_handle(const Pose *p, const YkHandle *handle)
+{
+    YkLoadPoint point = point_of(p, &handle->end);
+    YkVec pull = yk_sub(yk_scale(handle->stiffness, yk_sub(handle->target, point.at)),
+                        yk_scale(handle->damping, point.velocity));
+    YkVec force = yk_add(handle->force, pull);
+    push(p->load, handle->end.body, point.arm, force);
+    return yk_dot(force, point.velocity);
+}
+
 static double push_item(const Pose *p, YkLoadItem *item)
 {
     double rate;
@@ -171,6 +182,9 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
         *culprit = k;
         return false;
     }
+    loads->handle_power = 0;
+    for (size_t k = 0; k < loads->handle_count; k++)
+        if (loads->handles[k].is_on) loads->handle_power += push_handle(&p, &loads->handles[k]);
     return true;
 }
 

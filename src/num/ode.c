@@ -127,6 +127,11 @@ void yk_ode_free(YkOde *ode)
     free(ode);
 }
 
+void yk_ode_set_context(YkOde *ode, void *context)
+{
+    ode->context = context;
+}
+
 YkOdeStatus yk_ode_start(YkOde *ode, double t, const double *y, double t_end, bool keep_step)
 {
     ode->started = false;

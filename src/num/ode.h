@@ -4,6 +4,7 @@
 #define NUM_ODE_H
 #include <stdbool.h>
 #include <stddef.h>
+#include "base/archive.h"
 
 typedef enum YkOdeMethod {
     YK_ODE_DOP853, // Dormand & Prince 8(5,3) with dense output of order 7. Hairer, Norsett & Wanner 1993, II.10
@@ -38,6 +39,10 @@ typedef struct YkOde YkOde;
 // its step). Copies options and scale. SDIRK4 holds two matrices of n^2; the others about 25 n numbers.
 YkOde *yk_ode_new(size_t n, const YkOdeOptions *options, YkOdeFunction f, void *context);
 void yk_ode_free(YkOde *ode);
+// Writes a stepper, or reads it into one made with the same options: it goes on with the same bits.
+void yk_ode_archive(YkOde *ode, YkArchive *archive);
+// Gives f another context: whoever owns the stepper has moved.
+void yk_ode_set_context(YkOde *ode, void *context);
 // Starts or restarts at (t, y), towards t_end (which may lie before t). Evaluates f once. With `keep_step` it continues
 // with the current step size (after a small change of y) instead of choosing anew. Returns YK_ODE_FAILED when f fails
 // here.

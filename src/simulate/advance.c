@@ -25,19 +25,24 @@ static bool settle_contacts(YkSimulation *sim)
     return ok;
 }
 
-// Starts the stepper at the time and inputs that stand.
-static bool restart(YkSimulation *sim)
+// Starts the stepper at the time and inputs that stand. keep_step: with the step size in use.
+static bool restart_with(YkSimulation *sim, bool keep_step)
 {
     double end = sim->options.horizon > sim->time ? sim->options.horizon : sim->target;
     yk_simulation_contacts_start(sim);
     if (!settle_contacts(sim)) return false;
     if (!(end > sim->time)) end = sim->time + 1;
     sim->is_new_step = false;
-    YkOdeStatus status = yk_ode_start(sim->ode, sim->time, sim->y, end, false);
+    YkOdeStatus status = yk_ode_start(sim->ode, sim->time, sim->y, end, keep_step);
     if (status == YK_ODE_OK) return true;
     sim->status = YK_NOT_CONVERGED;
     if (sim->report.message[0] == 0) sim->report = sim->dynamics->report;
     return false;
+}
+
+static bool restart(YkSimulation *sim)
+{
+    return restart_with(sim, false);
 }
 
 static const double POOR = 0.2; // sin^2 of the worst block, from which other coordinates are looked for
@@ -58,6 +63,7 @@ static bool look_round(YkSimulation *sim)
 static bool start_moving(YkSimulation *sim)
 {
     sim->has_begun = true;
+    sim->has_acted = false;
     yk_simulation_contacts_start(sim);
     yk_simulation_look_near(sim, sim->time);
     if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
@@ -188,6 +194,7 @@ static bool is_spent(const YkSimulation *sim)
 static void set_end(YkSimulation *sim, double to)
 {
     double end = sim->options.horizon >= to ? sim->options.horizon : to, t = yk_ode_time(sim->ode);
+    end = fmin(end, fmax(yk_simulation_next_sample(sim), t));
     bool may_cross = !sim->is_lean && sim->options.integrator != YK_INTEGRATOR_RK4 && sim->mech->block_count > 0;
     if (may_cross) end = fmin(end, fmax(t + yk_simulation_reach(sim), t + 1e-9 * fabs(t)));
     yk_ode_set_end(sim->ode, end);
@@ -209,12 +216,38 @@ static bool sample_energy(YkSimulation *sim)
     return stand(sim, yk_ode_time(sim->ode), yk_ode_state(sim->ode));
 }
 
-YkStatus yk_simulation_advance(YkSimulation *sim, double to)
+// --- acting ---------------------------------------------------------------------------------------
+
+// What was found in the last step beyond the time at which the host acts did not happen.
+static void forget_future(YkSimulation *sim)
 {
-    if (sim->status != YK_OK) return sim->status;
-    if (!isfinite(to) || to < sim->time) return YK_BAD_ARGUMENT;
+    size_t kept = 0;
+    for (size_t k = 0; k < sim->happening_count; k++)
+        if (sim->happenings[k].time <= sim->time) sim->happenings[kept++] = sim->happenings[k];
+    sim->happening_count = kept;
+    sim->pending = YK_PENDING_NONE;
+}
+
+// Begins anew at the time that stands, which may lie within the last step, with what the host has set.
+static bool take_acts(YkSimulation *sim)
+{
+    double t = sim->time;
+    sim->has_acted = false;
+    if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return false;
+    memcpy(sim->y, sim->dense, (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
+    forget_future(sim);
+    if (!yk_simulation_pose(sim, t, sim->y) || !restart_with(sim, true)) return false;
+    if (!stand(sim, t, sim->y) || !look_round(sim)) return false;
+    yk_simulation_watch_start(sim);
+    return true;
+}
+
+// Goes on to time `to`, at most to the next sample of the control.
+static YkStatus go_to(YkSimulation *sim, double to)
+{
     sim->target = to;
     if (!sim->has_begun && !start_moving(sim)) return fail(sim, YK_ODE_FAILED);
+    if (sim->has_acted && !take_acts(sim)) return fail(sim, YK_ODE_FAILED);
     if (to == sim->options.start && yk_ode_time(sim->ode) == to) // the first row
         return stand(sim, to, yk_ode_state(sim->ode)) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
     while (!is_passed(sim, to)) {
@@ -243,4 +276,33 @@ YkStatus yk_simulation_advance(YkSimulation *sim, double to)
     }
     if (yk_ode_dense(sim->ode, to, sim->dense) != YK_ODE_OK) return fail(sim, YK_ODE_FAILED);
     return stand(sim, to, sim->dense) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
+}
+
+// Calls the control where its sample is due. False: it ends the advance.
+static bool take_sample(YkSimulation *sim)
+{
+    YkSampling *sampling = &sim->sampling;
+    if (sim->time != yk_simulation_next_sample(sim)) return true;
+    sampling->count++;
+    sim->is_in_control = true;
+    bool goes_on = sampling->control(sampling->context, sim, sim->time);
+    sim->is_in_control = false;
+    return goes_on;
+}
+
+YkStatus yk_simulation_advance(YkSimulation *sim, double to)
+{
+    if (sim->status != YK_OK) return sim->status;
+    if (!isfinite(to) || to < sim->time || sim->is_in_control) return YK_BAD_ARGUMENT;
+    for (;;) {
+        double until = fmin(to, yk_simulation_next_sample(sim));
+        YkStatus status = go_to(sim, until);
+        bool was_ended = status != YK_OK || sim->time < until;
+        if (was_ended || !take_sample(sim) || until == to) return status;
+    }
+}
+
+YkStatus yk_simulation_step(YkSimulation *sim, double span)
+{
+    return span >= 0 ? yk_simulation_advance(sim, sim->time + span) : YK_BAD_ARGUMENT;
 }

@@ -81,19 +81,30 @@ static bool is_lean(const YkSimulation *sim)
     return sim->dynamics->tree != NULL;
 }
 
+// They come before all other inputs.
+static bool keep_choice(YkSimulation *sim, const YkCompileOptions *compile)
+{
+    sim->chosen_count = compile ? compile->input_count : 0;
+    sim->chosen = calloc(sim->chosen_count + 1, sizeof *sim->chosen);
+    for (size_t k = 0; sim->chosen && k < sim->chosen_count; k++)
+        sim->chosen[k] = yk_coordinate_find(sim->mech, compile->inputs[k]);
+    return sim->chosen != NULL;
+}
+
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems)
 {
     sim->mech = yk_mechanism_compile(sim->model, compile, problems);
-    if (!sim->mech) return false;
+    if (!sim->mech || !keep_choice(sim, compile)) return false;
     sim->state = yk_state_new(sim->mech);
     sim->dynamics = sim->state ? yk_dynamics_new(sim->mech, problems) : NULL;
     if (!sim->dynamics) return false;
-    for (size_t c = 0; sim->has_effort && c < sim->mech->coordinate_count; c++)
+    if (sim->options.pulls > 0 && !yk_loads_set_handles(sim->dynamics->loads, sim->options.pulls)) return false;
+    for (size_t c = 0; sim->has_effort && sim->effort && c < sim->mech->coordinate_count; c++)
         if (sim->has_effort[c]) yk_dynamics_set_effort(sim->dynamics, c, sim->effort[c]);
     size_t driven = driven_count(sim->dynamics);
     sim->item_count = sim->dynamics->loads->item_count;
     sim->free_count = sim->mech->input_count - driven;
-    sim->work_count = sim->item_count + driven + 1;
+    sim->work_count = sim->item_count + driven + (sim->options.pulls > 0) + 1;
     sim->has_drives = driven > 0;
     if (!yk_dynamics_prepare(sim->dynamics) || !allocate(sim)) return false;
     sim->is_lean = is_lean(sim);
@@ -116,6 +127,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     yk_dynamics_free(sim->dynamics);
     yk_state_free(sim->state);
     yk_mechanism_free(sim->mech);
+    free(sim->chosen);
     free(sim->free_input);
     free(sim->y);
     free(sim->response);
@@ -128,6 +140,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     sim->dynamics = NULL;
     sim->state = NULL;
     sim->mech = NULL;
+    sim->chosen = NULL;
     sim->free_input = NULL;
     sim->y = sim->response = NULL;
     sim->contacts = NULL;
@@ -190,6 +203,8 @@ static void carry_over(YkSimulation *to, YkSimulation *from)
         item->is_held = old->is_held;
         item->direction = old->direction;
     }
+    size_t handles = from->dynamics->loads->handle_count;
+    if (handles > 0) memcpy(to->dynamics->loads->handles, from->dynamics->loads->handles, handles * sizeof(YkHandle));
     memcpy(to->contacts, from->contacts, from->contact_count * sizeof *to->contacts);
     memcpy(to->lambda, from->lambda, from->contact_count * sizeof *to->lambda);
     size_t works = to->work_count < from->work_count ? to->work_count : from->work_count;
@@ -201,7 +216,7 @@ static bool move_over(YkSimulation *to, YkSimulation *from)
 {
     YkState *s = to->state;
     carry_over(to, from);
-    if (yk_state_set_time(s, from->time, NULL) < 0) return false;
+    if (yk_simulation_set_time(to, s, from->time, NULL) < 0) return false;
     for (size_t k = 0; k < to->free_count; k++) {
         size_t i = (size_t)to->free_input[k], c = (size_t)to->mech->inputs[i];
         YkMotion m = yk_state_coordinate(from->state, c);
@@ -237,6 +252,7 @@ bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
     next.mech = NULL;
     next.state = NULL;
     next.dynamics = NULL;
+    next.chosen = NULL;
     next.free_input = NULL;
     next.y = next.response = NULL;
     next.contacts = NULL;

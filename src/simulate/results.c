@@ -109,6 +109,7 @@ const char *yk_simulation_work_name(const YkSimulation *sim, size_t index)
 {
     if (index < sim->item_count) return sim->dynamics->loads->items[index].name;
     if (index + 1 == sim->work_count) return "stops";
+    if (sim->options.pulls > 0 && index + 2 == sim->work_count) return "pulls";
     size_t at = sim->item_count;
     for (size_t i = 0; i < sim->mech->input_count; i++)
         if (!sim->dynamics->is_free[i] && at++ == index) return sim->mech->coordinates[sim->mech->inputs[i]].name;

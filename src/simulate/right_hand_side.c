@@ -7,7 +7,7 @@ bool yk_simulation_set(YkSimulation *sim, double t, const double *y)
     YkState *s = sim->state;
     bool ok = true;
     if (sim->has_drives)
-        ok = yk_state_set_time(s, t, NULL) >= 0;
+        ok = yk_simulation_set_time(sim, s, t, NULL) >= 0;
     else
         s->time = t;
     for (size_t k = 0; k < sim->free_count; k++) {
@@ -24,6 +24,7 @@ void yk_simulation_powers(YkSimulation *sim, double *power)
 {
     YkDynamics *d = sim->dynamics;
     power[sim->work_count - 1] = 0; // stops take energy in impacts alone
+    if (sim->options.pulls > 0) power[sim->work_count - 2] = d->loads->handle_power;
     if (sim->item_count > 0) memcpy(power, d->power, sim->item_count * sizeof *power);
     if (!sim->has_drives) return;
     bool by_bodies = sim->contact_count > 0 || d->loads->has_dry; // then the reduced equations lack what contacts exert

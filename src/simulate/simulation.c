@@ -99,19 +99,53 @@ static bool are_options_good(const YkSimulationOptions *o, YkProblems *problems)
     return good;
 }
 
-YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems)
+// Those of the start.
+static bool copy_efforts(YkSimulation *to, const YkSimulation *from)
+{
+    size_t n = from->mech->coordinate_count;
+    if (!from->has_effort || !from->effort) return true;
+    to->has_effort = malloc(2 * n * sizeof *to->has_effort);
+    to->effort = malloc(2 * n * sizeof *to->effort);
+    if (!to->has_effort || !to->effort) return false;
+    for (size_t k = 0; k < 2; k++) {
+        memcpy(to->has_effort + k * n, from->has_effort + n, n * sizeof *to->has_effort);
+        memcpy(to->effort + k * n, from->effort + n, n * sizeof *to->effort);
+    }
+    return true;
+}
+
+static bool take_over(YkSimulation *to, const YkSimulation *from)
+{
+    bool ok = copy_efforts(to, from);
+    for (size_t k = 0; ok && k < from->watch_count; k++) {
+        const YkEventWatch *w = &from->watches[k];
+        ok = yk_simulation_watch(to, w->name, w->channel, w->level, w->direction) == YK_OK;
+    }
+    to->sampling = from->sampling;
+    to->sampling.from = to->options.start;
+    to->sampling.count = 0;
+    return ok;
+}
+
+YkSimulation *yk_simulation_blank(const YkModel *model, const YkSimulationOptions *options, const YkSimulation *like)
 {
     YkSimulation *sim = calloc(1, sizeof *sim);
     if (!sim) return NULL;
     sim->model = model;
     sim->sweeps_max = 5000;
-    sim->options = options ? *options : yk_default_simulation_options();
+    sim->options = *options;
     sim->arena = yk_arena_new();
-    if (!are_options_good(&sim->options, problems)) {
-        yk_simulation_free(sim);
-        return NULL;
-    }
-    bool ok = sim->arena && yk_simulation_build(sim, sim->options.compile, problems) && yk_simulation_stepper(sim);
+    if (sim->arena && (!like || take_over(sim, like))) return sim;
+    yk_simulation_free(sim);
+    return NULL;
+}
+
+YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems)
+{
+    YkSimulationOptions defaults = yk_default_simulation_options();
+    if (!are_options_good(options ? options : &defaults, problems)) return NULL;
+    YkSimulation *sim = yk_simulation_blank(model, options ? options : &defaults, NULL);
+    bool ok = sim && yk_simulation_build(sim, sim->options.compile, problems) && yk_simulation_stepper(sim);
     if (ok && !sim->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
                    "no body has mass or inertia, so nothing says how the machine moves");
@@ -126,17 +160,45 @@ YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions 
     return NULL;
 }
 
-void yk_simulation_free(YkSimulation *sim)
+static void end(YkSimulation *sim)
 {
-    if (!sim) return;
     yk_simulation_unbuild(sim);
     yk_arena_free(sim->arena);
     free(sim->watches);
     free(sim->happenings);
     free(sim->effort);
     free(sim->has_effort);
-    free(sim->work_name);
+    free(sim->commands);
+}
+
+void yk_simulation_free(YkSimulation *sim)
+{
+    if (!sim) return;
+    end(sim);
     free(sim);
+}
+
+void yk_simulation_replace(YkSimulation *sim, YkSimulation *by)
+{
+    end(sim);
+    *sim = *by;
+    free(by);
+    if (sim->ode) yk_ode_set_context(sim->ode, sim);
+}
+
+YkStatus yk_simulation_reset(YkSimulation *sim)
+{
+    if (sim->is_in_control) return YK_BAD_ARGUMENT;
+    YkSimulation *fresh = yk_simulation_blank(sim->model, &sim->options, sim);
+    YkProblems *quiet = yk_problems_new();
+    bool ok = fresh && quiet && yk_simulation_build(fresh, fresh->options.compile, quiet) &&
+              yk_simulation_stepper(fresh) && begin(fresh, quiet);
+    yk_problems_free(quiet);
+    if (ok)
+        yk_simulation_replace(sim, fresh);
+    else
+        yk_simulation_free(fresh);
+    return ok ? YK_OK : YK_NO_MEMORY;
 }
 
 YkStatus yk_simulation_watch(YkSimulation *sim, const char *name, YkChannel channel, double value, int direction)
@@ -154,11 +216,9 @@ YkStatus yk_simulation_set_effort(YkSimulation *sim, const char *coordinate, dou
     size_t n = sim->mech->coordinate_count;
     int c = yk_coordinate_find(sim->mech, coordinate);
     if (c < 0 || sim->has_begun || !isfinite(effort)) return YK_BAD_ARGUMENT;
-    if (!sim->has_effort) sim->has_effort = calloc(n, sizeof *sim->has_effort);
-    if (!sim->effort) sim->effort = calloc(n, sizeof *sim->effort);
-    if (!sim->has_effort || !sim->effort) return YK_NO_MEMORY;
-    sim->has_effort[c] = true;
-    sim->effort[c] = effort;
+    if (!yk_simulation_make_efforts(sim)) return YK_NO_MEMORY;
+    sim->has_effort[c] = sim->has_effort[n + (size_t)c] = true;
+    sim->effort[c] = sim->effort[n + (size_t)c] = effort;
     YkProblems *quiet = yk_problems_new();
     yk_simulation_unbuild(sim);
     bool ok = yk_simulation_build(sim, sim->options.compile, quiet) && yk_simulation_stepper(sim) && begin(sim, quiet);

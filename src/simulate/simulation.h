@@ -34,6 +34,18 @@ typedef enum YkPendingKind {
     YK_PENDING_RELEASE // a contact can no longer hold
 } YkPendingKind;
 
+typedef struct YkCommand { // of a driven coordinate that the host has taken over
+    bool is_set;
+    double time, position, rate, acceleration; // from that time on
+} YkCommand;
+
+typedef struct YkSampling { // of the control
+    YkControl control;      // NULL: none
+    void *context;
+    double from, period;
+    size_t count; // samples taken
+} YkSampling;
+
 struct YkSimulation {
     const YkModel *model;
     YkSimulationOptions options;
@@ -45,9 +57,14 @@ struct YkSimulation {
     int32_t *free_input; // inputs that are free
     size_t free_count;
     size_t work_count, item_count; // quadratures: items of the loads, then driven inputs, then stops
-    const char **work_name;
-    double *effort; // per coordinate: set from outside
+    int32_t *chosen;               // the coordinates that were asked for as inputs, in their order
+    size_t chosen_count;
+    double *effort; // [2][coordinate]: set from outside, now and before the first advance
     bool *has_effort;
+    YkCommand *commands; // per coordinate; NULL: none yet
+    bool has_acted;      // since the stepper began
+    bool is_in_control;
+    YkSampling sampling;
     double *y, *dense, *rate, *work; // [2 free + works]; work[work_count] at `time`
     double time;
     bool has_drives, is_lean; // lean: an open tree with nothing to watch between rows
@@ -93,6 +110,17 @@ struct YkSimulation {
     YkReport report;
     YkStatus status;
 };
+
+// simulation.c: a simulation that stands nowhere yet, with the efforts, watches and control of another one (NULL: none).
+YkSimulation *yk_simulation_blank(const YkModel *model, const YkSimulationOptions *options, const YkSimulation *like);
+// Takes the place of another one, which is freed, at the same address.
+void yk_simulation_replace(YkSimulation *simulation, YkSimulation *by);
+
+// act.c: what the host does.
+bool yk_simulation_make_efforts(YkSimulation *simulation); // room for them; false when out of memory
+// The inputs at a time, as drives and the host's commands say.
+YkStatus yk_simulation_set_time(const YkSimulation *simulation, YkState *state, double time, YkProblems *problems);
+double yk_simulation_next_sample(const YkSimulation *simulation); // HUGE_VAL where there is no control
 
 // results.c: takes account of the energy at the pose that stands.
 void yk_simulation_count_energy(YkSimulation *sim);

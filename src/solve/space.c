@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t doubles(const YkSpace *s)
+size_t yk_space_number_count(const YkSpace *s)
 {
     return s->stride * (4 * s->slots + 3 * s->distances + 6 * (s->nodes + YK_SCRATCH_COUNT) + 2 + s->relations +
                         (s->block_margin ? s->blocks : 0));
@@ -35,7 +35,7 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
                        .blocks = mech->block_count,
                        .relations = mech->relation_count + mech->derived_count,
                        .block_margin = with_margins ? &dummy : NULL};
-    size_t size = doubles(space) * sizeof(double);
+    size_t size = yk_space_number_count(space) * sizeof(double);
     space->memory = calloc(1, size + 64);
     space->turn = calloc(space->slots + 1, sizeof *space->turn);
     space->slide = calloc(space->distances + 1, sizeof *space->slide);
@@ -68,5 +68,5 @@ void yk_space_end(YkSpace *space)
 
 void yk_space_copy(YkSpace *to, const YkSpace *from)
 {
-    memcpy(to->data, from->data, doubles(from) * sizeof(double));
+    memcpy(to->data, from->data, yk_space_number_count(from) * sizeof(double));
 }

@@ -25,6 +25,7 @@ typedef struct YkSpace {
 // with_margins: keeps every block's own margin.
 bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool with_margins);
 void yk_space_end(YkSpace *space);
+size_t yk_space_number_count(const YkSpace *space); // of its data
 void yk_space_copy(YkSpace *to, const YkSpace *from);
 
 // Slot 0 and node YK_NONE have no lanes.

@@ -2,6 +2,7 @@
 #ifndef SOLVE_STATE_H
 #define SOLVE_STATE_H
 #include <yoke/state.h>
+#include "base/archive.h"
 #include "solve/run.h"
 
 typedef struct YkPhase { // of an input that has made many turns: stands for `angle` as long as the input has this value
@@ -86,6 +87,9 @@ static inline void yk_state_tell(YkState *state, const YkSpace *space, YkStatus 
 // Takes the inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a
 // variant); also the pose if it is the same mechanism.
 void yk_state_take(YkState *to, const YkState *from);
+// Writes a state, or reads it into one of the same mechanism: it goes on with the same bits.
+void yk_state_archive(YkState *state, YkArchive *archive);
+void yk_report_archive(YkReport *report, const YkMechanism *mech, YkArchive *archive);
 // Makes the spare space the pose.
 void yk_state_accept(YkState *state);
 // Makes the present angles the reference for the next.

@@ -23,9 +23,32 @@ static YkModel *load(void)
     return model;
 }
 
+// What a host does: acts, copies, goes back to the start. Whatever fails, the simulation stays as it was.
+static bool act(YkSimulation *sim)
+{
+    static unsigned char bytes[100000];
+    int w = yk_coordinate_find(yk_state_mechanism(yk_simulation_state(sim)), "w");
+    YkPull pull = {.body = 1, .force = {1, 0}};
+    bool ok = yk_simulation_act_drive(sim, (size_t)w, 0.1) == YK_OK && yk_simulation_act_pull(sim, 0, &pull) == YK_OK &&
+              yk_simulation_step(sim, 0.01) == YK_OK;
+    YkSimulation *clone = ok ? yk_simulation_clone(sim) : NULL;
+    yk_simulation_free(clone);
+    size_t count = yk_simulation_save(sim, bytes, sizeof bytes);
+    assert_true(count <= sizeof bytes);
+    double before = yk_simulation_time(sim);
+    if (ok && clone && yk_simulation_restore(sim, bytes, count) != YK_OK) ok = false;
+    assert_true(yk_simulation_time(sim) == before);
+    if (ok && clone && yk_simulation_reset(sim) != YK_OK) {
+        assert_true(yk_simulation_time(sim) == before);
+        ok = false;
+    }
+    return ok && clone;
+}
+
 static bool simulate(const YkModel *model)
 {
     YkSimulationOptions o = yk_default_simulation_options();
+    o.pulls = 1;
     YkProblems *problems = yk_problems_new();
     YkSimulation *sim = problems ? yk_simulation_new(model, &o, problems) : NULL;
     bool ok = sim && yk_simulation_set_effort(sim, "p", 0.1) == YK_OK;
@@ -35,6 +58,7 @@ static bool simulate(const YkModel *model)
         ok = yk_simulation_advance(sim, 0.04 * row) == YK_OK;
         if (ok) yk_simulation_dynamics(sim);
     }
+    ok = ok && act(sim);
     if (sim) yk_simulation_summary(sim);
     if (sim && !ok) yk_simulation_advance(sim, 1); // what failed stays failed
     yk_simulation_free(sim);
