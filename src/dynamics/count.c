@@ -1,10 +1,10 @@
-// The count of equations and unknowns, as a textbook makes it.
+// Counts equations and unknowns, as a textbook does.
 //
-// Every moving body has two force equations and a moment equation; a pin that joins three bodies or more is a massless
+// Every moving body has two force equations and a moment equation. A pin that joins three bodies or more is a massless
 // junction with two force equations of its own and a force from each body. A joint that closes a loop gives as many
-// acceleration equations as it takes freedoms, a gear, rack, belt, cam or law one and a force of its own. A body whose
-// forces all meet in its centre of mass has a trivial moment equation - the moment of its guide is 0 - and both are
-// left out.
+// acceleration equations as it takes freedoms; a gear, rack, belt, cam or law gives one, and a force of its own. If the
+// forces on a body all meet in its centre of mass, its moment equation is trivial - the moment of its guide is 0 - and
+// both are left out.
 #include <stdlib.h>
 #include "dynamics/dynamics.h"
 
@@ -30,7 +30,7 @@ static void look_at_joints(const YkDynamics *d, Meeting *meetings)
                 m->slides++;
             else
                 m->others++;
-            bool is_bearing = joint->kind == YK_SLIDE && side == 1; // its normal force passes the point `to`
+            bool is_bearing = joint->kind == YK_SLIDE && side == 1; // its normal force passes through the point `to`
             bool is_pin = joint->kind == YK_PIN;
             YkVec center = yk_reference_point(model, (size_t)joint->body[side]);
             if ((!is_pin && !is_bearing) || !are_one_point(joint->at[side], center, d->mech->size))
@@ -39,7 +39,7 @@ static void look_at_joints(const YkDynamics *d, Meeting *meetings)
     }
 }
 
-// What wheels, racks and cams transmit turns the bodies they are on; the drive of a law acts along its guide.
+// Considers wheels, racks and cams, whose forces turn their bodies; the drive of a law acts along its guide.
 static void look_at_meshes(const YkModel *model, Meeting *meetings)
 {
     for (size_t k = 0; k < model->gear_count; k++)
@@ -52,7 +52,7 @@ static void look_at_meshes(const YkModel *model, Meeting *meetings)
         meetings[model->cams[k].cam].in_center = meetings[model->cams[k].follower].in_center = false;
 }
 
-// Does a load turn it?
+// Returns whether a load turns the body.
 static bool is_turned(const YkDynamics *d, size_t body)
 {
     for (size_t k = 0; k < d->loads->item_count; k++) {
@@ -74,7 +74,7 @@ static bool is_trivial(const YkDynamics *d, const Meeting *meetings, size_t body
     return meetings[body].slides == 1 && meetings[body].in_center && !is_turned(d, body);
 }
 
-// How many junctions there are: sets of pins in one point, chained by the bodies they share, with at least two pins.
+// Finds junctions: sets of at least two pins in one point, chained by the bodies they share.
 static int32_t root_of(int32_t *parent, int32_t k)
 {
     while (parent[k] != k) k = parent[k] = parent[parent[k]];
@@ -122,7 +122,7 @@ static size_t count_junctions(const YkModel *model, bool *ran_out)
     return junctions;
 }
 
-// Sets of bodies whose angles slides and welds of the tree hold together.
+// Joins bodies whose angles are tied by slides and welds of the tree.
 static void join_orientations(const YkMechanism *mech, int32_t *parent)
 {
     const YkModel *model = mech->model;

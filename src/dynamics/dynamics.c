@@ -1,4 +1,4 @@
-// The entry: inertia and loads of a mechanism, and what they make of a pose.
+// The entry: inertia and loads of a mechanism, and its accelerations at a pose.
 #include "dynamics/dynamics.h"
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,6 @@
 #include "dynamics/holding.h"
 
 // --- making
-// -------------------------------------------------------------------------------------------------------------
 
 static bool allocate(YkDynamics *d)
 {
@@ -49,7 +48,7 @@ YkDynamics *yk_dynamics_new(const YkMechanism *mech, YkProblems *problems)
     return d;
 }
 
-// What depends on the choice of free inputs.
+// Forgets everything that depends on the choice of free inputs.
 static void forget_equations(YkDynamics *d)
 {
     yk_influence_free(d->influence);
@@ -124,7 +123,7 @@ bool yk_dynamics_prepare(YkDynamics *d)
     bool fits = free_count == d->mech->input_count && d->loads->handle_count == 0;
     forget_equations(d);
     d->tree = fits ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
-    for (size_t i = 0; i < d->mech->input_count; i++) { // for what may push there
+    for (size_t i = 0; i < d->mech->input_count; i++) { // prepares for efforts that may act there
         const YkJoint *j = &d->mech->model->joints[d->mech->coordinates[d->mech->inputs[i]].joint];
         if (d->is_free[i]) d->loads->is_loaded[j->body[0]] = d->loads->is_loaded[j->body[1]] = true;
     }
@@ -133,8 +132,7 @@ bool yk_dynamics_prepare(YkDynamics *d)
     return !d->is_stale;
 }
 
-// --- what went wrong
-// ----------------------------------------------------------------------------------------------------
+// --- failures
 
 static void append(char *message, size_t capacity, const char *part)
 {
@@ -170,7 +168,6 @@ YkStatus yk_dynamics_fail_at_load(YkDynamics *d, size_t item)
 }
 
 // --- accelerations
-// ------------------------------------------------------------------------------------------------------
 
 static YkStatus reduce_tree(YkDynamics *d, const YkState *state, double *accelerations)
 {
@@ -191,7 +188,7 @@ static YkStatus reduce_tree(YkDynamics *d, const YkState *state, double *acceler
     return bad < 0 ? YK_OK : yk_dynamics_fail_at_input(d, bad);
 }
 
-// The pose with the free inputs' accelerations 0, and *loads on every body there: NULL, or in d->load.
+// Solves the pose with the free inputs' accelerations 0; *loads on every body is NULL, or in d->load.
 static YkStatus stand(YkDynamics *d, YkState *state, const YkLoad **loads)
 {
     for (size_t i = 0; i < d->mech->input_count; i++) {

@@ -1,8 +1,8 @@
-// Forces at a pose: reactions, efforts, balances.
+// Finds forces at a pose: reactions, efforts, balances.
 #include <string.h>
 #include "dynamics/holding.h"
 
-// All loads with gravity, and how every body moves.
+// Finds all loads including gravity, and the motion of every body.
 static YkStatus find_loads(YkDynamics *d, const YkState *state)
 {
     const YkModel *model = d->mech->model;
@@ -53,7 +53,7 @@ static void take_contact(YkDynamics *d, const YkState *state, size_t relation)
     d->largest_force = fmax(d->largest_force, yk_norm(f.force));
 }
 
-// Reactions, drives and sums from what the free bodies found.
+// Takes reactions, drives and sums from the results of the free bodies.
 static void take_results(YkDynamics *d, const YkState *state)
 {
     const YkModel *model = d->mech->model;
@@ -93,7 +93,7 @@ YkStatus yk_dynamics_apply(YkDynamics *d, YkState *state)
     if (status >= 0) status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
     if (status >= 0 && status != YK_SINGULAR && yk_free_bodies_radial(d->bodies, d->load, 1)) {
         status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
-        yk_free_bodies_radial(d->bodies, d->load, -1); // told as forces of the mesh, not as loads
+        yk_free_bodies_radial(d->bodies, d->load, -1); // they are reported as forces of the mesh, not as loads
     }
     if (status >= 0 && status != YK_SINGULAR) take_results(d, state);
     return status == YK_NO_MEMORY ? run_out(d) : status;
@@ -148,7 +148,7 @@ double yk_dynamics_dry_tolerance(int round)
 bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state, int round)
 {
     double tolerance = yk_dynamics_dry_tolerance(round),
-           share = round < YK_DRY_ROUNDS / 4 ? 1 : 0.5; // against swinging
+           share = round < YK_DRY_ROUNDS / 4 ? 1 : 0.5; // against oscillation
     bool stands = true;
     for (size_t k = 0; k < d->loads->item_count; k++) {
         YkLoadItem *item = &d->loads->items[k];
@@ -164,7 +164,7 @@ bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state, int round)
 
 YkStatus yk_dynamics_fail_at_dry(YkDynamics *d)
 {
-    for (size_t k = 0; k < d->loads->item_count; k++) // it may have grown beyond all bounds: the next pose begins anew
+    for (size_t k = 0; k < d->loads->item_count; k++) // it may have grown without bound: the next pose starts anew
         if (d->loads->items[k].kind == YK_LOAD_COULOMB) d->loads->items[k].dry = 0;
     return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
 }
@@ -174,7 +174,7 @@ YkStatus yk_dynamics_solve_once(YkDynamics *d, YkState *state, YkDynamicsMethod 
     return method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
 }
 
-// All joints with dry friction slide: again and again until it stands.
+// Solves with all joints with dry friction sliding, repeatedly until the friction settles.
 static YkStatus solve_sliding(YkDynamics *d, YkState *state, YkDynamicsMethod method)
 {
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
@@ -185,7 +185,7 @@ static YkStatus solve_sliding(YkDynamics *d, YkState *state, YkDynamicsMethod me
     return yk_dynamics_fail_at_dry(d);
 }
 
-// Do joints with dry friction stand at the state's inputs?
+// Returns whether joints with dry friction are at rest at the state's inputs.
 static bool stands_dry(YkDynamics *d, YkState *state)
 {
     if (!d->holding) return false;
@@ -203,7 +203,6 @@ YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod metho
 }
 
 // --- answers
-// ------------------------------------------------------------------------------------------------------------
 
 YkReaction yk_dynamics_reaction(const YkDynamics *d, size_t joint)
 {

@@ -1,15 +1,15 @@
-// Efforts that hold a machine whose joints stand under dry friction.
+// Finds efforts that hold a machine whose joints are at rest under dry friction.
 //
-// Unknown are the frictions f of all joints with dry friction. Joint forces N(f), accelerations a(f) of the joints that
-// stand and the efforts e(f) of the drives are affine in f; their columns come from solutions with one f at a time.
+// The unknowns are the frictions f of all joints with dry friction. Joint forces N(f), accelerations a(f) of the joints
+// at rest and the efforts e(f) of the drives are affine in f; their columns come from solutions with one f at a time.
 // With limits c = mu R,
-//     |f_j| <= c_j |N_j(f)|       a joint that stands, and
-//     f_j = -s_j c_j |N_j(f)|     one that slides in the sense s_j,
-// and a(f) = 0 where free inputs would let a standing joint move. The lowest and highest effort over these f are sought
-// by linear programs: with a unit vector u_j along N_j at the f at hand, u_j . N_j(f) <= |N_j(f)|, so that
-// |f_j| <= c_j u_j . N_j(f) allows nothing that friction does not allow; the best f gives the next u_j, until the
-// effort rises no further (convex-concave procedure: Yuille & Rangarajan 2003). All f on the way are allowed, and so is
-// every effort between the two ends. An end is believed only if a solution with its frictions bears it out.
+//     |f_j| <= c_j |N_j(f)|       for a joint at rest, and
+//     f_j = -s_j c_j |N_j(f)|     for one that slides in the sense s_j,
+// and a(f) = 0 where free inputs would let a joint at rest move. Linear programs seek the lowest and highest effort
+// over these f. With a unit vector u_j along N_j at the present f, u_j . N_j(f) <= |N_j(f)|, so |f_j| <= c_j u_j .
+// N_j(f) allows nothing that friction does not allow. The best f gives the next u_j, until the effort rises no further
+// (convex-concave procedure: Yuille & Rangarajan 2003). All f on the way are allowed, and so is every effort between
+// the two ends. An end is accepted only if a solution with its frictions confirms it.
 #include "dynamics/holding.h"
 #include <stdlib.h>
 #include <string.h>
@@ -23,15 +23,15 @@ static const double ROUNDING = 1e-11, BORNE_OUT = 1e-8;
 typedef struct YkStanding {
     size_t item;        // of the loads
     bool stands;        // its rate is 0
-    bool sticks;        // free inputs would move it, and friction keeps it
+    bool sticks;        // free inputs would move it, and friction holds it
     int sense;          // it slides, or begins to: +1, -1; otherwise 0
-    double limit, unit; // limit: c; unit: size of its friction
+    double limit, unit; // limit: c; unit: scale of its friction
     double scale;       // of its motion: 1 rad, or the machine's size
     double u[2];
 } YkStanding;
 
 struct YkHolding {
-    size_t count, rows, inputs, joints; // joints: with gears and cams after them
+    size_t count, rows, inputs, joints; // joints: followed by gears and cams
     bool is_too_large, is_open;
     double hardest; // the largest acceleration of the pose, rad/s^2 or sizes/s^2
     YkStanding *standing;
@@ -130,7 +130,7 @@ bool yk_holding_is_open(const YkHolding *h)
     return h->is_open;
 }
 
-// --- the pose -------------------------------------------------------------------------------------
+// --- the pose
 
 static YkLoadItem *item_of(const YkHolding *h, const YkDynamics *d, size_t j)
 {
@@ -143,7 +143,7 @@ static bool stands(const YkDynamics *d, const YkState *state, const YkLoadItem *
     return fabs(*rate) <= ROUNDING * fastest * (item->is_distance ? d->mech->size : 1);
 }
 
-// The largest rate and acceleration of the pose, of angles or in sizes of the machine.
+// Finds the largest rate and acceleration of the pose, of angles or in machine sizes.
 static void find_scales(const YkDynamics *d, const YkState *state, double *fastest, double *hardest)
 {
     *fastest = *hardest = 0;
@@ -156,7 +156,7 @@ static void find_scales(const YkDynamics *d, const YkState *state, double *faste
     *hardest = fmax(*hardest, *fastest * *fastest);
 }
 
-// Too many to be looked at: no effort is known where any of them stands.
+// Handles too many joints to examine: no effort is known if any of them is at rest.
 static bool stand_unknown(YkHolding *h, const YkDynamics *d, const YkState *state)
 {
     double fastest, hardest, rate;
@@ -191,7 +191,7 @@ bool yk_holding_is_needed(YkHolding *h, const YkDynamics *d, const YkState *stat
     return any;
 }
 
-// --- the affine model -----------------------------------------------------------------------------
+// --- the affine model
 
 static void set_frictions(const YkHolding *h, YkDynamics *d, const double *f)
 {
@@ -220,7 +220,7 @@ static YkStatus solve_with(const YkHolding *h, YkDynamics *d, YkState *state, Yk
     return yk_dynamics_solve_once(d, state, method);
 }
 
-// Of a joint, or of the gears and cams after them.
+// Returns the reaction of a joint, or of the gears and cams after them.
 static YkReaction *reaction_of(const YkDynamics *d, size_t k)
 {
     size_t joints = d->mech->model->joint_count;
@@ -238,7 +238,7 @@ static bool differs(const YkReaction *a, const YkReaction *b, double near, doubl
            fabs(a->moment - b->moment) > near * size;
 }
 
-// Rows at f = h->f, and how each grows with each friction.
+// Finds the rows at f = h->f, and how each changes with each friction.
 static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method)
 {
     YkStatus status = solve_with(h, d, state, method, h->f);
@@ -260,7 +260,7 @@ static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkDyna
         for (size_t k = 0; k < h->joints && s->stands; k++)
             if (differs(reaction_of(d, k), &h->before[k], 1e-9 * s->unit / length, size)) h->depends[k] = true;
     }
-    for (size_t r = 0; r < h->rows; r++) // of f = 0
+    for (size_t r = 0; r < h->rows; r++) // at f = 0
         for (size_t j = 0; j < h->count; j++) h->base[r] -= h->column[r * h->count + j] * h->f[j];
     return YK_OK;
 }
@@ -278,7 +278,7 @@ static double limit_at(const YkHolding *h, size_t j, const double *f)
     return h->standing[j].limit * sqrt(x * x + y * y);
 }
 
-// Frictions of the joints that slide, with the others as they are. False where they do not settle.
+// Sets the frictions of the joints that slide, with the others unchanged. Returns false if they do not settle.
 static bool settle_sliding(const YkHolding *h, double *f)
 {
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
@@ -295,9 +295,10 @@ static bool settle_sliding(const YkHolding *h, double *f)
     return false;
 }
 
-// --- joints that free inputs would move -----------------------------------------------------------
+// --- joints that free inputs would move
 
-// Which standing joints free inputs could move, and which drives do: those begin to slip as they are driven.
+// Finds which joints at rest free inputs could move, and which ones drives move: those begin to slip as they are
+// driven.
 static void ask_what_moves(YkHolding *h)
 {
     size_t n = h->count;
@@ -306,7 +307,7 @@ static void ask_what_moves(YkHolding *h)
         for (size_t k = 0; k < n; k++) h->matrix[j * n + k] = h->column[(2 * n + j) * n + k];
     for (size_t j = 0; j < n; j++)
         most = fmax(most, fabs(h->matrix[j * n + j] * h->standing[j].unit) / h->standing[j].scale);
-    for (size_t j = 0; j < n; j++) { // an acceleration that no friction changes is a drive's
+    for (size_t j = 0; j < n; j++) { // an acceleration that no friction changes is that of a drive
         YkStanding *s = &h->standing[j];
         double none = ROUNDING * most * s->scale, a = h->base[2 * n + j];
         bool is_driven = fabs(h->matrix[j * n + j] * s->unit) <= none;
@@ -319,7 +320,7 @@ static void ask_what_moves(YkHolding *h)
             if (!h->standing[j].sticks || !h->standing[k].sticks) h->matrix[j * n + k] = 0;
 }
 
-// The limits of what sticks at the frictions found; do they stand?
+// Finds the limits of what sticks at the frictions found; returns whether they have settled.
 static bool find_limits(YkHolding *h, int round)
 {
     bool stands = true;
@@ -338,7 +339,7 @@ static bool hold_within_limits(YkHolding *h)
     size_t n = h->count;
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
         bool stands = settle_sliding(h, h->f);
-        for (size_t j = 0; j < n; j++) { // what does not stick enters as a load
+        for (size_t j = 0; j < n; j++) { // friction that does not stick enters as a load
             h->bias[j] = h->base[2 * n + j];
             for (size_t k = 0; k < n; k++)
                 if (!h->standing[k].sticks) h->bias[j] += h->column[(2 * n + j) * n + k] * h->f[k];
@@ -352,8 +353,9 @@ static bool hold_within_limits(YkHolding *h)
     return false;
 }
 
-// Do they stick, or begin to slip? Sets h->f of all standing joints whose accelerations free inputs decide, and their
-// senses; joints that drives move begin to slip as they are driven. False where it does not settle.
+// Decides which joints stick and which begin to slip. Sets h->f, and the senses, of all joints at rest whose
+// accelerations depend on free inputs; joints that drives move begin to slip as they are driven. Returns false if it
+// does not settle.
 static bool decide(YkHolding *h)
 {
     size_t n = h->count;
@@ -369,10 +371,10 @@ static bool decide(YkHolding *h)
     return true;
 }
 
-// --- the ends of the intervals --------------------------------------------------------------------
+// --- the ends of the intervals
 
-// u_j along N_j(f); where a joint carries nothing there, along the force that it would carry were all frictions to
-// help.
+// Points u_j along N_j(f); if a joint carries nothing there, along the force that it would carry if all frictions
+// helped.
 static void point_along(YkHolding *h, const double *f)
 {
     for (size_t k = 0; k < h->count; k++)
@@ -390,7 +392,7 @@ static void point_along(YkHolding *h, const double *f)
     }
 }
 
-// Adds by_f f_j + by_n c_j u_j . N_j(f) <= 0, in frictions over their units, seen from f.
+// Adds by_f f_j + by_n c_j u_j . N_j(f) <= 0, in frictions over their units, relative to f.
 static void add_cone(YkHolding *h, size_t *m, size_t j, double by_f, double by_n, const double *f)
 {
     const YkStanding *s = &h->standing[j];
@@ -435,7 +437,7 @@ static size_t write_program(YkHolding *h, const double *f)
 
 typedef enum End { END_FOUND, END_UNBOUNDED, END_LOST } End;
 
-// The largest `sense` * effort of an input that friction can balance; its frictions in h->best.
+// Finds the largest `sense` * effort of an input that friction can balance; its frictions are in h->best.
 static End find_end(YkHolding *h, size_t input, int sense, double *end)
 {
     size_t n = h->count, row = 3 * n + input;
@@ -457,10 +459,11 @@ static End find_end(YkHolding *h, size_t input, int sense, double *end)
         if (fabs(*end - old) <= 1e-13 * (fabs(*end) + most)) return END_FOUND;
         old = *end;
     }
-    return END_FOUND; // still rising a little: an effort that holds
+    return END_FOUND; // still rising slightly: an effort that holds
 }
 
-// Does a solution with the frictions of h->best bear out that effort and those limits? *effort: as it finds it.
+// Returns whether a solution with the frictions of h->best confirms that effort and those limits. *effort: its own
+// value.
 static bool is_borne_out(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method, size_t input,
                          double *effort)
 {
@@ -481,7 +484,7 @@ static void find_range(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMe
     for (size_t k = 0; k < h->count; k++)
         if (h->standing[k].sense == 0)
             most = fmax(most, fabs(h->column[(3 * h->count + input) * h->count + k] * h->standing[k].unit));
-    if (most <= ROUNDING * bias || most == 0) return; // no friction at rest bears on it
+    if (most <= ROUNDING * bias || most == 0) return; // no friction at rest affects it
     *range = (YkEffortRange){.is_known = true};
     for (int side = 0; side < 2; side++) {
         int sense = side ? 1 : -1;
@@ -496,10 +499,10 @@ static void find_range(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMe
     range->is_single = range->is_known && isfinite(width) && width <= 1e-12 * (fabs(ends[0]) + fabs(ends[1]) + most);
 }
 
-// --- the whole ------------------------------------------------------------------------------------
+// --- the whole
 
-// Is there more than one set of frictions? Not where nothing but sticking joints stands, and their accelerations settle
-// all of theirs.
+// Returns whether there is more than one set of frictions. There is not if only sticking joints are at rest, and their
+// accelerations determine all their frictions.
 static bool is_open(YkHolding *h)
 {
     size_t n = h->count, sticking = 0, still = 0;

@@ -1,3 +1,4 @@
+// Computes the coefficients of each step of solution at a pose.
 #include "equations/coefficients.h"
 #include <stdlib.h>
 #include <string.h>
@@ -29,9 +30,8 @@ void yk_coefficients_end(YkCoefficients *work)
 }
 
 // --- groups
-// -----------------------------------------------------------------------------------------------------------------
 
-// The rows of a group's relations, behind those of its loops.
+// Adds the rows of a group's relations after those of its loops.
 static void add_relation_rows(const YkCoefficients *work, const YkSpace *space, const YkOperation *op, size_t m)
 {
     const YkElimination *e = work->e;
@@ -46,7 +46,7 @@ static void add_relation_rows(const YkCoefficients *work, const YkSpace *space, 
     }
 }
 
-// D x = -K for the unknowns of a group; more equations than unknowns: least squares.
+// Solves D x = -K for the unknowns of a group; if there are more equations than unknowns, by least squares.
 static bool solve_group(const YkCoefficients *work, const YkSpace *space, const YkOperation *op, double *C)
 {
     const YkElimination *e = work->e;
@@ -93,7 +93,6 @@ static bool solve_group(const YkCoefficients *work, const YkSpace *space, const 
 }
 
 // --- every kind
-// -----------------------------------------------------------------------------------------------------------------
 
 bool yk_coefficients_find(const YkCoefficients *work, const YkSpace *space, const YkOperation *op, double *C)
 {

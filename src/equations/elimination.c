@@ -1,3 +1,4 @@
+// Makes the order of elimination from the steps of solution.
 #include "equations/elimination.h"
 #include <stdlib.h>
 #include "equations/elimination_order.h"
@@ -58,7 +59,7 @@ YkElimination *yk_elimination_new(const YkMechanism *mech, const bool *is_free, 
     if (ok) {
         yk_order_add_steps(&o);
         if (!o.failed) yk_order_add_elements(&o);
-        if (!o.failed) { // else lists have gaps
+        if (!o.failed) { // otherwise lists have gaps
             yk_order_mark_needed(&o);
             yk_order_put(&o);
         }

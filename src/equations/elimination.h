@@ -1,23 +1,22 @@
 // The order of elimination: how the equations of motion of a whole machine are reduced to its free inputs.
 //
-// Accelerations are the unknowns: of every orientation, distance and node (two components) that the steps of solution
-// speak of. Inertia and loads give a quadratic form over them (Gauss's principle of least constraint); each step
-// defines its unknowns linearly by earlier ones. Going through the steps backwards, what a step defines is substituted,
-// and a free input - eliminated as soon as nothing that is left depends on it - is minimised out. That is the
-// articulated-body recursion for trees, and costs time linear in the number of bodies for chains of loops and ladders
-// too: the fill is found once, here.
+// Accelerations are the unknowns: those of every orientation, distance and node (two components) in the steps of
+// solution. Inertia and loads give a quadratic form over them (Gauss's principle of least constraint); each step
+// defines its unknowns linearly by earlier ones. Going backwards through the steps substitutes what each step defines,
+// and minimises over a free input as soon as no remaining unknown depends on it. For trees this is the articulated-body
+// recursion; for chains of loops and ladders, too, the cost is linear in the number of bodies: the fill-in is found
+// once, here.
 #ifndef EQUATIONS_ELIMINATION_H
 #define EQUATIONS_ELIMINATION_H
 #include "compile/mechanism.h"
 
-// One turned vector of a sum, and which columns of the sum's gradient it feeds.
-// u = e(root) e(slot) v (times the distance): columns turn[0], turn[1] get i u; column `along` gets u without its
-// distance.
+// One turned vector of a sum, and the columns of the sum's gradient to which it contributes. u = e(root) e(slot) v
+// (times the distance): columns turn[0], turn[1] get i u; column `along` gets u without its distance.
 typedef struct YkGradientPiece {
     int32_t root, slot, distance; // slots 0: none
     int32_t turn[2], along;       // columns, or YK_NONE
     int32_t row;                  // loop of a group; 0 otherwise
-    int32_t unit;                 // in a plain gradient: root or slot, whichever there is
+    int32_t unit;                 // in a plain gradient: root or slot, whichever is set
     YkVec v;
 } YkGradientPiece;
 
@@ -25,8 +24,8 @@ typedef struct YkGradientPiece {
 typedef struct YkGradient {
     uint32_t first_piece, piece_count;
     uint32_t first_node, node_count; // in `nodes`
-    uint32_t columns;                // how many; of an operation: its own unknowns first
-    bool is_plain;                   // one turned vector a column, in their order: no nodes, distances or inner turns
+    uint32_t columns;                // how many; of an operation, its own unknowns come first
+    bool is_plain;                   // one turned vector for each column, in order: no nodes, distances or inner turns
 } YkGradient;
 
 typedef struct YkNodePart { // +node or -node; columns `column`, `column` + 1
@@ -35,7 +34,7 @@ typedef struct YkNodePart { // +node or -node; columns `column`, `column` + 1
 } YkNodePart;
 
 typedef enum YkOperationKind {
-    YK_OP_FREE,     // one unknown, free: minimised out
+    YK_OP_FREE,     // one unknown, free: minimised over
     YK_OP_KNOWN,    // one unknown, a prescribed input on the ground: nothing to solve
     YK_OP_COPY,     // one unknown, the sum of the others
     YK_OP_RELATION, // one unknown, by a gear, rack, belt or cam
@@ -45,18 +44,18 @@ typedef enum YkOperationKind {
     YK_OP_GROUP     // the unknowns of a group, from its loops and relations
 } YkOperationKind;
 
-// Unknowns U (own) are defined as C W of others; Z are further neighbours. Entry: an address in the form's storage.
+// Unknowns U (own) are C W of others; Z are further neighbours. Entry: an address in the form's storage.
 typedef struct YkOperation {
     YkOperationKind kind;
-    int32_t input;                   // FREE, KNOWN and COPY by an input: which; otherwise YK_NONE
+    int32_t input;                   // FREE, KNOWN and COPY by an input: its index; otherwise YK_NONE
     uint32_t own, given, neighbours; // |U|, |W|, |W| + |Z|
     YkGradient gradient;             // columns: U, then W
     uint32_t first_index;       // in `index`: U, then W, Z, then entries of U x U (upper), U x (W + Z), and of pairs
     uint32_t first_coefficient; // C[own][given]; FREE: none
     uint32_t first_element, element_count; // bodies whose latest unknown this operation defines
-    uint32_t block;                        // or relation
+    uint32_t block;                        // or index of the relation
     uint32_t first_factor; // RELATION, GROUP: rows in `factors`, two for each column (U, then W): constant, and times
-                           // the law's slope; a row for each relation of a group
+                           // the law's slope; one row for each relation of a group
 } YkOperation;
 
 typedef struct YkElement { // a body with mass or load
@@ -87,21 +86,21 @@ typedef struct YkElimination {
     size_t coefficient_count;
     size_t widest;               // most columns or neighbours of any operation or element
     size_t largest_group;        // most unknowns or equations of a group
-    int32_t *operation_of_input; // YK_NONE where it plays no part
-    int32_t *parent_of_input;    // angle inputs: unknown of the orientation it turns from, or 0
+    int32_t *operation_of_input; // YK_NONE if it does not take part
+    int32_t *parent_of_input;    // angle inputs: unknown of the orientation from which it turns, or 0
     double *sign_of_input;
-    bool *is_back_needed; // per operation: does a free input's acceleration depend on its unknowns?
+    bool *is_back_needed; // per operation: whether a free input's acceleration depends on its unknowns
 } YkElimination;
 
-// is_free[input]; is_loaded[body]: loads may act on it. NULL when out of memory.
+// is_free[input]; is_loaded[body]: loads may act on it. Returns NULL when out of memory.
 YkElimination *yk_elimination_new(const YkMechanism *mech, const bool *is_free, const bool *is_loaded);
 void yk_elimination_free(YkElimination *elimination);
 
-// Unknowns by number.
+// Return unknowns by number.
 static inline int32_t yk_unknown_of_slot(int32_t slot)
 {
     return slot;
-} // 0: the ground, no unknown
+} // 0: the ground, which is not an unknown
 static inline int32_t yk_unknown_of_distance(const YkMechanism *mech, int32_t distance)
 {
     return (int32_t)mech->slot_count + distance;

@@ -1,9 +1,9 @@
-// Bodies with mass or load, and where they stand in the order.
+// Adds bodies with mass or load to the order of elimination.
 #include <stdlib.h>
 #include <string.h>
 #include "equations/elimination_order.h"
 
-// The reference point from the origin: joins the piece of the body's own orientation where the origin has one.
+// Adds the reference point relative to the origin: joins the piece of the body's own orientation if the origin has one.
 static bool add_reference(YkEliminationOrder *o, YkTerm term, uint32_t first)
 {
     YkElimination *e = o->e;
@@ -46,7 +46,7 @@ void yk_order_add_elements(YkEliminationOrder *o)
     o->element_first[o->e->element_count] = (uint32_t)o->element_column_count;
 }
 
-// Elements sorted by the operation that defines their latest unknown (counting sort).
+// Sorts elements by the operation that defines their latest unknown (counting sort).
 bool yk_order_sort_elements(YkEliminationOrder *o)
 {
     YkElimination *e = o->e;

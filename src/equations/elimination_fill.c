@@ -1,14 +1,14 @@
-// The fill: which entries of the form there are, and their addresses.
+// Finds the fill-in: which entries the form has, and their addresses.
 #include "equations/elimination_order.h"
 
 static bool is_before(const YkEliminationOrder *o, int32_t a,
-                      int32_t b) // is a eliminated before b? Within one operation: by number
+                      int32_t b) // whether a is eliminated before b; within one operation: by number
 {
     int32_t pa = yk_order_place(o, a), pb = yk_order_place(o, b);
     return pa > pb || (pa == pb && a < b);
 }
 
-// The entry of a pair, in the row of the one eliminated first.
+// Returns the entry of a pair, in the row of the unknown eliminated first.
 static int32_t entry_of(YkEliminationOrder *o, int32_t a, int32_t b)
 {
     int32_t row = is_before(o, a, b) ? a : b, other = row == a ? b : a;
@@ -41,7 +41,7 @@ static void fill_element(YkEliminationOrder *o, size_t index)
         for (uint32_t j = i; j < n; j++) put_index(o, entry_of(o, columns[i], columns[j]));
 }
 
-// The neighbours of the operation's unknowns that are eliminated later, W first.
+// Gathers the neighbours of the operation's unknowns that are eliminated later, W first.
 static void gather_neighbours(YkEliminationOrder *o, const YkOperation *op, const int32_t *columns)
 {
     yk_order_start_columns(o);

@@ -1,4 +1,4 @@
-// The order of the operations.
+// Puts the operations in order.
 #include "equations/elimination_order.h"
 
 static void need(YkEliminationOrder *o, int32_t unknown)
@@ -21,10 +21,10 @@ static void emit(YkEliminationOrder *o, size_t raw, size_t *place)
     if (o->place[raw] != YK_NONE) return;
     o->place[raw] = (int32_t)*place;
     o->e->operations[*place] = o->raw[raw];
-    o->e->operations[(*place)++].first_index = (uint32_t)raw; // until the fill is found
+    o->e->operations[(*place)++].first_index = (uint32_t)raw; // until the fill-in is found
 }
 
-// Free inputs come as late as possible: just before the first operation that needs them.
+// Puts operations in order, free inputs as late as possible: just before the first operation that needs them.
 void yk_order_put(YkEliminationOrder *o)
 {
     size_t place = 0;
@@ -43,7 +43,7 @@ void yk_order_put(YkEliminationOrder *o)
         if (o->e->operation_of_input[i] != YK_NONE) o->e->operation_of_input[i] = o->place[o->e->operation_of_input[i]];
 }
 
-// Back substitution is needed as far as a free input's acceleration reaches.
+// Marks where back substitution is needed: as far as a free input's acceleration has effect.
 void yk_order_mark_back(YkEliminationOrder *o)
 {
     YkElimination *e = o->e;

@@ -1,4 +1,4 @@
-// Operations, as the steps of solution give them.
+// Makes operations from the steps of solution.
 #include "equations/elimination_order.h"
 
 static YkOperation *add_raw(YkEliminationOrder *o, YkOperationKind kind, size_t own, YkGradient gradient)
@@ -76,7 +76,7 @@ static int32_t unknown_of_column(const YkEliminationOrder *o, YkColumn column)
     return column.is_distance ? yk_unknown_of_distance(o->mech, column.index) : yk_unknown_of_slot(column.index);
 }
 
-// The arms and lines of a dyad, each turned by its unknown orientation where it has one.
+// Adds the arms and lines of a dyad, each turned by its unknown orientation if it has one.
 static bool add_arms(YkEliminationOrder *o, const YkBlock *b)
 {
     YkElimination *e = o->e;
@@ -115,11 +115,10 @@ static void add_dyad(YkEliminationOrder *o, const YkBlock *b)
 }
 
 // --- relations
-// -------------------------------------------------------------------------------------------------------------
 
-// What a term of a relation depends on, in unknown[]; returns how many. Where its orientation turns with a root that
-// the operation solves for, these are the root and the relative angle; where that root is not known yet, it cancels,
-// and the relative angle is left.
+// Finds the unknowns on which a term of a relation depends, in unknown[]; returns how many. If its orientation turns
+// with a root for which the operation solves, these are the root and the relative angle; if that root is not known yet,
+// it cancels, and the relative angle is left.
 static size_t unknowns_of_term(const YkEliminationOrder *o, YkRelationTerm term, size_t own, int32_t unknown[2])
 {
     const YkMechanism *mech = o->mech;
@@ -144,13 +143,13 @@ static size_t unknowns_of_term(const YkEliminationOrder *o, YkRelationTerm term,
 static void add_relation_columns(YkEliminationOrder *o, const YkRelation *r, size_t own)
 {
     int32_t unknown[2];
-    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // the argument's terms stand behind
+    for (uint32_t k = 0; k < r->term_count + r->argument_count; k++) { // those of the argument follow
         size_t count = unknowns_of_term(o, o->mech->relation_terms[r->first_term + k], own, unknown);
         for (size_t i = 0; i < count; i++) yk_column(&o->columns, unknown[i]);
     }
 }
 
-// A row of factors, two for every column: constant, and times the law's slope.
+// Adds a row of factors, two for every column: constant, and times the law's slope.
 static void add_relation_factors(YkEliminationOrder *o, const YkRelation *r, size_t own, double times)
 {
     YkElimination *e = o->e;
@@ -176,9 +175,8 @@ static void add_relation_factors(YkEliminationOrder *o, const YkRelation *r, siz
 }
 
 // --- groups
-// ------------------------------------------------------------------------------------------------------------
 
-// A term of a group's loop: its orientation is known, or turns with an unknown root.
+// Adds a term of a group's loop: its orientation is known, or turns with an unknown root.
 static bool add_group_term(YkEliminationOrder *o, YkTerm term, int32_t row, size_t own)
 {
     const YkMechanism *mech = o->mech;
@@ -243,7 +241,7 @@ static void add_relation(YkEliminationOrder *o, int32_t index)
     YkOperation *op = add_raw(o, o->columns.count > 1 ? YK_OP_RELATION : YK_OP_KNOWN, 1, none);
     op->block = (uint32_t)index;
     op->first_factor = (uint32_t)o->e->factor_count;
-    add_relation_factors(o, r, 1, -r->gain); // the slope has the gain in it
+    add_relation_factors(o, r, 1, -r->gain); // the slope includes the gain
 }
 
 void yk_order_add_steps(YkEliminationOrder *o)

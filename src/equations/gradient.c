@@ -1,3 +1,4 @@
+// Builds gradients of sums.
 #include "equations/gradient.h"
 #include "base/memory.h"
 
@@ -26,16 +27,16 @@ static int32_t only_column(const YkGradientPiece *piece)
     return piece->turn[0] == YK_NONE ? piece->turn[1] : piece->turn[0];
 }
 
-// Every piece has a column to itself: they are put in its order.
+// Orders the pieces if each has a column to itself; they then take its place.
 static bool make_plain(YkGradientPiece *pieces, uint32_t count)
 {
     for (uint32_t k = 0; k < count; k++)
         if (only_column(&pieces[k]) == YK_NONE) return false;
     for (uint32_t k = 0; k < count; k++) {
         uint32_t at = (uint32_t)only_column(&pieces[k]);
-        while (at != k && at < count) { // to its place, and the one found there next
+        while (at != k && at < count) { // moves it to its place, and then the one found there
             YkGradientPiece other = pieces[at];
-            if (only_column(&other) == (int32_t)at) return false; // two pieces for one column
+            if (only_column(&other) == (int32_t)at) return false; // two pieces share one column
             pieces[at] = pieces[k];
             pieces[k] = other;
             at = (uint32_t)only_column(&pieces[k]);
@@ -72,7 +73,7 @@ static bool add_node(YkElimination *e, YkGradientColumns *columns, int32_t node,
     if (node == YK_NONE) return true;
     if (!YK_ROOM(e->nodes, e->node_count, e->node_capacity)) return false;
     int32_t x = yk_unknown_of_node(e->mech, node), column = yk_column(columns, x);
-    yk_column(columns, x + 1); // met together, so they stand side by side
+    yk_column(columns, x + 1); // met together, so they are adjacent
     e->nodes[e->node_count++] = (YkNodePart){node, column, row, sign};
     return !columns->failed;
 }

@@ -1,11 +1,11 @@
-// Gradients of sums with numbers, at a pose of one lane: the columns i u of what turns, u of what slides.
+// Gradients of sums in numbers, at a pose of one lane: the columns are i u for rotations, u for slides.
 #ifndef EQUATIONS_GRADIENT_POSE_H
 #define EQUATIONS_GRADIENT_POSE_H
 #include "base/memory.h"
 #include "equations/elimination.h"
 #include "solve/space.h"
 
-// Lanes of one pose stand side by side: cos, sin, rate, acceleration.
+// Returns the lanes of one pose, which are contiguous: cos, sin, rate, acceleration.
 static inline const double *yk_turn_at(const YkSpace *space, int32_t slot)
 {
     return space->data + 4 * slot;
@@ -37,7 +37,7 @@ static inline void yk_add_piece(const YkSpace *space, const YkGradientPiece *pie
     yk_add_to_column(columns, piece->turn[1], d, iu);
 }
 
-// The gradient's columns[gradient->columns].
+// Computes the gradient's columns[gradient->columns].
 static inline void yk_gradient_columns(const YkElimination *e, const YkSpace *space, const YkGradient *gradient,
                                        YkVec *columns)
 {
@@ -56,7 +56,7 @@ static inline void yk_gradient_columns(const YkElimination *e, const YkSpace *sp
     for (uint32_t k = 0; k < gradient->piece_count; k++) yk_add_piece(space, &piece[k], columns);
 }
 
-// What a piece of a point adds to its gradient and to its acceleration in the pose.
+// Computes what a piece of a point adds to its gradient and, in the pose, to its acceleration.
 static inline YkVec yk_piece_acceleration(const YkSpace *space, const YkGradientPiece *piece, YkVec *columns)
 {
     YkVec u = piece->v;
@@ -79,7 +79,7 @@ static inline YkVec yk_piece_acceleration(const YkSpace *space, const YkGradient
     return yk_vec(along * u.x + across * iu.x, along * u.y + across * iu.y);
 }
 
-// The gradient of a body's reference point, and its acceleration in the pose.
+// Computes the gradient of a body's reference point, and returns its acceleration in the pose.
 static inline YkVec yk_gradient_acceleration(const YkElimination *e, const YkSpace *space, const YkGradient *gradient,
                                              YkVec *columns)
 {

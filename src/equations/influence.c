@@ -1,8 +1,8 @@
-// At a pose: influence coefficients carried outwards, the sums over the bodies, the accelerations.
+// Carries influence coefficients outwards at a pose, sums over the bodies, and solves for the accelerations.
 #include "equations/influence.h"
 #include "equations/gradient_pose.h"
 
-// --- outwards: R ----------------------------------------------------------------------------------
+// --- outwards: R
 
 static inline YkVec column_of(const YkSpace *space, const YkInfluenceTerm *term)
 {
@@ -53,20 +53,20 @@ static bool carry_all(YkInfluence *f, const YkSpace *space)
     return true;
 }
 
-// --- over the bodies ------------------------------------------------------------------------------
+// --- over the bodies
 
 typedef struct Sums {
     double M[YK_INFLUENCE_MAX][YK_INFLUENCE_MAX]; // upper triangle
     double g[YK_INFLUENCE_MAX];
 } Sums;
 
-// Where the sums look: n columns of R; or, moving, the rates in the pose as the only column.
+// The input of the sums: n columns of R; or, when moving, the rates in the pose as the only column.
 typedef struct Look {
     const YkInfluence *f;
     const YkSpace *space;
     const YkLoad *loads;
     YkVec gravity;
-    bool is_pushed; // by gravity or loads
+    bool is_pushed; // whether gravity or loads act
     bool moving;
     size_t n;
 } Look;
@@ -76,7 +76,7 @@ static inline const double *influence_of(const Look *look, int32_t turn, int32_t
     return look->moving ? look->space->data + turn + 2 : look->f->R + unknown;
 }
 
-// What acts on a body besides inertia: weight and loads.
+// Returns the load on a body besides inertia: weight and loads.
 static inline YkLoad push_on(const Look *look, double mass, int32_t body)
 {
     YkLoad push = {yk_scale(mass, look->gravity), 0};
@@ -85,7 +85,7 @@ static inline YkLoad push_on(const Look *look, double mass, int32_t body)
     return (YkLoad){yk_add(push.force, load->force), load->moment};
 }
 
-// It turns about a fixed point: one inertia, and the moments about that point.
+// Adds a body that turns about a fixed point: one inertia, and the moments about that point.
 static inline void add_pivoted(const Look *look, const YkPivotedBody *b, Sums *sums)
 {
     const YkInfluenceTerm *term = &b->term;
@@ -101,7 +101,8 @@ static inline void add_pivoted(const Look *look, const YkPivotedBody *b, Sums *s
     }
 }
 
-// Two vectors u, w turn: their inertias, and m u.w between them; the centripetal parts act across, by m (u x w).
+// Adds a body of two turning vectors u, w: their inertias, and m u.w between them; the centripetal parts act across, by
+// m (u x w).
 static inline void add_carried(const Look *look, const YkCarriedBody *b, Sums *sums)
 {
     const YkInfluenceTerm *term = b->term;
@@ -124,7 +125,7 @@ static inline void add_carried(const Look *look, const YkCarriedBody *b, Sums *s
     }
 }
 
-// The rate of an unknown in the pose.
+// Returns the rate of an unknown in the pose.
 static double rate_of(const Look *look, int32_t unknown)
 {
     const YkMechanism *mech = look->f->e->mech;
@@ -163,7 +164,8 @@ static void add_other(const Look *look, const YkOtherBody *b, Sums *sums)
     }
 }
 
-// `moving` and the width are known to the compiler in each of the ways below: no loops over one column are left.
+// Sums up over all bodies. The compiler knows `moving` and the width in each case below: no loops over one column are
+// left.
 static inline void sum_up(const Look *of, bool moving, size_t n, Sums *total)
 {
     Look look = *of;
@@ -194,7 +196,7 @@ static void sum_four(const Look *look, Sums *sums)
     sum_up(look, false, 4, sums);
 }
 
-// --- the accelerations ----------------------------------------------------------------------------
+// --- the accelerations
 
 // Solves M x = g for x in g, the last free input first as in the elimination; returns the input without inertia, or -1.
 static int solve(const YkInfluence *f, Sums *s)
@@ -218,7 +220,7 @@ static int solve(const YkInfluence *f, Sums *s)
     return -1;
 }
 
-// Twice the kinetic energy is M rate^2, the power g rate.
+// Solves for one moving input: twice the kinetic energy is M rate^2, the power g rate.
 static int accelerate_moving(const Look *look, double rate, double *acceleration)
 {
     Sums sums;
@@ -230,7 +232,7 @@ static int accelerate_moving(const Look *look, double rate, double *acceleration
 
 int yk_influence_accelerate(YkInfluence *f, const YkState *state, const YkLoad *loads, double *acceleration)
 {
-    static const double LEAST_RATE = 1e-60; // its square is a number
+    static const double LEAST_RATE = 1e-60; // its square is still a number
     void (*const ways[])(const Look *, Sums *) = {NULL, sum_one, sum_two, NULL, sum_four};
     const YkElimination *e = f->e;
     Sums sums;

@@ -1,4 +1,4 @@
-// From the elimination to rows that a pose streams through: operations that carry, and bodies by how they move.
+// Turns the elimination into rows that a pose streams through: operations that carry, and bodies by their motion.
 #include <stdlib.h>
 #include "equations/influence.h"
 
@@ -28,7 +28,7 @@ static void put_operation(YkInfluence *f, size_t p, size_t *freed)
     f->carries[f->carry_count++] = carry;
 }
 
-// The kind of a body by its gradient: how many terms it has as a plain one; 0: any other.
+// Returns the kind of a body by its gradient: the number of terms of a plain one; 0: any other.
 static uint32_t plain_terms(const YkElement *element)
 {
     return element->gradient.is_plain && element->gradient.columns <= 2 ? element->gradient.columns : 0;
@@ -68,7 +68,7 @@ static void put_body(YkInfluence *f, const YkElement *element)
 static bool allocate(YkInfluence *f)
 {
     const YkElimination *e = f->e;
-    size_t most = 1; // coefficients of any operation
+    size_t most = 1; // most coefficients of any operation
     for (size_t p = 0; p < e->operation_count; p++) {
         size_t count = (size_t)e->operations[p].own * e->operations[p].given;
         if (count > most) most = count;

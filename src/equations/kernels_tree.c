@@ -1,8 +1,9 @@
+// The recursion of open trees over lanes.
 #include "equations/kernels_tree.h"
 #include "equations/tree_articulated.h"
 #include "solve/elementary.h"
 
-// Again, one by one, for the lanes of which at least one is beyond the reduction's range.
+// Repeats the lanes one by one if at least one is beyond the reduction's range.
 YK_APART void turn_one_by_one(YkTreeFound *link, const YkTreeFound *parent, const double *q, double sense, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -14,8 +15,8 @@ YK_APART void turn_one_by_one(YkTreeFound *link, const YkTreeFound *parent, cons
     }
 }
 
-// Direction and rate of turning: the parent's (none: the ground's), turned by sense times the coordinate. Turning loses
-// no digits along a chain that coils up, as adding angles would.
+// Finds direction and rate of turning: the parent's (none: the ground's), turned by sense times the coordinate. Unlike
+// the addition of angles, turning loses no digits along a chain that coils up.
 YK_INLINE void find_turn(YkTreeFound *link, const YkTreeFound *parent, bool has_parent, const double *q,
                          const double *v, double sense, size_t n)
 {
@@ -33,7 +34,7 @@ YK_INLINE void find_turn(YkTreeFound *link, const YkTreeFound *parent, bool has_
     if (sincos_is_far(far)) turn_one_by_one(link, has_parent ? parent : NULL, q, sense, n);
 }
 
-// What is given of a link, for the lanes from `at`.
+// The given values of a link, for the lanes from `at`.
 typedef struct Given {
     const double *at_x, *at_y, *center_x, *center_y, *mass, *inertia, *torque;
 } Given;
@@ -56,7 +57,7 @@ YK_INLINE YkArticulated shown_to(const YkTreeFound *link, size_t i)
                            link->yy[i], yk_vec(link->f_x[i], link->f_y[i]), link->n[i]};
 }
 
-// To the parent, which stores it (is_first) or adds it to its other children's.
+// Passes to the parent, which stores it (is_first) or adds it to that of its other children.
 YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, double mass, double least, size_t i)
 {
     YkArticulated sum = *A;
@@ -72,7 +73,7 @@ YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, doub
     to->least[i] = is_first ? least : to->least[i] + least;
 }
 
-// Lets the link's pin go under its torque and shows the rest to the parent.
+// Releases the link's pin under its torque and passes the rest to the parent.
 YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, YkTreeFound *parent, bool has_parent,
                       bool has_children, bool is_first, double *ok, size_t n)
 {
@@ -88,7 +89,7 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
             A = shown_to(link, i);
             yk_articulated_add_body(&A, mass, moment, own, w);
         }
-        // what stands behind the pin: see tree_pins.c
+        // What lies behind the pin: see tree_pins.c.
         double behind = own + (has_children ? link->least[i] : 0), out = mass + (has_children ? link->mass_out[i] : 0);
         double now = ((mass > least_mass) & (inertia >= 0)) ? ok[i] : -1;
         ok[i] = ((A.J > YK_LEAST_PIVOT * behind) | (now < 0)) ? now : 0;
@@ -129,8 +130,9 @@ YK_INLINE void inward_link(const YkTreeRows *rows, Given given, YkTreeFound *lin
         inward(rows, given, link, parent, true, false, false, ok, n);
 }
 
-// The acceleration of the coordinate, given that of the parent's pin and turning (none: gx, gy is gravity, against
-// which the ground accelerates, so that it acts on every mass). Where it is no number, no inertia resisted.
+// Computes the acceleration of the coordinate from that of the parent's pin and turning (none: gx, gy is gravity,
+// against which the ground accelerates, so that it acts on every mass). If the result is not a number, no inertia
+// resisted.
 YK_INLINE void outward(YkTreeFound *link, const YkTreeFound *parent, bool has_parent, const double *gx,
                        const double *gy, double sense, double *ok, double *out, size_t n)
 {
@@ -156,7 +158,7 @@ YK_INLINE void outward(YkTreeFound *link, const YkTreeFound *parent, bool has_pa
     }
 }
 
-// Whether a row holds numbers of a measure.
+// Returns whether a row contains only numbers of reasonable size.
 YK_INLINE bool fits(const double *value, size_t n)
 {
     uint64_t bad = 0;
@@ -186,7 +188,7 @@ YK_APART void mask(const YkTreeLanes *tree, const double *ok, size_t at, size_t 
             if (!(ok[i] > 0)) tree->link[k].a[at + i] = 0;
 }
 
-// The states from `at` on, at most YK_TREE_LANES.
+// Computes the states from `at` on, at most YK_TREE_LANES.
 YK_INLINE bool few(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
 {
     const double *gx = tree->gravity[0] + at, *gy = tree->gravity[1] + at;

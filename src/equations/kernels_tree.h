@@ -1,13 +1,14 @@
-// Open trees of pins over lanes: one lane a state, with a machine of its own. The recursion of tree_pins.c for a few
-// lanes at a time, all links: what one link hands to the next never leaves the first cache. Featherstone 1983.
+// Open trees of pins over lanes: each lane is a state with a machine of its own. The recursion of tree_pins.c runs over
+// all links for a few lanes at a time: what one link passes to the next stays in the first-level cache. Featherstone
+// 1983.
 #ifndef EQUATIONS_KERNELS_TREE_H
 #define EQUATIONS_KERNELS_TREE_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-// What is given of a link, each a row of lanes: its pin on the parent from the parent's own pin, the centre of mass
-// from its own pin, mass, inertia about the centre of mass.
+// The given values of a link, each a row of lanes: its pin on the parent relative to the parent's own pin, the centre
+// of mass relative to its own pin, mass, inertia about the centre of mass.
 enum {
     YK_GIVEN_AT_X,
     YK_GIVEN_AT_Y,
@@ -18,7 +19,7 @@ enum {
     YK_GIVEN_COUNT
 };
 
-// What is found of a link, a few lanes at a time.
+// The results for a link, a few lanes at a time.
 enum { YK_TREE_LANES = 32 };
 typedef double YkFew[YK_TREE_LANES];
 typedef struct YkTreeFound {
@@ -28,12 +29,12 @@ typedef struct YkTreeFound {
     YkFew pin_x, pin_y, alpha; // accelerations: of its pin, of its turning
 } YkTreeFound;
 
-typedef struct YkTreeRows { // of a link; links stand after their parents
+typedef struct YkTreeRows { // of a link; links come after their parents
     const double *given[YK_GIVEN_COUNT];
     const double *q, *v, *torque; // of its coordinate
     double *a;                    // found: the coordinate's acceleration
     int32_t parent;               // link, or -1: the ground
-    bool has_children, is_first;  // is_first: of its parent's children, the last in order, which is looked at first
+    bool has_children, is_first;  // is_first: of its parent's children, the last in order, which is handled first
     bool has_mass;                // the file gives one
     double sense;                 // of the coordinate: +1 or -1
 } YkTreeRows;
@@ -43,16 +44,16 @@ typedef struct YkTreeLanes {
     YkTreeFound *found; // [link]
     size_t link_count;
     const double *gravity[2];
-    const double *const *checked; // rows that must hold numbers of a measure
+    const double *const *checked; // rows that must contain numbers of reasonable size
     size_t checked_count;
 } YkTreeLanes;
 
-// The accelerations of n states. ok[lane] comes with 1, or -1 where something is wrong already; it goes with 1, with 0
-// where no inertia resists, with -1 where a row that is checked holds no number or one beyond all measure, where a mass
-// is not positive or an inertia negative. Accelerations are 0 where not ok. *well: whether all are.
+// Computes the accelerations of n states. ok[lane] is 1 on entry, or -1 if something is wrong already. On return it is
+// 1; 0 if no inertia resists; -1 if a checked row contains no number or one beyond all measure, a mass is not positive
+// or an inertia is negative. Accelerations are 0 unless ok. *well: whether all are.
 void yk_lanes_tree(bool *well, const YkTreeLanes *tree, double *ok, size_t n);
 
-// row = sign * value, or more by that.
+// Computes row = sign * value, or adds that to row.
 void yk_lanes_tree_part(double *row, const double *value, double sign, bool adds, size_t n);
 
 #endif

@@ -1,3 +1,4 @@
+// Assembles and eliminates the reduced equations at a pose, and substitutes back.
 #include "equations/reduced.h"
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +36,6 @@ void yk_reduced_free(YkReduced *r)
 }
 
 // --- bodies
-// -----------------------------------------------------------------------------------------------------------------
 
 static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads, const YkElement *element)
 {
@@ -66,9 +66,8 @@ static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads,
 }
 
 // --- operations
-// -----------------------------------------------------------------------------------------------------------------
 
-// One unknown: H += c (B + h c / 2)^T + its transpose.
+// Substitutes one unknown: H += c (B + h c / 2)^T + its transpose.
 static void substitute_one(YkReduced *r, const YkOperation *op)
 {
     const int32_t *unknown = r->e->index + op->first_index, *later = unknown + 1, *entry = later + op->neighbours;
@@ -173,7 +172,7 @@ static bool eliminate(YkReduced *r, const YkSpace *space, const YkOperation *op)
 int yk_reduced_factor(YkReduced *r, const YkSpace *space, const YkLoad *loads)
 {
     const YkElimination *e = r->e;
-    memset(r->H, 0, (e->entry_count + 2 * e->unknown_count) * sizeof *r->H); // and g, and lost
+    memset(r->H, 0, (e->entry_count + 2 * e->unknown_count) * sizeof *r->H); // also clears g and lost
     for (size_t p = e->operation_count; p-- > 0;) {
         const YkOperation *op = &e->operations[p];
         for (uint32_t k = 0; k < op->element_count; k++)
@@ -183,8 +182,7 @@ int yk_reduced_factor(YkReduced *r, const YkSpace *space, const YkLoad *loads)
     return -1;
 }
 
-// --- back
-// ---------------------------------------------------------------------------------------------------------------
+// --- back substitution
 
 static void go_back(YkReduced *r, const YkOperation *op)
 {
@@ -232,7 +230,7 @@ double yk_reduced_effort(const YkReduced *r, size_t input)
     return e->sign_of_input[input] * sum;
 }
 
-// Carries the forces g inwards with the factors that stand.
+// Carries the forces g inwards with the present factors.
 static void carry(YkReduced *r, const YkOperation *op)
 {
     const int32_t *unknown = r->e->index + op->first_index, *later = unknown + op->own;

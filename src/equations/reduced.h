@@ -1,4 +1,4 @@
-// The reduced equations of motion at a pose: the elimination with numbers. Cost linear in the elimination's size;
+// The reduced equations of motion at a pose: the elimination in numbers. Cost linear in the elimination's size;
 // allocates nothing.
 #ifndef EQUATIONS_REDUCED_H
 #define EQUATIONS_REDUCED_H
@@ -8,27 +8,27 @@
 typedef struct YkReduced {
     const YkElimination *e;
     double *H;     // [entry] the form
-    double *lost;  // [unknown] what has been subtracted from its diagonal
+    double *lost;  // [unknown] total subtracted from its diagonal
     double *g;     // [unknown] the forces
-    double *xi;    // [unknown] accelerations beyond those of the pose
+    double *xi;    // [unknown] accelerations relative to those of the pose
     double *C;     // [coefficient]
-    double *B, *G; // rows of the operation in work
+    double *B, *G; // rows of the present operation
     YkCoefficients work;
     void *memory;
 } YkReduced;
 
 YkReduced *yk_reduced_new(const YkElimination *elimination);
 void yk_reduced_free(YkReduced *reduced);
-// Assembles inertia and loads at the pose of the space (lane 0), whose accelerations are those of all free inputs at 0,
-// and eliminates. loads[body] without gravity, or NULL: none. Returns -1; otherwise the input of a freedom without
+// Assembles inertia and loads at the pose of the space (lane 0), whose accelerations are those for all free inputs at
+// 0, and eliminates. loads[body] without gravity, or NULL: none. Returns -1; otherwise the input of a freedom without
 // inertia, or -2 at a singular group.
 int yk_reduced_factor(YkReduced *reduced, const YkSpace *space, const YkLoad *loads);
-// Accelerations of the inputs that are free; the others' entries stay. all: xi of every unknown is found too.
+// Finds the accelerations of the free inputs; the other entries stay. all: also finds xi of every unknown.
 void yk_reduced_solve(YkReduced *reduced, double *acceleration, bool all);
-// What a prescribed input's drive exerts (after yk_reduced_solve with all).
+// Returns what a prescribed input's drive exerts (after yk_reduced_solve with all).
 double yk_reduced_effort(const YkReduced *reduced, size_t input);
-// The same factors with other forces: unit effort between two unknowns (a torque on b, its reaction on a), or on one.
-// Sets xi of every unknown to the response.
+// Solves with the same factors and other forces: a unit effort between two unknowns (a torque on b, its reaction on a),
+// or on one. Sets xi of every unknown to the response.
 void yk_reduced_respond(YkReduced *reduced, int32_t unknown_b, int32_t unknown_a);
 
 #endif

@@ -1,3 +1,4 @@
+// Forward dynamics of open trees: chooses the fast path for pins or the general one.
 #include "equations/tree.h"
 #include <stdlib.h>
 #include "equations/tree_joints.h"
@@ -5,7 +6,7 @@
 
 struct YkTreeDynamics {
     YkArena *arena;
-    YkTreePins *pins; // either of them
+    YkTreePins *pins; // one of the two is set
     YkTreeJoints *joints;
 };
 
@@ -18,7 +19,7 @@ static bool is_open_tree(const YkMechanism *mech)
     return is_free && is_bare;
 }
 
-// The lean path copies what it needs of the links; the general one keeps them.
+// Builds the tree: the fast path copies what it needs of the links; the general one keeps them.
 static bool build(YkTreeDynamics *tree, const YkMechanism *mech, YkArena *scratch)
 {
     YkVec gravity = mech->model->gravity;

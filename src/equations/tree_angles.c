@@ -1,8 +1,9 @@
+// Finds the absolute angles of links, with their sines and cosines.
 #include "equations/tree_angles.h"
 #include "solve/kernels/kernels.h"
 
 // BLOCK: angles whose sines are found together, in the first-level cache. Lanes come in groups of WIDTH: a block of at
-// least one group is filled up to whole ones.
+// least one group is filled up to whole groups.
 enum { BLOCK = 128, WIDTH = 8 };
 
 static size_t number_forks(YkLinkTurn *turn, size_t count)
@@ -33,8 +34,8 @@ bool yk_tree_angles_start(YkTreeAngles *angles, const YkTreeLinks *links, YkAren
     return !yk_arena_failed(arena);
 }
 
-// Less a whole number of turns, exactly as far as 2 pi is known in three parts: Cody & Waite 1980, ch. 8; parts of 37
-// bits, so that products with up to 16 bits are exact. What is beyond stays.
+// Removes a whole number of turns, as exactly as 2 pi is known in three parts: Cody & Waite 1980, ch. 8; parts of 37
+// bits, so that products with up to 16 bits are exact. Larger angles stay.
 static inline double without_turns(double angle)
 {
     const double most = 16;
@@ -53,7 +54,7 @@ static void find_sines(double *block, size_t n, double *s, double *c)
 void yk_tree_angles_find(const YkTreeAngles *angles, const double *q, const double *v)
 {
     const YkLinkTurn *turn = angles->turn;
-    double block[BLOCK], angle = 0, rate = 0; // of the link before
+    double block[BLOCK], angle = 0, rate = 0; // of the previous link
     for (size_t from = 1; from < angles->count; from += BLOCK) {
         size_t n = angles->count - from < BLOCK ? angles->count - from : BLOCK;
         for (size_t k = from; k < from + n; k++) {

@@ -1,4 +1,4 @@
-// Absolute angles of an open tree's links, from the joints' coordinates: outward, in blocks.
+// Absolute angles of an open tree's links, from the joints' coordinates: outwards, in blocks.
 #ifndef EQUATIONS_TREE_ANGLES_H
 #define EQUATIONS_TREE_ANGLES_H
 #include "equations/tree_links.h"
@@ -7,7 +7,7 @@
 typedef struct YkLinkTurn {
     int32_t parent;
     int32_t input; // or YK_NONE: the parent's angle
-    int32_t fork;  // its place among the links that have a child not right after them, or YK_NONE
+    int32_t fork;  // its index among the links with a child that does not come right after them, or YK_NONE
     float sense;   // +1, -1, 0
 } YkLinkTurn;
 
@@ -19,7 +19,8 @@ typedef struct YkTreeAngles {
 } YkTreeAngles;
 
 bool yk_tree_angles_start(YkTreeAngles *angles, const YkTreeLinks *links, YkArena *arena);
-// q[input], v[input]. Angles are taken modulo a turn before they grow: no digits are lost along a chain that coils up.
+// Computes the angles from q[input], v[input], modulo a turn before they grow: no digits are lost along a chain that
+// coils up.
 void yk_tree_angles_find(const YkTreeAngles *angles, const double *q, const double *v);
 
 #endif

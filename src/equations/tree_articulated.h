@@ -1,7 +1,7 @@
-// Articulated inertia of the plane: what a subtree shows at a point, once its joints have been let go.
+// Articulated inertia of the plane: how a subtree resists acceleration at a point once its joints have been released.
 //
-// For an acceleration a of the point and an angular acceleration alpha of the link it asks there for
-//     force = M a + h alpha + f,    moment = J alpha + h . a + n.
+// For an acceleration a of the point and an angular acceleration alpha of the link it requires at the point
+// force = M a + h alpha + f, moment = J alpha + h . a + n.
 // Featherstone 1983, "The calculation of robot dynamics using articulated-body inertias"; after a pin, J and h are 0.
 #ifndef EQUATIONS_TREE_ARTICULATED_H
 #define EQUATIONS_TREE_ARTICULATED_H
@@ -16,13 +16,13 @@ typedef struct YkArticulated {
     double n;
 } YkArticulated;
 
-// A joint's acceleration once those of its point are known: by - on . (alpha, a).
+// A joint's acceleration, given those of its point: by - on . (alpha, a).
 typedef struct YkAnswer {
     double by, turn;
     YkVec on;
 } YkAnswer;
 
-// A pivot is no inertia where it is not above this part of the inertia that stands behind it.
+// A pivot does not count as inertia unless it exceeds this part of the inertia behind it.
 #define YK_LEAST_PIVOT 1e-14
 
 static inline YkVec yk_articulated_times(const YkArticulated *A, YkVec v)
@@ -56,8 +56,7 @@ static inline void yk_articulated_add(YkArticulated *A, const YkArticulated *b)
     A->n += b->n;
 }
 
-// Lets the turning go under a known moment: afterwards the point asks for a force alone, and the moment. J must not be
-// 0.
+// Releases the rotation under a known moment: the point then requires only a force, and the moment. J must not be 0.
 static inline YkAnswer yk_articulated_release_turn(YkArticulated *A, double moment)
 {
     double over = 1 / A->J;
@@ -73,8 +72,8 @@ static inline YkAnswer yk_articulated_release_turn(YkArticulated *A, double mome
     return (YkAnswer){.by = by, .on = on};
 }
 
-// The same about another point of the rigid parent, `arm` back from here: J and h 0 here (a pin).
-// bias: what this point accelerates beyond a + alpha x arm of the parent's point.
+// Moves the force to another point of the rigid parent, `arm` back from here: J and h are 0 here (a pin). bias: how
+// much this point accelerates beyond a + alpha x arm of the parent's point.
 static inline YkArticulated yk_articulated_move_force(const YkArticulated *A, YkVec arm, YkVec bias)
 {
     YkVec across = yk_quarter(arm), q = yk_articulated_times(A, across);

@@ -1,8 +1,9 @@
-// A link's point is its joint's point at this instant. Where the line is the link's own, that is another point of the
-// link from pose to pose; the equations hold for whatever point of the body stands there.
+// Forward dynamics of open trees with slides and pin-slots. A link's point is its joint's point at this instant. If the
+// line belongs to the link, that is a different point of the link from pose to pose; the equations hold for whichever
+// point of the body is there.
 //
-// One joint: the link's point accelerates by a + alpha x arm - w^2 arm (as a point of the parent) + 2 w x line rate
-// (Coriolis; w of whichever link has the line) + line acceleration; slides keep the parent's alpha.
+// Over one joint: the link's point accelerates by a + alpha x arm - w^2 arm (as a point of the parent) + 2 w x line
+// rate (Coriolis; w of the link that has the line) + line acceleration; slides keep the parent's alpha.
 #include "equations/tree_joints.h"
 #include "equations/tree_articulated.h"
 
@@ -11,7 +12,7 @@ typedef struct Pose {
     YkVec arm, line; // from the parent's point; the line's direction: world axes
     YkVec bias;      // of the acceleration, as above
     YkArticulated A;
-    double mass_out, inertia_out; // what stands behind the joint, as if all joints were stiff
+    double mass_out, inertia_out; // inertia behind the joint, as if all joints were rigid
     YkAnswer turn, slide;
     YkVec a;
     double alpha;
@@ -34,7 +35,7 @@ YkTreeJoints *yk_tree_joints_new(const YkTreeLinks *links, YkVec gravity, YkAren
     return yk_arena_failed(arena) ? NULL : joints;
 }
 
-// Parents before children: where every joint stands, and each link by itself.
+// Visits parents before children: places every joint, and each link by itself.
 static void place(const YkTreeJoints *joints, const double *q, const double *v)
 {
     const YkTreeAngles *angles = &joints->angles;
@@ -60,7 +61,7 @@ static void place(const YkTreeJoints *joints, const double *q, const double *v)
     }
 }
 
-// Lets the sliding along a unit vector go under a known force along it. The pivot line . M line must not be 0.
+// Releases the sliding along a unit vector under a known force along it. The pivot line . M line must not be 0.
 static YkAnswer release_slide(YkArticulated *A, YkVec line, double force)
 {
     YkVec on = yk_articulated_times(A, line);
@@ -75,7 +76,7 @@ static YkAnswer release_slide(YkArticulated *A, YkVec line, double force)
     return (YkAnswer){.by = by, .turn = turn * over, .on = yk_scale(over, on)};
 }
 
-// About the parent's point, `arm` back from here.
+// Moves to the parent's point, `arm` back from here.
 static YkArticulated move_back(const YkArticulated *A, YkVec arm)
 {
     YkVec across = yk_quarter(arm), q = yk_articulated_times(A, across);
@@ -88,7 +89,7 @@ static double along(const double *effort, int32_t input)
     return effort ? effort[input] : 0;
 }
 
-// Lets go what a link's joint leaves free. Returns -1, or the input without inertia.
+// Releases the freedoms of a link's joint. Returns -1, or the input without inertia.
 static int release(const YkTreeLink *link, Pose *pose, const double *effort)
 {
     YkArticulated *A = &pose->A;
@@ -131,7 +132,7 @@ static void outward(const YkTreeJoints *joints, double *out)
         double alpha = parent->alpha;
         YkVec a = yk_add(yk_add(parent->a, pose->bias), yk_scale(alpha, yk_quarter(pose->arm)));
         if (link->distance != YK_NONE) {
-            // The slide was let go with the bias inside: it answers to what comes without it.
+            // The slide was released with the bias included, so its answer is to accelerations without it.
             YkAnswer s = pose->slide;
             double slide = s.by - s.turn * alpha - yk_dot(s.on, yk_sub(a, pose->bias));
             a = yk_add(a, yk_scale(slide, pose->line));

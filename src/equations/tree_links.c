@@ -1,7 +1,8 @@
+// Builds the links of an open tree.
 #include "equations/tree_links.h"
 #include "part/part.h"
 
-// Where a body is in its link: its origin, and its x axis as a unit vector.
+// The place of a body in its link: its origin, and its x axis as a unit vector.
 typedef struct Seat {
     YkVec origin, unit;
     int32_t link;
@@ -30,13 +31,13 @@ static YkVec seated(Seat seat, YkVec at)
     return yk_add(seat.origin, yk_mul(seat.unit, at));
 }
 
-// The direction of a link's line; see YkTreeLink.
+// Returns the direction of a link's line; see YkTreeLink.
 static YkVec line_of(const YkJoint *joint, bool is_reversed, Seat parent, Seat own)
 {
     return is_reversed ? yk_scale(-1, yk_mul(own.unit, joint->along)) : yk_mul(parent.unit, joint->along);
 }
 
-// Seats a body of which the parent is seated: in the same link by a weld, otherwise in a new one.
+// Seats a body whose parent is seated: in the same link by a weld, otherwise in a new one.
 static void seat_body(Builder *b, int32_t body)
 {
     int32_t j = b->mech->tree.joint[body];
@@ -65,7 +66,7 @@ static void seat_body(Builder *b, int32_t body)
     own->origin = yk_sub(start, yk_mul(own->unit, joint->at[is_reversed ? 0 : 1]));
 }
 
-// Bodies in preorder, without a stack: down to a first child, on to a sibling, back up.
+// Seats bodies in preorder, without a stack: down to a first child, on to a sibling, back up.
 static void seat_all(Builder *b)
 {
     int32_t body = 0;
@@ -92,7 +93,7 @@ static void list_children(Builder *b)
     }
 }
 
-// Masses and centres first, so that inertias are summed about the final centres: no differences.
+// Sums masses and centres first, so that inertias are summed about the final centres, without differences.
 static void sum_masses(const Builder *b)
 {
     const YkModel *model = b->mech->model;

@@ -1,21 +1,23 @@
+// Forward dynamics of open trees of pins.
 #include "equations/tree_pins.h"
 #include "equations/tree_articulated.h"
 
 typedef struct Link {     // constant
-    YkVec at;             // its pin on the parent, in the parent's axes from the parent's pin
+    YkVec at;             // its pin on the parent, in the parent's axes, relative to the parent's pin
     YkVec moment;         // mass * centre
     double mass, inertia; // about the pin
-    double least;         // pivot
+    double least;         // least pivot
 } Link;
 
-// Of the way in, for the way out: what the parent's pin (a) and the parent's turning (alpha) make of this link's.
+// Kept by the inward pass for the outward one: how the parent's pin (a) and the parent's rotation (alpha) move this
+// link.
 typedef struct Answer {
     YkVec bias, across; // its pin: a + bias + alpha across
-    double by, turn;    // its turning: by - on . a - turn alpha
+    double by, turn;    // its rotation: by - on . a - turn alpha
     YkVec on;
 } Answer;
 
-typedef struct Fork { // where a link has a child that does not stand right after it
+typedef struct Fork { // a link with a child that does not come right after it
     YkArticulated sum;
     YkVec a;
     double alpha;
@@ -29,7 +31,7 @@ struct YkTreePins {
     YkVec gravity;
 };
 
-// The inertia that stands behind each pin: the link's own and, at their arms, all masses further out.
+// Finds the inertia behind each pin: the link's own and, at their arms, all masses further out.
 static void find_least(const YkTreeLinks *links, Link *link, double *mass_out)
 {
     for (size_t k = 0; k < links->count; k++) {
@@ -53,7 +55,7 @@ YkTreePins *yk_tree_pins_new(const YkTreeLinks *links, YkVec gravity, YkArena *a
     pins->link = YK_NEW(arena, Link, n);
     pins->answer = YK_NEW(arena, Answer, n);
     pins->fork = YK_NEW(arena, Fork, pins->angles.fork_count);
-    double *mass_out = (double *)pins->answer; // for now
+    double *mass_out = (double *)pins->answer; // for the time being
     if (yk_arena_failed(arena)) return NULL;
     for (size_t k = 0; k < n; k++) {
         const YkTreeLink *l = &links->link[k];
@@ -66,8 +68,8 @@ YkTreePins *yk_tree_pins_new(const YkTreeLinks *links, YkVec gravity, YkArena *a
     return pins;
 }
 
-// Children before parents: lets each pin go and shows what is left to the parent. The child that stands right after its
-// parent hands it over in registers.
+// Visits children before parents: releases each pin and passes the rest to the parent. A child that comes right after
+// its parent passes it on in registers.
 static int inward(const YkTreePins *pins, const double *effort)
 {
     const YkTreeAngles angles = pins->angles;
@@ -83,7 +85,7 @@ static int inward(const YkTreePins *pins, const double *effort)
         yk_articulated_add_body(&A, link->mass, yk_mul(yk_vec(c[k], s[k]), link->moment), link->inertia, w[k]);
         if (!(A.J > link->least)) return t.input;
         YkAnswer answer = yk_articulated_release_turn(&A, torque);
-        if (p == 0) { // the ground asks for nothing
+        if (p == 0) { // the ground needs nothing
             pins->answer[k] = (Answer){.by = answer.by, .on = answer.on};
             A = nothing;
             continue;
@@ -101,11 +103,11 @@ static int inward(const YkTreePins *pins, const double *effort)
     return -1;
 }
 
-// Parents before children. The ground accelerates against gravity, which so acts on every mass.
+// Visits parents before children. The ground accelerates against gravity, which thus acts on every mass.
 static void outward(const YkTreePins *pins, double *out)
 {
     const YkLinkTurn *turn = pins->angles.turn;
-    YkVec a = yk_scale(-1, pins->gravity); // of the pin of the link before
+    YkVec a = yk_scale(-1, pins->gravity); // of the pin of the previous link
     double alpha = 0;
     if (turn[0].fork != YK_NONE) pins->fork[turn[0].fork].a = a;
     for (size_t k = 1; k < pins->angles.count; k++) {

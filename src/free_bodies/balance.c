@@ -1,16 +1,16 @@
-// Reactions and efforts that balance a part: A f = inertia - load.
+// Finds the reactions and efforts that balance a part: A f = inertia - load.
 //
-// Redundant parts: f of least norm, from the saddle point [d A; -A^T 1] (y, f): with d = 0 f = A^T y is orthogonal to
-// all f that change nothing. Where A has dependent rows too (inputs without effort), a small d keeps the system
-// regular; solving again for what is left brings the solution of d = 0 (the method of multipliers: Hestenes 1969).
-// Which shares are determined: the same system projects a random f on those that change nothing; where nothing is left
-// of it, every solution has the same share.
+// Redundant parts: f of least norm, from the saddle point [d A; -A^T 1] (y, f): with d = 0, f = A^T y is orthogonal to
+// all f that change nothing. If A has dependent rows too (inputs without effort), a small d keeps the system regular;
+// solving again for the residual gives the solution of d = 0 (the method of multipliers: Hestenes 1969). To find which
+// shares are determined, the same system projects a random f onto those that change nothing; where nothing of it is
+// left, every solution has the same share.
 #include <string.h>
 #include "free_bodies/inside.h"
 
 enum { ROUNDS_MAX = 12 };
-static const double softness = 1e-7; // d, where it is not 0
-static const double loose = 1e-8;    // a projection above this is no rounding
+static const double softness = 1e-7; // d, unless it is 0
+static const double loose = 1e-8;    // a projection above this is not rounding
 
 static bool is_taken(const YkWrenchColumn *c, const bool *is_prescribed)
 {
@@ -54,7 +54,7 @@ static bool make_system(const YkFreeBodies *f, YkBodyPart *part)
     return yk_body_system_finish(s);
 }
 
-// What the bodies want of their joints, N.
+// Computes what the bodies require of their joints, N.
 static void wanted(const YkFreeBodies *f, const YkBodyPart *part, double *b)
 {
     for (size_t k = 0; k < part->body_count; k++)
@@ -83,7 +83,7 @@ static void solve_saddle(YkFreeBodies *f, YkBodyPart *part, const double *want, 
     }
 }
 
-// A fixed vector without meaning: entries between 0.5 and 1.5.
+// Returns an arbitrary but fixed vector: entries between 0.5 and 1.5.
 static double arbitrary(size_t k)
 {
     uint64_t z = (k + 1) * 0x9e3779b97f4a7c15u;

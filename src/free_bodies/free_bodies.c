@@ -1,3 +1,4 @@
+// Balances of all bodies: makes the system, solves its parts, and answers for joints.
 #include "free_bodies/free_bodies.h"
 #include <stdlib.h>
 #include <string.h>
@@ -76,7 +77,7 @@ static void find_inertia(YkFreeBodies *f, const YkBodyPart *part)
     }
 }
 
-// What the shares leave of every balance, over the largest force. A part that was not solved does not count.
+// Finds what the shares leave of every balance, over the largest force. A part that was not solved does not count.
 static void find_imbalance(YkFreeBodies *f, const YkBodyPart *part, double *worst, double *largest)
 {
     size_t m = 3 * part->body_count;
@@ -102,14 +103,14 @@ static bool is_finite(const YkFreeBodies *f, const YkBodyPart *part)
     return sum == 0;
 }
 
-// Of two parts: what failed, or else what is worth a look.
+// Returns, of the statuses of two parts, the failure, or else the one worth attention.
 static YkStatus worse(YkStatus a, YkStatus b)
 {
     if (a < 0 || b < 0) return a < 0 ? a : b;
     return a > b ? a : b;
 }
 
-// Takes the solution of a part, or clears it where there is none. Returns its status.
+// Takes the solution of a part, or clears it if there is none. Returns its status.
 static YkStatus settle(YkFreeBodies *f, YkBodyPart *part, YkStatus status, double *worst, double *largest)
 {
     if ((status == YK_OK || status == YK_REDUNDANT) && !is_finite(f, part)) status = YK_SINGULAR;
@@ -138,7 +139,7 @@ YkStatus yk_free_bodies_inverse(YkFreeBodies *f, const YkSpace *space, const YkL
     return status;
 }
 
-// Systems of forward dynamics stand for one choice of prescribed inputs.
+// Takes a choice of prescribed inputs; the systems of forward dynamics are made for one such choice.
 static void take_prescribed(YkFreeBodies *f, const bool *is_prescribed)
 {
     size_t n = f->mech->input_count;

@@ -1,11 +1,11 @@
 // The inside of YkFreeBodies.
 //
 // Every unknown of the joints is a *wrench*: a unit force or couple on the joint's second body and its opposite on the
-// first, both at the same place of the world. As columns the wrenches make the matrix A, three rows a body; forces in
-// equal units, moments and couples over the machine's size, so that all entries are near 1:
-//     inertia - loads = A f                    (balance of every body)
-//     A^T accelerations = bias (+ q'' of an input)   (the joints' constraints, differentiated twice)
-// Bodies that joints connect other than through the ground form a *part*; parts are solved apart from each other.
+// first, both at the same place in the world. The wrenches are the columns of the matrix A, which has three rows for
+// each body; forces in equal units, moments and couples over the machine's size, so that all entries are near 1:
+// - inertia - loads = A f (balance of every body)
+// - A^T accelerations = bias (+ q'' of an input) (the joints' constraints, differentiated twice)
+// Bodies that joints connect other than through the ground form a *part*; parts are solved separately.
 #ifndef FREE_BODIES_INSIDE_H
 #define FREE_BODIES_INSIDE_H
 #include "free_bodies/free_bodies.h"
@@ -21,10 +21,10 @@ typedef enum YkWrenchKind {
 } YkWrenchKind;
 
 typedef struct YkWrenchColumn {
-    int32_t joint, input; // input: YK_NONE for a reaction; joint: YK_NONE of a mesh
-    int32_t relation;     // MESH: which
+    int32_t joint, input; // input: YK_NONE for a reaction; joint: YK_NONE for a mesh
+    int32_t relation;     // MESH: its index
     int32_t body[2];
-    int32_t third, fourth; // MESH: bodies that bear a share besides; 0 where there are none (or the ground does)
+    int32_t third, fourth; // MESH: further bodies that bear a share; 0 if there are none (or it is the ground)
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
@@ -32,22 +32,22 @@ typedef struct YkWrenchColumn {
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
     YkVec other;      // MESH: on the third, its opposite on the fourth
     double third_moment, fourth_moment;
-    YkVec radial;            // MESH of gears: on the second body for each newton of the force's size; turns nothing
+    YkVec radial; // MESH of gears: on the second body for each newton of the force's magnitude; turns nothing
     double radial_moment[2]; // ... about the reference points, m
-    double bias;             // 1/s^2: what A^T accelerations must be when the coordinate does not accelerate
+    double bias;             // 1/s^2: value of A^T accelerations when the coordinate does not accelerate
     // Solved:
     double share;    // its part of the whole, N
-    double freeness; // redundant parts: how far it could be otherwise; 0 when it is determined
+    double freeness; // redundant parts: how far it could differ; 0 when it is determined
 } YkWrenchColumn;
 
-enum { YK_WRENCH_ENTRIES = 12 }; // of a column, at most: three for each of four bodies
+enum { YK_WRENCH_ENTRIES = 12 }; // most entries of a column: three for each of four bodies
 
-// A sparse system that is put together by emitting its entries in always the same order.
+// A sparse system that is assembled by emitting its entries in a fixed order.
 typedef struct YkBodySystem {
     YkSparse *sparse; // NULL: not made yet
     size_t n, count, capacity;
     int32_t *row, *column; // while the pattern is collected
-    int32_t *place;        // afterwards: where an emitted entry stands
+    int32_t *place;        // afterwards: where an emitted entry is stored
     double *value;
 } YkBodySystem;
 
@@ -55,10 +55,10 @@ typedef struct YkBodyPart {
     const int32_t *bodies, *columns; // [body_count], [column_count]
     size_t body_count, column_count;
     bool is_redundant;    // more unknowns than equations
-    double mass;          // kg: the largest, 1 where all are 0; forces are measured by it in forward dynamics
+    double mass;          // kg: the largest, 1 if all are 0; the unit of forces in forward dynamics
     YkBodySystem balance; // A; of redundant parts the saddle point of least norm
     YkBodySystem motion;  // forward dynamics
-    YkBodySystem soft;    // ... with a little inertia and give, to find what has none
+    YkBodySystem soft;    // ... with a little inertia and compliance, to find freedoms without inertia
 } YkBodyPart;
 
 struct YkFreeBodies {
@@ -68,16 +68,16 @@ struct YkFreeBodies {
     YkVec *reference; // per body
     YkWrenchColumn *columns;
     size_t column_count, first_mesh; // meshes in the order of the relations
-    uint32_t *joint_first;           // [joints + 1]: its reactions among the columns
+    uint32_t *joint_first;           // [joints + 1]: where its reactions begin among the columns
     int32_t *input_column;           // per input
     YkBodyPart *parts;
     size_t part_count;
-    int32_t *body_row; // per body: three times its place in its part
+    int32_t *body_row; // per body: three times its index in its part
     int32_t *part_of;  // per body
     int32_t *part_bodies, *part_columns;
     bool *is_prescribed; // per input, of the last forward solution
     bool has_prescribed;
-    // Three a body, moments over the size:
+    // Three for each body, moments over the size:
     double *load;         // N
     double *acceleration; // of the reference point, m/s^2; of the angle, times the size
     double *inertia;      // N
@@ -85,18 +85,18 @@ struct YkFreeBodies {
     double imbalance;
 };
 
-// Columns of all joints and inputs, and parts. False when out of memory.
+// Makes the columns of all joints and inputs, and the parts. Returns false when out of memory.
 bool yk_wrenches_build(YkFreeBodies *f);
 bool yk_parts_build(YkFreeBodies *f);
 void yk_parts_end(YkFreeBodies *f);
-// Directions, moments and biases at a pose.
+// Computes directions, moments and biases at a pose.
 void yk_wrenches_pose(YkFreeBodies *f, const YkSpace *space);
 
-// Columns of the relations; their forces at a pose.
+// Make the columns of the relations; compute their forces at a pose.
 void yk_meshes_build(YkFreeBodies *f);
 void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *column);
 
-// Systems. Emitting collects the pattern until _finish, values afterwards, beginning anew with _begin.
+// Systems. Emitting collects the pattern until _finish, and values afterwards, starting over with _begin.
 bool yk_body_system_start(YkBodySystem *system, size_t n, size_t most);
 bool yk_body_system_finish(YkBodySystem *system); // false when out of memory
 void yk_body_system_end(YkBodySystem *system);
@@ -111,21 +111,22 @@ static inline void yk_body_system_emit(YkBodySystem *system, size_t row, size_t 
         system->column[k] = (int32_t)column;
     }
 }
-// The entries of a wrench, times sign, on the rows of its bodies in `column`; transposed: as a row.
+// Emits the entries of a wrench, times sign, on the rows of its bodies in `column`; transposed: as a row.
 void yk_body_system_wrench(const YkFreeBodies *f, YkBodySystem *system, const YkWrenchColumn *wrench, size_t column,
                            double sign, bool transposed);
-// The same entries as numbers: y += factor * wrench, and the wrench's product with x.
+// Use the same entries as numbers: y += factor * wrench, and the wrench's product with x.
 void yk_wrench_add(const YkFreeBodies *f, const YkWrenchColumn *wrench, double factor, double *y);
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *wrench, const double *x);
 
-// The shares of a part that balance inertia - load. is_prescribed (may be NULL: all): other inputs have no effort.
+// Finds the shares of a part that balance inertia - load. is_prescribed (may be NULL: all): other inputs have no
+// effort.
 YkStatus yk_part_balance(YkFreeBodies *f, YkBodyPart *part, const bool *is_prescribed);
-// The accelerations of a part's bodies.
+// Finds the accelerations of a part's bodies.
 YkStatus yk_part_motion(YkFreeBodies *f, YkBodyPart *part, const bool *is_prescribed, double *accelerations,
                         int *culprit);
 void yk_part_clear(YkFreeBodies *f, const YkBodyPart *part);
 
-// Pivots below this, over their columns, are rounding.
+// Pivots below this, relative to their columns, are rounding.
 #define YK_PIVOT_TOLERANCE 1e-13
 
 #endif

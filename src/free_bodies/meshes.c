@@ -1,10 +1,10 @@
-// What gears, racks, belts and cams transmit. By virtual work the force belongs to the relation that it enforces:
-//   gears    a force at the pitch point across the line of centres, where the centres are apart; otherwise couples
-//   racks    a force along the rack at the pitch line
-//   belts    couples on both pulleys and what carries them
-//   cams     a force along the common normal through the follower's roller (or edge), on a flat face that slides - and
-//            where no base tells more - where the face touches; of followers that turn and name no point, couples
-// Flanks of gears lean by the pressure angle: with the force across comes one along the line of centres, towards the
+// The forces of gears, racks, belts and cams. By virtual work each force belongs to the relation that it enforces:
+// - gears: a force at the pitch point across the line of centres, if the centres are apart; otherwise couples
+// - racks: a force along the rack at the pitch line
+// - belts: couples on both pulleys and on their carrier
+// - cams: a force along the common normal through the follower's roller (or edge); for a flat face that slides, and if
+// no base radius tells more, where the face touches; for followers that turn and name no point, couples
+// Flanks of gears lean by the pressure angle: the force across comes with one along the line of centres, towards the
 // first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
 // applied as a load.
 #include "free_bodies/inside.h"
@@ -68,13 +68,13 @@ static YkVec center_of(const YkFreeBodies *f, const YkSpace *space, int32_t join
     return place_of(f, space, body, j->at[j->body[1] == body]).at;
 }
 
-// A wheel's centre is the origin of its body.
+// Returns a wheel's centre, the origin of its body.
 static YkVec wheel_center(const YkFreeBodies *f, const YkSpace *space, int32_t body)
 {
     return place_of(f, space, body, yk_vec(0, 0)).at;
 }
 
-// A force on the second body at a place of the world, its opposite on the first.
+// Sets a force on the second body at a place in the world, and its opposite on the first.
 static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec at, YkVec force)
 {
     c->force = force;
@@ -125,19 +125,21 @@ static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     const YkJoint *slide = &model->joints[rack->slide];
     YkVec u = yk_mul(place_of(f, space, slide->body[0], slide->at[0]).e, slide->along);
     YkVec center = wheel_center(f, space, rack->pinion);
-    double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance is the second body's way, and so is the sense
+    // The distance is measured to the second body, and so is the sense.
+    double sign = slide->body[1] == rack->rack ? 1 : -1;
     YkVec pitch = yk_add(center, yk_scale(-sign * rack->sense * rack->radius, yk_quarter(u)));
     set_force(f, space, c, pitch, yk_scale(sign, u));
 }
 
-// A flat face is pushed along its line of motion, where it touches: off that line by the slope of the lift.
+// Places the push on a flat face: along its line of motion, where it touches, which is off that line by the slope of
+// the lift.
 static void pose_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec u, double way)
 {
     YkVec touch = yk_add(center, yk_scale(-way, yk_quarter(u)));
-    set_force(f, space, c, touch, u); // how far along u does not matter to a force along u
+    set_force(f, space, c, touch, u); // a force along u may act anywhere along u
 }
 
-// Where the follower's roller or edge is; false where it is not known.
+// Finds the follower's roller or edge; returns false if its place is unknown.
 static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift,
                       YkVec *at)
 {
@@ -178,7 +180,8 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
             yk_scale(way * slope, yk_quarter(yk_sub(at, center_of(f, space, cam->follower_joint, cam->follower))));
     else
         velocity = yk_scale(slope, u);
-    YkVec against = yk_sub(velocity, yk_scale(turn, yk_quarter(yk_sub(at, center)))); // of the roller on the cam
+    // Velocity of the roller relative to the cam.
+    YkVec against = yk_sub(velocity, yk_scale(turn, yk_quarter(yk_sub(at, center))));
     double speed = yk_norm(against);
     if (!(speed > 0)) {
         set_couples(c, -slope * turn, way, slope * turn - way);
@@ -187,7 +190,8 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
     set_force(f, space, c, at, yk_scale(1 / speed, yk_quarter(against)));
 }
 
-// A unit effort along a coordinate: on its joint's second body, and back on the first; about their reference points.
+// A unit effort along a coordinate, on its joint's second body and its reaction on the first; about their reference
+// points.
 typedef struct Effort {
     YkVec force;      // N, 0 along an angle
     double moment[2]; // N m
@@ -207,7 +211,8 @@ static Effort effort_along(const YkFreeBodies *f, const YkSpace *space, const Yk
     return effort;
 }
 
-// What follows a coordinate by a law pushes along its own, and the other's two bodies feel the law's slope of it.
+// Computes the effort of a law between coordinates: the follower's own, and on the other's two bodies the law's slope
+// times it.
 static void pose_follow(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r)
 {
     const YkModel *model = f->mech->model;
@@ -215,7 +220,7 @@ static void pose_follow(const YkFreeBodies *f, const YkSpace *space, YkWrenchCol
     const YkCoordinate *of = &model->coordinates[model->follows[r->index].of];
     double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain;
     Effort on = effort_along(f, space, own), back = effort_along(f, space, of);
-    double unit = own->is_distance ? 1 : f->size; // N or N m: a couple is measured over the size
+    double unit = own->is_distance ? 1 : f->size; // N or N m: couples are divided by the size
     c->force = yk_scale(unit, on.force);
     c->other = yk_scale(-slope * unit, back.force);
     for (int k = 0; k < 2; k++) c->moment[k] = unit * on.moment[k] / f->size;
@@ -223,7 +228,8 @@ static void pose_follow(const YkFreeBodies *f, const YkSpace *space, YkWrenchCol
     c->fourth_moment = -slope * unit * back.moment[0] / f->size;
 }
 
-// All accelerations that the relation allows give the same product with its forces: those of the pose do.
+// Returns the bias. Any accelerations that the relation allows give the same product with its forces: those of the pose
+// do.
 static double bias_of(const YkFreeBodies *f, const YkSpace *space, const YkWrenchColumn *c)
 {
     const int32_t bodies[] = {c->body[0], c->body[1], c->third, c->fourth};

@@ -1,17 +1,18 @@
-// Forward dynamics of a part: accelerations a of all its bodies together with what the joints and the prescribed inputs
-// must exert: [M -A; A^T e] (a, f) = (load, bias), lengths over the size, forces over the size and the largest mass.
+// Forward dynamics of a part: finds the accelerations a of all its bodies together with what the joints and the
+// prescribed inputs must exert: [M -A; A^T e] (a, f) = (load, bias), lengths over the size, forces over the size and
+// the largest mass.
 //
-// e = 0 but for redundant parts: there A has dependent columns, and a small e keeps the system regular; solving again
-// for what is left of the constraints brings the accelerations of e = 0 (the method of multipliers: Hestenes 1969),
-// which are unique; the reactions are then those of least norm.
+// e = 0 except for redundant parts: there A has dependent columns, and a small e keeps the system regular. Solving
+// again for the residual of the constraints gives the accelerations of e = 0 (the method of multipliers: Hestenes
+// 1969), which are unique; the reactions are then those of least norm.
 #include <stdlib.h>
 #include <string.h>
 #include "free_bodies/inside.h"
 
 enum { ROUNDS_MAX = 12 };
-static const double give = 1e-7; // e, where it is not 0
-// To find a freedom without inertia: all bodies get a trace of the largest inertia. It has to stand out against the
-// rounding of what the joints resist, 1 / e. Beyond `enormous` an acceleration has only that trace against it.
+static const double give = 1e-7; // e, unless it is 0
+// To find a freedom without inertia: all bodies get a trace of the largest inertia, which has to exceed the rounding of
+// the joints' resistance, 1 / e. Only that trace resists an acceleration beyond `enormous`.
 static const double searching_give = 1e-4, trace = 1e-8, enormous = 1e5;
 
 static bool is_constraint(const YkWrenchColumn *c, const bool *is_prescribed)
@@ -62,7 +63,7 @@ static bool make_system(const YkFreeBodies *f, const YkBodyPart *part, YkBodySys
     return yk_body_system_finish(s);
 }
 
-// Values and factors; the smallest pivot, or -1 when out of memory.
+// Sets the values and factors them; returns the smallest pivot, or -1 when out of memory.
 static double factor(const YkFreeBodies *f, const YkBodyPart *part, YkBodySystem *s, const bool *is_prescribed,
                      double e, double more)
 {
@@ -77,7 +78,7 @@ static double unit_of(const YkFreeBodies *f, const YkWrenchColumn *c) // of the 
     return c->kind == YK_WRENCH_LINE ? f->size : 1;
 }
 
-// Loads, and what the constraints ask of the accelerations, into f->b.
+// Writes the loads, and the accelerations that the constraints require, into f->b.
 static void right_side(YkFreeBodies *f, const YkBodyPart *part, const bool *is_prescribed, const double *accelerations)
 {
     size_t at = 3 * part->body_count;
@@ -91,7 +92,7 @@ static void right_side(YkFreeBodies *f, const YkBodyPart *part, const bool *is_p
     }
 }
 
-// x = (a, f) of the right side f->b. Soft: until the constraints are met to rounding.
+// Solves for x = (a, f) with the right side f->b. Soft: until the constraints are met to rounding.
 static void solve(YkFreeBodies *f, const YkBodySystem *s, size_t m, bool is_soft)
 {
     double *x = f->x, *y = f->y, last = INFINITY;
@@ -122,7 +123,7 @@ static void keep(YkFreeBodies *f, const YkBodyPart *part, const bool *is_prescri
     }
 }
 
-// Accelerations of bodies that have a trace of inertia, under the load that moves them most: inverse iteration.
+// Finds the accelerations of bodies with a trace of inertia, under the load that moves them most: inverse iteration.
 static void search_motion(YkFreeBodies *f, const YkBodySystem *s, size_t m)
 {
     double *x = f->x;
@@ -136,7 +137,7 @@ static void search_motion(YkFreeBodies *f, const YkBodySystem *s, size_t m)
     }
 }
 
-// The input that accelerates most where only the trace of inertia resists; -1 where none does.
+// Returns the input that accelerates most where only the trace of inertia resists; -1 if there is none.
 static int find_culprit(YkFreeBodies *f, YkBodyPart *part, const bool *is_prescribed)
 {
     double largest = enormous;

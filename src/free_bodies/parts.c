@@ -1,4 +1,4 @@
-// Parts: bodies that joints connect other than through the ground.
+// Finds parts: bodies that joints connect other than through the ground.
 #include <string.h>
 #include "free_bodies/inside.h"
 
@@ -8,7 +8,7 @@ static int32_t find(int32_t *above, int32_t body)
     return body;
 }
 
-// Numbers the parts in the order of their first bodies; the ground has none.
+// Numbers the parts in the order of their first bodies; the ground is in none.
 static void find_parts(YkFreeBodies *f, int32_t *above)
 {
     const YkModel *model = f->mech->model;

@@ -1,4 +1,4 @@
-// Sparse systems put together entry by entry.
+// Assembles sparse systems entry by entry.
 #include <stdlib.h>
 #include <string.h>
 #include "free_bodies/inside.h"
@@ -13,7 +13,7 @@ bool yk_body_system_start(YkBodySystem *s, size_t n, size_t most)
     return false;
 }
 
-// Sorts what was emitted by columns, in place of s->column: where each entry goes.
+// Sorts the emitted entries by columns; s->column gets the place of each.
 static void sort(YkBodySystem *s, int32_t *start, int32_t *row)
 {
     for (size_t k = 0; k < s->count; k++) start[s->column[k] + 1]++;
@@ -66,8 +66,8 @@ static void emit(YkBodySystem *s, size_t row, size_t column, double value, bool 
     yk_body_system_emit(s, transposed ? column : row, transposed ? row : column, value);
 }
 
-// What a mesh does to its bodies: a force and a moment over the size. A body that has two parts in it, as where a slide
-// follows its neighbour, stands once.
+// The effect of a mesh on its bodies: a force and a moment over the size. A body with two roles, as when a slide
+// follows its neighbour, appears once.
 typedef struct Share {
     int32_t body;
     YkVec force;

@@ -1,4 +1,4 @@
-// Which forces and couples each joint and input transmits, and where they act at a pose.
+// Finds the forces and couples that each joint and input transmits, and where they act at a pose.
 #include "free_bodies/inside.h"
 
 static const struct {
@@ -60,7 +60,7 @@ static YkVec axis_of(const YkFreeBodies *f, const YkSpace *space, int32_t body, 
     return yk_mul(yk_vec(turn.c[0], turn.s[0]), placing->turn_unit);
 }
 
-// On the first body the point is where the second's lies: out along the line by the distance.
+// Places a joint. On the first body the point is the second's: out along the line by the distance.
 static JointPose pose_of(const YkFreeBodies *f, const YkSpace *space, int32_t joint)
 {
     const YkJoint *j = &f->mech->model->joints[joint];
@@ -97,8 +97,8 @@ static YkVec direction_of(YkWrenchKind kind, YkVec u)
     return yk_vec(0, 0);
 }
 
-// The two material points at the joint accelerate against each other by the coordinate's own acceleration and
-// Coriolis'; what of it comes from the rates, along the force:
+// Returns the bias. The two material points at the joint have a relative acceleration: the coordinate's own and the
+// Coriolis one. The bias is the part due to the rates, along the force:
 static double bias_of(YkVec force, const JointPose *p)
 {
     YkVec inward = yk_sub(yk_scale(p->w[1] * p->w[1], p->arm[1]), yk_scale(p->w[0] * p->w[0], p->arm[0]));

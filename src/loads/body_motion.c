@@ -1,4 +1,4 @@
-// Where bodies are and how they move, read from a space.
+// Reads the positions and motions of bodies from a space.
 #include "loads/loads.h"
 #include "solve/run.h"
 

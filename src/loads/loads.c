@@ -1,3 +1,4 @@
+// Prepares the loads of a machine once: their points, formulas, laws and variables.
 #include "loads/loads.h"
 #include <stdlib.h>
 #include <string.h>
@@ -143,7 +144,7 @@ static bool allocate(YkLoads *loads)
                    loads->mech->coordinate_count;
     for (size_t j = 0; j < model->joint_count; j++) items += model->joints[j].has_friction ? 2 : 0;
     loads->arena = yk_arena_new();
-    loads->items = calloc(items + 1, sizeof *loads->items); // room for efforts set later
+    loads->items = calloc(items + 1, sizeof *loads->items); // room for efforts that are set later
     loads->is_loaded = calloc(model->body_count, sizeof *loads->is_loaded);
     if (!loads->arena || !loads->items || !loads->is_loaded) return false;
     if (!YK_ROOM(loads->variables, loads->variable_count, loads->variable_capacity)) return false;

@@ -1,5 +1,5 @@
 // Loads at a pose: what gravity, forces, springs, dampers, efforts and friction exert on every body, as one force and
-// one moment a body; and what they store and take.
+// one moment for each; and the energy that they store and take.
 #ifndef LOADS_LOADS_H
 #define LOADS_LOADS_H
 #include <yoke/dynamics.h>
@@ -8,13 +8,13 @@
 #include "solve/space.h"
 #include "solve/state.h"
 
-// On a body: force, and moment about its reference point: the centre of mass, or the origin where it has no mass.
+// The load on a body: force, and moment about its reference point: the centre of mass, or the origin if it has no mass.
 typedef struct YkLoad {
     YkVec force;
     double moment;
 } YkLoad;
 
-// Where a body's reference point is and how it moves, lane 0 of a space.
+// The position and motion of a body's reference point, in lane 0 of a space.
 typedef struct YkBodyMotion {
     YkVec at, velocity, acceleration; // of the reference point, world axes
     YkVec e;                          // the body's x axis as a unit vector
@@ -30,10 +30,10 @@ typedef struct YkLoadValue {
     const YkLaw *law;         // of the formula
 } YkLoadValue;
 
-// A point of a body on which something pulls, prepared: in the axes of the body's orientation.
+// A point of a body on which a load pulls, prepared in the axes of the body's orientation.
 typedef struct YkLoadEnd {
     int32_t body;
-    YkVec from_origin, arm; // to the point, from the body's origin and from its reference point
+    YkVec from_origin, arm; // the point, relative to the body's origin and to its reference point
 } YkLoadEnd;
 
 typedef enum YkLoadKind {
@@ -42,8 +42,8 @@ typedef enum YkLoadKind {
     YK_LOAD_SPRING,  // between two points, with a damper
     YK_LOAD_ALONG,   // spring and damper along a joint's angle or distance
     YK_LOAD_VISCOUS, // friction that grows with the rate
-    YK_LOAD_COULOMB, // dry friction: enters as `dry` says
-    YK_LOAD_STOP     // what a stop exerts: likewise
+    YK_LOAD_COULOMB, // dry friction: its value is `dry`
+    YK_LOAD_STOP     // the effort of a stop: likewise
 } YkLoadKind;
 
 typedef struct YkLoadItem {
@@ -51,7 +51,7 @@ typedef struct YkLoadItem {
     const char *name; // of the coordinate, force, spring or joint
     int32_t joint;    // EFFORT, ALONG, VISCOUS, COULOMB
     bool is_distance;
-    int32_t coordinate; // of the tree, where the joint has it there; otherwise YK_NONE
+    int32_t coordinate; // in the tree, if the joint has one there; otherwise YK_NONE
     int32_t body[2];    // FORCE: body[0]; SPRING
     YkLoadEnd end[2];   // likewise
     bool in_body_axes;
@@ -59,10 +59,10 @@ typedef struct YkLoadItem {
     double stiffness, length, damping;
     double coulomb, radius; // COULOMB
     const YkStop *stop;     // STOP
-    double direction;       // COULOMB: of the sliding, +1 or -1; 0: as the rate says
+    double direction;       // COULOMB: of the sliding, +1 or -1; 0: from the rate
     double last;            // EFFORT: its value when last added
-    double dry;             // COULOMB, STOP: the moment or force now
-    bool is_held;           // COULOMB: sticks; `dry` is given from outside
+    double dry;             // COULOMB, STOP: the present moment or force
+    bool is_held;           // COULOMB: the joint sticks; `dry` is given from outside
 } YkLoadItem;
 
 // A pull from outside on a point of a body: force + stiffness (target - point) - damping velocity, world axes.
@@ -73,7 +73,7 @@ typedef struct YkHandle {
     double stiffness, damping;
 } YkHandle;
 
-typedef struct YkVariable { // of the formulas: [0] is the time
+typedef struct YkVariable { // a variable of the formulas: [0] is the time
     int32_t coordinate;     // of the tree; YK_NONE: time
     bool is_rate;
 } YkVariable;
@@ -85,11 +85,11 @@ typedef struct YkLoads {
     size_t item_count;
     YkVariable *variables;
     size_t variable_count, variable_capacity;
-    double *value;   // of the variables
-    bool *is_loaded; // per body: some item may act on it
+    double *value;   // values of the variables
+    bool *is_loaded; // per body: whether some item may act on it
     YkHandle *handles;
     size_t handle_count;
-    double handle_power; // what all handles delivered to the machine when last added, W
+    double handle_power; // power that all handles delivered to the machine when last added, W
     bool has_dry;
     bool failed;
 } YkLoads;
@@ -98,25 +98,27 @@ YkLoads *yk_loads_new(const YkMechanism *mech);
 void yk_loads_free(YkLoads *loads);
 // Replaces the effort along a tree coordinate.
 bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort);
-// Makes room for pulls from outside, none of them on; any body may be pulled then. False when out of memory.
+// Makes room for pulls from outside, none of them on; any body may then be pulled. Returns false when out of memory.
 bool yk_loads_set_handles(YkLoads *loads, size_t count);
-// Adds all items and handles to load[body], without gravity, at a pose of the space (positions and velocities; the inputs and
-// references are the state's). power[item] (may be NULL): what it delivers to the machine now, W. False where a value
-// is not finite: *culprit names the item.
+// Adds all items and handles to load[body], without gravity, at a pose of the space (positions and velocities; the
+// inputs and references are the state's). power[item] (may be NULL): the power it delivers to the machine now, W.
+// Returns false if a value is not finite: *culprit names the item.
 bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, YkLoad *load, double *power,
                   size_t *culprit);
-// An effort along a joint's freedom, added to both bodies.
+// Adds an effort along a joint's freedom to both bodies.
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load);
-// Open trees whose only items are efforts, one a coordinate: effort[input] at the state's inputs, and their power.
+// Finds, for open trees whose only items are one effort for each coordinate, effort[input] at the state's inputs, and
+// their power.
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit);
-// What `efforts:` gave along a tree coordinate when the items were last added.
+// Returns what `efforts:` gave along a tree coordinate when the items were last added.
 double yk_loads_effort(const YkLoads *loads, int32_t coordinate);
-// What the springs hold, J.
+// Returns the energy stored in the springs, J.
 double yk_loads_stored(const YkLoads *loads, const YkState *state, const YkSpace *space);
-// A tree coordinate at a pose of the space, whose inputs are the state's. The acceleration of an input is left out.
+// Returns a tree coordinate at a pose of the space, whose inputs are the state's. Leaves out the acceleration of an
+// input.
 YkMotion yk_loads_coordinate(const YkState *state, const YkSpace *space, int32_t coordinate);
-// The rate of a joint's freedom; with its acceleration.
+// Return the rate of a joint's freedom; with its acceleration.
 YkMotion yk_joint_motion(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance); // no position
 double yk_joint_rate(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance);
 

@@ -1,4 +1,4 @@
-// Points on which loads pull: where they are and how fast, lane 0 of a space, straight from the sums.
+// The positions and velocities of points on which loads pull, in lane 0 of a space, directly from the sums.
 #ifndef LOADS_POINT_H
 #define LOADS_POINT_H
 #include "loads/loads.h"
@@ -37,7 +37,7 @@ static inline void yk_load_point_add_node(YkLoadPoint *p, const YkSpace *space, 
     p->velocity = yk_add(p->velocity, yk_scale(sign, yk_vec(plane.vx[0], plane.vy[0])));
 }
 
-// `at` in the body's axes.
+// Prepares the point `at`, given in the body's axes.
 static inline YkLoadEnd yk_load_end(const YkMechanism *mech, int32_t body, YkVec at)
 {
     YkVec turn = mech->bodies[body].turn_unit, reference = yk_reference_point(mech->model, (size_t)body);

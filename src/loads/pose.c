@@ -1,4 +1,4 @@
-// What the loads exert at a pose.
+// Evaluates what the loads exert at a pose.
 #include <string.h>
 #include "loads/point.h"
 
@@ -55,7 +55,7 @@ static YkLoadPoint point_of(const Pose *p, const YkLoadEnd *end)
     return yk_load_point(p->mech, p->space, end);
 }
 
-// A vector given in a body's axes, from one of its points.
+// Returns a vector given in a body's axes, by way of one of its points, in world axes.
 static YkVec in_world(const Pose *p, int32_t body, const YkLoadPoint *point, YkVec v)
 {
     return yk_mul(point->turn, yk_mul(p->mech->bodies[body].turn_unit, v));
@@ -101,12 +101,11 @@ static double push_force(const Pose *p, const YkLoadItem *item)
     return yk_dot(force, at.velocity) + moment * at.w;
 }
 
-// Of the machine's size: between ends that a joint holds together there is no more than rounding leaves, and no
-// direction.
+// Of the machine's size: between ends that a joint holds together only rounding is left, which has no direction.
 static const double NO_LENGTH = 1e-14;
 
-// Pulls its ends together by stiffness * (length - free length) + damping * d(length)/dt. The damper's power is
-// returned.
+// Pulls the ends of a spring together by stiffness * (length - free length) + damping * d(length)/dt. Returns the
+// damper's power.
 static double push_spring(const Pose *p, const YkLoadItem *item)
 {
     YkLoadPoint a = point_of(p, &item->end[0]), b = point_of(p, &item->end[1]);

@@ -1,4 +1,4 @@
-// The linearised equations at an equilibrium, and their modes.
+// Linearises the equations at an equilibrium, and finds their modes.
 #include <string.h>
 #include "num/dense.h"
 #include "num/eigen.h"
@@ -34,7 +34,7 @@ bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double 
     return true;
 }
 
-// M is the inverse of what unit efforts along the free inputs accelerate.
+// Finds M, the inverse of the accelerations caused by unit efforts along the free inputs.
 static bool find_mass(YkRest *rest, double *mass)
 {
     YkDynamics *d = rest->dynamics;
@@ -60,7 +60,7 @@ static bool find_mass(YkRest *rest, double *mass)
     return true;
 }
 
-// out = -M A.
+// Computes out = -M A.
 static void times_mass(size_t f, const double *mass, const double *A, double *out)
 {
     for (size_t i = 0; i < f; i++)
@@ -71,7 +71,7 @@ static void times_mass(size_t f, const double *mass, const double *A, double *ou
         }
 }
 
-// M = L L^T; false where it is not positive.
+// Factors M = L L^T; returns false if it is not positive definite.
 static bool cholesky(size_t f, const double *mass, double *L)
 {
     memset(L, 0, f * f * sizeof *L);
@@ -85,7 +85,7 @@ static bool cholesky(size_t f, const double *mass, double *L)
     return true;
 }
 
-// L^-1 S L^-T, S the symmetric part of K.
+// Computes L^-1 S L^-T, with S the symmetric part of K.
 static void to_standard(size_t f, const double *L, const double *K, double *S)
 {
     for (size_t i = 0; i < f; i++)
@@ -135,7 +135,7 @@ static bool find_modes(YkRest *rest, YkRestPoint *p)
     return true;
 }
 
-// Roots of the damped motion: eigenvalues of [0 I; -M^-1 K, -M^-1 C], whose blocks below are the derivatives
+// Finds the roots of the damped motion: eigenvalues of [0 I; -M^-1 K, -M^-1 C], whose lower blocks are the derivatives
 // themselves.
 static bool find_roots(YkRest *rest, YkRestPoint *p, const double *by_position, const double *by_rate)
 {

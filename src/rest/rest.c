@@ -1,4 +1,4 @@
-// Equilibria: poses in which nothing accelerates.
+// Finds equilibria: poses in which nothing accelerates.
 #include "rest/rest.h"
 #include <stdlib.h>
 #include <string.h>
@@ -18,8 +18,8 @@ static double norm(const YkRest *rest, const double *a)
     return sqrt(sum);
 }
 
-// Newton's method with a line search on the size of the accelerations. True at an equilibrium, whose inputs are in
-// rest->q.
+// Runs Newton's method with a line search on the magnitude of the accelerations. Returns true at an equilibrium, whose
+// inputs are in rest->q.
 static bool descend(YkRest *rest)
 {
     enum { STEPS_MAX = 60 };
@@ -38,7 +38,7 @@ static bool descend(YkRest *rest)
         for (size_t i = 0; i < f; i++) step[i] = -a[i];
         if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return false;
         yk_lu_solve(f, J, rest->pivot, step);
-        double longest = 0, most = 0.7; // rad, or sizes
+        double longest = 0, most = 0.7; // rad, or machine sizes
         for (size_t i = 0; i < f; i++) longest = fmax(longest, fabs(step[i]) / rest->scale[i]);
         if (!isfinite(longest)) return false;
         double way = longest > most ? most / longest : 1, next = HUGE_VAL;
@@ -57,7 +57,7 @@ static bool descend(YkRest *rest)
     return size <= 1e-9 * rest->force_scale;
 }
 
-// The same pose as one that was found? Angles modulo a turn.
+// Returns whether the pose was found before. Angles modulo a turn.
 static bool is_known(const YkRest *rest, const double *coordinates)
 {
     const YkMechanism *mech = rest->mech;
@@ -90,7 +90,7 @@ static YkRestPoint new_point(YkRest *rest)
     return p;
 }
 
-// The pose in rest->q is an equilibrium: kept unless it is known.
+// Keeps the pose in rest->q, an equilibrium, unless it is known.
 static bool keep(YkRest *rest)
 {
     YkState *s = rest->state;
@@ -107,7 +107,7 @@ static bool keep(YkRest *rest)
     return true;
 }
 
-// A seeded number in [0, 1): xorshift64* (Vigna 2016).
+// Returns a seeded number in [0, 1): xorshift64* (Vigna 2016).
 static double next_random(uint64_t *seed)
 {
     *seed ^= *seed >> 12;
@@ -147,8 +147,8 @@ static int by_energy(const void *a, const void *b)
     return (p->at.potential > q->at.potential) - (p->at.potential < q->at.potential);
 }
 
-// How many of the starts can be tried: a start takes some twenty factorisations, and each equilibrium its modes. Told
-// where they are fewer; none where even the start pose would be too much.
+// Limits how many starts are tried: a start takes some twenty factorisations, and each equilibrium its modes. Reports
+// it if they are fewer; fails if even the start pose would be too much.
 static bool limit_starts(const YkRest *rest, size_t *starts, YkProblems *problems)
 {
     const double work_max = 2e10; // multiplications: about ten seconds
@@ -197,8 +197,8 @@ static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *opt
     return true;
 }
 
-// A freedom may lack inertia in one pose and have it in all others, as an arm of no length: the machine is refused
-// where no pose that was tried has it.
+// Returns whether the machine has inertia. A freedom may lack it in one pose and have it in all others, as an arm of no
+// length does: the machine is refused if no pose that was tried has it.
 static bool has_inertia(const YkRest *rest, YkProblems *problems)
 {
     if (rest->has_inertia || rest->lack.status != YK_SINGULAR) return true;
@@ -214,7 +214,7 @@ static bool assemble(YkRest *rest, double time, YkProblems *problems)
     YkStatus status = rest->pose ? yk_state_adopt(s, rest->pose) : yk_state_assemble(s);
     for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     if (status >= 0) return true;
-    if (status == YK_NO_MEMORY) return false; // told with the rest
+    if (status == YK_NO_MEMORY) return false; // reported with the rest
     yk_problem(problems, status == YK_LIMIT ? YK_CODE_POSE_LIMIT : YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0},
                "the search for equilibria cannot start: %s", s->report.message);
     return false;
@@ -242,7 +242,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
         yk_rest_free(rest);
         return NULL;
     }
-    size_t first = rest->of_start; // that of `start:` stays in front
+    size_t first = rest->of_start; // that of `start:` stays first
     if (rest->count > first + 1) qsort(rest->points + first, rest->count - first, sizeof *rest->points, by_energy);
     return rest;
 }
@@ -285,7 +285,7 @@ YkState *yk_rest_state(YkRest *rest, size_t index)
     memcpy(s->input, rest->points[index].inputs, 3 * rest->mech->input_count * sizeof *s->input);
     memcpy(s->reference, rest->points[index].coordinates, rest->mech->coordinate_count * sizeof *s->reference);
     memcpy(s->branch, rest->points[index].branch, rest->mech->block_count);
-    if (rest->mech->has_groups) { // tracked from where they are: brought there by the guesses
+    if (rest->mech->has_groups) { // tracked from the present poses: the guesses bring them there
         for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
             s->guess[c] = rest->points[index].coordinates[c];
             s->is_guessed[c] = true;

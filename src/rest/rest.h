@@ -20,26 +20,26 @@ struct YkRest {
     YkState *state;
     YkDynamics *dynamics;
     double time;
-    const YkState *pose; // of the caller, or NULL
+    const YkState *pose; // owned by the caller, or NULL
     size_t freedom;
-    int32_t *input; // free ones
+    int32_t *input; // the free ones
     YkRestPoint *points;
     size_t count, capacity;
     size_t of_start;                                 // how many of them (0 or 1) belong to `start:`
     double *q, *a, *jacobian, *step, *trial, *scale; // scratch
     int *pivot;
-    double force_scale; // the largest acceleration seen: what counts as none
-    bool has_inertia;   // in some pose from which the search went out
-    YkReport lack;      // of the first such pose without accelerations
+    double force_scale; // the largest acceleration seen: the scale for zero
+    bool has_inertia;   // in some pose from which the search started
+    YkReport lack;      // report of the first such pose without accelerations
 };
 
-// Accelerations a[f] at rest (rates 0, or `rate` of one input) in the pose with free inputs q. False where it does not
+// Finds accelerations a[f] at rest (rates 0, or `rates`) in the pose with free inputs q. Returns false if it does not
 // close.
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a);
-// Derivatives of the accelerations by the free inputs (or, of_rates, by their rates), f x f: central differences of
+// Differentiates the accelerations by the free inputs (or, of_rates, by their rates), f x f: central differences of
 // order 4.
 bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double *matrix);
-// M, C, K, modes and roots at a point whose inputs are in rest->q. False when out of memory or without inertia.
+// Finds M, C, K, modes and roots at a point whose inputs are in rest->q. False when out of memory or without inertia.
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *point);
 
 #endif

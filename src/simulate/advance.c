@@ -1,8 +1,8 @@
-// Through time: steps, what is looked at between them, events that end one.
+// Advances through time: steps, checks between them, and the events that end a step.
 #include <string.h>
 #include "simulate/simulation.h"
 
-// The pose at (t, y), counted.
+// Solves the pose at (t, y) and counts it.
 static bool stand(YkSimulation *sim, double t, const double *y)
 {
     if (!yk_simulation_pose(sim, t, y)) return false;
@@ -12,7 +12,7 @@ static bool stand(YkSimulation *sim, double t, const double *y)
     return true;
 }
 
-// Contacts that cannot hold let go at once.
+// Releases contacts that cannot hold, at once.
 static bool settle_contacts(YkSimulation *sim)
 {
     if (sim->contact_count == 0) return true;
@@ -25,7 +25,7 @@ static bool settle_contacts(YkSimulation *sim)
     return ok;
 }
 
-// Starts the stepper at the time and inputs that stand. keep_step: with the step size in use.
+// Starts the stepper at the present time and inputs.
 static bool restart_with(YkSimulation *sim, bool keep_step)
 {
     double end = sim->options.horizon > sim->time ? sim->options.horizon : sim->target;
@@ -45,9 +45,9 @@ static bool restart(YkSimulation *sim)
     return restart_with(sim, false);
 }
 
-static const double POOR = 0.2; // sin^2 of the worst block, from which other coordinates are looked for
+static const double POOR = 0.2; // sin^2 of the worst block, below which other coordinates are sought
 
-// Better coordinates where these are near a dead point; which blocks are near a singular position.
+// Looks for better coordinates if these are near a dead point, and for blocks near a singular position.
 static bool look_round(YkSimulation *sim)
 {
     bool changed = false;
@@ -59,7 +59,7 @@ static bool look_round(YkSimulation *sim)
     return !changed || restart(sim);
 }
 
-// On first use, when efforts are set and watches known.
+// Prepares the first step, when efforts are set and watches known.
 static bool start_moving(YkSimulation *sim)
 {
     sim->has_begun = true;
@@ -74,7 +74,7 @@ static bool start_moving(YkSimulation *sim)
     return true;
 }
 
-// --- failures -------------------------------------------------------------------------------------
+// --- failures
 
 static void take_step_end(YkSimulation *sim)
 {
@@ -103,9 +103,9 @@ static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
     return sim->status;
 }
 
-// --- events ---------------------------------------------------------------------------------------
+// --- events
 
-// Events that follow each other in no time at all would go on for ever.
+// Counts an event; gives up if events follow each other without any time between them, since that would never end.
 static bool is_going_on(YkSimulation *sim)
 {
     enum { STALLED_MAX = 500 };
@@ -118,13 +118,13 @@ static bool is_going_on(YkSimulation *sim)
     return false;
 }
 
-// A happening that ends a step: the state is put there, changed, and the stepper started anew.
+// Handles a happening that ends a step: puts the state there, changes it, and restarts the stepper.
 static bool take_pending(YkSimulation *sim)
 {
     size_t all = 2 * sim->free_count + sim->work_count;
     if (!is_going_on(sim) || yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
     memcpy(sim->y, sim->dense, all * sizeof *sim->y);
-    bool is_hit = sim->pending != YK_PENDING_RELEASE; // otherwise the new start lets go what cannot hold
+    bool is_hit = sim->pending != YK_PENDING_RELEASE; // otherwise the restart releases what cannot hold
     sim->pending = YK_PENDING_NONE;
     if (!yk_simulation_pose(sim, sim->pending_time, sim->y)) return false;
     if (is_hit && !yk_simulation_hit(sim, sim->pending_item)) return false;
@@ -133,7 +133,7 @@ static bool take_pending(YkSimulation *sim)
     return restart(sim) && stand(sim, sim->time, sim->y) && look_round(sim);
 }
 
-// --- steps ----------------------------------------------------------------------------------------
+// --- steps
 
 static bool has_contacts(const YkSimulation *sim)
 {
@@ -142,7 +142,7 @@ static bool has_contacts(const YkSimulation *sim)
     return false;
 }
 
-// Right after an accepted step: what happened in it. Rows within the step may still be asked for.
+// Examines an accepted step for events. Rows within the step may still be requested.
 static void look_back(YkSimulation *sim)
 {
     if (sim->is_lean && sim->watch_count == 0) return;
@@ -151,7 +151,7 @@ static void look_back(YkSimulation *sim)
     sim->is_elsewhere = true;
 }
 
-// The pose at the end of the last step; most often the last evaluation left it there, without accelerations.
+// Returns to the pose at the end of the last step; usually the last evaluation left it there, without accelerations.
 static bool return_to_end(YkSimulation *sim, double t)
 {
     memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
@@ -164,7 +164,7 @@ static bool return_to_end(YkSimulation *sim, double t)
     return true;
 }
 
-// Before the next step: contacts that let go, coordinates that no longer do, positions where branches meet.
+// Prepares the next step: contacts that release, coordinates that no longer serve, positions where branches meet.
 static bool look_ahead(YkSimulation *sim)
 {
     double t = yk_ode_time(sim->ode);
@@ -190,7 +190,8 @@ static bool is_spent(const YkSimulation *sim)
     return most > 0 && yk_ode_counts(sim->ode).steps + sim->counts.steps + sim->events >= most;
 }
 
-// A step must not pass a singular position that is not watched yet: branches might change unseen.
+// Sets the end of a step, which must not pass a singular position that is not watched yet: branches could change
+// unnoticed.
 static void set_end(YkSimulation *sim, double to)
 {
     double end = sim->options.horizon >= to ? sim->options.horizon : to, t = yk_ode_time(sim->ode);
@@ -206,8 +207,8 @@ static bool is_passed(const YkSimulation *sim, double to)
     return sim->pending != YK_PENDING_NONE ? sim->pending_time >= to : reached >= to;
 }
 
-// Rows may all meet the machine at the same phase of its motion - every one at standstill -, so the energy is looked at
-// between them too: at the end of each of the first steps, then of some.
+// Samples the energy between rows too, since rows may all meet the same phase of the motion, such as standstill: at the
+// end of each of the first steps, then of some.
 static bool sample_energy(YkSimulation *sim)
 {
     enum { EACH = 64, SOME = 16 };

@@ -1,7 +1,6 @@
-// What tells the branches of a dyad apart, as an angle whose sine has the determinant's sign, with its rate and
-// acceleration at a pose: that between its two columns. For an RPR it is another one, since there the columns swap
-// their sides in no time where the point passes the pin: its determinant r is a length, and the angle's tangent is r
-// over the machine's size.
+// Tells the branches of a dyad apart by an angle whose sine has the determinant's sign, with its rate and acceleration
+// at a pose: the angle between its two columns. For an RPR it is another angle, since its columns swap sides abruptly
+// where the point passes the pin: its determinant r is a length, and the angle's tangent is r over the machine's size.
 #include "simulate/crossing.h"
 
 static YkDirection of_plane(YkPlane p)
@@ -36,7 +35,7 @@ static YkDirection of_arm(const YkRun *run, const YkBlock *b, int k)
     return turned(d, run->space, b->column[b->kind == YK_BLOCK_RRR ? k : 0].index);
 }
 
-// r = dot(e, p), p = -K.
+// Uses r = dot(e, p), p = -K.
 static YkDirection of_root(const YkRun *run, const YkBlock *b)
 {
     YkPlane K = yk_space_scratch(run->space, YK_SCRATCH_KNOWN);

@@ -1,12 +1,12 @@
-// Contacts: stops that a coordinate rests against, and joints that dry friction makes stick.
+// Contacts: stops against which a coordinate rests, and joints that stick under dry friction.
 //
-// Each exerts an effort along its coordinate within bounds (a stop pushes only; friction holds up to its limit), just
-// enough that the coordinate does not accelerate: a quadratic problem with bounds in as many unknowns as there are
-// contacts (its matrix: the accelerations that unit efforts cause; num/bounded). Sliding friction and limits depend on
-// the joint reactions, which depend on them: repeated until they stand.
+// Each exerts an effort along its coordinate within bounds (a stop only pushes; friction holds up to its limit), just
+// enough that the coordinate does not accelerate. This is a quadratic problem with bounds in as many unknowns as there
+// are contacts (its matrix: the accelerations caused by unit efforts; num/bounded). Sliding friction and limits depend
+// on the joint reactions, which depend on them: the solution is repeated until they settle.
 //
-// Within a step contacts hold without bounds, so that the motion is smooth there; whether they could hold is looked at
-// between steps, and the step is cut where they no longer can (events.c).
+// Within a step contacts hold without bounds, so that the motion is smooth there. Between steps it is checked whether
+// they could hold, and the step is cut where they no longer can (events.c).
 #include <stdlib.h>
 #include <string.h>
 #include "simulate/contact.h"
@@ -46,7 +46,8 @@ static double response_of_input(const YkSimulation *sim, size_t input)
     return e->sign_of_input[input] * (r->xi[own] - (parent > 0 ? r->xi[parent] : 0));
 }
 
-// Accelerations of the contacts' coordinates without them (bias); what a unit effort at each does (response, matrix).
+// Finds the accelerations of the contacts' coordinates without contacts (bias), and those caused by unit efforts
+// (response, matrix).
 void yk_simulation_find_responses(YkSimulation *sim)
 {
     YkDynamics *d = sim->dynamics;
@@ -66,7 +67,7 @@ void yk_simulation_find_responses(YkSimulation *sim)
     }
 }
 
-// matrix lambda + bias = 0 within bounds, as far as they let it. False where no answer was found.
+// Solves matrix lambda + bias = 0 within bounds, as far as they allow. Returns false if no answer was found.
 static bool solve_within(YkSimulation *sim, bool has_bounds)
 {
     size_t m = sim->contact_count;
@@ -103,8 +104,8 @@ double yk_simulation_contact_acceleration(const YkSimulation *sim, size_t contac
     return fabs(sum) > none ? sum : 0;
 }
 
-// Beyond their bounds too: what the contacts would have to exert to hold. Where there is no such answer that within
-// bounds stays.
+// Finds what the contacts would have to exert to hold, also beyond their bounds. If there is no such answer, the one
+// within bounds stays.
 static void hold_without_bounds(YkSimulation *sim)
 {
     size_t m = sim->contact_count;
@@ -131,7 +132,7 @@ static bool add_contacts(YkSimulation *sim)
     return true;
 }
 
-// The bounds of what sticks, from the last reactions; do they stand?
+// Finds the bounds of sticking joints from the last reactions; returns whether they have settled.
 static bool find_limits(YkSimulation *sim, int round)
 {
     double tolerance = yk_dynamics_dry_tolerance(round);
@@ -151,7 +152,7 @@ YkStatus yk_simulation_accelerate(YkSimulation *sim)
 {
     YkDynamics *d = sim->dynamics;
     if (sim->contact_count == 0 && !d->loads->has_dry)
-        return sim->has_drives ? yk_dynamics_reduce(d, sim->state) // whose efforts are asked too
+        return sim->has_drives ? yk_dynamics_reduce(d, sim->state) // whose efforts are needed too
                                : yk_dynamics_find_accelerations(d, sim->state);
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
         for (size_t c = 0; c < sim->contact_count; c++) yk_simulation_item(sim, c)->dry = 0;
@@ -168,7 +169,6 @@ YkStatus yk_simulation_accelerate(YkSimulation *sim)
 }
 
 // --- beginning and ending
-// -------------------------------------------------------------------------------------------------
 
 static double value_of(const YkSimulation *sim, const YkLoadItem *item)
 {
@@ -203,7 +203,7 @@ void yk_simulation_stick(YkSimulation *sim, size_t index, double rate)
         yk_simulation_note(sim, YK_HAPPENING_STICK, sim->time, item->name, rate);
     item->is_held = true;
     item->direction = 0;
-    add_contact(sim, index, -HUGE_VAL, HUGE_VAL); // bounds follow from the reactions
+    add_contact(sim, index, -HUGE_VAL, HUGE_VAL); // its bounds follow from the reactions
 }
 
 void yk_simulation_let_go(YkSimulation *sim, size_t contact, double direction)
@@ -257,7 +257,7 @@ bool yk_simulation_contacts_start(YkSimulation *sim)
     return true;
 }
 
-// A joint that sticks for no time at all has only turned round, or was never at rest.
+// Notes a slip, unless a joint stuck for no time at all: it has only turned round, or was never at rest.
 static void note_slip(YkSimulation *sim, const YkLoadItem *item)
 {
     size_t n = sim->happening_count;
@@ -287,7 +287,7 @@ bool yk_simulation_contacts_check(YkSimulation *sim)
             yk_simulation_let_go(sim, c, acceleration > 0 ? 1 : -1);
         }
         changed = true;
-        break; // the matrix is of the contacts as they were: look again after the next evaluation
+        break; // the matrix is that of the earlier contacts: check again after the next evaluation
     }
     return changed;
 }

@@ -1,4 +1,4 @@
-// Independent coordinates: everything that belongs to a choice of them, and another choice where this one comes to a
+// Independent coordinates: everything that belongs to a choice of them, and another choice when this one approaches a
 // dead point.
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +44,7 @@ static bool allocate(YkSimulation *sim)
     return true;
 }
 
-// The machine as one lump that turns at 1 rad/s.
+// Returns the energy of the machine as one rigid body that turns at 1 rad/s.
 static double energy_scale(const YkSimulation *sim)
 {
     double inertia = 0;
@@ -62,8 +62,8 @@ bool yk_simulation_stepper(YkSimulation *sim)
         bool is_distance = k < 2 * n && sim->mech->coordinates[sim->mech->inputs[sim->free_input[k % n]]].is_distance;
         scale[k] = k >= 2 * n ? energy : is_distance ? sim->mech->size : 1;
     }
-    // What drives do is no consequence of the free motion: works are under control too then. The mean of the errors is
-    // not to be made smaller by works that are always 0.
+    // The work of drives does not follow from the free motion, so works are then under error control too. Works that
+    // are always 0 must not reduce the mean of the errors.
     size_t controlled = sim->has_drives ? all : 2 * n;
     double share = n > 0 ? sqrt(2 * (double)n / (double)controlled) : 1;
     YkOdeOptions options = {.method = methods[sim->options.integrator],
@@ -152,9 +152,9 @@ void yk_simulation_unbuild(YkSimulation *sim)
 }
 
 // --- choosing
-// -----------------------------------------------------------------------------------------------------------
 
-// rates[free][coordinate]: of all coordinates for a unit rate of each free input; distances over the machine's size.
+// Finds rates[free][coordinate] of all coordinates for a unit rate of each free input; distances over the machine's
+// size.
 static bool find_rates(YkSimulation *sim, double *rates)
 {
     YkState *s = sim->state;
@@ -176,13 +176,13 @@ static bool find_rates(YkSimulation *sim, double *rates)
     return ok;
 }
 
-// The coordinates that the pivots of the rates choose, and how much larger their determinant is than that of the
-// present.
+// Finds the coordinates that the pivots of the rates choose; returns how much larger their determinant is than that of
+// the present ones.
 static double choose(const YkSimulation *sim, double *rates, size_t *order, double *tau)
 {
     size_t f = sim->free_count, n = sim->mech->coordinate_count;
     double gain = 1;
-    for (size_t j = 0; j < f; j++) // the present coordinates have the unit matrix, but for their size
+    for (size_t j = 0; j < f; j++) // the present coordinates have the unit matrix, up to their size
         if (sim->mech->coordinates[sim->mech->inputs[sim->free_input[j]]].is_distance) gain *= sim->mech->size;
     yk_qr_factor(f, n, rates, order, tau, 1e-12);
     for (size_t j = 0; j < f; j++) gain *= fabs(rates[j * n + j]);
@@ -211,7 +211,7 @@ static void carry_over(YkSimulation *to, YkSimulation *from)
     memcpy(to->y + 2 * to->free_count, from->y + 2 * from->free_count, works * sizeof *to->y);
 }
 
-// Puts the new machine in the pose of the old one; false where it is not the same.
+// Puts the new machine into the pose of the old one; returns false if it does not fit.
 static bool move_over(YkSimulation *to, YkSimulation *from)
 {
     YkState *s = to->state;
@@ -233,7 +233,7 @@ static bool move_over(YkSimulation *to, YkSimulation *from)
     return true;
 }
 
-// Was it memory that a build lacked? Nothing else fails without an error of its own.
+// Returns whether a build failed for want of memory. Every other failure has an error of its own.
 static bool is_out_of_memory(const YkProblems *problems)
 {
     if (!problems || yk_problems_error_count(problems) == 0) return true;
@@ -269,7 +269,7 @@ bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
     free(names);
     if (!ok) {
         yk_simulation_unbuild(&next);
-        return has_memory; // stay
+        return has_memory; // keep the present coordinates
     }
     yk_simulation_unbuild(sim);
     next.counts = sim->counts;

@@ -1,8 +1,8 @@
-// Singular positions that the motion passes: what is watched, the branch that momentum takes, the passage noted.
+// Singular positions that the motion passes: which blocks are watched, the branch that momentum takes, the passage.
 #include "simulate/crossing.h"
 
-#define NEAR_SINE2 0.06 // sin^2 from which a block is watched
-#define BLIND 1e-4      // sine below which the pose does not tell its own rates well enough
+#define NEAR_SINE2 0.06 // sin^2 below which a block is watched
+#define BLIND 1e-4      // sine below which the pose does not determine its own rates well enough
 
 double yk_simulation_input_scale(const YkSimulation *sim, size_t free)
 {
@@ -14,14 +14,14 @@ double yk_simulation_margin(const YkSimulation *sim)
     return sim->state->space.margin[0];
 }
 
-// A block as it was at the last look, or NULL. Both lists go by ascending blocks: `cursor` follows.
+// Returns a block as it was at the last look, or NULL. Both lists ascend by block: `cursor` follows.
 static const YkNear *last_look(const YkSimulation *sim, size_t block, size_t *cursor)
 {
     while (*cursor < sim->near_count && sim->near[*cursor].block < block) ++*cursor;
     return *cursor < sim->near_count && sim->near[*cursor].block == block ? &sim->near[*cursor] : NULL;
 }
 
-// What was predicted stands where the pose itself cannot tell.
+// Keeps the prediction where the pose itself cannot tell.
 static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block, const YkNear *old, double t)
 {
     YkDirection d = yk_between_columns(run, &sim->mech->blocks[block]);
@@ -34,7 +34,8 @@ static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block
     return near;
 }
 
-// When the angle passed 0 or half a turn between two looks: on the quintic through angles, rates and accelerations.
+// Returns when the angle passed 0 or half a turn between two looks: on the quintic through angles, rates and
+// accelerations.
 static double time_of_passage(const YkNear *old, const YkNear *now, double from, double to)
 {
     double h = to - from, a = old->angle, b = yk_nearest_turn(now->angle, yk_near_angle(old, h));
@@ -81,8 +82,8 @@ void yk_simulation_look_near(YkSimulation *sim, double t)
     sim->near_time = t;
 }
 
-// The time, in the last step, from which a near block's angle at t is to be predicted: where it was a little before, or
-// after. t where it is known well enough.
+// Returns the time, in the last step, from which to predict a near block's angle at t: a little before or after.
+// Returns t if it is known well enough.
 static double time_to_look(const YkSimulation *sim, double t)
 {
     const double SMALL = 0.05, LITTLE = 0.08; // rad
@@ -107,17 +108,17 @@ void yk_simulation_look_closer(YkSimulation *sim, double t)
     sim->near_time = at;
 }
 
-// How far a block's angle may go on before it comes so close to a singular position that it must be watched.
+// Returns how far a block's angle may go before it comes so close to a singular position that it must be watched.
 static double way_left(YkDirection d)
 {
-    const double CLOSE = 0.12; // within the zone that is watched
+    const double CLOSE = 0.12; // inside the watched zone
     double above = d.angle < 0 ? -d.angle : YK_PI - d.angle, gap = d.rate > 0 ? above : YK_PI - above;
-    if (sin(gap) * sin(gap) < NEAR_SINE2 && gap < 1) gap += YK_PI; // that one is watched
+    if (sin(gap) * sin(gap) < NEAR_SINE2 && gap < 1) gap += YK_PI; // that one is watched already
     return gap - CLOSE;
 }
 
-// The estimates of DOP853 now and then overlook a step of most of a radian that is a thousand times worse than asked
-// for: half a radian at a tolerance of 1e-9 is about what good steps of turning links have.
+// Limits the turn in a step. Now and then the error estimates of DOP853 miss a step of most of a radian with an error a
+// thousand times larger than requested; half a radian at a tolerance of 1e-9 is typical of good steps of turning links.
 static double longest_turn(const YkSimulation *sim)
 {
     double fastest = 0;

@@ -1,10 +1,11 @@
-// Singular positions that the motion passes: a parallelogram flat on the line of its pivots, where two branches meet.
+// Singular positions that the motion passes, such as a parallelogram flat on the line of its pivots, where two branches
+// meet.
 //
-// The angle between the two columns of a dyad goes through 0 (or half a turn) there, smoothly on the branch that
-// momentum takes: its sine, with its sign, is the determinant. So the sign of a stage follows from that angle as
-// predicted from the last accepted step by its rate and acceleration. Next to the singular position, where the two
-// unknowns are known to rounding over the sine only, accelerations are interpolated between poses before and after it
-// along the motion.
+// There the angle between the two columns of a dyad goes through 0 (or half a turn), smoothly on the branch that
+// momentum takes: its sine, with its sign, is the determinant. So the sign at a stage follows from that angle,
+// predicted from the last accepted step by its rate and acceleration. Next to the singular position the two unknowns
+// are known only to rounding / sine, so accelerations are interpolated between poses before and after it along the
+// motion.
 #ifndef SIMULATE_CROSSING_H
 #define SIMULATE_CROSSING_H
 #include "simulate/simulation.h"
@@ -18,10 +19,11 @@ static inline bool yk_has_columns(const YkBlock *block)
     return block->kind <= YK_BLOCK_RPR;
 }
 
-// column_angles.c: from the block's first column to its second, as the kernels order them; of an RPR what stands for it.
+// column_angles.c: the angle from the block's first column to its second, in the kernels' order; for an RPR its
+// substitute.
 YkDirection yk_between_columns(const YkRun *run, const YkBlock *block);
 
-static inline double yk_near_angle(const YkNear *near, double ahead) // as predicted
+static inline double yk_near_angle(const YkNear *near, double ahead) // predicted
 {
     return near->angle + ahead * (near->rate + 0.5 * ahead * near->acceleration);
 }

@@ -1,4 +1,4 @@
-// What happens between two accepted steps: stops hit, joints that come to rest, watched values that cross their level.
+// Events between two accepted steps: stops hit, joints that come to rest, watched values that cross their level.
 #include <string.h>
 #include "base/memory.h"
 #include "simulate/simulation.h"
@@ -12,11 +12,11 @@ void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, co
         yk_arena_fail(sim->arena);
         return;
     }
-    const char *kept = yk_arena_copy(sim->arena, name, strlen(name)); // the mechanism may go
+    const char *kept = yk_arena_copy(sim->arena, name, strlen(name)); // the mechanism may be freed
     if (kept) sim->happenings[sim->happening_count++] = (YkHappening){kind, time, kept, value};
 }
 
-// A function of time within the last step: above 0 once it has happened.
+// A function of time within the last step: above 0 once the event has happened.
 typedef struct Event {
     YkSimulation *sim;
     const YkLoadItem *item; // STOP or COULOMB
@@ -51,8 +51,8 @@ static double event_at(const Event *e, double t, bool *ok)
     return *ok ? event_here(e) : 0;
 }
 
-// The time at which the event's function passes 0 between a (not above) and b (above): Illinois' variant of the false
-// position.
+// Returns the time at which the event's function passes 0 between a (not above) and b (above): Illinois variant of the
+// false position.
 static double locate(const Event *e, double a, double fa, double b, double fb, bool *ok)
 {
     int side = 0;
@@ -84,7 +84,7 @@ static bool is_in_contact(const YkSimulation *sim, const YkLoadItem *item)
     return false;
 }
 
-// The first time in the last step at which the event happens, by probes of the step; HUGE_VAL where it does not.
+// Returns the first time in the last step at which the event happens, by probes of the step; HUGE_VAL if it does not.
 static double first_time(const Event *e, bool *ok)
 {
     double from = yk_ode_previous(e->sim->ode), to = yk_ode_time(e->sim->ode), a = from, fa = event_at(e, from, ok);
@@ -94,17 +94,18 @@ static double first_time(const Event *e, bool *ok)
         a = t;
         fa = f;
     }
-    return fa > 0 && *ok ? from : HUGE_VAL; // it had happened all the while: a rebound too small to see
+    return fa > 0 && *ok ? from : HUGE_VAL; // it had happened all along: a rebound too small to see
 }
 
-// --- contacts that can no longer hold -------------------------------------------------------------
+// --- contacts that can no longer hold
 
-// Can the contacts hold at a time within the last step? *asked: the sum of the efforts that this takes of them.
+// Returns whether the contacts can hold at a time within the last step. *asked: the sum of the efforts that this
+// requires.
 static bool holds_at(YkSimulation *sim, double t, double *asked)
 {
     bool holds = true;
     *asked = 0;
-    if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return true; // asked again at the end of the step
+    if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return true; // checked again at the end of the step
     sim->is_testing = true;
     bool failed = yk_simulation_motion(sim, t, sim->dense, sim->rate) != 0;
     sim->is_testing = false;
@@ -117,8 +118,8 @@ static bool holds_at(YkSimulation *sim, double t, double *asked)
     return holds;
 }
 
-// From a, where they hold, to b, where they do not: the first time at which they do not, as near as times are told
-// apart.
+// Returns the first time between a, where they hold, and b, where they do not, at which they do not; as precisely as
+// times can be distinguished.
 static double locate_failure(YkSimulation *sim, double a, double b)
 {
     double asked, least = 1e-14 * (yk_ode_time(sim->ode) - yk_ode_previous(sim->ode));
@@ -134,8 +135,8 @@ typedef struct Probe {
     double t, asked;
 } Probe;
 
-// Between two times at which they hold: do they hold halfway too, and so on where the efforts asked for are not on a
-// straight line? Returns a time at which they do not, or HUGE_VAL.
+// Checks between two times at which they hold: halfway, and further where the required efforts are not on a straight
+// line. Returns a time at which they do not hold, or HUGE_VAL.
 static double look_between(YkSimulation *sim, Probe a, Probe b, double most, int depth)
 {
     Probe middle = {.t = 0.5 * (a.t + b.t)};
@@ -147,7 +148,7 @@ static double look_between(YkSimulation *sim, Probe a, Probe b, double most, int
     return t < HUGE_VAL ? t : look_between(sim, middle, b, most, depth - 1);
 }
 
-// The first time in the last step at which the contacts can no longer hold; HUGE_VAL where they hold to its end.
+// Returns the first time in the last step at which the contacts can no longer hold; HUGE_VAL if they hold to its end.
 static double first_failure(YkSimulation *sim)
 {
     enum { DEPTH = 7 };
@@ -196,8 +197,8 @@ static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bo
     if (*ok) yk_simulation_note(sim, YK_HAPPENING_CROSSING, t, watch->name, watch->level);
 }
 
-// A machine with one freedom passes a dead point of the coordinate that it was started by where that one turns round
-// while the rest goes on. The state stands at the end of the last step; true: it was moved.
+// Takes a machine with one freedom past a dead point of its starting coordinate, where that one reverses while the rest
+// continues. The state is at the end of the last step; returns whether it was moved.
 bool yk_simulation_look_dead(YkSimulation *sim)
 {
     YkEventWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};

@@ -1,7 +1,8 @@
-// Blows: stops that are hit, all at once where several are reached together; what rests, rebounds or is struck away.
+// Impacts: stops that are hit, several at once if reached together; what rests, rebounds or is struck away.
 #include "simulate/contact.h"
 
-// Impulses that bring the contacts' rates to `wanted`, within the contacts' bounds. False where none were found.
+// Finds impulses that bring the contacts' rates to `wanted`, within the contacts' bounds. Returns false if there are
+// none.
 static bool strike(YkSimulation *sim)
 {
     YkDynamics *d = sim->dynamics;
@@ -9,7 +10,8 @@ static bool strike(YkSimulation *sim)
     double before = yk_dynamics_energy_at(d, sim->state).kinetic;
     for (size_t c = 0; c < sim->contact_count; c++) {
         const YkLoadItem *item = yk_simulation_item(sim, c);
-        if (item->kind == YK_LOAD_COULOMB) sim->contacts[c].low = sim->contacts[c].high = 0; // friction gives no blow
+        // Friction transmits no impulse.
+        if (item->kind == YK_LOAD_COULOMB) sim->contacts[c].low = sim->contacts[c].high = 0;
         sim->bias[c] = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance) - sim->wanted[c];
         sim->lambda[c] = 0;
     }
@@ -26,7 +28,7 @@ static bool strike(YkSimulation *sim)
     return true;
 }
 
-// The factors of the pose, for responses.
+// Factors the equations at the pose, for responses.
 static bool factor_here(YkSimulation *sim)
 {
     for (size_t c = 0; c < sim->contact_count; c++) yk_simulation_item(sim, c)->dry = 0;
@@ -46,7 +48,7 @@ static double slowest(const YkSimulation *sim, const YkLoadItem *item)
     return yk_simulation_rate_floor(sim) * yk_simulation_scale(sim, item);
 }
 
-// Does the coordinate come to this stop here, to rounding?
+// Returns whether the coordinate reaches this stop here, to rounding.
 static bool comes_to(const YkSimulation *sim, const YkLoadItem *item)
 {
     double value = yk_loads_coordinate(sim->state, &sim->state->space, item->coordinate).position;
@@ -55,7 +57,7 @@ static bool comes_to(const YkSimulation *sim, const YkLoadItem *item)
     return (low <= near && rate < -slowest(sim, item)) || (high <= near && rate > slowest(sim, item));
 }
 
-// Takes a stop among the contacts, with the rate at which it will rebound as its wanted one: 0 where it stays.
+// Adds a stop to the contacts, with its rebound rate as the wanted one: 0 if it stays.
 static void meet(YkSimulation *sim, size_t index)
 {
     const YkLoadItem *item = &sim->dynamics->loads->items[index];
@@ -67,7 +69,7 @@ static void meet(YkSimulation *sim, size_t index)
         if (sim->contacts[c].item == index) sim->wanted[c] = rests ? 0 : rebound;
 }
 
-// The stop that ended the step, and all others that are reached at the same time.
+// Adds the stop that ended the step, and all others that are reached at the same time.
 static void meet_stops(YkSimulation *sim, size_t first)
 {
     const YkLoads *loads = sim->dynamics->loads;
@@ -84,8 +86,8 @@ static void meet_stops(YkSimulation *sim, size_t first)
     sim->fastest = fastest;
 }
 
-// A stop that is passed although it pushes as it can: nothing that is free could keep the coordinate from it. NULL
-// where all keep to theirs.
+// Returns a stop that is passed although it pushes as hard as it can: no free coordinate could prevent it. NULL if none
+// is passed.
 static const YkLoadItem *passed(const YkSimulation *sim)
 {
     for (size_t c = 0; c < sim->contact_count; c++) {
@@ -99,14 +101,14 @@ static const YkLoadItem *passed(const YkSimulation *sim)
     return NULL;
 }
 
-// After a blow: what rebounds or was struck away from its stop is free, and dry joints slide.
+// Releases contacts after an impact: what rebounds or was struck away from its stop is free, and dry joints slide.
 static void part_contacts(YkSimulation *sim)
 {
     for (size_t c = sim->contact_count; c-- > 0;) {
         const YkLoadItem *item = yk_simulation_item(sim, c);
         double after = rate_of(sim, item);
         if (item->kind == YK_LOAD_COULOMB) {
-            yk_simulation_let_go(sim, c, after > 0 ? 1 : after < 0 ? -1 : 0); // it sticks again where it does not move
+            yk_simulation_let_go(sim, c, after > 0 ? 1 : after < 0 ? -1 : 0); // it sticks again if it does not move
         } else if (fabs(after) > slowest(sim, item)) {
             if (sim->wanted[c] == 0) yk_simulation_note(sim, YK_HAPPENING_RELEASE, sim->time, item->name, after);
             yk_simulation_let_go(sim, c, 0);

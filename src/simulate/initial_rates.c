@@ -1,4 +1,4 @@
-// Rates at the start: those that the file gives, as well as the loops allow them.
+// Finds rates at the start that fit those in the file, as well as the loops allow.
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
@@ -25,7 +25,7 @@ size_t yk_simulation_given_rates(const YkSimulation *sim, YkStartRate *given)
         if (at == count) count++;
     }
     size_t kept = 0;
-    for (size_t k = 0; k < count; k++) { // a drive knows its own rate
+    for (size_t k = 0; k < count; k++) { // a drive gives its own rate
         int32_t input = mech->coordinates[given[k].coordinate].input;
         if (input == YK_NONE || sim->dynamics->is_free[input]) given[kept++] = given[k];
     }
@@ -37,7 +37,7 @@ static double scale_of(const YkSimulation *sim, size_t coordinate)
     return sim->mech->coordinates[coordinate].is_distance ? sim->mech->size : 1;
 }
 
-// Rates of the given coordinates with the free inputs' rates as they stand.
+// Measures the rates of the given coordinates with the present rates of the free inputs.
 static bool measure(YkSimulation *sim, const YkStartRate *given, size_t m, double *rates)
 {
     YkState *s = sim->state;
@@ -52,7 +52,7 @@ static void set_rate(YkSimulation *sim, size_t free, double rate)
     sim->state->input[3 * sim->free_input[free] + 1] = rate;
 }
 
-// All given rates belong to inputs?
+// Returns whether all given rates belong to inputs.
 static bool are_inputs(YkSimulation *sim, const YkStartRate *given, size_t m)
 {
     for (size_t k = 0; k < m; k++)
@@ -74,7 +74,7 @@ static void report(YkSimulation *sim, const YkStartRate *given, const double *wa
     }
 }
 
-// Least squares over the given rates; what they leave open stays 0.
+// Fits the given rates by least squares; what they leave open stays 0.
 static bool project(YkSimulation *sim, const YkStartRate *given, size_t m, YkProblems *problems)
 {
     size_t f = sim->free_count;

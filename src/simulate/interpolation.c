@@ -1,14 +1,14 @@
-// Accelerations next to a singular position, interpolated between poses before and after it along the motion.
+// Interpolates accelerations next to a singular position between poses before and after it along the motion.
 #include <string.h>
 #include "simulate/crossing.h"
 
-#define SMOOTH 1e-8 // what the outermost nodes may change, of the largest acceleration, where the motion is smooth
+#define SMOOTH 1e-8 // where the motion is smooth: share of the largest acceleration that the outermost nodes may change
 #define NODES 8
 
 // Sines below which accelerations are interpolated, by nodes about as far away: the wider, the less rounding.
 static const double ZONES[] = {0.03, 0.02, 0.01};
 
-// The near block whose sine is least at time t, and that sine.
+// Returns the near block whose sine is least at time t, and that sine.
 static const YkNear *nearest(const YkSimulation *sim, double t, double *sine)
 {
     const YkNear *found = NULL;
@@ -29,14 +29,14 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t)
     return sine < ZONES[0];
 }
 
-// The way along which accelerations are interpolated: on with the motion; or, where that hardly leaves the singular
-// position - at rest, or about to turn round - along one input, at the present time and rates.
+// The way along which accelerations are interpolated: with the motion; or along one input, at the present time and
+// rates, if the motion hardly leaves the singular position (at rest, or about to reverse).
 typedef struct Way {
     int32_t input; // of the free ones; YK_NONE: with the motion
     double slope;  // of the nearest angle, per unit of the way
 } Way;
 
-// How the angle of a block goes with each free input.
+// Finds how the angle of a block changes with each free input.
 static void look_along(YkSimulation *sim, double t, const double *y, const YkNear *near, Way *way)
 {
     size_t n = sim->free_count;
@@ -46,7 +46,7 @@ static void look_along(YkSimulation *sim, double t, const double *y, const YkNea
     for (size_t k = 0; k < n; k++) {
         for (size_t i = 0; i < sim->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
         s->input[3 * sim->free_input[k] + 1] = 1;
-        bool has_rates = yk_state_solve(s) >= 0 && s->space.margin[0] > YK_SINGULAR_MARGIN; // two digits will do
+        bool has_rates = yk_state_solve(s) >= 0 && s->space.margin[0] > YK_SINGULAR_MARGIN; // two digits suffice
         if (!has_rates && sim->is_flat) *way = (Way){0, sim->flat_slope};                   // the start itself
         if (!has_rates) return;
         YkRun run = yk_state_run(s, &s->space);
@@ -67,7 +67,7 @@ static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *
     return way;
 }
 
-// Sets the inputs moved on by `ahead` along the way, and the sign that the block has there.
+// Moves the inputs by `ahead` along the way, and sets the sign that the block has there.
 static bool move(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead)
 {
     size_t n = sim->free_count;
@@ -80,7 +80,7 @@ static bool move(YkSimulation *sim, double t, const double *y, const YkNear *nea
     return true;
 }
 
-// Accelerations at the inputs moved on by `ahead` along the way.
+// Computes accelerations at the inputs moved by `ahead` along the way.
 static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *near, const Way *way, double ahead,
                    double *dydt)
 {
@@ -96,7 +96,7 @@ static bool sample(YkSimulation *sim, double t, const double *y, const YkNear *n
     return true;
 }
 
-// Lagrange's weights at 0 of nodes [first, last), 0 for the others.
+// Computes Lagrange's weights at 0 for nodes [first, last), 0 for the others.
 static void weigh(const double *node, int first, int last, double *weight)
 {
     for (int j = 0; j < NODES; j++) {
@@ -106,7 +106,7 @@ static void weigh(const double *node, int first, int last, double *weight)
     }
 }
 
-// Where the nodes stand: on both sides of the singular position, `apart` from it and from each other.
+// The places of the nodes: on both sides of the singular position, `apart` from it and from each other.
 typedef struct Fit {
     const YkNear *near;
     Way way;
@@ -119,7 +119,7 @@ static void place_nodes(const Fit *fit, double *node)
         node[j] = fit->center + fit->apart * (j < NODES / 2 ? j - NODES / 2 : j - NODES / 2 + 1);
 }
 
-// Around the singular position next to (t, y); false where no way leads through it.
+// Places the nodes around the singular position next to (t, y); returns false if no way leads through it.
 static bool find_fit(YkSimulation *sim, double t, const double *y, Fit *fit)
 {
     double sine;
@@ -130,8 +130,8 @@ static bool find_fit(YkSimulation *sim, double t, const double *y, Fit *fit)
     return isfinite(fit->center) && isfinite(1 / fit->way.slope);
 }
 
-// Interpolates into dydt. Returns what the outermost nodes change in an acceleration, over the largest one; INFINITY
-// where a node has none.
+// Interpolates into dydt. Returns what the outermost nodes change in an acceleration, over the largest one; INFINITY if
+// a node has none.
 static double interpolate(YkSimulation *sim, double t, const double *y, const Fit *fit, double *dydt)
 {
     size_t n = sim->free_count, all = 2 * n + sim->work_count;
@@ -154,7 +154,7 @@ static double interpolate(YkSimulation *sim, double t, const double *y, const Fi
     return most > 0 ? change / most : 0;
 }
 
-// By nodes nearer and nearer, until the motion is smooth enough there; otherwise by those that fitted best.
+// Interpolates with nodes ever nearer, until the motion is smooth enough there; otherwise with those that fitted best.
 YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const double *y, double *dydt)
 {
     double sine, off = INFINITY, least = INFINITY;
@@ -180,11 +180,11 @@ YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const dou
     return YK_INTERPOLATION_DONE;
 }
 
-// --- poses ------------------------------------------------------------------------------------------
+// --- poses
 
 static const double POSE_BLIND = 0.01; // sine, as predicted, below which a pose is interpolated too
 
-// The numbers of a pose but those of the ground: what turns, slides and nodes stand at, with their rates.
+// Returns how many numbers a pose has without the ground's: turns, slides and nodes, with their rates.
 static size_t pose_count(const YkSpace *space)
 {
     return 4 * (space->slots - 1) + 3 * space->distances + 6 * space->nodes;
@@ -195,8 +195,8 @@ static void set_accelerations(YkSimulation *sim, const double *acceleration)
     for (size_t k = 0; k < sim->free_count; k++) sim->state->input[3 * sim->free_input[k] + 2] = acceleration[k];
 }
 
-// Sums up the poses at the nodes; the rates and accelerations of the inputs are those of (t, y) at all of them, so that
-// what is found for (t, y) has them too.
+// Sums up the poses at the nodes. The rates and accelerations of the inputs are those of (t, y) at all of them, so that
+// the result for (t, y) has them too.
 static bool sum_poses(YkSimulation *sim, double t, const double *y, const double *acceleration, const Fit *fit)
 {
     YkState *s = sim->state;

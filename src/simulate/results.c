@@ -1,4 +1,4 @@
-// What a simulation tells of the pose where it stands, and of the way there: happenings, energies and works.
+// The results of a simulation: the present pose, happenings, energies and works.
 #include "simulate/simulation.h"
 
 double yk_simulation_time(const YkSimulation *sim)
@@ -25,8 +25,8 @@ YkDynamics *yk_simulation_dynamics(YkSimulation *sim)
     return d;
 }
 
-// On a change point itself the loops do not give the rates; those of the inputs are known, and the kinetic energy of a
-// start there.
+// Returns whether a channel is known. On a change point itself the loops do not give the rates; those of the inputs are
+// known, and at the start the kinetic energy.
 static bool is_known(const YkSimulation *sim, YkChannel channel)
 {
     bool is_energy = channel.kind >= YK_CHANNEL_ENERGY && channel.kind <= YK_CHANNEL_POTENTIAL;
@@ -66,7 +66,7 @@ YkHappening yk_simulation_happening(const YkSimulation *sim, size_t index)
     return sim->happenings[index];
 }
 
-// --- energies and works ---------------------------------------------------------------------------
+// --- energies and works
 
 void yk_simulation_count_energy(YkSimulation *sim)
 {
@@ -99,7 +99,8 @@ YkSimulationSummary yk_simulation_summary(const YkSimulation *sim)
     return s;
 }
 
-// Works that are nothing but the potential's are left out: the first `item_count` that may take or give energy.
+// Returns the number of works. Works that only change the potential are left out: the first `item_count` may take or
+// give energy.
 size_t yk_simulation_work_count(const YkSimulation *sim)
 {
     return sim->work_count;

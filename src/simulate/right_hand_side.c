@@ -23,11 +23,12 @@ bool yk_simulation_set(YkSimulation *sim, double t, const double *y)
 void yk_simulation_powers(YkSimulation *sim, double *power)
 {
     YkDynamics *d = sim->dynamics;
-    power[sim->work_count - 1] = 0; // stops take energy in impacts alone
+    power[sim->work_count - 1] = 0; // stops take energy only in impacts
     if (sim->options.pulls > 0) power[sim->work_count - 2] = d->loads->handle_power;
     if (sim->item_count > 0) memcpy(power, d->power, sim->item_count * sizeof *power);
     if (!sim->has_drives) return;
-    bool by_bodies = sim->contact_count > 0 || d->loads->has_dry; // then the reduced equations lack what contacts exert
+    // The reduced equations then lack the efforts of contacts.
+    bool by_bodies = sim->contact_count > 0 || d->loads->has_dry;
     if (by_bodies && !d->loads->has_dry) yk_dynamics_apply(d, sim->state);
     if (!by_bodies) yk_reduced_solve(d->reduced, d->acceleration, true);
     size_t at = sim->item_count;
@@ -38,7 +39,7 @@ void yk_simulation_powers(YkSimulation *sim, double *power)
     }
 }
 
-// Open trees need no pose.
+// Evaluates an open tree, which needs no pose.
 static int move_lean(YkSimulation *sim, double t, const double *y, double *dydt)
 {
     YkDynamics *d = sim->dynamics;

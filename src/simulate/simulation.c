@@ -1,4 +1,4 @@
-// From a model to its start.
+// Makes a simulation: from a model to its start.
 #include "simulate/simulation.h"
 #include <stdlib.h>
 #include <string.h>
@@ -223,6 +223,6 @@ YkStatus yk_simulation_set_effort(YkSimulation *sim, const char *coordinate, dou
     yk_simulation_unbuild(sim);
     bool ok = yk_simulation_build(sim, sim->options.compile, quiet) && yk_simulation_stepper(sim) && begin(sim, quiet);
     yk_problems_free(quiet);
-    if (!ok) sim->status = YK_NO_MEMORY; // nothing but freeing it is left to do
+    if (!ok) sim->status = YK_NO_MEMORY; // it can only be freed now
     return sim->status;
 }

@@ -1,21 +1,21 @@
-// A start in a singular pose. A dead point of the coordinates that the machine was to be started by is none of others.
-// A change point, where a linkage lies flat and two branches meet, is left as the rates of `start:` say; at rest, as
-// the accelerations say, where they do: from rest the machine moves along one of the branches only if the loads push it
-// along that branch, and its joint forces stay finite there.
+// Starts in a singular pose. A dead point of the intended starting coordinates is not one of other coordinates. A
+// change point, where a linkage lies flat and two branches meet, is left as the rates of `start:` say. At rest it is
+// left as the accelerations say, if they do: the machine moves from rest along one of the branches only if the loads
+// push it along that branch, and its joint forces stay finite there.
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
 #include "base/text.h"
 #include "simulate/crossing.h"
 
-// A branch through the pose: what the coordinates do for a unit rate of the free input, and the angle between the
-// columns of the block that is singular.
+// A branch through the pose: the coordinates' rates for a unit rate of the free input, and the angle between the
+// columns of the singular block.
 typedef struct Branch {
-    int sign; // of the block ahead; behind it is the other
+    int sign; // of the block ahead; behind it has the other
     double *tangent;
-    double level, slope; // of the angle: at the pose, and by the input
+    double level, slope; // of the angle: its value at the pose, and its derivative by the input
     double acceleration; // from rest
-    bool is_finite;      // so are its joint forces
+    bool is_finite;      // its joint forces are finite, too
 } Branch;
 
 bool yk_simulation_is_singular(const YkSimulation *sim)
@@ -23,9 +23,9 @@ bool yk_simulation_is_singular(const YkSimulation *sim)
     return !sim->state->has_rates;
 }
 
-// --- other coordinates ----------------------------------------------------------------------------
+// --- other coordinates
 
-// Takes others, one in place of another, until the pose is not singular. False where a machine could not be made.
+// Exchanges coordinates one by one until the pose is not singular. Returns false if a machine could not be made.
 static bool try_others(YkSimulation *sim, size_t *order)
 {
     enum { TRIALS_MAX = 400 };
@@ -47,9 +47,9 @@ static bool try_others(YkSimulation *sim, size_t *order)
     return yk_simulation_take(sim, own, &changed);
 }
 
-// --- two branches ---------------------------------------------------------------------------------
+// --- two branches
 
-// The one block that is singular; YK_NONE where there is none, or several.
+// Returns the one singular block; YK_NONE if there is none, or several.
 static int32_t flat_block(const YkSimulation *sim)
 {
     int32_t found = YK_NONE;
@@ -61,7 +61,7 @@ static int32_t flat_block(const YkSimulation *sim)
     return found;
 }
 
-// The pose a little along a branch, at rest.
+// Solves a pose a little along a branch, at rest.
 static bool go_along(YkSimulation *sim, size_t block, int sign, double ahead)
 {
     YkState *s = sim->state;
@@ -80,7 +80,7 @@ static double angle_here(const YkSimulation *sim, size_t block)
     return yk_between_columns(&run, &sim->mech->blocks[block]).angle;
 }
 
-// Differences over +-h and +-2h, without the first of their errors.
+// Finds the tangent by differences over +-h and +-2h, without their leading error.
 static bool find_tangent(YkSimulation *sim, size_t block, Branch *branch)
 {
     static const double place[] = {1, -1, 2, -2}, weight[] = {2.0 / 3, -2.0 / 3, -1.0 / 12, 1.0 / 12};
@@ -104,7 +104,7 @@ static bool find_tangent(YkSimulation *sim, size_t block, Branch *branch)
     return true;
 }
 
-// The largest joint force a little along a branch, at rest, and the acceleration of the input there.
+// Finds the largest joint force a little along a branch, at rest, and the acceleration of the input there.
 static bool find_force(YkSimulation *sim, size_t block, const Branch *branch, double ahead, double *force,
                        double *acceleration)
 {
@@ -136,7 +136,7 @@ static bool look_from_rest(YkSimulation *sim, size_t block, Branch *branch)
     return true;
 }
 
-// --- which of them --------------------------------------------------------------------------------
+// --- the choice
 
 static bool refuse(YkSimulation *sim, YkProblems *problems, size_t block, const char *why)
 {
@@ -172,7 +172,8 @@ static int choose_at_rest(YkSimulation *sim, size_t block, Branch *branches, YkP
         return -1;
     }
     if (branches[0].is_finite != branches[1].is_finite) return branches[0].is_finite ? 0 : 1;
-    if (branches[0].is_finite && branches[0].acceleration == 0 && branches[1].acceleration == 0) return 0; // it stays
+    // It stays at rest.
+    if (branches[0].is_finite && branches[0].acceleration == 0 && branches[1].acceleration == 0) return 0;
     refuse(sim, problems, block,
            branches[0].is_finite ? "at rest nothing tells in which of them it moves off"
                                  : "at rest the loads push it off both of them");
@@ -180,7 +181,7 @@ static int choose_at_rest(YkSimulation *sim, size_t block, Branch *branches, YkP
     return -1;
 }
 
-// The rate of the input that fits the rates given best, on a branch; what is left over, over the rates.
+// Finds the rate of the input that fits the given rates best, on a branch; returns the residual over the rates.
 static double fit_rates(const Branch *branch, const YkStartRate *given, size_t count, double *rate)
 {
     double up = 0, down = 0, off = 0, size = 0;
@@ -213,7 +214,7 @@ static int choose_by_rates(YkSimulation *sim, size_t block, const Branch *branch
     return -1;
 }
 
-// On both sides of the pose, without the first of the errors.
+// Finds the kinetic energy from both sides of the pose, without the leading error.
 static double find_kinetic(YkSimulation *sim, size_t block, const Branch *branch)
 {
     static const double place[] = {1, -1, 2, -2}, weight[] = {2.0 / 3, 2.0 / 3, -1.0 / 6, -1.0 / 6};

@@ -1,4 +1,4 @@
-// After a failure: where the motion stands, and why no step was small enough, as seen there.
+// Explains a failure: the pose at which the motion stopped, and why no step was small enough.
 #include <math.h>
 #include <string.h>
 #include "base/text.h"
@@ -17,11 +17,11 @@ void yk_simulation_stand_still(YkSimulation *sim)
     memcpy(sim->work, sim->y + 2 * n, sim->work_count * sizeof *sim->work);
 }
 
-// --- Why
+// --- the reason
 
 static const double NEAR = YK_PI / 180; // transmission angle, rad
 
-// The block nearest to a dead point, where it is near; or -1.
+// Returns the block nearest to a dead point, if it is near; or -1.
 static int block_near_dead_point(const YkSimulation *sim, double *angle)
 {
     int nearest = -1;
@@ -35,7 +35,7 @@ static int block_near_dead_point(const YkSimulation *sim, double *angle)
     return nearest;
 }
 
-// The coordinate whose rate is largest, in radians or in the machine's sizes a second.
+// Returns the coordinate whose rate is largest, in radians or in machine sizes per second.
 static size_t fastest(const YkSimulation *sim)
 {
     double most = 0, size = yk_mechanism_size(sim->mech);

@@ -1,17 +1,18 @@
-// An assembly carried along while the dimensions of the machine change.
+// Carries an assembly along while the dimensions of the machine change.
 #include <yoke/move.h>
 #include <stdlib.h>
 #include <string.h>
 #include "compile/variant.h"
 #include "solve/track.h"
 
-static const double STEP_LEAST = 0x1p-14, MOVED_MOST = 0.05; // of the way; rad, or lengths over the size
+// STEP_LEAST: of the path; MOVED_MOST: rad, or lengths over the size.
+static const double STEP_LEAST = 0x1p-14, MOVED_MOST = 0.05;
 
 typedef struct Carrier {
     YkState *state;
     YkVariant *variant;
     const double *from, *to; // [parameter]
-    double *values, *inputs; // room; the inputs at the start: [3 * input + k]
+    double *values, *inputs; // scratch; the inputs at the start: [3 * input + k]
     size_t count;
     const YkMotion *goal;
 } Carrier;

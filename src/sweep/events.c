@@ -1,4 +1,4 @@
-// The channels at the events of a sweep, read as soon as the sweep has passed them.
+// Reads the channels at the events of a sweep, as soon as the sweep has passed them.
 #include <stdlib.h>
 #include "sweep/sweep.h"
 

@@ -1,4 +1,5 @@
-// Extremes of the channels: where a slope along the path changes its sign, bisected on the branch that was passed.
+// Finds extremes of the channels: where a slope along the path changes its sign, bisected on the branch that was
+// passed.
 #include "sweep/sweep.h"
 
 static bool is_smooth(YkChannel c)
@@ -6,7 +7,7 @@ static bool is_smooth(YkChannel c)
     return c.order == 0 && c.kind != YK_CHANNEL_TIME && c.kind < YK_CHANNEL_POINT_SPEED;
 }
 
-// The derivative of a channel along the path, or 0 where it is not above rounding.
+// Returns the derivative of a channel along the path, or 0 if it is not above rounding.
 static double slope_here(const YkSweep *w, YkChannel c)
 {
     if (!yk_state_has_rates(w->walk.path.state)) return 0;
@@ -17,8 +18,8 @@ static double slope_here(const YkSweep *w, YkChannel c)
                                                                                                                : 0;
 }
 
-// Takes the signs of the blocks from after the change points that were passed since `at` to before them, or back. A
-// change point at `at` itself is seen from where the walk stands, beyond it: its signs stay.
+// Changes the signs of the blocks from those after the change points passed since `at` to those before, or back. A
+// change point at `at` itself is seen from the walk's position beyond it: its signs stay.
 static void exchange_signs(YkSweep *w, double at)
 {
     double way = w->options.to > w->options.from ? 1 : -1;
@@ -34,14 +35,14 @@ YkStatus yk_sweep_look_back(YkSweep *w, double at, bool along)
 {
     double last = w->walk.path.last, way = w->options.to > w->options.from ? 1 : -1;
     exchange_signs(w, at);
-    w->walk.path.last = at + way; // where two configurations meet, the one that is seen from beyond
+    w->walk.path.last = at + way; // where two configurations meet, takes the one seen from beyond
     YkStatus status = yk_path_try(&w->walk.path, at, along);
     if (status < 0) w->walk.path.last = last;
     exchange_signs(w, at);
     return status;
 }
 
-// Where a change point leaves no rates next to it, the motion turns round in it.
+// Handles a change point that leaves no rates next to it: the motion turns round in it.
 static double at_change_point(const YkSweep *w, double at)
 {
     for (size_t k = w->walk.event_count; k-- > 0;)

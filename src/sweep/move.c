@@ -1,4 +1,4 @@
-// Moving to a pose: the straight way, or a way round.
+// Moves to a pose: straight, or on a way round.
 #include <yoke/move.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,7 @@ YkMoveOptions yk_default_move_options(void)
     return (YkMoveOptions){.turn_max = 8 * YK_PI / 180, .detours = 200};
 }
 
-// One move on its way.
+// One move in progress.
 typedef struct Mover {
     YkState *state;
     const YkMoveOptions *options;
@@ -41,7 +41,7 @@ static void keep_passes(YkMove *move, const YkWalk *walk, double from, double to
     }
 }
 
-// From `from` to `to` on the walk's path; the state ends there with the motion's own rates.
+// Goes from `from` to `to` on the walk's path; the state ends there with the motion's own rates.
 static YkStatus go(Mover *m, YkWalk *w, double from, double to)
 {
     double at = from, period = w->path.is_line ? yk_turns_period(&w->path) : 0;
@@ -73,7 +73,6 @@ static YkStatus walk(Mover *m, YkPath path, double from, double to)
 }
 
 // --- in a straight line
-// ---------------------------------------------------------------------------------------------------
 
 static bool is_there(const YkState *s, const double *goal)
 {
@@ -82,7 +81,7 @@ static bool is_there(const YkState *s, const double *goal)
     return true;
 }
 
-// Without loops nothing can close otherwise; at the goal already, only the rates are new.
+// Moves straight. Without loops nothing can fail to close; if already at the goal, only the rates are new.
 static YkStatus move_straight(Mover *m, const double *goal)
 {
     YkState *s = m->state;
@@ -98,25 +97,24 @@ static YkStatus move_straight(Mover *m, const double *goal)
 }
 
 // --- ways round
-// -----------------------------------------------------------------------------------------------------------
 
-// A tree of poses that the machine can come to, grown towards random ones (LaValle 1998): from each new pose the goal
-// is tried.
+// A tree of poses that the machine can reach, grown towards random poses (LaValle 1998): from each new pose it tries
+// the goal.
 typedef struct Tree {
     YkState **nodes;
     size_t count;
-    double *target; // room: [3 * input + k]
+    double *target; // scratch: [3 * input + k]
     uint64_t seed;
 } Tree;
 
-static const double BACK_OFF = 0.8, WORTH_IT = 0.02; // of the way to a limit
+static const double BACK_OFF = 0.8, WORTH_IT = 0.02; // shares of the way to a limit
 
 static double input_size(const YkMechanism *mech, size_t input)
 {
     return mech->coordinates[mech->inputs[input]].is_distance ? mech->size : YK_PI;
 }
 
-// Somewhere in the box round start and goal, widened by half a turn or the machine's size.
+// Chooses a point in the box round start and goal, widened by half a turn or the machine's size.
 static void choose_target(Tree *tree, const double *from, const double *goal)
 {
     const YkMechanism *mech = tree->nodes[0]->mech;
@@ -145,7 +143,7 @@ static const YkState *nearest_node(const Tree *tree)
     return nearest;
 }
 
-// From the nearest pose of the tree towards the target, as far as a little before a limit.
+// Grows the tree from its nearest pose towards the target, up to a little before a limit.
 static YkStatus grow(Mover *m, Tree *tree)
 {
     const YkState *node = nearest_node(tree);
@@ -179,7 +177,7 @@ static YkStatus search(Mover *m, Tree *tree, const YkState *home, const double *
     return status;
 }
 
-// The straight way is blocked and the state stands where it ends; there it stands again where no way round is found.
+// Moves round a blocked straight way. The state is where that way ends, and returns there if there is no way round.
 static YkStatus move_round(Mover *m, const YkState *home, const double *goal)
 {
     YkState *s = m->state, *end = yk_state_new(s->mech);
@@ -206,7 +204,6 @@ static YkStatus move_round(Mover *m, const YkState *home, const double *goal)
 }
 
 // --- the door
-// ------------------------------------------------------------------------------------------------------------
 
 static YkStatus finish(YkState *s, YkMove *move, YkStatus status)
 {
@@ -256,7 +253,7 @@ YkStatus yk_state_move_to(YkState *s, const YkMotion *goal, const YkMoveOptions 
     return m.move->status = status;
 }
 
-// Do all inputs that move do so at a constant rate? Then the way through time is a straight line.
+// Returns whether all moving inputs do so at a constant rate: the way through time is then a straight line.
 static bool is_steady(const YkState *s)
 {
     for (size_t i = 0; i < s->mech->input_count; i++) {

@@ -1,8 +1,9 @@
+// Paths of the inputs: places on them, their length, and poses next to change points and limits.
 #include "sweep/path.h"
 #include <stdlib.h>
 #include <string.h>
 
-#define REFER_MARGIN 1e-10 // a pose less than 1e-5 from a change point is no reference
+#define REFER_MARGIN 1e-10 // a pose less than 1e-5 from a change point is not a reference
 
 bool yk_path_start(YkPath *path, YkState *state, int coordinate)
 {
@@ -31,7 +32,7 @@ void yk_path_end(YkPath *path)
     path->others = NULL;
 }
 
-// The fastest input: rad/s, or sizes of the machine a second.
+// Returns the rate of the fastest input: rad/s, or machine sizes per second.
 static double fastest(const YkState *s)
 {
     double rate = 0;
@@ -42,7 +43,7 @@ static double fastest(const YkState *s)
     return rate;
 }
 
-// How far the line goes: rad, or sizes of the machine.
+// Returns the length of the line: rad, or machine sizes.
 static double length_of_line(const YkPath *path)
 {
     const YkMechanism *mech = path->state->mech;
@@ -62,7 +63,7 @@ double yk_path_scale(const YkPath *path)
     return mech->coordinates[mech->inputs[path->input]].is_distance ? mech->size : 1;
 }
 
-// On a line: exactly the goal at its end.
+// Sets a point on a line: exactly the goal at its end.
 static void set_on_line(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
@@ -75,7 +76,7 @@ static void set_on_line(YkPath *path, double at, bool along)
     }
 }
 
-// Over time: an input whose position is held has no rate along the path.
+// Sets the inputs at a time; an input whose position is held has no rate along the path.
 static YkStatus set_at_time(YkPath *path, double time, bool along)
 {
     YkState *s = path->state;
@@ -90,7 +91,7 @@ double yk_path_length(YkPath *path, double from, double to)
     enum { SAMPLES = 64 };
     if (path->is_line || path->input >= 0) return fabs(to - from) / yk_path_scale(path);
     double sum = 0, time = path->state->time;
-    for (int k = 0; k < SAMPLES; k++) // not at equal distances: they might all fall on the same phase
+    for (int k = 0; k < SAMPLES; k++) // at unequal distances: equal ones might all meet the same phase
         if (yk_path_set(path, from + (to - from) * (k + 0.5 + 0.3 * sin(k)) / SAMPLES, true) >= 0)
             sum += fastest(path->state);
     yk_path_set(path, time, true);
@@ -112,7 +113,7 @@ YkStatus yk_path_set(YkPath *path, double at, bool along)
     return YK_OK;
 }
 
-// Back on the way - but on that side of the change point passed last for which the signs are.
+// Returns a place a little back on the path, but on that side of the last change point for which the signs hold.
 static double beside(const YkPath *path, double at, double off)
 {
     double step = off * fmax(yk_path_scale(path), fabs(at)), back = at - path->way * step;
@@ -120,8 +121,8 @@ static double beside(const YkPath *path, double at, double off)
     return is_near && (back - path->passed) * path->side <= 0 ? at + path->side * step : back;
 }
 
-// Where a dyad's base vanishes, at a folded rhombus say, any angle closes it: it keeps the one it has a little back on
-// the way, where the base is long enough to tell it.
+// Keeps an angle where a dyad's base vanishes, as in a folded rhombus: any angle closes it there, so it takes the one
+// from a little back on the path, where the base is long enough to determine it.
 static YkStatus keep_from_beside(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
@@ -131,14 +132,14 @@ static YkStatus keep_from_beside(YkPath *path, double at, bool along)
     return status < 0 ? status : yk_state_solve(s);
 }
 
-// A pose that closes but for rounding: the one a few roundings back on the way stands for it.
+// Solves a pose that closes up to rounding: the pose a few roundings back on the path replaces it.
 static YkStatus solve_beside(YkPath *path, double at, double off, bool along)
 {
     YkState *s = path->state;
     YkStatus status = yk_path_set(path, beside(path, at, off), along);
     if (status == YK_OK) status = yk_state_solve(s);
     if (status < 0 || s->is_kept) return status;
-    status = yk_path_set(path, at, along); // it stands for this place: the inputs are those asked for, to the last bit
+    status = yk_path_set(path, at, along); // stands for this place: the inputs are those requested, to the last bit
     if (status < 0) return status;
     memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
     s->has_rates = false;
@@ -182,7 +183,7 @@ double yk_path_limit(YkPath *path, double good, double bad)
     for (int k = 0; k < 100; k++) {
         double middle = 0.5 * (good + bad);
         if (middle == good || middle == bad || fabs(bad - good) < 1e-15 * yk_path_scale(path)) break;
-        if (yk_path_probe(path, middle, true) >= 0 && path->state->space.margin[0] >= 0) // not by tolerance
+        if (yk_path_probe(path, middle, true) >= 0 && path->state->space.margin[0] >= 0) // not by tolerance alone
             good = middle;
         else
             bad = middle;

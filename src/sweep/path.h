@@ -1,4 +1,4 @@
-// A path of the inputs: one coordinate, time, or a straight line in all of them at once; and probing poses on it.
+// Paths of the inputs: one coordinate, time, or a straight line in all of them at once; and trial poses on a path.
 #ifndef SWEEP_PATH_H
 #define SWEEP_PATH_H
 #include <yoke/sweep.h>
@@ -8,32 +8,34 @@ typedef struct YkPath {
     YkState *state;
     int input;           // -1: time, or a line
     bool is_line;        // from `others` (at 0) to `goal` (at 1)
-    double last, way;    // where the last pose that closed stands; +1 or -1: the way to it
-    double passed, side; // the last change point, and on which side of it the signs hold (0: none yet)
-    double *others;      // the inputs as they were: [3 * input + k]
-    const double *goal;  // [3 * input + k], the caller's
+    double last, way;    // place of the last pose that closed; +1 or -1: the direction of motion to it
+    double passed, side; // the last change point, and the side of it on which the signs hold (0: none yet)
+    double *others;      // the inputs at the start: [3 * input + k]
+    const double *goal;  // [3 * input + k], owned by the caller
 } YkPath;
 
-// A path of one coordinate, or of time (-1), from where the state stands. False when out of memory.
+// Starts a path of one coordinate, or of time (-1), from the state's position. Returns false when out of memory.
 bool yk_path_start(YkPath *path, YkState *state, int coordinate);
-// A straight line from the inputs of the state's pose to `goal`, which must outlive the path.
+// Starts a straight line from the inputs of the state's pose to `goal`, which must outlive the path.
 bool yk_path_start_line(YkPath *path, YkState *state, const double *goal);
 void yk_path_end(YkPath *path);
-// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. YK_BAD_MODEL where
-// a drive has no value at that time.
+// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
+// YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
-// The same, and solves: to look, and (probe) to go on from there, with the pose's angles as the reference of the next.
+// Does the same and solves: to look, or (probe) to continue from there, with the pose's angles as the next reference.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
-// The reference stays where the pose is all but singular: it may still be the other branch's, which need not be near.
+// Takes the pose as reference unless it is nearly singular: it may then still be the other branch's, which need not be
+// near.
 void yk_path_refer(YkPath *path);
 void yk_path_refer_state(YkState *state);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);
-// How far the inputs go between two places: rad, or sizes of the machine; over time an estimate from samples.
+// Returns how far the inputs go between two places: rad, or machine sizes; over time an estimate from samples.
 double yk_path_length(YkPath *path, double from, double to);
-// Between a pose that closes and one that does not: the last value that closes, to rounding. The state ends there.
+// Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends
+// there.
 double yk_path_limit(YkPath *path, double good, double bad);
-// One unit of path for tolerances: a radian, or the machine's size; of time and of a line, what the fastest input takes
-// for it now (of time at most 1 s).
+// Returns one unit of path for tolerances: a radian, or the machine's size; for time and for a line, what the fastest
+// input now takes for it (for time at most 1 s).
 double yk_path_scale(const YkPath *path);
 
 #endif

@@ -1,4 +1,4 @@
-// The ranges of an input in which a configuration closes.
+// Finds the ranges of an input in which a configuration closes.
 #include <stdlib.h>
 #include <string.h>
 #include "sweep/walk.h"
@@ -31,7 +31,7 @@ static void close_range(Scan *scan, double at)
     scan->is_open = false;
 }
 
-// A dip of the margin between three samples that close may hide a narrow gap: goes down to its bottom.
+// Descends to the bottom of a dip of the margin between three samples that close: it may hide a narrow gap.
 static bool bottom(Scan *scan, double a, double b, double *at)
 {
     static const double golden = 0.3819660112501051;
@@ -51,7 +51,7 @@ static bool bottom(Scan *scan, double a, double b, double *at)
 
 static void scan_closed_form(Scan *scan)
 {
-    double margin[2] = {1, 1}; // of the two samples before
+    double margin[2] = {1, 1}; // of the two previous samples
     for (int k = 0; k <= SAMPLES; k++) {
         double at = at_of(scan, k), gap;
         bool closes = yk_path_probe(&scan->path, at, true) >= 0;
@@ -70,7 +70,7 @@ static void scan_closed_form(Scan *scan)
     if (scan->is_open) close_range(scan, scan->high);
 }
 
-// With groups, a configuration is what can be reached: follow it both ways.
+// Follows a configuration with groups both ways: it consists of the poses that can be reached.
 static double follow(Scan *scan, YkState *home, double from, double to)
 {
     yk_state_copy(scan->path.state, home);
@@ -83,7 +83,7 @@ static double follow(Scan *scan, YkState *home, double from, double to)
     return to;
 }
 
-// Two ranges that meet at the ends of a full turn are one.
+// Joins two ranges that meet at the ends of a full turn.
 static void join_ends(Scan *scan)
 {
     size_t n = scan->count < scan->capacity ? scan->count : scan->capacity;
@@ -94,8 +94,8 @@ static void join_ends(Scan *scan)
     scan->count--;
 }
 
-// How far the motion goes from where `home` stands: through change points, up to a limit or to `to`. NaN when out of
-// memory.
+// Returns how far the motion goes from the position of `home`: through change points, up to a limit or to `to`. NaN
+// when out of memory.
 static double reach(Scan *scan, YkState *home, double from, double to)
 {
     YkWalk walk;
@@ -110,8 +110,8 @@ static double reach(Scan *scan, YkState *home, double from, double to)
     return end;
 }
 
-// Beyond a change point a redundant link, or a later dyad, may close with the other sign alone: the range of the state
-// goes on there. Those that it takes in are no others.
+// Widens the range of the state beyond a change point, where a redundant link, or a later dyad, may close with the
+// other sign only. The ranges that it absorbs are dropped.
 static bool widen(Scan *scan, YkState *home, double here)
 {
     size_t n = scan->count < scan->capacity ? scan->count : scan->capacity, kept = 0;

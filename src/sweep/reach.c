@@ -1,6 +1,6 @@
-// Which equilibria a machine gets to from its start: by moving there in its own inputs, and, with one freedom, in every
-// other coordinate too, since what is a dead point of one is none of another. Where a way ends at a limit of its
-// coordinate, others go on from there.
+// Finds which equilibria a machine reaches from its start: it moves there in its own inputs and, with one freedom, also
+// in every other coordinate, since a dead point of one is not one of another. Where a way ends at a limit of its
+// coordinate, ways in other coordinates start.
 #include <stdlib.h>
 #include <string.h>
 #include <yoke/move.h>
@@ -8,16 +8,16 @@
 #include "rest/rest.h"
 
 enum { WAYS_MAX = 16, PLACES_MAX = 48 };
-static const double SAME = 1e-6; // rad, or sizes of the machine
+static const double SAME = 1e-6; // rad, or machine sizes
 
 typedef struct YkReach {
     YkRest *rest;
     bool failed; // out of memory
     size_t way_count;
-    YkMechanism *mech[WAYS_MAX]; // the machine with other inputs; [0]: those of rest
+    YkMechanism *mech[WAYS_MAX]; // the machine with other inputs; [0]: those of the equilibria
     YkState *state[WAYS_MAX], *trial[WAYS_MAX];
-    size_t free[WAYS_MAX]; // with one freedom: which input is free
-    size_t place_count;    // poses from which ways begin
+    size_t free[WAYS_MAX]; // with one freedom: the free input
+    size_t place_count;    // number of poses from which ways begin
     double *place;         // [place][coordinate]
     YkState *places[PLACES_MAX];
 } YkReach;
@@ -32,7 +32,7 @@ static bool is_near(const YkMechanism *mech, const YkState *s, const double *coo
     return true;
 }
 
-// The way by its inputs, in the pose of a place. False where it cannot stand there.
+// Puts the state of a way, by its inputs, into the pose of a place. Returns false if it cannot take that pose.
 static bool stand(YkReach *r, size_t way, size_t place)
 {
     YkState *s = r->state[way];
@@ -48,7 +48,7 @@ static bool is_angle(const YkReach *r, size_t way)
     return !mech->coordinates[mech->inputs[r->free[way]]].is_distance;
 }
 
-// Moves the trial state of a way from where the way stands; its free inputs by their places in `goal`.
+// Moves the trial state of a way from the way's position; the places of its free inputs are in `goal`.
 static bool move(YkReach *r, size_t way, const double *goal, double turns)
 {
     YkState *s = r->trial[way];
@@ -93,7 +93,7 @@ static bool is_place(const YkReach *r, const YkState *s)
     return false;
 }
 
-// Remembers a pose; false when out of memory.
+// Remembers a pose; returns false when out of memory.
 static bool add_place(YkReach *r, const YkState *s)
 {
     size_t n = r->rest->mech->coordinate_count;
@@ -106,7 +106,7 @@ static bool add_place(YkReach *r, const YkState *s)
     return true;
 }
 
-// With one freedom: the ends of all ways, and of the ways that begin there.
+// Finds, with one freedom, the ends of all ways, and of the ways that begin there.
 static bool find_places(YkReach *r)
 {
     size_t n = r->rest->mech->coordinate_count;
@@ -127,7 +127,7 @@ static bool find_places(YkReach *r)
     return ok;
 }
 
-// The machine with every other coordinate in place of its one free input.
+// Adds machines with every other coordinate in place of the one free input.
 static bool add_ways(YkReach *r)
 {
     const YkMechanism *own = r->rest->mech;
@@ -142,7 +142,7 @@ static bool add_ways(YkReach *r)
             is_told = yk_problems_get(quiet, k)->code != YK_CODE_OUT_OF_MEMORY;
         yk_problems_free(quiet);
         if (!mech && !is_told) return false;
-        if (!mech) continue; // it cannot be the input
+        if (!mech) continue; // it cannot be an input
         size_t way = r->way_count, input = 0;
         while (input < mech->input_count && (size_t)mech->inputs[input] != c) input++;
         bool fits = mech->input_count == own->input_count && mech->coordinate_count == own->coordinate_count &&

@@ -1,4 +1,4 @@
-// The rows: the channels at the poses that were asked for. A row on a change point itself gets the limits of its rates.
+// The rows: the channels at the requested poses. A row exactly on a change point gets the limits of its rates.
 #include "sweep/sweep.h"
 
 static bool wants_forces(const YkSweep *w)
@@ -42,7 +42,7 @@ bool yk_sweep_record(YkSweep *w, double at)
     return true;
 }
 
-// The singular event of a row that proved to be a change point says nothing more.
+// Drops the singular event of a row that proved to be a change point: it says nothing more.
 static size_t drop_singular(YkSweep *w, double at)
 {
     size_t kept = 0;
@@ -52,9 +52,9 @@ static size_t drop_singular(YkSweep *w, double at)
     return kept;
 }
 
-// A row on a change point itself: J is singular there, but the motion is smooth through it, so its rates are the limits
-// from both sides: interpolated from four poses on each (Lagrange, error O(h^8)). The blocks that touch have the other
-// sign on the near side.
+// Fills a row exactly on a change point. J is singular there, but the motion is smooth through it, so the rates are the
+// limits from both sides: interpolated from four poses on each side (Lagrange, error O(h^8)). The touching blocks have
+// the other sign on the near side.
 static void fill_change_row(YkSweep *w, size_t row, const double *margins, double way)
 {
     enum { SIDE = 4 };
@@ -75,7 +75,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
             if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN)
                 s->branch[k] = (signed char)-s->branch[k];
     }
-    yk_path_probe(&w->walk.path, at + h, true); // from where its signs are now
+    yk_path_probe(&w->walk.path, at + h, true); // from the side of its present signs
     yk_path_probe(&w->walk.path, at, true);
     if (!ok) return;
     w->row_status[row] = YK_CHANGE_POINT;
@@ -99,7 +99,7 @@ void yk_sweep_try_change_row(YkSweep *w)
         w->walk.event_count = drop_singular(w, w->at[row]);
         return;
     }
-    for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: take the signs back
+    for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: restores the signs
         if (yk_walk_was_flipped_near(&w->walk, k, w->at[row])) {
             s->branch[k] = (signed char)-s->branch[k];
             w->walk.flipped_at[k] = NAN;

@@ -1,4 +1,4 @@
-// The sweep as a whole: memory, the way from row to row, its results.
+// The sweep as a whole: memory, the way from row to row, results.
 #include "sweep/sweep.h"
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,7 @@ static bool watch(void *context, double at)
     return true;
 }
 
-// From the pose of the state to the start of the sweep, on the same branch; what is met on that way is no event.
+// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded.
 static bool approach(YkSweep *w)
 {
     YkWalk *walk = &w->walk;
@@ -29,7 +29,8 @@ static bool approach(YkSweep *w)
     bool ok = here == from || yk_walk_go(walk, here, from);
     if (ok) walk->event_count = walk->more_events = 0;
     walk->from = from;
-    for (size_t k = 0; k < walk->margin_count; k++) walk->flipped_at[k] = NAN; // the sweep may pass it again at once
+    // The sweep may pass it again immediately.
+    for (size_t k = 0; k < walk->margin_count; k++) walk->flipped_at[k] = NAN;
     return ok;
 }
 
@@ -52,7 +53,7 @@ static void run_rows(YkSweep *w)
     }
 }
 
-// The state ends at the last pose, with the motion's own rates.
+// Runs the sweep. The state ends at the last pose, with the motion's own rates.
 static void run(YkSweep *w)
 {
     run_rows(w);

@@ -1,5 +1,5 @@
-// A sweep on its way: what its parts share. walk.c goes from pose to pose, extremes.c watches the channels, rows.c
-// keeps what was asked for, sweep.c runs them.
+// A sweep in progress, shared by its files. walk.c goes from pose to pose, extremes.c watches the channels, rows.c
+// keeps the requested values, sweep.c runs them.
 #ifndef SWEEP_SWEEP_H
 #define SWEEP_SWEEP_H
 #include <yoke/sweep.h>
@@ -22,17 +22,18 @@ struct YkSweep {
 // Solves at a place that the sweep has passed, on the branch that it had there. along: with rates along the path,
 // otherwise with the motion's own.
 YkStatus yk_sweep_look_back(YkSweep *sweep, double at, bool along);
-// The channels at the pose that stands; forces are NaN where they are not determined.
+// Reads the channels at the present pose; forces are NaN if they are not determined.
 void yk_sweep_read_channels(const YkSweep *sweep, double *values);
-// The state stands at `here`, verified: reads the channels at the events noted since the last call.
+// Reads the channels at the events noted since the last call, with the state at `here`, verified.
 void yk_sweep_read_events(YkSweep *sweep, double here);
 
-// The state stands at `at`, verified: looks whether a channel turned round since it was last seen moving.
+// Checks, with the state at `at`, verified, whether a channel has turned round since it was last seen moving.
 void yk_sweep_watch_extremes(YkSweep *sweep, double at);
 
-// A row at `at`; false where the machine does not close there.
+// Records a row at `at`; returns false if the machine does not close there.
 bool yk_sweep_record(YkSweep *sweep, double at);
-// After a row that came out singular: does the motion go on beyond with the touching blocks' other sign?
+// Tries, after a row that came out singular, whether the motion continues beyond with the other sign of the touching
+// blocks.
 void yk_sweep_try_change_row(YkSweep *sweep);
 
 #endif

@@ -1,7 +1,7 @@
-// Where a block's margin touches zero: the change point, found from the poses on both sides of it.
+// Finds a change point, where a block's margin touches zero, from the poses on both sides of it.
 #include "sweep/walk.h"
 
-// Where a double zero lies between a and b: the root of the margin runs through it as a straight line.
+// Returns where a double zero lies between a and b: the square root of the margin passes through it as a straight line.
 double yk_walk_touch(double a, double ma, double b, double mb)
 {
     double ra = sqrt(fmax(ma, 0)), rb = sqrt(fmax(mb, 0));
@@ -10,13 +10,13 @@ double yk_walk_touch(double a, double ma, double b, double mb)
 
 static double sine_at(YkWalk *w, size_t block, double at)
 {
-    const YkState *s = w->path.state; // no reference: on one side of the change point this is the other branch
+    const YkState *s = w->path.state; // not a reference: on one side of the change point this is the other branch
     const YkSpace *space =
         yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
     return sqrt(fmax(0, space->block_margin[block]));
 }
 
-// Near a double zero of the margin its root is a straight line through zero: the secant from both sides finds it.
+// Refines a double zero of the margin by secants from both sides: near it the root is a straight line through zero.
 double yk_walk_refine_touch(YkWalk *w, size_t block, double at, double reach)
 {
     static const double sides[] = {2e-4, 2e-4, 1e-5};
@@ -31,7 +31,8 @@ double yk_walk_refine_touch(YkWalk *w, size_t block, double at, double reach)
     return at;
 }
 
-// So far beyond a change point that its margin is all but zero still, a pose has the signs beyond it.
+// Returns whether a pose lies so little beyond a change point that its margin is still nearly zero: it has the signs
+// beyond.
 bool yk_walk_has_just_passed(YkWalk *w, size_t block, double b, double way, double *at)
 {
     *at = yk_walk_refine_touch(w, block, b, 4e-5);

@@ -1,3 +1,4 @@
+// Follows one period of a motion that repeats itself, and skips the other periods.
 #include "sweep/turns.h"
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,7 @@ static double way_of(const YkPath *path, size_t input)
     return path->goal[3 * input] - path->others[3 * input];
 }
 
-// The least way of an input that moves; 0 where a distance does.
+// Returns the least change of an input that moves; 0 if a distance moves.
 static double least_way(const YkPath *path)
 {
     const YkMechanism *mech = path->state->mech;
@@ -38,9 +39,9 @@ double yk_turns_period(const YkPath *path)
     return 0;
 }
 
-// A pose, to be compared with later ones.
+// A pose, for comparison with later ones.
 typedef struct Memory {
-    double *reference, *distance, *slot, *x; // angles as they are counted; distances; references; group columns
+    double *reference, *distance, *slot, *x; // angles with their turns; distances; references; group columns
     signed char *branch;
 } Memory;
 
@@ -78,7 +79,7 @@ static bool is_whole(double turn)
     return fabs(yk_nearest_turn(turn, 0)) < RETURNED;
 }
 
-// Does the machine stand as it stood then, but for whole turns?
+// Returns whether the machine is in the same pose as then, up to whole turns.
 static bool has_returned(const Memory *m, const YkState *s)
 {
     const YkMechanism *mech = s->mech;
@@ -100,7 +101,7 @@ static double whole(double turn)
     return 2 * YK_PI * rint(turn / (2 * YK_PI));
 }
 
-// Puts the pose `count` stretches on: the same vectors, the turns counted.
+// Advances the pose by `count` stretches: the same vectors, with the turns counted.
 static void skip(YkWalk *w, const Memory *m, double at, double count)
 {
     YkState *s = w->path.state;
@@ -118,7 +119,8 @@ static void skip(YkWalk *w, const Memory *m, double at, double count)
 
 static double skip_from(YkWalk *w, Memory *m, double period)
 {
-    const double start = 0.381966 * period; // not where the machine was put together: that may be a change point
+    // Not the position in which the machine was put together: that may be a change point.
+    const double start = 0.381966 * period;
     double at = 0;
     for (int k = 0; k <= PERIODS_MAX && start + k * period < 1; k++) {
         double next = start + k * period;

@@ -1,5 +1,5 @@
-// Verified progress. Between two rows the path is probed, and probed more finely wherever a block's margin (sin^2 of
-// its transmission angle) could reach zero: a simple zero is a limit position, a double zero a change point, which the
+// Verified progress. Between two rows the path is probed, more finely wherever a block's margin (sin^2 of its
+// transmission angle) could reach zero: a simple zero is a limit position, a double zero a change point, which the
 // motion passes with the other sign.
 #include "sweep/walk.h"
 #include <stdlib.h>
@@ -71,7 +71,7 @@ bool yk_walk_was_flipped_near(const YkWalk *w, size_t block, double at)
     return fabs(w->flipped_at[block] - at) < 1e-4 * yk_path_scale(&w->path); // false for NaN
 }
 
-// way: that of the motion, +1 or -1.
+// way: the direction of the motion, +1 or -1.
 static void flip(YkWalk *w, size_t block, double at, double way)
 {
     YkState *s = w->path.state;
@@ -86,9 +86,9 @@ static void flip(YkWalk *w, size_t block, double at, double way)
 static bool advance(YkWalk *w, double a, double b, size_t depth);
 static bool go_on(YkWalk *w, double from, double to, size_t depth);
 
-// The machine closes at `good` and not at `bad`. Where it stops, a block may have come to a change point beyond which
-// only its other sign fits the rest (a redundant link, a later dyad): then the motion goes on. Otherwise this is a
-// limit.
+// Decides what happens between `good`, where the machine closes, and `bad`, where it does not. A block may have come to
+// a change point beyond which only its other sign fits the rest (a redundant link, a later dyad): the motion then
+// continues. Otherwise this is a limit.
 static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
 {
     YkState *s = w->path.state;
@@ -113,14 +113,14 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
     return false;
 }
 
-// An interval that ends all but at a change point: has it been passed? The state stands at b again.
+// Returns whether an interval that ends almost at a change point has passed it. The state is at b again.
 static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 {
     double at, way = copysign(1, b - a);
     if (w->margin_count != w->path.state->mech->block_count || yk_walk_was_flipped_near(w, block, b)) return false;
     bool has_passed = yk_walk_has_just_passed(w, block, b, way, &at);
     if (has_passed) flip(w, block, at, way);
-    w->path.last = a; // it is come to from there
+    w->path.last = a; // it is reached from there
     yk_path_try(&w->path, b, true);
     return has_passed;
 }
@@ -157,7 +157,7 @@ void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
             flip(w, k, a, way);
 }
 
-// Over time: do the drives go farther between a and b than the path may be left unseen?
+// Returns whether, over time, the drives go farther between a and b than the path may go unchecked.
 static bool is_coarse(YkWalk *w, double a, double b)
 {
     if (w->path.input >= 0 || yk_path_set(&w->path, 0.5 * (a + b), true) < 0) return false;
@@ -173,7 +173,7 @@ static bool halve(YkWalk *w, double a, double b, size_t depth)
     return advance(w, a, middle, depth + 1) && go_on(w, middle, b, depth);
 }
 
-// From the valid pose at a (margins known at this depth) to b. False when stopped.
+// Advances from the valid pose at a (margins known at this depth) to b. Returns false when stopped.
 static bool advance(YkWalk *w, double a, double b, size_t depth)
 {
     double middle = 0.5 * (a + b);
@@ -186,11 +186,11 @@ static bool advance(YkWalk *w, double a, double b, size_t depth)
         w->path.state->mech->has_groups && w->margin_count != w->path.state->mech->block_count; // checked on the way
     Verdict verdict = is_tracked ? CLEAR : look(w, a, b, depth);
     if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
-    if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch are references
+    if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch serve as references
     return verdict == FINER ? halve(w, a, b, depth) : true;
 }
 
-// The state stands at `from`, reached a moment ago: on to `to`, one level down.
+// Continues from `from`, which the state has just reached, to `to`, one level deeper.
 static bool go_on(YkWalk *w, double from, double to, size_t depth)
 {
     if (depth + 1 >= WALK_DEPTH_MAX) return yk_path_probe(&w->path, to, true) >= 0 || stop_or_pass(w, from, to, depth);
@@ -200,8 +200,8 @@ static bool go_on(YkWalk *w, double from, double to, size_t depth)
     return advance(w, from, to, depth + 1);
 }
 
-// How much faster than the path its fastest body turns: a gear, or a short link, may turn through more than the inputs,
-// and a margin may vanish and come back within as much of its turn.
+// Returns how much faster than the path its fastest body turns: a gear, or a short link, may turn further than the
+// inputs, and a margin may vanish and recover within a small part of its turn.
 static double fastest_turn(const YkWalk *w)
 {
     const YkState *s = w->path.state;

@@ -1,4 +1,4 @@
-// A walk along a path that never leaves the branch unseen: what sweeps and moves share.
+// A walk along a path that never leaves the branch unnoticed; sweeps and moves share it.
 #ifndef SWEEP_WALK_H
 #define SWEEP_WALK_H
 #include <yoke/sweep.h>
@@ -8,7 +8,7 @@ enum { WALK_DEPTH_MAX = 44 }; // levels of halving
 
 typedef struct YkWalk {
     YkPath path;
-    double turn_max, from; // the path is looked at every turn_max; where the walk began
+    double turn_max, from; // the path is checked every turn_max; where the walk began
     size_t margin_count;
     double *margins;    // [depth][3][block]
     double *flipped_at; // per block: its last change point (NaN: none yet)
@@ -18,36 +18,39 @@ typedef struct YkWalk {
     int limit_block;
     YkProblems *problems;
     bool failed; // out of memory
-    // Called at every verified place (NULL: never); false stops the walk there, with YK_STOPPED.
+    // Called at every verified place (NULL: never). If it returns false, the walk stops there with YK_STOPPED.
     bool (*arrived)(void *context, double at);
     void *context;
 } YkWalk;
 
-// Room for a walk along `path`, which the walk owns from here on. False when out of memory; yk_walk_end frees.
+// Starts a walk along `path`, which the walk owns from here on. Returns false when out of memory; yk_walk_end frees it.
 bool yk_walk_start(YkWalk *walk, YkPath path, double turn_max);
 void yk_walk_end(YkWalk *walk);
-// In verified sub-steps from a, where the state stands, to b. False where the motion ends on the way: the status says
-// why, and a limit is noted as an event.
+// Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
+// tells why, and a limit is noted as an event.
 bool yk_walk_go(YkWalk *walk, double a, double b);
-// Would it take more steps than anybody waits for? Then the status is YK_STOPPED, and the state's report says why. Asked
-// before a walk; counts what the machine costs at each step.
+// Returns whether the walk would take unreasonably many steps. The status is then YK_STOPPED, and the state's report
+// tells why. Call it before a walk; it takes account of the cost of the machine at each step.
 bool yk_walk_refuses(YkWalk *walk, double a, double b);
-// Keeps an event.
+// Records an event.
 void yk_walk_note(YkWalk *walk, YkEvent event);
-// The walk ends at `at`, since the machine does not close at `bad` - or no drive says where it is to be then.
+// Ends the walk at `at`, since the machine does not close at `bad`, or no drive gives a position there.
 void yk_walk_end_at(YkWalk *walk, double at, double bad);
 
-// The blocks' margins at the three samples of an interval (0 start, 1 middle, 2 end), one set a level of halving.
+// Returns the blocks' margins at the three samples of an interval (0 start, 1 middle, 2 end), one set for each level of
+// halving.
 double *yk_walk_margins(const YkWalk *walk, size_t depth, size_t which);
 void yk_walk_read_margins(const YkWalk *walk, double *margins);
-// False for the larger groups, which Newton's method solves: they have none of their own.
+// Returns false for the larger groups, which Newton's method solves: they have no margin of their own.
 bool yk_walk_has_margin(const YkWalk *walk, size_t block);
-// Blocks that are singular at `a`, where the motion has come to and goes on: double zeros, passed with the other sign.
+// Flips blocks that are singular at `a`, which the motion has reached and passes: double zeros, passed with the other
+// sign.
 void yk_walk_flip_at(YkWalk *walk, double a, const double *margins);
 double yk_walk_touch(double a, double ma, double b, double mb); // a double zero of a margin between a and b, roughly
-// A double zero at `at`, precisely: as far as `reach` from there, in radians or sizes. Where there is none, `at`.
+// Returns a double zero at `at` precisely, searched up to `reach` from there, in radians or sizes. If there is none,
+// `at`.
 double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach);
-// Does b, where the margin is all but zero, lie a little beyond a double zero? Then that is `at`.
+// Returns whether b, where the margin is almost zero, lies a little beyond a double zero, and puts that in `at`.
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
 
