@@ -1,7 +1,7 @@
 # The kernels are loops over lanes: they want the vectoriser even where the rest of the library is built with less, and only
 # that one (packing neighbouring statements of one lane costs more than it gains). Instruction sets are chosen at run time, see
-# src/solve/kernels/lanes.h; the numbers do not depend on any of this. What solves one pose and tells of it wants the same:
+# src/elementary/kernel.h; the numbers do not depend on any of this. What solves one pose and tells of it wants the same:
 # numbers stored one by one and read back in pairs wait for each other.
 file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS src/solve/kernels/*.c src/equations/kernels_*.c)
-list(APPEND YOKE_KERNELS src/solve/elementary.c src/solve/single.c src/solve/run.c src/solve/state.c src/solve/answer.c)
+list(APPEND YOKE_KERNELS src/elementary/sine.c src/solve/single.c src/solve/run.c src/solve/state.c src/solve/answer.c)
 set_source_files_properties(${YOKE_KERNELS} PROPERTIES COMPILE_OPTIONS "$<$<NOT:$<CONFIG:Debug>>:-O3;-fno-tree-slp-vectorize>")

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-# Fits the polynomial of src/solve/elementary.h that turns a sine into its angle: asin(s) = s + s t P(t), t = s^2, for
+# Fits the polynomial of src/elementary/arc.h that turns a sine into its angle: asin(s) = s + s t P(t), t = s^2, for
 # |s| <= sin(pi/8). P interpolates at Chebyshev's points, which is minimax to a few per cent here. Needs python3-mpmath.
 import sys
 from mpmath import mp, mpf, asin, sqrt, sin, pi, cos, matrix, lu_solve

@@ -2,6 +2,7 @@
 #include "scale.h"
 #include <math.h>
 #include "session.h"
+#include "elementary/elementary.h"
 
 // Relative to the scale: what closing loops and adding vectors leave of a zero; what sums and products alone leave.
 static const double noise = 1e-13, noise_of_sums = 1e-15;
@@ -61,7 +62,7 @@ static void add_motion(YkSession *session, YkMotion motion, bool is_distance)
 
 static void add_wrench(YkSession *session, const double force[2], double moment)
 {
-    yk_scale_add(session, hypot(force[0], force[1]), YK_QUANTITY_FORCE);
+    yk_scale_add(session, yk_hypot(force[0], force[1]), YK_QUANTITY_FORCE);
     yk_scale_add(session, moment, YK_QUANTITY_TORQUE);
 }
 
@@ -81,7 +82,7 @@ static void add_forces(YkSession *session)
         add_wrench(session, balance.loads.force, balance.loads.moment);
         add_wrench(session, balance.inertia.force, balance.inertia.moment);
         double mass = yk_model_body_mass(session->model, b), *load = balance.loads.force;
-        if (mass > 0) yk_scale_add(session, hypot(load[0], load[1]) / mass, YK_QUANTITY_ACCELERATION);
+        if (mass > 0) yk_scale_add(session, yk_hypot(load[0], load[1]) / mass, YK_QUANTITY_ACCELERATION);
     }
 }
 
@@ -92,8 +93,8 @@ void yk_scale_add_bodies(YkSession *session, const YkState *state)
     for (size_t i = 1; bodies && i < yk_model_body_count(session->model); i++) add_motion(session, bodies[i], false);
     for (size_t i = 0; i < yk_model_point_count(session->model); i++) {
         YkPointMotion m = yk_state_point(state, i);
-        yk_scale_add(session, hypot(m.velocity[0], m.velocity[1]), YK_QUANTITY_SPEED);
-        yk_scale_add(session, hypot(m.acceleration[0], m.acceleration[1]), YK_QUANTITY_ACCELERATION);
+        yk_scale_add(session, yk_hypot(m.velocity[0], m.velocity[1]), YK_QUANTITY_SPEED);
+        yk_scale_add(session, yk_hypot(m.acceleration[0], m.acceleration[1]), YK_QUANTITY_ACCELERATION);
     }
 }
 

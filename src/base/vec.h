@@ -2,6 +2,7 @@
 #ifndef BASE_VEC_H
 #define BASE_VEC_H
 #include <math.h>
+#include "elementary/elementary.h"
 
 typedef struct YkVec {
     double x, y;
@@ -47,11 +48,13 @@ static inline double yk_cross(YkVec a, YkVec b)
 }
 static inline double yk_norm(YkVec a)
 {
-    return hypot(a.x, a.y);
+    return yk_hypot(a.x, a.y);
 }
 static inline YkVec yk_unit(double angle)
 {
-    return yk_vec(cos(angle), sin(angle));
+    YkVec e;
+    yk_sincos(angle, &e.y, &e.x);
+    return e;
 }
 // Returns the angle nearest to `reference` that equals `angle` up to whole turns.
 static inline double yk_nearest_turn(double angle, double reference)

@@ -1,6 +1,8 @@
 // Operations of the graph, each folded where its operands allow it.
 #include <math.h>
+#include "base/vec.h"
 #include "code/dag.h"
+#include "elementary/elementary.h"
 #include "expr/formula.h"
 
 enum { NOTHING = -1 };
@@ -109,7 +111,7 @@ enum { POWER_MAX = 8 };
 
 YkRef yk_dag_power(YkDag *g, YkRef a, YkRef b)
 {
-    if (is_number(g, a) && is_number(g, b)) return yk_dag_number(g, pow(at(g, a)->number, at(g, b)->number));
+    if (is_number(g, a) && is_number(g, b)) return yk_dag_number(g, yk_pow(at(g, a)->number, at(g, b)->number));
     if (is_number(g, b)) {
         double exponent = at(g, b)->number;
         if (exponent == 0.5) return yk_dag_function(g, YK_SQRT, a, NOTHING);
@@ -152,7 +154,7 @@ YkRef yk_dag_binary(YkDag *g, YkValueKind op, YkRef a, YkRef b)
         double x = at(g, a)->number, y = at(g, b)->number;
         if (op == YK_VALUE_LEAST) return yk_dag_number(g, x < y ? x : y);
         if (op == YK_VALUE_LARGEST) return yk_dag_number(g, x > y ? x : y);
-        if (op == YK_VALUE_ANGLE) return yk_dag_number(g, atan2(x, y));
+        if (op == YK_VALUE_ANGLE) return yk_dag_number(g, yk_atan2(x, y));
     }
     return operation(g, op, a, b, NOTHING);
 }
@@ -166,8 +168,8 @@ YkRef yk_dag_choose(YkDag *g, YkRef sign, YkRef negative, YkRef otherwise)
 YkRefVec yk_dag_unit(YkDag *g, YkRef angle)
 {
     if (is_number(g, angle)) {
-        double x = at(g, angle)->number;
-        return yk_dag_vec_number(g, cos(x), sin(x));
+        YkVec e = yk_unit(at(g, angle)->number);
+        return yk_dag_vec_number(g, e.x, e.y);
     }
     if (is_minus(g, angle)) return yk_dag_vec_conjugate(g, yk_dag_unit(g, at(g, angle)->a));
     YkRef sine = operation(g, YK_VALUE_SINE, angle, NOTHING, NOTHING);

@@ -59,7 +59,7 @@ static const char double_angle[] =
     "    return copysign(x < 0 ? 3.14159265358979324 - up : up, y);\n"
     "}\n\n";
 
-// The fit of tools/fit_arc_sine.py, as in solve/elementary.h.
+// The fit of tools/fit_arc_sine.py, as in elementary/arc.h.
 static const double arc_sine[] = {
     0x1.5555555555551p-3, 0x1.3333333336355p-4, 0x1.6db6db686fa77p-5, 0x1.f1c720069f276p-6, 0x1.6e8b0584c52f7p-6,
     0x1.1c5e3631be7bap-6, 0x1.c7c4cfc8b4203p-7, 0x1.8b8504ee7d538p-7, 0x1.c5cefdf0254adp-8, 0x1.0dd281af8550ep-6};

@@ -2,6 +2,7 @@
 // relation that it enforces; free_bodies/meshes derives where it acts.
 #include <math.h>
 #include "code/balance.h"
+#include "elementary/elementary.h"
 
 static bool has_force(const YkGear *gear)
 {
@@ -16,7 +17,7 @@ void yk_meshes_columns(YkBalanceSystem *w)
         YkUnknown *u = &w->columns[w->count++];
         *u = (YkUnknown){.joint = YK_NONE, .input = YK_NONE, .relation = (int32_t)k};
         if (r->kind != YK_RELATION_GEAR || !has_force(&p->model->gears[r->index])) continue;
-        if (tan(p->model->gears[r->index].pressure_angle) != 0) u->radial = w->sides++;
+        if (yk_tan(p->model->gears[r->index].pressure_angle) != 0) u->radial = w->sides++;
     }
 }
 
@@ -69,7 +70,7 @@ static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
     YkRefVec unit = yk_dag_vec_scale(g, per, line);
     yk_meshes_force(w, column, gear->body, pitch, yk_dag_vec_quarter(g, unit));
     if (w->columns[column].radial == 0) return;
-    double slope = (a / (a + b) < 0 ? -1 : 1) * tan(gear->pressure_angle);
+    double slope = (a / (a + b) < 0 ? -1 : 1) * yk_tan(gear->pressure_angle);
     YkRefVec radial = yk_dag_vec_scale(g, yk_dag_number(g, slope), unit);
     yk_meshes_force(w, w->n + w->columns[column].radial, gear->body, pitch, radial);
 }

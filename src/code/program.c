@@ -1,5 +1,6 @@
 // Creates the program of a mechanism, and makes its constants and texts.
 #include "code/program.h"
+#include "elementary/elementary.h"
 #include <math.h>
 
 bool yk_program_start(YkProgram *p, const YkMechanism *mech, const YkRecipe *recipe, YkArena *arena,
@@ -32,5 +33,5 @@ void yk_program_end(YkProgram *p)
 
 double yk_program_size(const YkProgram *p)
 {
-    return exp2(rint(log2(p->mech->size)));
+    return yk_exp2(rint(yk_log2(p->mech->size)));
 }

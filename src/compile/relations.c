@@ -2,6 +2,7 @@
 #include "compile/relations.h"
 #include "base/memory.h"
 #include "compile/inputs.h"
+#include "elementary/elementary.h"
 #include <stdlib.h>
 
 typedef struct Build {
@@ -207,7 +208,7 @@ double yk_relation_weight(const YkMechanism *mech, const YkRelation *r)
         YkRelationTerm term = mech->relation_terms[r->first_term + k];
         most = fmax(most, fabs(term.factor) * (term.is_distance ? mech->size : 1));
     }
-    return most > 0 ? exp2(rint(log2(mech->size / most))) : 1;
+    return most > 0 ? yk_exp2(rint(yk_log2(mech->size / most))) : 1;
 }
 
 bool yk_relations_build(YkMechanism *mech)

@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
+#include "elementary/elementary.h"
 
 // Returns a value beside the file's for parameter k: about 0.1 % off, by amounts that no sum or difference of a few
 // makes 0 again.
 static double beside(double own, size_t k, double sign)
 {
-    double part = sign * 1e-3 * (0.5 + fmod((double)(k + 1) * 0.6180339887498949, 1));
+    double part = sign * 1e-3 * (0.5 + yk_fmod((double)(k + 1) * 0.6180339887498949, 1));
     return own != 0 ? own * (1 + part) : part;
 }
 

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/number.h"
 #include "derive/inside.h"
+#include "elementary/elementary.h"
 #include "expr/formula.h"
 
 enum { DIGITS_EXACT = 1000000000, DENOMINATOR_MAX = 1000000 };
@@ -45,7 +46,7 @@ const YkPoisson *yk_derive_unit_size(YkDerivation *d, double size, int angle)
     int64_t over, under;
     const YkPoisson *decimal = as_decimal(ring, size, DIGITS_EXACT);
     if (decimal) return decimal;
-    if (angle != 0 && as_fraction(size / pow(YK_PI, angle), &over, &under)) {
+    if (angle != 0 && as_fraction(size / yk_pow(YK_PI, angle), &over, &under)) {
         const YkPoisson *pi = yk_ring_power(ring, yk_ring_pi(ring), angle);
         return yk_ring_scale(ring, pi, over, under);
     }

@@ -1,6 +1,7 @@
 // Finds the smallest base circle that keeps limits on pressure angle and curvature.
 #include <math.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 static const double step = 1.01; // of the search from below
 enum { STEPS_MAX = 3000, BISECTIONS = 80 };
@@ -74,7 +75,7 @@ static void find_bounds(const YkCamSamples *samples, const YkCamShape *shape, do
         *high = f + shape->arm - shape->roller;
     } else {
         double least =
-            shape->face == YK_CAM_FLAT ? fmax(-lowest, 0) : hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
+            shape->face == YK_CAM_FLAT ? fmax(-lowest, 0) : yk_hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
         *low = fmax(least, 1e-6 * (extent + fabs(shape->offset) + shape->roller));
         *high = INFINITY;
     }

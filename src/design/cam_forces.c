@@ -2,6 +2,7 @@
 // follower jump); the torque by the power balance.
 #include <math.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 static double effort_at(const YkCamDesign *design, double speed, const YkCamSample *at)
 {
@@ -13,8 +14,8 @@ static double effort_at(const YkCamDesign *design, double speed, const YkCamSamp
 // Returns the effort along the coordinate over the normal force: the velocity of the contact along the normal per lift.
 static double lever(const YkCamShape *shape, const YkCamPoint *point)
 {
-    if (!shape->oscillates) return cos(point->pressure_angle);
-    return shape->face == YK_CAM_FLAT ? point->reach : shape->arm * cos(point->pressure_angle);
+    if (!shape->oscillates) return yk_cos(point->pressure_angle);
+    return shape->face == YK_CAM_FLAT ? point->reach : shape->arm * yk_cos(point->pressure_angle);
 }
 
 static YkCamForce force_at(const YkCamDesign *design, double speed, const YkCamPoint *point)

@@ -1,6 +1,7 @@
 // Collects the loads on a follower along its coordinate: springs, efforts, weight.
 #include <math.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 #include "model/formulas.h"
 
 enum { TIME, LIFT, LIFT_RATE, CAM, CAM_RATE, VARIABLES };
@@ -86,11 +87,12 @@ static void add_weight(YkCamDesign *design)
     double turned = 0; // of the body at lift 0: its arm lies where the cam holds it
     if (cam->point != YK_NONE) {
         YkVec arm = yk_sub(model->points[cam->point].at, pin->at[side]);
-        turned = design->shape.start - atan2(arm.y, arm.x);
+        turned = design->shape.start - yk_atan2(arm.y, arm.x);
     }
     // The moment of the weight m g on the lever c exp(i a) is m |c| |g| sin(gamma - a) = ... cos(a - gamma + pi/2).
     design->load.weight = body->mass * yk_norm(center) * yk_norm(model->gravity);
-    design->load.center = turned + atan2(center.y, center.x) - atan2(model->gravity.y, model->gravity.x) + YK_PI / 2;
+    design->load.center =
+        turned + yk_atan2(center.y, center.x) - yk_atan2(model->gravity.y, model->gravity.x) + YK_PI / 2;
 }
 
 static void add_inertia(YkCamDesign *design)
@@ -162,6 +164,6 @@ double yk_cam_static_effort(const YkCamDesign *design, double speed, const YkCam
 {
     const YkCamLoad *load = &design->load;
     double swing = design->shape.swing, s = at->lift[0];
-    double weight = load->weight * swing * cos(load->center + swing * s); // moment along the coordinate
+    double weight = load->weight * swing * yk_cos(load->center + swing * s); // moment along the coordinate
     return load->stiffness * s + design->loads.preload + load->constant - weight - efforts_at(design, speed, at);
 }

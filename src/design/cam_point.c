@@ -2,6 +2,7 @@
 // (pressure angle, radius of curvature); Rothbart 2004, ch. 3. Derived anew in complex numbers.
 #include <math.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 // The point of the carrier where the roller's centre or the edge lies, and its derivatives by the cam's angle.
 typedef struct Path {
@@ -31,7 +32,7 @@ static void set(double to[2], YkVec from)
 
 static double angle_between(YkVec from, YkVec to)
 {
-    return atan2(yk_cross(from, to), yk_dot(from, to));
+    return yk_atan2(yk_cross(from, to), yk_dot(from, to));
 }
 
 // Pitch curve c = exp(-i sigma theta) C: c' and c'' in the carrier's axes are C' - i sigma C and

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 enum { DEPTH_MAX = 22, VERTICES_MAX = 4000000 };
 static const double first_step = 5 * YK_PI / 180; // so that nothing between is missed
@@ -33,7 +34,7 @@ static void add(Tracer *tracer, YkCamVertex vertex)
 {
     if (tracer->count > 0) { // the curve stands still: no point twice
         const YkCamVertex *last = &tracer->items[tracer->count - 1];
-        if (hypot(vertex.x - last->x, vertex.y - last->y) <= 1e-3 * tracer->tolerance) return;
+        if (yk_hypot(vertex.x - last->x, vertex.y - last->y) <= 1e-3 * tracer->tolerance) return;
     }
     if (tracer->count >= VERTICES_MAX || !YK_ROOM(tracer->items, tracer->count, tracer->capacity)) {
         tracer->failed = true;
@@ -93,8 +94,8 @@ static void trace(Tracer *tracer)
                           samples->items[samples->first[k + 1] - 1].angle);
     }
     while (tracer->count > 1 &&
-           hypot(tracer->items[tracer->count - 1].x - tracer->items[0].x,
-                 tracer->items[tracer->count - 1].y - tracer->items[0].y) <= 1e-3 * tracer->tolerance)
+           yk_hypot(tracer->items[tracer->count - 1].x - tracer->items[0].x,
+                    tracer->items[tracer->count - 1].y - tracer->items[0].y) <= 1e-3 * tracer->tolerance)
         tracer->count--; // the curve is closed
 }
 

@@ -1,11 +1,12 @@
 // Makes a shape from the model's cam: where the follower stands at lift 0.
 #include <math.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 // Returns the angle nu at which f cos(nu - gamma) has this value, on the side where turning by `swing` makes it grow.
 static double angle_of(YkVec pivot, double value, double swing)
 {
-    double gamma = atan2(pivot.y, pivot.x), off = acos(value / yk_norm(pivot));
+    double gamma = yk_atan2(pivot.y, pivot.x), off = yk_acos(value / yk_norm(pivot));
     return swing > 0 ? gamma - off : gamma + off;
 }
 
@@ -64,7 +65,7 @@ YkCamShape yk_cam_shape_second(const YkCamShape *first, const YkCam *cam)
         second.along = yk_scale(-1, first->along);
         second.offset = -first->offset;
         second.start = cam->other_span - first->start;
-        second.base = hypot(second.start, second.offset) - second.roller;
+        second.base = yk_hypot(second.start, second.offset) - second.roller;
     }
     return second;
 }

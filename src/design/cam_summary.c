@@ -1,6 +1,7 @@
 // Finds the extremes of a cam over a period.
 #include <math.h>
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 static double pressure(const YkCamPoint *p, const void *context)
 {
@@ -39,7 +40,7 @@ static double reach(const YkCamPoint *p, const void *context)
 
 static double distance(const YkCamPoint *p, const void *context)
 {
-    return *(const double *)context * hypot(p->surface[0], p->surface[1]);
+    return *(const double *)context * yk_hypot(p->surface[0], p->surface[1]);
 }
 
 static double lift(const YkCamPoint *p, const void *context)

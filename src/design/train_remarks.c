@@ -3,6 +3,7 @@
 // Sources: Mueller 1982, Epicyclic Drive Trains (assembly); Norton, Design of Machinery, 9.3 (undercut).
 #include <math.h>
 #include "design/train.h"
+#include "elementary/elementary.h"
 
 static int64_t common(int64_t a, int64_t b)
 {
@@ -83,19 +84,19 @@ static bool check_room(YkTrain *train, const YkGear *gear)
     int side = planet_side(train->model, gear);
     int64_t z = gear->teeth[side],
             across = gear->is_internal ? gear->teeth[1] - gear->teeth[0] : gear->teeth[0] + gear->teeth[1];
-    double room = (double)across * sin(YK_PI / gear->planets) - (double)(z + 2);
+    double room = (double)across * yk_sin(YK_PI / gear->planets) - (double)(z + 2);
     YkText text = {0};
     if (side == 1 && gear->is_internal) return true;
     yk_text_format(&text, "neighbours of %d planets %s: %d sin(180 deg/%d) = %e %s %d + 2 teeth", (int)gear->planets,
                    room > 0 ? "clear each other" : "touch each other", (int)across, (int)gear->planets,
-                   (double)across * sin(YK_PI / gear->planets), room > 0 ? ">" : "<=", (int)z);
+                   (double)across * yk_sin(YK_PI / gear->planets), room > 0 ? ">" : "<=", (int)z);
     return add(train, gear->name, room <= 0, &text);
 }
 
 // Checks for undercut: full-depth teeth cut by a rack need 2/sin^2(pressure angle) of them; a rack cannot cut a ring.
 static bool check_undercut(YkTrain *train, const YkGear *gear)
 {
-    double sine = sin(gear->pressure_angle), least = 2 / (sine * sine);
+    double sine = yk_sin(gear->pressure_angle), least = 2 / (sine * sine);
     for (int k = 0; k < (gear->is_internal ? 1 : 2); k++) {
         if ((double)gear->teeth[k] >= floor(least)) continue; // 17.1: 17 teeth are made in practice
         YkText text = {0};

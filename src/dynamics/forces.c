@@ -1,6 +1,7 @@
 // Finds forces at a pose: reactions, efforts, balances.
 #include <string.h>
 #include "dynamics/holding.h"
+#include "elementary/elementary.h"
 
 // Finds all loads including gravity, and the motion of every body.
 static YkStatus find_loads(YkDynamics *d, const YkState *state)
@@ -309,7 +310,7 @@ YkBalance yk_dynamics_balance(const YkDynamics *d, size_t b)
     double x = balance.loads.force[0] + balance.reactions.force[0] - balance.inertia.force[0];
     double y = balance.loads.force[1] + balance.reactions.force[1] - balance.inertia.force[1];
     double moment = balance.loads.moment + balance.reactions.moment - balance.inertia.moment;
-    double most = fmax(fabs(moment) / d->mech->size, hypot(x, y));
+    double most = fmax(fabs(moment) / d->mech->size, yk_hypot(x, y));
     balance.residual = d->largest_force > 0 ? most / d->largest_force : most;
     return balance;
 }
@@ -330,7 +331,7 @@ double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel 
     case YK_CHANNEL_FORCE_Y:
         return r->force[1];
     case YK_CHANNEL_FORCE:
-        return hypot(r->force[0], r->force[1]);
+        return yk_hypot(r->force[0], r->force[1]);
     case YK_CHANNEL_MOMENT:
         return r->moment;
     case YK_CHANNEL_EFFORT:

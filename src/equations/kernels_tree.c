@@ -1,7 +1,8 @@
 // The recursion of open trees over lanes.
+#include "elementary/elementary.h"
+#include "elementary/turn.h"
 #include "equations/kernels_tree.h"
 #include "equations/tree_articulated.h"
-#include "solve/elementary.h"
 
 // Repeats the lanes one by one if at least one is beyond the reduction's range.
 YK_APART void turn_one_by_one(YkTreeFound *link, const YkTreeFound *parent, const double *q, double sense, size_t n)

@@ -1,5 +1,6 @@
 // Determines what an expression must be in its place: from the root down, after yk_dim_up.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "expr/dimension.h"
 
 static void down(YkDimensions *dims, const YkExpr *expr, const YkDimension *want, bool is_direct)
@@ -84,7 +85,7 @@ static void scale_bare(YkDimensions *dims, YkExpr *expr, double scale)
         return;
     case YK_EXPR_POWER:
         yk_dim_literal(b, &power);
-        scale_bare(dims, a, pow(scale, 1 / power));
+        scale_bare(dims, a, yk_pow(scale, 1 / power));
         return;
     case YK_EXPR_CALL:
         if (expr->function == YK_SQRT) scale *= scale;

@@ -1,6 +1,7 @@
 // Determines what an expression is by itself: from the leaves up.
 #include <math.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "expr/dimension.h"
 
 bool yk_dim_is_bare(const YkExpr *expr)
@@ -34,7 +35,7 @@ bool yk_dim_literal(const YkExpr *expr, double *value)
         *value = a / b;
         break;
     default:
-        *value = pow(a, b);
+        *value = yk_pow(a, b);
         break;
     }
     return isfinite(*value);

@@ -1,6 +1,7 @@
 // Evaluates formulas.
 #include <math.h>
 #include <stdlib.h>
+#include "elementary/elementary.h"
 #include "expr/formula_inside.h"
 
 // Computes a power by repeated squaring; for a negative exponent its reciprocal.
@@ -18,31 +19,31 @@ double yk_function_value(YkFunction function, double a, double b)
 {
     switch (function) {
     case YK_SIN:
-        return sin(a);
+        return yk_sin(a);
     case YK_COS:
-        return cos(a);
+        return yk_cos(a);
     case YK_TAN:
-        return tan(a);
+        return yk_tan(a);
     case YK_ASIN:
-        return asin(a);
+        return yk_asin(a);
     case YK_ACOS:
-        return acos(a);
+        return yk_acos(a);
     case YK_ATAN:
-        return atan(a);
+        return yk_atan(a);
     case YK_ATAN2:
-        return a == 0 && b == 0 ? NAN : atan2(a, b);
+        return a == 0 && b == 0 ? NAN : yk_atan2(a, b);
     case YK_SINH:
-        return sinh(a);
+        return yk_sinh(a);
     case YK_COSH:
-        return cosh(a);
+        return yk_cosh(a);
     case YK_TANH:
-        return tanh(a);
+        return yk_tanh(a);
     case YK_SQRT:
         return sqrt(a);
     case YK_EXP:
-        return exp(a);
+        return yk_exp(a);
     case YK_LOG:
-        return log(a);
+        return yk_log(a);
     case YK_ABS:
         return fabs(a);
     case YK_SIGN:
@@ -71,7 +72,7 @@ double yk_formula_operate(int operation, double a, double b)
     case YK_EXPR_DIVIDE:
         return a / b;
     case YK_EXPR_POWER:
-        return pow(a, b);
+        return yk_pow(a, b);
     case YK_OPERATION_WHOLE_POWER:
         return whole_power(a, b);
     default:

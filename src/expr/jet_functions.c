@@ -1,5 +1,6 @@
 // Powers and functions of Taylor series, each from the differential equation that it satisfies.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "expr/jet.h"
 
 enum { N = YK_JET_ORDER };
@@ -23,8 +24,8 @@ static YkSeries integrate(double start, const YkSeries *x, const YkSeries *slope
 // Solves s' = c x', c' = sign s x': sine and cosine with sign -1, the hyperbolic ones with 1.
 static void sine_pair(const YkSeries *x, double sign, YkSeries *s, YkSeries *c)
 {
-    *s = yk_series_constant(sign < 0 ? sin(x->c[0]) : sinh(x->c[0]));
-    *c = yk_series_constant(sign < 0 ? cos(x->c[0]) : cosh(x->c[0]));
+    *s = yk_series_constant(sign < 0 ? yk_sin(x->c[0]) : yk_sinh(x->c[0]));
+    *c = yk_series_constant(sign < 0 ? yk_cos(x->c[0]) : yk_cosh(x->c[0]));
     for (int k = 1; k <= N; k++) {
         s->c[k] = next(x, c, k);
         c->c[k] = sign * next(x, s, k);
@@ -34,7 +35,7 @@ static void sine_pair(const YkSeries *x, double sign, YkSeries *s, YkSeries *c)
 // Solves y' = (1 + sign y^2) x': tangent with sign 1, hyperbolic tangent with -1.
 static YkSeries tangent(const YkSeries *x, double sign)
 {
-    YkSeries y = yk_series_constant(sign > 0 ? tan(x->c[0]) : tanh(x->c[0])), slope = {{0}};
+    YkSeries y = yk_series_constant(sign > 0 ? yk_tan(x->c[0]) : yk_tanh(x->c[0])), slope = {{0}};
     for (int k = 0; k < N; k++) {
         slope.c[k] = k == 0 ? 1 : 0;
         for (int j = 0; j <= k; j++) slope.c[k] += sign * y.c[j] * y.c[k - j];
@@ -45,7 +46,7 @@ static YkSeries tangent(const YkSeries *x, double sign)
 
 static YkSeries exponential(const YkSeries *x)
 {
-    YkSeries y = yk_series_constant(exp(x->c[0]));
+    YkSeries y = yk_series_constant(yk_exp(x->c[0]));
     for (int k = 1; k <= N; k++) y.c[k] = next(x, &y, k);
     return y;
 }
@@ -61,7 +62,7 @@ static const char *logarithm(const YkSeries *x, YkSeries *result)
     if (x->c[0] == 0) return "logarithm of zero";
     if (x->c[0] < 0) return "logarithm of a negative number";
     YkSeries slope = reciprocal(x);
-    *result = integrate(log(x->c[0]), x, &slope);
+    *result = integrate(yk_log(x->c[0]), x, &slope);
     return NULL;
 }
 
@@ -83,14 +84,14 @@ static const char *arc_tangent(const YkSeries *x, YkSeries *result)
     YkSeries slope = yk_series_product(x, x);
     slope.c[0] += 1;
     slope = reciprocal(&slope);
-    *result = integrate(atan(x->c[0]), x, &slope);
+    *result = integrate(yk_atan(x->c[0]), x, &slope);
     return NULL;
 }
 
 // Computes asin, and acos, whose slope is the opposite.
 static const char *arc_sine(const YkSeries *x, bool is_cosine, YkSeries *result)
 {
-    double start = is_cosine ? acos(x->c[0]) : asin(x->c[0]);
+    double start = is_cosine ? yk_acos(x->c[0]) : yk_asin(x->c[0]);
     *result = yk_series_constant(start);
     if (fabs(x->c[0]) > 1) return is_cosine ? "acos of a number beyond 1" : "asin of a number beyond 1";
     if (yk_series_is_constant(x)) return NULL;
@@ -125,7 +126,7 @@ static const char *arc_tangent2(const YkSeries *y, const YkSeries *x, YkSeries *
     YkSeries to_a = yk_series_product(&b, &inverse), to_b = yk_series_product(&a, &inverse);
     YkSeries with_a = integrate(0, &a, &to_a), with_b = integrate(0, &b, &to_b);
     *result = yk_series_sum(&with_a, &with_b, -1);
-    result->c[0] = atan2(y->c[0], x->c[0]);
+    result->c[0] = yk_atan2(y->c[0], x->c[0]);
     return NULL;
 }
 
@@ -141,7 +142,7 @@ static YkSeries whole_power(YkSeries base, double exponent)
 {
     YkSeries power = yk_series_constant(1);
     for (double left = exponent; left > 0; left = floor(left / 2)) {
-        if (fmod(left, 2) == 1) power = yk_series_product(&power, &base);
+        if (yk_fmod(left, 2) == 1) power = yk_series_product(&power, &base);
         if (left > 1) base = yk_series_product(&base, &base);
     }
     return power;
@@ -151,7 +152,7 @@ static YkSeries whole_power(YkSeries base, double exponent)
 static const char *broken_power(const YkSeries *x, double n, YkSeries *result)
 {
     if (x->c[0] < 0) return "a broken power of a negative number";
-    *result = yk_series_constant(pow(x->c[0], n));
+    *result = yk_series_constant(yk_pow(x->c[0], n));
     if (yk_series_is_constant(x)) return x->c[0] == 0 && n < 0 ? "division by zero" : NULL;
     if (x->c[0] == 0) return n < 0 ? "division by zero" : "a broken power has no derivatives at zero";
     for (int k = 1; k <= N; k++) {
@@ -177,7 +178,7 @@ const char *yk_series_power(const YkSeries *base, const YkSeries *exponent, YkSe
     if (n != floor(n)) return broken_power(base, n, result);
     if (n < 0 && base->c[0] == 0) return "division by zero";
     if (yk_series_is_constant(base)) {
-        *result = yk_series_constant(pow(base->c[0], n));
+        *result = yk_series_constant(yk_pow(base->c[0], n));
         return NULL;
     }
     *result = whole_power(*base, fabs(n));

@@ -7,6 +7,7 @@
 // Flanks of gears lean by the pressure angle: the force across comes with one along the line of centres, towards the
 // first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
 // applied as a load.
+#include "elementary/elementary.h"
 #include "free_bodies/inside.h"
 
 static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
@@ -116,7 +117,7 @@ static void pose_gear(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     YkVec A = wheel_center(f, space, gear->body[0]), B = wheel_center(f, space, gear->body[1]), line = yk_sub(B, A);
     YkVec pitch = yk_add(A, yk_scale(a / (a + b), line)); // internal: beyond A
     set_force(f, space, c, pitch, yk_scale(1 / yk_norm(line), yk_quarter(line)));
-    set_radial(f, space, c, A, pitch, tan(gear->pressure_angle));
+    set_radial(f, space, c, A, pitch, yk_tan(gear->pressure_angle));
 }
 
 static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRack *rack)

@@ -7,6 +7,7 @@
 // 1969), which are unique; the reactions are then those of least norm.
 #include <stdlib.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "free_bodies/inside.h"
 
 enum { ROUNDS_MAX = 12 };
@@ -127,7 +128,7 @@ static void keep(YkFreeBodies *f, const YkBodyPart *part, const bool *is_prescri
 static void search_motion(YkFreeBodies *f, const YkBodySystem *s, size_t m)
 {
     double *x = f->x;
-    for (size_t i = 0; i < m; i++) x[i] = cos((double)(3 * i + 1)); // any load
+    for (size_t i = 0; i < m; i++) x[i] = yk_cos((double)(3 * i + 1)); // any load
     for (int round = 0; round < 3; round++) {
         double sum = 0;
         for (size_t i = 0; i < m; i++) sum += x[i] * x[i];

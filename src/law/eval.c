@@ -1,5 +1,6 @@
 // Evaluates a law: finds the piece, sums its polynomial and its waves.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "law/inside.h"
 
 enum { ORDERS = YK_LAW_ORDER + 1 };
@@ -30,9 +31,9 @@ static void add_polynomial(const double *c, size_t terms, double u, double sum[O
 static void add_wave(const double wave[3], double u, double sum[ORDERS])
 {
     double angle = wave[1] * u + wave[2], factor = wave[0];
-    double cycle[4] = {cos(angle), -sin(angle), 0, 0};
-    cycle[2] = -cycle[0];
-    cycle[3] = -cycle[1];
+    double s, c;
+    yk_sincos(angle, &s, &c);
+    const double cycle[4] = {c, -s, -c, s};
     for (int m = 0; m < ORDERS; m++) {
         sum[m] += factor * cycle[m % 4];
         factor *= wave[1];
@@ -70,7 +71,7 @@ static const YkPiece *find(const YkLaw *law, double x)
 static double within_period(const YkLaw *law, double x)
 {
     if (x >= law->from && x < law->from + law->period) return x;
-    double past = fmod(x - law->from, law->period);
+    double past = yk_fmod(x - law->from, law->period);
     if (past < 0) past += law->period;
     return past >= law->period ? law->from : law->from + past;
 }

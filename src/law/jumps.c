@@ -1,5 +1,6 @@
 // Finds where a law is not smooth, and where it is largest, from both sides of every joint of its pieces.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "law/inside.h"
 
 enum { ORDERS = YK_LAW_ORDER + 1, JUMP_ORDERS = 3, HALVINGS = 60 };
@@ -41,7 +42,7 @@ static void find_scales(const YkLaw *law, double scale[JUMP_ORDERS])
     }
     // rounding of the values themselves is not a jump
     scale[0] = fmax(scale[0], 1e-6 * fabs(law->start));
-    for (int m = 1; m < JUMP_ORDERS; m++) scale[m] = fmax(scale[m], scale[0] / pow(length, m));
+    for (int m = 1; m < JUMP_ORDERS; m++) scale[m] = fmax(scale[m], scale[0] / yk_pow(length, m));
 }
 
 typedef struct Jumps {

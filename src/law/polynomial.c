@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "law/inside.h"
 
 // Computes row[k] = the derivative of this order of the Chebyshev polynomial T_k at u, k < count, by the recurrence
@@ -32,7 +33,7 @@ static YkLawFault solve(YkLawBuilder *builder, const YkPiece *frame, size_t coun
     for (size_t i = 0; i < count; i++) {
         double u = (conditions[i].at - frame->middle) * frame->scale;
         chebyshev_row(u, conditions[i].order, count, A + i * count);
-        b[i] = conditions[i].value / pow(frame->scale, conditions[i].order);
+        b[i] = conditions[i].value / yk_pow(frame->scale, conditions[i].order);
     }
     YkLawFault fault = yk_law_solve(count, A, b, coefficients, condition_number, &builder->culprit);
     free(A);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "base/vec.h"
+#include "elementary/elementary.h"
 #include "law/inside.h"
 
 enum { ZONES_MAX = 5, NUMBERS_MAX = 9 };
@@ -53,7 +54,7 @@ static void accelerate(Motion *motion, double length, double a)
 static void swing(Motion *motion, double length, double frequency, double phase)
 {
     double a = 1 / frequency, b = a * a;
-    const double numbers[5] = {motion->s + b * cos(phase), motion->v - a * sin(phase), -b, frequency, phase};
+    const double numbers[5] = {motion->s + b * yk_cos(phase), motion->v - a * yk_sin(phase), -b, frequency, phase};
     append(motion, length, 2, 1, numbers);
 }
 

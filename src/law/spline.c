@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "law/inside.h"
 
 enum { TERMS_MAX = YK_LAW_DEGREE_MAX + 1, KNOTS_MAX = YK_LAW_CONDITIONS_MAX + TERMS_MAX };
@@ -101,11 +102,11 @@ static YkLawFault solve(YkLawBuilder *builder, const Spline *spline, double *con
         int order = conditions[i].order;
         size_t index = find_span(spline, conditions[i].at), first = index - (size_t)spline->degree;
         make_span(spline, index, &span);
-        double u = (conditions[i].at - span.middle) / span.half, unit = pow(length / span.half, order);
+        double u = (conditions[i].at - span.middle) / span.half, unit = yk_pow(length / span.half, order);
         for (int k = 0; k <= spline->degree; k++) {
             A[i * n + first + (size_t)k] = unit * derivative(span.basis[k], spline->degree + 1, order, u);
         }
-        b[i] = conditions[i].value * pow(length, order);
+        b[i] = conditions[i].value * yk_pow(length, order);
     }
     YkLawFault fault = yk_law_solve(n, A, b, control, condition_number, &builder->culprit);
     free(A);

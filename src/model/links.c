@@ -1,11 +1,12 @@
 // Warns of a link without length: a body held by exactly two pins at the same place. This is almost always a slip.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "model/load.h"
 
 static bool coincide(YkVec a, YkVec b)
 {
     YkVec apart = yk_sub(a, b);
-    return hypot(apart.x, apart.y) <= 1e-12 * fmax(hypot(a.x, a.y), hypot(b.x, b.y));
+    return yk_hypot(apart.x, apart.y) <= 1e-12 * fmax(yk_hypot(a.x, a.y), yk_hypot(b.x, b.y));
 }
 
 static const char *point_name(const YkModel *model, const YkJoint *joint, int end)

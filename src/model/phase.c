@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 #include "base/vec.h"
+#include "elementary/elementary.h"
 #include "model/model.h"
 
 // 2 pi = TURN_1 + TURN_2 + TURN_3 to 1e-49.
@@ -16,7 +17,7 @@ static double multiply_modulo(double a, double b, double modulus)
 {
     double product = 0, addend = a;
     for (; b > 0; b = floor(b / 2)) {
-        if (fmod(b, 2) != 0) product = product >= modulus - addend ? product - (modulus - addend) : product + addend;
+        if (yk_fmod(b, 2) != 0) product = product >= modulus - addend ? product - (modulus - addend) : product + addend;
         addend = addend >= modulus - addend ? addend - (modulus - addend) : addend + addend;
     }
     return product;
@@ -27,9 +28,9 @@ static double multiply_modulo(double a, double b, double modulus)
 static double turns_of(double numerator, double modulus, double t)
 {
     double whole, part = modf(fabs(t), &whole), sign = numerator * t < 0 ? -1 : 1;
-    double size = fabs(numerator), rest = multiply_modulo(fmod(size, modulus), fmod(whole, modulus), modulus);
+    double size = fabs(numerator), rest = multiply_modulo(yk_fmod(size, modulus), yk_fmod(whole, modulus), modulus);
     double product = size * part, rounding = fma(size, part, -product);
-    double turns = rest / modulus + (fmod(product, modulus) + rounding) / modulus;
+    double turns = rest / modulus + (yk_fmod(product, modulus) + rounding) / modulus;
     return sign * (turns - rint(turns));
 }
 

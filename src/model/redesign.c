@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
+#include "elementary/elementary.h"
 #include "model/load.h"
 #include "model/size.h"
 #include "model/transmissions/cam_place.h"
@@ -428,8 +429,8 @@ static bool finish_bodies(YkModel *model)
         good = good && (!body->mass_expr || body->mass > 0) && !(body->inertia < 0);
         if (body->rod[0] == YK_NONE || body->rod[1] == YK_NONE) continue;
         YkVec p = model->points[body->rod[0]].at, q = model->points[body->rod[1]].at, along = yk_sub(q, p);
-        double length = hypot(along.x, along.y);
-        good = good && length > 1e-12 * fmax(hypot(p.x, p.y), hypot(q.x, q.y));
+        double length = yk_hypot(along.x, along.y);
+        good = good && length > 1e-12 * fmax(yk_hypot(p.x, p.y), yk_hypot(q.x, q.y));
         body->center = yk_scale(0.5, yk_add(p, q));
         body->inertia = body->mass * length * length / 12;
     }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "model/size.h"
+#include "elementary/elementary.h"
 #include "model/load.h"
 
 static bool is_before(YkVec p, YkVec q)
@@ -58,7 +59,7 @@ static size_t convex_hull(const YkVec *points, size_t count, YkVec *hull)
 
 static double distance(YkVec a, YkVec b)
 {
-    return hypot(a.x - b.x, a.y - b.y);
+    return yk_hypot(a.x - b.x, a.y - b.y);
 }
 
 static double diameter(const YkVec *hull, size_t n)
@@ -81,7 +82,7 @@ static double widest_pair(const YkVec *points, size_t count)
             YkVec apart = yk_sub(points[i], points[j]);
             if (yk_dot(apart, apart) > yk_dot(widest, widest)) widest = apart;
         }
-    return hypot(widest.x, widest.y);
+    return yk_hypot(widest.x, widest.y);
 }
 
 static double spread(YkVec *points, size_t count, YkVec *hull)

@@ -1,6 +1,7 @@
 // Eigenvalues and eigenvectors of symmetric matrices by cyclic Jacobi rotations.
 #include <float.h>
 #include <math.h>
+#include "elementary/elementary.h"
 #include "num/eigen.h"
 
 enum { MOST_SWEEPS = 60 };
@@ -12,7 +13,7 @@ typedef struct Rotation {
 // Returns the rotation that makes A[p][q] zero, by the smaller of the two angles; written so that nothing overflows.
 static Rotation rotation_for(double pp, double pq, double qq)
 {
-    double tau = (qq - pp) / (2 * pq), t = (tau >= 0 ? 1 : -1) / (fabs(tau) + hypot(1, tau));
+    double tau = (qq - pp) / (2 * pq), t = (tau >= 0 ? 1 : -1) / (fabs(tau) + yk_hypot(1, tau));
     double c = 1 / sqrt(1 + t * t);
     return (Rotation){c, t * c};
 }

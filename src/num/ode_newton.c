@@ -1,6 +1,7 @@
 // Simplified Newton iteration for the stages of an implicit method. Hairer & Wanner 1996, Solving Ordinary Differential
 // Equations II, IV.8. Only the controlled components enter the linear systems: the others are quadratures, on which
 // nothing depends.
+#include "elementary/elementary.h"
 #include "num/dense.h"
 #include "num/ode_internal.h"
 
@@ -86,7 +87,7 @@ YkOdeTrial yk_ode_newton(YkOde *ode, double t, double gamma_h, const double *kno
 {
     YkOdeNewton *newton = &ode->newton;
     double stop = stopping_norm(ode->options.relative), last = 0;
-    double speed = fmax(NOT_MEASURED, pow(fmax(newton->speed, DBL_EPSILON), 0.8));
+    double speed = fmax(NOT_MEASURED, yk_pow(fmax(newton->speed, DBL_EPSILON), 0.8));
     bool quadratures = ode->controlled < ode->n; // their slopes are as accurate as g was before the last correction
     for (int i = 0; i < MOST_ITERATIONS; i++) {
         if (!yk_ode_evaluate(ode, t, g, k)) return YK_TRIAL_F_FAILED;
@@ -95,7 +96,7 @@ YkOdeTrial yk_ode_newton(YkOde *ode, double t, double gamma_h, const double *kno
         if (i > 0 && last > 0) {
             double rate = norm / last;
             newton->slowest = fmax(newton->slowest, rate);
-            double hoped = rate < 0.99 ? norm * pow(rate, MOST_ITERATIONS - 1 - i) / (1 - rate) : DBL_MAX;
+            double hoped = rate < 0.99 ? norm * yk_pow(rate, MOST_ITERATIONS - 1 - i) / (1 - rate) : DBL_MAX;
             if (norm > stop && hoped > stop) return YK_TRIAL_DIVERGED;
             speed = rate < 0.99 ? rate / (1 - rate) : 1;
         }

@@ -4,6 +4,7 @@
 // only measures the lift from the base circle, so a follower that is attached to nothing but its guide is drawn moved
 // to where its point rides.
 #include <stdlib.h>
+#include "elementary/elementary.h"
 #include "picture/drawing.h"
 #include "picture/svg.h"
 
@@ -50,7 +51,8 @@ static void find_shift(const YkModel *model, const YkCam *cam, YkDrawnCam *own)
     if (joints_of(model, cam->follower) != 1) return;
     if (cam->oscillates) {
         YkVec arm = yk_mul(yk_unit(cam->swing * own->lift), yk_sub(point, held)), ridden = yk_sub(own->at, cam->pivot);
-        if (cam->face != YK_CAM_FLAT && yk_norm(arm) > 0) own->turn = atan2(yk_cross(arm, ridden), yk_dot(arm, ridden));
+        if (cam->face != YK_CAM_FLAT && yk_norm(arm) > 0)
+            own->turn = yk_atan2(yk_cross(arm, ridden), yk_dot(arm, ridden));
     } else if (side == 1) {
         YkVec there =
             yk_add(base, yk_add(yk_scale(own->lift, cam->along), yk_mul(yk_unit(guide->turned), yk_sub(point, held))));
@@ -122,7 +124,7 @@ static double lift_of(const YkDrawing *drawing, const YkFrame *frames, size_t k)
     const YkJoint *guide = &drawing->model->joints[cam->follower_joint];
     YkVec first = frames[guide->body[0]].axis, second = frames[guide->body[1]].axis;
     if (cam->oscillates)
-        return atan2(yk_cross(first, second), yk_dot(first, second)) - cam->swing * drawing->cams[k].turn;
+        return yk_atan2(yk_cross(first, second), yk_dot(first, second)) - cam->swing * drawing->cams[k].turn;
     YkVec apart = yk_sub(yk_drawing_joint(drawing, frames, guide, 1), yk_drawing_joint(drawing, frames, guide, 0));
     return yk_dot(apart, yk_mul(first, guide->along)) - yk_dot(drawing->cams[k].shift, cam->along);
 }

@@ -5,7 +5,7 @@
 // Returns the largest of 1, 2, 5 times a power of ten that is at most `most`.
 static double round_down(double most)
 {
-    double power = pow(10, floor(log10(most)));
+    double power = yk_pow(10, floor(yk_log10(most)));
     if (5 * power <= most) return 5 * power;
     if (2 * power <= most) return 2 * power;
     return power;

@@ -9,7 +9,7 @@ YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose)
     YkFrame to = yk_drawing_frames(drawing, pose)[body];
     YkVec center = yk_drawing_pixel(drawing, from.origin);
     return (YkShift){.by = yk_sub(yk_drawing_pixel(drawing, to.origin), center),
-                     .turn = -atan2(yk_cross(from.axis, to.axis), yk_dot(from.axis, to.axis)),
+                     .turn = -yk_atan2(yk_cross(from.axis, to.axis), yk_dot(from.axis, to.axis)),
                      .center = center};
 }
 
@@ -100,7 +100,7 @@ static void add_keyframes(YkDrawing *drawing, char kind, size_t index, ShiftOf *
     yk_text_format(svg, "@keyframes %c%z {", kind, index);
     for (size_t pose = 0; pose < drawing->pose_count; pose++) {
         YkShift at = shift(drawing, index, pose);
-        turn = pose == 0 ? at.turn : turn + remainder(at.turn - turn, 2 * YK_PI);
+        turn = pose == 0 ? at.turn : turn + yk_remainder(at.turn - turn, 2 * YK_PI);
         yk_svg_number(svg, drawing->pose_count > 1 ? 100 * (double)pose / (double)(drawing->pose_count - 1) : 0);
         yk_text_puts(svg, "%{transform:translate(");
         yk_svg_number(svg, at.by.x);

@@ -63,8 +63,8 @@ static void add_pair(YkDrawing *drawing, const YkFrame *frames, const YkGear *ge
     if (!(ra > 0) || !(rb > 0)) return;
     add_circle(drawing, a, ra, (size_t)gear->body[0], "", style);
     add_circle(drawing, b, rb, (size_t)gear->body[1], "", style);
-    double toward = atan2(line.y, line.x) + (gear->is_internal ? YK_PI : 0); // from a's centre to the pitch point
-    double own = atan2(frames[gear->body[0]].axis.y, frames[gear->body[0]].axis.x);
+    double toward = yk_atan2(line.y, line.x) + (gear->is_internal ? YK_PI : 0); // from a's centre to the pitch point
+    double own = yk_atan2(frames[gear->body[0]].axis.y, frames[gear->body[0]].axis.x);
     double step = 2 * YK_PI / (double)gear->teeth[0], off = own - toward - step * rint((own - toward) / step);
     double back = gear->is_internal ? toward : toward + YK_PI; // from b's centre to the pitch point
     double other = back + (gear->is_internal ? off : -off) * ra / rb;

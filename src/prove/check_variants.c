@@ -8,6 +8,7 @@
 #include "compile/variant.h"
 #include "derive/blocks.h"
 #include "derive/inside.h"
+#include "elementary/elementary.h"
 #include "model/redesign.h"
 #include "prove/check_inside.h"
 #include "solve/state.h"
@@ -101,7 +102,7 @@ const char *yk_check_list_names(const YkCheckVariants *v, YkArena *arena, bool v
 static double short_number(double value)
 {
     if (value == 0) return 0;
-    double digit = pow(10, floor(log10(fabs(value))) - 2);
+    double digit = yk_pow(10, floor(yk_log10(fabs(value))) - 2);
     return round(value / digit) * digit;
 }
 

@@ -2,6 +2,7 @@
 // first ones.
 #include <math.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "report/report.h"
 
 enum {
@@ -142,7 +143,7 @@ static bool is_seen(const YkReportPage *report, size_t point)
         bool counts = report->model->points[i].body == 0;
         for (size_t k = 0; k < report->traced_count; k++) counts |= report->traced[k] == i;
         YkPointMotion other = yk_state_point(report->start, i);
-        if (counts && hypot(own.position[0] - other.position[0], own.position[1] - other.position[1]) <
+        if (counts && yk_hypot(own.position[0] - other.position[0], own.position[1] - other.position[1]) <
                           1e-9 * yk_mechanism_size(report->mech))
             return true;
     }

@@ -2,6 +2,7 @@
 // units, places in pixels of the drawing.
 #include <math.h>
 #include "base/number.h"
+#include "elementary/elementary.h"
 #include "report/panels.h"
 #include "report/report.h"
 #include "write/json.h"
@@ -129,7 +130,7 @@ static void add_bodies(const YkReportPage *report, YkJson *json)
         double turn = 0;
         for (size_t row = 0; row < report->posed; row++) {
             YkShift shift = yk_drawing_shift(report->drawing, b, row);
-            turn = row == 0 ? shift.turn : turn + remainder(shift.turn - turn, 2 * YK_PI);
+            turn = row == 0 ? shift.turn : turn + yk_remainder(shift.turn - turn, 2 * YK_PI);
             add(&turns, 1e-4 * rint(1e4 * turn * 180 / YK_PI));
         }
         yk_json_end(json);

@@ -1,5 +1,6 @@
 // Findings on forces: efforts of the drives, the largest reaction, the shaking force, the balance of energy.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "report/report.h"
 
 static const double noise = 1e-6; // of a sum over rows: laws of cams are not smooth enough for less
@@ -80,7 +81,7 @@ static void find_shaking(YkReportPage *report, YkText *text)
         *(report->columns[c].channel.kind == YK_CHANNEL_SHAKING_X ? &x : &y) = (int)c;
     }
     for (size_t row = 0; x >= 0 && y >= 0 && row < report->row_count; row++) {
-        double size = hypot(yk_report_value(report, row, (size_t)x), yk_report_value(report, row, (size_t)y));
+        double size = yk_hypot(yk_report_value(report, row, (size_t)x), yk_report_value(report, row, (size_t)y));
         if (!(size > largest)) continue;
         largest = size;
         at = report->at[row];
@@ -139,7 +140,7 @@ static void find_at_rest(YkReportPage *report, YkText *text)
     size_t joint = 0;
     for (size_t j = 0; j < report->model->joint_count; j++) {
         YkReaction reaction = yk_dynamics_reaction(report->dynamics, j);
-        double size = hypot(reaction.force[0], reaction.force[1]);
+        double size = yk_hypot(reaction.force[0], reaction.force[1]);
         if (!(size > largest)) continue;
         largest = size;
         joint = j;

@@ -1,5 +1,6 @@
 // Writes the forces at the start: reactions, efforts, and every body's balance.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "report/html.h"
 #include "report/report.h"
 #include "write/amount.h"
@@ -17,7 +18,7 @@ static double largest_reaction(const YkReportPage *report)
     double largest = 0;
     for (size_t j = 0; j < report->model->joint_count; j++) {
         YkReaction r = yk_dynamics_reaction(report->dynamics, j);
-        largest = fmax(largest, hypot(r.force[0], r.force[1]));
+        largest = fmax(largest, yk_hypot(r.force[0], r.force[1]));
     }
     return largest;
 }
@@ -38,7 +39,7 @@ static void add_reactions(const YkReportPage *report, double largest, YkText *ht
         yk_table_word(table, report->model->bodies[r.on].name);
         for (int axis = 0; axis < 2; axis++)
             yk_table_number(table, shown(report, r.force[axis], largest, YK_QUANTITY_FORCE), DIGITS);
-        yk_table_number(table, shown(report, hypot(r.force[0], r.force[1]), largest, YK_QUANTITY_FORCE), DIGITS);
+        yk_table_number(table, shown(report, yk_hypot(r.force[0], r.force[1]), largest, YK_QUANTITY_FORCE), DIGITS);
         yk_table_number(table, shown(report, r.moment, largest, YK_QUANTITY_TORQUE), DIGITS);
         is_choice |= !r.is_determinate;
     }

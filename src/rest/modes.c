@@ -1,5 +1,6 @@
 // Linearises the equations at an equilibrium, and finds their modes.
 #include <string.h>
+#include "elementary/elementary.h"
 #include "num/dense.h"
 #include "num/eigen.h"
 #include "rest/rest.h"
@@ -157,10 +158,10 @@ static YkStability judge(const YkRest *rest, const YkRestPoint *p)
     size_t n = 2 * rest->freedom;
     double size = 0;
     YkStability stability = YK_STABLE;
-    for (size_t k = 0; k < n; k++) size = fmax(size, hypot(p->real[k], p->imaginary[k]));
+    for (size_t k = 0; k < n; k++) size = fmax(size, yk_hypot(p->real[k], p->imaginary[k]));
     for (size_t k = 0; k < n; k++) {
         if (p->real[k] > 1e-5 * size) return YK_UNSTABLE;
-        if (hypot(p->real[k], p->imaginary[k]) <= 1e-5 * size) stability = YK_NEUTRAL;
+        if (yk_hypot(p->real[k], p->imaginary[k]) <= 1e-5 * size) stability = YK_NEUTRAL;
     }
     return size > 0 ? stability : YK_NEUTRAL;
 }

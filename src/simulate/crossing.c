@@ -1,5 +1,6 @@
 // Singular positions that the motion passes: which blocks are watched, the branch that momentum takes, the passage.
 #include "simulate/crossing.h"
+#include "elementary/elementary.h"
 
 #define NEAR_SINE2 0.06 // sin^2 below which a block is watched
 #define BLIND 1e-4      // sine below which the pose does not determine its own rates well enough
@@ -27,10 +28,10 @@ static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block
     YkDirection d = yk_between_columns(run, &sim->mech->blocks[block]);
     YkNear near = {block, d.angle, d.rate, d.acceleration};
     double dt = t - sim->near_time;
-    if (!old || fabs(sin(yk_near_angle(old, dt))) >= BLIND) return near;
+    if (!old || fabs(yk_sin(yk_near_angle(old, dt))) >= BLIND) return near;
     near.rate = old->rate + dt * old->acceleration;
     near.acceleration = old->acceleration;
-    if (fabs(sin(d.angle)) < 0.1 * BLIND) near.angle = yk_near_angle(old, dt);
+    if (fabs(yk_sin(d.angle)) < 0.1 * BLIND) near.angle = yk_near_angle(old, dt);
     return near;
 }
 
@@ -56,7 +57,7 @@ static double time_of_passage(const YkNear *old, const YkNear *now, double from,
 static void note_passage(YkSimulation *sim, const YkNear *old, const YkNear *now, double t)
 {
     bool is_start = sim->is_flat && sim->near_time == sim->options.start; // it begins there, and does not pass
-    if (!old || is_start || !(sin(old->angle) * sin(now->angle) < 0)) return;
+    if (!old || is_start || !(yk_sin(old->angle) * yk_sin(now->angle) < 0)) return;
     double at = time_of_passage(old, now, sim->near_time, t);
     yk_simulation_note(sim, YK_HAPPENING_CHANGE_POINT, at, sim->mech->blocks[now->block].label, 0);
 }
@@ -91,7 +92,7 @@ static double time_to_look(const YkSimulation *sim, double t)
     for (size_t k = 0; k < sim->near_count; k++) {
         const YkNear *near = &sim->near[k];
         double way = LITTLE / fabs(near->rate + dt * near->acceleration);
-        if (!(fabs(sin(yk_near_angle(near, dt))) < SMALL) || !(fabs(dt) > 1.5 * way)) continue;
+        if (!(fabs(yk_sin(yk_near_angle(near, dt))) < SMALL) || !(fabs(dt) > 1.5 * way)) continue;
         return dt > 0 ? t - way : t + way;
     }
     return t;
@@ -113,7 +114,7 @@ static double way_left(YkDirection d)
 {
     const double CLOSE = 0.12; // inside the watched zone
     double above = d.angle < 0 ? -d.angle : YK_PI - d.angle, gap = d.rate > 0 ? above : YK_PI - above;
-    if (sin(gap) * sin(gap) < NEAR_SINE2 && gap < 1) gap += YK_PI; // that one is watched already
+    if (yk_sin(gap) * yk_sin(gap) < NEAR_SINE2 && gap < 1) gap += YK_PI; // that one is watched already
     return gap - CLOSE;
 }
 
@@ -147,6 +148,6 @@ void yk_simulation_set_signs(YkSimulation *sim, double t)
 {
     for (size_t k = 0; k < sim->near_count; k++) {
         const YkNear *near = &sim->near[k];
-        sim->state->branch[near->block] = sin(yk_near_angle(near, t - sim->near_time)) < 0 ? -1 : 1;
+        sim->state->branch[near->block] = yk_sin(yk_near_angle(near, t - sim->near_time)) < 0 ? -1 : 1;
     }
 }

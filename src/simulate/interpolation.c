@@ -1,5 +1,6 @@
 // Interpolates accelerations next to a singular position between poses before and after it along the motion.
 #include <string.h>
+#include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
 #define SMOOTH 1e-8 // where the motion is smooth: share of the largest acceleration that the outermost nodes may change
@@ -14,7 +15,7 @@ static const YkNear *nearest(const YkSimulation *sim, double t, double *sine)
     const YkNear *found = NULL;
     *sine = 2;
     for (size_t k = 0; k < sim->near_count; k++) {
-        double s = fabs(sin(yk_near_angle(&sim->near[k], t - sim->near_time)));
+        double s = fabs(yk_sin(yk_near_angle(&sim->near[k], t - sim->near_time)));
         if (s >= *sine) continue;
         *sine = s;
         found = &sim->near[k];
@@ -76,7 +77,7 @@ static bool move(YkSimulation *sim, double t, const double *y, const YkNear *nea
     for (size_t k = 0; k < n && way->input == YK_NONE; k++) moved[k] += ahead * y[n + k];
     if (way->input != YK_NONE) moved[way->input] += ahead;
     if (!yk_simulation_set(sim, way->input == YK_NONE ? t + ahead : t, moved)) return false;
-    sim->state->branch[near->block] = sin(angle) < 0 ? -1 : 1;
+    sim->state->branch[near->block] = yk_sin(angle) < 0 ? -1 : 1;
     return true;
 }
 
@@ -125,7 +126,8 @@ static bool find_fit(YkSimulation *sim, double t, const double *y, Fit *fit)
     double sine;
     fit->near = nearest(sim, t, &sine);
     fit->way = find_way(sim, t, y, fit->near);
-    double angle = yk_near_angle(fit->near, t - sim->near_time), gap = asin(sin(angle)) * (cos(angle) < 0 ? -1 : 1);
+    double angle = yk_near_angle(fit->near, t - sim->near_time),
+           gap = yk_asin(yk_sin(angle)) * (yk_cos(angle) < 0 ? -1 : 1);
     fit->center = -gap / fit->way.slope;
     return isfinite(fit->center) && isfinite(1 / fit->way.slope);
 }
@@ -232,7 +234,7 @@ void yk_simulation_take_sum(YkSimulation *sim)
     memcpy(s->space.data + 4, sim->pose_sum, pose_count(&s->space) * sizeof *sim->pose_sum);
     for (size_t k = 1; k < s->space.slots; k++) {
         YkTurn t = yk_space_turn(&s->space, (int32_t)k);
-        double per = 1 / hypot(*t.c, *t.s);
+        double per = 1 / yk_hypot(*t.c, *t.s);
         *t.c *= per, *t.s *= per;
     }
     s->has_rates = true;

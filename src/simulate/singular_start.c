@@ -6,6 +6,7 @@
 #include <string.h>
 #include "base/problems.h"
 #include "base/text.h"
+#include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
 // A branch through the pose: the coordinates' rates for a unit rate of the free input, and the angle between the
@@ -122,7 +123,7 @@ static bool find_force(YkSimulation *sim, size_t block, const Branch *branch, do
     sim->state->input[3 * input + 2] = 0;
     *force = 0;
     for (size_t j = 0; j < sim->model->joint_count; j++)
-        *force = fmax(*force, hypot(d->joint[j].force[0], d->joint[j].force[1]));
+        *force = fmax(*force, yk_hypot(d->joint[j].force[0], d->joint[j].force[1]));
     return status >= 0 && status != YK_SINGULAR;
 }
 

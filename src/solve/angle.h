@@ -1,7 +1,8 @@
 // The angle of a joint from the directions of its bodies.
 #ifndef SOLVE_ANGLE_H
 #define SOLVE_ANGLE_H
-#include "solve/elementary.h"
+#include "base/vec.h"
+#include "elementary/arc.h"
 
 // Returns angle + offset, less whole turns, nearest to the reference.
 YK_INLINE double near_reference(double angle, double offset, double reference)

@@ -1,5 +1,6 @@
 // Reads the answers from a pose.
 #include <string.h>
+#include "elementary/elementary.h"
 #include "solve/angle.h"
 #include "solve/pose.h"
 #include "solve/state.h"
@@ -125,7 +126,7 @@ static double sine2(const YkState *s, const YkBlock *b, double margin)
 double yk_state_transmission(const YkState *s, size_t block)
 {
     double m = sine2(s, &s->mech->blocks[block], s->space.block_margin[block]);
-    return asin(sqrt(fmin(1, fmax(0, m))));
+    return yk_asin(sqrt(fmin(1, fmax(0, m))));
 }
 
 static double order_of(YkMotion m, int order)

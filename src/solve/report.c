@@ -1,6 +1,7 @@
 // Reports what went wrong: which block, which joint, by how much.
 #include <string.h>
 #include "base/number.h"
+#include "elementary/elementary.h"
 #include "solve/assemble.h"
 #include "solve/relations.h"
 #include "solve/state.h"
@@ -54,7 +55,7 @@ static const char *redundant_relation(YkState *s, const YkSpace *space, double *
 static double length_at(const YkRun *run, const YkSum *sum, YkPlane scratch)
 {
     yk_run_sum(run, sum, scratch);
-    return hypot(scratch.x[0], scratch.y[0]);
+    return yk_hypot(scratch.x[0], scratch.y[0]);
 }
 
 static YkVec line_of(const YkSpace *space, const YkBlock *b, int line)

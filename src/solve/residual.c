@@ -1,5 +1,6 @@
 // Measures how well a pose closes, in the loops of the tree, in the relations and in the lengths of the bodies, from
 // the answers themselves: independent of the steps that solved it.
+#include "elementary/elementary.h"
 #include "law/law.h"
 #include "solve/state.h"
 
@@ -114,7 +115,7 @@ static double stretch(const YkState *s)
     double most = 0;
     for (size_t o = 1; o < s->mech->slot_count; o++) {
         YkTurn t = yk_space_turn(&s->space, (int32_t)o);
-        double off = fabs(hypot(t.c[0], t.s[0]) - 1);
+        double off = fabs(yk_hypot(t.c[0], t.s[0]) - 1);
         most = off <= most ? most : off; // also for NaN
     }
     return most;

@@ -1,7 +1,8 @@
 // Runs one pose: every record of the space is read in place, and values pass between steps in registers.
 #include "solve/single.h"
 #include "base/memory.h"
-#include "solve/elementary.h"
+#include "elementary/elementary.h"
+#include "elementary/turn.h"
 #include "solve/kernels/rpr.h"
 #include "solve/kernels/rrp.h"
 #include "solve/kernels/rrr.h"
@@ -84,7 +85,7 @@ YK_INLINE YkVec near_unit(double x)
 
 YK_APART YkVec far_unit(double x)
 {
-    return yk_vec(cos(x), sin(x));
+    return yk_unit(x);
 }
 
 YK_INLINE void turn(const Pose *p, const YkStep *step, const double *const *in)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 #include "base/mix.h"
+#include "elementary/elementary.h"
 
 // --- uniform numbers
 
@@ -17,7 +18,7 @@ double yk_uniform(uint64_t seed, uint64_t design, uint64_t parameter)
 
 double yk_normal_below(double x)
 {
-    return 0.5 * erfc(-x * 0.70710678118654752440);
+    return 0.5 * yk_erfc(-x * 0.70710678118654752440);
 }
 
 // Evaluates c[0] + c[1] x + ... + c[7] x^7.
@@ -50,7 +51,7 @@ double yk_normal_quantile(double p)
         double r = 0.180625 - q * q;
         return q * polynomial(a[0], r) / polynomial(a[1], r);
     }
-    double r = sqrt(-log(q < 0 ? p : 1 - p));
+    double r = sqrt(-yk_log(q < 0 ? p : 1 - p));
     double x = r <= 5 ? polynomial(b[0], r - 1.6) / polynomial(b[1], r - 1.6)
                       : polynomial(c[0], r - 5) / polynomial(c[1], r - 5);
     return q < 0 ? -x : x;
@@ -106,7 +107,7 @@ static Cut cut_of(const YkDistribution *d)
 {
     double a = (d->low - d->center) / d->spread, b = (d->high - d->center) / d->spread;
     double part = yk_normal_below(b) - yk_normal_below(a), scale = 0.39894228040143267794 / part;
-    double at_a = scale * exp(-a * a / 2), at_b = scale * exp(-b * b / 2);
+    double at_a = scale * yk_exp(-a * a / 2), at_b = scale * yk_exp(-b * b / 2);
     return (Cut){at_a - at_b, isfinite(a) ? a * at_a : 0, isfinite(b) ? b * at_b : 0};
 }
 

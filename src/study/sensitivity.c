@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
+#include "elementary/elementary.h"
 #include "num/dense.h"
 #include "study/study.h"
 
@@ -125,7 +126,7 @@ static void linearise(Linear *l, const YkState *state)
     const YkMechanism *mech = l->mech;
     for (size_t o = 1; o < mech->orientation_count; o++) {
         YkTurn t = yk_space_turn(&state->space, (int32_t)o);
-        l->x[o - 1] = atan2(t.s[0], t.c[0]);
+        l->x[o - 1] = yk_atan2(t.s[0], t.c[0]);
     }
     for (size_t d = 0; d < mech->distance_count; d++)
         l->x[mech->orientation_count - 1 + d] = yk_space_slide(&state->space, (int32_t)d).d[0];

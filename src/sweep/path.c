@@ -1,5 +1,6 @@
 // Paths of the inputs: places on them, their length, and poses next to change points and limits.
 #include "sweep/path.h"
+#include "elementary/elementary.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,7 +93,7 @@ double yk_path_length(YkPath *path, double from, double to)
     if (path->is_line || path->input >= 0) return fabs(to - from) / yk_path_scale(path);
     double sum = 0, time = path->state->time;
     for (int k = 0; k < SAMPLES; k++) // at unequal distances: equal ones might all meet the same phase
-        if (yk_path_set(path, from + (to - from) * (k + 0.5 + 0.3 * sin(k)) / SAMPLES, true) >= 0)
+        if (yk_path_set(path, from + (to - from) * (k + 0.5 + 0.3 * yk_sin(k)) / SAMPLES, true) >= 0)
             sum += fastest(path->state);
     yk_path_set(path, time, true);
     return sum / SAMPLES * fabs(to - from);

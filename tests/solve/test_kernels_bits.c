@@ -183,7 +183,7 @@ static void bits_are_the_same_everywhere(void **state)
     const unsigned char *bytes = (const unsigned char *)m.out;
     uint64_t digest = 0xcbf29ce484222325u;
     for (size_t i = 0; i < sizeof m.out; i++) digest = (digest ^ bytes[i]) * 0x100000001b3u;
-    const uint64_t expected = 0xb7e236a5bfa41a2du;
+    const uint64_t expected = 0xdffd63ba0b584026u;
     if (digest != expected) print_error("digest 0x%016llx\n", (unsigned long long)digest);
     assert_true(digest == expected);
 }

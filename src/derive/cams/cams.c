@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "derive/inside.h"
+#include "elementary/elementary.h"
 
 typedef struct YkDeriveOwn { // a symbol of the section
     const char *key;
@@ -116,7 +117,7 @@ typedef struct Local {
 static double within_period(const YkLawRange *range, double x)
 {
     if (!(range->period > 0)) return x;
-    double past = fmod(x - range->from, range->period);
+    double past = yk_fmod(x - range->from, range->period);
     return range->from + (past < 0 ? past + range->period : past);
 }
 

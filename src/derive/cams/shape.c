@@ -8,6 +8,7 @@
 #include "derive/relations.h"
 #include "derive/sections.h"
 #include "design/cam.h"
+#include "elementary/elementary.h"
 
 typedef struct Shape {
     YkDerivation *d;
@@ -96,7 +97,7 @@ static const YkPoisson *direction(const Shape *shape, const char *stem, YkVec un
 {
     for (int k = 0; k < 24; k++)
         if (yk_norm(yk_sub(yk_unit(k * YK_PI / 12), unit)) < 1e-12) return yk_ring_turn(shape->ring, k, 12);
-    const YkPoisson *angle = constant(shape, stem, true, atan2(unit.y, unit.x));
+    const YkPoisson *angle = constant(shape, stem, true, yk_atan2(unit.y, unit.x));
     return yk_ring_unit(shape->ring, yk_ring_next_symbol(shape->ring, angle, -1));
 }
 

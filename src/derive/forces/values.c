@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 #include "dynamics/dynamics.h"
+#include "elementary/elementary.h"
 
 // --- Values
 
@@ -125,7 +126,7 @@ static void fill_leans(const YkDeriveForces *f, double *values)
         const YkDeriveMesh *mesh = &f->meshes[k];
         if (mesh->lean == YK_NONE) continue;
         YkVec direction = mesh->direction ? yk_ring_value(f->d->ring, mesh->direction, values) : yk_vec(0, 0);
-        values[mesh->lean] = mesh->direction ? atan2(direction.y, direction.x) : mesh->lean_value;
+        values[mesh->lean] = mesh->direction ? yk_atan2(direction.y, direction.x) : mesh->lean_value;
     }
 }
 

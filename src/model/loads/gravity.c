@@ -1,5 +1,6 @@
 // Reads `gravity: [gx, gy]` in the world's axes.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "model/load.h"
 
 enum { PARAMETERS_DEEP = 64 };
@@ -49,7 +50,7 @@ static const char *unit_meant(double number)
 void yk_load_check_gravity(YkLoader *loader)
 {
     const YkModel *model = loader->model;
-    double size = yk_units_size(&model->units, YK_DIM_ACCELERATION), g = hypot(model->gravity.x, model->gravity.y);
+    double size = yk_units_size(&model->units, YK_DIM_ACCELERATION), g = yk_hypot(model->gravity.x, model->gravity.y);
     if (!model->has_gravity || !(g > 0) || !is_bare(model, model->gravity_x, 0) || !is_bare(model, model->gravity_y, 0))
         return;
     double in_file = g / size;

@@ -1,5 +1,6 @@
 // Reads mass, centre of mass and inertia of a body; or a uniform rod, which gives centre and inertia.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "model/load.h"
 
 static YkExpr *read_scalar(YkLoader *loader, YkBody *body, const YkNode *node, const char *key, YkDimension dimension,
@@ -83,8 +84,8 @@ static void finish_rod(YkLoader *loader, YkBody *body)
 {
     const YkPoint *p = &loader->model->points[body->rod[0]], *q = &loader->model->points[body->rod[1]];
     YkVec along = yk_sub(q->at, p->at);
-    double length = hypot(along.x, along.y);
-    double reach = fmax(hypot(p->at.x, p->at.y), hypot(q->at.x, q->at.y));
+    double length = yk_hypot(along.x, along.y);
+    double reach = fmax(yk_hypot(p->at.x, p->at.y), yk_hypot(q->at.x, q->at.y));
     if (length <= 1e-12 * reach) {
         yk_problem(loader->problems, YK_CODE_ZERO_ROD, body->place, "the rod of %q has no length: %q and %q coincide",
                    body->name, p->name, q->name);

@@ -1,6 +1,7 @@
 // Wheels, shared by gears, racks and belts: bodies that turn about their origin, on axes that a carrier holds.
 #include <math.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "model/load.h"
 
 static void mark(YkLoader *loader, const YkNode *name)
@@ -89,7 +90,7 @@ typedef struct Axis {
 static bool coincide(YkVec a, YkVec b)
 {
     YkVec apart = yk_sub(a, b);
-    return hypot(apart.x, apart.y) <= 1e-9 * fmax(hypot(a.x, a.y), hypot(b.x, b.y));
+    return yk_hypot(apart.x, apart.y) <= 1e-9 * fmax(yk_hypot(a.x, a.y), yk_hypot(b.x, b.y));
 }
 
 static bool turns_about_a_point(const YkJoint *joint)

@@ -1,5 +1,6 @@
 // Evaluates a graph in numbers.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "ring/graph/inside.h"
 
 void yk_graph_evaluate(const YkGraph *graph, const double *symbols, double *numbers)
@@ -27,10 +28,10 @@ void yk_graph_evaluate(const YkGraph *graph, const double *symbols, double *numb
             numbers[k] = a / b;
             break;
         case YK_OP_SIN:
-            numbers[k] = sin(a);
+            numbers[k] = yk_sin(a);
             break;
         case YK_OP_COS:
-            numbers[k] = cos(a);
+            numbers[k] = yk_cos(a);
             break;
         case YK_OP_SQRT:
             numbers[k] = sqrt(a);

@@ -1,5 +1,6 @@
 // Answers: angles between bodies, differences of rates, and masks for lanes that do not close.
 #include "solve/angle.h"
+#include "solve/kernels/lanes.h"
 
 YK_INLINE void angle_loop(double *out, YkTurn a, bool has_a, YkTurn b, bool has_b, double offset, double reference,
                           size_t n)

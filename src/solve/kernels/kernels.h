@@ -129,10 +129,4 @@ void yk_lanes_swing(bool *swings, const double *c, const double *s, double least
 // mask.
 void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);
 
-// Computes sin and cos of many angles; identical to the scalar pair below. Cody-Waite reduction in three parts +
-// minimax polynomials, within 1 ulp for |x| <= 1e5 (source cited); libm beyond. And atan2 within 2 ulp.
-void yk_sincos_lanes(const double *x, double *s, double *c, size_t n);
-void yk_sincos(double x, double *s, double *c);
-double yk_atan2(double y, double x);
-
 #endif

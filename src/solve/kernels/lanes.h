@@ -1,78 +1,13 @@
-// Lanes: a kernel's loop is written once and runs on any instruction set with the same bits.
-//
-// A kernel is a body that is inlined into one function for each instruction set; the public function chooses at run
-// time. Every operation is IEEE basic arithmetic in a fixed order (no fused operations, no reassociation), so that all
-// of them, and one lane or many, give the same bits. Only this file knows about instruction sets.
+// Lanes of a machine's vectors, orientations and distances: what the kernels read and write (elementary/kernel.h says how
+// a kernel is written).
 #ifndef SOLVE_KERNELS_LANES_H
 #define SOLVE_KERNELS_LANES_H
 #include <stdbool.h>
-#include <stdint.h>
-#include <string.h>
 #include "compile/arms.h"
+#include "elementary/kernel.h"
 #include "solve/kernels/kernels.h"
 
-// A function that must be inlined into its caller, so that it is compiled for the caller's instruction set.
-#if defined(__GNUC__)
-#define YK_INLINE static inline __attribute__((always_inline))
-#define YK_APART static __attribute__((noinline))
-#else
-#define YK_INLINE static inline
-#define YK_APART static
-#endif
-
-// Before a loop over lanes: no lane depends on another one.
-// YK_ONE_PASS: whether a loop that both places and differentiates is worth it; clang 14 vectorises the two only apart.
-#if defined(__clang__)
-#define YK_ONE_PASS false
-#pragma clang diagnostic ignored "-Wpass-failed" // a loop that stays scalar is slower, not wrong
-#define YK_EACH_LANE _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define YK_ONE_PASS true
-#define YK_EACH_LANE _Pragma("GCC ivdep")
-#else
-#define YK_ONE_PASS true
-#define YK_EACH_LANE
-#endif
-
-// YK_KERNEL(name, parameters, arguments) defines the public function `name` from the body name##_body; the last
-// parameter is the count n, which the arguments leave out. One lane takes a copy without a loop; few lanes take the
-// plain copy, since for them the call costs more than the width gains.
-#define YK_SPREAD(...) __VA_ARGS__
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES)
-#define YK_FEW_LANES 8
-#define YK_KERNEL(name, parameters, arguments)                                                                         \
-    __attribute__((target("avx512f"), noinline)) static void name##_avx512 parameters                                  \
-    {                                                                                                                  \
-        name##_body(YK_SPREAD arguments, n);                                                                           \
-    }                                                                                                                  \
-    __attribute__((target("avx2"), noinline)) static void name##_avx2 parameters                                       \
-    {                                                                                                                  \
-        name##_body(YK_SPREAD arguments, n);                                                                           \
-    }                                                                                                                  \
-    YK_APART void name##_plain parameters                                                                              \
-    {                                                                                                                  \
-        name##_body(YK_SPREAD arguments, n);                                                                           \
-    }                                                                                                                  \
-    void name parameters                                                                                               \
-    {                                                                                                                  \
-        if (n == 1)                                                                                                    \
-            name##_body(YK_SPREAD arguments, 1);                                                                       \
-        else if (n >= YK_FEW_LANES && __builtin_cpu_supports("avx512f"))                                               \
-            name##_avx512(YK_SPREAD arguments, n);                                                                     \
-        else if (n >= YK_FEW_LANES && __builtin_cpu_supports("avx2"))                                                  \
-            name##_avx2(YK_SPREAD arguments, n);                                                                       \
-        else                                                                                                           \
-            name##_plain(YK_SPREAD arguments, n);                                                                      \
-    }
-#else
-#define YK_KERNEL(name, parameters, arguments)                                                                         \
-    void name parameters                                                                                               \
-    {                                                                                                                  \
-        name##_body(YK_SPREAD arguments, n);                                                                           \
-    }
-#endif
-
-// Return one lane of a vector, its rate and its acceleration; of an orientation; of a distance.
+// One lane of a vector, its rate and its acceleration; of an orientation; of a distance.
 YK_INLINE YkVec lane_place(YkPlane p, size_t i)
 {
     return yk_vec(p.x[i], p.y[i]);

@@ -1,5 +1,7 @@
 // Orientations: the turn of a joint, and of one body by another.
-#include "solve/elementary.h"
+#include "elementary/elementary.h"
+#include "elementary/turn.h"
+#include "solve/kernels/lanes.h"
 
 // Turns by x, on top of the parent's turn if there is a parent.
 YK_INLINE void turn_lane(YkTurn out, YkTurn parent, bool has_parent, YkVec e, size_t i)

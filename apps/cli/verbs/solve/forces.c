@@ -1,5 +1,6 @@
 // Writes forces of a configuration: reactions, efforts, energy, balances, the count of equations.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/amount.h"
@@ -187,7 +188,7 @@ static void add_reaction_table(YkSession *session)
         yk_table_word(table, yk_text_get(&words));
         for (int axis = 0; axis < 2; axis++)
             yk_table_number(table, yk_shown(session, r.force[axis], YK_QUANTITY_FORCE), YK_DIGITS);
-        yk_table_number(table, yk_shown(session, hypot(r.force[0], r.force[1]), YK_QUANTITY_FORCE), YK_DIGITS);
+        yk_table_number(table, yk_shown(session, yk_hypot(r.force[0], r.force[1]), YK_QUANTITY_FORCE), YK_DIGITS);
         yk_table_number(table, yk_shown(session, r.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
     }
     yk_text_free(&words);

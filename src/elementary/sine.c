@@ -1,14 +1,27 @@
-// sin, cos and atan2: one at a time and, for sin and cos, over lanes.
-#include "solve/elementary.h"
+// sin and cos: one at a time and over lanes.
+#include "elementary/elementary.h"
+#include "elementary/turn.h"
 
 void yk_sincos(double x, double *s, double *c)
 {
-    if (sincos_is_far(sincos_far_bits(x))) {
-        *s = sin(x);
-        *c = cos(x);
-    } else {
+    if (sincos_is_far(sincos_far_bits(x)))
+        sincos_reduced(yk_reduce_far(x), s, c);
+    else
         sincos_near(x, s, c);
-    }
+}
+
+double yk_sin(double x)
+{
+    double s, c;
+    yk_sincos(x, &s, &c);
+    return s;
+}
+
+double yk_cos(double x)
+{
+    double s, c;
+    yk_sincos(x, &s, &c);
+    return c;
 }
 
 // Repeats the lanes one by one if at least one is beyond the reduction's range.
@@ -28,9 +41,3 @@ YK_INLINE void yk_sincos_lanes_body(const double *x, double *s, double *c, size_
     if (sincos_is_far(far)) sincos_one_by_one(x, s, c, n);
 }
 YK_KERNEL(yk_sincos_lanes, (const double *x, double *s, double *c, size_t n), (x, s, c))
-
-double yk_atan2(double y, double x)
-{
-    bool is_moderate = fabs(x) <= 0x1p1000 && fabs(y) <= 0x1p1000;
-    return is_moderate ? atan2_near(y, x) : atan2(y, x);
-}
