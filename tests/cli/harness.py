@@ -9,6 +9,7 @@ import unittest
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 YOKE = os.environ.get("YOKE", "yoke")
+FEW = "YOKE_FEW" in os.environ  # under the sanitizers, whose answers are the same and take long
 
 FOUR_BAR = """\
 name: Test four-bar
@@ -31,6 +32,16 @@ start: {theta2: -20, theta3: 90}
 # Ground 100, crank 90, coupler 60, rocker 40: the crank cannot turn through.
 ROCKER = FOUR_BAR.replace("a: 40", "a: 90").replace("B: [120, 0]", "B: [60, 0]").replace("B: [80, 0]", "B: [40, 0]").replace(
     "theta1: 60 + 90 deg/s * t", "theta1: 20 + 90 deg/s * t").replace("theta2: -20", "theta2: -60")
+
+
+def some(examples):
+    """All examples, or one of four under the sanitizers."""
+    return examples[::4] if FEW else examples
+
+
+def at_least(count):
+    """How many cases of all examples a test must have seen, or of those of `some`."""
+    return count // 8 if FEW else count
 
 
 class Run:

@@ -8,7 +8,7 @@ import unittest
 import xml.etree.ElementTree
 from fractions import Fraction
 
-from harness import Case, ROOT, Run
+from harness import Case, ROOT, Run, at_least, some
 
 EXAMPLES = os.path.join(ROOT, "examples")
 QUICK = os.path.join(ROOT, "examples", "quick-return.yaml")
@@ -251,7 +251,7 @@ class Printed(Case):
 
     def test_every_printed_equation_is_true_or_says_what_it_needs(self):
         proved = tried = driven = 0
-        for name in sorted(os.listdir(EXAMPLES)):
+        for name in some(sorted(os.listdir(EXAMPLES))):
             path = os.path.join(EXAMPLES, name)
             if not name.endswith(".yaml"):
                 continue
@@ -272,9 +272,9 @@ class Printed(Case):
                     proved += word == "true"
                     tried += word == "true-here"
                     driven += word == "true-driven"
-        self.assertGreater(proved, 2000)
-        self.assertGreater(tried, 500)
-        self.assertGreater(driven, 100)
+        self.assertGreater(proved, at_least(2000))
+        self.assertGreater(tried, at_least(500))
+        self.assertGreater(driven, at_least(100))
 
 
 if __name__ == "__main__":

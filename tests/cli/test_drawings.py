@@ -7,7 +7,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as tree
 
-from harness import Case, ROOT, Run
+from harness import Case, ROOT, Run, at_least, some
 
 SVG = "{http://www.w3.org/2000/svg}"
 EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
@@ -97,7 +97,7 @@ class Drawings(Case):
 
     def test_every_force_of_the_equations_is_drawn_once_on_each_of_its_bodies(self):
         drawn = 0
-        for example in EXAMPLES:
+        for example in some(EXAMPLES):
             named, pictures = self.draw(example)
             if named is None:
                 continue
@@ -113,11 +113,11 @@ class Drawings(Case):
                     drawn += 1
                     for one, other in zip(sides[False], sides[True]):
                         self.assertAlmostEqual(one, -other, places=3, msg=example + name)
-        self.assertGreater(drawn, 150)
+        self.assertGreater(drawn, at_least(150))
 
     def test_names_lie_clear_of_arrows_and_of_each_other(self):
         labels = touched = 0
-        for example in EXAMPLES:
+        for example in some(EXAMPLES):
             named, pictures = self.draw(example)
             for picture in (pictures or {}).values():
                 for k, box in enumerate(picture.labels):
@@ -128,7 +128,7 @@ class Drawings(Case):
                         apart = (box[2] <= other[0] or other[2] <= box[0] or box[3] <= other[1] or other[3] <= box[1])
                         touched += not apart
                     self.assertTrue(0 <= box[0] and box[2] <= 560 and 0 <= box[1] and box[3] <= 440, example)
-        self.assertGreater(labels, 800)
+        self.assertGreater(labels, at_least(800))
         self.assertEqual(touched, 0)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):

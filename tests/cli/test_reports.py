@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import unittest
 
-from harness import Case, ROOT, Run, YOKE
+from harness import Case, ROOT, Run, YOKE, some
 
 EXAMPLES = os.path.join(ROOT, "examples")
 VOID = {"meta", "input", "img", "br", "link", "hr"}
@@ -100,7 +100,7 @@ class Checker(unittest.TestCase):
 
 class Examples(Case):
     def test_every_example_has_a_valid_report(self):
-        for name in sorted(os.listdir(EXAMPLES)):
+        for name in some(sorted(os.listdir(EXAMPLES))):
             if not name.endswith(".yaml"):
                 continue
             with self.subTest(name):
