@@ -15,6 +15,7 @@ extern "C" {
 #include <yoke/variant.h>
 #include <yoke/state.h>
 #include <yoke/move.h>
+#include <yoke/drag.h>
 #include <yoke/sweep.h>
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>

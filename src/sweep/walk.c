@@ -11,7 +11,8 @@ static const double FASTEST = 1e4, COST_MAX = 2e8; // steps of solution
 bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
 {
     size_t blocks = path.state->mech->block_count, count = blocks == 0 || blocks > MARGINS_MAX ? 1 : blocks;
-    *w = (YkWalk){.path = path, .turn_max = turn_max, .margin_count = count, .limit_block = -1};
+    *w = (YkWalk){
+        .path = path, .turn_max = turn_max, .margin_count = count, .limit_block = -1, .events_max = EVENTS_MAX};
     w->margins = calloc(3 * (WALK_DEPTH_MAX + 1) * count, sizeof *w->margins);
     w->flipped_at = calloc(count, sizeof *w->flipped_at);
     for (size_t k = 0; w->flipped_at && k < count; k++) w->flipped_at[k] = NAN;
@@ -28,7 +29,7 @@ void yk_walk_end(YkWalk *w)
 
 void yk_walk_note(YkWalk *w, YkEvent event)
 {
-    if (w->event_count >= EVENTS_MAX) {
+    if (w->event_count >= w->events_max) {
         w->more_events++;
         return;
     }

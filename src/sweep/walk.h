@@ -13,7 +13,8 @@ typedef struct YkWalk {
     double *margins;    // [depth][3][block]
     double *flipped_at; // per block: its last change point (NaN: none yet)
     YkEvent *events;
-    size_t event_count, event_capacity, more_events; // the first 10,000 are kept, the others counted
+    size_t event_count, event_capacity, more_events; // the first events_max are kept, the others counted
+    size_t events_max;
     YkStatus status;
     int limit_block;
     YkProblems *problems;
