@@ -1,5 +1,5 @@
-// Batches: ten machines of the gallery against closed forms written for each alone; the double pendulum with parameters
-// of its own in every state; a Monte-Carlo study of a four-bar on one thread and two.
+// Batches: ten machines of the gallery against closed forms written for each alone; the double pendulum with its own
+// parameters in every state; a Monte-Carlo study of a four-bar on one thread and two.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-// Forward dynamics of a hanging chain of N uniform rods: ours from a model file, against the recursion written by hand
-// for this chain alone. Time a link; all ways take turns in one run, the median of the rounds counts.
+// Forward dynamics of a hanging chain of N uniform rods: from a model file, against the recursion written by hand for
+// this chain alone. Time per link; all ways take turns in one run, and the median of the rounds counts.
 #include <math.h>
 #include <stdlib.h>
 #include "equations/tree.h"

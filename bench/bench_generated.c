@@ -1,5 +1,5 @@
-// C that `yoke derive --format c` has written for a chain of eight links: M and h in joint angles, each call at another
-// pose. The file is made while this is built (CMakeLists.txt).
+// C written by `yoke derive --format c` for a chain of eight links: M and h in joint angles, each call at another pose.
+// The file is made during the build (CMakeLists.txt).
 #include <stdio.h>
 #include <stdlib.h>
 #include "generated_chain.c"

@@ -1,5 +1,5 @@
 // The quick-return's kinematics - position, velocity and acceleration of its four unknowns - by hand-written closed
-// forms, by our kernels, and through the public calls from the model file. Interleaved in one run; the median of the
+// forms, by Yoke's kernels, and through the public calls from the model file. Interleaved in one run; the median of the
 // rounds counts.
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+// The quick-return as a chain of kernels, without the engine's step runner.
 #include "chain.h"
 #include "solve/kernels/kernels.h"
 

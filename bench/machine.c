@@ -1,3 +1,4 @@
+// Machines for the benches of dynamics, and medians over rounds.
 #include "machine.h"
 #include <stdarg.h>
 #include <stdlib.h>

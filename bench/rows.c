@@ -1,3 +1,4 @@
+// Medians over rounds, and the rows of docs/speed.md.
 #include "rows.h"
 #include <stdio.h>
 #include <stdlib.h>

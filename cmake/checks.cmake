@@ -4,7 +4,7 @@ add_test(NAME house/rooms-sees-faults COMMAND sh ${CMAKE_SOURCE_DIR}/tests/house
 add_test(NAME house/codes COMMAND sh ${CMAKE_SOURCE_DIR}/tools/list-codes --check)
 add_test(NAME house/links COMMAND sh ${CMAKE_SOURCE_DIR}/tools/check-links)
 set_tests_properties(house/codes PROPERTIES ENVIRONMENT "CC=${CMAKE_C_COMPILER}")
-# What users get carries no sanitizer, with symbols of its own.
+# The library that users get has no sanitizer, and only its own symbols.
 if(NOT YOKE_SANITIZE)
   add_test(NAME house/symbols COMMAND sh ${CMAKE_SOURCE_DIR}/tools/check-symbols $<TARGET_FILE:yoke_shared> $<TARGET_FILE:yoke>)
   add_test(NAME house/install COMMAND sh ${CMAKE_SOURCE_DIR}/tests/install/test-install ${CMAKE_BINARY_DIR})
@@ -16,7 +16,7 @@ if(NOT YOKE_SANITIZE)
   set_tests_properties(house/install PROPERTIES RESOURCE_LOCK install)
   set_tests_properties(house/install PROPERTIES ENVIRONMENT "CC=${CMAKE_C_COMPILER}" TIMEOUT 120)
 endif()
-# What the documentation shows is what the command prints.
+# The documentation shows what the command prints.
 find_program(PYTHON3 NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(PYTHON3 NAMES python3)
 if(PYTHON3)
@@ -30,7 +30,7 @@ if(PYTHON3)
   endif()
   add_test(NAME house/docs COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tools/check-docs $<TARGET_FILE:yoke>)
 endif()
-# The report in a browser; once is enough, whoever compiled the program. Skipped where npm could not get its packages.
+# The report in a browser; once is enough, whatever the compiler. Skipped if npm could not get its packages.
 find_program(CHROMIUM chromium)
 if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM AND CHROMIUM AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND NOT YOKE_SANITIZE)
   add_test(NAME web/page COMMAND ${YOKE_NODE} ${CMAKE_SOURCE_DIR}/tests/web/test_page.mjs $<TARGET_FILE:yoke> ${YOKE_WEB_DIR})

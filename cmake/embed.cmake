@@ -1,5 +1,5 @@
 # Writes a file as C: cmake -D INPUT=file -D OUTPUT=file.c -D NAME=symbol -P embed.cmake
-# gives `const unsigned char NAME[]` and `const size_t NAME_size`. A missing file is an empty one.
+# gives `const unsigned char NAME[]` and `const size_t NAME_size`. A missing file counts as empty.
 set(hex "")
 if(EXISTS "${INPUT}")
   file(READ "${INPUT}" hex HEX)

@@ -1,4 +1,4 @@
-# What `cmake --install` puts where. Everything is relocatable: the prefix may still change at install time.
+# The files of `cmake --install` and their places. Everything is relocatable: the prefix may change at install time.
 include(CMakePackageConfigHelpers)
 set(YOKE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/yoke)
 

@@ -1,4 +1,4 @@
-# Man pages: man/NAME.SECTION.scd -> NAME.SECTION, when scdoc is there.
+# Man pages: man/NAME.SECTION.scd -> NAME.SECTION, if scdoc is installed.
 find_program(SCDOC scdoc)
 file(GLOB YOKE_MAN_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/man/*.scd)
 if(SCDOC AND YOKE_MAN_SOURCES)

@@ -1,7 +1,7 @@
-# What the report brings along: its style, and its script, which Node bundles. Without Node and npm, or where npm cannot
-# get its packages, the script is empty: reports stand still and say so.
-option(YOKE_WEB "Bundle the report's script where Node is" ON)
-option(YOKE_REQUIRE_WEB "Fail where the report's script cannot be bundled" OFF)
+# The report's style, and its script, which Node bundles. Without Node and npm, or if npm cannot get its packages, the
+# script is empty: reports do not move, and say so.
+option(YOKE_WEB "Bundle the report's script if Node is installed" ON)
+option(YOKE_REQUIRE_WEB "Fail if the report's script cannot be bundled" OFF)
 set(YOKE_WEB_SOURCE ${CMAKE_SOURCE_DIR}/web/report)
 set(YOKE_WEB_DIR ${CMAKE_BINARY_DIR}/web)
 find_program(YOKE_NODE node)

@@ -1,4 +1,4 @@
-# A fresh, minimal Debian 12 at $bare, for the scripts that read this file; gone when they end, unless $keep says something.
+# Makes a fresh, minimal Debian 12 at $bare for the scripts that source this file; removes it at their end unless $keep is set.
 # Needs root. Packages come from wherever this machine gets its own: apt's configuration and the name service are copied in.
 [ "$(id -u)" -eq 0 ] || { echo "bare: needs root (for debootstrap and chroot)" >&2; exit 1; }
 sh tools/install-deps bare

@@ -1,3 +1,4 @@
+// The double pendulum by hand: its equations in closed form.
 #define _GNU_SOURCE // sincos
 #include "d1.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+// The N-four-bar by hand: the recursion over its windows, and the augmented Lagrangian.
 #define _GNU_SOURCE // sincos
 #include "d2.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+// A hanging chain of uniform rods by hand.
 #define _GNU_SOURCE // sincos
 #include "d3.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+// Andrews' squeezing mechanism by hand, in the crank's angle.
 #define _GNU_SOURCE // sincos
 #include "d4.h"
 #include <math.h>

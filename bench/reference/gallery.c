@@ -1,3 +1,4 @@
+// Machines of the gallery by closed forms, as SIMD loops.
 #include "gallery.h"
 #include "lanes.h"
 

@@ -1,3 +1,4 @@
+// Codes of problems: their order, their explanations, their severities.
 #include "check.h"
 #include "base/codes.h"
 

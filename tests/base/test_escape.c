@@ -1,3 +1,4 @@
+// Escapes of text that a terminal would act upon.
 #include "check.h"
 #include "base/escape.h"
 #include "base/utf8.h"

@@ -1,3 +1,4 @@
+// The arena: alignment, zeroed memory, large blocks, exhaustion.
 #include "check.h"
 #include <stdlib.h>
 #include "base/memory.h"

@@ -1,3 +1,4 @@
+// Tables of names.
 #include "check.h"
 #include "base/names.h"
 

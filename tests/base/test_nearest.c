@@ -1,3 +1,4 @@
+// The nearest name to a misspelt one.
 #include "check.h"
 #include <stdlib.h>
 #include "base/names.h"

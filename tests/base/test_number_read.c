@@ -1,3 +1,4 @@
+// Reading decimal numbers to the nearest double.
 #include "check.h"
 #include <stdlib.h>
 #include "base/decimal.h"

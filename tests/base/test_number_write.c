@@ -1,3 +1,4 @@
+// Writing numbers in the fewest digits that read back.
 #include "check.h"
 #include <stdlib.h>
 #include "base/decimal.h"

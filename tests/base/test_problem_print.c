@@ -1,3 +1,4 @@
+// Problems as they are printed: place, line, caret, hint.
 #include "check.h"
 #include <stdlib.h>
 #include <time.h>

@@ -1,3 +1,4 @@
+// Lists of problems.
 #include "check.h"
 #include <stdlib.h>
 #include "base/problems.h"

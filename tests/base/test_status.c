@@ -1,3 +1,4 @@
+// The words of statuses.
 #include "check.h"
 #include <yoke/status.h>
 

@@ -1,3 +1,4 @@
+// Texts that grow, and texts that failed.
 #include "check.h"
 #include <limits.h>
 #include <stdlib.h>

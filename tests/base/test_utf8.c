@@ -1,3 +1,4 @@
+// UTF-8: decoding, printable characters, widths.
 #include "check.h"
 #include <stdlib.h>
 #include "base/utf8.h"

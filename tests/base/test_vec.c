@@ -1,3 +1,4 @@
+// Plane vectors as complex numbers.
 #include "check.h"
 #include "base/vec.h"
 

@@ -1,6 +1,6 @@
-// The command with memory that fails: the whole program runs in a child, whose k-th allocation fails, once or from then
-// on. What it answers is the right answer, byte for byte (exit code, standard output, standard error, files), or it
-// says E0100, exits 2 and leaves no file. Nothing crashes, goes on for ever or is leaked.
+// The command when memory fails: the whole program runs in a child, whose k-th allocation fails, once or from then on.
+// It gives the right answer, byte for byte (exit code, standard output, standard error, files), or it says E0100, exits
+// 2 and leaves no file. Nothing crashes, runs for ever or leaks.
 //
 // The gate tries a seeded sample of k for each command line; YOKE_FULL=1 tries every k. By hand:
 //   test_cli_memory solve        every k of the command lines that contain "solve"; YOKE_SAMPLE=1: a sample of them

@@ -276,7 +276,7 @@ static void rigid_ways_to_close_do_not_hide_the_motion(void **state)
     machine_free(&m);
 }
 
-// A rod that does not turn is no input, though counting would take it; and what moves the same is taken once.
+// A rod that does not turn is not an input, though counting would take it; of inputs that move the same, one is taken.
 static void only_what_moves_independently_is_accepted(void **state)
 {
     (void)state;

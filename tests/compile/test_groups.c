@@ -1,4 +1,4 @@
-// What peeling leaves: larger groups, in an order in which each needs only those before it, with their Assur class.
+// Groups that remain after peeling dyads: their order, in which each needs only earlier ones, and their Assur class.
 #include "machine.h"
 #include "table.h"
 

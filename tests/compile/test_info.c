@@ -1,4 +1,4 @@
-// What callers ask: coordinates, loops with their bodies in order, blocks, the freedom.
+// Answers to callers: coordinates, loops with their bodies in order, blocks, the freedom.
 #include "machine.h"
 #include "table.h"
 

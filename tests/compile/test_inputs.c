@@ -1,5 +1,4 @@
-// Which coordinates are inputs: those asked for, then drives, then `start:`, then others; too many are reported by
-// name.
+// The choice of inputs: those asked for, then drives, then `start:`, then others; too many are reported by name.
 #include "compile/inputs.h"
 #include "machine.h"
 #include "table.h"
@@ -58,7 +57,8 @@ static void what_is_asked_for_comes_before_drives(void **state)
     check_inputs(FIVE_BAR "drives: {q: 1}\nstart: {v: 60 deg, u: 1}\n", ASKED("u"), "u, q");
     check_inputs(FIVE_BAR "drives: {q: 1, p: 2}\n", ASKED("v", "u"), "v, u");
     check_inputs(FIVE_BAR "drives: {q: 1, p: 2}\n", ASKED("p"), "p, q");
-    check_inputs(FIVE_BAR "drives: {q: 1, p: 2}\n", ASKED("p", "p", "p"), "p, q"); // asking twice is no contradiction
+    check_inputs(FIVE_BAR "drives: {q: 1, p: 2}\n", ASKED("p", "p", "p"),
+                 "p, q"); // asking twice is not a contradiction
 }
 
 static void a_coordinate_asked_for_replaces_one_drive_only(void **state)

@@ -1,6 +1,5 @@
-// The order of solution: which blocks, with which labels, in which order, for every machine of the table; and what any
-// plan must satisfy: each body is placed once, each block needs only what stands before it, each unknown is found
-// exactly once.
+// The order of solution: which blocks, with which labels, in which order, for every machine of the table; and the rules
+// of any plan: each body is placed once, each block needs only earlier ones, each unknown is found exactly once.
 #include "compile/plan.h"
 #include "machine.h"
 #include "table.h"

@@ -38,7 +38,7 @@ static void like_terms_merge_and_what_cancels_vanishes(void **state)
     CHECK_NEAR(list.items[0].v.y, 10, 0);
     yk_terms_add(&list, (YkTerm){1, YK_NONE, {9, 10}}, -1);
     assert_int_equal(count_of(&list), 2);
-    assert_false(yk_terms_is_there(&list, 0)); // its place is kept: the order of all others does not hang on values
+    assert_false(yk_terms_is_there(&list, 0)); // its place is kept: the order of the others does not depend on values
     assert_true(list.items[1].slot == 2 && list.items[2].distance == 0);
     yk_terms_free(&list);
 }

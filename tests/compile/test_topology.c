@@ -1,5 +1,4 @@
-// The graph: orientations, the spanning tree that follows the file's coordinates, and loops that say what the bodies
-// say.
+// The graph: orientations, the spanning tree that follows the file's coordinates, and loops that agree with the bodies.
 #include "compile/topology.h"
 #include "machine.h"
 #include "table.h"
@@ -19,7 +18,7 @@ static void check_tree(const YkMechanism *mech)
 {
     const YkModel *model = mech->model;
     size_t branches = 0, coordinates = 0;
-    for (size_t b = 1; b < model->body_count; b++) { // every body hangs on another by a joint of both
+    for (size_t b = 1; b < model->body_count; b++) { // every body is attached to another by a joint of both
         const YkJoint *j = &model->joints[mech->tree.joint[b]];
         int32_t up = mech->tree.parent[b];
         assert_true((j->body[0] == (int32_t)b && j->body[1] == up) || (j->body[1] == (int32_t)b && j->body[0] == up));

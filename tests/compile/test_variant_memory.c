@@ -1,5 +1,5 @@
-// A variant is made whole or refused, whichever allocation fails: a plan that was not made for want of memory is not
-// taken for another machine beside the file's values.
+// A variant is made whole or refused, whichever allocation fails: a plan that could not be made for want of memory is
+// not mistaken for another machine near the file's values.
 #include "interposed.h"
 #include "compile/variant.h"
 #include "machine.h"

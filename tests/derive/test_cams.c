@@ -1,5 +1,5 @@
 // Motion programs and cams in symbols: the textbook's lines, every line true where it holds, shapes against the numbers
-// of `cam`, and read back.
+// of `cam`, and reading back.
 #include <yoke/cam.h>
 #include "derive/relations.h"
 #include "derive_check.h"

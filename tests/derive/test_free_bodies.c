@@ -228,7 +228,7 @@ static void relations_decide_about_equations_with_forces(void **state)
     Machine m = example("double-pendulum");
     YkDynamics *dynamics = dynamics_of(&m);
     forces_of(&m);
-    assert_int_equal(m.d->relation_count, 0); // they cost: only for who asks
+    assert_int_equal(m.d->relation_count, 0); // they cost: only on demand
     assert_true(yk_derive_enter_forces(m.d) && yk_derive_enter_forces(m.d));
     assert_int_equal(m.d->relation_count, 6);
     static const char *const right[] = {"F12x = m2*(l1*cos(theta1)*theta1'' - l1*sin(theta1)*theta1'^2) + "

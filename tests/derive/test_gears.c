@@ -244,7 +244,7 @@ static void a_train_without_geometry_has_no_pitch_points(void **state)
     machine_end(&m);
 }
 
-// Of forty wheels there is no readable formula, but a number.
+// Forty wheels have no readable formula, but a number.
 static void a_long_train_keeps_its_numbers(void **state)
 {
     (void)state;

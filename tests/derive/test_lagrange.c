@@ -1,5 +1,4 @@
-// Lagrange's equations: as the books print them, the same as Newton-Euler's by proof, and true with the engine's
-// numbers.
+// Lagrange's equations: as in textbooks, the same as Newton-Euler's by proof, and true with the engine's numbers.
 #include "derive/forces/lagrange.h"
 #include "forces_check.h"
 
@@ -80,7 +79,7 @@ static void projected_newton_euler_is_lagrange_exactly(void **state)
     machine_end(&m);
 }
 
-// The proof is no formality: another sign of a force, and it fails.
+// The proof is not a formality: with another sign of a force it fails.
 // What was derived for a body is forgotten with its force.
 static void set_force(YkDeriveForces *f, YkDerivePush *push, const YkPoisson *force)
 {

@@ -1,8 +1,8 @@
-// Every load of the model file in the equations: as a polynomial, or as a symbol whose meaning is told.
+// Every load of the model file in the equations: as a polynomial, or as a symbol whose meaning is given.
 #include "derive/forces/lagrange.h"
 #include "forces_check.h"
 
-// Efforts by a law of a rate, by an expression that is no polynomial; forces in the body's own axes, with a moment;
+// Efforts by a law of a rate, by an expression that is not a polynomial; forces in the body's own axes, with a moment;
 // springs with dampers between points and along an angle; viscous friction.
 #define LEVER                                                                                                          \
     "parameters: {l: 0.4, k: 30, c: 2}\ngravity: [0, -9.81]\n"                                                         \

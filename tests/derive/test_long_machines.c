@@ -1,5 +1,5 @@
-// Machines of many bodies: what goes from body to body is written for all of them, what speaks of all at once says
-// where it ends, and a page that comes in parts is the page.
+// Machines of many bodies: sections that go from body to body are complete, those about all bodies at once say where
+// they end, and a page in parts is the same page.
 #include "derive/inside.h"
 #include "forces_check.h"
 

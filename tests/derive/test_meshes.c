@@ -1,5 +1,5 @@
-// What gears, racks, belts, cams and laws transmit, in symbols: true with the numeric engine's forces, proved to do the
-// work that the relation asks for, readable.
+// What gears, racks, belts, cams and laws transmit, in symbols: true with the engine's forces, proved to do the
+// relation's work, readable.
 #include "dynamics/meshes.h"
 #include "dynamics/random_geared.h"
 #include "derive/forces/lagrange.h"
@@ -229,7 +229,7 @@ static void name_lengths(const char *text, YkText *named)
     yk_text_free(&body);
 }
 
-// Random linkages with all of these between links that loops place, joints of which close loops anywhere.
+// Random linkages with all of these between links that loops place; joints close loops anywhere.
 static void random_linkages_are_proved_and_hold(void **state)
 {
     (void)state;
@@ -336,7 +336,7 @@ static void an_equation_of_a_geared_five_bar_is_proved(void **state)
     machine_end(&m);
 }
 
-// The proof is no formality: another lever, and it fails.
+// The proof is not a formality: with another lever it fails.
 static void a_wrong_push_is_no_longer_proved(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 // Random machines in symbols: every section can be written, every equation holds at poses of the numeric engine, and
-// what is printed reads back as the same. YOKE_TEST_RANDOM=3000 runs more of them; a failure prints its number.
+// the print reads back as the same. YOKE_TEST_RANDOM=3000 runs more of them; a failure prints its number.
 #include <stdlib.h>
 #include "dynamics/random_machine.h"
 #include "forces_check.h"

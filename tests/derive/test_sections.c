@@ -1,5 +1,5 @@
-// Every formula of every section, on every example: true at random poses of the numeric engine, and the same when it is
-// read back from print.
+// Every formula of every section, on every example: true at random poses of the numeric engine, and the same when read
+// back from print.
 #include "derive_check.h"
 
 static size_t formulas_seen, poses_seen;

@@ -1,4 +1,4 @@
-// What stands in print, word for word, for machines that every book has; and named vectors.
+// The exact print for machines that are in every textbook; and named vectors.
 #include "derive_check.h"
 
 // The lines of a section as text.

@@ -15,7 +15,7 @@ static void equal_keys_in_different_maps_are_fine(void **state)
     check_tree("{a: {a: 1}, b: {a: 2}, A: 3}", 0, "{a: {a: 1}, b: {a: 2}, A: 3}");
 }
 
-// A map of `count` keys of which the one at `again` repeats the one at `first`.
+// A map of `count` keys; the one at `again` repeats the one at `first`.
 static void check_map(int count, int first, int again)
 {
     char text[8192] = "";

@@ -1,3 +1,4 @@
+// Nodes of a document.
 #include "doc_check.h"
 
 static void a_key_is_found_only_in_a_map_that_has_it(void **state)

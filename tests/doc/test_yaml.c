@@ -1,4 +1,4 @@
-// YAML text into a tree with places; what model files have no use for is refused.
+// YAML text into a tree with places; what model files do not need is refused.
 #include "doc_check.h"
 #include <time.h>
 

@@ -1,4 +1,4 @@
-// Mistakes in the grammar: said in plain words, at the place where they are.
+// Errors in the grammar: reported in plain words, at their places.
 #include "doc_check.h"
 
 static void what_is_not_closed_is_named_with_where_it_opens(void **state)

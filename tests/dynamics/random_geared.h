@@ -15,7 +15,7 @@ typedef struct Geared {
     double x[GEARED_LINKS + 1], y[GEARED_LINKS + 1]; // pin k joins link k (0: the ground) and k + 1
     int origin[GEARED_LINKS + 1];                    // which pin is a link's origin; -1: not settled
     bool meshes_on[GEARED_LINKS + 1];                // its neighbours are in mesh
-    bool slides[GEARED_LINKS + 1];                   // link k is two bodies, of which the second slides on the first
+    bool slides[GEARED_LINKS + 1];                   // link k is two bodies; the second slides on the first
     double radius[GEARED_LINKS + 1];                 // how far its line lies beside its first pin
     int relations, freedom;
     bool has_law;

@@ -1,5 +1,4 @@
-// Reactions, efforts and sums: every body balances, power is the rate of energy, the frame carries what the machine
-// needs.
+// Reactions, efforts and sums: every body balances, power is the rate of energy, the frame bears the machine.
 #include "rig.h"
 
 static void every_body_balances(void **unused)

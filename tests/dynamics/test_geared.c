@@ -1,6 +1,6 @@
-// Random linkages with gears, belts, racks, cams and laws between links that one loop places: closed, with rates that
-// are derivatives, forces that two formulations agree on, energy that is kept. YOKE_TEST_RANDOM=100000 in the
-// environment runs as many as one has patience for.
+// Random linkages with gears, belts, racks, cams and laws between links that one loop places: they close, with rates
+// that are derivatives, forces on which two formulations agree, energy that is conserved. YOKE_TEST_RANDOM=100000 in
+// the environment runs so many.
 #include <stdlib.h>
 #include "random_geared.h"
 #include "rig.h"

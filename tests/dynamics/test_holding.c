@@ -197,7 +197,7 @@ static void the_range_is_what_keeps_it_at_rest(void **unused)
 }
 
 // Motion and rest in one machine: where one drive moves and the other rests, joints that stand hold by a range only
-// what hangs on them. In a five-bar every joint moves with any drive, so there is one answer.
+// what depends on them. In a five-bar every joint moves with any drive, so there is one answer.
 static void a_machine_that_moves_has_one_answer(void **unused)
 {
     (void)unused;

@@ -1,6 +1,5 @@
-// Random machines: two engines agree, every body balances, power and energy are kept account of, motion can be
-// reversed. YOKE_TEST_RANDOM=5000 in the environment runs as many machines as one has patience for; a failure prints
-// its seed.
+// Random machines: two engines agree, every body balances, power and energy balance, motion can be reversed.
+// YOKE_TEST_RANDOM=5000 in the environment runs so many machines; a failure prints its seed.
 #include <stdlib.h>
 #include "random_machine.h"
 #include "rig.h"

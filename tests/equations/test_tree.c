@@ -368,7 +368,7 @@ static void test_a_coiled_chain_keeps_its_digits(void **unused)
 
 // --- forks
 
-// Arms that hang on one hub, itself on the ground's point: with n arms alike, the hub feels n times one arm.
+// Arms on one hub, which is on the ground's point: with n equal arms, the hub feels n times one arm.
 static void test_like_arms_move_alike(void **unused)
 {
     (void)unused;
@@ -542,7 +542,7 @@ static void test_two_slides_in_one_line(void **unused)
 static void test_a_failure_leaves_no_trace(void **unused)
 {
     (void)unused;
-    // A fork: two arms on a massless link, one of which has no inertia in line.
+    // A fork: two arms on a massless link; one has no inertia in line.
     OpenTree t = open_tree("gravity: [0, -9.81]\nbodies:\n"
                            "  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0], A: [1, 0], B: [1, 0]}}\n"
                            "  b: {points: {A: [0, 0]}, mass: 2, center: [1, 0]}\n"

@@ -1,4 +1,4 @@
-// Hints that write a product with the units that its numbers lack: what they write has the dimension that was wanted.
+// Hints that add the missing units of numbers to a product: what they write has the required dimension.
 #include "expr_check.h"
 #include "expr/dimension.h"
 

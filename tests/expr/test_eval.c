@@ -1,4 +1,4 @@
-// Evaluation: closed forms, and random expressions against an evaluator of their own in long double whose derivatives
+// Evaluation: closed forms, and random expressions against an independent evaluator in long double, whose derivatives
 // come from differences with Richardson extrapolation.
 #include "expr_check.h"
 #include <float.h>

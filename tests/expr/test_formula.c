@@ -1,5 +1,5 @@
 // Formulas against the evaluator of trees, on random expressions: the same values to the last bit, and no value where
-// that one finds a fault.
+// the evaluator finds a fault.
 #include "expr_check.h"
 #include "base/vec.h"
 #include "expr/formula.h"

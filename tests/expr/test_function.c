@@ -1,3 +1,4 @@
+// The functions of expressions.
 #include "expr_check.h"
 
 static void every_function_is_found_by_its_own_name(void **state)

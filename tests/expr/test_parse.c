@@ -1,4 +1,4 @@
-// The grammar: what is accepted becomes the right tree, what is refused is refused at the right place.
+// The grammar: accepted input becomes the right tree, other input is refused at the right place.
 #include "expr_check.h"
 
 typedef struct Accepted {

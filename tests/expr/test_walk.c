@@ -1,3 +1,4 @@
+// Walks over the names in an expression.
 #include "expr_check.h"
 
 static void collect(void *context, const YkExpr *name)

@@ -382,7 +382,7 @@ static void test_the_cost_of_chains_and_ladders_grows_with_their_length(void **u
     assert_true(ladders[1] < 16 * 6 * (ladders[0] + 1e-3));
 }
 
-// A long chain that hangs from a crosshead on two guides: the guides share their forces, everything else is determined.
+// A long chain hangs from a crosshead on two guides: the guides share their forces, everything else is determined.
 static void test_a_doubled_guide_leaves_a_long_chain_sparse_and_determinate(void **unused)
 {
     (void)unused;

@@ -1,4 +1,4 @@
-// A program of somebody else's, over the installed package: a slider-crank from text, one pose, one number.
+// A client program of the installed package: a slider-crank from text, one pose, one number.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

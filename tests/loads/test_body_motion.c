@@ -1,4 +1,4 @@
-// Where bodies' reference points are and how they move, against the answers for points and angles.
+// Bodies' reference points and their motion, against the answers for points and angles.
 #include "loads/loads.h"
 #include "solve/machine.h"
 #include "solve/state.h"

@@ -1,4 +1,4 @@
-// The format's examples load, field by field; and what the loader does with names, texts and failures as a whole.
+// The format's examples load, field by field; and the loader's treatment of names, texts and failures.
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Values from the command line in the model's terms, and the public questions about what a model is made of.
+// Values from the command line in the model's terms, and the public questions about the model's contents.
 #include "model/fixture.h"
 
 static const char file[] = "units: {length: mm, angle: deg, force: N}\nparameters: {a1: 250, w: 30 deg/s, n: 3}\n"

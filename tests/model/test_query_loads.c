@@ -1,4 +1,4 @@
-// What the outside is told of the loads of a model.
+// The public answers about a model's loads.
 #include "model/fixture.h"
 
 static const char loaded[] = "parameters: {k: 5 N/m}\ngravity: [0, -9.81]\n"

@@ -1,4 +1,4 @@
-// What bare numbers mean, and in which unit each quantity is told.
+// The meaning of bare numbers, and the unit in which each quantity is written.
 #include "model/fixture.h"
 
 #define DEG (YK_PI / 180)

@@ -1,4 +1,4 @@
-// Equations whose answers are known, and a run to the end.
+// Equations with known solutions, and a run to the end.
 #ifndef TESTS_NUM_ODE_PROBLEMS_H
 #define TESTS_NUM_ODE_PROBLEMS_H
 #include "check.h"

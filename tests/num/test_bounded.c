@@ -1,4 +1,4 @@
-// Bounded systems against what defines their answer, on random ones, singular ones too.
+// Bounded systems against the definition of their answer, on random and singular ones.
 #include "num/bounded.h"
 #include "check.h"
 

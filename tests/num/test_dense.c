@@ -1,4 +1,4 @@
-// LU and QR against what they must satisfy: residuals, known ranks, determinants of known matrices.
+// LU and QR against their defining properties: residuals, known ranks, determinants of known matrices.
 #include "check.h"
 #include "num/dense.h"
 

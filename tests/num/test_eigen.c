@@ -1,4 +1,4 @@
-// Eigenvalues against what they must satisfy: trace, determinant, residual, known matrices, similarity.
+// Eigenvalues against their defining properties: trace, determinant, residual, known matrices, similarity.
 #include "check.h"
 #include "num/dense.h"
 #include "num/eigen.h"

@@ -1,4 +1,4 @@
-// The matching against brute force over all assignments, and against its own promises.
+// The matching against brute force over all assignments, and against its own guarantees.
 #include "check.h"
 #include "num/matching.h"
 

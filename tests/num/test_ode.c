@@ -1,5 +1,5 @@
-// What every stepper must do, whatever its method: known answers, both directions, ends that move, dense output,
-// quadratures, f that fails.
+// What every stepper must do, whatever its method: known answers, both directions, moving ends, dense output,
+// quadratures, a right-hand side that fails.
 #include "ode_problems.h"
 #include <stdlib.h>
 

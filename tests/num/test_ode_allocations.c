@@ -1,4 +1,4 @@
-// Steppers ask for memory when they are made and never again; and where there is none they are not made.
+// Steppers allocate when they are made and never again; without memory they are not made.
 #include "interposed.h"
 #include "ode_problems.h"
 

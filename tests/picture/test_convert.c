@@ -1,3 +1,4 @@
+// SVG converted to PDF and PNG.
 #include "check.h"
 #include <stdlib.h>
 #include "base/codes.h"

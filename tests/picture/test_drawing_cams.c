@@ -1,4 +1,4 @@
-// Cams as they are drawn: what rides touches the outline at every pose, and a follower is drawn where it rides.
+// Drawings of cams: what rides touches the outline at every pose, and a follower is drawn where it rides.
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>

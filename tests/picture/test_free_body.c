@@ -1,4 +1,4 @@
-// Free-body drawings through the library's door: they are there for who embeds them, and survive failing allocations.
+// Free-body drawings through the public header: available to programs that embed them, and safe when allocations fail.
 #include "derive/forces_check.h"
 #include "interposed.h"
 #include "picture/free_body.h"

@@ -1,4 +1,4 @@
-// Movies: by what they are called, and as SVG; with other programs they are tried in tests/cli/test_reports.py.
+// Movies: their names, and as SVG; those that need other programs are tested in tests/cli/test_reports.py.
 #include "check.h"
 #include <stdlib.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// Plots by gnuplot.
 #include "check.h"
 #include <stdlib.h>
 #include "base/codes.h"

@@ -1,3 +1,4 @@
+// SVG elements.
 #include "base/escape.h"
 #include "check.h"
 #include "picture/svg.h"

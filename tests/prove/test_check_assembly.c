@@ -1,5 +1,5 @@
-// Equations that hold on one assembly of a machine and not on another: dimensions that are used twice let the loops'
-// equations fall apart.
+// Equations that hold on one assembly of a machine and not on another: dimensions that occur twice split the loops'
+// equations.
 #include "verdicts.h"
 
 static void check_machine(const char *text, const Expected *expected, size_t count)
@@ -170,7 +170,7 @@ static void equal_planets_turn_alike(void **state)
                   IS_HERE("2 (N1 + N2) thetaC' = N1 theta1' + N3 theta4'"));
 }
 
-// That a ring's teeth are those of the sun and of two planets is no accident of this file: nothing is said against it.
+// The ring's teeth are those of the sun and of two planets: that is not a coincidence, and nothing is said against it.
 static void what_teeth_must_obey_is_not_refuted(void **state)
 {
     (void)state;

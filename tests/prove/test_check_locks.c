@@ -1,4 +1,4 @@
-// Verdicts under a lock: what it holds stands, in proofs as at poses.
+// Verdicts under a lock: what it holds stands still, in proofs as at poses.
 #include "verdicts.h"
 
 static Machine locked(const char *text, const char *lock)

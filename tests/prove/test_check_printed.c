@@ -1,5 +1,5 @@
 // Equations as pages print them: values of laws, names of a motion program, influence coefficients, lumped constants,
-// what drives do; and angles that are no multiples of the machine's.
+// motions of drives; and angles that are not multiples of the machine's.
 #include "verdicts.h"
 
 // A cycloidal rise of 20 mm over 120 deg, a dwell to 180 deg, back by 3-4-5. A bracket of anything but a place is a

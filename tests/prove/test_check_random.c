@@ -1,5 +1,5 @@
-// Random machines: every equation that pages print is read and found true, but for those between vectors and those that
-// need what is said around them.
+// Random machines: every equation on a page is read and found true, except those between vectors and those that need
+// the words around them.
 #include <ctype.h>
 #include "dynamics/random_machine.h"
 #include "derive/forces_check.h"

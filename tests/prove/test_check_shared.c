@@ -1,4 +1,4 @@
-// What equations share changes no verdict, and is forgotten when the machine is put elsewhere.
+// What equations share changes no verdict, and is forgotten when the machine moves elsewhere.
 #include "derive/derive_check.h"
 #include "interposed.h"
 

@@ -1,4 +1,4 @@
-// What equations call by the names of `solve` has the numbers of `solve`.
+// Quantities in equations with the names of `solve` have the numbers of `solve`.
 #include "prove/quantities.h"
 #include "derive/forces/free_bodies.h"
 #include "derive/inside.h"

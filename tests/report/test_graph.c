@@ -1,4 +1,4 @@
-// The structure as a picture: every body and joint is there, boxes do not lie on each other, it is the same every time.
+// The structure as a picture: every body and joint is there, boxes do not overlap, it is the same every time.
 #include "report/graph.h"
 #include "report/page.h"
 

@@ -1,4 +1,4 @@
-// Allocations of a report fail, one after the other: it is refused or whole, nothing crashes.
+// Allocations of a report fail one after the other: it is refused or complete, and nothing crashes.
 #include "interposed.h"
 #include "report/page.h"
 

@@ -1,4 +1,4 @@
-// Which motion a report shows, and that its rows are the engine's.
+// The motion that a report shows: its choice, and that its rows are the engine's.
 #include "report/page.h"
 
 static void check_kind(const char *name, YkReportMotionKind kind)

@@ -1,4 +1,4 @@
-// Exact arithmetic says when it cannot be exact; products of powers are kept once.
+// Exact arithmetic reports when it cannot be exact; products of powers are kept once.
 #include "check.h"
 #include <stdbool.h>
 #include "ring/exact.h"

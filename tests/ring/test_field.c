@@ -200,13 +200,13 @@ static void a_root_without_a_value_may_be_anything(void **state)
 {
     (void)state;
     Fixture f = fixture_new(7);
-    yk_ring_root(f.ring, "L", number(&f, 7, 1)); // 7 generates the field: it is no square
+    yk_ring_root(f.ring, "L", number(&f, 7, 1)); // 7 generates the field: it is not a square
     YkFieldPoint *point = yk_field_point_new(f.ring, 1), *other = yk_field_point_new(f.ring, 2);
     assert_true(yk_field_point_is_loose(point));
     int32_t L = yk_ring_find(f.ring, "L");
     assert_true(yk_field_point_get(point, L) != yk_field_point_get(other, L));
     const YkPoisson *square = yk_ring_power(f.ring, yk_ring_of(f.ring, L), 2), *seven = number(&f, 7, 1);
-    // neither equal nor different is said of what hangs on it
+    // neither equal nor different is reported for what depends on it
     assert_int_equal(yk_form_compare(f.ring, yk_form_of(f.ring, square), yk_form_of(f.ring, seven), 3, 1),
                      YK_FORM_UNDECIDED);
     assert_int_equal(yk_form_compare(f.ring, yk_form_of(f.ring, square), yk_form_of(f.ring, square), 3, 1),

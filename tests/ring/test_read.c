@@ -1,4 +1,4 @@
-// Reading by hand and machine: what is understood, and what is refused with a helpful word.
+// Reading text by people and programs: what is understood, and what is refused with a helpful message.
 #include "ring/ring_check.h"
 
 static void many_ways_of_writing_mean_the_same(void **state)

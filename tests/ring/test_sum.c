@@ -147,7 +147,7 @@ static void a_null_part_makes_the_whole_null(void **state)
                  yk_ring_is_real(r, NULL));
     assert_false(yk_ring_mentions(r, NULL, 0));
     assert_int_equal(yk_ring_terms(NULL), 0);
-    assert_int_equal(yk_ring_status(r), YK_RING_OK); // whoever failed first has said so
+    assert_int_equal(yk_ring_status(r), YK_RING_OK); // the first failure was reported
     yk_ring_free(r);
 }
 

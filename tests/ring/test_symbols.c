@@ -58,7 +58,7 @@ static void a_symbol_tells_what_it_is(void **state)
     yk_ring_free(r);
 }
 
-// NAME.rate and NAME.accel are understood without being entered: nobody else may take them.
+// NAME.rate and NAME.accel are understood without being entered, so no other symbol may take them.
 static void the_other_names_of_rates_are_taken(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-// Against SymPy, where it is installed: products and derivatives of random elements, and Lagrange's equations of the
-// double pendulum, which SymPy derives by itself, compared in forty digits at two points: symbols that vanish there are
-// nothing, and expanding them took SymPy a minute. Python computes; this program only compares what it says.
+// Against SymPy, if it is installed: products and derivatives of random elements, and Lagrange's equations of the
+// double pendulum, which SymPy derives by itself, compared in forty digits at two points: symbols that vanish there
+// count as nothing, and expanding them took SymPy a minute. Python computes; this program only compares.
 #include "ring/machines.h"
 #include <unistd.h>
 

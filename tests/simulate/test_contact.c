@@ -49,7 +49,7 @@ static void a_block_on_a_rough_floor_comes_to_rest(void **unused)
     CHECK_NEAR(run_value(&run, "x"), -0.02, 1e-9);
     CHECK_NEAR(run_value(&run, "x.rate"), 0, 1e-15);
     size_t n = yk_simulation_happening_count(run.sim);
-    assert_int_equal(n, 1); // the turns in between are no rests
+    assert_int_equal(n, 1); // the turns in between are not rests
     YkHappening last = yk_simulation_happening(run.sim, n - 1);
     assert_int_equal(last.kind, YK_HAPPENING_STICK);
     CHECK_NEAR(last.time, 3 * half, 1e-9);
@@ -260,7 +260,7 @@ static void a_bar_meets_two_stops_at_once(void **unused)
     }
 }
 
-// What the iteration over the contacts does not find is no answer, but a reason to stop.
+// If the iteration over the contacts does not converge, it stops instead of answering.
 static void an_exhausted_iteration_is_told(void **unused)
 {
     (void)unused;

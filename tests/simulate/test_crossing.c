@@ -1,4 +1,4 @@
-// Through positions where two branches meet, on the one that momentum takes; and past dead points of a coordinate.
+// Motion through positions where two branches meet, on the branch that momentum takes; and past dead points.
 #include "base/vec.h"
 #include "run.h"
 

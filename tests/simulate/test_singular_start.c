@@ -1,4 +1,4 @@
-// Starts in singular poses: dead points of the coordinates that start it, and change points.
+// Starts in singular poses: dead points of the starting coordinates, and change points.
 #include "run.h"
 
 #define FLAT(mass, start)                                                                                              \

@@ -1,4 +1,4 @@
-// Motions that no step is small enough for: the status is below 0, and the report tells what the pose shows.
+// Motions for which no step is small enough: the status is below 0, and the report says what the pose shows.
 #include "run.h"
 
 #define SLIDER_CRANK                                                                                                   \

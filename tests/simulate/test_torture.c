@@ -1,4 +1,4 @@
-// Simulations that once went wrong, or well might: each is small and has an answer of its own.
+// Simulations that once went wrong, or easily could: each is small and has a known answer.
 #include "run.h"
 #include "simulate/simulation.h"
 
@@ -277,7 +277,7 @@ static void it_may_start_late(void **unused)
 
 // A slider crank whose rod is two bodies that a pin and a slide join, so that one constraint repeats others. The
 // slide's coordinate, which is held, passes a dead point: another has to take over. The rod keeps its length between
-// two points of which each is known from the ground along one joint.
+// two points, each known from the ground along one joint.
 static void a_group_that_repeats_constraints_passes_its_dead_point(void **unused)
 {
     (void)unused;

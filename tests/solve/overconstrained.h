@@ -1,6 +1,6 @@
-// Random machines that are put together by construction: bodies stand at a pose drawn first, joints are laid through
-// them there, and the file is written with that pose as its start. Many of their constraints repeat others: bodies
-// joined twice, parallel cranks, doubled guides and meshes.
+// Random machines assembled by construction: bodies are placed at a pose drawn first, joints are laid through them
+// there, and the file is written with that pose as its start. Many of their constraints repeat others: bodies joined
+// twice, parallel cranks, doubled guides and meshes.
 #ifndef TESTS_SOLVE_OVERCONSTRAINED_H
 #define TESTS_SOLVE_OVERCONSTRAINED_H
 #include "check.h"
@@ -78,7 +78,7 @@ static inline Joint *join(Drawn *d, Joining kind, int a, int b, YkVec world, dou
     return j;
 }
 
-// A joint of the tree has a coordinate, so it is no weld.
+// A joint of the tree has a coordinate, so it is not a weld.
 static inline Joint *join_anyhow(Drawn *d, uint64_t *seed, int a, int b, bool in_tree)
 {
     static const Joining kinds[] = {PIN, PIN, PIN, PIN, PIN, SLIDE, SLIDE, PIN_SLOT, PIN_SLOT, WELD};

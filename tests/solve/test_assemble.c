@@ -1,5 +1,5 @@
 // Assembling: the nearest configuration by trying all, all of them by Newton's method from anywhere, labels that keep
-// their meaning, and words for what cannot be assembled.
+// their meaning, and messages for what cannot be assembled.
 #include "four_bar.h"
 #include "solve/state.h"
 
@@ -340,7 +340,7 @@ static void check_nearest(const char *file, int tries)
         taken += !seen[due];
         seen[due] = true;
     }
-    assert_int_equal(taken, poses.count); // every configuration is somebody's nearest
+    assert_int_equal(taken, poses.count); // every configuration is the nearest for some guess
     machine_free(&m);
 }
 
@@ -491,7 +491,7 @@ static void test_at_a_coincidence_it_is_told_what_is_true_there(void **unused)
                 YK_SINGULAR, "dead point at joint `A`", 0); // the pin on the lever's pivot
 }
 
-// A plate on three links, one of which is far too long: that no assembly was found proves nothing, so it is not
+// A plate on three links, one of them far too long: that no assembly was found proves nothing, so it is not
 // said that there is none.
 static void test_where_the_search_gave_up_it_says_so(void **unused)
 {

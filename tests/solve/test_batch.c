@@ -1,5 +1,4 @@
-// Batches: bit for bit what one pose a call gives, over every channel; lanes that do not close, blocks that are not
-// full.
+// Batches: bit for bit one pose a call, over every channel; lanes that do not close, blocks that are not full.
 #include "machine.h"
 #include "compile/mechanism.h"
 

@@ -1,5 +1,5 @@
-// Groups without closed form: their solutions close, are followed without a jump, stop at limits and come back; and
-// what dyads in the same machine promise holds there too.
+// Groups without closed form: their solutions close, are followed without a jump, stop at limits and return; and what
+// dyads guarantee in the same machine holds there too.
 #include "machine.h"
 
 enum { SOLUTIONS_MAX = 64, COORDINATES_MAX = 16 };

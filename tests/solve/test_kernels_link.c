@@ -1,4 +1,4 @@
-// Loops with one unknown or none, on solutions chosen beforehand and on loops that miss.
+// Loops with one unknown or none, on solutions chosen beforehand and on loops that do not close.
 #include "lanes_check.h"
 
 static void finds_link(uint64_t seed, bool varies, bool is_turned)

@@ -1,5 +1,5 @@
-// The same machine elsewhere: moved, turned, mirrored, measured in other units, written in another order, run
-// backwards. Its answers map back to 1e-12.
+// The same machine moved, turned, mirrored, measured in other units, written in another order, run backwards: its
+// answers map back to 1e-12.
 #include "machine.h"
 
 // A quick-return and a four-bar on one crank, so that every kind of dyad takes part. (X, Y): moved; phi: turned; m =

@@ -7,7 +7,7 @@
 
 enum { MACHINES = 3000, MACHINES_FULL = 100000 };
 #define RANK_TOLERANCE 1e-9 // of rows of about length 1
-#define CLEAR 1e-4          // what is less than this, and not nothing, is no clear case
+#define CLEAR 1e-4          // a value below this, but not 0, is unclear
 
 typedef enum Verdict { FINE, UNCLEAR, WRONG } Verdict;
 typedef struct Case {

@@ -1,5 +1,5 @@
 // No answer is NaN or infinite without a status that says so: random machines of every dyad, of every size, often
-// degenerate. YOKE_TEST_RANDOM=1000000 in the environment runs as many machines as one has patience for.
+// degenerate. YOKE_TEST_RANDOM=1000000 in the environment runs so many machines.
 #include "machine.h"
 
 enum { MACHINES = 6000 };

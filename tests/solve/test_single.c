@@ -1,5 +1,5 @@
 // One pose by values has the bits of the lanes: every step of the gallery's machines and of those below, in every form
-// that a block has.
+// of a block.
 #include "machine.h"
 #include "solve/state.h"
 

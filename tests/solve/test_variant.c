@@ -210,7 +210,7 @@ static void test_what_cannot_follow_is_refused_with_its_place(void **unused)
                        "  S: {slide: [a, b], along: x, turned: tilt, distance: d}\n";
     check_refused(text, "tilt", 508);
     check_refused(text, "no_such", 412);
-    // where gears mesh hangs on what `start:` gives; a drive's speed does not
+    // the meshing of gears depends on `start:`; a drive's speed does not
     text = "parameters: {tilt: 0.1, speed: 2}\n"
            "bodies: {ground: {points: {A: [0, 0], B: [3, 0]}}, a: {points: {A: [0, 0]}}, b: {points: {B: [0, 0]}}}\n"
            "joints: {A: {pin: [ground, a], angle: p}, B: {pin: [ground, b], angle: q}}\n"

@@ -5,7 +5,7 @@
 
 enum { NAMES_MAX = 8 };
 
-// Assur's triad: a six-bar without a dyad, of which one link varies.
+// Assur's triad: a six-bar without a dyad; one link varies.
 #define TRIAD                                                                                                          \
     "parameters: {l: 4.5, r: 3}\n"                                                                                     \
     "bodies:\n"                                                                                                        \

@@ -96,7 +96,7 @@ static void check_text(const char *text, const char *const *names, size_t count,
     for (size_t k = 0; k < STATES; k += 97) check_state(text, names, count, k);
 }
 
-// A fork with a rod, a reversed pin, points that are nobody's origin, a body without mass.
+// A fork with a rod, a reversed pin, points that are no body's origin, a body without mass.
 static const char *const FORK =
     "parameters: {l: 1, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
     "gravity: [1, -g]\n"

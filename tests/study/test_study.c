@@ -197,7 +197,7 @@ static void test_forces_follow_masses_and_lengths(void **unused)
     machine_free(&m);
 }
 
-// A four-bar driven at its rocker turns to and fro between 54.9 and 128.7 deg, or, put together on the other side,
+// A four-bar driven at its rocker turns back and forth between 54.9 and 128.7 deg, or, assembled on the other side,
 // between -128.7 and -54.9 deg; the labels are the same there.
 static void test_a_pose_in_another_range_of_the_same_label_is_a_limit(void **unused)
 {

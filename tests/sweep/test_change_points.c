@@ -1,5 +1,5 @@
-// Change points: the motion goes on as the kind it was, the event is told, and nothing is ever NaN - whether rows fall
-// on the change point or beside it.
+// Change points: the motion continues in its kind, the event is reported, and nothing is ever NaN - whether or not rows
+// fall on the change point.
 #include "solve/four_bar.h"
 
 static const char *const four_bar_names[] = {"coupler.angle", "theta4", "coupler.angle.rate", "theta4.rate",

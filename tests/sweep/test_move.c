@@ -1,5 +1,5 @@
-// Moving to a pose: the branch and the circuit that the machine was put together in, to closed forms; limits where
-// they are; turns counted; ways round; and no jump on any example.
+// Moving to a pose: on the branch and circuit in which the machine was assembled, against closed forms; limits at their
+// places; turns counted; detours; and no jump on any example.
 #include <dirent.h>
 #include "solve/four_bar.h"
 

@@ -1,4 +1,4 @@
-// Equilibria that a machine can get to, against what is known of the circuits of linkages.
+// Equilibria that a machine can get to, against known circuits of linkages.
 #include <yoke/yoke.h>
 #include "check.h"
 

@@ -1,5 +1,5 @@
-// Sweeps: what a row holds, where a limit lies, extremes between rows, and that nothing is jumped - over a coordinate
-// or over time, however far apart the rows.
+// Sweeps: the contents of a row, the place of a limit, extremes between rows, and that nothing is jumped - over a
+// coordinate or over time, however far apart the rows.
 #include "solve/four_bar.h"
 
 static const char *const names[] = {"coupler.angle", "theta4", "theta4.rate", "theta4.accel"};
@@ -7,8 +7,8 @@ static const char *const names[] = {"coupler.angle", "theta4", "theta4.rate", "t
 // --- limits
 // -------------------------------------------------------------------------------------------------------------
 
-// Crank angles in [0, pi] between which a four-bar that is no crank closes, from the triangle inequality for the
-// distance |b - c| <= |A O4| <= b + c.
+// Finds the crank angles in [0, pi] between which a four-bar whose crank cannot turn through closes, by the triangle
+// inequality for the distance: |b - c| <= |A O4| <= b + c.
 static void closing_angles(FourBar f, double *low, double *high)
 {
     double inner = fabs(f.b - f.c), outer = f.b + f.c;

@@ -1,3 +1,4 @@
+// CSV.
 #include "check.h"
 #include <stdlib.h>
 #include "write/csv.h"

@@ -1,3 +1,4 @@
+// JSON.
 #include "check.h"
 #include <float.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// Pages as PDF, by a stand-in for the browser: what it is told, and that nothing is left behind.
+// Pages as PDF, by a stand-in for the browser: what it is given, and that nothing is left behind.
 #include "check.h"
 #include <dirent.h>
 #include <stdlib.h>
@@ -79,7 +79,7 @@ static void a_browser_that_fails_is_told(void **state)
     Place place = open_place("echo no display >&2; exit 3");
     assert_int_equal(print("<p>page</p>", &output), YK_CODE_PROGRAM_FAILED);
     close_place(&place);
-    place = open_place("exit 0"); // says that all is well, but there is no page
+    place = open_place("exit 0"); // reports success, but there is no page
     assert_int_equal(print("<p>page</p>", &output), YK_CODE_PROGRAM_FAILED);
     close_place(&place);
     place = open_place(NULL);

@@ -1,3 +1,4 @@
+// Other programs as filters.
 #include "check.h"
 #include <stdlib.h>
 #include "base/codes.h"

@@ -1,4 +1,4 @@
-// Output line by line: files appear at the end, and end behind a whole line whatever happens.
+// Output line by line: files appear at the end, and end after a whole line whatever happens.
 #define _XOPEN_SOURCE 700
 #include "check.h"
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Tables for people.
 #include "check.h"
 #include "write/table.h"
 

@@ -5,7 +5,7 @@ import { placeAt } from "./pose";
 type From = Place & { columns: number[]; turned?: number };
 interface Arrow { place: From; columns: number[]; path: SVGPathElement }
 
-// A length that all but a few of the largest fall below: near a limit velocities have no bound.
+// Returns a length that all but a few values stay below, since velocities are unbounded near a limit.
 function usual(data: Data, places: { columns: number[] }[]): number {
   const sizes: number[] = [];
   for (const { columns: [x, y] } of places)

@@ -1,4 +1,4 @@
-// Diagrams over the motion. Hovering over one moves the machine; a line in each shows where the machine stands.
+// Diagrams over the motion. Hovering over one moves the machine; a line in each marks the pose shown.
 import uPlot from "uplot";
 import style from "uplot/dist/uPlot.min.css";
 import { Data, Panel } from "./data";
@@ -7,7 +7,7 @@ const light = ["#1f5f99", "#b35a12", "#1d7350", "#8a4480", "#8f7400", "#2b7fa3",
 const dark = ["#7fb6e6", "#f0a562", "#6cc79e", "#d79ccd", "#dcc25a", "#7fc9e6", "#ef8f73", "#aba1ef", "#b4cc5e", "#c7b39c"];
 const HEIGHT = 250;
 
-// The range that shows a diagram best: all of it, unless a few values near a limit would flatten the rest.
+// Returns the range of a diagram: all of it, unless a few values near a limit would flatten the rest.
 function range(columns: (number | null | undefined)[][]): [number, number] {
   const values = columns.flat().filter((v): v is number => typeof v === "number").sort((a, b) => a - b);
   if (values.length === 0) return [-1, 1];

@@ -1,16 +1,16 @@
-// What the program wrote into the page (src/report/data.c): numbers of every row of the motion.
+// The data that the program wrote into the page (src/report/data.c): numbers of every row of the motion.
 export interface Column { name: string; unit: string; values: (number | null)[] }
 export interface Panel { id: string; unit: string; columns: number[] }
 export interface Body { name: string; center: [number, number]; x: number[]; y: number[]; turn: number[] }
 export interface Place { body: number; at: [number, number] }
 export interface Joint extends Place { name: string; columns: number[] }
-// turned: how far the drawing turns a follower from where the velocities are computed, clockwise, rad
+// turned: the angle by which the drawing turns a follower from its place in the velocities, clockwise, rad
 export interface Point extends Place { name: string; point: number; shown: boolean; turned: number; columns: number[] }
 
 export interface Data {
   seconds: number; // of one pass
-  goes_back: boolean; // to and fro
-  start: number; // the row that is drawn
+  goes_back: boolean; // back and forth
+  start: number; // the row drawn at first
   axis: Column;
   columns: Column[];
   panels: Panel[];
@@ -25,7 +25,7 @@ export function readData(): Data {
   return JSON.parse(document.getElementById("data")!.textContent!) as Data;
 }
 
-// Between two rows a value lies on a straight line; null where either is not known.
+// Interpolates linearly between two rows; null if either value is unknown.
 export function between(values: (number | null)[], at: number): number | null {
   const row = Math.min(Math.floor(at), values.length - 1), part = at - row;
   const a = values[row], b = part > 0 ? values[row + 1] : a;

@@ -1,4 +1,4 @@
-// Play, pause, slider and keys: where in the motion the page stands, from 0 to the last row.
+// Play, pause, slider and keys: the position in the motion, from 0 to the last row.
 import { between, Data, number } from "./data";
 
 export class Player {

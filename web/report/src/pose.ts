@@ -1,4 +1,4 @@
-// The drawing at a row: every group of a body is turned and shifted, names follow their places.
+// Shows the drawing at a row: every group of a body is turned and shifted, and names follow their places.
 import { between, Body, Data, Place } from "./data";
 
 interface Shift { x: number; y: number; turn: number }
@@ -7,7 +7,7 @@ function shift(body: Body, at: number): Shift {
   return { x: between(body.x, at)!, y: between(body.y, at)!, turn: between(body.turn, at)! };
 }
 
-// Where a place of a body is, on the page.
+// Returns where a place on a body is, on the page.
 export function placeAt(data: Data, place: Place, at: number): [number, number] {
   const body = data.bodies![place.body], to = shift(body, at), angle = (to.turn * Math.PI) / 180;
   const dx = place.at[0] - body.center[0], dy = place.at[1] - body.center[1], c = Math.cos(angle), s = Math.sin(angle);

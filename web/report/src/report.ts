@@ -24,7 +24,7 @@ if (svg && data.bodies) {
   });
   addShows(data, svg, arrows, () => player!.at);
 }
-// The page is seen first, diagrams come after.
+// The page appears first, the diagrams afterwards.
 if (data.panels.length > 0)
   requestAnimationFrame(() => setTimeout(() => {
     charts = new Charts(data, (row) => { player?.play(false); player?.go(row); });

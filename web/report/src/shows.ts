@@ -1,4 +1,4 @@
-// What the drawing shows besides the machine: a box to tick for every path, and for the arrows.
+// What the drawing shows besides the machine: a checkbox for every path, and for the arrows.
 import { Arrows } from "./arrows";
 import { Data } from "./data";
 
