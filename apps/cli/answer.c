@@ -77,7 +77,7 @@ void yk_tell_status(YkSession *session, YkStatus status, const char *message)
     yk_problem(session->problems, yk_status_code(status), (YkPlace){0}, "%s: %s", yk_status_name(status),
                words_of(status, message));
     bool gave_up = status == YK_NOT_CONVERGED && session->state && yk_state_report(session->state)->status == status;
-    if (gave_up) yk_problem_hint(session->problems, "give guesses nearer to the assembly that is meant in `start:`");
+    if (gave_up) yk_problem_hint(session->problems, "give guesses nearer to the intended assembly in `start:`");
 }
 
 int yk_freedom_of(const YkMechanism *mech)
@@ -150,10 +150,10 @@ bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, con
             yk_text_puts(&when, ", first seen at t = ");
             yk_add_value(session, &when, *at, YK_QUANTITY_TIME, YK_DIGITS);
         }
-        yk_problem(
-            session->problems, YK_CODE_CAM_PARTS, (YkPlace){0},
-            "cam %q would have to pull its follower, which leaves the cam instead%s; what is told keeps them together",
-            yk_dynamics_contact_name(dynamics, k), yk_text_get(&when));
+        yk_problem(session->problems, YK_CODE_CAM_PARTS, (YkPlace){0},
+                   "cam %q would have to pull its follower, which leaves the cam instead%s; the answer assumes that "
+                   "they stay in contact",
+                   yk_dynamics_contact_name(dynamics, k), yk_text_get(&when));
         yk_text_free(&when);
         any = true;
     }

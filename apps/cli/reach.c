@@ -116,7 +116,7 @@ static void note_way(YkSession *session)
     const YkMove *move = &session->move;
     if (move->is_detour)
         yk_problem(session->problems, YK_CODE_WAY_ROUND, (YkPlace){0},
-                   "a limit blocks the straight way from `start:`; the machine came here by a way round, through its "
+                   "a limit blocks the straight way from `start:`; the machine got here by a detour, through its "
                    "several inputs");
     if (move->pass_count == 0) return;
     yk_problem(session->problems, YK_CODE_WAY_CHANGE_POINT, (YkPlace){0},

@@ -130,7 +130,7 @@ static size_t number_of(const char *word)
 
 static YkStatus refuse(YkSession *session, const Chooser *c)
 {
-    yk_text_format(&session->reach_message, "no configuration %q closes at the asked pose", c->word);
+    yk_text_format(&session->reach_message, "no configuration %q closes at the requested pose", c->word);
     yk_problem(session->problems, YK_CODE_NO_SUCH_ASSEMBLY, (YkPlace){0}, "%s", yk_text_get(&session->reach_message));
     yk_problem_hint(session->problems, c->seen > 0 ? "there are %s" : "nothing closes there%s", yk_text_get(&c->list));
     return YK_NO_ASSEMBLY;
@@ -185,7 +185,7 @@ YkStatus yk_reach_untold(YkSession *session)
     session->is_chosen = true;
     if (status >= 0)
         yk_problem(session->problems, YK_CODE_START_UNTOLD, (YkPlace){0},
-                   "the file does not say where the machine was put together; the configuration nearest to its guesses "
+                   "the file does not say where the machine was assembled; the configuration nearest to its guesses "
                    "at this pose was taken");
     return status;
 }

@@ -72,10 +72,10 @@ static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)
 
 void yk_program_place(YkProgram *p, size_t index)
 {
-    static const char *const what[] = {"two circles meet",
-                                       "a circle meets a line",
+    static const char *const what[] = {"two circles intersect",
+                                       "a circle intersects a line",
                                        "a line turns about a pin through a point",
-                                       "two lines meet",
+                                       "two lines intersect",
                                        "one unknown, checked",
                                        "checked",
                                        ""};

@@ -112,7 +112,7 @@ static bool write_body(YkFile *file)
     file->text = head;
     yk_file_template(file,
                      "#ifndef @_DECLARATIONS_ONLY\n#include <math.h>\n#include <stdint.h>\n#include <string.h>\n\n"
-                     "/* Functions that must vanish into loops, and loops in which no pose hangs on another. */\n"
+                     "/* Functions to inline into loops, and loops in which poses do not depend on each other. */\n"
                      "#if defined(__GNUC__)\n#define @_INLINE static inline __attribute__((always_inline))\n#else\n"
                      "#define @_INLINE static inline\n#endif\n"
                      "#if defined(__clang__)\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that stays "

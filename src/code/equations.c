@@ -91,7 +91,7 @@ bool yk_forces_equations(YkForces *f)
     YkProgram *p = f->program;
     YkEquations bodies, lumped;
     if (!start(f, &bodies) || !start(f, &lumped)) return false;
-    yk_dag_section(&p->graph, "Equations of motion: M q'' + rest = efforts, from what the bodies are to each arm.");
+    yk_dag_section(&p->graph, "Equations of motion: M q'' + rest = efforts, from the masses lumped on each arm.");
     bool is_lumped = yk_forces_lumped(f, &lumped);
     if (is_lumped) add_loads(f, &lumped);
     yk_dag_section(&p->graph, "Equations of motion: M q'' + rest = efforts, body by body.");

@@ -8,7 +8,7 @@ static void write_fixed(YkFile *file)
     for (size_t k = 0; k < m->parameter_count; k++) {
         if (!file->program.is_fixed[k]) continue;
         yk_text_format(&file->text, "%s%s = %g",
-                       any ? ", " : "\n   Fixed, since laws or gears hang on them: ", m->parameters[k].name,
+                       any ? ", " : "\n   Fixed, since laws or gears depend on them: ", m->parameters[k].name,
                        m->parameters[k].value);
         any = true;
     }
@@ -29,8 +29,8 @@ void yk_file_write_head(YkFile *file)
         "<math.h>\n"
         "   alone; allocates nothing, has no variables outside functions.\n\n"
         "       @_parameters p = @_defaults();         dimensions, masses ...: change what you like\n"
-        "       @_machine m = @_prepare(&p);           what hangs on them alone, computed once\n"
-        "       @_configuration c = @_start();         which way it is assembled\n"
+        "       @_machine m = @_prepare(&p);           what depends only on them, computed once\n"
+        "       @_configuration c = @_start();         how it is assembled\n"
         "       @_inputs in = {0};                     its independent coordinates, with rates and accelerations\n");
     if (file->drive_count > 0)
         yk_file_template(file, "       @_drives(&m, t, &in);                  as the file's drives move it\n");
@@ -50,9 +50,9 @@ void yk_file_write_head(YkFile *file)
     if (file->has_forces && file->forces.why_no_reactions)
         yk_text_format(out, "\n   Reactions are not part of it: %s.\n", file->forces.why_no_reactions);
     if (file->is_of_file)
-        yk_text_puts(out, "\n   The parameters' values are special: a little beside them the machine has other "
+        yk_text_puts(out, "\n   The parameters' values are special: near them the machine has other "
                           "constraints. What is 0 or\n"
-                          "   cancels at these values is taken to stay so.\n");
+                          "   cancels at these values is assumed to stay so.\n");
     write_fixed(file);
     yk_text_puts(out, "*/\n");
 }

@@ -63,7 +63,7 @@ static void write_machine_type(YkFile *file)
 {
     YkPrinter *pr = &file->printer;
     yk_file_template(
-        file, "/* Parameters, and what hangs on them alone. */\ntypedef struct @_machine {\n    @_parameters p;\n");
+        file, "/* Parameters, and what depends only on them. */\ntypedef struct @_machine {\n    @_parameters p;\n");
     for (size_t k = 0; k < pr->field_count; k++) member(file, pr->field[pr->fields[k]], NULL);
     yk_file_template(file, "} @_machine;\n\n");
 }
@@ -125,7 +125,7 @@ static void write_prototypes(YkFile *file)
 {
     yk_file_template(file, "@_parameters @_defaults(void); /* the file's values */\n"
                            "@_machine @_prepare(const @_parameters *p);\n"
-                           "@_configuration @_start(void); /* as `start:` has it */\n");
+                           "@_configuration @_start(void); /* as `start:` says */\n");
     if (file->drive_count > 0) yk_file_template(file, "void @_drives(const @_machine *m, $ t, @_inputs *in);\n");
     for (size_t k = 0; k < file->routine_count; k++) {
         const YkRoutine *r = &file->routines[k];
@@ -143,16 +143,16 @@ void yk_file_write_types(YkFile *file)
 {
     yk_file_template(file, "#ifndef @_DECLARED\n#define @_DECLARED\n#include <stddef.h>\n\n"
                            "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    yk_file_template(file,
-                     "/* What a call says of its outcome. Below 0 the results mean nothing and may be no numbers. */\n"
-                     "enum {\n"
-                     "    @_OK = 0,\n"
-                     "    @_SINGULAR = 3,       /* a dead point, or a freedom without inertia: places stand, rates and "
-                     "forces do not */\n"
-                     "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
-                     "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n"
-                     "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n"
-                     "    @_BAD_INPUT = -5,     /* an input is no finite number");
+    yk_file_template(
+        file, "/* The status of a call. Below 0 the results are meaningless and may be NaN. */\n"
+              "enum {\n"
+              "    @_OK = 0,\n"
+              "    @_SINGULAR = 3,       /* a dead point, or a freedom without inertia: positions are valid, rates and "
+              "forces do not */\n"
+              "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
+              "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n"
+              "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n"
+              "    @_BAD_INPUT = -5,     /* an input is not a finite number");
     yk_text_puts(&file->text, file->single ? " */\n" : ", or an angle is beyond 1e5 rad */\n");
     yk_file_template(file, "    @_NOT_FINITE = -8     /* a load, or what it does, has no finite value here */\n"
                            "};\n\n");

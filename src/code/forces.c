@@ -38,7 +38,7 @@ static void make_columns(YkForces *f)
         for (size_t k = 0; k < n; k++) rate[k] = yk_dag_number(g, k == i ? 1 : 0);
         f->column[i] = yk_program_velocities(p, rate);
     }
-    yk_dag_section(g, "Velocities: what the Jacobian makes of the inputs' rates.");
+    yk_dag_section(g, "Velocities, from the Jacobian and the inputs' rates.");
     for (size_t i = 0; i < n && !p->failed; i++) {
         YkRef w = p->input[i].velocity;
         YkRates *v = &f->velocities, *c = &f->column[i];

@@ -184,9 +184,9 @@ void yk_file_write_helpers(YkFile *file, const char *body)
         yk_file_template(
             file,
             file->single
-                ? "/* The angle less as many turns as bring it nearest to another. */\n"
+                ? "/* The angle, less the turns that bring it nearest to another. */\n"
                   "@_INLINE $ @_nearest($ a, $ to) { return a - 6.28318531f * rintf((a - to) * 0.159154943f); }\n\n"
-                : "/* The angle less as many turns as bring it nearest to another. */\n"
+                : "/* The angle, less the turns that bring it nearest to another. */\n"
                   "@_INLINE $ @_nearest($ a, $ to)\n{\n"
                   "    const double to_integer = 6755399441055744.0;\n"
                   "    const double turns = ((a - to) * 0.15915494309189535 + to_integer) - to_integer;\n"

@@ -156,7 +156,7 @@ static void run_step(YkProgram *p, const YkStep *step)
         p->distance[step->target] = p->input[step->input].position;
         break;
     case YK_STEP_NODE:
-        yk_dag_section(g, "A place from which several bodies hang.");
+        yk_dag_section(g, "A place to which several bodies are attached.");
         p->node[step->target] = yk_program_sum(p, &p->mech->node_sums[step->target]);
         yk_dag_name(g, p->node[step->target].x, "place%d_x", (int)step->target + 1);
         yk_dag_name(g, p->node[step->target].y, "place%d_y", (int)step->target + 1);

@@ -93,7 +93,7 @@ void yk_printer_group(YkPrinter *pr, size_t block)
     yk_text_format(
         pr->out,
         "/* The loops of group %s at the unknowns x[%d]: each row of `system` is a row of their Jacobian and\n"
-        "   minus what the loop misses by; returns the sum of the misses, m. */\n",
+        "   minus the loop's error; returns the sum of the errors, m. */\n",
         b->label, n);
     yk_text_format(pr->out,
                    "static %s %s_loops_%s(const %s_machine *m, const %s *known, const %s *x_%s, %s *system)\n{\n", real,
@@ -118,8 +118,8 @@ void yk_printer_group(YkPrinter *pr, size_t block)
                    n, pr->single ? "f" : "", n + 1, n);
     yk_text_format(
         pr->out,
-        "/* Newton's method from the guess in x[0..%d]; then x[%d]: the miss over what is allowed, x[%d]: the\n"
-        "   determinant over the lengths of the columns. It stops where the miss no longer shrinks. */\n",
+        "/* Newton's method from the guess in x[0..%d]; then x[%d]: the error over the tolerance, x[%d]: the\n"
+        "   determinant over the lengths of the columns. It stops when the error no longer shrinks. */\n",
         n - 1, n, n + 1);
     yk_text_format(pr->out, "static void %s_solve_%s(const %s_machine *m, const %s *known, %s *x)\n{\n", pr->prefix,
                    name, pr->prefix, real, real);

@@ -77,7 +77,7 @@ static void add_motion(YkFile *file, const Rates *r)
 {
     YkProgram *p = &file->program;
     size_t n = p->mech->coordinate_count;
-    YkRoutine *routine = begin(file, "motion", "Coordinates that are no inputs, with rates and accelerations.", 3 * n);
+    YkRoutine *routine = begin(file, "motion", "Coordinates that are not inputs, with rates and accelerations.", 3 * n);
     yk_dag_section(&p->graph, "Answers: angles between bodies, nearest to the configuration's.");
     for (size_t k = 0; k < n && !p->failed; k++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[k];

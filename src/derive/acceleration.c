@@ -62,7 +62,7 @@ static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
     yk_text_format(&title, "%s slides on %s (%s)", d->model->bodies[j->body[1]].name, on, j->name);
     yk_page_heading(page, 2, yk_text_get(&title));
     yk_text_free(&title);
-    yk_page_words(page, "%s1 is the point of %s at which %s is just now.", point, on, point);
+    yk_page_words(page, "%s1 is the point of %s that coincides with %s.", point, on, point);
     put_sum_of_parts(d, page, j->body[0], point);
     const YkPoisson *square = yk_ring_power(ring, spin, 2);
     const struct {

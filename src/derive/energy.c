@@ -133,7 +133,7 @@ bool yk_derive_section_energy(YkDerivation *d, YkPage *page)
     put_potential(f, page, &V);
     if (!is_together(d)) {
         yk_page_words(page,
-                      "T and V are the sums of these; of more than %z bodies they are not written as one formula.",
+                      "T and V are the sums of these; for more than %z bodies they are not written as one formula.",
                       (size_t)YK_DERIVE_TOGETHER_MAX);
         return true;
     }

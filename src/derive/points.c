@@ -58,7 +58,6 @@ bool yk_derive_section_points(YkDerivation *d, YkPage *page)
         yk_text_free(&title);
         put_motion(d, page, name, yk_derive_position(d, point->body, yk_derive_at(d, point->body, (int32_t)p)));
     }
-    if (is_empty)
-        yk_page_words(page, "No body has mass, and no point stands for itself: ask for bodies' points with `points:`.");
+    if (is_empty) yk_page_words(page, "No body has mass, and all points are joints: name bodies' points in `points:`.");
     return true;
 }

@@ -35,7 +35,7 @@ static bool find_body(const YkTrain *train, const char *name, int32_t *body, YkP
     yk_problem(problems, YK_CODE_NOT_OF_TRAIN, nowhere,
                *body == YK_NONE ? "there is no body %q"
                : *body == 0     ? "%q stands still; it is neither input nor output"
-                                : "%q is no part of the gear train",
+                                : "%q is not part of the gear train",
                name);
     return false;
 }

@@ -256,15 +256,14 @@ static bool is_answer(const YkTrainBalance *work, YkProblems *problems)
 {
     const YkTrainCase *motion = &work->train->motion;
     if (yk_exact_contradiction(&work->system, work->known_count) >= 0) {
-        yk_problem(problems, YK_CODE_TORQUES_CONTRADICT, nowhere, "the torques that are given do not balance");
+        yk_problem(problems, YK_CODE_TORQUES_CONTRADICT, nowhere, "the given torques do not balance");
         if (work->load < 0) yk_problem_hint(problems, "name the body that takes the load: --out BODY");
         return false;
     }
     bool is_open = work->load >= 0 && isnan(yk_train_unknown(work, motion->row_count));
     for (int32_t r = 0; r < motion->row_count; r++)
         is_open |= motion->rows[r].kind == YK_ROW_INPUT && isnan(yk_train_multiplier(work, r));
-    if (is_open)
-        yk_problem(problems, YK_CODE_TORQUES_OPEN, nowhere, "the torques that are given do not settle the others");
+    if (is_open) yk_problem(problems, YK_CODE_TORQUES_OPEN, nowhere, "the given torques do not determine the others");
     return !is_open;
 }
 
@@ -277,7 +276,7 @@ static bool find_torques(YkTrainBalance *work, YkProblems *problems)
     int found = find_drivers(work);
     if (found < 0) return false;
     if (found == 0) {
-        yk_problem(problems, YK_CODE_SELF_LOCKING, nowhere, "with these losses the train cannot be driven so");
+        yk_problem(problems, YK_CODE_SELF_LOCKING, nowhere, "with these losses the train cannot be driven like this");
         return true;
     }
     for (int32_t m = 0; m < train->net.mesh_count; m++) fill_mesh(work, m);

@@ -4,7 +4,7 @@
 // - on the loops, for all dimensions: both sides are equal at random points of the machine's own motion over the prime
 //   field p = 2^64 - 2^32 + 1 (loop_point.c), on the assembly on which the machine is (loop_assembly.c). A false
 //   equation passes one point by chance with probability about degree / p;
-// - with other numbers, where that is no proof: at poses of machines with parameters beside the file's.
+// - with other numbers, if that is not a proof: at poses of machines with parameters near the file's.
 // Inputs take any motion, whatever drives them; only what a lock holds stands still, in the field as in the engine.
 #ifndef PROVE_CHECK_H
 #define PROVE_CHECK_H

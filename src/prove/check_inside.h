@@ -30,7 +30,7 @@ typedef struct YkCheckPose {
     YkState *state;
     double *values;    // of all symbols there,
     double *elsewhere; // and with coordinates that are *not* on the machine
-    size_t symbols;    // of which these are
+    size_t symbols;    // number of these
     uint64_t seed;     // the numbers drawn for `elsewhere` begin here,
     uint64_t behind;   // and ends here
 } YkCheckPose;
@@ -43,7 +43,7 @@ typedef struct YkCheckPoses {
     double start_margin;
     YkState *work;
     YkMotion *target;   // [inputs]
-    bool is_of_segment; // in the segments of which one equation speaks
+    bool is_of_segment; // in the segments that one equation is about
 } YkCheckPoses;
 
 typedef enum YkCheckGround { // where a proof can be based

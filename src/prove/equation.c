@@ -36,7 +36,8 @@ const YkForm *yk_equation_bracket(YkEquationReader *reader)
     char c = yk_equation_peek(reader);
     if (c == '\0' || c == '=') return yk_equation_refuse(reader, start, "this bracket is never closed", NULL);
     if (c != close)
-        return yk_equation_refuse(reader, reader->at, close == ')' ? "`)` is wanted here" : "`]` is wanted here", NULL);
+        return yk_equation_refuse(reader, reader->at, close == ')' ? "`)` is expected here" : "`]` is expected here",
+                                  NULL);
     reader->at++;
     return inner;
 }
@@ -156,7 +157,7 @@ bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace 
     equation->left = read_sum(&reader, true);
     if (equation->left && yk_equation_peek(&reader) != '=')
         yk_equation_refuse(&reader, reader.at,
-                           reader.at < length ? "an operator or `=` is wanted here"
+                           reader.at < length ? "an operator or `=` is expected here"
                                               : "there is no `=` in this equation",
                            "an equation has two sides: `l1*cos(theta1) - d3*cos(theta2) = 0`");
     if (reader.failed || !equation->left) return fail_sides(&reader);
@@ -169,7 +170,7 @@ bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace 
     if (equation->right && yk_equation_peek(&reader) != '\0')
         yk_equation_refuse(&reader, reader.at,
                            text[reader.at] == '=' ? "there is a second `=`: one equation at a time"
-                                                  : "an operator is wanted here, or the equation's end",
+                                                  : "an operator is expected here, or the equation's end",
                            NULL);
     if (equation->right) yk_equation_compare_sides(&reader, start, left, reader.size);
     return (!reader.failed && equation->right) || fail_sides(&reader);

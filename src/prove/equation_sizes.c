@@ -172,7 +172,7 @@ bool yk_equation_size_is_angle(YkEquationReader *reader, size_t start, YkEquatio
     reader->failed = true;
     place.column += (uint32_t)start;
     place.length = 1;
-    yk_problem(reader->problems, YK_CODE_WRONG_ARGUMENT, place, "an angle is wanted here, this is %s",
+    yk_problem(reader->problems, YK_CODE_WRONG_ARGUMENT, place, "an angle is expected here, this is %s",
                yk_dimension_name(size.dimension));
     return false;
 }

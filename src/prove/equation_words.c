@@ -209,7 +209,7 @@ static bool take_time(YkEquationReader *reader, int32_t symbol)
     while (inside < left && (yk_is_digit(at[inside]) || at[inside] == '.')) inside++;
     if (inside == 1 || inside == left || at[inside] != ')') return true;
     yk_equation_refuse(reader, reader->at, "an equation here is about any pose, not about one time",
-                       "`yoke solve --time` tells what is then; for a product write *");
+                       "`yoke solve --time` gives values at one time; for a product write *");
     return false;
 }
 
@@ -279,7 +279,7 @@ static const YkForm *root(YkEquationReader *reader, size_t start)
     of = yk_equation_root(reader->d, value);
     if (of) return form_of(reader, of);
     yk_ring_clear(ring);
-    return yk_equation_refuse(reader, start, "the root of a quotient by a sum is not read",
+    return yk_equation_refuse(reader, start, "the root of a quotient by a sum cannot be read",
                               "square both sides: d^2 = ... for d = sqrt(...)");
 }
 
@@ -343,7 +343,7 @@ static const YkForm *no_bracket(YkEquationReader *reader, size_t start, size_t e
     YkText message = {0}, hint = {0};
     const char *name = copy(reader, start, end);
     size_t next = name_end(reader, reader->at);
-    yk_text_format(&message, "`(` is wanted behind `%s`", name);
+    yk_text_format(&message, "`(` is expected after `%s`", name);
     yk_text_format(&hint, "write %s(%s)", name, next > reader->at ? copy(reader, reader->at, next) : "theta1");
     yk_equation_refuse(reader, reader->at, yk_text_get(&message), yk_text_get(&hint));
     yk_text_free(&message);
@@ -392,11 +392,11 @@ const YkForm *yk_equation_atom(YkEquationReader *reader)
     size_t bytes =
         yk_is_digit(c) || c == '.' ? yk_number_read(reader->text + start, reader->length - start, &value) : 0;
     if (bytes > 0) return read_number(reader, bytes);
-    if (c == '\0') return yk_equation_refuse(reader, start, "the equation ends where a quantity is wanted", NULL);
-    if (c == '=') return yk_equation_refuse(reader, start, "a quantity is wanted before `=`", NULL);
+    if (c == '\0') return yk_equation_refuse(reader, start, "the equation ends where a quantity is expected", NULL);
+    if (c == '=') return yk_equation_refuse(reader, start, "a quantity is expected before `=`", NULL);
     if ((unsigned char)c >= 0x80)
-        return yk_equation_refuse(reader, start, "this sign is not read in equations",
+        return yk_equation_refuse(reader, start, "this sign cannot be used in equations",
                                   "names are the file's; products `*` or a blank, minus `-`, rates theta1'");
-    return yk_equation_refuse(reader, start, "a quantity is wanted here",
+    return yk_equation_refuse(reader, start, "a quantity is expected here",
                               "write products with `*` or a blank, powers with `^`");
 }

@@ -88,7 +88,7 @@ void yk_report_findings(YkReportPage *report)
 {
     YkText text = {0};
     if (report->status < 0) {
-        yk_text_format(&text, "At its start the machine does not go together: %s.", report->message);
+        yk_text_format(&text, "The machine cannot be assembled at its start: %s.", report->message);
         yk_report_find(report, YK_FINDING_LOOK, &text);
     }
     yk_findings_structure(report, &text);

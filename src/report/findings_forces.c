@@ -121,7 +121,7 @@ static void find_work(YkReportPage *report, YkText *text)
     yk_text_puts(text, " and ");
     yk_report_amount(report, text, high, YK_QUANTITY_ENERGY);
     if (fabs(change) < noise * scale) {
-        yk_text_puts(text, " and comes back to where it was");
+        yk_text_puts(text, " and returns to its value");
     } else {
         yk_text_puts(text, " and ends ");
         yk_report_amount(report, text, fabs(change), YK_QUANTITY_ENERGY);
@@ -146,7 +146,7 @@ static void find_at_rest(YkReportPage *report, YkText *text)
         joint = j;
     }
     if (largest == 0) return;
-    yk_text_puts(text, "As it stands the largest force in a joint is ");
+    yk_text_puts(text, "At rest the largest force in a joint is ");
     yk_report_amount(report, text, largest, YK_QUANTITY_FORCE);
     yk_text_format(text, ", in %s.", yk_model_joint_name(report->model, joint));
     yk_report_find(report, YK_FINDING_FACT, text);
@@ -163,7 +163,7 @@ void yk_findings_forces(YkReportPage *report, YkText *text)
     }
     if (report->row_count < 2) return;
     if (passes_singular(report)) {
-        yk_text_puts(text, "Near a dead point or a change point forces have no bound, so no largest ones are told.");
+        yk_text_puts(text, "Near a dead point or a change point forces are unbounded, so no largest values are given.");
         yk_report_find(report, YK_FINDING_LOOK, text);
         return;
     }

@@ -80,7 +80,7 @@ static void find_stroke(YkReportPage *report, YkState *state, size_t coordinate,
     yk_report_note(report, status);
     if (status != YK_OK) return;
     if (stroke.high - stroke.low < rocks * (info.is_distance ? yk_mechanism_size(report->mech) : 1)) return;
-    yk_text_format(text, "%s goes to and fro between ", info.name);
+    yk_text_format(text, "%s moves back and forth between ", info.name);
     yk_report_amount(report, text, stroke.low, quantity);
     yk_text_puts(text, " (at ");
     yk_report_amount_at(report, text, stroke.low_at);
@@ -91,9 +91,9 @@ static void find_stroke(YkReportPage *report, YkState *state, size_t coordinate,
     yk_text_format(text, "), a %s of ", info.is_distance ? "stroke" : "swing");
     yk_report_amount(report, text, stroke.high - stroke.low, quantity);
     if (stroke.ratio < 1 + 1e-9)
-        yk_text_puts(text, "; there and back take the same time at constant speed.");
+        yk_text_puts(text, "; both strokes take the same time at constant speed.");
     else
-        yk_text_format(text, "; the time ratio is %e: the quick way takes %e of the slow one's time.",
+        yk_text_format(text, "; the time ratio is %e: the quick stroke takes %e of the slow one's time.",
                        1e-4 * rint(1e4 * stroke.ratio), 1e-4 * rint(1e4 / stroke.ratio));
     yk_report_find(report, YK_FINDING_FACT, text);
 }
@@ -108,7 +108,7 @@ static void find_reach(YkReportPage *report, size_t column, YkText *text)
         YkEvent event = yk_sweep_event(report->sweep, i);
         if (event.kind != YK_EVENT_EXTREME || event.channel != column || told >= TURNS_MAX) continue;
         yk_text_puts(text, told > 0 ? ", " : "");
-        if (told == 0) yk_text_format(text, "%s turns round at ", of->name);
+        if (told == 0) yk_text_format(text, "%s reverses at ", of->name);
         yk_report_amount(report, text, event.value, quantity);
         yk_text_puts(text, " (");
         yk_report_amount_at(report, text, event.at);
@@ -160,7 +160,8 @@ static void find_transmission(YkReportPage *report, YkText *text)
         yk_report_amount(report, text, least.value, YK_QUANTITY_ANGLE);
         yk_text_puts(text, " (at ");
         yk_report_amount_at(report, text, least.at);
-        yk_text_puts(text, least.value < low_transmission ? "); under 40 deg, forces grow and play shows." : ").");
+        yk_text_puts(text,
+                     least.value < low_transmission ? "); below 40 deg forces grow and clearances matter." : ").");
         yk_report_find(report, least.value < low_transmission ? YK_FINDING_LOOK : YK_FINDING_FACT, text);
     }
 }

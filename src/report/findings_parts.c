@@ -60,7 +60,7 @@ static void find_cam(YkReportPage *report, size_t cam, YkText *text)
         if (isfinite(forces.jump_speed)) {
             yk_text_format(text, "The follower of %s leaves the cam from ", size.name);
             yk_report_amount(report, text, forces.jump_speed, YK_QUANTITY_ANGLE_RATE);
-            yk_text_puts(text, forces.jump_speed < fabs(size.speed) ? " on: it does so at its drive's speed." : " on.");
+            yk_text_puts(text, forces.jump_speed < fabs(size.speed) ? " on: at its drive's speed it does." : " on.");
             yk_report_find(report, forces.jump_speed < fabs(size.speed) ? YK_FINDING_LOOK : YK_FINDING_FACT, text);
         }
     }

@@ -80,7 +80,7 @@ void yk_findings_simulation(YkReportPage *report, YkText *text)
 {
     if (report->motion.kind != YK_REPORT_SIMULATION) return;
     if (!report->simulation) {
-        yk_text_format(text, "It cannot be let go: %s.", report->motion_message);
+        yk_text_format(text, "It cannot be released: %s.", report->motion_message);
         yk_report_find(report, YK_FINDING_LOOK, text);
         return;
     }
@@ -91,7 +91,7 @@ void yk_findings_simulation(YkReportPage *report, YkText *text)
         yk_report_find(report, YK_FINDING_LOOK, text);
     }
     if (rests(report)) {
-        yk_text_puts(text, "Let go at its start it stays there: it is in equilibrium.");
+        yk_text_puts(text, "Released at its start it stays there: it is in equilibrium.");
         yk_report_find(report, YK_FINDING_FACT, text);
         return;
     }

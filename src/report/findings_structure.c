@@ -24,14 +24,13 @@ static void find_freedom(YkReportPage *report, YkText *text)
     if (freedom.by_rank >= 0 && freedom.by_rank != freedom.gruebler)
         yk_text_format(text, " by the rank of its constraints, though Gruebler's count says %d", freedom.gruebler);
     if (driven == 0) {
-        yk_text_puts(text,
-                     report->dynamics ? ", none of them driven: it moves as its loads make it." : ", none driven.");
+        yk_text_puts(text, report->dynamics ? ", none of them driven: it moves under its loads." : ", none driven.");
     } else if ((int)driven >= degrees) {
         yk_text_format(text, " and as many drives: the motion is determined.");
     } else {
         yk_text_format(text, ", %z of them driven; the other%s.", driven,
-                       report->dynamics             ? degrees - (int)driven == 1 ? " moves as the loads make it"
-                                                                                 : "s move as the loads make them"
+                       report->dynamics
+                           ? degrees - (int)driven == 1 ? " moves under the loads" : "s move under the loads"
                        : degrees - (int)driven == 1 ? " stays at its start"
                                                     : "s stay at their start");
     }
@@ -86,7 +85,7 @@ static void find_four_bars(YkReportPage *report, YkText *text)
         yk_report_find(report, YK_FINDING_FACT, text);
     }
     if (count > FOUR_BARS_MAX) {
-        yk_text_format(text, "%z more four-bars are in it.", count - FOUR_BARS_MAX);
+        yk_text_format(text, "It contains %z more four-bars.", count - FOUR_BARS_MAX);
         yk_report_find(report, YK_FINDING_FACT, text);
     }
 }
@@ -115,7 +114,7 @@ static void find_configurations(YkReportPage *report, YkText *text)
         char label[128];
         yk_state_label(report->start, label, sizeof label);
         yk_text_format(
-            text, "At its start it goes together in %s%z ways; this page shows the one nearest to its start values",
+            text, "At its start it can be assembled in %s%z ways; this page shows the one nearest to its start values",
             complete ? "" : "at least ", count.count);
         if (*label) yk_text_format(text, " (%s)", label);
         yk_text_puts(text, ".");

@@ -78,8 +78,8 @@ void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *proble
     yk_report_note_problems(report, own);
     if (derivation) {
         yk_text_puts(html, "<p>In SI units and radians.");
-        yk_text_puts(html, report->status >= 0 ? " Behind the last sign of equality: the value at the start.</p>\n"
-                                               : "</p>\n");
+        yk_text_puts(html,
+                     report->status >= 0 ? " After the last equals sign: the value at the start.</p>\n" : "</p>\n");
     } else if (own && yk_problems_count(own) > 0) {
         yk_html_element(html, "p", yk_problems_get(own, 0)->message);
     }

@@ -56,14 +56,13 @@ void yk_section_method(YkReportPage *report, YkText *html, YkProblems *problems)
     (void)problems;
     yk_text_puts(html, "<ul>\n");
     if (!yk_report_has_script())
-        yk_text_puts(html, "<li>This page stands still: Yoke was built without Node, which bundles the script that "
+        yk_text_puts(html, "<li>This page does not move: Yoke was built without Node, which bundles the script that "
                            "moves it.</li>\n");
     if (report->status >= 0) add_start(report, html);
     if (report->sweep) add_sweep(report, html);
     if (report->simulation) add_simulation(report, html);
     if (report->has_forces) add_forces(report, html);
-    yk_text_puts(
-        html,
-        "<li>Equations: derived in exact fractions from the machine's structure alone, apart from what computed the "
-        "numbers.</li>\n</ul>\n");
+    yk_text_puts(html, "<li>Equations: derived in exact fractions from the machine's structure alone, independently of "
+                       "what computed the "
+                       "numbers.</li>\n</ul>\n");
 }

@@ -19,7 +19,7 @@ static void tell_motion(YkReportPage *report, YkText *text)
     yk_text_puts(text, motion->kind == YK_REPORT_SIMULATION ? "Its motion under its loads, "
                        : motion->kind == YK_REPORT_TIME     ? "Its motion as the drives move it, "
                        : motion->kind == YK_REPORT_TURN     ? "One turn, "
-                                                            : "To and fro, ");
+                                                            : "Back and forth, ");
     yk_report_amount_at(report, text, report->at[0]);
     yk_text_puts(text, " to ");
     yk_report_amount(report, text, report->at[report->row_count - 1], yk_report_axis_quantity(report));

@@ -38,7 +38,7 @@ static void refuse(Reader *r, const YkNode *node, const char *message, const cha
 static bool read_value(Reader *r, const YkNode *node, const YkParameter *parameter, double *value)
 {
     if (node->kind != YK_NODE_SCALAR) {
-        refuse(r, node, "a value is wanted here%s", "");
+        refuse(r, node, "a value is expected here%s", "");
         return false;
     }
     if (yk_model_value_of(r->model, node->text, parameter->dimension, node->place, value, r->problems) == YK_OK)
@@ -51,7 +51,7 @@ static bool read_value(Reader *r, const YkNode *node, const YkParameter *paramet
 static bool read_list(Reader *r, const YkNode *node, const YkParameter *parameter, size_t count, double *values)
 {
     if (node->kind != YK_NODE_LIST || node->count != count) {
-        refuse(r, node, "%s", count == 2 ? "two values are wanted here" : "three values are wanted here");
+        refuse(r, node, "%s", count == 2 ? "two values are expected here" : "three values are expected here");
         return false;
     }
     bool good = true;

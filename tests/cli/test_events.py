@@ -20,7 +20,7 @@ class Events(Case):
         self.assertNotIn("more events", self.sweep(1).out)
         turns = KEPT // len(once["events"]) + 3
         more = turns * len(once["events"]) - KEPT
-        self.assertIn("%d more events were met: the first %d are told" % (more, KEPT), self.sweep(turns).out)
+        self.assertIn("%d more events were found: the first %d are listed" % (more, KEPT), self.sweep(turns).out)
 
 
 if __name__ == "__main__":

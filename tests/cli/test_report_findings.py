@@ -134,7 +134,7 @@ class Findings(Case):
         return 1 if here[0] > there else -1
 
     def check_strokes(self, text, path):
-        match = re.match(r"(\S+) goes to and fro between %s \(at (\S+) = %s\) and %s \(at \S+ = %s\)" % (AMOUNT, AMOUNT, AMOUNT, AMOUNT), text)
+        match = re.match(r"(\S+) moves back and forth between %s \(at (\S+) = %s\) and %s \(at \S+ = %s\)" % (AMOUNT, AMOUNT, AMOUNT, AMOUNT), text)
         if match and not match.group(1).startswith("t "):
             name, axis, unit = match.group(1), match.group(4), match.group(6).strip()
             low, high = float(match.group(5)), float(match.group(9))
@@ -142,12 +142,12 @@ class Findings(Case):
             self.assertEqual(self.check_turning(path, text, name, axis, high, unit, amount(match, 7)), -1)
             there = (high - low) * size_of(unit) % TURN
             ratio = max(there, TURN - there) / min(there, TURN - there)
-            told = re.search(r"time ratio is (%s): the quick way takes (%s) of" % (NUMBER, NUMBER), text)
+            told = re.search(r"time ratio is (%s): the quick stroke takes (%s) of" % (NUMBER, NUMBER), text)
             self.assertAlmostEqual(float(told.group(1)) if told else 1, ratio, delta=1e-3 * ratio, msg=text)
             if told:
                 self.assertAlmostEqual(float(told.group(2)), 1 / ratio, delta=1e-3, msg=text)
             self.count["ratio"] += 1
-        match = re.match(r"(\S+) turns round at (.*)\.$", text)
+        match = re.match(r"(\S+) reverses at (.*)\.$", text)
         if match and "goes to" not in text:
             for value, size, axis, at, unit in re.findall(r"%s \((\S+) = %s\)" % (AMOUNT, AMOUNT), match.group(2)):
                 self.check_turning(path, text, match.group(1), axis, float(at), unit.strip(), float(value) * size_of(size))
@@ -178,7 +178,7 @@ class Findings(Case):
                 self.count["work of a turn"] += 1
 
     def check_rest(self, text, path, pose):
-        if not text.startswith("Let go at its start it stays there"):
+        if not text.startswith("Released at its start it stays there"):
             return
         run = Run("rest", path, "--format", "json", "-q")
         found = [all(abs(math.remainder(c - pose["coordinates"][n]["position"], TURN)) < 1e-6 for n, c in e["coordinates"].items())
@@ -320,7 +320,7 @@ class Findings(Case):
         path = os.path.join(ROOT, "examples", "four-bar.yaml")
         text = Run("report", path, "-q").out
         begin, end = text.index('id="findings"'), text.index('id="motion"')
-        numbers = [m for line in re.finditer(r"<li>[^<]*(?:goes to and fro|are a four-bar)[^<]*", text[begin:end]) for m in
+        numbers = [m for line in re.finditer(r"<li>[^<]*(?:moves back and forth|are a four-bar)[^<]*", text[begin:end]) for m in
                    re.finditer(r"(?<= )\d+\.?\d*(?= (?:deg|mm))(?! deg;)|(?<=ratio is )[\d.]+(?=:)", line.group(0))
                    for m in [(begin + line.start() + m.start(), begin + line.start() + m.end())]]
         self.assertGreater(len(numbers), 6)

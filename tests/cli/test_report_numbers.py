@@ -95,14 +95,14 @@ class Page(Case):
 
     def check_start(self, page, pose, path):
         for finding in page.findings:
-            ways = re.search(r"it goes together in (at least )?(\d+) ways", finding)
+            ways = re.search(r"it can be assembled in (at least )?(\d+) ways", finding)
             if ways and not ways.group(1):
                 every = Run("solve", path, "--all", "--format", "json").json()
                 self.assertEqual(int(ways.group(2)), len(every["configurations"]))
                 label = re.search(r"start values \((.*)\)", finding)
                 if label:
                     self.assertEqual(label.group(1), pose["label"])
-            stands = re.search("As it stands the largest force in a joint is %s, in (.+)\\." % AMOUNT, finding)
+            stands = re.search("At rest the largest force in a joint is %s, in (.+)\\." % AMOUNT, finding)
             if stands:
                 sizes = {name: math.hypot(*r["force"]) for name, r in pose["reactions"].items()}
                 self.near(amount(stands), max(sizes.values()), digits=5)
@@ -188,7 +188,7 @@ class Page(Case):
         strokes = {stroke["column"]: stroke for stroke in answer.get("strokes", [])}
         found = 0
         for text in page.findings:
-            match = re.match(r"(\S+) goes to and fro between %s \(at .*?\) and %s \(at .*?\), a (?:stroke|swing) of %s" % (
+            match = re.match(r"(\S+) moves back and forth between %s \(at .*?\) and %s \(at .*?\), a (?:stroke|swing) of %s" % (
                 AMOUNT, AMOUNT, AMOUNT), text)
             if match and match.group(1) in strokes:
                 stroke = strokes[match.group(1)]

@@ -160,7 +160,7 @@ class Report(Case):
         self.assertEqual(run.code, 1)
         self.assertIn("[E0601]", run.err)
         self.assertEqual(faults(run.out), [])
-        self.assertIn("does not go together", run.out)
+        self.assertIn("cannot be assembled", run.out)
         self.assertIn('<section id="topology"', run.out)
 
     @unittest.skipUnless(shutil.which("gnuplot"), "needs gnuplot")

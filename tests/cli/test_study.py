@@ -330,10 +330,10 @@ class Study(Case):
         size = os.path.getsize(whole)
         said = self.limited(200000, *words, path) # the partial file does not fit
         self.assertIn("out.csv.partial", said)
-        self.assertIn("goes on from there", said)
+        self.assertIn("continues from there", said)
         self.assertTrue(0 < os.path.getsize(path + ".partial") <= 200000)
         said = self.limited(size - 1, *words, path) # the rows do, but not their text
-        self.assertIn("goes on from there", said)
+        self.assertIn("continues from there", said)
         self.assertFalse(os.path.exists(path))
         self.assertTrue(os.path.exists(path + ".partial"))
         self.good(*words, path)
@@ -341,7 +341,7 @@ class Study(Case):
         with open(path, "rb") as a, open(whole, "rb") as b:
             self.assertEqual(a.read(), b.read())
         said = self.limited(10, *words, path) # not even its head: nothing is left, and none is told
-        self.assertNotIn("goes on from there", said)
+        self.assertNotIn("continues from there", said)
         self.assertFalse(os.path.exists(path + ".partial"))
 
     def test_what_was_overwritten_is_computed_again(self):

@@ -1,4 +1,4 @@
-// What equations may be written with, and what a false one is told.
+// The syntax of equations, and the hints for false ones.
 #include "verdicts.h"
 
 static YkDynamics *dynamics_of(Machine *m)
@@ -198,7 +198,7 @@ static void what_only_drives_make_true_is_told_so(void **state)
     machine_end(&m);
 }
 
-// A load that hangs on the time is not what it is at t = 0.
+// A load that depends on time differs from its value at t = 0.
 static void loads_of_the_time_are_asked_at_any_time(void **state)
 {
     (void)state;
@@ -234,7 +234,7 @@ static void what_cannot_be_read_has_a_hint(void **state)
     (void)state;
     static const struct {
         const char *equation, *message, *hint;
-    } cases[] = {{"d3 cos theta2 = 1", "`(` is wanted behind `cos`", "write cos(theta2)"},
+    } cases[] = {{"d3 cos theta2 = 1", "`(` is expected after `cos`", "write cos(theta2)"},
                  {"theta1dot = 1", "unknown name `theta1dot`", "did you mean `theta1'`?"},
                  {"theta1_ddot = 1", "unknown name `theta1_ddot`", "did you mean `theta1''`?"},
                  {"l_1 = 2", "unknown name `l_1`", "did you mean `l1`?"},
@@ -246,11 +246,11 @@ static void what_cannot_be_read_has_a_hint(void **state)
                  {"sin^-1(theta1) = 1", "a negative power here could be the inverse function", "1/sin(x)"},
                  {"\xce\xb8"
                   "1 = 2",
-                  "this sign is not read in equations", "names are the file's"},
-                 {"l1 = 2 \xc2\xb7 3", "this sign is not read in equations", "products `*`"},
+                  "this sign cannot be used in equations", "names are the file's"},
+                 {"l1 = 2 \xc2\xb7 3", "this sign cannot be used in equations", "products `*`"},
                  {"omega = 2", "unknown name `omega`", "theta1.rate"},
                  {"l1 = l2 = 1", "there is a second `=`: one equation at a time", NULL},
-                 {"sin(l1) = 0", "an angle is wanted here, this is a length", NULL},
+                 {"sin(l1) = 0", "an angle is expected here, this is a length", NULL},
                  {"l1 = 2 kg", "the left side is a length, the right side a mass", NULL},
                  {"d5 = 3 m + 2 s", "what stands before is a length, this is a time", NULL},
                  {"theta1' = 2 m/s", "the left side is an angular speed, the right side a speed", NULL},

@@ -1,4 +1,4 @@
-// What a report says in sentences, against closed forms and other ways to the same number.
+// The findings of a report, against closed forms and other ways to the same number.
 #include "report/page.h"
 
 static const double degree = YK_PI / 180;
@@ -10,7 +10,7 @@ static void a_stroke_and_its_turning_points_are_told(void **state)
     Page page = open_page("gas-engine", NULL);
     const char *stroke = finding(page.report, "a stroke of ");
     assert_non_null(stroke);
-    CHECK_NEAR(told(page.report, "x goes to and fro between "), 100, 1e-9); // 140 - 40 mm
+    CHECK_NEAR(told(page.report, "x moves back and forth between "), 100, 1e-9); // 140 - 40 mm
     CHECK_NEAR(told(page.report, "a stroke of "), 80, 1e-9);
     assert_non_null(strstr(stroke, "the same time"));
     close_page(&page);
@@ -111,7 +111,7 @@ static void near_a_change_point_no_largest_force_is_told(void **state)
     (void)state;
     Page page = open_page("four-bar-at-rest", NULL);
     assert_non_null(finding(page.report, "There is a change point at theta2 = 180 deg"));
-    assert_non_null(finding(page.report, "forces have no bound"));
+    assert_non_null(finding(page.report, "forces are unbounded"));
     assert_null(finding(page.report, "The largest force"));
     close_page(&page);
 }

@@ -144,7 +144,7 @@ void yk_derive_put_polynomial(YkDeriveLaw *law, const YkLawPart *part, YkLawSegm
     *p = (YkDerivePolynomial){.law = law, .part = part, .segment = segment};
     bool is_short = collect(p);
     if (!is_short || !are_written(p)) {
-        yk_page_words(law->page, is_short ? "Its conditions are no polynomials of the parameters."
+        yk_page_words(law->page, is_short ? "Its conditions are not polynomials of the parameters."
                                           : "A polynomial of many conditions: `yoke cam` gives its numbers.");
         law->at = law->value = NULL;
         return;

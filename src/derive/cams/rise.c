@@ -409,13 +409,13 @@ void yk_derive_put_rise(YkDeriveLaw *law, const YkLawPart *part)
     law->at = to;
     law->value = is_fall ? yk_ring_subtract(d->ring, start, by) : yk_ring_add(d->ring, start, by);
     if (!rise || !from || !start || !to || !by) {
-        yk_page_words(law->page, "Its ends are no polynomials of the parameters.");
+        yk_page_words(law->page, "Its ends are not polynomials of the parameters.");
         return;
     }
     *rise = (Rise){.law = law, .part = part};
     const YkPoisson *h = yk_derive_call(law, "h", by);
     if (!place(rise, is_fall, from, to) || !make_zones(rise)) {
-        yk_page_words(law->page, "Its parts are no exact numbers: `yoke cam` has its values.");
+        yk_page_words(law->page, "Its parts are not exact numbers: `yoke cam` gives its values.");
         return;
     }
     scale(rise, is_fall ? law->value : start, by, h);

@@ -288,7 +288,7 @@ void yk_derive_put_cam(YkDerivation *d, YkPage *page, size_t index)
     Shape shape = {.d = d, .page = page, .ring = d->ring, .cam = cam, .numbers = yk_cam_shape_of(cam)};
     put_heading(&shape);
     if (!tie || tie->function < 0) {
-        yk_page_words(page, "Its angle is no coordinate of its own: not written here.");
+        yk_page_words(page, "Its angle is not a coordinate: not written here.");
         return;
     }
     shape.sigma = cam->turn > 0 ? 1 : -1;

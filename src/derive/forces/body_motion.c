@@ -69,7 +69,7 @@ bool yk_derive_put_depth(const YkDerivation *d, YkPage *page)
     if (!is_far(d, d->most_depth)) return false;
     yk_page_words(
         page,
-        "Up to %z joints stand between a body and the ground: positions, and what is made of them, are written "
+        "Up to %z joints stand between a body and the ground: positions, and what follows from them, are written "
         "out up to %z. Ask for free-bodies and newton-euler, which go from body to body.",
         (size_t)d->most_depth, (size_t)YK_DERIVE_DEPTH_MAX);
     return true;

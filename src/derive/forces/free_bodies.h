@@ -217,7 +217,7 @@ void yk_derive_put_angles(YkDerivation *d, YkPage *page);
 void yk_derive_put_lengths(const YkDeriveForces *f, YkPage *page);
 // Writes what relations transmit, and the meaning of the symbols of other roots and of quotients.
 void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page);
-void yk_derive_put_loads(const YkDeriveForces *f, YkPage *page); // of loads that are no polynomials, the same
+void yk_derive_put_loads(const YkDeriveForces *f, YkPage *page); // the same for loads that are not polynomials
 // Returns the name of the joint or relation to which a row of Lagrange's multipliers belongs.
 const char *yk_derive_row_name(const YkDeriveForces *f, size_t row);
 // Positions of bodies with more joints than this between them and the ground are not written out: in a chain of n

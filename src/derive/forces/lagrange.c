@@ -13,13 +13,12 @@ static void put_multipliers(const YkDeriveForces *f, YkPage *page)
     yk_page_heading(page, 2, "Multipliers");
     if (d->loop_count > 0)
         yk_page_words(
-            page,
-            "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force by which "
-            "the joint's first body acts on its second (of an angle: the second on the first).");
+            page, "Every scalar equation of a loop has a multiplier, M q'' + h + J^T lambda = Q. It is the force that "
+                  "the joint's first body exerts on its second (of an angle: the second on the first).");
     if (d->tie_count > 0)
-        yk_page_words(page,
-                      "Every gear, rack, belt, cam and law has a multiplier%s: minus what it transmits, by its lever.",
-                      d->loop_count > 0 ? ", too" : ", M q'' + h + J^T lambda = Q");
+        yk_page_words(
+            page, "Every gear, rack, belt, cam and law has a multiplier%s: minus what it transmits, times its lever.",
+            d->loop_count > 0 ? ", too" : ", M q'' + h + J^T lambda = Q");
     for (size_t k = 0; k < f->row_count; k++) {
         const YkPoisson *lambda = yk_ring_of(d->ring, f->multipliers[k]);
         YkLine *line = yk_page_equation(page, yk_derive_row_name(f, k), lambda, yk_derive_shown(d, f->identities[k]),
@@ -82,7 +81,7 @@ bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page)
     if (d->coordinate_count > YK_DERIVE_TOGETHER_MAX) {
         yk_page_words(
             page,
-            "Lagrange's equations of %z coordinates are not written: each speaks of the energy of all. Ask for "
+            "Lagrange's equations of %z coordinates are not written: each contains the energy of all. Ask for "
             "free-bodies and newton-euler, which go from body to body.",
             d->coordinate_count);
         return true;
@@ -90,7 +89,7 @@ bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page)
     const YkDeriveForces *f = yk_derive_forces(d);
     YkDeriveLagrange *equations = f ? all_equations(f, page) : NULL;
     if (!equations) return false;
-    yk_page_words(page, "d/dt (dL/dq') - dL/dq = Q for every coordinate q, dampers and multipliers beside it.");
+    yk_page_words(page, "d/dt (dL/dq') - dL/dq = Q for every coordinate q, with dampers and multipliers.");
     yk_derive_put_angles(d, page);
     yk_derive_put_meshes(f, page);
     for (size_t k = 0; k < d->coordinate_count; k++) {

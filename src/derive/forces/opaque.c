@@ -75,7 +75,8 @@ void yk_derive_put_loads(const YkDeriveForces *f, YkPage *page)
     }
     for (size_t k = 0; k < f->load_count; k++)
         if (f->loads[k].kind == YK_DERIVE_DRY)
-            yk_page_words(
-                page, "%s is what dry friction or a stop at %s exerts: it holds, or has its limit, as the motion asks.",
-                yk_ring_symbol_name(d->ring, f->loads[k].symbol), f->loads[k].name);
+            yk_page_words(page,
+                          "%s is what dry friction or a stop at %s exerts: it holds, or reaches its limit, as the "
+                          "motion requires.",
+                          yk_ring_symbol_name(d->ring, f->loads[k].symbol), f->loads[k].name);
 }

@@ -196,7 +196,8 @@ static void put_radii(const Mesh *mesh)
     const YkGear *gear = &d->model->gears[mesh->row->index];
     const YkPoisson *half = yk_ring_scale(d->ring, yk_derive_expression(d, gear->module_expr), 1, 2);
     if (!gear->module_expr || !half) {
-        yk_page_words(mesh->page, "%s is the pitch point, on the line e of the centres; the radii are as the teeth.",
+        yk_page_words(mesh->page,
+                      "%s is the pitch point, on the line e of the centres; the radii are in the ratio of the teeth.",
                       mesh->point);
         return;
     }
@@ -255,7 +256,7 @@ void yk_derive_put_mesh(YkDerivation *d, YkPage *page, size_t index)
         put_pitch_velocities(&mesh);
     } else if (mesh.of.kind == YK_TRAIN_GEARS) {
         yk_page_words(page,
-                      "The file puts both centres on one point, so its geometry has no pitch point; the teeth say:");
+                      "The file puts both centres on one point, so its geometry has no pitch point; the teeth give:");
     }
     if (mesh.of.kind == YK_TRAIN_GEARS) put_along_tangent(&mesh);
     put_willis(&mesh);

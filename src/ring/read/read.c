@@ -76,7 +76,7 @@ const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted)
     if (c < ' ' || c > '~')
         return yk_reader_refuse(reader, YK_CODE_EXPR_CHARACTER, reader->at, "%s is wanted, not this character", wanted);
     size_t start = reader->at++;
-    return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s is wanted here", wanted);
+    return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s is expected here", wanted);
 }
 
 // Reports a refusal of the ring as a problem.

@@ -239,5 +239,5 @@ void yk_check_text(const YkCheckAnswer *answer)
     add_four_bars(answer);
     add_forces(answer);
     if (answer->status < 0)
-        yk_text_format(&answer->session->out, "\nAt its start the machine does not go together: %s\n", answer->message);
+        yk_text_format(&answer->session->out, "\nThe machine cannot be assembled at its start: %s\n", answer->message);
 }

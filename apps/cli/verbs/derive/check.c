@@ -66,7 +66,7 @@ static void add_difference(Checking *checking, YkText *text, const YkCheckShown 
 static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
 {
     YkText *out = &checking->session->out;
-    const char *segment = verdict->is_in_segment ? " in the segment of which it speaks" : "";
+    const char *segment = verdict->is_in_segment ? " in the segment that it is about" : "";
     if (verdict->is_too_large) {
         yk_text_format(out, "true at %z poses of this machine, not proved: it is too large for that\n", verdict->poses);
     } else if (verdict->is_false_there) {
@@ -77,7 +77,7 @@ static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
     } else if (verdict->is_refuted) {
         yk_text_format(out,
                        "true only with this file's numbers (at %z poses): with others it does not hold in general "
-                       "(exact arithmetic tells; none was found to be named)\n",
+                       "(by exact arithmetic; no example was found)\n",
                        verdict->poses);
     } else if (verdict->machines > 0 && verdict->kept) {
         yk_text_format(out,
@@ -113,7 +113,7 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
         break;
     case YK_CHECK_TRUE_DRIVEN:
         yk_text_format(out,
-                       "true as this file's drives move the machine (at %z times); not where inputs move in any "
+                       "true as this file's drives move the machine (at %z times); not when inputs move in any "
                        "other way\n",
                        verdict->poses);
         break;
@@ -123,7 +123,7 @@ static void say_text(Checking *checking, const char *equation, const YkCheckVerd
         if (verdict->slip) yk_text_format(out, "  %s\n", verdict->slip);
         break;
     case YK_CHECK_UNDECIDED:
-        yk_text_puts(out, "undecided: the machine could not be put into poses that tell\n");
+        yk_text_puts(out, "undecided: no pose was found that decides it\n");
         break;
     case YK_CHECK_UNREADABLE:
         yk_text_format(out, "not understood%s%s\n", why ? ": " : "", why ? why : "");

@@ -102,7 +102,7 @@ static int cannot(YkSession *session, const YkDerivation *derivation, const YkPa
     if (why == YK_RING_SIZE)
         yk_problem_hint(session->problems,
                         "ask for other parts with --what, as in `--what loops,jacobian`: products of "
-                        "long sums take no part in them");
+                        "long sums do not occur in them");
     if (why == YK_RING_OVERFLOW)
         yk_problem_hint(session->problems, "numbers of many digits can be given as `parameters:`, which are symbols; "
                                            "other parts may be asked for with --what");

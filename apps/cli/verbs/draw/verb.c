@@ -80,7 +80,7 @@ static void tell_clipped(Drawer *drawer, double from, double to)
     yk_add_value(session, &part, from, drawer->over.quantity, YK_DIGITS);
     yk_text_puts(&part, " to ");
     yk_add_value(session, &part, to, drawer->over.quantity, YK_DIGITS);
-    yk_problem(session->problems, YK_CODE_RANGE_CLIPPED, (YkPlace){0}, "%s goes from %s only: beyond, it meets a limit",
+    yk_problem(session->problems, YK_CODE_RANGE_CLIPPED, (YkPlace){0}, "%s can only go from %s: limits lie beyond",
                drawer->over.name ? drawer->over.name : "the range", yk_text_get(&part));
     yk_text_free(&part);
 }

@@ -69,7 +69,8 @@ static bool read_options(YkSession *session, YkTrainOptions *options, YkTrainEff
     return read_efforts(session, efforts);
 }
 
-// A train that its drives leave undetermined is no answer; one without drives has only relations, which were asked for.
+// A train that its drives leave undetermined is not an answer; one without drives has only relations, which were asked
+// for.
 static int judge(YkSession *session, const YkTrain *train)
 {
     YkTrainStatus status = yk_train_status(train);

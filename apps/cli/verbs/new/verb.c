@@ -19,7 +19,7 @@ static void list_gallery(YkText *text)
     }
     yk_text_puts(
         text,
-        "\n`yoke new NAME > my.yaml` begins with one of them; `yoke new NAME | yoke check -` looks at it first.\n");
+        "\n`yoke new NAME > my.yaml` starts from one of them; `yoke new NAME | yoke check -` looks at it first.\n");
 }
 
 static const YkExample *find(const char *name)

@@ -15,7 +15,8 @@ static bool read_positive(YkSession *session, const char *option, const char *te
     if (!text) return true;
     if (!yk_session_value(session, option, "", text, quantity, value)) return false;
     if (*value > 0) return true;
-    yk_problem(session->problems, YK_CODE_OPTION_VALUE, (YkPlace){0}, "%s must be more than 0, not %q", option, text);
+    yk_problem(session->problems, YK_CODE_OPTION_VALUE, (YkPlace){0}, "%s must be greater than 0, not %q", option,
+               text);
     return false;
 }
 

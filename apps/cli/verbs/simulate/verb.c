@@ -57,9 +57,9 @@ static void foretell(const Watch *watch, double time)
     char number[YK_NUMBER_SIZE];
     if (!problems) return;
     yk_number_write_digits(steps, 1, number);
-    yk_problem(problems, YK_CODE_MOTION_LONG, (YkPlace){0}, "at the pace of its first steps this takes %s of them",
+    yk_problem(problems, YK_CODE_MOTION_LONG, (YkPlace){0}, "at the pace of its first steps the motion takes %s steps",
                number);
-    yk_problem_hint(problems, "Ctrl-C ends it, and the rows so far are complete; a nearer --to costs less");
+    yk_problem_hint(problems, "Ctrl-C stops it, with complete rows so far; an earlier --to costs less");
     yk_tell_problems(watch->session, problems);
     yk_problems_free(problems);
 }

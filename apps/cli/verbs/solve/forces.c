@@ -239,7 +239,7 @@ static void explain_ranges(YkSession *session)
                      "\n  Dry friction of joints at rest holds the machine with every effort in the range: there is no "
                      "single answer.\n");
     yk_text_puts(out, has_ranges(session) ? "  " : "\n  ");
-    yk_text_puts(out, "Reactions that are one of many are those without friction in the joints at rest.\n");
+    yk_text_puts(out, "Reactions marked as one of many are those without friction in the joints at rest.\n");
 }
 
 void yk_forces_text(YkSession *session, const YkState *state)

@@ -25,7 +25,7 @@ void yk_solve_of_warn(YkSession *session)
             "the machine stands under dry friction: every effort of a range holds it, and %q has no single value "
             "(%s %s)",
             column->name, yk_text_get(&words), yk_unit_of(session, quantity));
-        yk_problem_hint(session->problems, "--of %s.from,%s.to tells the range; --rate makes the machine move",
+        yk_problem_hint(session->problems, "--of %s.from,%s.to gives the range; --rate makes the machine move",
                         column->name, column->name);
         session->out.failed |= words.failed;
         yk_text_free(&words);

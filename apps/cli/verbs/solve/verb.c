@@ -141,7 +141,7 @@ static int solve(Writer *writer)
                                             : session->forces_message;
     if (pose < 0 && session->request->all && yk_reach_count(session) > 0) {
         yk_problem(session->problems, YK_CODE_NONE_IS_OWN, (YkPlace){0},
-                   "none of these is the machine's own configuration, which does not come here: %s", message);
+                   "none of these is the machine's own configuration, which cannot get here: %s", message);
         status = YK_OK;
         message = "";
     } else if (pose < 0) {

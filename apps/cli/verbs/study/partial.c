@@ -95,7 +95,7 @@ static uint64_t checksum_of(const YkStudyAnswer *answer, size_t from, size_t row
 void yk_partial_tell(YkProblems *problems)
 {
     if (!partial.path[0] || access(partial.path, F_OK) != 0) return;
-    yk_problem_hint(problems, "what was computed stays in %q: the same command goes on from there", partial.path);
+    yk_problem_hint(problems, "the results so far are in %q: the same command continues from there", partial.path);
 }
 
 // Rows already written stay: with more room the study continues from them.
@@ -147,8 +147,7 @@ static bool read_blocks(YkStudyAnswer *answer)
     while (read_block(answer, &is_damaged)) end = ftell(partial.file);
     if (is_damaged)
         yk_problem(answer->session->problems, YK_CODE_STUDY_DAMAGED, (YkPlace){0},
-                   "%q is not as it was written: designs from the %z-th on are computed again", partial.path,
-                   answer->done + 1);
+                   "%q is damaged: designs from the %z-th on are computed again", partial.path, answer->done + 1);
     return end >= 0 && fseek(partial.file, end, SEEK_SET) == 0 && ftruncate(fileno(partial.file), end) == 0;
 }
 
@@ -171,8 +170,8 @@ bool yk_partial_open(YkStudyAnswer *answer)
     if (memcmp(found, head, HEAD) != 0) {
         fclose(partial.file);
         partial.file = NULL;
-        yk_session_refuse(answer->session, YK_CODE_STUDY_CHANGED, "%q holds a part of another study", partial.path);
-        yk_problem_hint(answer->session->problems, "--fresh begins anew");
+        yk_session_refuse(answer->session, YK_CODE_STUDY_CHANGED, "%q is part of another study", partial.path);
+        yk_problem_hint(answer->session->problems, "--fresh starts anew");
         return false;
     }
     return read_blocks(answer) || fail(answer);

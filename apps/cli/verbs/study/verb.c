@@ -156,7 +156,7 @@ static bool find_sensitivities(YkStudyAnswer *a)
     yk_note_status(a->session, a->sensitivity_status);
     if (a->sensitivity_status < 0)
         yk_tell_status(a->session, a->sensitivity_status,
-                       "no sensitivities: a design next to the file's own does not stand");
+                       "no sensitivities: a design next to the file's own has no valid pose");
     return true;
 }
 
@@ -170,7 +170,7 @@ static size_t tell_failed(YkStudyAnswer *a)
         none += yk_study_row(a, d)[a->axis_count + 1] == 0;
     }
     if (failed > 0)
-        yk_problem(a->session->problems, YK_CODE_STUDY_FAILED_DESIGNS, (YkPlace){0}, "%z of %z designs do not stand%s",
+        yk_problem(a->session->problems, YK_CODE_STUDY_FAILED_DESIGNS, (YkPlace){0}, "%z of %z designs are not valid%s",
                    failed, a->done, a->over.name ? " at every pose" : "");
     return none;
 }

@@ -42,7 +42,7 @@ void yk_sweep_warn_of_friction(const YkSweepAnswer *answer)
                "single value; first at %s = %s%s",
                answer->held_rows, answer->held_rows == 1 ? "" : "s", column->name, answer->over.name, yk_text_get(&at),
                yk_text_get(&range));
-    yk_problem_hint(session->problems, "--of %s.from,%s.to tells the range; --rate makes the machine move",
+    yk_problem_hint(session->problems, "--of %s.from,%s.to gives the range; --rate makes the machine move",
                     column->name, column->name);
     session->out.failed |= at.failed || range.failed;
     yk_text_free(&at);

@@ -99,7 +99,7 @@ static void add_events(const YkSweepAnswer *answer)
     write_table(&answer->session->out, table, count > 0);
     size_t total = answer->sweep ? yk_sweep_event_total(answer->sweep) : 0;
     if (total > count)
-        yk_text_format(&answer->session->out, "\n%z more events were met: the first %z are told\n", total - count,
+        yk_text_format(&answer->session->out, "\n%z more events were found: the first %z are listed\n", total - count,
                        count);
 }
 
