@@ -1,7 +1,8 @@
+// Writes values to bytes and reads them back: one function for both directions.
 #include "base/archive.h"
 #include <string.h>
 
-// Where the next bytes go to or come from; NULL where they are only counted or there are none.
+// Returns where the next bytes are written or read; NULL if they are only counted or missing.
 static unsigned char *next(YkArchive *a, size_t count)
 {
     if (a->bytes && count > a->capacity - a->at) a->failed = true;
@@ -81,7 +82,7 @@ void yk_archive_choice(YkArchive *a, int64_t *value, int64_t low, int64_t high)
     *value = read;
 }
 
-// Every step is one to one in the sum, so that a byte that differs leaves a sum that differs.
+// Sums bytes. Every step is one to one in the sum, so a byte that differs leaves a different sum.
 uint64_t yk_archive_sum(const unsigned char *bytes, size_t count)
 {
     uint64_t sum = UINT64_C(0xcbf29ce484222325);

@@ -1,4 +1,4 @@
-// Laying out digits: plain from 1e-5 up to 1e15, with an exponent beyond.
+// Writes numbers: plain from 1e-5 up to 1e15, with an exponent beyond.
 #include "base/number.h"
 #include <math.h>
 #include "base/decimal.h"
@@ -35,7 +35,7 @@ static char *put_integer(char *out, int value)
     return put(out, first, (size_t)(digits + DIGITS_MAX - first));
 }
 
-// 0.00ddd, dd.ddd or ddd00: `point` digits stand before the decimal point.
+// Writes 0.00ddd, dd.ddd or ddd00 with `point` digits before the decimal point.
 static char *put_plain(char *out, const char *first, int count, int point)
 {
     if (point <= 0) {
@@ -76,7 +76,7 @@ static size_t finish(const char *text, char *end)
     return (size_t)(end - text);
 }
 
-// What needs no digits: sign, nan, inf and 0. Returns true when all is written; *out is where the rest goes.
+// Writes what needs no digits: sign, nan, inf and 0. Returns true if that is all; *out is where the rest goes.
 static bool put_special(char **out, double value)
 {
     if (isnan(value)) {
@@ -104,7 +104,7 @@ size_t yk_number_write_digits(double value, int digits, char text[YK_NUMBER_SIZE
     return finish(text, out);
 }
 
-// wide / 2^shift to the nearest integer, ties to even; wide < 2^110 and the result fits 64 bits.
+// Returns wide / 2^shift rounded to the nearest integer, ties to even; wide < 2^110 and the result fits 64 bits.
 static uint64_t shift_right_rounded(YkWide wide, int shift)
 {
     bool sticky = false;
@@ -119,8 +119,8 @@ static uint64_t shift_right_rounded(YkWide wide, int shift)
     return whole + (rest > half || (rest == half && (sticky || (whole & 1))));
 }
 
-// Below 1e15 < 2^50 a double has at least three binary places, so that `fraction` * 10^decimals / 2^places is an exact
-// 128-bit quotient.
+// Writes a fixed number of decimals. Below 1e15 < 2^50 a double has at least three binary places, so that `fraction` *
+// 10^decimals / 2^places is an exact 128-bit quotient.
 static char *put_fixed(char *out, double value, int decimals)
 {
     char digits[DIGITS_MAX];

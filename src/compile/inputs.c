@@ -232,7 +232,7 @@ static bool choose(Choice *c, const YkCompileOptions *options)
     if (ok) report_open_lock(c);
     if (missing > 0)
         yk_problem(c->problems, YK_CODE_UNDETERMINED, (YkPlace){0},
-                   "%z unknowns of the machine are determined by no loop and no input", missing);
+                   "neither the loops nor the inputs determine %z unknowns of the machine", missing);
     return ok && missing == 0;
 }
 

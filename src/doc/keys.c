@@ -13,8 +13,8 @@ static bool same(const YkNode *a, const YkNode *b)
 
 static void report(const YkNode *key, const YkNode *first, YkProblems *problems)
 {
-    yk_problem(problems, YK_CODE_YAML_DUPLICATE_KEY, key->place, "the key %q stands twice in the same map", key->text);
-    yk_problem_hint(problems, "it stands first on line %u, column %u", (unsigned)first->place.line,
+    yk_problem(problems, YK_CODE_YAML_DUPLICATE_KEY, key->place, "the key %q appears twice in the same map", key->text);
+    yk_problem_hint(problems, "it first appears on line %u, column %u", (unsigned)first->place.line,
                     (unsigned)first->place.column);
 }
 

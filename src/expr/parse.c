@@ -74,7 +74,7 @@ static YkExpr *join(YkParser *parser, YkExprKind kind, size_t start, const YkExp
 {
     if (!a) return NULL;
     int height = 1 + (b && parser->height > a_height ? parser->height : a_height);
-    if (height > YK_EXPR_HEIGHT_MAX) return too_deep(parser, start, "too many operations follow one upon another");
+    if (height > YK_EXPR_HEIGHT_MAX) return too_deep(parser, start, "too many operations follow each other");
     YkExpr *node = yk_parser_node(parser, kind, start);
     if (!node) return NULL;
     node->a = a;

@@ -25,9 +25,9 @@ static bool is_taken(YkLoader *loader, const char *name, YkPlace place)
     int32_t coordinate = yk_names_find(&model->coordinate_names, name);
     if (parameter == YK_NONE && coordinate == YK_NONE) return false;
     YkPlace first = parameter == YK_NONE ? model->coordinates[coordinate].place : model->parameters[parameter].place;
-    yk_problem(loader->problems, YK_CODE_REPEATED_NAME, place, "%q is the name of a %s already", name,
+    yk_problem(loader->problems, YK_CODE_REPEATED_NAME, place, "%q is already the name of a %s", name,
                parameter == YK_NONE ? "coordinate" : "parameter");
-    yk_problem_hint(loader->problems, "the first is in line %u", (unsigned)first.line);
+    yk_problem_hint(loader->problems, "the first is on line %u", (unsigned)first.line);
     return true;
 }
 
@@ -90,8 +90,8 @@ int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rat
             yk_problem_hint(loader->problems, "name it at its joint by `angle:` or `distance:`");
         }
     } else if (found >= 0 && rate && !is_rate) {
-        yk_problem(loader->problems, YK_CODE_RATE_NOT_HERE, key->place, "%q is a rate; the coordinate itself is wanted",
-                   key->text);
+        yk_problem(loader->problems, YK_CODE_RATE_NOT_HERE, key->place,
+                   "%q is a rate; the coordinate itself is expected", key->text);
         found = YK_REPORTED;
     }
     if (is_rate) *is_rate = rate;

@@ -11,7 +11,7 @@ typedef struct NameCheck {
 
 static void report_not_here(NameCheck *check, const YkExpr *name, const char *why, const char *hint)
 {
-    yk_problem(check->loader->problems, YK_CODE_NAME_NOT_HERE, name->place, "%q cannot stand here: %s", name->name,
+    yk_problem(check->loader->problems, YK_CODE_NAME_NOT_HERE, name->place, "%q cannot be used here: %s", name->name,
                why);
     yk_problem_hint(check->loader->problems, "%s", hint);
     check->is_bad = true;

@@ -11,7 +11,7 @@ static const YkNodePair *find_kind(YkLoader *loader, const YkNode *node, const Y
         if (yk_part_find(node->pairs[i].key->text) == YK_PART_COUNT) continue;
         if (found) {
             yk_problem(loader->problems, YK_CODE_JOINT_KIND, node->pairs[i].key->place,
-                       "joint %q is a %s already, it cannot be a %s too", name->text, found->key->text,
+                       "joint %q is already a %s; it cannot also be a %s", name->text, found->key->text,
                        node->pairs[i].key->text);
             return NULL;
         }
@@ -21,7 +21,7 @@ static const YkNodePair *find_kind(YkLoader *loader, const YkNode *node, const Y
     static const char *const kinds[] = {"pin", "slide", "pin-slot", "weld", NULL};
     const YkNode *first = node->count ? node->pairs[0].key : name;
     yk_problem(loader->problems, YK_CODE_JOINT_KIND, first->place,
-               "joint %q says neither pin nor slide nor pin-slot nor weld", name->text);
+               "joint %q is not declared as a pin, slide, pin-slot or weld", name->text);
     yk_load_hint_nearest_key(loader, first->text, kinds);
     return NULL;
 }

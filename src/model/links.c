@@ -26,7 +26,7 @@ static void check_body(YkLoader *loader, const YkBody *body, const Holds *holds)
     int end_a = holds->hold[0] % 2, end_b = holds->hold[1] % 2;
     if (a->kind != YK_PIN || b->kind != YK_PIN || !coincide(a->at[end_a], b->at[end_b])) return;
     yk_problem(loader->problems, YK_CODE_COINCIDENT_PINS, body->place,
-               "%q is a link of no length: its points %q and %q coincide", body->name, point_name(model, a, end_a),
+               "%q is a link without length: its points %q and %q coincide", body->name, point_name(model, a, end_a),
                point_name(model, b, end_b));
     if (a->point[end_a] == YK_NONE || b->point[end_b] == YK_NONE)
         yk_problem_hint(loader->problems,

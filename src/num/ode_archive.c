@@ -1,4 +1,4 @@
-// A stepper as bytes: everything by which the next step follows from the last.
+// Writes and reads a stepper as bytes: everything on which the next step depends.
 #include "num/ode_internal.h"
 
 static void walk_newton(YkOde *ode, YkArchive *a)

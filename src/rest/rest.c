@@ -156,14 +156,15 @@ static bool limit_starts(const YkRest *rest, size_t *starts, YkProblems *problem
     double work = 40 * f * f * f + 80 * f * 40 * n, most = work_max / work;
     if (most < 1) {
         yk_problem(problems, YK_CODE_REST_TOO_LARGE, (YkPlace){0},
-                   "equilibria are looked for in all freedoms at once, and %z of them are too many", rest->freedom);
-        yk_problem_hint(problems, "hold or drive some coordinates, or let `yoke simulate` swing it out with dampers");
+                   "the search for equilibria uses all freedoms at once, and %z of them are too many", rest->freedom);
+        yk_problem_hint(problems,
+                        "hold or drive some coordinates, or let the machine settle in `yoke simulate`, with dampers");
         return false;
     }
     if ((double)*starts + 1 <= most) return true;
     *starts = (size_t)most - 1;
     yk_problem(problems, YK_CODE_REST_FEW_STARTS, (YkPlace){0},
-               "with %z freedoms only %z starts beside `start:` are tried: there may be other equilibria",
+               "with %z freedoms only %z starts besides `start:` are tried: there may be other equilibria",
                rest->freedom, *starts);
     return true;
 }

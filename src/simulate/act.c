@@ -1,4 +1,4 @@
-// What the host does while the machine moves: efforts, drives, pulls on points, a control that samples.
+// Actions of the host while the machine moves: efforts, drives, pulls on points, a control that samples.
 #include <stdlib.h>
 #include "loads/point.h"
 #include "simulate/simulation.h"
@@ -114,7 +114,7 @@ YkStatus yk_simulation_set_control(YkSimulation *sim, double period, YkControl c
 {
     if (control && !(period > 0 && isfinite(period))) return YK_BAD_ARGUMENT;
     sim->sampling = (YkSampling){control, context, sim->time, period, 0};
-    sim->has_acted = true; // the step that stands may reach beyond the second sample
+    sim->has_acted = true; // the present step may reach beyond the second sample
     return YK_OK;
 }
 

@@ -258,7 +258,7 @@ static YkStatus go_to(YkSimulation *sim, double to)
         }
         if (sim->is_new_step && !look_ahead(sim)) return fail(sim, YK_ODE_FAILED);
         if (is_spent(sim)) {
-            give_up(sim, YK_NOT_CONVERGED, "the steps allowed are used up");
+            give_up(sim, YK_NOT_CONVERGED, "the allowed steps are used up");
             take_step_end(sim);
             return fail(sim, YK_ODE_FAILED);
         }

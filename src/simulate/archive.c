@@ -18,7 +18,7 @@ static size_t walk_index(YkArchive *a, size_t index, size_t count)
     return (size_t)value;
 }
 
-// How many of something that takes at least `size` bytes each.
+// Writes or reads how many of something follow that take at least `size` bytes each.
 static size_t walk_count(YkArchive *a, size_t count, size_t size)
 {
     int64_t value = (int64_t)count, most = a->is_reading ? (int64_t)((a->capacity - a->at) / size) : INT64_MAX;
@@ -61,7 +61,7 @@ static const char *walk_name(YkSimulation *sim, YkArchive *a, const char *name)
     return copy ? copy : "";
 }
 
-// How many indices a channel of this kind may have.
+// Returns how many indices a channel of this kind may have.
 static size_t channels_of(const YkSimulation *sim, YkChannelKind kind)
 {
     switch (kind) {
@@ -85,7 +85,7 @@ static size_t channels_of(const YkSimulation *sim, YkChannelKind kind)
     case YK_CHANNEL_MOMENT:
         return sim->model->joint_count + yk_dynamics_contact_count(sim->dynamics);
     default:
-        return INT32_MAX; // of blocks that are gone too, and where the index says nothing
+        return INT32_MAX; // also for blocks that no longer exist, and where the index is meaningless
     }
 }
 

@@ -83,7 +83,8 @@ static bool solve_within(YkSimulation *sim, bool has_bounds)
 bool yk_simulation_solve_contacts(YkSimulation *sim)
 {
     if (solve_within(sim, true)) return true;
-    yk_dynamics_fail(sim->dynamics, YK_NOT_CONVERGED, "what stops and dry friction exert was not found at this pose: ",
+    yk_dynamics_fail(sim->dynamics, YK_NOT_CONVERGED,
+                     "the efforts of stops and dry friction were not found at this pose: ",
                      "the iteration over the contacts did not settle", "");
     return false;
 }

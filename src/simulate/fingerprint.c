@@ -1,4 +1,4 @@
-// Which machine it is, as one number: names, dimensions, masses, loads, drives and laws of a model.
+// Identifies a machine by one number: names, dimensions, masses, loads, drives and laws of a model.
 #include <string.h>
 #include "simulate/save.h"
 

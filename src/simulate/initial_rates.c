@@ -69,7 +69,7 @@ static void report(YkSimulation *sim, const YkStartRate *given, const double *wa
         double scale = scale_of(sim, given[k].coordinate);
         if (fabs(wanted[k] - found[k]) <= 1e-9 * (fabs(wanted[k]) + fabs(found[k]))) continue;
         yk_problem(problems, YK_CODE_RATES_PROJECTED, (YkPlace){0},
-                   "the loops do not allow %q the rate %g beside the others: it starts with %g (SI)",
+                   "the loops do not allow %q the rate %g together with the others: it starts with %g (SI)",
                    sim->mech->coordinates[given[k].coordinate].name, wanted[k] * scale, found[k] * scale);
     }
 }

@@ -1,14 +1,14 @@
-// Saving a simulation as bytes, restoring it from them, and cloning it by way of them.
+// Saves a simulation as bytes, restores it from them, and clones it that way.
 //
-// The bytes: a mark, the format's version, their count, the machine's fingerprint, what the machine is made anew by,
-// the rest, and a sum over all before it.
+// The bytes are a mark, the format's version, their number, the machine's fingerprint, the data for remaking the
+// machine, the rest, and a sum over everything before it.
 #include "simulate/save.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
 
-static const uint64_t MARK = UINT64_C(0x0a0d4d49534b591b); // no text begins so
-enum { VERSION = 1 };                                      // of the bytes and of what they mean: any change raises it
+static const uint64_t MARK = UINT64_C(0x0a0d4d49534b591b); // no text begins like this
+enum { VERSION = 1 };                                      // of the bytes and their meaning: any change raises it
 
 typedef struct Head {
     uint64_t mark, version, count, fingerprint;
@@ -20,7 +20,7 @@ static void walk_head(YkArchive *a, Head *head)
     for (size_t k = 0; k < sizeof all / sizeof *all; k++) yk_archive_whole(a, all[k]);
 }
 
-// What is there at all, so that there is room for it before it is read.
+// The parts that exist, read first so that there is room for them.
 typedef struct Parts {
     size_t chosen_count;
     bool has_efforts, has_commands, has_control;
@@ -74,7 +74,7 @@ size_t yk_simulation_save(YkSimulation *sim, void *bytes, size_t capacity)
 
 // --- reading --------------------------------------------------------------------------------------
 
-// The machine as it was when it was saved, standing nowhere yet. Arrays of coordinates are as long as in any of its
+// Makes the machine as it was when it was saved, without a pose. Arrays of coordinates are as long as in any of its
 // mechanisms.
 static bool make(YkSimulation *sim, YkArchive *a, const Parts *parts, const YkMechanism *mech)
 {

@@ -53,7 +53,7 @@ static bool check_stops(YkSimulation *sim, YkProblems *problems)
         double off = fmax(item->stop->low - value, value - item->stop->high);
         if (off <= 1e-9 * (item->is_distance ? sim->mech->size : 1)) continue;
         yk_problem(problems, YK_CODE_STOP_EXCLUDES_START, item->stop->place,
-                   "%q starts at %g, outside of its stops (%g to %g, SI)", item->name, value, item->stop->low,
+                   "%q starts at %g, outside its stops (%g to %g, SI)", item->name, value, item->stop->low,
                    item->stop->high);
         ok = false;
     }
@@ -148,7 +148,7 @@ YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions 
     bool ok = sim && yk_simulation_build(sim, sim->options.compile, problems) && yk_simulation_stepper(sim);
     if (ok && !sim->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
-                   "no body has mass or inertia, so nothing says how the machine moves");
+                   "no body has mass or inertia, so nothing determines how the machine moves");
         yk_problem_hint(problems,
                         "give bodies `mass:` and `inertia:`, or use `yoke sweep` for motion that drives prescribe");
         ok = false;

@@ -142,7 +142,7 @@ static bool look_from_rest(YkSimulation *sim, size_t block, Branch *branch)
 static bool refuse(YkSimulation *sim, YkProblems *problems, size_t block, const char *why)
 {
     yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
-               "the simulation cannot start: two branches meet where it stands, joint %q lying flat, and %s",
+               "the simulation cannot start: two branches meet at its pose, where joint %q lies flat, and %s",
                sim->mech->blocks[block].label, why);
     sim->status = YK_SINGULAR;
     return false;
@@ -169,15 +169,15 @@ static int choose_at_rest(YkSimulation *sim, size_t block, Branch *branches, YkP
 {
     for (int k = 0; k < 2; k++) {
         if (look_from_rest(sim, block, &branches[k])) continue;
-        refuse(sim, problems, block, "its accelerations are not determined beside that pose");
+        refuse(sim, problems, block, "its accelerations are not determined next to that pose");
         return -1;
     }
     if (branches[0].is_finite != branches[1].is_finite) return branches[0].is_finite ? 0 : 1;
     // It stays at rest.
     if (branches[0].is_finite && branches[0].acceleration == 0 && branches[1].acceleration == 0) return 0;
     refuse(sim, problems, block,
-           branches[0].is_finite ? "at rest nothing tells in which of them it moves off"
-                                 : "at rest the loads push it off both of them");
+           branches[0].is_finite ? "at rest nothing determines on which of them it moves"
+                                 : "at rest the loads push it off both");
     hint_at_rates(sim, branches, problems);
     return -1;
 }
@@ -282,7 +282,7 @@ bool yk_simulation_start_singular(YkSimulation *sim, YkProblems *problems)
             yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
                        "the simulation cannot start: it stands at a dead point of every choice of coordinates, where "
                        "rates are not determined");
-            yk_problem_hint(problems, "start a little beside that pose");
+            yk_problem_hint(problems, "start a little away from that pose");
             sim->status = YK_SINGULAR;
             ok = false;
         }

@@ -96,36 +96,34 @@ static const Sentence dead_point = {"dead point at joint `", "`: the sine of its
                                     ", so velocities are not determined"};
 static const Sentence past_group = {"past a limit position: the group that joint `",
                                     "` labels does not close near its last pose", NULL}; // no number
-static const Sentence no_group = {"no way to close the group that joint `",
-                                  "` labels was found from the guesses or from many other starts; there may be one all "
-                                  "the same",
-                                  NULL};
+static const Sentence no_group = {
+    "no way to close the group that joint `",
+    "` labels was found from the guesses or from many other starts; there may still be one", NULL};
 static const Sentence gave_up = {"gave up looking for an assembly at joint `",
-                                 "`: there are too many combinations of branches to try them all; one may close all "
-                                 "the same",
+                                 "`: there are too many combinations of branches to try them all; one may still close",
                                  NULL};
 static const Sentence parallel_lines = {"the two lines that should meet at joint `",
                                         "` are parallel with these inputs, and apart by ", " m"};
 static const Sentence same_line = {
     "the two lines that should meet at joint `",
-    "` fall into one with these inputs: where on it the parts stand is not determined, nor what depends on that", NULL};
+    "` coincide with these inputs: the position along them is not determined, nor what depends on it", NULL};
 static const Sentence same_point = {
-    "the two points between which the dyad of joint `",
-    "` spans fall together with these inputs: which way it points is not determined, nor what depends on that", NULL};
+    "the two points that the dyad of joint `",
+    "` connects coincide with these inputs: its direction is not determined, nor what depends on it", NULL};
 static const Sentence just_limit = {
     "at a limit position: the links that joint `",
     "` closes are in line with these inputs, and short of each other by no more than rounding", NULL};
 static const Sentence undetermined = {
     "a coincidence at joint `",
-    "`: lines or points fall together there, which leaves a position open; as it was taken, what depends on it does "
-    "not close",
+    "`: lines or points coincide there, which leaves a position open; with the position taken, what depends on it "
+    "does not close",
     NULL};
 static const Sentence unfit = {"the constraint that joint `", "` repeats does not fit: its loop misses by ", " m"};
 
 static const Sentence unmatched = {"`",
                                    "` repeats other gears, belts, racks, cams or laws and does not fit them: it "
                                    "misses by ",
-                                   " m; mind the phases that `start:` gives"};
+                                   " m; check the phases that `start:` gives"};
 
 static void append(char *message, size_t capacity, const char *part, size_t most)
 {

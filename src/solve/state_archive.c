@@ -1,4 +1,4 @@
-// A state as bytes: the pose and all that the next pose follows from.
+// Writes and reads a state as bytes: the pose and everything on which the next pose depends.
 #include "solve/state.h"
 
 void yk_report_archive(YkReport *report, const YkMechanism *mech, YkArchive *a)
@@ -6,7 +6,7 @@ void yk_report_archive(YkReport *report, const YkMechanism *mech, YkArchive *a)
     int64_t status = report->status, block = report->block, joint = report->joint;
     yk_archive_choice(a, &status, YK_STOPPED, YK_SINGULAR);
     int64_t blocks = (int64_t)mech->block_count, joints = (int64_t)mech->model->joint_count;
-    yk_archive_choice(a, &block, -1, blocks > 0 ? blocks - 1 : 0); // 0 before anything is told
+    yk_archive_choice(a, &block, -1, blocks > 0 ? blocks - 1 : 0); // 0 before there is a report
     yk_archive_choice(a, &joint, -1, joints > 0 ? joints - 1 : 0);
     report->status = (YkStatus)status;
     report->block = (int)block;

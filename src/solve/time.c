@@ -37,7 +37,7 @@ static void tell(const YkState *s, const YkTreeCoordinate *c, YkProblems *proble
     yk_number_write_digits(rounding, 2, number);
     if (rounding < UNKNOWN * (c->is_distance ? s->mech->size : 1)) {
         yk_problem(problems, YK_CODE_DRIVE_UNSURE, drive->place,
-                   "at this time the drive of %q is known to %s %s only, by the rounding of its expression", c->name,
+                   "at this time the drive of %q is known only to %s %s, because its expression rounds", c->name,
                    number, unit);
     } else {
         yk_problem(problems, YK_CODE_DRIVE_UNKNOWN, drive->place,

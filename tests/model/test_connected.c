@@ -79,7 +79,7 @@ static void two_pins_at_the_origin_are_a_link_of_no_length(void **state)
 {
     (void)state;
     assert_int_equal(warnings("bodies: {b: {}, c: {}}\njoints: {A: {pin: [ground, b]}, B: {pin: [b, c]}}\n",
-                              "`b` is a link of no length: its points `origin` and `origin`"),
+                              "`b` is a link without length: its points `origin` and `origin`"),
                      1);
     assert_int_equal(warnings("bodies: {b: {}, c: {}, d: {}}\n"
                               "joints: {A: {pin: [ground, b]}, B: {pin: [b, c]}, C: {pin: [b, d]}}\n",

@@ -111,7 +111,7 @@ static void the_kind_of_a_joint_is_exactly_one_of_the_catalogue(void **state)
     (void)state;
     refused_joint("{hinge: [ground, b]}", YK_CODE_JOINT_KIND, 7, "pin, slide, pin-slot, weld");
     refused_joint("{pinn: [ground, b]}", YK_CODE_JOINT_KIND, 7, "did you mean `pin`");
-    refused_joint("{}", YK_CODE_JOINT_KIND, 3, "neither");
+    refused_joint("{}", YK_CODE_JOINT_KIND, 3, "is not declared");
     refused_joint("{pin: [ground, b], slide: [ground, b]}", YK_CODE_JOINT_KIND, 25, "already");
     refused_joint("[ground, b]", YK_CODE_WRONG_KIND, 6, "joint `J` must be a map");
     refused_joint("", YK_CODE_EMPTY_VALUE, 5, "joint `J`");

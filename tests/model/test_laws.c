@@ -202,8 +202,7 @@ static void mistakes_of_form_are_told_with_their_place(void **state)
             "constant-velocity");
     refused("{segments: [{rise: {to: 1, by: 1, law: harmonic, through: []}}]}", YK_CODE_LAW_SHAPE, 60, "spline");
     refused("{segments: [{polynomial: [{at: 0, s: 0}, {at: 1, s: 0}], degree: 3}]}", YK_CODE_LAW_SEGMENT, 68, "degree");
-    refused("{segments: [{polynomial: [{at: 0}, {at: 1, s: 0}]}]}", YK_CODE_LAW_CONDITIONS, 37,
-            "nothing but its place");
+    refused("{segments: [{polynomial: [{at: 0}, {at: 1, s: 0}]}]}", YK_CODE_LAW_CONDITIONS, 37, "gives only its place");
     refused("{segments: [{polynomial: [{s: 0}, {at: 1, s: 0}]}]}", YK_CODE_MISSING_KEY, 37, "`at`");
     refused("{table: [[0, 1], [1, 2, 3]]}", YK_CODE_COMPONENTS, 28, "[argument, value]");
     refused("{table: [[0, 1], [1, 2]], between: curve}", YK_CODE_WRONG_WORD, 46, "monotone");
@@ -217,7 +216,7 @@ static void mistakes_of_value_are_told_with_their_place(void **state)
     (void)state;
     refused("{period: 0, segments: [{dwell: {to: 1}}]}", YK_CODE_LAW_PERIOD, 20, "positive");
     refused("{period: 2, segments: [{dwell: {to: 1}}]}", YK_CODE_LAW_PERIOD, 20, "end at 1 rad");
-    refused("{period: 2, segments: [{dwell: {to: 3}}]}", YK_CODE_LAW_PERIOD, 20, "go on to 3 rad");
+    refused("{period: 2, segments: [{dwell: {to: 3}}]}", YK_CODE_LAW_PERIOD, 20, "continue to 3 rad");
     refused("{segments: [{dwell: {to: 1}}, {dwell: {to: 1}}]}", YK_CODE_LAW_ORDER, 54, "begins at 1 rad");
     refused("{segments: [{dwell: {to: 2}}, {polynomial: [{at: 1, s: 0}, {at: 3, s: 0}]}]}", YK_CODE_LAW_ORDER, 42,
             "later");

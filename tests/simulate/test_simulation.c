@@ -180,7 +180,7 @@ static void refuses(const char *text, const char *message)
 static void bad_starts_are_refused(void **unused)
 {
     (void)unused;
-    refuses(PENDULUM "start: {a: 180 deg}\nstops: {a: [0, 90 deg]}\n", "outside of its stops");
+    refuses(PENDULUM "start: {a: 180 deg}\nstops: {a: [0, 90 deg]}\n", "outside its stops");
     refuses("bodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}}\njoints:\n  O: {pin: [ground, "
             "bob], angle: a}\n",
             "no body has mass");

@@ -68,7 +68,7 @@ static void rates_tell_the_branch(void **unused)
 static void what_is_not_decided_is_refused(void **unused)
 {
     (void)unused;
-    check_refused(FLAT(2, "{q: 0, c: 0, r: 0}"), "joint `B` lying flat, and at rest the loads push it off both",
+    check_refused(FLAT(2, "{q: 0, c: 0, r: 0}"), "joint `B` lies flat, and at rest the loads push it off both",
                   "give `r` a rate");
     check_refused(FLAT(1, "{q: 0, c: 0, r: 0, q.rate: 2}"), "the rates of `start:` fit both",
                   "-3 or 1 times that of `q`");

@@ -482,7 +482,7 @@ static void test_at_a_coincidence_it_is_told_what_is_true_there(void **unused)
 {
     (void)unused;
     check_words(TWO_ARMS("[1, 0.3]", "0.5"), YK_NO_ASSEMBLY, "`B` are parallel", sin(0.5) - 0.3 * cos(0.5));
-    check_words(TWO_ARMS("[1, 0]", "0"), YK_NO_ASSEMBLY, "`B` fall into one", 0);
+    check_words(TWO_ARMS("[1, 0]", "0"), YK_NO_ASSEMBLY, "`B` coincide", 0);
     check_words("bodies:\n  ground: {points: {O: [0, 0], C: [1, 0]}}\n  crank: {points: {O: [0, 0], A: [1, 0]}}\n"
                 "  lever: {points: {C: [0, 0]}}\n  block: {points: {A: [0, 0]}}\njoints:\n"
                 "  O: {pin: [ground, crank], angle: th}\n  C: {pin: [ground, lever], angle: ps}\n"
@@ -503,7 +503,7 @@ static void test_where_the_search_gave_up_it_says_so(void **unused)
                 "  O: {pin: [ground, l], angle: th}\n  A: {pin: [ground, m], angle: u}\n"
                 "  B: {pin: [ground, n], angle: v}\n  C: {pin: [l, plate], angle: w}\n  D: {pin: [m, plate]}\n"
                 "  E: {pin: [n, plate]}\nstart: {th: 1, u: 1, v: 1, w: 0}\n",
-                YK_NOT_CONVERGED, "there may be one all the same", 0);
+                YK_NOT_CONVERGED, "there may still be one", 0);
 }
 
 // Many four-bars that close in two ways each, and a last one that does not: no search tries all combinations.

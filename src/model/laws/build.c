@@ -177,7 +177,7 @@ static bool is_sound(const YkLawWork *work)
     const YkLawSource *source = work->source;
     if (!is_known(source)) return false;
     if (source->period.expr && !(source->period.value > 0)) {
-        yk_load_law_report(work, YK_CODE_LAW_PERIOD, source->period.place, "a period is positive");
+        yk_load_law_report(work, YK_CODE_LAW_PERIOD, source->period.place, "a period must be positive");
         return false;
     }
     const YkLawNumber *from = &source->from;

@@ -140,7 +140,7 @@ void yk_load_law_report_period(const YkLawWork *work, YkLawFault fault)
     YkAmount period = amount_at(work, work->source->period.value), end = end_so_far(work);
     yk_problem(work->loader->problems, YK_CODE_LAW_PERIOD, work->source->period.place,
                is_short ? "law %q: the segments end at %s, before the period of %s is over"
-                        : "law %q: the segments go on to %s, longer than the period of %s",
+                        : "law %q: the segments continue to %s, beyond the period of %s",
                work->law->name, end.text, period.text);
     if (is_short) yk_problem_hint(work->loader->problems, "add a dwell to the end of the period");
 }

@@ -24,7 +24,7 @@ static void read_condition(YkLawReader *reader, const YkNode *node, YkLawGiven *
     }
     if (has_any) return;
     yk_problem(reader->loader->problems, YK_CODE_LAW_CONDITIONS, node->place,
-               "a condition of law %q says nothing but its place", law->name);
+               "a condition of law %q gives only its place", law->name);
     yk_problem_hint(reader->loader->problems, "give one or more of s, v, a, j, p, as in {at: 0, s: 0, v: 0}");
     reader->source->is_bad = true;
 }

@@ -67,7 +67,7 @@ void yk_load_check_gravity(YkLoader *loader)
         yk_problem_hint(loader->problems, "did you mean `%e %s`? A bare number is in %s", down, meant,
                         yk_text_get(&unit));
     else
-        yk_problem_hint(loader->problems, "write its unit behind it, as in `-9.81 m/s^2`");
+        yk_problem_hint(loader->problems, "write its unit after it, as in `-9.81 m/s^2`");
     loader->failed |= unit.failed;
     yk_text_free(&unit);
 }

@@ -47,7 +47,7 @@ void yk_load_finish_belts(YkLoader *loader)
             belt->exact_radius[k] = yk_model_exact(model, belt->radius_expr[k]);
             if (!(belt->radius[k] <= 0)) continue;
             yk_problem(loader->problems, YK_CODE_BAD_RADIUS, belt->radius_expr[k]->place,
-                       "a radius of belt %q is %g; it is positive", belt->name, belt->radius[k]);
+                       "a radius of belt %q is %g; it must be positive", belt->name, belt->radius[k]);
         }
     }
 }

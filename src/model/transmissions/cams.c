@@ -154,7 +154,7 @@ static void read_sizes(YkLoader *loader, YkCam *cam, const YkNode *map)
     if (at && cam->follower >= 0) cam->point = yk_load_point(loader, cam->follower, at);
     if (!at || !cam->arm_expr) return;
     yk_problem(loader->problems, YK_CODE_CAM_KEY, yk_load_key(map, "arm")->place,
-               "cam %q: the point given by `at` tells the arm already", cam->name);
+               "cam %q: the point given by `at` already determines the arm", cam->name);
 }
 
 static void read_cam(YkLoader *loader, YkCam *cam, const YkNode *map)

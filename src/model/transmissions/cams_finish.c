@@ -38,8 +38,8 @@ static void check_centers(YkLoader *loader, const YkCam *cam)
 static bool check_positive(YkLoader *loader, const YkCam *cam, const YkExpr *expr, double value, const char *key)
 {
     if (!expr || value > 0 || isnan(value)) return true;
-    yk_problem(loader->problems, YK_CODE_CAM_SIZE, expr->place, "cam %q: `%s` is a length greater than zero", cam->name,
-               key);
+    yk_problem(loader->problems, YK_CODE_CAM_SIZE, expr->place, "cam %q: `%s` must be a length greater than zero",
+               cam->name, key);
     return false;
 }
 

@@ -71,7 +71,7 @@ static bool finish_teeth(YkLoader *loader, YkGear *gear)
         }
         good = false;
         yk_problem(loader->problems, YK_CODE_BAD_TEETH, gear->teeth_expr[k]->place,
-                   "gears %q: %g is not a number of teeth; it is whole and positive", gear->name, value);
+                   "gears %q: %g is not a number of teeth, which is whole and positive", gear->name, value);
     }
     return good;
 }
@@ -90,17 +90,17 @@ static void check_sizes(YkLoader *loader, YkGear *gear)
     if (!gear->pressure_angle_expr) gear->pressure_angle = default_pressure_angle;
     if (gear->module_expr && gear->module <= 0) {
         yk_problem(loader->problems, YK_CODE_BAD_MODULE, gear->module_expr->place,
-                   "the module of gears %q is %g; it is positive", gear->name, gear->module);
+                   "the module of gears %q is %g; it must be positive", gear->name, gear->module);
     }
     if (gear->pressure_angle <= 0 || gear->pressure_angle > YK_PI / 4) {
         yk_problem(loader->problems, YK_CODE_BAD_MODULE, gear->pressure_angle_expr->place,
-                   "the pressure angle of gears %q is %e deg; it lies above 0 and up to 45 deg", gear->name,
+                   "the pressure angle of gears %q is %e deg; it must be above 0 and at most 45 deg", gear->name,
                    gear->pressure_angle * 180 / YK_PI);
     }
     double planets = gear->planets;
     if (gear->planets_expr && !isnan(planets) && (planets < 1 || planets > PLANETS_MAX || planets != rint(planets))) {
         yk_problem(loader->problems, YK_CODE_BAD_TEETH, gear->planets_expr->place,
-                   "gears %q: %g is not a number of planets; it is whole and positive", gear->name, planets);
+                   "gears %q: %g is not a number of planets, which is whole and positive", gear->name, planets);
     }
 }
 

@@ -102,7 +102,7 @@ static void finish_rack(YkLoader *loader, YkRack *rack)
     if (rack->radius_expr) rack->exact_radius = yk_model_exact(model, rack->radius_expr);
     if (rack->radius_expr && rack->radius <= 0) {
         yk_problem(loader->problems, YK_CODE_BAD_RADIUS, rack->radius_expr->place,
-                   "the radius of rack %q is %g; it is positive", rack->name, rack->radius);
+                   "the radius of rack %q is %g; it must be positive", rack->name, rack->radius);
     }
     if (rack->pinion == YK_NONE || rack->rack == YK_NONE || rack->carrier == YK_REPORTED || loader->has_bad_joint)
         return;

@@ -70,11 +70,12 @@ const YkPoisson *yk_reader_refuse(YkRingReader *reader, YkCode code, size_t star
 const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted)
 {
     if (reader->at >= reader->length)
-        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, reader->at, "the expression ends where %s is wanted",
+        return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, reader->at, "the expression ends where %s is expected",
                                 wanted);
     char c = yk_reader_peek(reader);
     if (c < ' ' || c > '~')
-        return yk_reader_refuse(reader, YK_CODE_EXPR_CHARACTER, reader->at, "%s is wanted, not this character", wanted);
+        return yk_reader_refuse(reader, YK_CODE_EXPR_CHARACTER, reader->at, "%s is expected, not this character",
+                                wanted);
     size_t start = reader->at++;
     return yk_reader_refuse(reader, YK_CODE_EXPR_SYNTAX, start, "%s is expected here", wanted);
 }
