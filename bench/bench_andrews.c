@@ -87,8 +87,7 @@ static void run_by_simulation(Machine *m, double tolerance, Run *run, size_t rou
         run->ms[round] += (bench_now() - start) * 1e3 / RUNS;
         state = yk_simulation_state(sim);
         for (int i = 0; i < D4_ANGLES; i++)
-            angles[i] =
-                yk_state_coordinate(state, (size_t)yk_coordinate_find(yk_state_mechanism(state), NAMES[i])).position;
+            angles[i] = yk_state_coordinate(state, yk_coordinate_find(yk_state_mechanism(state), NAMES[i])).position;
         run->evaluations = (long)yk_simulation_summary(sim).evaluations;
         run->error = error_of(angles);
         yk_simulation_free(sim);

@@ -199,7 +199,7 @@ static bool compare_threads(void)
     if (!extents || !again || !machine_load(&m, YOKE_ROOT "/examples/four-bar.yaml")) exit(1);
     for (int p = 0; p < 4; p++) {
         double own = yk_model_parameter(m.model, names[p]);
-        YkDistribution d = {YK_NORMAL, own * 0.99, own * 1.01, own, own * 0.003};
+        YkDistribution d = {YK_DISTRIBUTION_NORMAL, own * 0.99, own * 1.01, own, own * 0.003};
         values[p] = rows + (size_t)p * (DESIGNS + 24);
         for (size_t k = 0; k < DESIGNS; k++) values[p][k] = yk_distribution_draw(&d, 1, k, (uint64_t)p);
     }

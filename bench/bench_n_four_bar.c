@@ -134,7 +134,7 @@ static Motion move_by_simulation(Machine *machine)
     YkSimulationSummary summary = yk_simulation_summary(sim);
     m.steps = summary.steps;
     m.evaluations = summary.evaluations;
-    size_t first = (size_t)yk_coordinate_find(yk_state_mechanism(yk_simulation_state(sim)), "theta0");
+    size_t first = yk_coordinate_find(yk_state_mechanism(yk_simulation_state(sim)), "theta0");
     m.angle = UPRIGHT - yk_state_coordinate(yk_simulation_state(sim), first).position;
     yk_simulation_free(sim);
     return m;

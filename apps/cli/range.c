@@ -60,10 +60,11 @@ bool yk_over_split(YkSession *session, const char *text, YkOver *over)
 bool yk_over_read(YkSession *session, YkOver *over)
 {
     if (strcmp(over->name, "t") != 0) {
-        over->coordinate = yk_coordinate_find(session->mech, over->name);
-        if (over->coordinate < 0)
+        size_t found = yk_coordinate_find(session->mech, over->name);
+        if (found == YK_NOT_FOUND)
             return yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", over->name);
-        YkCoordinateInfo info = yk_coordinate_info(session->mech, (size_t)over->coordinate);
+        over->coordinate = (int)found;
+        YkCoordinateInfo info = yk_coordinate_info(session->mech, found);
         if (info.input < 0)
             return yk_session_refuse(session, YK_CODE_NOT_AN_INPUT, "no freedom is left to move %q", over->name);
         over->quantity = yk_quantity_of(info.is_distance, 0);

@@ -92,7 +92,7 @@ static void hint_range(YkSession *session, YkText *text, double asked)
     size_t coordinate = yk_input_coordinate(session->mech, 0);
     double here = yk_state_coordinate(session->state, coordinate).position;
     size_t count = yk_closing_ranges(session->state, coordinate, ranges, RANGES_MAX);
-    session->ran_out |= count == (size_t)-1;
+    session->ran_out |= count == YK_NOT_FOUND;
     if (session->ran_out) return;
     for (size_t k = 0; k < count && k < RANGES_MAX; k++) {
         YkRange r = ranges[k];

@@ -87,8 +87,8 @@ static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *p
 
 static bool is_input(const YkMechanism *mech, const char *name)
 {
-    int coordinate = yk_coordinate_find(mech, name);
-    return coordinate >= 0 && yk_coordinate_info(mech, (size_t)coordinate).input >= 0;
+    size_t coordinate = yk_coordinate_find(mech, name);
+    return coordinate != YK_NOT_FOUND && yk_coordinate_info(mech, coordinate).input >= 0;
 }
 
 // The file's own choice of inputs says where the machine was assembled. If the command line has the same in another
@@ -155,7 +155,7 @@ bool yk_session_points(YkSession *session, const YkWords *names, size_t *points)
     bool good = true;
     for (size_t i = 0; i < names->count; i++) {
         points[i] = yk_model_find_point(session->model, names->items[i]);
-        if (points[i] != (size_t)-1) continue;
+        if (points[i] != YK_NOT_FOUND) continue;
         good = yk_session_refuse(session, YK_CODE_NOT_A_POINT, "the machine has no point %q", names->items[i]);
         yk_problem_hint(session->problems, "a point is written body.point, as in `coupler.P`");
     }
@@ -224,9 +224,9 @@ static void hint_coordinate(YkSession *session, const char *name)
 
 bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordinate)
 {
-    int found = yk_coordinate_find(session->mech, name);
-    *coordinate = found < 0 ? 0 : (size_t)found;
-    if (found >= 0) return true;
+    size_t found = yk_coordinate_find(session->mech, name);
+    *coordinate = found == YK_NOT_FOUND ? 0 : found;
+    if (found != YK_NOT_FOUND) return true;
     yk_session_refuse(session, YK_CODE_NOT_A_COORDINATE, "the machine has no coordinate %q", name);
     hint_coordinate(session, name);
     return false;
@@ -300,7 +300,7 @@ bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, dou
                             is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE, effort);
 }
 
-bool yk_session_method(YkSession *session, YkDynamicsMethod *method)
+bool yk_session_method(YkSession *session, YkMethod *method)
 {
     const char *word = session->request->method;
     *method = word && strcmp(word, "newton-euler") == 0 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED;
@@ -314,8 +314,8 @@ static void prescribe(YkSession *session, bool all)
     const YkAssignments *accel = &session->request->accel;
     for (size_t i = 0; all && i < yk_input_count(session->mech); i++) yk_dynamics_prescribe(session->dynamics, i, true);
     for (size_t k = 0; k < accel->count; k++) {
-        int c = yk_coordinate_find(session->mech, accel->items[k].name);
-        int input = c < 0 ? -1 : yk_coordinate_info(session->mech, (size_t)c).input;
+        size_t c = yk_coordinate_find(session->mech, accel->items[k].name);
+        int input = c == YK_NOT_FOUND ? -1 : yk_coordinate_info(session->mech, c).input;
         if (input >= 0) yk_dynamics_prescribe(session->dynamics, (size_t)input, true);
     }
 }

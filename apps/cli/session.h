@@ -19,7 +19,7 @@ void yk_session_hold(const YkSession *session, YkState *state);
 // false if a name or value is wrong.
 bool yk_session_forces(YkSession *session, bool all_prescribed);
 // Reads --method reduced|newton-euler.
-bool yk_session_method(YkSession *session, YkDynamicsMethod *method);
+bool yk_session_method(YkSession *session, YkMethod *method);
 // Finds a coordinate by name; refuses unknown names and suggests the nearest.
 bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordinate);
 // Reads --effort pair `index`: the coordinate and its value.

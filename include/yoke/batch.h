@@ -4,6 +4,10 @@
 
 #include <yoke/state.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkBatch YkBatch;
 // Makes a batch with the branches and reference angles of an assembled state. It computes these channels and nothing
 // else. Returns NULL when out of memory, or if a channel needs forces.
@@ -19,5 +23,9 @@ YK_API void yk_batch_free(YkBatch *batch);
 // Allocates nothing; use one batch per thread.
 YK_API YkStatus yk_batch_run(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
                              size_t count);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -10,13 +10,17 @@
 
 #include <yoke/model.h>
 
-typedef enum YkCamFace { YK_CAM_KNIFE, YK_CAM_ROLLER, YK_CAM_FLAT } YkCamFace;
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum YkCamFace { YK_CAM_FACE_KNIFE, YK_CAM_FACE_ROLLER, YK_CAM_FACE_FLAT } YkCamFace;
 
 typedef struct YkCamDesign YkCamDesign;
 
 YK_API size_t yk_model_cam_count(const YkModel *model);
 YK_API const char *yk_model_cam_name(const YkModel *model, size_t cam);
-YK_API size_t yk_model_cam_find(const YkModel *model, const char *name); // (size_t)-1 if there is none
+YK_API size_t yk_model_cam_find(const YkModel *model, const char *name); // YK_NOT_FOUND if there is none
 YK_API const char *yk_cam_face_name(YkCamFace face);                     // "knife", "roller", "flat"
 
 // Samples the law once. The model must outlive the design; use a design in one thread at a time. Returns NULL when out
@@ -144,18 +148,18 @@ YK_API YkCamDesign *yk_cam_design_with(const YkCamDesign *design, const char *la
 
 // Profiles as closed polylines: the first point is not repeated at the end.
 typedef enum YkCamCurve {
-    YK_CAM_SURFACE,
-    YK_CAM_PITCH,
-    YK_CAM_OUTER,
-    YK_CAM_CUTTER,
-    YK_CAM_SECOND_SURFACE,
-    YK_CAM_SECOND_PITCH
+    YK_CAM_CURVE_SURFACE,
+    YK_CAM_CURVE_PITCH,
+    YK_CAM_CURVE_OUTER,
+    YK_CAM_CURVE_CUTTER,
+    YK_CAM_CURVE_SECOND_SURFACE,
+    YK_CAM_CURVE_SECOND_PITCH
 } YkCamCurve;
 typedef struct YkCamVertex {
     double angle, x, y;
 } YkCamVertex; // cam angle, rad; cam's axes, m
 // Computes a profile that deviates from the curve by at most `tolerance` (m). cutter: radius of the cutter for
-// YK_CAM_CUTTER. Free *vertices with yk_cam_vertices_free. Returns YK_OK, YK_BAD_ARGUMENT or YK_NO_MEMORY.
+// YK_CAM_CURVE_CUTTER. Free *vertices with yk_cam_vertices_free. Returns YK_OK, YK_BAD_ARGUMENT or YK_NO_MEMORY.
 // Cost: O(points).
 YK_API YkStatus yk_cam_profile(const YkCamDesign *design, YkCamCurve curve, double tolerance, double cutter,
                                YkCamVertex **vertices, size_t *count);
@@ -185,5 +189,9 @@ typedef struct YkCamForceSummary {
     double preload_needed; // at this speed, for a contact that just holds, N or N m
 } YkCamForceSummary;
 YK_API YkCamForceSummary yk_cam_force_summary(const YkCamDesign *design, double speed);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

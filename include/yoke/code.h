@@ -5,6 +5,10 @@
 #include <yoke/state.h>
 #include <yoke/status.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkCSourceOptions {
     const char *prefix;        // starts every name in the file; NULL: made from the model's name
     bool single;               // float instead of double
@@ -23,5 +27,9 @@ YK_API YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *
 YK_API const char *yk_c_source_text(const YkCSource *code);
 YK_API const char *yk_c_source_prefix(const YkCSource *code);
 YK_API void yk_c_source_free(YkCSource *code);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

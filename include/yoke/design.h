@@ -4,14 +4,18 @@
 
 #include <yoke/sweep.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // A four-bar inside the machine: four pins and four bodies in a ring.
 typedef enum YkFourBarClass {
-    YK_CRANK_ROCKER,
-    YK_ROCKER_CRANK,
-    YK_DRAG_LINK,
-    YK_DOUBLE_ROCKER_GRASHOF,
-    YK_CHANGE_POINT_FOUR_BAR,
-    YK_TRIPLE_ROCKER
+    YK_FOUR_BAR_CRANK_ROCKER,
+    YK_FOUR_BAR_ROCKER_CRANK,
+    YK_FOUR_BAR_DRAG_LINK,
+    YK_FOUR_BAR_DOUBLE_ROCKER,
+    YK_FOUR_BAR_CHANGE_POINT,
+    YK_FOUR_BAR_TRIPLE_ROCKER
 } YkFourBarClass;
 typedef struct YkFourBar {
     size_t body[4];      // frame link, one neighbour (the input if one is driven), coupler, the other neighbour
@@ -33,5 +37,9 @@ typedef struct YkStroke {
 // Returns YK_OK; YK_LIMIT if the input cannot turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance) or
 // the channel does not have exactly two extremes.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

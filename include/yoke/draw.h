@@ -4,6 +4,10 @@
 
 #include <yoke/sweep.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkDrawOptions {
     double width;                // px, default 800; the height follows
     bool labels;                 // names of joints and bodies, default true
@@ -28,5 +32,9 @@ YK_API const char *yk_drawing_frame(YkDrawing *drawing, size_t pose);
 // Returns the poses one after the other in a loop of so many seconds, animated by CSS alone; to_and_fro: the motion
 // goes back as well. Returns NULL when out of memory.
 YK_API const char *yk_drawing_animation(YkDrawing *drawing, double seconds, bool to_and_fro);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

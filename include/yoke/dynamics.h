@@ -8,6 +8,10 @@
 
 #include <yoke/state.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkDynamics YkDynamics;
 
 // Compiles inertia and loads for a mechanism. Driven inputs are prescribed and all others free, unless the machine
@@ -23,16 +27,16 @@ YK_API bool yk_dynamics_is_prescribed(const YkDynamics *dynamics, size_t input);
 // Replaces the effort that `efforts:` gives along a coordinate by a constant (N m or N).
 YK_API void yk_dynamics_set_effort(YkDynamics *dynamics, size_t coordinate, double effort);
 
-typedef enum YkDynamicsMethod {
+typedef enum YkMethod {
     YK_METHOD_REDUCED,     // equations in the free inputs alone, then the reactions; the default, and faster
     YK_METHOD_NEWTON_EULER // the equations of every body, with all reactions and accelerations as unknowns
-} YkDynamicsMethod;
+} YkMethod;
 
 // Solves the dynamics at the inputs of `state` (assembled): solves its pose, finds the free inputs' accelerations,
 // sets them, solves the state again, then finds all reactions and efforts. Returns YK_OK; YK_REDUNDANT with least-norm
 // reactions; YK_SINGULAR at a dead point or for a freedom without inertia (see the report). Allocates nothing.
 // Cost: linear for trees, chains of loops and ladders.
-YK_API YkStatus yk_dynamics_solve(YkDynamics *dynamics, YkState *state, YkDynamicsMethod method);
+YK_API YkStatus yk_dynamics_solve(YkDynamics *dynamics, YkState *state, YkMethod method);
 // Finds only the accelerations, the fast part of the above: accelerations[input], prescribed ones too. The state's
 // answers are undefined until it is solved again.
 YK_API YkStatus yk_dynamics_accelerate(YkDynamics *dynamics, YkState *state, double *accelerations);
@@ -102,5 +106,9 @@ typedef struct YkEquationCount {
 YK_API YkEquationCount yk_dynamics_count(const YkDynamics *dynamics);
 // Returns a channel of forces (A.force.x, theta1.effort, energy, ...) or any other.
 YK_API double yk_dynamics_channel(const YkDynamics *dynamics, const YkState *state, YkChannel channel);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

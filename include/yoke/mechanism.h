@@ -5,6 +5,10 @@
 
 #include <yoke/model.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkMechanism YkMechanism;
 
 typedef struct YkCompileOptions {
@@ -37,7 +41,7 @@ typedef struct YkCoordinateInfo {
 } YkCoordinateInfo;
 YK_API size_t yk_coordinate_count(const YkMechanism *mech);
 YK_API YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate);
-YK_API int yk_coordinate_find(const YkMechanism *mech, const char *name); // -1 if there is none
+YK_API size_t yk_coordinate_find(const YkMechanism *mech, const char *name); // YK_NOT_FOUND if there is none
 YK_API size_t yk_input_count(const YkMechanism *mech);
 YK_API size_t yk_input_coordinate(const YkMechanism *mech, size_t input); // the coordinate that is input i
 
@@ -141,5 +145,9 @@ static inline bool yk_channel_needs_forces(YkChannel channel)
 YK_API YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *channel, YkProblems *problems);
 // Writes its name as `--of` takes it, at most capacity bytes with a final NUL. Returns the length needed.
 YK_API size_t yk_channel_name(const YkMechanism *mech, YkChannel channel, char *text, size_t capacity);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 #include <stdbool.h>
 #include <yoke/problem.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkModel YkModel;
 
 // A value that replaces the one in the file, as `--param NAME=VALUE` gives it.
@@ -41,7 +45,7 @@ YK_API const char *yk_model_joint_name(const YkModel *model, size_t joint);
 // A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld"), and its first (side 0) and second body.
 YK_API const char *yk_model_joint_kind(const YkModel *model, size_t joint);
 YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
-// Returns the index of a name, (size_t)-1 if there is none. The name of a point is "body.point".
+// Returns the index of a name, YK_NOT_FOUND if there is none. The name of a point is "body.point".
 YK_API size_t yk_model_find_body(const YkModel *model, const char *name);
 YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_point);
 // What acts on the machine, as the file gives it. Gravity counts if it is given and not zero.
@@ -73,5 +77,9 @@ YK_API YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantit
                                YkProblems *problems);
 // Returns the unit in which the file gives such a quantity, for tables: its name ("deg"), and its size in SI (pi/180).
 YK_API const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 #include <yoke/state.h>
 #include <yoke/variant.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkMoveOptions {
     double turn_max; // largest turn of any body between verified poses, rad (or this times the machine's
                      // size); default 8 deg
@@ -62,5 +66,9 @@ YK_API YkStatus yk_state_carry(YkState *state, YkVariant *variant, const double 
 // YK_BAD_ARGUMENT if the two are not solved in the same dyads, or contain larger groups, whose assembly has no branch
 // to carry over.
 YK_API YkStatus yk_state_take_labels(YkState *state, const YkState *from);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

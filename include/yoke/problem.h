@@ -6,13 +6,17 @@
 #include <stdint.h>
 #include <yoke/status.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // A place in the source text. Lines and columns count from 1; columns count Unicode code points. Line 0: no place.
 typedef struct YkPlace {
     uint32_t line, column;
     uint32_t length; // number of columns that the caret underlines; 0 means 1
 } YkPlace;
 
-typedef enum YkSeverity { YK_NOTE, YK_WARNING, YK_ERROR } YkSeverity;
+typedef enum YkSeverity { YK_SEVERITY_NOTE, YK_SEVERITY_WARNING, YK_SEVERITY_ERROR } YkSeverity;
 
 typedef struct YkProblem {
     YkSeverity severity;
@@ -20,6 +24,7 @@ typedef struct YkProblem {
     YkPlace place;
     const char *message; // one sentence without a final full stop; never contains control characters
     const char *hint;    // what to do about it, or NULL
+    const char *where;   // of a machine made by calls (builder.h): "body `crank`, point `A`"; NULL: `place` tells it
 } YkProblem;
 
 typedef struct YkProblems YkProblems;
@@ -37,5 +42,9 @@ YK_API const char *yk_problems_text(YkProblems *problems, int colour);
 YK_API const char *yk_code_explain(int code);
 YK_API size_t yk_code_count(void);
 YK_API int yk_code_at(size_t index);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

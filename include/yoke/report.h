@@ -4,6 +4,10 @@
 
 #include <yoke/draw.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkReportOptions {
     const YkCompileOptions *compile; // the options with which the mechanism was compiled; NULL: defaults
     bool has_range;
@@ -44,5 +48,9 @@ YK_API double yk_report_seconds(const YkReportPage *report);
 YK_API bool yk_report_goes_back(const YkReportPage *report);
 // Returns whether Yoke was built with the script that moves the drawing and draws the diagrams.
 YK_API bool yk_report_has_script(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

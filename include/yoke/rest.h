@@ -5,6 +5,10 @@
 
 #include <yoke/dynamics.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkRestOptions {
     const YkCompileOptions *compile; // NULL: defaults
     size_t starts;                   // poses from which the search begins besides `start:` (default 100; 0: only there)
@@ -27,9 +31,9 @@ YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the number of f
 YK_API size_t yk_rest_input(const YkRest *rest, size_t k); // the coordinate that is free input k
 
 typedef enum YkStability {
-    YK_STABLE,   // every small motion dies out or, without damping, stays small
-    YK_UNSTABLE, // some small motion grows
-    YK_NEUTRAL   // some motion meets no force at all
+    YK_STABILITY_STABLE,   // every small motion dies out or, without damping, stays small
+    YK_STABILITY_UNSTABLE, // some small motion grows
+    YK_STABILITY_NEUTRAL   // some motion meets no force at all
 } YkStability;
 typedef struct YkEquilibrium {
     YkStability stability;
@@ -58,5 +62,9 @@ typedef struct YkMode {
 YK_API YkMode yk_rest_mode(const YkRest *rest, size_t index, size_t k);
 // Returns characteristic root k of the 2 f of the damped motion, 1/s: its real and imaginary part.
 YK_API void yk_rest_root(const YkRest *rest, size_t index, size_t k, double *real, double *imaginary);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

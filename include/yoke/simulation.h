@@ -4,6 +4,10 @@
 
 #include <yoke/dynamics.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum YkIntegrator { YK_INTEGRATOR_DOP853, YK_INTEGRATOR_SDIRK4, YK_INTEGRATOR_RK4 } YkIntegrator;
 
 typedef struct YkStartValue {
@@ -143,5 +147,9 @@ YK_API YkSimulationSummary yk_simulation_summary(const YkSimulation *simulation)
 YK_API size_t yk_simulation_work_count(const YkSimulation *simulation);
 YK_API const char *yk_simulation_work_name(const YkSimulation *simulation, size_t index);
 YK_API double yk_simulation_work(const YkSimulation *simulation, size_t index);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include <yoke/mechanism.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkState YkState;
 
 // Scalar motion of a coordinate (m or rad) or a body's angle: value, rate and acceleration. Never NaN: rates that are
@@ -83,5 +87,9 @@ typedef struct YkReport {
     char message[240];  // one sentence that names the joint and the loop
 } YkReport;
 YK_API const YkReport *yk_state_report(const YkState *state);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

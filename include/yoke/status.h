@@ -2,11 +2,20 @@
 #ifndef YOKE_STATUS_H
 #define YOKE_STATUS_H
 
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #if defined(_WIN32)
 #define YK_API __declspec(dllexport)
 #else
 #define YK_API __attribute__((visibility("default")))
 #endif
+
+// What a search by name answers where there is no such thing.
+#define YK_NOT_FOUND ((size_t)-1)
 
 typedef enum YkStatus {
     YK_OK = 0,             // the answer is valid
@@ -25,5 +34,9 @@ typedef enum YkStatus {
 
 // Returns the word that the command line prints for a status: "ok", "limit", "change-point", "singular", ...
 YK_API const char *yk_status_name(YkStatus status);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 #include <yoke/batch.h>
 #include <yoke/variant.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkStudyOptions {
     const char *const *parameters; // names of those that vary; yk_variant_new tells which can
     size_t parameter_count;
@@ -90,7 +94,11 @@ YK_API YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *as
                                     signed char *status);
 
 // A distribution of a parameter, SI.
-typedef enum YkDistributionKind { YK_UNIFORM, YK_NORMAL, YK_TRIANGULAR } YkDistributionKind;
+typedef enum YkDistributionKind {
+    YK_DISTRIBUTION_UNIFORM,
+    YK_DISTRIBUTION_NORMAL,
+    YK_DISTRIBUTION_TRIANGULAR
+} YkDistributionKind;
 typedef struct YkDistribution {
     YkDistributionKind kind;
     double low, high;      // ends; a normal distribution is cut off there: -INFINITY, INFINITY if it is not
@@ -120,5 +128,9 @@ YK_API const char *yk_tolerances_name(const YkTolerances *tolerances, size_t ind
 YK_API YkDistribution yk_tolerances_at(const YkTolerances *tolerances, size_t index);
 YK_API uint64_t yk_tolerances_seed(const YkTolerances *tolerances);    // 1 if the file gives none
 YK_API uint64_t yk_tolerances_designs(const YkTolerances *tolerances); // 0 if the file gives none
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include <yoke/dynamics.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkSweepOptions {
     int coordinate;  // the coordinate swept, an input; -1 sweeps time (all drives)
     double from, to; // its range (rad, m or s)
@@ -13,7 +17,7 @@ typedef struct YkSweepOptions {
                      // default 2 deg
     YkDynamics *dynamics; // answers the channels that need forces (inverse and forward dynamics at every row); NULL if
                           // there are none
-    YkDynamicsMethod method;
+    YkMethod method;
     void (*visit)(void *context, const YkState *state); // called at the pose of every row, in order; may be NULL
     void *context;
 } YkSweepOptions;
@@ -53,10 +57,14 @@ YK_API double yk_sweep_worst_residual(const YkSweep *sweep);
 // Finds every range of a coordinate in which the configuration of `state`, given by its labels, closes: for an angle
 // within a turn that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends are exact to
 // 1e-10; a full turn is one range of 2 pi. The range in which the state stands goes on through change points, as its
-// motion does. Returns the count, (size_t)-1 when out of memory.
+// motion does. Returns the count, YK_NOT_FOUND when out of memory.
 typedef struct YkRange {
     double from, to;
 } YkRange;
 YK_API size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

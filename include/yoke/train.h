@@ -9,6 +9,10 @@
 #include <stdbool.h>
 #include <yoke/model.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkTrain YkTrain;
 
 typedef struct YkTrainEffort { // replaces what `efforts:` says
@@ -34,10 +38,10 @@ YK_API YkTrain *yk_train_new(const YkModel *model, const YkTrainOptions *options
 YK_API void yk_train_free(YkTrain *train);
 
 typedef enum YkTrainStatus {
-    YK_TRAIN_OK,           // every body's speed is determined
-    YK_TRAIN_FREE,         // nothing drives it: there are relations, but no speeds
-    YK_TRAIN_UNDETERMINED, // some bodies' speeds stay open: the message names them
-    YK_TRAIN_LOCKED        // constraints and drives contradict each other: the message names them
+    YK_TRAIN_STATUS_OK,           // every body's speed is determined
+    YK_TRAIN_STATUS_FREE,         // nothing drives it: there are relations, but no speeds
+    YK_TRAIN_STATUS_UNDETERMINED, // some bodies' speeds stay open: the message names them
+    YK_TRAIN_STATUS_LOCKED        // constraints and drives contradict each other: the message names them
 } YkTrainStatus;
 YK_API YkTrainStatus yk_train_status(const YkTrain *train);
 YK_API const char *yk_train_status_name(YkTrainStatus status); // "ok", "free", "undetermined", "locked"
@@ -74,7 +78,7 @@ typedef struct YkTrainShare {
 YK_API YkTrainShare yk_train_share(const YkTrain *train, size_t member, size_t input);
 
 // Gears in mesh, belts and racks, each kind in the order of the file.
-typedef enum YkTrainKind { YK_TRAIN_GEARS, YK_TRAIN_BELT, YK_TRAIN_RACK } YkTrainKind;
+typedef enum YkTrainKind { YK_TRAIN_KIND_GEARS, YK_TRAIN_KIND_BELT, YK_TRAIN_KIND_RACK } YkTrainKind;
 typedef struct YkTrainMesh {
     YkTrainKind kind;
     const char *name;
@@ -103,7 +107,7 @@ typedef struct YkTrainRatio {
     bool is_known;
     bool is_by_drives; // at the drives' speeds
     bool out_stands;   // the output does not turn: the ratio is infinite
-    size_t in, out;    // bodies; (size_t)-1: not asked
+    size_t in, out;    // bodies; YK_NOT_FOUND: not asked
     const char *exact; // "108/23"; NULL unless exact
     double value;
     const char *formula; // NULL if there is none
@@ -165,5 +169,9 @@ typedef struct YkTrainRemark {
 } YkTrainRemark;
 YK_API size_t yk_train_remark_count(const YkTrain *train);
 YK_API YkTrainRemark yk_train_remark(const YkTrain *train, size_t remark);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

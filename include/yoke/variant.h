@@ -4,6 +4,10 @@
 
 #include <yoke/mechanism.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkVariant YkVariant;
 
 // Makes a copy of the mechanism whose numbers follow the parameters names[count] of its model. Use one per thread.
@@ -29,5 +33,9 @@ YK_API YkStatus yk_model_parameter_read(const YkModel *model, const char *name, 
                                         YkProblems *problems);
 // Returns the size in SI of the unit in which the file gives a parameter (0.001 for mm); 1 for an unknown name.
 YK_API double yk_model_parameter_unit(const YkModel *model, const char *name);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,13 +1,21 @@
 // Yoke: the workbench for planar machines. This header is the whole door of libyoke.
 //
 //   model file --yk_model_load--> YkModel --yk_mechanism_compile--> YkMechanism --yk_state_new--> YkState --> answers
+//
+// Conventions of all these headers:
+// - Numbers are in SI units and radians. Times are in seconds.
+// - Whoever calls yk_x_new (or _load, _compile, _run) frees the result with yk_x_free, which takes NULL. A `const char *`
+//   belongs to the object that it was asked of and lives as long, unless its function says otherwise.
+// - A YkStatus below 0 is a failure. A constructor that fails returns NULL and adds a problem that says why.
+// - Indices are size_t and count from 0. A search by name answers YK_NOT_FOUND where there is no such thing. A member of
+//   a struct that may have no index is an int, and then -1.
+// - Options come from yk_default_x_options() and are changed from there; NULL in their place means the defaults.
+// - Enumerators begin with the name of their type; only the statuses (YK_OK, YK_LIMIT, ...) stand alone.
+// - Constant objects (models, mechanisms) may be shared between threads; all others belong to one thread at a time.
 #ifndef YOKE_YOKE_H
 #define YOKE_YOKE_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
+#include <yoke/version.h>
 #include <yoke/status.h>
 #include <yoke/problem.h>
 #include <yoke/model.h>
@@ -29,9 +37,4 @@ extern "C" {
 #include <yoke/code.h>
 #include <yoke/report.h>
 
-YK_API const char *yk_version(void); // "0.1.0"
-
-#ifdef __cplusplus
-}
-#endif
 #endif

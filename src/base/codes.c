@@ -8,9 +8,9 @@ typedef struct Entry {
     const char *explanation;
 } Entry;
 
-#define N YK_NOTE
-#define W YK_WARNING
-#define E YK_ERROR
+#define N YK_SEVERITY_NOTE
+#define W YK_SEVERITY_WARNING
+#define E YK_SEVERITY_ERROR
 #define X(name, number, severity, explanation) {number, severity, explanation},
 static const Entry entries[] = {
 #include "base/codes.def"
@@ -55,5 +55,5 @@ int yk_code_at(size_t index)
 YkSeverity yk_code_severity(int code)
 {
     const Entry *entry = find(code);
-    return entry ? entry->severity : YK_ERROR;
+    return entry ? entry->severity : YK_SEVERITY_ERROR;
 }

@@ -10,5 +10,5 @@ typedef enum YkCode {
     YK_CODE_NONE = 0
 } YkCode;
 
-YkSeverity yk_code_severity(int code); // YK_ERROR if there is no such code
+YkSeverity yk_code_severity(int code); // YK_SEVERITY_ERROR if there is no such code
 #endif

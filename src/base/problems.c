@@ -51,6 +51,7 @@ void yk_problems_set_source(YkProblems *problems, const char *name, const char *
     problems->source_name = copy_bytes(name, name ? strlen(name) : 0);
     problems->source = copy_bytes(text, length);
     problems->source_length = problems->source ? length : 0;
+    problems->name_place = NULL;
     if ((name && !problems->source_name) || (text && !problems->source))
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "%s", ran_out);
 }
@@ -66,6 +67,23 @@ static const char *format_message(YkArena *arena, const char *format, va_list ar
     yk_text_free(&raw);
     yk_text_free(&safe);
     return message;
+}
+
+void yk_problems_name_places(YkProblems *problems, YkNamePlace name)
+{
+    if (problems) problems->name_place = name;
+}
+
+// NULL where nobody knows more than the place itself, and when out of memory: the place still tells.
+static const char *name_place(YkProblems *problems, YkPlace place)
+{
+    YkText words = {0};
+    const char *where = NULL;
+    if (!problems->name_place || !problems->source || place.line == 0) return NULL;
+    if (problems->name_place(problems->source, problems->source_length, place, &words) && !words.failed)
+        where = yk_arena_copy(problems->arena, yk_text_get(&words), words.length);
+    yk_text_free(&words);
+    return where;
 }
 
 static bool is_before(YkPlace a, YkPlace b)
@@ -95,7 +113,8 @@ static void leave_out(YkProblems *problems, YkSeverity severity)
                             YK_CODE_MORE_PROBLEMS,
                             {0, 0, 0},
                             "there are more problems than these",
-                            "correct the first ones and run again"};
+                            "correct the first ones and run again",
+                            NULL};
         problems->order[problems->count++] = YK_PROBLEMS_MAX;
     }
     if (more->severity < severity) more->severity = severity;
@@ -104,7 +123,7 @@ static void leave_out(YkProblems *problems, YkSeverity severity)
 // Turns a problem that could not be described into an error, whatever its severity: no answer beside it can be trusted.
 static void run_out(YkProblem *problem)
 {
-    *problem = (YkProblem){YK_ERROR, YK_CODE_OUT_OF_MEMORY, problem->place, ran_out, NULL};
+    *problem = (YkProblem){YK_SEVERITY_ERROR, YK_CODE_OUT_OF_MEMORY, problem->place, ran_out, NULL, problem->where};
 }
 
 void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...)
@@ -120,7 +139,7 @@ void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *me
     va_start(arguments, message);
     const char *formatted = format_message(problems->arena, message, arguments);
     va_end(arguments);
-    problems->items[index] = (YkProblem){severity, (int)code, place, formatted, NULL};
+    problems->items[index] = (YkProblem){severity, (int)code, place, formatted, NULL, name_place(problems, place)};
     if (!formatted) run_out(&problems->items[index]);
     problems->last = &problems->items[index];
     insert_in_order(problems, index);
@@ -136,6 +155,19 @@ void yk_problem_hint(YkProblems *problems, const char *hint, ...)
     if (!problems->last->hint) run_out(problems->last);
 }
 
+void yk_problems_pass_on(YkProblems *problems, const YkProblems *found, const char *about)
+{
+    for (size_t i = 0; i < yk_problems_count(found); i++) {
+        const YkProblem *problem = yk_problems_get(found, i);
+        YkCode code = (YkCode)problem->code;
+        if (about)
+            yk_problem(problems, code, (YkPlace){0}, "%q: %s", about, problem->message);
+        else
+            yk_problem(problems, code, (YkPlace){0}, "%s", problem->message);
+        if (problem->hint) yk_problem_hint(problems, "%s", problem->hint);
+    }
+}
+
 size_t yk_problems_count(const YkProblems *problems)
 {
     return problems ? problems->count : 0;
@@ -144,7 +176,7 @@ size_t yk_problems_count(const YkProblems *problems)
 size_t yk_problems_error_count(const YkProblems *problems)
 {
     size_t errors = 0;
-    for (size_t i = 0; i < yk_problems_count(problems); i++) errors += problems->items[i].severity == YK_ERROR;
+    for (size_t i = 0; i < yk_problems_count(problems); i++) errors += problems->items[i].severity == YK_SEVERITY_ERROR;
     return errors;
 }
 

@@ -93,7 +93,7 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
     YkRefVec carrier =
         yk_dag_vec_multiply(g, p->unit[p->mech->bodies[cam->carrier].orientation], p->turn_unit[cam->carrier]);
     pose.u = yk_dag_vec_multiply(g, carrier, yk_dag_vec_number(g, cam->along.x, cam->along.y));
-    if (!cam->oscillates && (cam->face == YK_CAM_FLAT || !(reach * reach > cam->offset * cam->offset)))
+    if (!cam->oscillates && (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)))
         flat_face(w, column, cam, &pose);
     else if (cam->point != YK_NONE)
         roller_force(w, column, cam, &pose, yk_program_at(p, cam->follower, yk_program_point(p, cam->point)));

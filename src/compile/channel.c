@@ -31,6 +31,12 @@ static int find_body(const YkMechanism *mech, const char *name)
     return yk_names_find(&mech->model->body_names, name);
 }
 
+static int find_coordinate(const YkMechanism *mech, const char *name)
+{
+    size_t found = yk_coordinate_find(mech, name);
+    return found == YK_NOT_FOUND ? -1 : (int)found;
+}
+
 static YkQuantity quantity_of(bool is_length, int order)
 {
     static const YkQuantity lengths[] = {YK_QUANTITY_LENGTH, YK_QUANTITY_SPEED, YK_QUANTITY_ACCELERATION};
@@ -112,7 +118,7 @@ static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *c
                          : cut_suffix(name, ".effort.to") ? YK_CHANNEL_EFFORT_TO
                                                           : YK_CHANNEL_EFFORT;
     if (kind == YK_CHANNEL_EFFORT && !cut_suffix(name, ".effort")) return false;
-    int found = yk_coordinate_find(mech, name);
+    int found = find_coordinate(mech, name);
     bool is_distance = found >= 0 && mech->coordinates[found].is_distance;
     return set_force(channel, kind, found, is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE);
 }
@@ -124,7 +130,7 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
         *channel = (YkChannel){YK_CHANNEL_TIME, 0, 0, YK_QUANTITY_TIME};
         return true;
     }
-    int found = yk_coordinate_find(mech, name);
+    int found = find_coordinate(mech, name);
     if (found >= 0) return set(channel, YK_CHANNEL_COORDINATE, found, order, mech->coordinates[found].is_distance);
     if (order > 0 && find_body(mech, name) >= 0)
         return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);

@@ -39,11 +39,11 @@ YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
                               .input = c->input};
 }
 
-int yk_coordinate_find(const YkMechanism *mech, const char *name)
+size_t yk_coordinate_find(const YkMechanism *mech, const char *name)
 {
     for (size_t k = 0; k < mech->coordinate_count; k++)
-        if (strcmp(mech->coordinates[k].name, name) == 0) return (int)k;
-    return -1;
+        if (strcmp(mech->coordinates[k].name, name) == 0) return k;
+    return YK_NOT_FOUND;
 }
 
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance)

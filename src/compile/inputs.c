@@ -34,14 +34,14 @@ static bool propose_all(Choice *c, const YkCompileOptions *options)
     YkMechanism *mech = c->mech;
     const YkModel *model = mech->model;
     for (size_t i = 0; i < options->input_count; i++) {
-        int found = yk_coordinate_find(mech, options->inputs[i]);
-        if (found < 0) {
+        size_t found = yk_coordinate_find(mech, options->inputs[i]);
+        if (found == YK_NOT_FOUND) {
             yk_problem(c->problems, YK_CODE_UNKNOWN_INPUT, (YkPlace){0}, "there is no coordinate %q",
                        options->inputs[i]);
             yk_problem_hint(c->problems, "`yoke check` lists the coordinates of the machine");
             return false;
         }
-        propose(c, found);
+        propose(c, (int32_t)found);
     }
     c->wanted = c->count;
     for (size_t k = 0; k < model->drive_count; k++) propose_declared(c, model->drives[k].coordinate);

@@ -67,15 +67,15 @@ static void find_bounds(const YkCamSamples *samples, const YkCamShape *shape, do
 {
     double lowest, extent, f = yk_norm(shape->pivot);
     find_lifts(samples, &lowest, &extent);
-    if (shape->oscillates && shape->face == YK_CAM_FLAT) {
+    if (shape->oscillates && shape->face == YK_CAM_FACE_FLAT) {
         *low = 1e-6 * f;
         *high = f - shape->offset;
     } else if (shape->oscillates) {
         *low = fmax(fabs(f - shape->arm) - shape->roller, 1e-6 * f);
         *high = f + shape->arm - shape->roller;
     } else {
-        double least =
-            shape->face == YK_CAM_FLAT ? fmax(-lowest, 0) : yk_hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
+        double least = shape->face == YK_CAM_FACE_FLAT ? fmax(-lowest, 0)
+                                                       : yk_hypot(fmax(-lowest, 0), shape->offset) - shape->roller;
         *low = fmax(least, 1e-6 * (extent + fabs(shape->offset) + shape->roller));
         *high = INFINITY;
     }
@@ -90,7 +90,7 @@ YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimits *limi
 {
     Search search = {.samples = &design->samples, .shape = design->shape, .limits = limits};
     double low, high, bound;
-    search.bend = (Bend){limits->curvature, design->shape.roller, design->shape.face == YK_CAM_FLAT};
+    search.bend = (Bend){limits->curvature, design->shape.roller, design->shape.face == YK_CAM_FACE_FLAT};
     find_bounds(&design->samples, &design->shape, &low, &bound);
     bool found = false;
     high = low;

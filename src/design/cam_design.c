@@ -17,7 +17,7 @@ size_t yk_model_cam_find(const YkModel *model, const char *name)
 {
     for (size_t i = 0; name && i < model->cam_count; i++)
         if (strcmp(model->cams[i].name, name) == 0) return i;
-    return (size_t)-1;
+    return YK_NOT_FOUND;
 }
 
 const char *yk_cam_face_name(YkCamFace face)

@@ -15,7 +15,7 @@ static double effort_at(const YkCamDesign *design, double speed, const YkCamSamp
 static double lever(const YkCamShape *shape, const YkCamPoint *point)
 {
     if (!shape->oscillates) return yk_cos(point->pressure_angle);
-    return shape->face == YK_CAM_FLAT ? point->reach : shape->arm * yk_cos(point->pressure_angle);
+    return shape->face == YK_CAM_FACE_FLAT ? point->reach : shape->arm * yk_cos(point->pressure_angle);
 }
 
 static YkCamForce force_at(const YkCamDesign *design, double speed, const YkCamPoint *point)

@@ -114,7 +114,7 @@ YkCamPoint yk_cam_shape_at(const YkCamShape *shape, double angle, const double l
     YkCamPoint point = {.angle = angle};
     YkVec turned = yk_unit(-shape->turn * angle);
     for (int k = 0; k <= YK_LAW_ORDER; k++) point.lift[k] = lift[k];
-    if (shape->face == YK_CAM_FLAT) {
+    if (shape->face == YK_CAM_FACE_FLAT) {
         place_flat(shape, lift, turned, &point);
     } else {
         place_roller(shape, lift, turned, &point);

@@ -23,10 +23,10 @@ static YkCamVertex vertex_at(const Tracer *tracer, double angle)
     double lift[YK_LAW_ORDER + 1];
     yk_law_eval(tracer->design->law->law, angle, lift);
     YkCamPoint p = yk_cam_shape_at(tracer->shape, angle + tracer->lap, lift);
-    const double *at = tracer->curve == YK_CAM_PITCH || tracer->curve == YK_CAM_SECOND_PITCH ? p.pitch
-                       : tracer->curve == YK_CAM_OUTER                                       ? p.outer
-                                                                                             : p.surface;
-    double out = tracer->curve == YK_CAM_CUTTER ? tracer->cutter : 0;
+    const double *at = tracer->curve == YK_CAM_CURVE_PITCH || tracer->curve == YK_CAM_CURVE_SECOND_PITCH ? p.pitch
+                       : tracer->curve == YK_CAM_CURVE_OUTER                                             ? p.outer
+                                                                                                         : p.surface;
+    double out = tracer->curve == YK_CAM_CURVE_CUTTER ? tracer->cutter : 0;
     return (YkCamVertex){angle + tracer->lap, at[0] + out * p.normal[0], at[1] + out * p.normal[1]};
 }
 
@@ -102,10 +102,10 @@ static void trace(Tracer *tracer)
 static bool is_there(const YkCamDesign *design, YkCamCurve curve)
 {
     switch (curve) {
-    case YK_CAM_OUTER:
+    case YK_CAM_CURVE_OUTER:
         return design->cam->is_groove;
-    case YK_CAM_SECOND_SURFACE:
-    case YK_CAM_SECOND_PITCH:
+    case YK_CAM_CURVE_SECOND_SURFACE:
+    case YK_CAM_CURVE_SECOND_PITCH:
         return design->cam->is_conjugate;
     default:
         return true;
@@ -115,7 +115,7 @@ static bool is_there(const YkCamDesign *design, YkCamCurve curve)
 YkStatus yk_cam_profile(const YkCamDesign *design, YkCamCurve curve, double tolerance, double cutter,
                         YkCamVertex **vertices, size_t *count)
 {
-    bool is_second = curve == YK_CAM_SECOND_SURFACE || curve == YK_CAM_SECOND_PITCH;
+    bool is_second = curve == YK_CAM_CURVE_SECOND_SURFACE || curve == YK_CAM_CURVE_SECOND_PITCH;
     Tracer tracer = {.design = design,
                      .shape = is_second ? &design->second : &design->shape,
                      .curve = curve,

@@ -23,9 +23,9 @@ bool yk_cam_shape_fit(YkCamShape *shape)
 {
     double distance = shape->base + shape->roller;
     if (!shape->oscillates) {
-        bool is_flat = shape->face == YK_CAM_FLAT;
+        bool is_flat = shape->face == YK_CAM_FACE_FLAT;
         shape->start = is_flat ? shape->base : sqrt((distance - shape->offset) * (distance + shape->offset));
-    } else if (shape->face == YK_CAM_FLAT) {
+    } else if (shape->face == YK_CAM_FACE_FLAT) {
         shape->start = angle_of(shape->pivot, shape->base + shape->offset, shape->swing);
     } else {
         shape->start = arm_angle(shape, distance);

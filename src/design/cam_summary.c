@@ -79,7 +79,7 @@ static void find_curvature(const Finder *finder, YkCamSummary *summary)
 {
     const double plus = 1, minus = -1, roller = finder->shape->roller;
     const YkCamExtreme none = {-(double)INFINITY, 0};
-    if (finder->shape->face == YK_CAM_FLAT) {
+    if (finder->shape->face == YK_CAM_FACE_FLAT) {
         YkCamExtreme least = yk_cam_greatest(finder->samples, finder->shape, convex_flat, NULL);
         least.value = -least.value;
         summary->pitch_convex = summary->surface_convex = least;
@@ -115,7 +115,7 @@ YkCamSummary yk_cam_summarize(const YkCamSamples *samples, const YkCamShape *sha
     summary.pressure = yk_cam_greatest(samples, shape, pressure, NULL);
     if (at(&finder, summary.pressure.angle).pressure_angle < 0) summary.pressure.value *= -1;
     find_curvature(&finder, &summary);
-    if (shape->face == YK_CAM_FLAT) {
+    if (shape->face == YK_CAM_FACE_FLAT) {
         summary.reach_low = extreme(&finder, reach, -1);
         summary.reach_high = extreme(&finder, reach, 1);
     }

@@ -18,10 +18,10 @@ static YkFourBarClass classify(const double length[4])
         if (length[k] > length[longest]) longest = k;
     }
     double excess = 2 * (length[shortest] + length[longest]) - sum; // of s + l over p + q
-    if (fabs(excess) <= 1e-12 * sum) return YK_CHANGE_POINT_FOUR_BAR;
-    if (excess > 0) return YK_TRIPLE_ROCKER;
-    static const YkFourBarClass inversions[] = {YK_DRAG_LINK, YK_CRANK_ROCKER, YK_DOUBLE_ROCKER_GRASHOF,
-                                                YK_ROCKER_CRANK};
+    if (fabs(excess) <= 1e-12 * sum) return YK_FOUR_BAR_CHANGE_POINT;
+    if (excess > 0) return YK_FOUR_BAR_TRIPLE_ROCKER;
+    static const YkFourBarClass inversions[] = {YK_FOUR_BAR_DRAG_LINK, YK_FOUR_BAR_CRANK_ROCKER,
+                                                YK_FOUR_BAR_DOUBLE_ROCKER, YK_FOUR_BAR_ROCKER_CRANK};
     return inversions[shortest];
 }
 

@@ -80,7 +80,7 @@ static bool ratio_alone(YkTrain *train, const YkLock *lock, YkTrainRatio *ratio,
                                .shown = {.name = train->model->bodies[ratio->in].name, .is_unit = true, .speed = 1}};
     int32_t out = train->net.column_of[ratio->out];
     if (!yk_train_case_solve(one, &train->net, lock, &unit, 1, train->arena)) return false;
-    if (one->status == YK_TRAIN_LOCKED || !yk_exact_is_determined(&one->system, out)) return true;
+    if (one->status == YK_TRAIN_STATUS_LOCKED || !yk_exact_is_determined(&one->system, out)) return true;
     const YkFraction *share = yk_train_case_share(one, out, 0);
     ratio->is_known = true;
     if (yk_fraction_is_zero(share)) {
@@ -112,8 +112,8 @@ static void ratio_by_drives(YkTrain *train)
 
 static bool find_ratio(YkTrain *train, const YkLock *lock, int32_t in, int32_t out)
 {
-    train->ratio =
-        (YkTrainRatio){.in = in == YK_NONE ? (size_t)-1 : (size_t)in, .out = out == YK_NONE ? (size_t)-1 : (size_t)out};
+    train->ratio = (YkTrainRatio){.in = in == YK_NONE ? YK_NOT_FOUND : (size_t)in,
+                                  .out = out == YK_NONE ? YK_NOT_FOUND : (size_t)out};
     if (in == YK_NONE || out == YK_NONE) return true;
     YkTrainCase one;
     bool good = ratio_alone(train, lock, &train->ratio, &one);
@@ -139,8 +139,8 @@ static bool fill_gear(YkTrain *train, size_t index)
     good = ratio_alone(train, lock, &gear->ratio, &one);
     gear->status = one.status;
     gear->message = one.message;
-    if (gear->ratio.is_known && gear->status == YK_TRAIN_UNDETERMINED) { // others may spin freely
-        gear->status = YK_TRAIN_OK;
+    if (gear->ratio.is_known && gear->status == YK_TRAIN_STATUS_UNDETERMINED) { // others may spin freely
+        gear->status = YK_TRAIN_STATUS_OK;
     }
     train->motion.system.overflow |= one.system.overflow;
     yk_train_case_free(&one);
@@ -149,7 +149,7 @@ static bool fill_gear(YkTrain *train, size_t index)
 
 static bool fill_shift_table(YkTrain *train)
 {
-    if (train->options.lock || train->ratio.in == (size_t)-1 || train->ratio.out == (size_t)-1) return true;
+    if (train->options.lock || train->ratio.in == YK_NOT_FOUND || train->ratio.out == YK_NOT_FOUND) return true;
     train->gears = YK_NEW(train->arena, YkTrainGear, train->model->lock_count + 1);
     if (!train->gears) return false;
     for (size_t i = 0; i < train->model->lock_count; i++, train->gear_count++)
@@ -164,7 +164,7 @@ static void fill_speed(YkTrain *train, int32_t column, YkFraction *shares)
     const YkTrainCase *one = &train->motion;
     YkTrainBody *body = &train->bodies[column - 1];
     *body = (YkTrainBody){.body = (size_t)train->net.body_of[column], .speed = NAN};
-    if (one->status == YK_TRAIN_LOCKED || !yk_exact_is_determined(&one->system, column)) return;
+    if (one->status == YK_TRAIN_STATUS_LOCKED || !yk_exact_is_determined(&one->system, column)) return;
     body->is_determined = true;
     body->speed = 0;
     for (int32_t k = 0; k < train->drive_count; k++) {
@@ -199,7 +199,8 @@ static bool fill_rack_speeds(YkTrain *train)
     for (size_t m = 0; m < (size_t)train->net.mesh_count; m++) train->rack_speeds[m] = NAN;
     for (size_t r = 0; r < model->rack_count; r++) {
         int32_t column = train->net.bodies + (int32_t)r;
-        if (train->motion.status == YK_TRAIN_LOCKED || !yk_exact_is_determined(&train->motion.system, column)) continue;
+        if (train->motion.status == YK_TRAIN_STATUS_LOCKED || !yk_exact_is_determined(&train->motion.system, column))
+            continue;
         train->rack_speeds[first + r] = 0;
         for (int32_t k = 0; k < train->drive_count; k++)
             train->rack_speeds[first + r] +=
@@ -218,7 +219,7 @@ static bool write_willis(YkTrain *train)
         YkText text = {0};
         const char *a = train->model->bodies[mesh.body[0]].name, *b = train->model->bodies[mesh.body[1]].name;
         const char *c = train->model->bodies[mesh.carrier].name;
-        bool is_ground = mesh.carrier == 0, is_rack = mesh.kind == YK_TRAIN_RACK;
+        bool is_ground = mesh.carrier == 0, is_rack = mesh.kind == YK_TRAIN_KIND_RACK;
         yk_text_format(&text, is_ground ? "%s" : "(%s - %s)", a, c);
         yk_text_format(&text, "*%s = ", mesh.symbol[0]);
         const YkTrainRow *row = yk_train_mesh_row(net, (int32_t)m);

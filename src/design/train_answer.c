@@ -54,7 +54,7 @@ size_t yk_train_mesh_count(const YkTrain *train)
 
 static void add_gears(const YkGear *gear, YkTrainMesh *mesh)
 {
-    mesh->kind = YK_TRAIN_GEARS;
+    mesh->kind = YK_TRAIN_KIND_GEARS;
     mesh->name = gear->name;
     mesh->carrier = (size_t)gear->carrier;
     mesh->is_internal = gear->is_internal;
@@ -69,7 +69,7 @@ static void add_gears(const YkGear *gear, YkTrainMesh *mesh)
 
 static void add_belt(const YkBelt *belt, YkTrainMesh *mesh)
 {
-    mesh->kind = YK_TRAIN_BELT;
+    mesh->kind = YK_TRAIN_KIND_BELT;
     mesh->name = belt->name;
     mesh->carrier = (size_t)belt->carrier;
     mesh->is_internal = !belt->is_crossed;
@@ -81,7 +81,7 @@ static void add_belt(const YkBelt *belt, YkTrainMesh *mesh)
 
 static void add_rack(const YkRack *rack, YkTrainMesh *mesh)
 {
-    mesh->kind = YK_TRAIN_RACK;
+    mesh->kind = YK_TRAIN_KIND_RACK;
     mesh->name = rack->name;
     mesh->carrier = (size_t)rack->carrier;
     mesh->body[0] = (size_t)rack->pinion;

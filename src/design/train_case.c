@@ -248,16 +248,16 @@ static bool judge(YkTrainCase *one, const YkTrainDrive *drives, YkArena *arena)
 {
     int32_t open = 0;
     one->message = "";
-    one->status = YK_TRAIN_OK;
+    one->status = YK_TRAIN_STATUS_OK;
     if (one->system.overflow) return false;
     if (find_contradiction(&one->system, drives, one->input_count) >= 0) {
-        one->status = YK_TRAIN_LOCKED;
+        one->status = YK_TRAIN_STATUS_LOCKED;
         one->message = tell_contradiction(one, drives, arena);
         return one->message != NULL;
     }
     for (int32_t c = 0; c < one->net->bodies; c++) open += !yk_exact_is_determined(&one->system, c);
     if (open == 0) return true;
-    one->status = one->input_count > 0 ? YK_TRAIN_UNDETERMINED : YK_TRAIN_FREE;
+    one->status = one->input_count > 0 ? YK_TRAIN_STATUS_UNDETERMINED : YK_TRAIN_STATUS_FREE;
     one->message = tell_open(one, open, arena);
     return one->message != NULL;
 }

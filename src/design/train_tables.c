@@ -4,7 +4,7 @@
 
 static bool is_on(const YkTrainMesh *mesh, int32_t carrier)
 {
-    return mesh->kind != YK_TRAIN_RACK && (int32_t)mesh->carrier == carrier;
+    return mesh->kind != YK_TRAIN_KIND_RACK && (int32_t)mesh->carrier == carrier;
 }
 
 static int32_t find(const YkTrainGroup *group, size_t body)
@@ -108,7 +108,7 @@ bool yk_train_tables(YkTrain *train)
     train->groups = YK_NEW(train->arena, YkTrainGroup, meshes + 1);
     for (size_t m = 0; train->groups && m < meshes; m++) {
         YkTrainMesh mesh = yk_train_mesh(train, m);
-        if (mesh.kind == YK_TRAIN_RACK || mesh.carrier == 0) continue;
+        if (mesh.kind == YK_TRAIN_KIND_RACK || mesh.carrier == 0) continue;
         if (is_in_a_group(train, (int32_t)mesh.carrier, mesh.body[0])) continue;
         YkTrainGroup *group = &train->groups[train->group_count];
         *group = (YkTrainGroup){.carrier = (int32_t)mesh.carrier,

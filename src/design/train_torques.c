@@ -80,7 +80,7 @@ static bool learn_all(YkTrainBalance *work, YkProblems *problems)
     for (size_t i = 0; i < train->options.effort_count; i++)
         if (!learn_option(work, &train->options.efforts[i], problems)) return false;
     work->load = -1;
-    for (int32_t k = 0; k < work->known_count && train->ratio.out != (size_t)-1; k++)
+    for (int32_t k = 0; k < work->known_count && train->ratio.out != YK_NOT_FOUND; k++)
         if (work->known[k].row >= 0) work->load = train->net.column_of[train->ratio.out];
     return true;
 }
@@ -295,7 +295,8 @@ bool yk_train_torques(YkTrain *train, YkProblems *problems)
     work.driver = calloc((size_t)train->net.mesh_count + 1, sizeof *work.driver);
     bool good = work.driver && learn_all(&work, problems);
     for (int32_t m = 0; good && m < train->net.mesh_count; m++) work.driver[m] = -1;
-    if (good && work.known_count > 0 && train->motion.status == YK_TRAIN_OK) good = find_torques(&work, problems);
+    if (good && work.known_count > 0 && train->motion.status == YK_TRAIN_STATUS_OK)
+        good = find_torques(&work, problems);
     yk_exact_free(&work.system);
     free(work.known);
     free(work.driver);

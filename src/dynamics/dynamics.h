@@ -47,7 +47,7 @@ YkStatus yk_dynamics_find_accelerations(YkDynamics *dynamics, YkState *state);
 // Solves the state again with dynamics->acceleration for the free inputs, then all reactions and efforts.
 YkStatus yk_dynamics_apply(YkDynamics *dynamics, YkState *state);
 // Finds one solution at the state's inputs, with the present dry friction of the loads.
-YkStatus yk_dynamics_solve_once(YkDynamics *dynamics, YkState *state, YkDynamicsMethod method);
+YkStatus yk_dynamics_solve_once(YkDynamics *dynamics, YkState *state, YkMethod method);
 // Sets dry friction from the last reactions, which in turn depend on it; returns whether it has settled. round: how
 // often this has been done at the pose, below YK_DRY_ROUNDS.
 enum { YK_DRY_ROUNDS = 400 };

@@ -170,13 +170,13 @@ YkStatus yk_dynamics_fail_at_dry(YkDynamics *d)
     return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
 }
 
-YkStatus yk_dynamics_solve_once(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+YkStatus yk_dynamics_solve_once(YkDynamics *d, YkState *state, YkMethod method)
 {
     return method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
 }
 
 // Solves with all joints with dry friction sliding, repeatedly until the friction settles.
-static YkStatus solve_sliding(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+static YkStatus solve_sliding(YkDynamics *d, YkState *state, YkMethod method)
 {
     for (int round = 0; round < YK_DRY_ROUNDS; round++) {
         YkStatus status = yk_dynamics_solve_once(d, state, method);
@@ -194,7 +194,7 @@ static bool stands_dry(YkDynamics *d, YkState *state)
     return yk_state_solve(state) >= 0 && state->has_rates && yk_holding_is_needed(d->holding, d, state);
 }
 
-YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkDynamicsMethod method)
+YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkMethod method)
 {
     YkStatus status =
         stands_dry(d, state) ? yk_holding_find(d->holding, d, state, method) : solve_sliding(d, state, method);

@@ -214,7 +214,7 @@ static bool is_good(YkStatus status)
     return status == YK_OK || status == YK_REDUNDANT;
 }
 
-static YkStatus solve_with(const YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method, const double *f)
+static YkStatus solve_with(const YkHolding *h, YkDynamics *d, YkState *state, YkMethod method, const double *f)
 {
     set_frictions(h, d, f);
     return yk_dynamics_solve_once(d, state, method);
@@ -239,7 +239,7 @@ static bool differs(const YkReaction *a, const YkReaction *b, double near, doubl
 }
 
 // Finds the rows at f = h->f, and how each changes with each friction.
-static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method)
+static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkMethod method)
 {
     YkStatus status = solve_with(h, d, state, method, h->f);
     if (!is_good(status)) return status;
@@ -464,8 +464,7 @@ static End find_end(YkHolding *h, size_t input, int sense, double *end)
 
 // Returns whether a solution with the frictions of h->best confirms that effort and those limits. *effort: its own
 // value.
-static bool is_borne_out(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method, size_t input,
-                         double *effort)
+static bool is_borne_out(YkHolding *h, YkDynamics *d, YkState *state, YkMethod method, size_t input, double *effort)
 {
     if (!is_good(solve_with(h, d, state, method, h->best))) return false;
     bool good = fabs(d->drive[input] - *effort) <= BORNE_OUT * (fabs(*effort) + fabs(d->drive[input]));
@@ -477,7 +476,7 @@ static bool is_borne_out(YkHolding *h, YkDynamics *d, YkState *state, YkDynamics
     return good;
 }
 
-static void find_range(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method, size_t input)
+static void find_range(YkHolding *h, YkDynamics *d, YkState *state, YkMethod method, size_t input)
 {
     YkEffortRange *range = &h->range[input];
     double ends[2], most = 0, bias = fabs(row_at(h, 3 * h->count + input, h->f));
@@ -514,7 +513,7 @@ static bool is_open(YkHolding *h)
     return yk_qr_factor(n, n, h->matrix, h->order, h->work, 1e-10) < sticking;
 }
 
-YkStatus yk_holding_find(YkHolding *h, YkDynamics *d, YkState *state, YkDynamicsMethod method)
+YkStatus yk_holding_find(YkHolding *h, YkDynamics *d, YkState *state, YkMethod method)
 {
     memset(h->f, 0, h->count * sizeof *h->f);
     YkStatus status = find_columns(h, d, state, method);

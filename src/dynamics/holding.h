@@ -16,7 +16,7 @@ bool yk_holding_is_needed(YkHolding *holding, const YkDynamics *dynamics, const 
 // Finds which of the joints at rest stick and which begin to slip if their accelerations are free, and the efforts that
 // hold the prescribed inputs. Leaves a solution with frictions that have settled: those of joints held by drives alone
 // are 0. Cost: a solution for every joint with dry friction, and some linear programs for each input.
-YkStatus yk_holding_find(YkHolding *holding, YkDynamics *dynamics, YkState *state, YkDynamicsMethod method);
+YkStatus yk_holding_find(YkHolding *holding, YkDynamics *dynamics, YkState *state, YkMethod method);
 YkEffortRange yk_holding_range(const YkHolding *holding, size_t input); // is_single if nothing was found
 // Whether frictions at rest, and what depends on them, have more than one answer.
 bool yk_holding_is_open(const YkHolding *holding);

@@ -167,7 +167,7 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
         u = yk_mul(carrier.e, cam->along);
         lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
         double reach = cam->base + cam->roller;
-        if (cam->face == YK_CAM_FLAT || !(reach * reach > cam->offset * cam->offset)) {
+        if (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)) {
             pose_flat(f, space, c, center, u, slope * turn);
             return;
         }

@@ -28,7 +28,7 @@ const char *yk_model_point_name(const YkModel *model, size_t point)
 
 size_t yk_model_point_body(const YkModel *model, size_t point)
 {
-    return point < model->point_count ? (size_t)model->points[point].body : (size_t)-1;
+    return point < model->point_count ? (size_t)model->points[point].body : YK_NOT_FOUND;
 }
 
 size_t yk_model_joint_count(const YkModel *model)
@@ -44,7 +44,7 @@ const char *yk_model_joint_name(const YkModel *model, size_t joint)
 static size_t find(const YkNames *names, const char *name)
 {
     int32_t index = name ? yk_names_find(names, name) : YK_NONE;
-    return index == YK_NONE ? (size_t)-1 : (size_t)index;
+    return index == YK_NONE ? YK_NOT_FOUND : (size_t)index;
 }
 
 size_t yk_model_find_body(const YkModel *model, const char *name)

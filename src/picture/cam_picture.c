@@ -28,13 +28,13 @@ bool yk_cam_picture_take(YkCamPicture *picture, const YkCamDesign *design, doubl
 {
     YkCamSize size = yk_cam_size(design);
     *picture = (YkCamPicture){.design = design, .cutter = cutter};
-    bool good = add_curve(picture, YK_CAM_SURFACE, "surface", tolerance);
-    if (size.face == YK_CAM_ROLLER) good = good && add_curve(picture, YK_CAM_PITCH, "pitch", tolerance);
-    if (size.is_groove) good = good && add_curve(picture, YK_CAM_OUTER, "groove", tolerance);
-    if (cutter > 0) good = good && add_curve(picture, YK_CAM_CUTTER, "cutter", tolerance);
+    bool good = add_curve(picture, YK_CAM_CURVE_SURFACE, "surface", tolerance);
+    if (size.face == YK_CAM_FACE_ROLLER) good = good && add_curve(picture, YK_CAM_CURVE_PITCH, "pitch", tolerance);
+    if (size.is_groove) good = good && add_curve(picture, YK_CAM_CURVE_OUTER, "groove", tolerance);
+    if (cutter > 0) good = good && add_curve(picture, YK_CAM_CURVE_CUTTER, "cutter", tolerance);
     if (size.is_conjugate) {
-        good = good && add_curve(picture, YK_CAM_SECOND_SURFACE, "surface-2", tolerance) &&
-               add_curve(picture, YK_CAM_SECOND_PITCH, "pitch-2", tolerance);
+        good = good && add_curve(picture, YK_CAM_CURVE_SECOND_SURFACE, "surface-2", tolerance) &&
+               add_curve(picture, YK_CAM_CURVE_SECOND_PITCH, "pitch-2", tolerance);
     }
     if (!good) yk_cam_picture_free(picture);
     return good;
@@ -138,7 +138,7 @@ static void add_follower(const YkCamPicture *picture, YkText *svg)
     YkCamSize size = yk_cam_size(picture->design);
     YkCamPoint p = yk_cam_at(picture->design, 0);
     YkVec at = yk_vec(p.surface[0], p.surface[1]), along = yk_quarter(yk_vec(p.normal[0], p.normal[1]));
-    if (size.face == YK_CAM_FLAT) {
+    if (size.face == YK_CAM_FACE_FLAT) {
         YkCamSummary summary = yk_cam_summary(picture->design);
         double half = fmax(summary.reach_high.value - summary.reach_low.value, size.base / 4);
         add_line(svg, yk_sub(at, yk_scale(half, along)), yk_add(at, yk_scale(half, along)), style);

@@ -51,7 +51,7 @@ static void find_shift(const YkModel *model, const YkCam *cam, YkDrawnCam *own)
     if (joints_of(model, cam->follower) != 1) return;
     if (cam->oscillates) {
         YkVec arm = yk_mul(yk_unit(cam->swing * own->lift), yk_sub(point, held)), ridden = yk_sub(own->at, cam->pivot);
-        if (cam->face != YK_CAM_FLAT && yk_norm(arm) > 0)
+        if (cam->face != YK_CAM_FACE_FLAT && yk_norm(arm) > 0)
             own->turn = yk_atan2(yk_cross(arm, ridden), yk_dot(arm, ridden));
     } else if (side == 1) {
         YkVec there =
@@ -68,13 +68,14 @@ static bool take(const YkModel *model, size_t k, YkDrawnCam *own)
     if (!design) return false;
     const YkCam *cam = &model->cams[k];
     YkCamPoint point = yk_cam_at(design, 0); // the cam's axes are here the carrier's
-    const double *at = cam->face == YK_CAM_FLAT ? point.surface : point.pitch;
+    const double *at = cam->face == YK_CAM_FACE_FLAT ? point.surface : point.pitch;
     own->at = yk_vec(at[0], at[1]);
     own->normal = yk_vec(point.normal[0], point.normal[1]);
     own->lift = point.lift[0];
     find_shift(model, cam, own);
-    bool good = take_curve(design, YK_CAM_SURFACE, cam->base, &own->surface, &own->surface_count);
-    if (cam->is_groove) good = good && take_curve(design, YK_CAM_OUTER, cam->base, &own->outer, &own->outer_count);
+    bool good = take_curve(design, YK_CAM_CURVE_SURFACE, cam->base, &own->surface, &own->surface_count);
+    if (cam->is_groove)
+        good = good && take_curve(design, YK_CAM_CURVE_OUTER, cam->base, &own->outer, &own->outer_count);
     for (size_t i = 0; good && i < own->surface_count; i++) own->reach = fmax(own->reach, yk_norm(own->surface[i]));
     for (size_t i = 0; good && i < own->outer_count; i++) own->reach = fmax(own->reach, yk_norm(own->outer[i]));
     yk_cam_design_free(design);
@@ -223,7 +224,7 @@ static void add_rider(YkDrawing *drawing, const YkFrame *frames, size_t k, YkTex
     yk_drawing_group(drawing, (size_t)cam->follower);
     set_style(style, "none", colour.edge, fmax(1, 0.35 * drawing->bar));
     yk_svg_line(&drawing->svg, at, yk_drawing_pixel(drawing, held), yk_text_get(style));
-    if (cam->face == YK_CAM_FLAT) {
+    if (cam->face == YK_CAM_FACE_FLAT) {
         set_style(style, "none", colour.edge, fmax(1.5, 0.4 * drawing->bar));
         yk_svg_line(&drawing->svg, yk_sub(at, yk_scale(half, along)), yk_add(at, yk_scale(half, along)),
                     yk_text_get(style));

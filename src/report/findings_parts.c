@@ -21,7 +21,7 @@ static void find_train(YkReportPage *report, YkText *text)
         yk_text_format(text, "%e.", ratio.value);
         yk_report_find(report, YK_FINDING_FACT, text);
     }
-    if (yk_train_status(train) == YK_TRAIN_LOCKED) {
+    if (yk_train_status(train) == YK_TRAIN_STATUS_LOCKED) {
         yk_text_format(text, "The gear train is locked: %s.", yk_train_message(train));
         yk_report_find(report, YK_FINDING_LOOK, text);
     }
@@ -44,7 +44,7 @@ static void find_cam(YkReportPage *report, size_t cam, YkText *text)
     YkQuantity lift = size.oscillates ? YK_QUANTITY_ANGLE : YK_QUANTITY_LENGTH;
     yk_text_format(text, "The cam %s lifts its follower by ", size.name);
     yk_report_amount(report, text, summary.lift_high.value - summary.lift_low.value, lift);
-    if (size.face != YK_CAM_FLAT) {
+    if (size.face != YK_CAM_FACE_FLAT) {
         yk_text_puts(text, " with a pressure angle of at most ");
         yk_report_amount(report, text, fabs(summary.pressure.value), YK_QUANTITY_ANGLE);
     }

@@ -47,7 +47,8 @@ static void add_facts(const YkReportPage *report, const YkCamDesign *design, con
     yk_table_head(table, "at cam angle", NULL);
     add_fact(report, table, "least lift", s.lift_low, lift);
     add_fact(report, table, "largest lift", s.lift_high, lift);
-    if (size->face != YK_CAM_FLAT) add_fact(report, table, "largest pressure angle", s.pressure, YK_QUANTITY_ANGLE);
+    if (size->face != YK_CAM_FACE_FLAT)
+        add_fact(report, table, "largest pressure angle", s.pressure, YK_QUANTITY_ANGLE);
     add_fact(report, table, "smallest convex radius of the surface", s.surface_convex, YK_QUANTITY_LENGTH);
     add_fact(report, table, "smallest hollow radius of the surface", s.surface_hollow, YK_QUANTITY_LENGTH);
     YkText caption = {0};

@@ -37,9 +37,9 @@ static void add_meshes(const YkReportPage *report, const YkTrain *train, YkText 
         YkTrainMesh mesh = yk_train_mesh(train, m);
         if (is_lock(report->model, mesh.name)) continue;
         yk_table_word(table, mesh.name);
-        yk_table_word(table, mesh.kind == YK_TRAIN_RACK   ? "rack"
-                             : mesh.kind == YK_TRAIN_BELT ? (mesh.is_internal ? "open belt" : "crossed belt")
-                                                          : (mesh.is_internal ? "internal" : "external"));
+        yk_table_word(table, mesh.kind == YK_TRAIN_KIND_RACK   ? "rack"
+                             : mesh.kind == YK_TRAIN_KIND_BELT ? (mesh.is_internal ? "open belt" : "crossed belt")
+                                                               : (mesh.is_internal ? "internal" : "external"));
         for (int k = 0; k < 2; k++) {
             YkText wheel = {0};
             yk_text_puts(&wheel, report->model->bodies[mesh.body[k]].name);

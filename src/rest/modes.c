@@ -157,13 +157,13 @@ static YkStability judge(const YkRest *rest, const YkRestPoint *p)
 {
     size_t n = 2 * rest->freedom;
     double size = 0;
-    YkStability stability = YK_STABLE;
+    YkStability stability = YK_STABILITY_STABLE;
     for (size_t k = 0; k < n; k++) size = fmax(size, yk_hypot(p->real[k], p->imaginary[k]));
     for (size_t k = 0; k < n; k++) {
-        if (p->real[k] > 1e-5 * size) return YK_UNSTABLE;
-        if (yk_hypot(p->real[k], p->imaginary[k]) <= 1e-5 * size) stability = YK_NEUTRAL;
+        if (p->real[k] > 1e-5 * size) return YK_STABILITY_UNSTABLE;
+        if (yk_hypot(p->real[k], p->imaginary[k]) <= 1e-5 * size) stability = YK_STABILITY_NEUTRAL;
     }
-    return size > 0 ? stability : YK_NEUTRAL;
+    return size > 0 ? stability : YK_STABILITY_NEUTRAL;
 }
 
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)

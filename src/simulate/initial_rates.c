@@ -17,11 +17,11 @@ size_t yk_simulation_given_rates(const YkSimulation *sim, YkStartRate *given)
     }
     for (size_t k = 0; k < sim->options.value_count; k++) {
         const YkStartValue *value = &sim->options.values[k];
-        int q = value->is_rate ? yk_coordinate_find(mech, value->coordinate) : -1;
-        if (q < 0) continue;
+        size_t q = value->is_rate ? yk_coordinate_find(mech, value->coordinate) : YK_NOT_FOUND;
+        if (q == YK_NOT_FOUND) continue;
         size_t at = 0;
-        while (at < count && given[at].coordinate != (size_t)q) at++;
-        given[at] = (YkStartRate){(size_t)q, value->value};
+        while (at < count && given[at].coordinate != q) at++;
+        given[at] = (YkStartRate){q, value->value};
         if (at == count) count++;
     }
     size_t kept = 0;

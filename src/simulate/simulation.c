@@ -25,8 +25,8 @@ static bool set_positions(YkSimulation *sim, YkProblems *problems)
     if (yk_state_set_time(s, sim->options.start, problems) < 0) return false;
     for (size_t k = 0; k < sim->options.value_count; k++) {
         const YkStartValue *value = &sim->options.values[k];
-        int c = yk_coordinate_find(sim->mech, value->coordinate);
-        if (c < 0) {
+        size_t c = yk_coordinate_find(sim->mech, value->coordinate);
+        if (c == YK_NOT_FOUND) {
             yk_problem(problems, YK_CODE_UNKNOWN_INPUT, (YkPlace){0}, "there is no coordinate %q", value->coordinate);
             return false;
         }
@@ -214,11 +214,11 @@ YkStatus yk_simulation_set_effort(YkSimulation *sim, const char *coordinate, dou
 {
     if (sim->status != YK_OK) return sim->status;
     size_t n = sim->mech->coordinate_count;
-    int c = yk_coordinate_find(sim->mech, coordinate);
-    if (c < 0 || sim->has_begun || !isfinite(effort)) return YK_BAD_ARGUMENT;
+    size_t c = yk_coordinate_find(sim->mech, coordinate);
+    if (c == YK_NOT_FOUND || sim->has_begun || !isfinite(effort)) return YK_BAD_ARGUMENT;
     if (!yk_simulation_make_efforts(sim)) return YK_NO_MEMORY;
-    sim->has_effort[c] = sim->has_effort[n + (size_t)c] = true;
-    sim->effort[c] = sim->effort[n + (size_t)c] = effort;
+    sim->has_effort[c] = sim->has_effort[n + c] = true;
+    sim->effort[c] = sim->effort[n + c] = effort;
     YkProblems *quiet = yk_problems_new();
     yk_simulation_unbuild(sim);
     bool ok = yk_simulation_build(sim, sim->options.compile, quiet) && yk_simulation_stepper(sim) && begin(sim, quiet);

@@ -67,26 +67,26 @@ static double below(const YkDistribution *d, double x)
 
 bool yk_distribution_is_valid(const YkDistribution *d)
 {
-    if (d->kind == YK_NORMAL)
+    if (d->kind == YK_DISTRIBUTION_NORMAL)
         return isfinite(d->center) && isfinite(d->spread) && d->spread > 0 && d->low < d->high &&
                below(d, d->high) - below(d, d->low) > 1e-12;
     bool has_ends = isfinite(d->low) && isfinite(d->high) && d->low < d->high;
-    return has_ends && (d->kind == YK_UNIFORM || (d->low <= d->center && d->center <= d->high));
+    return has_ends && (d->kind == YK_DISTRIBUTION_UNIFORM || (d->low <= d->center && d->center <= d->high));
 }
 
 double yk_distribution_quantile(const YkDistribution *d, double p)
 {
     double width = d->high - d->low, low = d->center - d->low, x;
     switch (d->kind) {
-    case YK_NORMAL: {
+    case YK_DISTRIBUTION_NORMAL: {
         double from = below(d, d->low), to = below(d, d->high);
         x = d->center + d->spread * yk_normal_quantile(from + p * (to - from));
         return fmin(fmax(x, d->low), d->high);
     }
-    case YK_TRIANGULAR:
+    case YK_DISTRIBUTION_TRIANGULAR:
         if (p * width < low) return d->low + sqrt(p * width * low);
         return d->high - sqrt((1 - p) * width * (d->high - d->center));
-    case YK_UNIFORM:
+    case YK_DISTRIBUTION_UNIFORM:
         break;
     }
     return d->low + p * width;
@@ -113,26 +113,27 @@ static Cut cut_of(const YkDistribution *d)
 
 double yk_distribution_mean(const YkDistribution *d)
 {
-    if (d->kind == YK_NORMAL) return d->center + d->spread * cut_of(d).shift;
-    if (d->kind == YK_TRIANGULAR) return (d->low + d->center + d->high) / 3;
+    if (d->kind == YK_DISTRIBUTION_NORMAL) return d->center + d->spread * cut_of(d).shift;
+    if (d->kind == YK_DISTRIBUTION_TRIANGULAR) return (d->low + d->center + d->high) / 3;
     return 0.5 * (d->low + d->high);
 }
 
 double yk_distribution_deviation(const YkDistribution *d)
 {
     double a = d->low, b = d->high, c = d->center;
-    if (d->kind == YK_NORMAL) {
+    if (d->kind == YK_DISTRIBUTION_NORMAL) {
         Cut cut = cut_of(d);
         return d->spread * sqrt(1 + cut.a_part - cut.b_part - cut.shift * cut.shift);
     }
-    if (d->kind == YK_TRIANGULAR) return sqrt(((a - b) * (a - b) + (b - c) * (b - c) + (a - c) * (a - c)) / 36);
+    if (d->kind == YK_DISTRIBUTION_TRIANGULAR)
+        return sqrt(((a - b) * (a - b) + (b - c) * (b - c) + (a - c) * (a - c)) / 36);
     return (b - a) / sqrt(12);
 }
 
 double yk_distribution_tolerance(const YkDistribution *d, double nominal)
 {
     double low = d->low, high = d->high;
-    if (d->kind == YK_NORMAL) {
+    if (d->kind == YK_DISTRIBUTION_NORMAL) {
         low = fmax(low, d->center - 3 * d->spread);
         high = fmin(high, d->center + 3 * d->spread);
     }

@@ -78,11 +78,11 @@ static bool read_distribution(Reader *r, const YkNode *node, const YkParameter *
         d->low = parameter->value - v[0], d->high = parameter->value + v[0];
     } else if (kind == 2) {
         if (!read_list(r, found, parameter, 3, v)) return false;
-        *d = (YkDistribution){YK_TRIANGULAR, v[0], v[2], v[1], 0};
+        *d = (YkDistribution){YK_DISTRIBUTION_TRIANGULAR, v[0], v[2], v[1], 0};
     } else {
         if (!read_list(r, found, parameter, 2, v)) return false;
         if (kind == 0) d->low = v[0], d->high = v[1];
-        if (kind == 1) d->kind = YK_NORMAL, d->center = v[0], d->spread = v[1];
+        if (kind == 1) d->kind = YK_DISTRIBUTION_NORMAL, d->center = v[0], d->spread = v[1];
     }
     if (within) {
         if (!read_list(r, within, parameter, 2, v)) return false;

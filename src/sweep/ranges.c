@@ -140,11 +140,11 @@ size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, siz
     int32_t input = mech->coordinates[coordinate].input;
     YkState *probe = input == YK_NONE ? NULL : yk_state_new(mech);
     Scan scan = {.ranges = ranges, .capacity = capacity};
-    if (!probe) return input == YK_NONE ? 0 : (size_t)-1;
+    if (!probe) return input == YK_NONE ? 0 : YK_NOT_FOUND;
     yk_state_copy(probe, state);
     if (!yk_path_start(&scan.path, probe, (int)coordinate)) {
         yk_state_free(probe);
-        return (size_t)-1;
+        return YK_NOT_FOUND;
     }
     bool is_distance = mech->coordinates[coordinate].is_distance, is_good = true;
     double here = state->valid_input[3 * input], reach = is_distance ? 0 : YK_PI;

@@ -1,11 +1,7 @@
 // The version of the library.
-#include <yoke/yoke.h>
-
-#ifndef YOKE_VERSION
-#error "the build gives YOKE_VERSION, a string"
-#endif
+#include <yoke/version.h>
 
 const char *yk_version(void)
 {
-    return YOKE_VERSION;
+    return YOKE_VERSION_STRING;
 }

@@ -31,7 +31,7 @@ static void an_unknown_code_has_no_explanation_and_counts_as_an_error(void **sta
     const int unknown[] = {0, -1, 99, 900, 123456};
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; i++) {
         assert_null(yk_code_explain(unknown[i]));
-        assert_int_equal(yk_code_severity(unknown[i]), YK_ERROR);
+        assert_int_equal(yk_code_severity(unknown[i]), YK_SEVERITY_ERROR);
     }
     assert_int_equal(yk_code_at(yk_code_count()), YK_CODE_NONE);
 }
@@ -39,8 +39,8 @@ static void an_unknown_code_has_no_explanation_and_counts_as_an_error(void **sta
 static void severities_come_from_the_table(void **state)
 {
     (void)state;
-    assert_int_equal(yk_code_severity(YK_CODE_OUT_OF_MEMORY), YK_ERROR);
-    assert_int_equal(yk_code_severity(YK_CODE_MORE_PROBLEMS), YK_NOTE);
+    assert_int_equal(yk_code_severity(YK_CODE_OUT_OF_MEMORY), YK_SEVERITY_ERROR);
+    assert_int_equal(yk_code_severity(YK_CODE_MORE_PROBLEMS), YK_SEVERITY_NOTE);
 }
 
 int main(void)

@@ -66,9 +66,9 @@ static void severity_and_code_come_from_the_table(void **state)
     YkProblems *problems = yk_problems_new();
     yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "a");
     yk_problem(problems, YK_CODE_MORE_PROBLEMS, (YkPlace){0}, "b");
-    assert_int_equal(yk_problems_get(problems, 0)->severity, YK_ERROR);
+    assert_int_equal(yk_problems_get(problems, 0)->severity, YK_SEVERITY_ERROR);
     assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_OUT_OF_MEMORY);
-    assert_int_equal(yk_problems_get(problems, 1)->severity, YK_NOTE);
+    assert_int_equal(yk_problems_get(problems, 1)->severity, YK_SEVERITY_NOTE);
     assert_int_equal(yk_problems_error_count(problems), 1);
     yk_problems_free(problems);
 }
@@ -130,7 +130,7 @@ static void an_error_left_out_still_counts(void **state)
     yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "an error");
     yk_problem(problems, YK_CODE_MORE_PROBLEMS, (YkPlace){0}, "a note");
     assert_int_equal(yk_problems_error_count(problems), 1);
-    assert_int_equal(yk_problems_get(problems, YK_PROBLEMS_MAX)->severity, YK_ERROR);
+    assert_int_equal(yk_problems_get(problems, YK_PROBLEMS_MAX)->severity, YK_SEVERITY_ERROR);
     yk_problems_free(problems);
 }
 

@@ -89,8 +89,8 @@ static void coordinates_know_their_joint_and_drive(void **state)
         assert_true(info.is_declared);
         assert_int_equal(yk_coordinate_find(m.mech, cases[k].name), k);
     }
-    assert_int_equal(yk_coordinate_find(m.mech, "theta3"), -1);
-    assert_int_equal(yk_coordinate_find(m.mech, ""), -1);
+    assert_int_equal(yk_coordinate_find(m.mech, "theta3"), YK_NOT_FOUND);
+    assert_int_equal(yk_coordinate_find(m.mech, ""), YK_NOT_FOUND);
     machine_free(&m);
 }
 

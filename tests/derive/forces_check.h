@@ -7,7 +7,7 @@
 #include "derive_check.h"
 
 // Values at the pose of the state, forces included.
-static inline bool take_forces(Machine *m, YkDynamics *dynamics, YkDynamicsMethod method)
+static inline bool take_forces(Machine *m, YkDynamics *dynamics, YkMethod method)
 {
     YkStatus status = yk_dynamics_solve(dynamics, m->state, method);
     if ((status != YK_OK && status != YK_REDUNDANT) || !yk_state_has_rates(m->state)) return false;

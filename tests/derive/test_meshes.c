@@ -257,7 +257,7 @@ static void random_linkages_are_proved_and_hold(void **state)
         write_section(&m, "lagrange");
         for (int turn = 0; turn < 3; turn++)
             if (random_pose(&m, turn == 0) && m.state->space.margin[0] > 0.02 && // not where forces grow beyond all
-                take_forces(&m, dynamics, (YkDynamicsMethod)(turn % 2)))
+                take_forces(&m, dynamics, (YkMethod)(turn % 2)))
                 lines += check_page(&m, linkage.text, 1e-10);
         yk_dynamics_free(dynamics);
         machine_end(&m);

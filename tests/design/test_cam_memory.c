@@ -67,7 +67,7 @@ static bool makes_a_profile(const YkModel *model, const YkCamDesign *design)
     (void)model;
     YkCamVertex *vertices = NULL;
     size_t count;
-    YkStatus status = yk_cam_profile(design, YK_CAM_SURFACE, 1e-5, 0, &vertices, &count);
+    YkStatus status = yk_cam_profile(design, YK_CAM_CURVE_SURFACE, 1e-5, 0, &vertices, &count);
     assert_true(status == YK_OK || status == YK_NO_MEMORY);
     assert_int_equal(status == YK_OK, vertices != NULL);
     yk_cam_vertices_free(vertices);

@@ -212,7 +212,7 @@ static void a_circle_is_recovered_from_the_motion_it_gives(void **state)
     (void)state;
     const double R = 0.05, E = 0.012, r = 0.008, L = R + r;
     for (int turn = -1; turn <= 1; turn += 2) {
-        YkCamShape shape = {.face = YK_CAM_ROLLER,
+        YkCamShape shape = {.face = YK_CAM_FACE_ROLLER,
                             .turn = turn,
                             .swing = 1,
                             .sign = 1,
@@ -230,7 +230,7 @@ static void a_circle_is_recovered_from_the_motion_it_gives(void **state)
             CHECK_NEAR(hypot(p.surface[0], p.surface[1] + E), R, 1e-14);
         }
         YkCamShape face = {
-            .face = YK_CAM_FLAT, .turn = turn, .swing = 1, .sign = 1, .base = R - E, .along = yk_vec(0, 1)};
+            .face = YK_CAM_FACE_FLAT, .turn = turn, .swing = 1, .sign = 1, .base = R - E, .along = yk_vec(0, 1)};
         assert_true(yk_cam_shape_fit(&face));
         for (double x = 0; x < 6.3; x += 0.1) {
             double lift[5] = {E * (1 - cos(x)), E * sin(x), E * cos(x), 0, 0};
@@ -247,8 +247,13 @@ static void a_circle_is_recovered_from_an_oscillating_face(void **state)
 {
     (void)state;
     const double R = 0.05, E = 0.012, f = 0.1;
-    YkCamShape shape = {
-        .face = YK_CAM_FLAT, .oscillates = true, .turn = 1, .swing = 1, .sign = 1, .base = 0.04, .pivot = yk_vec(f, 0)};
+    YkCamShape shape = {.face = YK_CAM_FACE_FLAT,
+                        .oscillates = true,
+                        .turn = 1,
+                        .swing = 1,
+                        .sign = 1,
+                        .base = 0.04,
+                        .pivot = yk_vec(f, 0)};
     assert_true(yk_cam_shape_fit(&shape));
     for (double x = 0; x < 6.3; x += 0.1) {
         // the circle's centre in the carrier is E exp(i x); n . Q = n . centre + R with n at angle nu
@@ -271,7 +276,7 @@ static void a_circle_is_recovered_from_an_oscillating_face(void **state)
 static void a_mirrored_cam_is_the_mirror_image(void **state)
 {
     (void)state;
-    YkCamShape shape = {.face = YK_CAM_ROLLER,
+    YkCamShape shape = {.face = YK_CAM_FACE_ROLLER,
                         .turn = 1,
                         .swing = 1,
                         .sign = 1,

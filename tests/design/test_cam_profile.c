@@ -6,12 +6,12 @@ static const char roller[] = LIFT "cams: {c: {cam: shaft, follower: tappet, law:
 
 static YkVec curve_at(const YkCamDesign *design, YkCamCurve curve, double cutter, double angle)
 {
-    bool is_second = curve == YK_CAM_SECOND_SURFACE || curve == YK_CAM_SECOND_PITCH;
+    bool is_second = curve == YK_CAM_CURVE_SECOND_SURFACE || curve == YK_CAM_CURVE_SECOND_PITCH;
     YkCamPoint p = is_second ? yk_cam_conjugate_at(design, angle) : yk_cam_at(design, angle);
-    const double *at = curve == YK_CAM_PITCH || curve == YK_CAM_SECOND_PITCH ? p.pitch
-                       : curve == YK_CAM_OUTER                               ? p.outer
-                                                                             : p.surface;
-    YkVec out = curve == YK_CAM_CUTTER ? yk_vec(cutter * p.normal[0], cutter * p.normal[1]) : yk_vec(0, 0);
+    const double *at = curve == YK_CAM_CURVE_PITCH || curve == YK_CAM_CURVE_SECOND_PITCH ? p.pitch
+                       : curve == YK_CAM_CURVE_OUTER                                     ? p.outer
+                                                                                         : p.surface;
+    YkVec out = curve == YK_CAM_CURVE_CUTTER ? yk_vec(cutter * p.normal[0], cutter * p.normal[1]) : yk_vec(0, 0);
     return yk_add(yk_vec(at[0], at[1]), out);
 }
 
@@ -46,12 +46,12 @@ static void profiles_stay_within_the_tolerance(void **state)
     (void)state;
     Cam cam = cam_load(roller);
     for (double tolerance = 1e-4; tolerance > 1e-8; tolerance /= 10) {
-        check_curve(cam.design, YK_CAM_SURFACE, tolerance, 0);
-        check_curve(cam.design, YK_CAM_PITCH, tolerance, 0);
-        check_curve(cam.design, YK_CAM_OUTER, tolerance, 0);
-        check_curve(cam.design, YK_CAM_CUTTER, tolerance, 0.004);
-        check_curve(cam.design, YK_CAM_SECOND_SURFACE, tolerance, 0);
-        check_curve(cam.design, YK_CAM_SECOND_PITCH, tolerance, 0);
+        check_curve(cam.design, YK_CAM_CURVE_SURFACE, tolerance, 0);
+        check_curve(cam.design, YK_CAM_CURVE_PITCH, tolerance, 0);
+        check_curve(cam.design, YK_CAM_CURVE_OUTER, tolerance, 0);
+        check_curve(cam.design, YK_CAM_CURVE_CUTTER, tolerance, 0.004);
+        check_curve(cam.design, YK_CAM_CURVE_SECOND_SURFACE, tolerance, 0);
+        check_curve(cam.design, YK_CAM_CURVE_SECOND_PITCH, tolerance, 0);
     }
     cam_free(&cam);
 }
@@ -63,7 +63,7 @@ static void few_points_are_used(void **state)
     Cam cam = cam_load(LIFT "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 40 mm, roller: 9 mm}}\n" SLIDE);
     YkCamVertex *v;
     size_t count;
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_SURFACE, 1e-6, 0, &v, &count), YK_OK);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_SURFACE, 1e-6, 0, &v, &count), YK_OK);
     double best = YK_PI / sqrt(2 * 1e-6 / 0.05);
     assert_true((double)count < 2.5 * best && (double)count > 0.8 * best);
     yk_cam_vertices_free(v);
@@ -76,7 +76,8 @@ static void a_cutter_of_the_rollers_size_runs_along_the_pitch_curve(void **state
     (void)state;
     Cam cam = cam_load(roller);
     for (double x = 0; x < 6.2; x += 0.1) {
-        YkVec a = curve_at(cam.design, YK_CAM_CUTTER, 0.009, x), b = curve_at(cam.design, YK_CAM_PITCH, 0, x);
+        YkVec a = curve_at(cam.design, YK_CAM_CURVE_CUTTER, 0.009, x),
+              b = curve_at(cam.design, YK_CAM_CURVE_PITCH, 0, x);
         CHECK_NEAR(yk_norm(yk_sub(a, b)), 0, 1e-15);
     }
     cam_free(&cam);
@@ -91,8 +92,8 @@ static void a_cam_of_two_lobes_goes_round(void **state)
                        "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 40 mm, roller: 9 mm}}\n" SLIDE);
     YkCamVertex *v;
     size_t count;
-    check_curve(cam.design, YK_CAM_SURFACE, 1e-5, 0);
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_SURFACE, 1e-5, 0, &v, &count), YK_OK);
+    check_curve(cam.design, YK_CAM_CURVE_SURFACE, 1e-5, 0);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_SURFACE, 1e-5, 0, &v, &count), YK_OK);
     assert_int_equal(count % 2, 0);
     for (size_t i = 0; i < count / 2; i++) {
         CHECK_NEAR(v[i].x, -v[i + count / 2].x, 1e-13);
@@ -108,11 +109,11 @@ static void what_is_not_there_has_no_profile(void **state)
     Cam cam = cam_load(LIFT "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 40 mm, roller: 9 mm}}\n" SLIDE);
     YkCamVertex *v;
     size_t count;
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_OUTER, 1e-5, 0, &v, &count), YK_BAD_ARGUMENT);
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_SECOND_PITCH, 1e-5, 0, &v, &count), YK_BAD_ARGUMENT);
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_SURFACE, 0, 0, &v, &count), YK_BAD_ARGUMENT);
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_SURFACE, (double)NAN, 0, &v, &count), YK_BAD_ARGUMENT);
-    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CUTTER, 1e-5, -1, &v, &count), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_OUTER, 1e-5, 0, &v, &count), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_SECOND_PITCH, 1e-5, 0, &v, &count), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_SURFACE, 0, 0, &v, &count), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_SURFACE, (double)NAN, 0, &v, &count), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_cam_profile(cam.design, YK_CAM_CURVE_CUTTER, 1e-5, -1, &v, &count), YK_BAD_ARGUMENT);
     assert_null(v);
     cam_free(&cam);
 }

@@ -15,10 +15,10 @@ static YkFourBarClass expected_class(const double *l)
 {
     double frame = l[0], input = l[1], coupler = l[2], output = l[3];
     bool in = turns_through(frame, input, coupler, output), out = turns_through(frame, output, coupler, input);
-    if (in && out) return YK_DRAG_LINK;
-    if (in) return YK_CRANK_ROCKER;
-    if (out) return YK_ROCKER_CRANK;
-    return turns_through(coupler, input, frame, output) ? YK_DOUBLE_ROCKER_GRASHOF : YK_TRIPLE_ROCKER;
+    if (in && out) return YK_FOUR_BAR_DRAG_LINK;
+    if (in) return YK_FOUR_BAR_CRANK_ROCKER;
+    if (out) return YK_FOUR_BAR_ROCKER_CRANK;
+    return turns_through(coupler, input, frame, output) ? YK_FOUR_BAR_DOUBLE_ROCKER : YK_FOUR_BAR_TRIPLE_ROCKER;
 }
 
 static YkFourBar four_bar_of(const double *l, bool driven_right)
@@ -62,15 +62,15 @@ static void classes_say_which_links_turn_through(void **state)
         assert_int_equal(f.kind, expected);
         seen[f.kind]++;
     }
-    for (int k = 0; k < 6; k++) assert_true(seen[k] > 100 || k == YK_CHANGE_POINT_FOUR_BAR);
+    for (int k = 0; k < 6; k++) assert_true(seen[k] > 100 || k == YK_FOUR_BAR_CHANGE_POINT);
 }
 
 static void the_four_inversions_of_a_grashof_chain_are_all_told(void **state)
 {
     (void)state;
     static const double ring[4] = {1, 3, 4, 3.5};
-    static const YkFourBarClass expected[4] = {YK_DRAG_LINK, YK_ROCKER_CRANK, YK_DOUBLE_ROCKER_GRASHOF,
-                                               YK_CRANK_ROCKER};
+    static const YkFourBarClass expected[4] = {YK_FOUR_BAR_DRAG_LINK, YK_FOUR_BAR_ROCKER_CRANK,
+                                               YK_FOUR_BAR_DOUBLE_ROCKER, YK_FOUR_BAR_CRANK_ROCKER};
     for (size_t turn = 0; turn < 4; turn++) {
         double l[4];
         for (size_t k = 0; k < 4; k++) l[k] = ring[(k + turn) % 4];
@@ -91,12 +91,12 @@ static void equal_sums_are_change_points_in_any_order_and_unit(void **state)
                     double t = l[a];
                     l[a] = l[b];
                     l[b] = t;
-                    assert_int_equal(four_bar_of(l, false).kind, YK_CHANGE_POINT_FOUR_BAR);
+                    assert_int_equal(four_bar_of(l, false).kind, YK_FOUR_BAR_CHANGE_POINT);
                 }
     double nearly[4] = {1, 4, 2, 3 + 1e-9};
-    assert_int_equal(four_bar_of(nearly, false).kind, YK_DRAG_LINK);
+    assert_int_equal(four_bar_of(nearly, false).kind, YK_FOUR_BAR_DRAG_LINK);
     nearly[3] = 3 - 1e-9;
-    assert_int_equal(four_bar_of(nearly, false).kind, YK_TRIPLE_ROCKER);
+    assert_int_equal(four_bar_of(nearly, false).kind, YK_FOUR_BAR_TRIPLE_ROCKER);
 }
 
 // --- finding them
@@ -185,7 +185,7 @@ static void where_no_ring_stands_on_the_ground_one_that_floats_is_found(void **s
     assert_int_equal(yk_four_bars(m.mech, found, 4), 1); // once, though it could be told from any of its bodies
     assert_string_equal(yk_model_body_name(m.model, found[0].body[0]), "arm");
     assert_string_equal(yk_model_body_name(m.model, found[0].body[1]), "a"); // the side whose angle is an input
-    assert_int_equal(found[0].kind, YK_CRANK_ROCKER);
+    assert_int_equal(found[0].kind, YK_FOUR_BAR_CRANK_ROCKER);
     machine_free(&m);
 }
 
@@ -195,14 +195,14 @@ static void the_gallery_is_classified_as_its_names_say(void **state)
     static const struct {
         const char *source;
         YkFourBarClass kind;
-    } cases[] = {{"four-bar", YK_CRANK_ROCKER},
-                 {"drag-link", YK_DRAG_LINK},
-                 {"chebyshev", YK_DOUBLE_ROCKER_GRASHOF},
-                 {"non-grashof", YK_TRIPLE_ROCKER},
-                 {"parallelogram", YK_CHANGE_POINT_FOUR_BAR},
-                 {"kite", YK_CHANGE_POINT_FOUR_BAR},
-                 {"change-point-four-bar", YK_CHANGE_POINT_FOUR_BAR},
-                 {"hoeken", YK_CRANK_ROCKER}};
+    } cases[] = {{"four-bar", YK_FOUR_BAR_CRANK_ROCKER},
+                 {"drag-link", YK_FOUR_BAR_DRAG_LINK},
+                 {"chebyshev", YK_FOUR_BAR_DOUBLE_ROCKER},
+                 {"non-grashof", YK_FOUR_BAR_TRIPLE_ROCKER},
+                 {"parallelogram", YK_FOUR_BAR_CHANGE_POINT},
+                 {"kite", YK_FOUR_BAR_CHANGE_POINT},
+                 {"change-point-four-bar", YK_FOUR_BAR_CHANGE_POINT},
+                 {"hoeken", YK_FOUR_BAR_CRANK_ROCKER}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         Machine m = machine(cases[k].source);
         YkFourBar found;
@@ -216,10 +216,10 @@ static void the_count_is_told_where_there_is_no_room(void **state)
 {
     (void)state;
     Machine m = machine("three-crank-parallelogram");
-    YkFourBar one = {.kind = YK_TRIPLE_ROCKER};
+    YkFourBar one = {.kind = YK_FOUR_BAR_TRIPLE_ROCKER};
     assert_int_equal(yk_four_bars(m.mech, NULL, 0), 3);
     assert_int_equal(yk_four_bars(m.mech, &one, 1), 3);
-    assert_int_equal(one.kind, YK_CHANGE_POINT_FOUR_BAR);
+    assert_int_equal(one.kind, YK_FOUR_BAR_CHANGE_POINT);
     machine_free(&m);
 }
 
@@ -251,10 +251,10 @@ static void many_pins_between_two_bodies_cost_no_more_than_they_are(void **state
 static void classes_have_names_of_their_own(void **state)
 {
     (void)state;
-    for (int a = YK_CRANK_ROCKER; a <= YK_TRIPLE_ROCKER; a++)
-        for (int b = YK_CRANK_ROCKER; b < a; b++)
+    for (int a = YK_FOUR_BAR_CRANK_ROCKER; a <= YK_FOUR_BAR_TRIPLE_ROCKER; a++)
+        for (int b = YK_FOUR_BAR_CRANK_ROCKER; b < a; b++)
             assert_string_not_equal(yk_four_bar_name((YkFourBarClass)a), yk_four_bar_name((YkFourBarClass)b));
-    assert_string_equal(yk_four_bar_name(YK_CRANK_ROCKER), "crank-rocker (Grashof)");
+    assert_string_equal(yk_four_bar_name(YK_FOUR_BAR_CRANK_ROCKER), "crank-rocker (Grashof)");
 }
 
 int main(void)

@@ -7,7 +7,7 @@ static void the_train_of_the_format_has_its_exact_ring_speed(void **state)
 {
     (void)state;
     Train t = train_example("epicyclic", NULL);
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_OK);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_OK);
     assert_int_equal(yk_train_freedom(t.train), 2);
     assert_string_equal(train_body(&t, "ring").exact, "460/29 rpm");
     CHECK_NEAR(train_body(&t, "ring").speed, 460.0 / 29 * RPM, 1e-15);
@@ -30,12 +30,12 @@ static void a_gearbox_has_all_its_ratios_from_one_file(void **state)
     assert_int_equal(yk_train_gear_count(t.train), 9);
     for (size_t i = 0; i < 9; i++) {
         YkTrainGear gear = yk_train_gear(t.train, i);
-        assert_int_equal(gear.status, YK_TRAIN_OK);
+        assert_int_equal(gear.status, YK_TRAIN_STATUS_OK);
         assert_int_equal(gear.freedom, 1);
         assert_string_equal(gear.ratio.exact, ratios[i]);
         assert_non_null(gear.ratio.formula);
         Train one = train_example("gearbox-8hp70", OPTIONS(.lock = gear.lock));
-        assert_int_equal(yk_train_status(one.train), YK_TRAIN_OK);
+        assert_int_equal(yk_train_status(one.train), YK_TRAIN_STATUS_OK);
         CHECK_NEAR(train_body(&one, "output").speed * gear.ratio.value, 1000 * RPM, 1e-11);
         train_done(&one);
     }
@@ -295,13 +295,13 @@ static void a_locked_train_names_what_contradicts(void **state)
 {
     (void)state;
     Train t = train_of(SUN_RING(16, 24, 64, "q_S: 100 rpm * t, q_R: 3 rpm * t, q_arm: 20 rpm * t"), NULL);
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_LOCKED);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_LOCKED);
     static const char *const names[] = {"`q_S`", "`q_R`", "`q_arm`", "gears `s`", "gears `r`"};
     for (size_t i = 0; i < 5; i++) assert_non_null(strstr(yk_train_message(t.train), names[i]));
     assert_false(train_body(&t, "S").is_determined);
     train_done(&t);
     t = train_of(SUN_RING(16, 24, 64, "q_S: 100 rpm * t") "locks: {all: [S, R]}\n", OPTIONS(.lock = "all"));
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_LOCKED);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_LOCKED);
     assert_non_null(strstr(yk_train_message(t.train), "hold of `S`"));
     assert_null(strstr(yk_train_message(t.train), "gears"));
     train_done(&t);
@@ -311,7 +311,7 @@ static void an_open_train_names_what_stays_open(void **state)
 {
     (void)state;
     Train t = train_of(SUN_RING(16, 24, 64, "q_S: 100 rpm * t"), NULL);
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_UNDETERMINED);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_UNDETERMINED);
     assert_int_equal(yk_train_freedom(t.train), 2);
     assert_non_null(strstr(yk_train_message(t.train), "`P`, `R` and `arm` stay open"));
     assert_non_null(strstr(yk_train_message(t.train), "1 more condition"));
@@ -319,7 +319,7 @@ static void an_open_train_names_what_stays_open(void **state)
     assert_true(isnan(train_body(&t, "arm").speed));
     train_done(&t);
     t = train_of(SUN_RING(16, 24, 64, ""), NULL);
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_FREE);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_FREE);
     train_done(&t);
 }
 
@@ -327,12 +327,12 @@ static void drives_that_agree_are_no_contradiction(void **state)
 {
     (void)state;
     Train t = train_of(SUN_RING(16, 24, 64, "q_S: 50 rpm * t, q_R: 0 rpm * t, q_arm: 10 rpm * t"), NULL);
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_OK);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_OK);
     assert_string_equal(train_body(&t, "arm").exact, "10 rpm");
     train_done(&t);
     t = train_of(SUN_RING(16, 24, 64, "q_S: 50 rpm * t, q_R: 0 rpm * t") "locks: {held: [R]}\n",
                  OPTIONS(.lock = "held"));
-    assert_int_equal(yk_train_status(t.train), YK_TRAIN_OK);
+    assert_int_equal(yk_train_status(t.train), YK_TRAIN_STATUS_OK);
     assert_string_equal(train_body(&t, "arm").exact, "10 rpm");
     train_done(&t);
 }

@@ -197,7 +197,7 @@ static uint64_t parse(const char *text)
 // How many bodies did not agree.
 static int differences(const Net *net, const Dense *d, const Train *t)
 {
-    bool is_locked = yk_train_status(t->train) == YK_TRAIN_LOCKED;
+    bool is_locked = yk_train_status(t->train) == YK_TRAIN_STATUS_LOCKED;
     int wrong = is_locked != d->is_contradiction;
     if (wrong) print_error("locked: %d and %d\n", is_locked, d->is_contradiction);
     for (size_t i = 0; i < yk_train_body_count(t->train) && !is_locked; i++) {
@@ -253,7 +253,7 @@ static void random_trains_agree_with_another_elimination(void **state)
             fail();
         }
         locked += d->is_contradiction;
-        moving += yk_train_status(t.train) == YK_TRAIN_OK;
+        moving += yk_train_status(t.train) == YK_TRAIN_STATUS_OK;
         train_done(&t);
     }
     assert_true(moving > cases / 100 && locked > cases / 100); // the cases are of all kinds

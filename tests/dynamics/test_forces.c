@@ -9,7 +9,7 @@ static void every_body_balances(void **unused)
         Rig rig = rig_of_example(rig_examples[k]);
         for (int way = 0; way < 2; way++) {
             if (!rig_shake(&rig, &seed)) continue;
-            assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)way) >= 0);
+            assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)way) >= 0);
             for (size_t b = 1; b < rig.model->body_count; b++)
                 assert_true(yk_dynamics_balance(rig.dynamics, b).residual <= 1e-11);
         }

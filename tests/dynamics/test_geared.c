@@ -130,7 +130,7 @@ typedef struct Answer {
     YkReaction reaction[16];
 } Answer;
 
-static bool solve(Rig *rig, YkDynamicsMethod method, Answer *answer)
+static bool solve(Rig *rig, YkMethod method, Answer *answer)
 {
     if (yk_dynamics_solve(rig->dynamics, rig->state, method) != YK_OK) return false;
     for (size_t i = 0; i < rig->mech->input_count; i++) {

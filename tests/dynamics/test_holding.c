@@ -5,12 +5,12 @@
 
 static YkEffortRange range_of(const Rig *rig, const char *name)
 {
-    return yk_dynamics_effort_range(rig->dynamics, (size_t)yk_coordinate_find(rig->mech, name));
+    return yk_dynamics_effort_range(rig->dynamics, yk_coordinate_find(rig->mech, name));
 }
 
 static double effort_of(const Rig *rig, const char *name)
 {
-    return yk_dynamics_effort(rig->dynamics, (size_t)yk_coordinate_find(rig->mech, name));
+    return yk_dynamics_effort(rig->dynamics, yk_coordinate_find(rig->mech, name));
 }
 
 #define INCLINE                                                                                                        \
@@ -24,7 +24,7 @@ static void a_block_on_an_incline_is_held_by_a_range(void **unused)
     double weight = 20 * sin(0.5), most = 0.3 * 20 * cos(0.5);
     for (int method = 0; method < 2; method++) {
         Rig rig = rig_of_text(INCLINE "drives: {d: 0 m}\n");
-        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)method), YK_OK);
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)method), YK_OK);
         YkEffortRange range = range_of(&rig, "d");
         assert_true(range.is_known && !range.is_single && yk_dynamics_is_held_by_friction(rig.dynamics));
         CHECK_NEAR(range.low, weight - most, 1e-12);
@@ -36,7 +36,7 @@ static void a_block_on_an_incline_is_held_by_a_range(void **unused)
         static const double motions[][2] = {{0, 0.7}, {0, -0.7}, {1e-9, 0}, {-1e-9, 0}}; // rate, acceleration
         for (int k = 0; k < 4; k++) {
             yk_state_set_input(rig.state, 0, (YkMotion){0, motions[k][0], motions[k][1]});
-            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)method), YK_OK);
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)method), YK_OK);
             assert_true(range_of(&rig, "d").is_single && !yk_dynamics_is_held_by_friction(rig.dynamics));
             CHECK_NEAR(effort_of(&rig, "d"), 2 * motions[k][1] + weight + (k % 2 ? -most : most), 1e-12);
         }
@@ -54,7 +54,7 @@ static void a_free_block_sticks_or_slips(void **unused)
             Rig rig = rig_of_text(INCLINE);
             double beyond = 0.5 * k * most, slip = fabs(beyond) > most ? beyond - copysign(most, beyond) : 0;
             yk_dynamics_set_effort(rig.dynamics, 0, weight + beyond);
-            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)method), YK_OK);
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)method), YK_OK);
             CHECK_NEAR(yk_state_coordinate(rig.state, 0).acceleration, slip / 2, 1e-12);
             assert_true(yk_dynamics_reaction(rig.dynamics, 0).is_determinate); // its one friction is what is missing
             CHECK_NEAR(yk_dynamics_balance(rig.dynamics, 1).residual, 0, 1e-13);

@@ -101,7 +101,7 @@ static void forces_by_both_formulations(void **unused)
             if (!rig_shake(&rig, &seed)) continue;
             double found[2][4];
             for (int way = 0; way < 2; way++) {
-                assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkDynamicsMethod)way) >= 0);
+                assert_true(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)way) >= 0);
                 for (size_t b = 1; b < rig.model->body_count; b++)
                     assert_true(yk_dynamics_balance(rig.dynamics, b).residual < 1e-11);
                 for (size_t i = 0; i < rig.mech->input_count; i++)

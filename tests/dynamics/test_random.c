@@ -41,7 +41,7 @@ typedef struct Answer {
     double scale; // of forces
 } Answer;
 
-static bool solve(Rig *rig, YkDynamicsMethod method, Answer *answer)
+static bool solve(Rig *rig, YkMethod method, Answer *answer)
 {
     YkStatus status = yk_dynamics_solve(rig->dynamics, rig->state, method);
     if (status < 0 || status == YK_SINGULAR) return false;

@@ -86,7 +86,7 @@ static void check_poses(Case *c, const Rig *a, const Rig *b)
 static void check_forces(Case *c, const Rig *a, const Rig *b)
 {
     if (!a->dynamics->has_mass || !yk_state_has_rates(a->state)) return;
-    for (YkDynamicsMethod method = YK_METHOD_REDUCED; method <= YK_METHOD_NEWTON_EULER; method++) {
+    for (YkMethod method = YK_METHOD_REDUCED; method <= YK_METHOD_NEWTON_EULER; method++) {
         YkStatus one = yk_dynamics_solve(a->dynamics, a->state, method),
                  two = yk_dynamics_solve(b->dynamics, b->state, method);
         size_t k = 0;

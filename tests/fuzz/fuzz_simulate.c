@@ -33,7 +33,7 @@ static void check_dynamics(const YkModel *model, const YkMechanism *mech, YkProb
     YkDynamics *dynamics = state ? yk_dynamics_new(mech, problems) : NULL;
     if (dynamics && yk_state_set_time(state, 0, problems) >= 0 && yk_state_assemble(state) >= 0)
         for (int method = 0; method < 2; method++) {
-            YkStatus status = yk_dynamics_solve(dynamics, state, (YkDynamicsMethod)method);
+            YkStatus status = yk_dynamics_solve(dynamics, state, (YkMethod)method);
             if (status >= 0 && status != YK_SINGULAR) check_forces(model, dynamics);
             if (status < 0 || status == YK_SINGULAR) demand(yk_dynamics_report(dynamics)->message[0] != '\0');
             yk_dynamics_count(dynamics);

@@ -25,7 +25,7 @@ int main(void)
     YkMechanism *mech = model ? yk_mechanism_compile(model, NULL, problems) : NULL;
     YkState *state = mech ? yk_state_new(mech) : NULL;
     if (state && yk_state_set_time(state, 0, problems) == YK_OK && yk_state_assemble(state) == YK_OK) {
-        const YkMotion s = yk_state_coordinate(state, (size_t)yk_coordinate_find(mech, "s"));
+        const YkMotion s = yk_state_coordinate(state, yk_coordinate_find(mech, "s"));
         printf("yoke %s: s = %.15g m, s' = %.15g m/s\n", yk_version(), s.position, s.velocity);
         result = !(fabs(s.position - 0.4) < 1e-14 && fabs(s.velocity + 0.3) < 1e-14);
     } else {

@@ -38,11 +38,13 @@ static void each_file_causes_the_problem_in_its_name_at_a_place(void **state)
     int wrong = 0, has_model = 0;
     for (size_t i = 0; i < file_count; i++) {
         int code = atoi(names[i] + 1);
-        YkSeverity severity = names[i][0] == 'E' ? YK_ERROR : names[i][0] == 'W' ? YK_WARNING : YK_NOTE;
+        YkSeverity severity = names[i][0] == 'E'   ? YK_SEVERITY_ERROR
+                              : names[i][0] == 'W' ? YK_SEVERITY_WARNING
+                                                   : YK_SEVERITY_NOTE;
         YkProblems *problems = load(names[i], &has_model);
         const YkProblem *problem = fixture_problem(problems, code);
         if (!problem || problem->place.line == 0 || problem->place.column == 0 || problem->severity != severity ||
-            has_model != (severity != YK_ERROR)) {
+            has_model != (severity != YK_SEVERITY_ERROR)) {
             print_error("%s:\n%s\n", names[i], yk_problems_text(problems, 0));
             wrong++;
         }

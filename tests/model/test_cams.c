@@ -29,7 +29,7 @@ static void the_cam_of_the_format_loads(void **state)
     assert_int_equal(c->carrier, 0);
     assert_string_equal(model->joints[c->cam_joint].name, "K");
     assert_string_equal(model->joints[c->follower_joint].name, "T");
-    assert_int_equal(c->face, YK_CAM_ROLLER);
+    assert_int_equal(c->face, YK_CAM_FACE_ROLLER);
     assert_false(c->oscillates || c->is_groove || c->is_conjugate);
     CHECK_NEAR(c->base, 0.06, 0);
     CHECK_NEAR(c->roller, 0.01, 0);
@@ -49,7 +49,7 @@ static void arm_and_centres_follow_from_points_or_from_keys(void **state)
         fixture_load(SWING "cams: {c: {cam: shaft, follower: rocker, law: lift, base: 60 mm, at: P}}\n" PIVOT);
     const YkCam *c = &model->cams[0];
     assert_true(c->oscillates);
-    assert_int_equal(c->face, YK_CAM_KNIFE);
+    assert_int_equal(c->face, YK_CAM_FACE_KNIFE);
     CHECK_NEAR(c->arm, 0.1, 1e-16);
     CHECK_NEAR(c->centers, 0.1, 1e-16);
     CHECK_NEAR(c->pivot.x, 0.08, 0);

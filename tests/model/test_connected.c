@@ -53,7 +53,7 @@ static size_t warnings(const char *text, const char *part)
     size_t count = yk_problems_count(problems);
     for (size_t i = 0; i < count; i++) {
         assert_int_equal(yk_problems_get(problems, i)->code, YK_CODE_COINCIDENT_PINS);
-        assert_int_equal(yk_problems_get(problems, i)->severity, YK_WARNING);
+        assert_int_equal(yk_problems_get(problems, i)->severity, YK_SEVERITY_WARNING);
         assert_non_null(strstr(yk_problems_get(problems, i)->message, part));
     }
     yk_model_free(model);

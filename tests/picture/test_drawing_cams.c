@@ -57,7 +57,7 @@ static void check_touch(const char *name)
     YkCamVertex *line;
     size_t count;
     double start = yk_state_input(m.state, 0).position;
-    assert_int_equal(yk_cam_profile(design, YK_CAM_SURFACE, 1e-5 * cam->base, 0, &line, &count), YK_OK);
+    assert_int_equal(yk_cam_profile(design, YK_CAM_CURVE_SURFACE, 1e-5 * cam->base, 0, &line, &count), YK_OK);
     for (int k = 0; k < 24; k++) {
         YkFrame frames[8];
         yk_state_set_input(m.state, 0, (YkMotion){start + 2 * YK_PI * k / 24, 0, 0});
@@ -93,7 +93,7 @@ static void a_flat_face_lies_on_its_cam(void **state)
     YkCamDesign *design = yk_cam_design_new(m.model, 0);
     YkCamVertex *line;
     size_t count;
-    assert_int_equal(yk_cam_profile(design, YK_CAM_SURFACE, 1e-5 * cam->base, 0, &line, &count), YK_OK);
+    assert_int_equal(yk_cam_profile(design, YK_CAM_CURVE_SURFACE, 1e-5 * cam->base, 0, &line, &count), YK_OK);
     for (int k = 0; k < 24; k++) {
         YkFrame frames[8];
         double highest = -INFINITY;

@@ -31,7 +31,7 @@ static void a_double_pendulum_rests_in_four_places(void **unused)
     static const double heights[] = {-30, -10, 10, 30};
     for (size_t k = 0; k < 4; k++) {
         CHECK_NEAR(yk_rest_equilibrium(rest, k).potential, heights[k], 1e-9);
-        assert_int_equal(yk_rest_equilibrium(rest, k).stability, k == 0 ? YK_STABLE : YK_UNSTABLE);
+        assert_int_equal(yk_rest_equilibrium(rest, k).stability, k == 0 ? YK_STABILITY_STABLE : YK_STABILITY_UNSTABLE);
     }
     CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, sqrt(10 * (2 - sqrt(2))), 1e-8);
     CHECK_NEAR(yk_rest_mode(rest, 0, 1).frequency, sqrt(10 * (2 + sqrt(2))), 1e-8);
@@ -76,7 +76,7 @@ static void a_wheel_is_neutral(void **unused)
         "joints:\n  O: {pin: [ground, w], angle: x}\n",
         &model);
     assert_true(yk_rest_count(rest) >= 1);
-    assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_NEUTRAL);
+    assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
     yk_rest_free(rest);
     yk_model_free(model);
 }
@@ -106,7 +106,7 @@ static void inertia_is_judged_where_the_machine_stands(void **unused)
             CHECK_NEAR(100 * (d - 1), -20 * sin(q), 1e-7); // the spring carries the weight
             if (fabs(d - 1.2) > 1e-9) continue;
             hangs = true;
-            assert_int_equal(yk_rest_equilibrium(rest, p).stability, YK_STABLE);
+            assert_int_equal(yk_rest_equilibrium(rest, p).stability, YK_STABILITY_STABLE);
             CHECK_NEAR(yk_rest_mode(rest, p, 0).frequency, sqrt(10 / 1.2), 1e-7);
             CHECK_NEAR(yk_rest_mode(rest, p, 1).frequency, sqrt(50), 1e-7);
         }
@@ -140,7 +140,7 @@ static void a_mode_is_how_it_swings(void **unused)
     YkRest *rest = yk_rest_find(model, NULL, problems);
     assert_non_null(rest);
     size_t stable = 0;
-    while (stable < yk_rest_count(rest) && yk_rest_equilibrium(rest, stable).stability != YK_STABLE) stable++;
+    while (stable < yk_rest_count(rest) && yk_rest_equilibrium(rest, stable).stability != YK_STABILITY_STABLE) stable++;
     assert_true(stable < yk_rest_count(rest));
     YkState *s = yk_rest_state(rest, stable);
     YkStartValue values[8];

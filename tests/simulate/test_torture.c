@@ -181,7 +181,7 @@ static void a_driven_guide_rubs_behind_its_dead_points(void **unused)
         assert_int_equal(yk_simulation_advance(run.sim, t), YK_OK);
         yk_state_set_input(state, 0, (YkMotion){1 + 8 * t, 8, 0});
         assert_int_equal(yk_dynamics_solve(dynamics, state, YK_METHOD_NEWTON_EULER), YK_OK);
-        double effort = yk_dynamics_effort(dynamics, (size_t)yk_coordinate_find(mech, "q"));
+        double effort = yk_dynamics_effort(dynamics, yk_coordinate_find(mech, "q"));
         CHECK_NEAR(run_value(&run, "q.effort"), effort, 1e-9 * (1 + fabs(effort)));
     }
     assert_true(yk_simulation_summary(run.sim).energy_error < 1e-6);

@@ -103,7 +103,7 @@ static inline YkSweep *machine_sweep(const Machine *m, const char *over, double 
     YkChannel channels[32];
     assert_true(count <= 32);
     for (size_t i = 0; i < count; i++) channels[i] = machine_channel(m, names[i]);
-    options.coordinate = over ? yk_coordinate_find(m->mech, over) : -1;
+    options.coordinate = over ? (int)yk_coordinate_find(m->mech, over) : -1;
     assert_true(!over || options.coordinate >= 0);
     options.from = from;
     options.to = to;

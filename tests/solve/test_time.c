@@ -12,7 +12,7 @@ static double rocker_at(Machine *m, double time)
 {
     assert_int_equal(yk_state_set_time(m->state, time, m->problems), YK_OK);
     assert_int_equal(yk_state_solve(m->state), YK_OK);
-    return yk_state_coordinate(m->state, (size_t)yk_coordinate_find(m->mech, "r")).position;
+    return yk_state_coordinate(m->state, yk_coordinate_find(m->mech, "r")).position;
 }
 
 static void a_pose_is_known_after_any_number_of_turns(void **unused)

@@ -125,7 +125,7 @@ static void test_what_is_zero_in_the_file_can_vary(void **unused)
         assert_true(yk_state_solve(state) >= 0);
         YkVec u = yk_unit(value[1]), A = yk_sub(yk_unit(1), yk_vec(0, value[0]));
         double along = yk_dot(A, u), across = yk_cross(u, A);
-        double s = yk_state_coordinate(state, (size_t)yk_coordinate_find(m.mech, "s")).position;
+        double s = yk_state_coordinate(state, yk_coordinate_find(m.mech, "s")).position;
         CHECK_NEAR(s, along + sqrt(9 - across * across), 1e-13);
     }
     yk_state_free(state);

@@ -37,13 +37,13 @@ static void check_moments(YkDistribution d, double skew)
 static void test_moments_are_those_of_theory(void **unused)
 {
     (void)unused;
-    check_moments((YkDistribution){YK_UNIFORM, 2, 5, 0, 0}, 0);
-    check_moments((YkDistribution){YK_NORMAL, -INFINITY, INFINITY, 3, 0.5}, 0);
-    check_moments((YkDistribution){YK_NORMAL, 2, 4, 3, 0.5}, 0);
-    check_moments((YkDistribution){YK_TRIANGULAR, 1, 4, 1, 0}, 0.56568542494923801952); // 2 sqrt(2) / 5
-    check_moments((YkDistribution){YK_TRIANGULAR, 1, 3, 2, 0}, 0);
-    check_moments((YkDistribution){YK_NORMAL, 0, INFINITY, 0, 1}, 0.99527174643115599); // half normal
-    YkDistribution half = {YK_NORMAL, 0, INFINITY, 0, 1};
+    check_moments((YkDistribution){YK_DISTRIBUTION_UNIFORM, 2, 5, 0, 0}, 0);
+    check_moments((YkDistribution){YK_DISTRIBUTION_NORMAL, -INFINITY, INFINITY, 3, 0.5}, 0);
+    check_moments((YkDistribution){YK_DISTRIBUTION_NORMAL, 2, 4, 3, 0.5}, 0);
+    check_moments((YkDistribution){YK_DISTRIBUTION_TRIANGULAR, 1, 4, 1, 0}, 0.56568542494923801952); // 2 sqrt(2) / 5
+    check_moments((YkDistribution){YK_DISTRIBUTION_TRIANGULAR, 1, 3, 2, 0}, 0);
+    check_moments((YkDistribution){YK_DISTRIBUTION_NORMAL, 0, INFINITY, 0, 1}, 0.99527174643115599); // half normal
+    YkDistribution half = {YK_DISTRIBUTION_NORMAL, 0, INFINITY, 0, 1};
     CHECK_NEAR(yk_distribution_mean(&half), 0.79788456080286535588, 1e-15);
     CHECK_NEAR(yk_distribution_deviation(&half), 0.60281027498908693, 1e-12);
 }
@@ -51,7 +51,7 @@ static void test_moments_are_those_of_theory(void **unused)
 static void test_draws_are_a_function_of_seed_design_and_parameter(void **unused)
 {
     (void)unused;
-    YkDistribution d = {YK_NORMAL, -INFINITY, INFINITY, 0, 1};
+    YkDistribution d = {YK_DISTRIBUTION_NORMAL, -INFINITY, INFINITY, 0, 1};
     double x = yk_distribution_draw(&d, 1, 2, 3);
     assert_true(x == yk_distribution_draw(&d, 1, 2, 3));
     assert_true(x != yk_distribution_draw(&d, 2, 2, 3) && x != yk_distribution_draw(&d, 1, 3, 3) &&
@@ -69,12 +69,13 @@ static void test_draws_are_a_function_of_seed_design_and_parameter(void **unused
 static void test_what_is_no_distribution_is_refused(void **unused)
 {
     (void)unused;
-    const YkDistribution bad[] = {{YK_UNIFORM, 2, 1, 0, 0},         {YK_UNIFORM, 1, INFINITY, 0, 0},
-                                  {YK_TRIANGULAR, 1, 2, 3, 0},      {YK_NORMAL, -INFINITY, INFINITY, 1, 0},
-                                  {YK_NORMAL, 100, 101, 0, 1},      {YK_NORMAL, 1, 0, 0, 1},
-                                  {YK_NORMAL, NAN, INFINITY, 0, 1}, {YK_UNIFORM, 1, NAN, 0, 0}};
+    const YkDistribution bad[] = {
+        {YK_DISTRIBUTION_UNIFORM, 2, 1, 0, 0},         {YK_DISTRIBUTION_UNIFORM, 1, INFINITY, 0, 0},
+        {YK_DISTRIBUTION_TRIANGULAR, 1, 2, 3, 0},      {YK_DISTRIBUTION_NORMAL, -INFINITY, INFINITY, 1, 0},
+        {YK_DISTRIBUTION_NORMAL, 100, 101, 0, 1},      {YK_DISTRIBUTION_NORMAL, 1, 0, 0, 1},
+        {YK_DISTRIBUTION_NORMAL, NAN, INFINITY, 0, 1}, {YK_DISTRIBUTION_UNIFORM, 1, NAN, 0, 0}};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) assert_false(yk_distribution_is_valid(&bad[k]));
-    YkDistribution cut = {YK_NORMAL, 2.9, 10, 3, 0.5};
+    YkDistribution cut = {YK_DISTRIBUTION_NORMAL, 2.9, 10, 3, 0.5};
     CHECK_NEAR(yk_distribution_tolerance(&cut, 3), 1.5, 1e-15);
 }
 

@@ -101,7 +101,7 @@ static void test_the_quick_return_has_its_two_published_ranges(void **unused)
     (void)unused;
     Machine m = machine_load("quick-return");
     YkRange found[CAPACITY];
-    size_t count = yk_closing_ranges(m.state, (size_t)yk_coordinate_find(m.mech, "theta1"), found, CAPACITY);
+    size_t count = yk_closing_ranges(m.state, yk_coordinate_find(m.mech, "theta1"), found, CAPACITY);
     assert_int_equal(count, 2);
     double degree = YK_PI / 180;
     assert_true(is_among(found, count, -10.09 * degree, 190.09 * degree, 0.006 * degree));
@@ -115,7 +115,7 @@ static void test_a_cylinder_closes_between_its_triangles_limits(void **unused)
     Machine m = machine_load("excavator");
     YkRange found[CAPACITY];
     double a = hypot(0.5, 0.4), b = hypot(1.5, 0.3);
-    size_t count = yk_closing_ranges(m.state, (size_t)yk_coordinate_find(m.mech, "s1"), found, CAPACITY);
+    size_t count = yk_closing_ranges(m.state, yk_coordinate_find(m.mech, "s1"), found, CAPACITY);
     bool there = false; // and, seen from the other side, the same with a negative length
     for (size_t k = 0; k < count; k++)
         there |= fabs(found[k].from - (b - a)) <= 1e-10 && fabs(found[k].to - (b + a)) <= 1e-10;
@@ -148,12 +148,12 @@ static void test_more_ranges_than_room_are_counted(void **unused)
 {
     (void)unused;
     Machine m = machine_load("quick-return");
-    size_t theta1 = (size_t)yk_coordinate_find(m.mech, "theta1");
+    size_t theta1 = yk_coordinate_find(m.mech, "theta1");
     YkRange found[2] = {{0, 0}, {77, 77}};
     assert_int_equal(yk_closing_ranges(m.state, theta1, found, 1), 2);
     assert_true(found[1].from == 77 && found[1].to == 77);
     assert_int_equal(yk_closing_ranges(m.state, theta1, NULL, 0), 2);
-    assert_int_equal(yk_closing_ranges(m.state, (size_t)yk_coordinate_find(m.mech, "theta2"), found, 2), 0); // no input
+    assert_int_equal(yk_closing_ranges(m.state, yk_coordinate_find(m.mech, "theta2"), found, 2), 0); // no input
     machine_free(&m);
 }
 

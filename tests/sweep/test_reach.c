@@ -18,7 +18,7 @@ static YkRest *rest_of(const char *text, YkModel **model)
 static double value_of(YkRest *rest, size_t index, const char *name)
 {
     const YkMechanism *mech = yk_rest_mechanism(rest);
-    return yk_state_coordinate(yk_rest_state(rest, index), (size_t)yk_coordinate_find(mech, name)).position;
+    return yk_state_coordinate(yk_rest_state(rest, index), yk_coordinate_find(mech, name)).position;
 }
 
 #define FOUR_BAR(ground, crank, coupler, rocker)                                                                       \

@@ -266,13 +266,13 @@ static void test_a_bad_range_is_refused(void **unused)
     (void)unused;
     Machine m = machine_load("four-bar");
     YkSweepOptions good = yk_default_sweep_options();
-    good.coordinate = yk_coordinate_find(m.mech, "theta2");
+    good.coordinate = (int)yk_coordinate_find(m.mech, "theta2");
     YkSweepOptions bad[6] = {good, good, good, good, good, good};
     bad[0].from = NAN;
     bad[1].to = INFINITY;
     bad[2].steps = 0;
     bad[3].turn_max = 0;
-    bad[4].coordinate = yk_coordinate_find(m.mech, "theta4"); // not an input
+    bad[4].coordinate = (int)yk_coordinate_find(m.mech, "theta4"); // not an input
     bad[5].coordinate = 99;
     for (size_t k = 0; k < 6; k++) {
         size_t before = yk_problems_error_count(m.problems);

@@ -276,7 +276,7 @@ static void put_dimensions(Shape *shape)
         return;
     }
     double centers = yk_norm(cam->pivot);
-    if (cam->face != YK_CAM_FLAT) shape->arm = dimension(shape, "l", cam->arm_expr, cam->arm);
+    if (cam->face != YK_CAM_FACE_FLAT) shape->arm = dimension(shape, "l", cam->arm_expr, cam->arm);
     const YkPoisson *gamma = direction(shape, "gamma", yk_scale(1 / centers, cam->pivot));
     shape->pivot = times(shape, dimension(shape, "f", cam->centers_expr, centers), gamma);
 }
@@ -299,7 +299,7 @@ void yk_derive_put_cam(YkDerivation *d, YkPage *page, size_t index)
     const YkAngleTerm turned = {tie->variable, -shape.sigma};
     shape.back = yk_ring_exp(d->ring, &turned, 1);
     put_dimensions(&shape);
-    if (cam->face == YK_CAM_FLAT)
+    if (cam->face == YK_CAM_FACE_FLAT)
         (cam->oscillates ? put_flat_oscillating : put_flat)(&shape);
     else
         (cam->oscillates ? put_oscillating : put_translating)(&shape);

@@ -71,7 +71,7 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
     const YkPoisson *base = yk_derive_expression(m->d, cam->base_expr);
     double size = cam->base + cam->roller;
     m->mesh->effort = m->unknown;
-    if (cam->face == YK_CAM_FLAT || !(fabs(cam->offset) < size)) { // contact where the cam rises as fast as the lift
+    if (cam->face == YK_CAM_FACE_FLAT || !(fabs(cam->offset) < size)) { // contact where the cam rises as fast as the lift
         const YkPoisson *touch = yk_ring_multiply(ring, yk_ring_add(ring, base, lift), u);
         touch = yk_ring_subtract(ring, touch, yk_ring_multiply(ring, v, iu));
         push_follower(m, of, touch, yk_ring_multiply(ring, m->unknown, u));

@@ -144,7 +144,7 @@ static void put_along_tangent(const Mesh *mesh)
 static void put_willis(const Mesh *mesh)
 {
     YkRing *ring = mesh->d->ring;
-    YkLine *line = new_line(mesh, mesh->of.kind == YK_TRAIN_BELT ? "the belt's speed" : "Willis");
+    YkLine *line = new_line(mesh, mesh->of.kind == YK_TRAIN_KIND_BELT ? "the belt's speed" : "Willis");
     const YkPoisson *c = speed(mesh, mesh->of.carrier);
     for (int side = 0; side < 2; side++) {
         const YkPoisson *relative = yk_ring_subtract(ring, speed(mesh, mesh->of.body[side]), c);
@@ -222,9 +222,9 @@ static void put_heading(const Mesh *mesh)
     static const char *const kinds[] = {"gears", "belt", "rack"};
     const YkModel *model = mesh->d->model;
     YkText text = {0};
-    const char *kind = mesh->of.kind == YK_TRAIN_GEARS  ? mesh->of.is_internal ? "internal gears" : "external gears"
-                       : mesh->of.kind == YK_TRAIN_BELT ? mesh->of.is_internal ? "open belt" : "crossed belt"
-                                                        : kinds[mesh->of.kind];
+    const char *kind = mesh->of.kind == YK_TRAIN_KIND_GEARS ? mesh->of.is_internal ? "internal gears" : "external gears"
+                       : mesh->of.kind == YK_TRAIN_KIND_BELT ? mesh->of.is_internal ? "open belt" : "crossed belt"
+                                                             : kinds[mesh->of.kind];
     yk_text_format(&text, "%s: %s %s and %s on %s", mesh->of.name, kind, model->bodies[mesh->of.body[0]].name,
                    model->bodies[mesh->of.body[1]].name,
                    mesh->of.carrier == 0 ? "the ground" : model->bodies[mesh->of.carrier].name);
@@ -242,8 +242,8 @@ void yk_derive_put_mesh(YkDerivation *d, YkPage *page, size_t index)
                  .row = yk_train_mesh_row(&train->net, (int32_t)index),
                  .of = yk_train_mesh(train, index)};
     mesh.zero = yk_derive_row_zero(d, mesh.row);
-    bool is_rack = mesh.of.kind == YK_TRAIN_RACK; // a belt has no pitch point
-    mesh.point = mesh.of.kind == YK_TRAIN_BELT
+    bool is_rack = mesh.of.kind == YK_TRAIN_KIND_RACK; // a belt has no pitch point
+    mesh.point = mesh.of.kind == YK_TRAIN_KIND_BELT
                      ? NULL
                      : yk_derive_pitch_name(d, (size_t)mesh.row->index + (is_rack ? d->model->gear_count : 0));
     put_heading(&mesh);
@@ -251,13 +251,13 @@ void yk_derive_put_mesh(YkDerivation *d, YkPage *page, size_t index)
         put_rack(&mesh);
         return;
     }
-    if (mesh.of.kind == YK_TRAIN_GEARS && d->model->gears[mesh.row->index].center_distance > 0) {
+    if (mesh.of.kind == YK_TRAIN_KIND_GEARS && d->model->gears[mesh.row->index].center_distance > 0) {
         put_radii(&mesh);
         put_pitch_velocities(&mesh);
-    } else if (mesh.of.kind == YK_TRAIN_GEARS) {
+    } else if (mesh.of.kind == YK_TRAIN_KIND_GEARS) {
         yk_page_words(page,
                       "The file puts both centres on one point, so its geometry has no pitch point; the teeth give:");
     }
-    if (mesh.of.kind == YK_TRAIN_GEARS) put_along_tangent(&mesh);
+    if (mesh.of.kind == YK_TRAIN_KIND_GEARS) put_along_tangent(&mesh);
     put_willis(&mesh);
 }

@@ -166,7 +166,7 @@ static void put_numbers(YkDerivation *d, YkPage *page, int32_t column, const YkP
     finish(line, left, &sum, YK_NONE);
     if (line) line->is_in_numbers = true;
     const YkTrain *whole = train->train;
-    if (column >= whole->net.bodies || whole->motion.status == YK_TRAIN_LOCKED) return;
+    if (column >= whole->net.bodies || whole->motion.status == YK_TRAIN_STATUS_LOCKED) return;
     YkTrainBody body = yk_train_body(whole, (size_t)column - 1);
     if (body.is_determined && body.exact && whole->drive_count > 0 && !whole->drives[0].shown.is_unit)
         yk_page_words(page, "%s = %s at the speeds of the file's drives.",

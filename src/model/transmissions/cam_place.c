@@ -59,8 +59,8 @@ double yk_cam_lowest_lift(const YkLaw *law)
 static YkCamFault fault_of_slide(const YkCam *cam, double lowest)
 {
     double size = cam->base + cam->roller;
-    double start = cam->face == YK_CAM_FLAT ? cam->base : sqrt(fmax(size * size - cam->offset * cam->offset, 0));
-    if (cam->face != YK_CAM_FLAT && !(fabs(cam->offset) < size)) return YK_CAM_OFFSET;
+    double start = cam->face == YK_CAM_FACE_FLAT ? cam->base : sqrt(fmax(size * size - cam->offset * cam->offset, 0));
+    if (cam->face != YK_CAM_FACE_FLAT && !(fabs(cam->offset) < size)) return YK_CAM_OFFSET;
     return start + lowest > 0 ? YK_CAM_FITS : YK_CAM_LIFT;
 }
 
@@ -69,7 +69,8 @@ YkCamFault yk_cam_fault(const YkCam *cam, double lowest)
     double size = cam->base + cam->roller;
     if (!cam->oscillates) return fault_of_slide(cam, lowest);
     if (!(cam->centers > 0)) return YK_CAM_CENTERS;
-    if (cam->face == YK_CAM_FLAT) return fabs(cam->base + cam->offset) < cam->centers ? YK_CAM_FITS : YK_CAM_FLAT_LARGE;
+    if (cam->face == YK_CAM_FACE_FLAT)
+        return fabs(cam->base + cam->offset) < cam->centers ? YK_CAM_FITS : YK_CAM_FLAT_LARGE;
     if (!(cam->arm > 0)) return YK_CAM_ARM;
     return size > fabs(cam->centers - cam->arm) && size < cam->centers + cam->arm ? YK_CAM_FITS : YK_CAM_REACH;
 }

@@ -26,15 +26,15 @@ static void read_face(YkLoader *loader, YkCam *cam, const YkNode *map)
 {
     static const char *const words[] = {"knife", "roller", "flat", NULL};
     const YkNode *node = yk_node_get(map, "face");
-    cam->face = yk_node_get(map, "roller") ? YK_CAM_ROLLER : YK_CAM_KNIFE;
+    cam->face = yk_node_get(map, "roller") ? YK_CAM_FACE_ROLLER : YK_CAM_FACE_KNIFE;
     if (!node || !yk_load_expect(loader, node, YK_NODE_SCALAR, &(YkSubject){.noun = "face", .owner = cam->name}))
         return;
     for (int i = 0; words[i]; i++) {
         if (strcmp(node->text, words[i]) != 0) continue;
-        if (i != YK_CAM_ROLLER && cam->face == YK_CAM_ROLLER) {
+        if (i != YK_CAM_FACE_ROLLER && cam->face == YK_CAM_FACE_ROLLER) {
             yk_problem(loader->problems, YK_CODE_CAM_KEY, yk_load_key(map, "roller")->place,
                        "cam %q: a %s face has no roller", cam->name, words[i]);
-        } else if (i == YK_CAM_ROLLER && cam->face != YK_CAM_ROLLER) {
+        } else if (i == YK_CAM_FACE_ROLLER && cam->face != YK_CAM_FACE_ROLLER) {
             yk_problem(loader->problems, YK_CODE_MISSING_KEY, node->place,
                        "cam %q: a roller needs its radius, `roller`", cam->name);
         }
@@ -101,10 +101,10 @@ static const char *not_for(const YkCam *cam, const char *key)
 {
     bool is_arm = strcmp(key, "arm") == 0 || strcmp(key, "at") == 0;
     if (!cam->oscillates && (is_arm || strcmp(key, "centers") == 0)) return "a follower that slides has no";
-    if (cam->face == YK_CAM_FLAT && is_arm) return "a flat face has no";
-    if (cam->oscillates && cam->face != YK_CAM_FLAT && strcmp(key, "offset") == 0)
+    if (cam->face == YK_CAM_FACE_FLAT && is_arm) return "a flat face has no";
+    if (cam->oscillates && cam->face != YK_CAM_FACE_FLAT && strcmp(key, "offset") == 0)
         return "a follower that turns, with a roller or edge, has no";
-    if (cam->face != YK_CAM_ROLLER && (strcmp(key, "groove") == 0 || strcmp(key, "conjugate") == 0))
+    if (cam->face != YK_CAM_FACE_ROLLER && (strcmp(key, "groove") == 0 || strcmp(key, "conjugate") == 0))
         return "a follower without a roller has no";
     return NULL;
 }

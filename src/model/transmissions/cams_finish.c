@@ -61,7 +61,7 @@ static void warn_of_place(YkLoader *loader, const YkCam *cam)
     const YkModel *model = loader->model;
     const YkJoint *pin = &model->joints[cam->follower_joint];
     double asked = cam->base + cam->roller;
-    if (cam->point == YK_NONE || cam->face == YK_CAM_FLAT) return;
+    if (cam->point == YK_NONE || cam->face == YK_CAM_FACE_FLAT) return;
     YkVec arm = yk_sub(model->points[cam->point].at, pin->at[pin->body[0] == cam->follower ? 0 : 1]);
     YkVec at = yk_add(cam->pivot, arm);
     double found = yk_norm(at);

@@ -117,7 +117,7 @@ static void add_summary(const YkCamAnswer *answer, YkJson *json, const char *key
     add_extreme(json, "pitch_hollow", summary->pitch_hollow);
     add_extreme(json, "surface_convex", summary->surface_convex);
     add_extreme(json, "surface_hollow", summary->surface_hollow);
-    if (answer->size.face == YK_CAM_FLAT) {
+    if (answer->size.face == YK_CAM_FACE_FLAT) {
         add_extreme(json, "reach_low", summary->reach_low);
         add_extreme(json, "reach_high", summary->reach_high);
     }

@@ -28,7 +28,7 @@ size_t yk_cam_columns(const YkCamAnswer *answer, YkCamColumn columns[YK_CAM_COLU
     for (int k = 0; k < 5; k++) add(&all, lifts[k], yk_cam_lift_quantity(answer), k);
     add(&all, "pressure_angle", YK_QUANTITY_ANGLE, 0);
     for (int i = 0; i < 6; i++) add(&all, lengths[i], YK_QUANTITY_LENGTH, 0);
-    if (answer->size.face == YK_CAM_FLAT) add(&all, "reach", YK_QUANTITY_LENGTH, 0);
+    if (answer->size.face == YK_CAM_FACE_FLAT) add(&all, "reach", YK_QUANTITY_LENGTH, 0);
     if (answer->size.is_groove) {
         add(&all, "groove.x", YK_QUANTITY_LENGTH, 0);
         add(&all, "groove.y", YK_QUANTITY_LENGTH, 0);
@@ -55,7 +55,7 @@ void yk_cam_row(const YkCamAnswer *answer, double angle, double values[YK_CAM_CO
     values[n++] = p.surface_radius;
     for (int i = 0; i < 2; i++) values[n++] = p.surface[i];
     for (int i = 0; i < 2; i++) values[n++] = p.pitch[i];
-    if (answer->size.face == YK_CAM_FLAT) values[n++] = p.reach;
+    if (answer->size.face == YK_CAM_FACE_FLAT) values[n++] = p.reach;
     for (int i = 0; i < 2 && answer->size.is_groove; i++) values[n++] = p.outer[i];
     for (int i = 0; i < 2 && answer->cutter > 0; i++) values[n++] = p.surface[i] + answer->cutter * p.normal[i];
     if (!answer->has_forces) return;

@@ -46,11 +46,11 @@ static void add_head(const YkCamAnswer *answer)
     yk_text_format(out, "%s: cam %s\n\n", yk_model_name(answer->session->model), size->name);
     yk_text_format(out, "  follower      %s, %s on %s, ", size->follower, size->oscillates ? "turns" : "slides",
                    size->carrier);
-    if (size->face == YK_CAM_ROLLER) {
+    if (size->face == YK_CAM_FACE_ROLLER) {
         yk_text_puts(out, "roller of radius ");
         yk_cam_value(answer, size->roller, YK_QUANTITY_LENGTH);
     } else {
-        yk_text_puts(out, size->face == YK_CAM_FLAT ? "flat face" : "knife edge");
+        yk_text_puts(out, size->face == YK_CAM_FACE_FLAT ? "flat face" : "knife edge");
     }
     yk_text_puts(out, size->is_groove ? ", in a groove\n" : size->is_conjugate ? ", with a second roller\n" : "\n");
     yk_text_puts(out, "  base circle   radius ");
@@ -58,7 +58,7 @@ static void add_head(const YkCamAnswer *answer)
     if (size->oscillates) {
         yk_text_puts(out, ", centres apart ");
         yk_cam_value(answer, size->centers, YK_QUANTITY_LENGTH);
-        if (size->face != YK_CAM_FLAT) {
+        if (size->face != YK_CAM_FACE_FLAT) {
             yk_text_puts(out, ", arm ");
             yk_cam_value(answer, size->arm, YK_QUANTITY_LENGTH);
         }

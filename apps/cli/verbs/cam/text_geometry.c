@@ -34,10 +34,10 @@ static void add_undercut(const YkCamAnswer *answer, const char *of, const YkCamR
 void yk_cam_add_geometry(const YkCamAnswer *answer, const YkCamSummary *s, const char *title)
 {
     YkText *out = &answer->session->out;
-    bool is_flat = answer->size.face == YK_CAM_FLAT;
+    bool is_flat = answer->size.face == YK_CAM_FACE_FLAT;
     yk_text_format(out, "\n%s\n", title);
     add_extreme(answer, "largest pressure angle", s->pressure, YK_QUANTITY_ANGLE);
-    if (answer->size.face == YK_CAM_ROLLER) {
+    if (answer->size.face == YK_CAM_FACE_ROLLER) {
         add_extreme(answer, "pitch curve, sharpest convex radius", s->pitch_convex, YK_QUANTITY_LENGTH);
         add_extreme(answer, "pitch curve, sharpest hollow", s->pitch_hollow, YK_QUANTITY_LENGTH);
     }

@@ -20,7 +20,7 @@ static bool find_cam(YkSession *session, size_t *cam)
     size_t count = yk_model_cam_count(model);
     if (count == 0) return yk_session_refuse(session, YK_CODE_NO_CAM, "%q has no `cams:`", session->request->file);
     *cam = name ? yk_model_cam_find(model, name) : 0;
-    if (*cam != (size_t)-1) return true;
+    if (*cam != YK_NOT_FOUND) return true;
     yk_session_refuse(session, YK_CODE_UNKNOWN_CAM, "there is no cam %q", name);
     for (size_t i = 0; i < count && i < 64; i++) names[i] = yk_model_cam_name(model, i);
     const char *nearest = yk_nearest(name, names, count < 64 ? count : 64);

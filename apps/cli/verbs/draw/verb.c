@@ -37,8 +37,8 @@ static void choose_range(Drawer *drawer)
     size_t coordinate = yk_input_coordinate(drawer->session->mech, 0);
     double now = yk_state_input(state, 0).position;
     size_t count = yk_closing_ranges(state, coordinate, ranges, 32);
-    if (count == (size_t)-1) yk_text_fail(&drawer->session->out);
-    for (size_t i = 0; i < count && i < 32 && count != (size_t)-1; i++) {
+    if (count == YK_NOT_FOUND) yk_text_fail(&drawer->session->out);
+    for (size_t i = 0; i < count && i < 32 && count != YK_NOT_FOUND; i++) {
         if (now < ranges[i].from - 1e-9 || now > ranges[i].to + 1e-9) continue;
         drawer->over.coordinate = (int)coordinate;
         drawer->over.from = ranges[i].from;

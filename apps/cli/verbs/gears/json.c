@@ -10,9 +10,10 @@ static void add_code(const YkGearsAnswer *answer, YkJson *json)
     yk_json_string(json, "status", yk_train_status_name(status));
     yk_json_integer(json, "freedom", yk_train_freedom(answer->train));
     yk_json_string(json, "lock", yk_train_lock(answer->train));
-    if (status == YK_TRAIN_OK) return;
+    if (status == YK_TRAIN_STATUS_OK) return;
     yk_json_string(json, "message", yk_train_message(answer->train));
-    if (status != YK_TRAIN_FREE) yk_json_string(json, "code", status == YK_TRAIN_LOCKED ? "E0515" : "E0516");
+    if (status != YK_TRAIN_STATUS_FREE)
+        yk_json_string(json, "code", status == YK_TRAIN_STATUS_LOCKED ? "E0515" : "E0516");
 }
 
 static void add_inputs(const YkGearsAnswer *answer, YkJson *json)
@@ -85,7 +86,7 @@ static void add_meshes(const YkGearsAnswer *answer, YkJson *json)
         yk_json_end(json);
         yk_json_string(json, "carrier", yk_gears_body(answer, mesh.carrier));
         yk_json_list(json, "teeth", YK_JSON_INLINE);
-        for (int k = 0; k < 2 && mesh.kind == YK_TRAIN_GEARS; k++) yk_json_integer(json, NULL, mesh.teeth[k]);
+        for (int k = 0; k < 2 && mesh.kind == YK_TRAIN_KIND_GEARS; k++) yk_json_integer(json, NULL, mesh.teeth[k]);
         yk_json_end(json);
         yk_json_list(json, "symbols", YK_JSON_INLINE);
         for (int k = 0; k < 2; k++) yk_json_string(json, NULL, mesh.symbol[k]);
@@ -127,7 +128,7 @@ static void add_ratios(const YkGearsAnswer *answer, YkJson *json)
         yk_json_object(json, gear.lock, YK_JSON_INLINE);
         yk_json_string(json, "status", yk_train_status_name(gear.status));
         yk_json_integer(json, "freedom", gear.freedom);
-        if (gear.status != YK_TRAIN_OK) yk_json_string(json, "message", gear.message);
+        if (gear.status != YK_TRAIN_STATUS_OK) yk_json_string(json, "message", gear.message);
         add_ratio(answer, json, &gear.ratio);
         yk_json_end(json);
     }

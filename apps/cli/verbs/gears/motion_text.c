@@ -174,7 +174,7 @@ void yk_gears_motion_text(const YkGearsAnswer *answer)
     YkTrainStatus status = yk_train_status(answer->train);
     bool is_shifted = yk_train_gear_count(answer->train) > 0;
     add_inputs(answer);
-    if (status == YK_TRAIN_OK || (status == YK_TRAIN_UNDETERMINED && !is_shifted)) add_speeds(answer);
+    if (status == YK_TRAIN_STATUS_OK || (status == YK_TRAIN_STATUS_UNDETERMINED && !is_shifted)) add_speeds(answer);
     add_racks(answer);
     add_ratio(answer);
     add_shift_table(answer);

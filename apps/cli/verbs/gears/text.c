@@ -64,9 +64,9 @@ static void add_meshes(const YkGearsAnswer *answer)
     yk_table_head(table, "centres", unit);
     for (size_t m = 0; m < yk_train_mesh_count(answer->train); m++) {
         YkTrainMesh mesh = yk_train_mesh(answer->train, m);
-        const char *kind = mesh.kind == YK_TRAIN_RACK   ? "rack"
-                           : mesh.kind == YK_TRAIN_BELT ? (mesh.is_internal ? "open belt" : "crossed belt")
-                                                        : (mesh.is_internal ? "internal" : "external");
+        const char *kind = mesh.kind == YK_TRAIN_KIND_RACK   ? "rack"
+                           : mesh.kind == YK_TRAIN_KIND_BELT ? (mesh.is_internal ? "open belt" : "crossed belt")
+                                                             : (mesh.is_internal ? "internal" : "external");
         yk_table_word(table, mesh.name);
         yk_table_word(table, kind);
         for (int k = 0; k < 2; k++) {

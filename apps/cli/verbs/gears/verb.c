@@ -12,7 +12,7 @@ const char *yk_gears_body(const YkGearsAnswer *answer, size_t body)
 
 const char *yk_gears_kind(YkTrainKind kind)
 {
-    return kind == YK_TRAIN_GEARS ? "gears" : kind == YK_TRAIN_BELT ? "belt" : "rack";
+    return kind == YK_TRAIN_KIND_GEARS ? "gears" : kind == YK_TRAIN_KIND_BELT ? "belt" : "rack";
 }
 
 // Loads only the model. Returns false if that failed, with everything printed.
@@ -74,10 +74,10 @@ static bool read_options(YkSession *session, YkTrainOptions *options, YkTrainEff
 static int judge(YkSession *session, const YkTrain *train)
 {
     YkTrainStatus status = yk_train_status(train);
-    YkCode code = status == YK_TRAIN_LOCKED ? YK_CODE_TRAIN_LOCKED : YK_CODE_TRAIN_UNDETERMINED;
+    YkCode code = status == YK_TRAIN_STATUS_LOCKED ? YK_CODE_TRAIN_LOCKED : YK_CODE_TRAIN_UNDETERMINED;
     bool has_table = yk_train_gear_count(train) > 0 || yk_train_ratio(train).is_known;
-    if (status == YK_TRAIN_OK || status == YK_TRAIN_FREE) return YK_EXIT_DONE;
-    if (status == YK_TRAIN_UNDETERMINED && has_table) return YK_EXIT_DONE; // each row reports its own status
+    if (status == YK_TRAIN_STATUS_OK || status == YK_TRAIN_STATUS_FREE) return YK_EXIT_DONE;
+    if (status == YK_TRAIN_STATUS_UNDETERMINED && has_table) return YK_EXIT_DONE; // each row reports its own status
     yk_problem(session->problems, code, nowhere, "%s", yk_train_message(train));
     return YK_EXIT_NO_ANSWER;
 }

@@ -9,7 +9,7 @@ typedef struct Writer {
     YkJson json;
     size_t count; // configurations written
     YkDynamics *dynamics;
-    YkDynamicsMethod method;
+    YkMethod method;
     YkState *scratch;
     YkState *own; // --all: the machine's own pose; NULL if it does not get there
 } Writer;

@@ -10,7 +10,7 @@ enum { YK_RANGES_MAX = 32 };
 typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
-    YkDynamicsMethod method;
+    YkMethod method;
     YkAnswerColumn *columns; // as --of names them, without the swept variable
     size_t column_count;
     YkSweep *sweep;

@@ -52,8 +52,8 @@ static void find_ranges(YkSweepAnswer *answer, YkState *start)
     if (coordinate < 0) return;
     YkCoordinateInfo info = yk_coordinate_info(answer->session->mech, (size_t)coordinate);
     size_t count = yk_closing_ranges(start, (size_t)coordinate, answer->ranges, YK_RANGES_MAX);
-    if (count == (size_t)-1) yk_text_fail(&answer->session->out);
-    if (count == (size_t)-1) return;
+    if (count == YK_NOT_FOUND) yk_text_fail(&answer->session->out);
+    if (count == YK_NOT_FOUND) return;
     answer->range_count = count < YK_RANGES_MAX ? count : YK_RANGES_MAX;
     answer->ranges_of = info.name;
     answer->ranges_quantity = yk_quantity_of(info.is_distance, 0);
