@@ -6,6 +6,10 @@ add_test(NAME house/links COMMAND sh ${CMAKE_SOURCE_DIR}/tools/check-links)
 find_program(YOKE_CXX NAMES g++ clang++ c++)
 if(YOKE_CXX)
   add_test(NAME house/headers COMMAND sh ${CMAKE_SOURCE_DIR}/tests/house/test-headers ${CMAKE_C_COMPILER} ${YOKE_CXX} ${PROJECT_VERSION})
+  if(NOT YOKE_SANITIZE)
+    add_test(NAME house/programs COMMAND sh ${CMAKE_SOURCE_DIR}/tests/house/test-programs ${CMAKE_C_COMPILER} ${YOKE_CXX}
+      $<TARGET_FILE_DIR:yoke_shared> $<TARGET_FILE:yoke>)
+  endif()
 endif()
 set_tests_properties(house/codes PROPERTIES ENVIRONMENT "CC=${CMAKE_C_COMPILER}")
 # The library that users get has no sanitizer, and only its own symbols.

@@ -31,6 +31,7 @@ configure_file(cmake/yoke.pc.in ${CMAKE_BINARY_DIR}/yoke.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples COMPONENT doc FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
+  PATTERN "*.c" PATTERN "*.cpp"
   PATTERN "expected" EXCLUDE)
 install(FILES schema/yoke.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc FILES_MATCHING PATTERN "*.md")

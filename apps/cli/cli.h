@@ -53,7 +53,7 @@ typedef struct YkRequest {
     bool sensitivities, fresh; // study
     const char *prefix;        // code
     bool single, kinematics;   // code
-    bool all, modes, quiet, help, version, no_labels, numbers, plain;
+    bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
 // One order (0 position, 1 rate, 2 acceleration) of an input, set by --at, --rate or --accel.

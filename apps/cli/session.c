@@ -108,7 +108,7 @@ static void find_base(YkSession *session)
     session->base = NULL;
 }
 
-static bool has_file(YkSession *session)
+bool yk_session_has_file(YkSession *session)
 {
     if (session->request->file) return true;
     yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke %s` needs a model file",
@@ -120,7 +120,7 @@ static bool has_file(YkSession *session)
 // Loads the model and, with `compiles`, the mechanism.
 static bool load(YkSession *session, bool compiles, const char *swept)
 {
-    if (!has_file(session)) return false;
+    if (!yk_session_has_file(session)) return false;
     YkProblems *problems = yk_problems_new();
     if (!problems) return run_out(session);
     session->model = yk_session_load_model(session, true, problems);

@@ -27,6 +27,8 @@ bool yk_session_effort(YkSession *session, size_t index, size_t *coordinate, dou
 // Reads a value of the command line; option and name ("--at", "theta1") stand for it in messages.
 bool yk_session_value(YkSession *session, const char *option, const char *name, const char *text, YkQuantity quantity,
                       double *value);
+// Returns whether the command line names a file; refuses it otherwise.
+bool yk_session_has_file(YkSession *session);
 // Reads a count between 1 and `most`; `fallback` if text is NULL.
 bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
                       size_t *count);

@@ -9,7 +9,9 @@ const YkVerb yk_verbs[] = {
     {"check", "what the machine is: freedom, loops, order of solution", "FILE [options]",
      "Reads a model file and describes the machine: bodies, joints, coordinates; its degrees of\n"
      "freedom, by Gruebler's count and by the rank of the loop equations; its loops; the order in which it is\n"
-     "solved, block by block; constraints that repeat others; the Grashof class of its four-bars.",
+     "solved, block by block; constraints that repeat others; the Grashof class of its four-bars. --sketch tells what "
+     "an unfinished\n"
+     "machine lacks to move.",
      "yoke check examples/quick-return.yaml", yk_run_check},
     {"solve", "one pose: positions, velocities, accelerations, forces", "FILE [options]",
      "Solves one pose: by default that of `start:` at t = 0. Values take units and parameters: 30deg, a1/2.\n"

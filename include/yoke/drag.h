@@ -5,6 +5,10 @@
 
 #include <yoke/state.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct YkDrag YkDrag;
 
 // Takes hold of a point of a body: place[2] in the body's axes, m. The inputs for which is_fixed[input] says so (may be
@@ -35,5 +39,9 @@ typedef struct YkDragged {
 // state without a pose. Allocates nothing. Cost with one free input: of a few solutions every 8 degrees of the way;
 // with n, of n solutions a step, at most 300 steps.
 YK_API YkStatus yk_state_drag(YkDrag *drag, const double target[2], YkDragged *dragged);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -19,7 +19,9 @@
 #include <yoke/status.h>
 #include <yoke/problem.h>
 #include <yoke/model.h>
+#include <yoke/builder.h>
 #include <yoke/mechanism.h>
+#include <yoke/sketch.h>
 #include <yoke/variant.h>
 #include <yoke/state.h>
 #include <yoke/move.h>
@@ -30,6 +32,7 @@
 #include <yoke/simulation.h>
 #include <yoke/rest.h>
 #include <yoke/design.h>
+#include <yoke/derive.h>
 #include <yoke/train.h>
 #include <yoke/cam.h>
 #include <yoke/study.h>

@@ -14,6 +14,7 @@ struct YkProblems {
     YkArena *arena;             // messages and hints
     char *source_name, *source; // NULL when unknown
     size_t source_length;
+    YkNamePlace name_place; // or NULL
     YkText printed;
 };
 

@@ -10,10 +10,15 @@ typedef struct Colours {
 static const Colours plain = {"", {"", "", ""}, "", ""};
 static const Colours ansi = {"\033[1m", {"\033[1;36m", "\033[1;35m", "\033[1;31m"}, "\033[1;32m", "\033[0m"};
 
-// Prints "file:line:col: ", as far as it is known.
-static void print_place(YkText *text, const YkProblems *problems, YkPlace place)
+// Prints what it is about, or "file:line:col: " as far as it is known.
+static void print_place(YkText *text, const YkProblems *problems, const YkProblem *problem)
 {
     const char *name = problems->source_name;
+    YkPlace place = problem->place;
+    if (problem->where) {
+        yk_text_format(text, "%s: ", problem->where);
+        return;
+    }
     if (name) yk_escape(text, name, strlen(name));
     if (name && place.line > 0) yk_text_format(text, ":%u:%u", place.line, place.column);
     if (!name && place.line > 0) yk_text_format(text, "line %u, column %u", place.line, place.column);
@@ -33,7 +38,7 @@ static void print_problem(YkText *text, const YkProblems *problems, const YkProb
 {
     static const char *const words[] = {"note: ", "warning: ", "error: "};
     yk_text_puts(text, colours->bold);
-    print_place(text, problems, problem->place);
+    print_place(text, problems, problem);
     yk_text_format(text, "%s%s%s%s%s%s%s", colours->off, colours->severity[problem->severity], words[problem->severity],
                    colours->off, colours->bold, problem->message, colours->off);
     print_code(text, problem);

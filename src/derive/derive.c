@@ -41,6 +41,7 @@ void yk_derivation_free(YkDerivation *d)
     free(d->sources);
     free((void *)d->relations);
     free(d->unknowns);
+    yk_text_free(&d->page);
     yk_ring_free(d->ring);
     yk_arena_free(d->arena);
     free(d);

@@ -12,8 +12,9 @@
 // once, at its end.
 #ifndef DERIVE_DERIVE_H
 #define DERIVE_DERIVE_H
-#include <yoke/dynamics.h>
+#include <yoke/derive.h>
 #include "compile/mechanism.h"
+#include "base/text.h"
 #include "derive/page.h"
 #include "model/model.h"
 #include "num/whole.h"
@@ -81,7 +82,6 @@ typedef struct YkDeriveConstant {
     const YkPoisson *exact; // of a mass or an inertia: the number, or its symbol if the ring cannot hold it
 } YkDeriveConstant;
 
-typedef struct YkDerivation YkDerivation;
 // Gives values to symbols that a section has added (forces, multipliers): values[symbol] = ...; dynamics may be NULL.
 typedef void (*YkDeriveSource)(void *context, const YkState *state, YkDynamics *dynamics, double *values);
 typedef struct YkDeriveBlocks YkDeriveBlocks;     // blocks.h
@@ -134,14 +134,11 @@ struct YkDerivation {
     size_t unknown_count, unknown_capacity;
     struct YkDerivePages *pages;            // names that only sections have; made at first use: prove/equation_pages.c
     struct YkEquationOwn *own_of_equations; // angles, roots: prove/equation_angles.c
+    YkText page;                            // the last page in print: page/derivation_page.c
     bool has_names;                         // JOINT.angle, BODY.rate, ... are entered as other names of symbols
     bool failed;                            // out of memory outside the ring
 };
 
-// Builds the frame: symbols and angles. The model and the mechanism must outlive it. Returns NULL with a problem
-// added when out of memory, or if the file's numbers are too large to be exact. Cost: O(bodies).
-YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
-void yk_derivation_free(YkDerivation *derivation);
 // Returns whether everything derived so far exists: neither memory nor the ring has failed.
 bool yk_derivation_is_well(const YkDerivation *derivation);
 YkCode yk_derive_code(YkRingStatus status); // of the problem that reports it

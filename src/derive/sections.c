@@ -1,5 +1,6 @@
 // The sections of a derivation. To add one: write it, declare it in sections.h, name it here.
 #include "derive/sections.h"
+#include <string.h>
 #include "derive/printed_code.h"
 
 static bool has_train(const YkModel *model)
@@ -26,6 +27,33 @@ const YkDeriveSectionEntry yk_derive_sections[] = {
     {"cam", "Motion programs and cams", yk_derive_section_cam, has_laws, false},
     {NULL, NULL, NULL, NULL, false},
 };
+
+size_t yk_derivation_section_count(void)
+{
+    return sizeof yk_derive_sections / sizeof *yk_derive_sections - 1;
+}
+
+const char *yk_derivation_section_name(size_t section)
+{
+    return yk_derive_sections[section].name;
+}
+
+const char *yk_derivation_section_title(size_t section)
+{
+    return yk_derive_sections[section].title;
+}
+
+size_t yk_derivation_section_find(const char *name)
+{
+    for (size_t k = 0; yk_derive_sections[k].name; k++)
+        if (strcmp(yk_derive_sections[k].name, name) == 0) return k;
+    return YK_NOT_FOUND;
+}
+
+bool yk_derivation_has_section(const YkDerivation *d, size_t section)
+{
+    return !yk_derive_sections[section].is_of || yk_derive_sections[section].is_of(d->model);
+}
 
 bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
 {

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <yoke/problem.h>
 #include "base/memory.h"
+#include "base/text.h"
 
 typedef enum YkNodeKind { YK_NODE_SCALAR, YK_NODE_LIST, YK_NODE_MAP } YkNodeKind;
 
@@ -34,6 +35,9 @@ enum { YK_DOC_DEPTH_MAX = 64 };
 // need: anchors, aliases, tags, merge keys, tabs in indentation, several documents, depth over YK_DOC_DEPTH_MAX,
 // repeated keys, bad UTF-8, control characters, NUL. Sets the source of `problems`. Returns NULL if there was an error.
 YkNode *yk_doc_parse(const char *text, size_t length, const char *name, YkArena *arena, YkProblems *problems);
+// Adds the tree to the text as YAML that reads back as the same tree (places aside). Comments are not in the tree.
+void yk_doc_write(const YkNode *root, YkText *text);
+void yk_doc_write_scalar(const YkNode *scalar, YkText *text); // in quotes where it needs them, in braces too
 // Reads a whole file ("-": standard input) into malloc'd memory. Refuses more than YK_DOC_SIZE_MAX without reading it
 // all (directories, endless pipes, ...). Returns NULL and adds a problem if it cannot.
 char *yk_doc_read_file(const char *path, size_t *length, YkProblems *problems);

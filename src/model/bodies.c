@@ -40,7 +40,7 @@ void yk_load_bodies(YkLoader *loader)
     model->bodies = YK_NEW(loader->arena, YkBody, room);
     if (!model->bodies || !nodes) return;
     name_bodies(loader, section, nodes);
-    if (model->body_count == 1 && !loader->failed) {
+    if (model->body_count == 1 && !loader->failed && !loader->is_sketch) {
         yk_problem(loader->problems, YK_CODE_NO_BODIES, section ? section->place : loader->root->place,
                    "this machine has no bodies");
         yk_problem_hint(loader->problems, "list them as in `bodies: {crank: {points: {A: [0.1, 0]}}}`");

@@ -1,4 +1,5 @@
 // Checks that a chain of joints holds every body to the ground. Groups by union-find (Tarjan 1975); near-linear.
+#include <string.h>
 #include "model/load.h"
 
 enum { NAMES_SHOWN = 8 };
@@ -58,6 +59,42 @@ static void report(YkLoader *loader, const Groups *groups, int32_t group)
                "%s %s not connected to the ground by joints", yk_text_get(text), total == 1 ? "is" : "are");
 }
 
+// A name for what holds a body that is no joint's yet.
+static const char *free_name(YkLoader *loader, const char *body)
+{
+    YkText *text = &loader->text;
+    yk_text_clear(text);
+    yk_text_format(text, "hold-%s", body);
+    while (!text->failed && yk_names_find(&loader->model->joint_names, yk_text_get(text)) != YK_NONE)
+        yk_text_puts(text, "-");
+    return yk_arena_copy(loader->arena, yk_text_get(text), text->length);
+}
+
+// Welds a group to the ground by its first body, axes on axes, so that a sketch can be compiled and drawn.
+static void hold(YkLoader *loader, int32_t body)
+{
+    YkModel *model = loader->model;
+    size_t count = model->joint_count;
+    YkJoint *joints =
+        model->held_joints ? model->joints : YK_NEW(loader->arena, YkJoint, count + model->body_count); // room for all
+    const char *name = free_name(loader, model->bodies[body].name);
+    int32_t existing;
+    if (!joints || !name) return;
+    if (count > 0 && joints != model->joints) memcpy(joints, model->joints, count * sizeof *joints);
+    joints[count] = (YkJoint){.name = name,
+                              .place = model->bodies[body].place,
+                              .kind = YK_WELD,
+                              .body = {0, body},
+                              .point = {YK_NONE, YK_NONE},
+                              .along = {1, 0},
+                              .angle = YK_NONE,
+                              .distance = YK_NONE};
+    loader->failed |= !yk_names_add(&model->joint_names, name, (int32_t)count, &existing);
+    model->joints = joints;
+    model->joint_count++;
+    model->held_joints++;
+}
+
 void yk_load_check_connected(YkLoader *loader)
 {
     const YkModel *model = loader->model;
@@ -77,6 +114,11 @@ void yk_load_check_connected(YkLoader *loader)
     int32_t ground = find(&groups, 0);
     for (size_t i = 1; i < count; i++) {
         int32_t group = find(&groups, (int32_t)i);
-        if (group != ground && groups.first[group] == (int32_t)i) report(loader, &groups, group);
+        if (group != ground && groups.first[group] == (int32_t)i) {
+            if (loader->is_sketch)
+                hold(loader, (int32_t)i);
+            else
+                report(loader, &groups, group);
+        }
     }
 }

@@ -127,13 +127,18 @@ static bool has_new_errors(const YkProblems *problems, size_t errors)
 }
 
 // Loads into a new model; returns false if there was an error.
-static bool fill(YkModel *model, const char *text, size_t length, const YkLoadOptions *options, YkProblems *problems)
+static bool fill(YkModel *model, const char *text, size_t length, const YkReading *how, YkProblems *problems)
 {
     size_t errors = yk_problems_error_count(problems);
-    YkLoader loader = {.model = model, .arena = model->arena, .problems = problems, .options = options};
+    YkLoader loader = {.model = model, .arena = model->arena};
+    loader.problems = problems;
+    loader.options = how->options;
+    loader.is_sketch = how->is_sketch;
     loader.root = yk_doc_parse(text, length, model->source_name, model->arena, problems);
+    if (how->name_place) yk_problems_name_places(problems, how->name_place);
     if (loader.root) load(&loader);
     bool done = loader.root && !has_new_errors(problems, errors);
+    if (done) yk_load_keep_source(&loader, text, length);
     if (is_out_of_memory(&loader) || (done && !yk_load_size(model))) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
         done = false;
@@ -144,19 +149,24 @@ static bool fill(YkModel *model, const char *text, size_t length, const YkLoadOp
     return done;
 }
 
-YkModel *yk_model_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
-                        YkProblems *problems)
+YkModel *yk_model_read(const char *text, size_t length, const char *name, const YkReading *how, YkProblems *problems)
 {
     YkProblems *own = problems ? NULL : yk_problems_new(); // errors are counted even if the caller does not want them
     YkModel *model = problems || own ? new_model(name) : NULL;
     if (!model) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
-    } else if (!fill(model, text, length, options, problems ? problems : own)) {
+    } else if (!fill(model, text, length, how, problems ? problems : own)) {
         yk_model_free(model);
         model = NULL;
     }
     yk_problems_free(own);
     return model;
+}
+
+YkModel *yk_model_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
+                        YkProblems *problems)
+{
+    return yk_model_read(text, length, name, &(YkReading){.options = options}, problems);
 }
 
 YkModel *yk_model_load(const char *path, const YkLoadOptions *options, YkProblems *problems)

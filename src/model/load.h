@@ -72,8 +72,12 @@ typedef struct YkLoader {
     YkText text;             // scratch
     bool *is_wheel;          // per body: gears, belts or racks name it, so its centre is its origin
     bool has_bad_joint;      // a joint's bodies are unknown, so connections cannot be judged
+    bool is_sketch;          // what nothing connects to the ground is welded to it
     bool failed;             // out of memory
 } YkLoader;
+
+// source.c: keeps the text, with the values that overrides replaced.
+void yk_load_keep_source(YkLoader *loader, const char *source, size_t length);
 
 // values.c: single values, pairs of values, and kinds of nodes.
 const char *yk_load_subject(YkLoader *loader, const YkSubject *subject); // in scratch

@@ -7,6 +7,7 @@
 #include <yoke/model.h>
 #include "base/memory.h"
 #include "base/names.h"
+#include "base/problems.h"
 #include "base/units.h"
 #include "base/vec.h"
 #include "expr/expr.h"
@@ -253,6 +254,9 @@ struct YkModel {
     YkArena *arena;
     const char *name;        // `name:`, or the file's name without folder and ending
     const char *source_name; // as given to the loader, for messages
+    const char *source;      // the file's text, with the values that overrides replaced (builder.h: yk_model_text)
+    size_t source_length;
+    size_t held_joints; // of a sketch: so many joints at the end hold what nothing connects to the ground (sketch.h)
     YkUnits units;
     const char *unit_names[YK_QUANTITY_COUNT]; // the file's unit of each quantity: "mm/s"
     YkParameter *parameters;
@@ -301,6 +305,14 @@ struct YkModel {
                  // largest start distance if that is more; 1 if all are zero. The scale for lengths.
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
+
+// How a text is read, besides as yk_model_parse reads it.
+typedef struct YkReading {
+    const YkLoadOptions *options; // NULL: defaults
+    YkNamePlace name_place;       // what problems are about, in place of lines of a file; NULL: lines
+    bool is_sketch;               // parts may be missing: groups of bodies that float are welded to the ground
+} YkReading;
+YkModel *yk_model_read(const char *text, size_t length, const char *name, const YkReading *how, YkProblems *problems);
 
 // Finds a lock by its name; returns false (reported, with the existing names) if there is none.
 bool yk_model_find_lock(const YkModel *model, const char *name, const YkLock **lock, YkProblems *problems);

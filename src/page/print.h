@@ -1,18 +1,10 @@
 // Prints pages of mathematics (derive/page.h).
 #ifndef PAGE_PRINT_H
 #define PAGE_PRINT_H
+#include <yoke/derive.h>
 #include "base/text.h"
 #include "derive/page.h"
 #include "write/json.h"
-
-typedef enum YkPageFormat {
-    YK_PAGE_TEXT,
-    YK_PAGE_LATEX,
-    YK_PAGE_MATHML,
-    YK_PAGE_JSON,
-    YK_PAGE_C,
-    YK_PAGE_FORMATS
-} YkPageFormat;
 
 typedef struct YkPrinting {
     YkRing *ring;
@@ -40,8 +32,6 @@ bool yk_page_write_part(const YkPage *page, int heading, const double *values, Y
 bool yk_page_has_parts(YkPageFormat format);
 bool yk_page_add_part(YkPrinting *printing, const YkPage *part);
 bool yk_page_end_parts(YkPrinting *printing);
-// Finds "text", "latex", ...; returns YK_PAGE_FORMATS for an unknown name.
-YkPageFormat yk_page_format_find(const char *name);
 
 // --- Inside: one file for each format, with the head of a page, its lines, its end
 void yk_print_text_head(YkPrinting *printing);

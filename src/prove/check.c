@@ -1,5 +1,6 @@
 // Decides whether an equation is true: identity, proof on the loops, many poses.
 #include <stdlib.h>
+#include <string.h>
 #include "base/problems.h"
 #include "derive/blocks.h"
 #include "derive/forces/free_bodies.h"
@@ -162,4 +163,24 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
     yk_check_close(&check);
     free(seen.motion);
     return verdict;
+}
+
+YkCheckVerdict yk_derivation_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *equation,
+                                   YkProblems *problems)
+{
+    YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
+    YkProblems *found = yk_problems_new();
+    if (found)
+        verdict = yk_derive_check(d, state, dynamics, equation, strlen(equation), (YkPlace){1, 1, 0}, found);
+    else
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while the equation was checked");
+    yk_problems_pass_on(problems, found, equation);
+    yk_problems_free(found);
+    return verdict;
+}
+
+const char *yk_check_kind_name(YkCheckKind kind)
+{
+    static const char *const names[] = {"true", "true-here", "true-driven", "false", "undecided", "unreadable"};
+    return names[kind];
 }

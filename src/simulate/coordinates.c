@@ -87,7 +87,7 @@ static bool keep_choice(YkSimulation *sim, const YkCompileOptions *compile)
     sim->chosen_count = compile ? compile->input_count : 0;
     sim->chosen = calloc(sim->chosen_count + 1, sizeof *sim->chosen);
     for (size_t k = 0; sim->chosen && k < sim->chosen_count; k++)
-        sim->chosen[k] = yk_coordinate_find(sim->mech, compile->inputs[k]);
+        sim->chosen[k] = (int32_t)yk_coordinate_find(sim->mech, compile->inputs[k]);
     return sim->chosen != NULL;
 }
 

@@ -23,7 +23,7 @@ static void a_quick_return_has_its_time_ratio(void **state)
     Page page = open_page("offset-slider-crank", NULL);
     YkStroke stroke;
     assert_true(yk_state_assemble(page.state) >= 0);
-    int column = yk_report_column(page.report, YK_ROLE_COORDINATE, yk_coordinate_find(page.mech, "d"), 0);
+    int column = yk_report_column(page.report, YK_ROLE_COORDINATE, (int)yk_coordinate_find(page.mech, "d"), 0);
     assert_true(column >= 0);
     assert_int_equal(yk_stroke(page.state, 0, page.report->columns[column].channel, &stroke), YK_OK);
     double turned = remainder(stroke.high_at - stroke.low_at, 2 * YK_PI),

@@ -13,9 +13,9 @@
 
 static size_t coordinate(const Run *run, const char *name)
 {
-    int c = yk_coordinate_find(yk_state_mechanism(yk_simulation_state(run->sim)), name);
-    assert_true(c >= 0);
-    return (size_t)c;
+    size_t c = yk_coordinate_find(yk_state_mechanism(yk_simulation_state(run->sim)), name);
+    assert_true(c != YK_NOT_FOUND);
+    return c;
 }
 
 static double work_of(const Run *run, const char *name)

@@ -22,5 +22,7 @@ void yk_check_json(const YkCheckAnswer *answer);
 void yk_check_csv(const YkCheckAnswer *answer);
 // Finds the bodies round a loop, in answer->bodies. Returns their number.
 size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop);
+// --sketch: what the machine lacks to move, in place of the rest; returns the exit code.
+int yk_check_sketch(YkSession *session);
 
 #endif

@@ -60,6 +60,7 @@ static int answer_check(YkCheckAnswer *answer)
 
 int yk_run_check(YkSession *session)
 {
+    if (session->request->sketch) return yk_check_sketch(session);
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session)) return YK_EXIT_WRONG;
     YkCheckAnswer *answer = calloc(1, sizeof *answer);
     size_t *bodies = calloc(yk_model_body_count(session->model) + 1, sizeof *bodies);

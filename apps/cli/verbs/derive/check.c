@@ -17,12 +17,6 @@ typedef struct Checking {
     int exit_code;
 } Checking;
 
-static const char *word_of(YkCheckKind kind)
-{
-    static const char *const words[] = {"true", "true-here", "true-driven", "false", "undecided", "unreadable"};
-    return words[kind];
-}
-
 // Writes ", theta1' = 3 rad/s" if the equation contains rates; accelerations too if it contains these.
 static void add_derivative(Checking *checking, YkText *text, const YkCoordinateInfo *info, double value, int order)
 {
@@ -170,7 +164,7 @@ static void say_json(Checking *checking, const char *equation, const YkCheckVerd
     YkJson *json = &checking->json;
     yk_json_object(json, NULL, YK_JSON_LINES);
     yk_json_string(json, "equation", equation);
-    yk_json_string(json, "verdict", word_of(verdict->kind));
+    yk_json_string(json, "verdict", yk_check_kind_name(verdict->kind));
     if (verdict->kind != YK_CHECK_UNREADABLE) {
         yk_json_bool(json, "identity", verdict->is_identity);
         yk_json_integer(json, "poses", (long long)verdict->poses);

@@ -1,8 +1,8 @@
 // What the files of `yoke derive` share.
 #ifndef CLI_DERIVE_H
 #define CLI_DERIVE_H
+#include <yoke/derive.h>
 #include "answer.h"
-#include "page/print.h"
 #include "prove/check.h"
 #include "session.h"
 

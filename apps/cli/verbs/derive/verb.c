@@ -8,30 +8,24 @@
 
 enum { SECTIONS_MAX = 32 };
 
-static size_t section_count(void)
-{
-    size_t count = 0;
-    while (yk_derive_sections[count].name) count++;
-    return count;
-}
-
+// YK_NOT_FOUND where there is none of this name.
 static size_t find_section(const char *name, size_t length)
 {
-    size_t k = 0;
-    while (yk_derive_sections[k].name &&
-           (strlen(yk_derive_sections[k].name) != length || strncmp(yk_derive_sections[k].name, name, length) != 0))
-        k++;
-    return k;
+    for (size_t k = 0; k < yk_derivation_section_count(); k++) {
+        const char *own = yk_derivation_section_name(k);
+        if (strlen(own) == length && strncmp(own, name, length) == 0) return k;
+    }
+    return YK_NOT_FOUND;
 }
 
 static bool refuse_section(YkSession *session, const char *word, size_t length)
 {
     YkText text = {0};
     const char *names[SECTIONS_MAX];
-    size_t count = section_count();
+    size_t count = yk_derivation_section_count();
     yk_text_add(&text, word, length);
     yk_problem(session->problems, YK_CODE_OPTION_VALUE, (YkPlace){0}, "--what has no part %q", yk_text_get(&text));
-    for (size_t k = 0; k < count; k++) names[k] = yk_derive_sections[k].name;
+    for (size_t k = 0; k < count; k++) names[k] = yk_derivation_section_name(k);
     const char *near = yk_nearest(yk_text_get(&text), names, count);
     yk_text_clear(&text);
     for (size_t k = 0; k < count; k++) yk_text_format(&text, "%s, ", names[k]);
@@ -44,17 +38,16 @@ static bool refuse_section(YkSession *session, const char *word, size_t length)
 }
 
 // Reads "loops,jacobian" or "all" into wanted[section]. Without the option: all that the machine has.
-static bool read_what(YkSession *session, bool *wanted)
+static bool read_what(YkSession *session, const YkDerivation *derivation, bool *wanted)
 {
     const char *word = session->request->what;
     if (!word || strcmp(word, "all") == 0) {
-        for (size_t k = 0; k < section_count(); k++)
-            wanted[k] = !yk_derive_sections[k].is_of || yk_derive_sections[k].is_of(session->model);
+        for (size_t k = 0; k < yk_derivation_section_count(); k++) wanted[k] = yk_derivation_has_section(derivation, k);
         return true;
     }
     while (*word) {
         size_t length = strcspn(word, ","), k = find_section(word, length);
-        if (!yk_derive_sections[k].name) return refuse_section(session, word, length);
+        if (k == YK_NOT_FOUND) return refuse_section(session, word, length);
         wanted[k] = true;
         word += length + (word[length] == ',');
     }
@@ -87,113 +80,62 @@ bool yk_derive_pose(YkSession *session)
     return status >= 0;
 }
 
-// Says at which section it stopped, and why.
-static int cannot(YkSession *session, const YkDerivation *derivation, const YkPage *page)
-{
-    YkRingStatus why = yk_ring_status(derivation->ring);
-    size_t k = page->section ? find_section(page->section, strlen(page->section)) : section_count();
-    if (why == YK_RING_OK || yk_derivation_ran_out(derivation)) why = YK_RING_MEMORY; // of the page
-    if (k == section_count()) {
-        yk_session_refuse(session, yk_derive_code(why), "%s", yk_ring_status_text(why));
-        return why == YK_RING_MEMORY ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
-    }
-    yk_problem(session->problems, yk_derive_code(why), (YkPlace){0}, "%s (--what %s): %s", yk_derive_sections[k].title,
-               page->section, yk_ring_status_text(why));
-    if (why == YK_RING_SIZE)
-        yk_problem_hint(session->problems,
-                        "ask for other parts with --what, as in `--what loops,jacobian`: products of "
-                        "long sums do not occur in them");
-    if (why == YK_RING_OVERFLOW)
-        yk_problem_hint(session->problems, "numbers of many digits can be given as `parameters:`, which are symbols; "
-                                           "other parts may be asked for with --what");
-    return why == YK_RING_MEMORY ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
-}
-
-// A page in parts, so that a large machine needs neither memory for the whole nor patience for the first lines. A
-// file appears whole or not at all.
-typedef struct Parts {
+// The page as it comes. A short one stays in session->out; of a longer one what stands there goes on at once, so that a
+// large machine needs no memory for the whole. A file appears whole or not at all.
+typedef struct Output {
     YkSession *session;
-    YkPrinting printing;
     YkStream stream;
-    bool good;
-} Parts;
+} Output;
 
-enum { BYTES_AT_ONCE = 1 << 22 }; // a smaller page is written at once, to standard output too
-
-static bool flush(Parts *parts)
+static bool flush(Output *output)
 {
-    YkText *out = &parts->session->out;
-    bool good = !out->failed;
-    if (!good) yk_session_refuse(parts->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    if (good && !parts->stream.is_open)
-        good = yk_stream_open(&parts->stream, parts->session->request->output, parts->session->problems);
-    good = good && yk_stream_write(&parts->stream, yk_text_get(out), out->length, parts->session->problems);
+    YkText *out = &output->session->out;
+    bool good = !out->failed || yk_session_refuse(output->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (good && !output->stream.is_open)
+        good = yk_stream_open(&output->stream, output->session->request->output, output->session->problems);
+    good = good && yk_stream_write(&output->stream, yk_text_get(out), out->length, output->session->problems);
     yk_text_clear(out);
     return good;
 }
 
-static void put_part(void *context, YkPage *page)
+static bool take(void *context, const char *text, size_t length)
 {
-    Parts *parts = context;
-    if (!yk_page_add_part(&parts->printing, page)) page->failed = true;
-    yk_page_forget(page);
-    if (parts->session->out.length >= BYTES_AT_ONCE && parts->good) parts->good = flush(parts);
-    page->failed |= !parts->good;
+    Output *output = context;
+    bool good = output->session->out.length == 0 || flush(output);
+    yk_text_add(&output->session->out, text, length);
+    return good;
 }
 
-static int finish_parts(Parts *parts, YkDerivation *derivation, const YkPage *page, bool derived)
+static int finish_page(Output *output, YkStatus status)
 {
-    YkSession *session = parts->session;
-    derived = derived && !yk_derivation_ran_out(derivation);
-    if (!derived || !parts->good) { // the latter was reported
-        yk_stream_drop(&parts->stream);
-        return parts->good ? cannot(session, derivation, page) : YK_EXIT_WRONG;
+    YkSession *session = output->session;
+    if (status < 0) {
+        yk_stream_drop(&output->stream);
+        session->ran_out |= status == YK_NO_MEMORY;
+        return status == YK_BAD_MODEL ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
     }
-    if (!parts->stream.is_open) return yk_session_finish(session, YK_EXIT_DONE);
-    if (!flush(parts)) {
-        yk_stream_drop(&parts->stream);
+    if (!output->stream.is_open) return yk_session_finish(session, YK_EXIT_DONE);
+    if (!flush(output)) {
+        yk_stream_drop(&output->stream);
         return YK_EXIT_WRONG;
     }
-    return yk_stream_close(&parts->stream, session->problems) ? YK_EXIT_DONE : YK_EXIT_WRONG;
+    return yk_stream_close(&output->stream, session->problems) ? YK_EXIT_DONE : YK_EXIT_WRONG;
 }
 
-static int write_parts(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
-                       const bool *wanted)
+static int write_page(YkSession *session, YkDerivation *derivation, YkPageFormat format, const bool *wanted)
 {
-    Parts parts = {.session = session, .good = true};
-    parts.printing = (YkPrinting){
-        .ring = derivation->ring, .text = &session->out, .title = yk_model_name(session->model), .format = format};
-    page->passing = yk_arena_new();
-    page->part_ends = put_part, page->context = &parts;
-    bool derived = page->passing != NULL;
-    for (size_t k = 0; yk_derive_sections[k].name && derived; k++)
-        derived = !wanted[k] || yk_derive_write(derivation, k, page);
-    if (derived) put_part(&parts, page);
-    bool ended = yk_page_end_parts(&parts.printing);
-    yk_arena_free(page->passing);
-    return finish_parts(&parts, derivation, page, derived && ended && !page->failed);
-}
-
-static int write_page(YkSession *session, YkDerivation *derivation, YkPage *page, YkPageFormat format,
-                      const bool *wanted)
-{
-    double *values = NULL;
-    if (yk_page_has_parts(format) && !session->request->numbers)
-        return write_parts(session, derivation, page, format, wanted);
-    for (size_t k = 0; yk_derive_sections[k].name; k++)
-        if (wanted[k] && !yk_derive_write(derivation, k, page)) return cannot(session, derivation, page);
+    Output output = {.session = session};
+    YkPageOptions options = yk_default_page_options();
+    options.format = format;
+    options.sections = wanted;
+    options.write = take;
+    options.context = &output;
     if (session->request->numbers) {
         if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
-        // Printing may enter a few more symbols, none of which is in a formula.
-        values = calloc(yk_ring_symbol_count(derivation->ring) + 1, sizeof *values);
-        if (!values) yk_text_fail(&session->out);
-        if (values) yk_derive_values(derivation, session->state, session->dynamics, values);
+        options.state = session->state;
+        options.dynamics = session->dynamics;
     }
-    bool good = yk_page_write(page, format, yk_model_name(session->model), values, &session->out);
-    free(values);
-    session->ran_out |= yk_derivation_ran_out(derivation);
-    if (!good) return cannot(session, derivation, page);
-    return yk_session_finish(session, YK_EXIT_DONE);
+    return finish_page(&output, yk_derivation_page(derivation, &options, session->problems));
 }
 
 static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat format)
@@ -203,14 +145,9 @@ static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat for
         if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
         return yk_derive_checks(session, derivation, format == YK_PAGE_JSON);
     }
-    if (!read_what(session, wanted)) return YK_EXIT_WRONG;
+    if (!read_what(session, derivation, wanted)) return YK_EXIT_WRONG;
     int drawn = session->request->svg ? yk_derive_drawings(session, derivation) : YK_EXIT_DONE;
-    if (drawn != YK_EXIT_DONE) return drawn;
-    YkPage page = {.arena = yk_arena_new(), .ring = derivation->ring, .has_numbers = session->request->numbers};
-    int exit_code =
-        page.arena ? write_page(session, derivation, &page, format, wanted) : cannot(session, derivation, &page);
-    yk_arena_free(page.arena);
-    return exit_code;
+    return drawn == YK_EXIT_DONE ? write_page(session, derivation, format, wanted) : drawn;
 }
 
 int yk_run_derive(YkSession *session)

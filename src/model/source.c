@@ -1,0 +1,127 @@
+// The text that a model came from, kept so that it can be written again: comments, order and layout as they are.
+#include <string.h>
+#include <yoke/builder.h>
+#include "model/load.h"
+
+// From byte *offset, where line *line begins, to the place.
+static size_t offset_of(const char *text, size_t length, YkPlace place, size_t *start, uint32_t *line)
+{
+    while (*line < place.line) {
+        const char *end = memchr(text + *start, '\n', length - *start);
+        if (!end) return length;
+        *start = (size_t)(end - text) + 1;
+        ++*line;
+    }
+    size_t at = *start;
+    for (uint32_t column = 1; column < place.column && at < length; column++) {
+        at++;
+        while (at < length && ((unsigned char)text[at] & 0xc0) == 0x80) at++;
+    }
+    return at;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\n' || c == '\r';
+}
+
+// Where a value in quotes ends; 0 where it does not.
+static size_t quoted_end(const char *text, size_t length, size_t at)
+{
+    char quote = text[at++];
+    for (; at < length; at++) {
+        if (quote == '"' && text[at] == '\\') {
+            at++;
+        } else if (text[at] == quote) {
+            if (quote == '"' || at + 1 == length || text[at + 1] != quote) return at + 1;
+            at++;
+        }
+    }
+    return 0;
+}
+
+// Where the scalar ends that begins at a byte of the source; over several lines a blank stands for each break. 0 where
+// it is written in another way (folded by `>`).
+static size_t scalar_end(const char *text, size_t length, size_t at, const YkNode *scalar)
+{
+    if (at < length && (text[at] == '\'' || text[at] == '"')) return quoted_end(text, length, at);
+    for (size_t i = 0; i < scalar->length;) {
+        if (at < length && text[at] == scalar->text[i]) {
+            at++;
+            i++;
+            continue;
+        }
+        if (at == length || !is_blank(text[at])) return 0;
+        while (at < length && is_blank(text[at])) at++;
+        i += scalar->text[i] == ' ';
+    }
+    return at;
+}
+
+// The value that an override gives a parameter, the last where there are several; NULL: none does.
+static const char *new_value(const YkLoader *loader, const char *name)
+{
+    const char *value = NULL;
+    for (size_t i = 0; loader->options && i < loader->options->parameter_count; i++)
+        if (strcmp(loader->options->parameters[i].name, name) == 0) value = loader->options->parameters[i].value;
+    return value;
+}
+
+// The text with the new values in place of the old; false where one of these is not found as it is written.
+static bool replace(const YkLoader *loader, const char *source, size_t length, YkText *text)
+{
+    const YkNode *section = yk_node_get(loader->root, "parameters");
+    size_t done = 0, start = 0;
+    uint32_t line = 1;
+    for (size_t i = 0; section && i < section->count; i++) {
+        YkNode *old = section->pairs[i].value;
+        const char *value = new_value(loader, section->pairs[i].key->text);
+        if (!value) continue;
+        size_t from = offset_of(source, length, old->place, &start, &line);
+        size_t to = scalar_end(source, length, from, old);
+        if (to == 0) return false;
+        yk_text_add(text, source + done, from - done);
+        yk_doc_write_scalar(&(YkNode){.text = value, .length = strlen(value), .quoted = true}, text);
+        done = to;
+    }
+    yk_text_add(text, source + done, length - done);
+    return true;
+}
+
+// The tree laid out anew, with the new values.
+static void lay_out(const YkLoader *loader, YkText *text)
+{
+    const YkNode *section = yk_node_get(loader->root, "parameters");
+    for (size_t i = 0; section && i < section->count; i++) {
+        YkNode *scalar = section->pairs[i].value;
+        const char *value = new_value(loader, section->pairs[i].key->text);
+        if (!value) continue;
+        scalar->text = value; // the caller's: read here and no more
+        scalar->length = strlen(value);
+    }
+    yk_doc_write(loader->root, text);
+}
+
+void yk_load_keep_source(YkLoader *loader, const char *source, size_t length)
+{
+    YkModel *model = loader->model;
+    YkText text = {0};
+    if (length >= 3 && memcmp(source, "\xef\xbb\xbf", 3) == 0) { // a byte order mark is no part of it
+        source += 3;
+        length -= 3;
+    }
+    bool is_changed = loader->options && loader->options->parameter_count > 0;
+    if (is_changed && !replace(loader, source, length, &text)) {
+        yk_text_clear(&text);
+        lay_out(loader, &text);
+    }
+    model->source_length = is_changed ? text.length : length;
+    model->source = yk_arena_copy(model->arena, is_changed ? yk_text_get(&text) : source, model->source_length);
+    loader->failed |= !model->source;
+    yk_text_free(&text);
+}
+
+const char *yk_model_text(const YkModel *model)
+{
+    return model->source;
+}
