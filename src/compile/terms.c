@@ -51,11 +51,6 @@ void yk_terms_add_node(YkTermList *list, YkTerm term, int32_t node, double sign)
     list->items[list->count++] = term;
 }
 
-void yk_terms_add(YkTermList *list, YkTerm term, double sign)
-{
-    yk_terms_add_node(list, term, 0, sign);
-}
-
 YkTerm yk_body_term(const YkMechanism *mech, int32_t body, YkVec at)
 {
     const YkPlacing *placing = &mech->bodies[body];

@@ -20,8 +20,7 @@ typedef struct YkTermList {
 
 void yk_terms_free(YkTermList *list);
 void yk_terms_clear(YkTermList *list);
-void yk_terms_add(YkTermList *list, YkTerm term, double sign);
-// Does the same for a vector that is `node` in the recipe.
+// Adds sign * term, a vector that is `node` in the recipe.
 void yk_terms_add_node(YkTermList *list, YkTerm term, int32_t node, double sign);
 static inline bool yk_terms_is_there(const YkTermList *list, size_t k)
 {

@@ -165,12 +165,6 @@ YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left
     return line;
 }
 
-const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line)
-{
-    const YkPoisson *left = line->factor ? yk_ring_multiply(ring, line->factor, line->left) : line->left;
-    return left && line->right ? yk_ring_subtract(ring, left, line->right) : left;
-}
-
 // The ring counts in exponentials, 2 cos x = e^(ix) + e^(-ix), and turns by 45 deg in roots of 2, so that a common
 // divisor of 2, or a few, can remain in print.
 static void halve_while_whole(YkRing *ring, const YkPoisson **over, const YkPoisson **under)

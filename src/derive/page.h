@@ -113,9 +113,6 @@ void yk_line_sign(YkPage *page, YkLine *line, const char *sign);
 void yk_line_words(YkPage *page, YkLine *line, const char *words);
 // Adds a zeroed matrix with room for its entries, to be filled; NULL when out of memory.
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
-
-// Returns what is 0 wherever the formula holds: factor * left - right. Returns NULL if it is not an equation.
-const YkPoisson *yk_line_vanishes(YkRing *ring, const YkLine *line);
 // Adds left = right, both real elements; right may be NULL for 0. The value is set unless right is a number.
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
                          YkRingStyle style);

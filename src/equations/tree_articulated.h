@@ -30,11 +30,6 @@ static inline YkVec yk_articulated_times(const YkArticulated *A, YkVec v)
     return yk_vec(A->xx * v.x + A->xy * v.y, A->xy * v.x + A->yy * v.y);
 }
 
-static inline YkVec yk_quarter_back(YkVec a)
-{
-    return yk_vec(a.y, -a.x);
-}
-
 // Adds a rigid body: mass, mass * (centre - point) in world axes, inertia about the point, rate of turning.
 static inline void yk_articulated_add_body(YkArticulated *A, double mass, YkVec moment, double inertia, double w)
 {

@@ -110,18 +110,3 @@ int yk_formula_variable(const YkFormula *formula, double *sign)
     if (is_negated) return only->index[0];
     return formula->instruction_count == 0 && formula->from == YK_FROM_VARIABLE ? formula->index : -1;
 }
-
-bool yk_formula_depends_on(const YkFormula *formula, int variable)
-{
-    size_t low = 0, high = formula->variable_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (formula->variables[middle] == variable) return true;
-        if (formula->variables[middle] < variable) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return false;
-}

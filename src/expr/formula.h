@@ -15,7 +15,6 @@ YkFormula *yk_formula_compile(const YkExpr *expr, YkResolve resolve, void *conte
 bool yk_formula_is_constant(const YkFormula *formula); // eval then accepts NULL variables
 // Returns the index of the variable that the formula is, by itself or (*sign -1) negated; or -1.
 int yk_formula_variable(const YkFormula *formula, double *sign);
-bool yk_formula_depends_on(const YkFormula *formula, int variable);
 // Returns the value; not finite if the expression has none (division by zero, root of a negative number, ...).
 double yk_formula_eval(const YkFormula *formula, const double *variables);
 // Returns one function of one or two numbers, as formulas evaluate it.

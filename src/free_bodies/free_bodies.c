@@ -77,23 +77,6 @@ static void find_inertia(YkFreeBodies *f, const YkBodyPart *part)
     }
 }
 
-// Finds what the shares leave of every balance, over the largest force. A part that was not solved does not count.
-static void find_imbalance(YkFreeBodies *f, const YkBodyPart *part, double *worst, double *largest)
-{
-    size_t m = 3 * part->body_count;
-    memset(f->b, 0, m * sizeof *f->b);
-    for (size_t k = 0; k < part->column_count; k++) {
-        const YkWrenchColumn *c = &f->columns[part->columns[k]];
-        yk_wrench_add(f, c, c->share, f->b);
-        *largest = fmax(*largest, fabs(c->share));
-    }
-    for (size_t i = 0; i < m; i++) {
-        size_t at = 3 * (size_t)part->bodies[i / 3] + i % 3;
-        *worst = fmax(*worst, fabs(f->inertia[at] - f->load[at] - f->b[i]));
-        *largest = fmax(*largest, fmax(fabs(f->inertia[at]), fabs(f->load[at])));
-    }
-}
-
 static bool is_finite(const YkFreeBodies *f, const YkBodyPart *part)
 {
     double sum = 0;
@@ -111,20 +94,16 @@ static YkStatus worse(YkStatus a, YkStatus b)
 }
 
 // Takes the solution of a part, or clears it if there is none. Returns its status.
-static YkStatus settle(YkFreeBodies *f, YkBodyPart *part, YkStatus status, double *worst, double *largest)
+static YkStatus settle(YkFreeBodies *f, YkBodyPart *part, YkStatus status)
 {
     if ((status == YK_OK || status == YK_REDUNDANT) && !is_finite(f, part)) status = YK_SINGULAR;
-    if (status == YK_OK || status == YK_REDUNDANT)
-        find_imbalance(f, part, worst, largest);
-    else
-        yk_part_clear(f, part);
+    if (status != YK_OK && status != YK_REDUNDANT) yk_part_clear(f, part);
     return status;
 }
 
 YkStatus yk_free_bodies_inverse(YkFreeBodies *f, const YkSpace *space, const YkLoad *loads)
 {
     YkStatus status = YK_OK;
-    double worst = 0, largest = 0;
     bool is_dead_point = !(space->margin[0] > YK_SINGULAR_MARGIN);
     yk_wrenches_pose(f, space);
     take_loads(f, loads);
@@ -133,9 +112,8 @@ YkStatus yk_free_bodies_inverse(YkFreeBodies *f, const YkSpace *space, const YkL
         YkBodyPart *part = &f->parts[p];
         find_inertia(f, part);
         YkStatus own = is_dead_point ? YK_SINGULAR : yk_part_balance(f, part, NULL);
-        status = worse(status, settle(f, part, own, &worst, &largest));
+        status = worse(status, settle(f, part, own));
     }
-    f->imbalance = largest > 0 ? worst / largest : 0;
     return status;
 }
 
@@ -175,7 +153,6 @@ YkStatus yk_free_bodies_forward(YkFreeBodies *f, const YkSpace *space, const YkL
                                 double *accelerations, int *culprit)
 {
     YkStatus status = YK_OK;
-    double worst = 0, largest = 0;
     int none = -1, *guilty = culprit ? culprit : &none;
     *guilty = -1;
     yk_wrenches_pose(f, space);
@@ -183,11 +160,10 @@ YkStatus yk_free_bodies_forward(YkFreeBodies *f, const YkSpace *space, const YkL
     take_prescribed(f, is_prescribed);
     for (size_t p = 0; p < f->part_count; p++) {
         YkBodyPart *part = &f->parts[p];
-        YkStatus own = settle(f, part, move_part(f, part, accelerations, guilty), &worst, &largest);
+        YkStatus own = settle(f, part, move_part(f, part, accelerations, guilty));
         if (own != YK_OK && own != YK_REDUNDANT) clear_accelerations(f, part, accelerations);
         status = worse(status, own);
     }
-    f->imbalance = largest > 0 ? worst / largest : 0;
     return status;
 }
 
@@ -207,9 +183,4 @@ double yk_free_bodies_effort(const YkFreeBodies *f, size_t input)
 {
     const YkWrenchColumn *c = &f->columns[f->input_column[input]];
     return c->kind == YK_WRENCH_LINE ? c->share : c->share * f->size;
-}
-
-double yk_free_bodies_imbalance(const YkFreeBodies *f)
-{
-    return f->imbalance;
 }

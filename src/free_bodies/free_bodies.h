@@ -51,7 +51,5 @@ typedef struct YkMeshForce {
 YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *bodies, const YkSpace *space, size_t relation);
 // Adds what gears, racks, belts and cams exert on every body to load[body] (moments about the reference points, N m).
 void yk_free_bodies_meshes(const YkFreeBodies *bodies, YkLoad *load);
-// Returns the largest residual of any body's equations over the largest force (moments over the machine's size).
-double yk_free_bodies_imbalance(const YkFreeBodies *bodies);
 
 #endif

@@ -82,7 +82,6 @@ struct YkFreeBodies {
     double *acceleration; // of the reference point, m/s^2; of the angle, times the size
     double *inertia;      // N
     double *b, *y, *x;    // [3 bodies + columns] scratch
-    double imbalance;
 };
 
 // Makes the columns of all joints and inputs, and the parts. Returns false when out of memory.
@@ -114,8 +113,7 @@ static inline void yk_body_system_emit(YkBodySystem *system, size_t row, size_t 
 // Emits the entries of a wrench, times sign, on the rows of its bodies in `column`; transposed: as a row.
 void yk_body_system_wrench(const YkFreeBodies *f, YkBodySystem *system, const YkWrenchColumn *wrench, size_t column,
                            double sign, bool transposed);
-// Use the same entries as numbers: y += factor * wrench, and the wrench's product with x.
-void yk_wrench_add(const YkFreeBodies *f, const YkWrenchColumn *wrench, double factor, double *y);
+// Returns the product of the same entries with x.
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *wrench, const double *x);
 
 // Finds the shares of a part that balance inertia - load. is_prescribed (may be NULL: all): other inputs have no

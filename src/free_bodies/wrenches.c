@@ -123,25 +123,6 @@ void yk_wrenches_pose(YkFreeBodies *f, const YkSpace *space)
     }
 }
 
-void yk_wrench_add(const YkFreeBodies *f, const YkWrenchColumn *c, double factor, double *y)
-{
-    for (int k = 0; k < 2; k++) {
-        if (c->body[k] == 0) continue;
-        double *row = y + f->body_row[c->body[k]], sign = k ? factor : -factor;
-        row[0] += sign * c->force.x;
-        row[1] += sign * c->force.y;
-        row[2] += factor * c->moment[k];
-    }
-    const int32_t others[] = {c->third, c->fourth};
-    for (int k = 0; k < 2; k++) {
-        if (others[k] == 0) continue;
-        double *row = y + f->body_row[others[k]], sign = k ? -factor : factor;
-        row[0] += sign * c->other.x;
-        row[1] += sign * c->other.y;
-        row[2] += factor * (k ? c->fourth_moment : c->third_moment);
-    }
-}
-
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const double *x)
 {
     double sum = 0;

@@ -37,10 +37,6 @@ size_t yk_law_builder_culprit(const YkLawBuilder *builder)
 {
     return builder->culprit;
 }
-size_t yk_law_builder_other(const YkLawBuilder *builder)
-{
-    return builder->other;
-}
 
 bool yk_law_add_piece(YkLawBuilder *builder, const YkPiece *frame, const double *numbers)
 {

@@ -34,10 +34,8 @@ void yk_law_builder_free(YkLawBuilder *builder);
 // Return where the next segment starts, and the value there.
 double yk_law_builder_at(const YkLawBuilder *builder);
 double yk_law_builder_value(const YkLawBuilder *builder);
-// Return the index, in the list that was given, of the condition or point at fault in the last fault; and, for
-// YK_LAW_REPEATED, that of the one it repeats.
+// Return the index, in the list that was given, of the condition or point at fault in the last fault.
 size_t yk_law_builder_culprit(const YkLawBuilder *builder);
-size_t yk_law_builder_other(const YkLawBuilder *builder);
 
 // Segments. After a fault the builder is unchanged.
 YkLawFault yk_law_add_dwell(YkLawBuilder *builder, double to);

@@ -37,7 +37,6 @@ static bool has_repeated(YkLawBuilder *builder, const YkLawCondition *conditions
             bool is_near = fabs(conditions[i].at - conditions[k].at) <= SAME * length;
             if (conditions[i].order != conditions[k].order || !is_near) continue;
             builder->culprit = i;
-            builder->other = k;
             return true;
         }
     }

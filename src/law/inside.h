@@ -32,7 +32,7 @@ struct YkLawBuilder {
     size_t segment_count, segment_capacity;
     YkLawCondition *conditions; // of all segments, contiguous; in the finished law the segments point to them
     size_t condition_count, condition_capacity;
-    size_t culprit, other;
+    size_t culprit;
 };
 
 // eval.c: computes the value and derivatives of one piece with respect to x, at any x.

@@ -73,11 +73,6 @@ bool yk_fraction_is_one(const YkFraction *a)
     return !a->is_negative && is_one(&a->over) && (a->under.count == 0 || is_one(&a->under));
 }
 
-int yk_fraction_sign(const YkFraction *a)
-{
-    return a->over.count == 0 ? 0 : a->is_negative ? -1 : 1;
-}
-
 YkFraction yk_fraction_negative(const YkFraction *a)
 {
     YkFraction b = *a;

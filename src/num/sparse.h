@@ -19,7 +19,5 @@ double yk_sparse_factor(YkSparse *sparse, const double *value, int32_t *singular
 // Solves A x = b in place. With refine, adds one step of iterative refinement with the values of the last
 // factorisation.
 void yk_sparse_solve(YkSparse *sparse, double *b, bool refine);
-// Solves A^T x = b in place.
-void yk_sparse_solve_transposed(YkSparse *sparse, double *b, bool refine);
 
 #endif

@@ -19,53 +19,21 @@ static void solve_once(const YkSparse *s, double *b, double *x)
     }
 }
 
-static void solve_transposed_once(const YkSparse *s, double *b, double *x)
-{
-    size_t n = s->n;
-    for (size_t k = 0; k < n; k++) {
-        double t = b[s->order[k]];
-        for (size_t p = s->U.start[k]; p < s->U.start[k + 1]; p++) t -= s->U.value[p] * x[s->U.row[p]];
-        x[k] = t / s->diagonal[k];
-    }
-    for (size_t k = n; k-- > 0;) {
-        double t = x[k];
-        for (size_t p = s->L.start[k]; p < s->L.start[k + 1]; p++) t -= s->L.value[p] * x[s->L.row[p]];
-        x[k] = t;
-        b[s->pivot_row[k]] = t;
-    }
-}
-
-// Computes r = b - A x, or with A^T.
-static void residual(const YkSparse *s, bool transposed, const double *x, double *r)
+// Computes r = b - A x.
+static void residual(const YkSparse *s, const double *x, double *r)
 {
     for (size_t j = 0; j < s->n; j++)
-        for (int32_t k = s->start[j]; k < s->start[j + 1]; k++) {
-            if (transposed)
-                r[j] -= s->value[k] * x[s->row[k]];
-            else
-                r[s->row[k]] -= s->value[k] * x[j];
-        }
-}
-
-static void solve(YkSparse *s, double *b, bool refine, bool transposed)
-{
-    void (*once)(const YkSparse *, double *, double *) = transposed ? solve_transposed_once : solve_once;
-    if (refine) memcpy(s->b, b, s->n * sizeof *b);
-    once(s, b, s->x);
-    if (refine) {
-        residual(s, transposed, b, s->b);
-        once(s, s->b, s->x);
-        for (size_t i = 0; i < s->n; i++) b[i] += s->b[i];
-    }
-    memset(s->x, 0, s->n * sizeof *s->x); // as the next factorisation needs it
+        for (int32_t k = s->start[j]; k < s->start[j + 1]; k++) r[s->row[k]] -= s->value[k] * x[j];
 }
 
 void yk_sparse_solve(YkSparse *s, double *b, bool refine)
 {
-    solve(s, b, refine, false);
-}
-
-void yk_sparse_solve_transposed(YkSparse *s, double *b, bool refine)
-{
-    solve(s, b, refine, true);
+    if (refine) memcpy(s->b, b, s->n * sizeof *b);
+    solve_once(s, b, s->x);
+    if (refine) {
+        residual(s, b, s->b);
+        solve_once(s, s->b, s->x);
+        for (size_t i = 0; i < s->n; i++) b[i] += s->b[i];
+    }
+    memset(s->x, 0, s->n * sizeof *s->x); // as the next factorisation needs it
 }

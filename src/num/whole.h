@@ -45,7 +45,6 @@ YkFraction yk_fraction_inverse(const YkFraction *a); // a != 0
 YkFraction yk_fraction_add(const YkFraction *a, const YkFraction *b, YkOverflow *overflow);
 YkFraction yk_fraction_multiply(const YkFraction *a, const YkFraction *b, YkOverflow *overflow);
 YkFraction yk_fraction_divide(const YkFraction *a, const YkFraction *b, YkOverflow *overflow); // b != 0
-int yk_fraction_sign(const YkFraction *a);
 double yk_fraction_value(const YkFraction *a);             // nearest double, within an ulp
 void yk_fraction_write(const YkFraction *a, YkText *text); // "-108/23", "3", "0"
 

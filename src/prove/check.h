@@ -36,11 +36,4 @@ typedef struct YkEquation {
 bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace place, YkProblems *problems,
                       YkEquation *equation);
 
-// --- loop_point.c
-// Makes a random point of the machine's motion, dimensions included, over the prime field. Returns NULL if none could
-// be made (*is_possible false) or when out of memory. loop_assembly.c tells whether it is of the machine's own
-// assembly. Free it with yk_field_point_free.
-// loop_assembly.c. Free it with yk_field_point_free.
-YkFieldPoint *yk_derive_loop_point(YkDerivation *d, uint64_t seed, bool *is_possible);
-
 #endif

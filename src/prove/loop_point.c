@@ -164,9 +164,3 @@ YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds
     yk_field_point_free(making.point);
     return NULL;
 }
-
-YkFieldPoint *yk_derive_loop_point(YkDerivation *d, uint64_t seed, bool *is_possible)
-{
-    int rank;
-    return yk_derive_assembly_point(d, NULL, seed, &rank, is_possible);
-}

@@ -19,8 +19,9 @@ typedef struct YkLoopBonds {
     size_t count;
 } YkLoopBonds;
 
-// Makes a point on such an assembly (NULL: no bonds). *rank: of the equations for what enters the loops linearly; -1
-// if these do not close.
+// Makes a random point of the machine's motion on such an assembly (NULL: no bonds), dimensions included, over the
+// prime field. Returns NULL if none could be made (*is_possible false) or when out of memory. *rank: of the equations
+// for what enters the loops linearly; -1 if these do not close. Free it with yk_field_point_free.
 YkFieldPoint *yk_derive_assembly_point(YkDerivation *d, const YkLoopBonds *bonds, uint64_t seed, int *rank,
                                        bool *is_possible);
 

@@ -157,11 +157,11 @@ static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
     YkArm arm = arm_of(run, b, 0);
     YkTurn line = yk_space_turn(run->space, b->line_slot[0]);
     if (b->kind == YK_BLOCK_RRR)
-        yk_lanes_rrr_all(K, arm, arm_of(run, b, 1), out.branch, out.turn, out.other, out.margin, out.own, n);
+        yk_lanes_rrr(K, arm, arm_of(run, b, 1), out.branch, out.turn, out.other, out.margin, out.own, n);
     else if (b->kind == YK_BLOCK_RRP)
-        yk_lanes_rrp_all(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
+        yk_lanes_rrp(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
     else
-        yk_lanes_rpr_all(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
+        yk_lanes_rpr(K, arm, line, b->line[0], out.branch, out.turn, out.slide, out.margin, out.own, n);
 }
 
 // Runs blocks that repeat constraints: one unknown or none.

@@ -46,12 +46,6 @@ static void add_number(YkText *text, double value, int digits)
     yk_text_add(text, number, yk_number_write_digits(value, digits, number));
 }
 
-void yk_amount_write(YkText *text, const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity,
-                     int digits)
-{
-    yk_amount_write_shown(text, model, yk_amount_in_unit(model, mech, value, quantity), quantity, digits);
-}
-
 void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits)
 {
     const char *unit = yk_amount_unit(model, quantity, NULL);

@@ -12,10 +12,7 @@ const char *yk_amount_unit(const YkModel *model, YkQuantity quantity, double *si
 double yk_amount_of(const YkModel *model, double value, YkQuantity quantity);
 // Returns a value in that unit, with rounding noise (1e-13 of the machine's size) set to zero. mech may be NULL.
 double yk_amount_in_unit(const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity);
-// Adds "190.09 deg", to `digits` significant digits; angles in radians also in degrees.
-void yk_amount_write(YkText *text, const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity,
-                     int digits);
-// Does the same for a value that is already in the unit.
+// Adds "190.09 deg" for a value in that unit, to `digits` significant digits; angles in radians also in degrees.
 void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits);
 
 // Adds "2.96 to 3.49", "3 or more", "up to 5" or "any": numbers from low to high, either of which may be infinite.

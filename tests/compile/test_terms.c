@@ -29,14 +29,14 @@ static void like_terms_merge_and_what_cancels_vanishes(void **state)
     (void)state;
     YkTermList list = {0};
     yk_terms_clear(&list);
-    yk_terms_add(&list, (YkTerm){1, YK_NONE, {1, 2}}, 1);
-    yk_terms_add(&list, (YkTerm){2, YK_NONE, {3, 0}}, 1);
-    yk_terms_add(&list, (YkTerm){1, 0, {1, 2}}, 1); // with a distance it is another term
-    yk_terms_add(&list, (YkTerm){1, YK_NONE, {4, 4}}, 2);
+    yk_terms_add_node(&list, (YkTerm){1, YK_NONE, {1, 2}}, 0, 1);
+    yk_terms_add_node(&list, (YkTerm){2, YK_NONE, {3, 0}}, 0, 1);
+    yk_terms_add_node(&list, (YkTerm){1, 0, {1, 2}}, 0, 1); // with a distance it is another term
+    yk_terms_add_node(&list, (YkTerm){1, YK_NONE, {4, 4}}, 0, 2);
     assert_int_equal(count_of(&list), 3);
     CHECK_NEAR(list.items[0].v.x, 9, 0);
     CHECK_NEAR(list.items[0].v.y, 10, 0);
-    yk_terms_add(&list, (YkTerm){1, YK_NONE, {9, 10}}, -1);
+    yk_terms_add_node(&list, (YkTerm){1, YK_NONE, {9, 10}}, 0, -1);
     assert_int_equal(count_of(&list), 2);
     assert_false(yk_terms_is_there(&list, 0)); // its place is kept: the order of the others does not depend on values
     assert_true(list.items[1].slot == 2 && list.items[2].distance == 0);
@@ -48,10 +48,10 @@ static void what_the_ground_holds_goes_into_the_constant(void **state)
     (void)state;
     YkTermList list = {0};
     yk_terms_clear(&list);
-    yk_terms_add(&list, (YkTerm){0, YK_NONE, {1, 2}}, 3);
-    yk_terms_add(&list, (YkTerm){0, YK_NONE, {1, 1}}, -1);
-    yk_terms_add(&list, (YkTerm){0, 4, {1, 0}}, 1);       // unless it slides
-    yk_terms_add(&list, (YkTerm){5, YK_NONE, {0, 0}}, 1); // nothing is nothing
+    yk_terms_add_node(&list, (YkTerm){0, YK_NONE, {1, 2}}, 0, 3);
+    yk_terms_add_node(&list, (YkTerm){0, YK_NONE, {1, 1}}, 0, -1);
+    yk_terms_add_node(&list, (YkTerm){0, 4, {1, 0}}, 0, 1);       // unless it slides
+    yk_terms_add_node(&list, (YkTerm){5, YK_NONE, {0, 0}}, 0, 1); // nothing is nothing
     assert_int_equal(count_of(&list), 1);
     assert_int_equal(list.items[0].distance, 4);
     CHECK_NEAR(list.constant.x, 2, 0);
@@ -139,7 +139,7 @@ static void a_stored_sum_is_the_list(void **state)
     YkTermList list = {0};
     YkSum stored;
     yk_terms_clear(&list);
-    for (int32_t s = 1; s < 4; s++) yk_terms_add(&list, (YkTerm){s, YK_NONE, {s, -s}}, 1);
+    for (int32_t s = 1; s < 4; s++) yk_terms_add_node(&list, (YkTerm){s, YK_NONE, {s, -s}}, 0, 1);
     list.constant = yk_vec(5, 6);
     size_t before = m.mech->term_count;
     assert_true(yk_terms_store(&list, m.mech, &stored));

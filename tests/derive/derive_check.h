@@ -9,7 +9,7 @@
 #include "derive/blocks.h"
 #include "derive/derive.h"
 #include "page/print.h"
-#include "prove/check.h"
+#include "prove/loop_point.h"
 
 typedef struct Machine {
     YkProblems *problems;
@@ -32,6 +32,20 @@ static inline void machine_end(Machine *m)
     yk_mechanism_free(m->mech);
     yk_model_free(m->model);
     yk_problems_free(m->problems);
+}
+
+// A random point of the machine's motion over the prime field, or NULL.
+static inline YkFieldPoint *loop_point(YkDerivation *d, uint64_t seed, bool *is_possible)
+{
+    int rank;
+    return yk_derive_assembly_point(d, NULL, seed, &rank, is_possible);
+}
+
+// What is 0 wherever the formula holds: factor * left - right; NULL if it is no equation.
+static inline const YkPoisson *line_vanishes(YkRing *ring, const YkLine *line)
+{
+    const YkPoisson *left = line->factor ? yk_ring_multiply(ring, line->factor, line->left) : line->left;
+    return left && line->right ? yk_ring_subtract(ring, left, line->right) : left;
 }
 
 static inline bool machine_finish(Machine *m)

@@ -66,7 +66,7 @@ static inline size_t check_page(Machine *m, const char *what, double tolerance)
     size_t count = 0;
     for (const YkLine *line = m->page.first; line; line = line->next) {
         if (!line->left) continue;
-        check_vanishes(m, yk_line_vanishes(m->d->ring, line), what, tolerance);
+        check_vanishes(m, line_vanishes(m->d->ring, line), what, tolerance);
         count++;
     }
     return count;

@@ -199,7 +199,7 @@ static void check_lines(Machine *m, const char *name)
 {
     for (const YkLine *line = m->page.first; line; line = line->next) {
         if (!line->left || !holds(m, line)) continue;
-        const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+        const YkPoisson *zero = line_vanishes(m->d->ring, line);
         double value = value_of(m, zero), size = size_of(m, zero);
         if (!(fabs(value) <= 1e-12 * size + 1e-14)) {
             YkText text = {0};

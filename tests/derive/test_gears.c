@@ -86,7 +86,7 @@ static bool has_vectors(const YkLine *line)
 
 static void check_line_at_pose(const Machine *m, const YkLine *line, const char *name)
 {
-    const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+    const YkPoisson *zero = line_vanishes(m->d->ring, line);
     double value = yk_ring_value(m->d->ring, zero, m->values).x, size = 1;
     for (size_t s = 0; s < yk_ring_symbol_count(m->d->ring); s++) { // what its terms come to
         if (!yk_ring_mentions(m->d->ring, zero, (int32_t)s)) continue;
@@ -101,7 +101,7 @@ static void check_line_at_pose(const Machine *m, const YkLine *line, const char 
 // By the relations of `loops`, for all numbers of teeth: at a random point of the prime field.
 static void check_line_in_field(Machine *m, const YkLine *line, const YkFieldPoint *point, const char *name)
 {
-    const YkPoisson *zero = yk_derive_in_joints(m->d, yk_line_vanishes(m->d->ring, line));
+    const YkPoisson *zero = yk_derive_in_joints(m->d, line_vanishes(m->d->ring, line));
     assert_non_null(zero);
     uint64_t value = yk_ring_field(m->d->ring, zero, point, false);
     if (value != 0) print_error("%s: %s\n", name, line->text ? line->text : "");
@@ -156,7 +156,7 @@ static void visit(Machine *m, const char *name)
             if (line->left) check_line_at_pose(m, line, name);
     }
     bool is_possible;
-    YkFieldPoint *point = yk_derive_loop_point(m->d, 2025, &is_possible);
+    YkFieldPoint *point = loop_point(m->d, 2025, &is_possible);
     for (const YkLine *line = m->page.first; line && point; line = line->next)
         if (line->left && !line->is_in_numbers && m->mech->loop_count == 0) check_line_in_field(m, line, point, name);
     yk_field_point_free(point);

@@ -56,7 +56,7 @@ static bool pose(Machine *m, YkDynamics *dynamics, int k)
 
 static void check_equation(Machine *m, const YkLine *line, uint64_t number)
 {
-    const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+    const YkPoisson *zero = line_vanishes(m->d->ring, line);
     YkVec value = yk_ring_value(m->d->ring, zero, m->values);
     double size = hypot(value.x, value.y), allowed = 1e-11 * (off_machine(m, zero) + magnitude(m, zero));
     if (size <= allowed) return;

@@ -24,7 +24,7 @@ static void check_formulas(Machine *m, const char *name)
 {
     for (const YkLine *line = m->page.first; line; line = line->next) {
         if (!line->left || is_an_angle_row(m, line)) continue;
-        const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+        const YkPoisson *zero = line_vanishes(m->d->ring, line);
         YkVec value = yk_ring_value(m->d->ring, zero, m->values);
         double size = hypot(value.x, value.y), allowed = 1e-12 * off_machine(m, zero);
         if (!(size <= allowed)) {

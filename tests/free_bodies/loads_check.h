@@ -1,7 +1,7 @@
 // Loads for tests, made by hand, and a machine with its free bodies.
 #ifndef TESTS_DYNAMICS_LOADS_CHECK_H
 #define TESTS_DYNAMICS_LOADS_CHECK_H
-#include "free_bodies/free_bodies.h"
+#include "free_bodies/inside.h"
 #include "solve/machine.h"
 
 typedef struct Rig {
@@ -11,6 +11,53 @@ typedef struct Rig {
     double accelerations[64];
     bool is_prescribed[64];
 } Rig;
+
+// y += factor * wrench, on the rows of its bodies.
+static inline void wrench_add(const YkFreeBodies *f, const YkWrenchColumn *c, double factor, double *y)
+{
+    for (int k = 0; k < 2; k++) {
+        if (c->body[k] == 0) continue;
+        double *row = y + f->body_row[c->body[k]], sign = k ? factor : -factor;
+        row[0] += sign * c->force.x;
+        row[1] += sign * c->force.y;
+        row[2] += factor * c->moment[k];
+    }
+    const int32_t others[] = {c->third, c->fourth};
+    for (int k = 0; k < 2; k++) {
+        if (others[k] == 0) continue;
+        double *row = y + f->body_row[others[k]], sign = k ? -factor : factor;
+        row[0] += sign * c->other.x;
+        row[1] += sign * c->other.y;
+        row[2] += factor * (k ? c->fourth_moment : c->third_moment);
+    }
+}
+
+// What the shares of a part leave of every balance. What was not solved does not count.
+static inline void part_imbalance(const YkFreeBodies *f, const YkBodyPart *part, double *worst, double *largest)
+{
+    double *sum = calloc(3 * part->body_count + 1, sizeof *sum);
+    bool is_solved = part->column_count == 0;
+    assert_non_null(sum);
+    for (size_t k = 0; k < part->column_count; k++) {
+        const YkWrenchColumn *c = &f->columns[part->columns[k]];
+        is_solved |= c->share != 0 || c->freeness != 1;
+        wrench_add(f, c, c->share, sum);
+        *largest = fmax(*largest, fabs(c->share));
+    }
+    for (size_t i = 0; i < 3 * part->body_count && is_solved; i++) {
+        size_t at = 3 * (size_t)part->bodies[i / 3] + i % 3;
+        *worst = fmax(*worst, fabs(f->inertia[at] - f->load[at] - sum[i]));
+        *largest = fmax(*largest, fmax(fabs(f->inertia[at]), fabs(f->load[at])));
+    }
+    free(sum);
+}
+// The largest residual of any body's equations over the largest force (moments over the machine's size).
+static inline double imbalance_of(const YkFreeBodies *f)
+{
+    double worst = 0, largest = 0;
+    for (size_t p = 0; p < f->part_count; p++) part_imbalance(f, &f->parts[p], &worst, &largest);
+    return largest > 0 ? worst / largest : 0;
+}
 
 static inline Rig rig_of(Machine m)
 {

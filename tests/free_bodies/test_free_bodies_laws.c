@@ -138,7 +138,7 @@ static void test_every_body_of_every_machine_is_in_balance(void **unused)
             load_at_random(&r, &seed);
             YkStatus status = rig_inverse(&r);
             assert_int_equal(status, is_redundant(&r) ? YK_REDUNDANT : YK_OK);
-            assert_true(yk_free_bodies_imbalance(r.bodies) < 1e-13);
+            assert_true(imbalance_of(r.bodies) < 1e-13);
             check_balance(&r, 1e-12);
             solved++;
             rig_free(&r);
@@ -194,7 +194,7 @@ static void check_round_trip(Rig *r, uint64_t *seed, const char *name)
     YkStatus status = rig_forward(r, &culprit);
     if (status != YK_OK && status != YK_REDUNDANT) print_error("%s: %d, input %d\n", name, status, culprit);
     assert_int_equal(status, is_redundant(r) ? YK_REDUNDANT : YK_OK);
-    assert_true(yk_free_bodies_imbalance(r->bodies) < 1e-12);
+    assert_true(imbalance_of(r->bodies) < 1e-12);
     for (size_t j = 0; j < joints; j++) before[j] = yk_free_bodies_joint(r->bodies, j);
     for (size_t i = 0; i < inputs; i++) effort[i] = yk_free_bodies_effort(r->bodies, i);
     rig_accelerate(r);
@@ -264,7 +264,7 @@ static void check_least_norm(const Rig *r)
     size_t m = 3 * f->parts[0].body_count, n = f->column_count;
     assert_true(m <= ROWS && n <= ROWS);
     memset(A, 0, sizeof A); // by columns
-    for (size_t k = 0; k < n; k++) yk_wrench_add(f, &f->columns[k], 1, A[k]);
+    for (size_t k = 0; k < n; k++) wrench_add(f, &f->columns[k], 1, A[k]);
     for (size_t i = 0; i < m; i++)
         for (size_t j = 0; j < m; j++) {
             N[i * m + j] = 0;
@@ -294,7 +294,7 @@ static void check_determinacy(const Rig *r)
     for (size_t k = 0; k < n; k++) { // rank without column k
         for (size_t j = 0; j < n; j++) {
             double column[ROWS] = {0};
-            if (j != k) yk_wrench_add(f, &f->columns[j], 1, column);
+            if (j != k) wrench_add(f, &f->columns[j], 1, column);
             for (size_t i = 0; i < m; i++) A[i * n + j] = column[i];
         }
         size_t rank = yk_qr_factor(m, n, A, order, tau, 1e-10);
@@ -352,9 +352,9 @@ static double solve_long(const Machine *m, YkStatus expected, YkFreeBodies **bod
         start = seconds();
         assert_int_equal(yk_free_bodies_forward(f, &m->state->space, load, is_prescribed, accelerations, NULL),
                          expected);
-        assert_true(yk_free_bodies_imbalance(f) < 1e-12);
+        assert_true(imbalance_of(f) < 1e-12);
         assert_int_equal(yk_free_bodies_inverse(f, &m->state->space, load), expected);
-        assert_true(yk_free_bodies_imbalance(f) < 1e-13);
+        assert_true(imbalance_of(f) < 1e-13);
     }
     free(load);
     free(is_prescribed);

@@ -61,7 +61,7 @@ static void check_solving_again(const char *file)
         r.is_prescribed[0] = false;
         assert_true(rig_forward(&r, NULL) >= 0);
         assert_true(rig_inverse(&r) >= 0);
-        assert_true(isfinite(r.accelerations[0]) && yk_free_bodies_imbalance(r.bodies) < 1e-12);
+        assert_true(isfinite(r.accelerations[0]) && imbalance_of(r.bodies) < 1e-12);
     }
     assert_int_equal(requests, before);
     rig_free(&r);
@@ -105,7 +105,7 @@ static int try_rig(Rig *r)
     if (failed) { // and can be tried again
         countdown = -1;
         assert_true(rig_inverse(r) >= 0 && rig_forward(r, NULL) >= 0);
-        assert_true(yk_free_bodies_imbalance(r->bodies) < 1e-12);
+        assert_true(imbalance_of(r->bodies) < 1e-12);
     }
     yk_free_bodies_free(r->bodies);
     r->bodies = NULL;

@@ -73,19 +73,6 @@ static void constants_need_no_variables(void **state)
     yk_model_free(model);
 }
 
-static void dependence_is_on_what_is_mentioned(void **state)
-{
-    (void)state;
-    YkModel *model;
-    Numbering numbering = {.hidden = YK_NONE};
-    const YkFormula *formula = formula_of_effort("2 N*m * sin(w*t) * s/L - 1 N*m*s * phi.rate", &model, &numbering);
-    assert_non_null(formula);
-    const bool wanted[] = {true, false, true, true, false, false, false};
-    for (int i = 0; i < 7; i++) assert_int_equal(yk_formula_depends_on(formula, i), wanted[i]);
-    assert_int_equal(numbering.calls, 2);
-    yk_model_free(model);
-}
-
 static void a_coordinate_without_variable_gives_no_formula(void **state)
 {
     (void)state;
@@ -139,7 +126,6 @@ int main(void)
         cmocka_unit_test(names_stand_for_time_parameters_coordinates_and_rates),
         cmocka_unit_test(coordinates_may_be_spoken_of_by_their_joint),
         cmocka_unit_test(constants_need_no_variables),
-        cmocka_unit_test(dependence_is_on_what_is_mentioned),
         cmocka_unit_test(a_coordinate_without_variable_gives_no_formula),
         cmocka_unit_test(strange_names_give_no_formula),
         cmocka_unit_test(formulas_of_time_agree_with_the_model),

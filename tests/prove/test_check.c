@@ -206,7 +206,7 @@ static void equations_of_motion_are_proved_too(void **state)
 static void visit_point(Machine *m, const char *name)
 {
     bool is_possible;
-    YkFieldPoint *point = yk_derive_loop_point(m->d, 5, &is_possible);
+    YkFieldPoint *point = loop_point(m->d, 5, &is_possible);
     if (!point) {
         assert_false(is_possible);
         return;
@@ -230,7 +230,7 @@ static void random_points_lie_on_the_machines_motion(void **state)
     assert_true(each_example(visit_point) > 30);
     bool is_possible;
     Machine m = example("quick-return");
-    YkFieldPoint *point = yk_derive_loop_point(m.d, 1, &is_possible);
+    YkFieldPoint *point = loop_point(m.d, 1, &is_possible);
     assert_non_null(point); // here it must be possible
     yk_field_point_free(point);
     machine_end(&m);
@@ -242,13 +242,13 @@ static size_t lines_proved;
 static void check_lines(Machine *m, const char *name)
 {
     bool is_possible;
-    YkFieldPoint *point = yk_derive_loop_point(m->d, 3, &is_possible);
+    YkFieldPoint *point = loop_point(m->d, 3, &is_possible);
     assert_non_null(point);
     for (const YkLine *line = m->page.first; line; line = line->next) {
         YkText text = {0};
         bool is_influence =
             line->left && line->solved >= 0 && strncmp(yk_ring_symbol_name(m->d->ring, line->solved), "k_", 2) == 0;
-        const YkPoisson *zero = yk_line_vanishes(m->d->ring, line);
+        const YkPoisson *zero = line_vanishes(m->d->ring, line);
         if (!line->left || is_influence) continue;
         assert_non_null(zero);
         if (yk_ring_field(m->d->ring, zero, point, false) != 0) {
@@ -266,7 +266,7 @@ static void check_lines(Machine *m, const char *name)
 static void visit_printed(Machine *m, const char *name)
 {
     bool is_possible;
-    YkFieldPoint *point = yk_derive_loop_point(m->d, 3, &is_possible);
+    YkFieldPoint *point = loop_point(m->d, 3, &is_possible);
     if (!point) return;
     yk_field_point_free(point);
     for (size_t k = 0; k <= section_of("velocity"); k++) assert_true(yk_derive_write(m->d, k, &m->page));
@@ -277,7 +277,7 @@ static void visit_printed(Machine *m, const char *name)
 static void visit_dynamics(Machine *m, const char *name)
 {
     bool is_possible;
-    YkFieldPoint *point = yk_derive_loop_point(m->d, 3, &is_possible);
+    YkFieldPoint *point = loop_point(m->d, 3, &is_possible);
     if (!point) return;
     yk_field_point_free(point);
     for (size_t k = section_of("free-bodies"); k <= section_of("lagrange"); k++)

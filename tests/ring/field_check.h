@@ -1,8 +1,16 @@
-// Linear equations over the prime field as the tests write them: with all their entries.
+// The prime field as the tests use it: linear equations with all their entries, forms compared at points of their own.
 #ifndef TESTS_RING_FIELD_CHECK_H
 #define TESTS_RING_FIELD_CHECK_H
 #include <stdlib.h>
-#include "ring/proof/field.h"
+#include "ring/proof/form.h"
+
+static inline YkFormVerdict compare_forms(YkRing *ring, const YkForm *a, const YkForm *b, int points, uint64_t seed)
+{
+    YkFieldPoints *kept = yk_field_points_new(ring, seed);
+    YkFormVerdict verdict = yk_form_compare_at(ring, a, b, points, kept);
+    yk_field_points_free(kept);
+    return verdict;
+}
 
 // A x = b with all entries of A, row after row.
 static inline int solve_dense(const uint64_t *A, const uint64_t *b, size_t rows, size_t columns, uint64_t *x)

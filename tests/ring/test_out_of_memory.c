@@ -20,7 +20,7 @@ static bool use(YkRing *r, YkRingFormat format, YkText *out)
     a = yk_ring_add(r, yk_ring_partial(r, a, theta), yk_ring_time_derivative(r, a));
     const YkRingChange change = {l, yk_ring_add(r, yk_ring_of(r, l), yk_ring_rational(r, 1, 2)), NULL};
     Element changed = yk_ring_substitute(r, a, &change, 1);
-    const YkForm *form = yk_form_real(r, yk_form_multiply(r, yk_form_of(r, changed), yk_form_of(r, a)));
+    const YkForm *form = yk_form_multiply(r, yk_form_of(r, changed), yk_form_of(r, a));
     YkFieldPoint *point = yk_field_point_new(r, 1);
     uint64_t value;
     bool valued = point && yk_form_field(r, form, point, &value);

@@ -63,14 +63,14 @@ static void run_turned(Machine *m, size_t *next, size_t at, bool apart, size_t n
     for (size_t k = 0; k < 3; k++) d[k] = slide(m, next, at);
     yk_lanes_start_turn(sum, K.constant, base, yk_vec(K.along, 0), n);
     if (apart)
-        yk_lanes_rrr_all(sum, arm_U, arm_W, 1, t[0], t[1], margin, own, n);
+        yk_lanes_rrr(sum, arm_U, arm_W, 1, t[0], t[1], margin, own, n);
     else
         yk_lanes_rrr_turned(&K, arm_U, arm_W, 1, t[0], t[1], margin, own, n);
     mask_rates(t[0], t[1], own, n);
     if (apart) {
-        yk_lanes_rrp_all(sum, arm_W, ground, x, -1, t[2], d[0], margin, NULL, n);
-        yk_lanes_rrp_all(sum, arm_U, t[1], u, 1, t[3], d[1], margin, NULL, n);
-        yk_lanes_rpr_all(sum, arm_U, ground, u, 1, t[4], d[2], margin, NULL, n);
+        yk_lanes_rrp(sum, arm_W, ground, x, -1, t[2], d[0], margin, NULL, n);
+        yk_lanes_rrp(sum, arm_U, t[1], u, 1, t[3], d[1], margin, NULL, n);
+        yk_lanes_rpr(sum, arm_U, ground, u, 1, t[4], d[2], margin, NULL, n);
     } else {
         yk_lanes_rrp_turned(&K, arm_W, ground, x, -1, t[2], d[0], margin, NULL, n);
         yk_lanes_rrp_turned(&K, arm_U, t[1], u, 1, t[3], d[1], margin, NULL, n);
@@ -102,12 +102,12 @@ static void run(Machine *m, size_t at, size_t n)
     double *own[5]; // rows are taken in statements of their own: arguments are evaluated in any order
     for (size_t k = 0; k < 4; k++) t[k] = turn(m, &next, at), d[k] = slide(m, &next, at);
     for (size_t k = 0; k < 5; k++) own[k] = row(m, &next, at);
-    yk_lanes_rrr_all(K, U, W, 1, first, second, margin, own[4], n);
+    yk_lanes_rrr(K, U, W, 1, first, second, margin, own[4], n);
     mask_rates(first, second, own[4], n);
-    yk_lanes_rrp_all(sum, U, one, u, -1, t[0], d[0], margin, own[0], n);
-    yk_lanes_rrp_all(place, W, ground, u, 1, t[1], d[1], margin, own[1], n);
-    yk_lanes_rpr_all(K, zero, ground, u, -1, t[2], d[2], margin, own[2], n);
-    yk_lanes_rpr_all(K, varying, two, u, 1, t[3], d[3], margin, own[3], n);
+    yk_lanes_rrp(sum, U, one, u, -1, t[0], d[0], margin, own[0], n);
+    yk_lanes_rrp(place, W, ground, u, 1, t[1], d[1], margin, own[1], n);
+    yk_lanes_rpr(K, zero, ground, u, -1, t[2], d[2], margin, own[2], n);
+    yk_lanes_rpr(K, varying, two, u, 1, t[3], d[3], margin, own[3], n);
     YkVec x = {-1, 0};
     YkPlane axial = plane(m, &next, at);
     YkTurn t_axial[2];
@@ -115,8 +115,8 @@ static void run(Machine *m, size_t at, size_t n)
     for (size_t k = 0; k < 2; k++) t_axial[k] = turn(m, &next, at), d_axial[k] = slide(m, &next, at);
     yk_lanes_start_turn(axial, u, two, x, n);
     yk_lanes_add_turn(axial, one, x, n);
-    yk_lanes_rrp_all(axial, (YkArm){.constant = {2, 0}}, ground, x, -1, t_axial[0], d_axial[0], margin, NULL, n);
-    yk_lanes_rpr_all(axial, zero, ground, x, 1, t_axial[1], d_axial[1], margin, NULL, n);
+    yk_lanes_rrp(axial, (YkArm){.constant = {2, 0}}, ground, x, -1, t_axial[0], d_axial[0], margin, NULL, n);
+    yk_lanes_rpr(axial, zero, ground, x, 1, t_axial[1], d_axial[1], margin, NULL, n);
     YkSlide d1 = slide(m, &next, at), d2 = slide(m, &next, at);
     yk_lanes_pp(K, one, u, ground, u, d1, d2, margin, NULL, n);
     yk_lanes_pp_rates(K, one, u, ground, u, d1, d2, n);

@@ -47,7 +47,6 @@ static void finds(uint64_t seed, bool varies, bool turns)
     for (int branch = -1; branch <= 1; branch += 2) {
         for (size_t i = 0; i < LANES; i++) c.margin[i] = 1;
         yk_lanes_rpr(c.K, c.C, c.inner, c.u, branch, c.out, c.d, c.margin, c.own, LANES);
-        yk_lanes_rpr_rates(c.K, c.C, c.inner, c.u, c.out, c.d, LANES);
         for (size_t i = 0; i < LANES; i++) {
             double length = (double)cabsl(get_plane(c.K, i).value);
             double r = determinant(&c, i, c.distance[i], motion_turn(c.phi[i]));
@@ -76,28 +75,6 @@ static void finds_the_chosen_solution_with_its_rates(void **state)
     for_all_choices(finds, 10);
 }
 
-static void all_at_once(uint64_t seed, bool varies, bool turns)
-{
-    static Pool pool;
-    pool.used = 0;
-    Case c = make(&pool, seed, varies, turns);
-    YkTurn out = pool_turn(&pool);
-    YkSlide d = pool_slide(&pool);
-    double *margin = pool_full(&pool, 1), *own = pool_row(&pool);
-    yk_lanes_rpr(c.K, c.C, c.inner, c.u, 1, c.out, c.d, c.margin, c.own, LANES);
-    yk_lanes_rpr_rates(c.K, c.C, c.inner, c.u, c.out, c.d, LANES);
-    yk_lanes_rpr_all(c.K, c.C, c.inner, c.u, 1, out, d, margin, own, LANES);
-    double *apart[] = {c.out.c, c.out.s, c.out.w, c.out.a, c.d.d, c.d.v, c.d.a, c.margin, c.own};
-    double *together[] = {out.c, out.s, out.w, out.a, d.d, d.v, d.a, margin, own};
-    for (size_t k = 0; k < 9; k++) assert_memory_equal(apart[k], together[k], LANES * sizeof(double));
-}
-
-static void position_and_rates_in_one_pass_have_the_same_bits(void **state)
-{
-    (void)state;
-    for_all_choices(all_at_once, 4);
-}
-
 static void what_cannot_close_has_a_negative_margin(void **state)
 {
     (void)state;
@@ -108,7 +85,7 @@ static void what_cannot_close_has_a_negative_margin(void **state)
     double *margin = pool_full(&pool, 1), *own = pool_row(&pool);
     const double x[] = {0.9, 0, (double)NAN, 1, 2}; // the line passes the pin at a distance of 1
     for (size_t i = 0; i < 5; i++) put_plane(K, i, (Motion){x[i], 1, 1});
-    yk_lanes_rpr_all(K, (YkArm){.constant = {0, 1}}, none, yk_vec(1, 0), 1, out, d, margin, own, 5);
+    yk_lanes_rpr(K, (YkArm){.constant = {0, 1}}, none, yk_vec(1, 0), 1, out, d, margin, own, 5);
     for (size_t i = 0; i < 5; i++) assert_true(i >= 3 ? margin[i] >= 0 : margin[i] < 0);
     CHECK_NEAR(own[0], 1 - 1 / 0.81, 1e-15);
     CHECK_NEAR(own[3], 0, 0);
@@ -137,7 +114,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finds_the_chosen_solution_with_its_rates),
-        cmocka_unit_test(position_and_rates_in_one_pass_have_the_same_bits),
         cmocka_unit_test(what_cannot_close_has_a_negative_margin),
         cmocka_unit_test(a_block_on_its_pivot_has_no_answer),
     };

@@ -44,7 +44,6 @@ static void finds(uint64_t seed, bool varies, bool turns)
     for (int branch = -1; branch <= 1; branch += 2) {
         for (size_t i = 0; i < LANES; i++) c.margin[i] = 1;
         yk_lanes_rrp(c.K, c.W, c.line, c.u, branch, c.out, c.d, c.margin, c.own, LANES);
-        yk_lanes_rrp_rates(c.K, c.W, c.line, c.u, c.out, c.d, LANES);
         for (size_t i = 0; i < LANES; i++) {
             double s = determinant(&c, i, motion_turn(c.phi[i]).value) / (double)cabsl(get_arm(c.W, i).value);
             double near = fabs(s), cube = near * near * near;
@@ -74,28 +73,6 @@ static void finds_the_chosen_solution_with_its_rates(void **state)
     for_all_choices(finds, 10);
 }
 
-static void all_at_once(uint64_t seed, bool varies, bool turns)
-{
-    static Pool pool;
-    pool.used = 0;
-    Case c = make(&pool, seed, varies, turns);
-    YkTurn out = pool_turn(&pool);
-    YkSlide d = pool_slide(&pool);
-    double *margin = pool_full(&pool, 1), *own = pool_row(&pool);
-    yk_lanes_rrp(c.K, c.W, c.line, c.u, -1, c.out, c.d, c.margin, c.own, LANES);
-    yk_lanes_rrp_rates(c.K, c.W, c.line, c.u, c.out, c.d, LANES);
-    yk_lanes_rrp_all(c.K, c.W, c.line, c.u, -1, out, d, margin, own, LANES);
-    double *apart[] = {c.out.c, c.out.s, c.out.w, c.out.a, c.d.d, c.d.v, c.d.a, c.margin, c.own};
-    double *together[] = {out.c, out.s, out.w, out.a, d.d, d.v, d.a, margin, own};
-    for (size_t k = 0; k < 9; k++) assert_memory_equal(apart[k], together[k], LANES * sizeof(double));
-}
-
-static void position_and_rates_in_one_pass_have_the_same_bits(void **state)
-{
-    (void)state;
-    for_all_choices(all_at_once, 4);
-}
-
 static void what_cannot_close_has_a_negative_margin(void **state)
 {
     (void)state;
@@ -106,7 +83,7 @@ static void what_cannot_close_has_a_negative_margin(void **state)
     double *margin = pool_full(&pool, 0.8), *own = pool_row(&pool);
     const double y[] = {2.5, -2.5, 2, 1, 0, (double)NAN, 1e200}; // an arm of 2 about a line at -y
     for (size_t i = 0; i < 7; i++) put_plane(K, i, (Motion){5 + I * y[i], 1, 1});
-    yk_lanes_rrp_all(K, (YkArm){.constant = {0, 2}}, ground, yk_vec(1, 0), 1, out, d, margin, own, 7);
+    yk_lanes_rrp(K, (YkArm){.constant = {0, 2}}, ground, yk_vec(1, 0), 1, out, d, margin, own, 7);
     for (size_t i = 0; i < 7; i++) assert_true(i >= 2 && i <= 4 ? margin[i] >= 0 : margin[i] < 0);
     CHECK_NEAR(own[0], 1 - 2.5 * 2.5 / 4, 1e-15);
     CHECK_NEAR(own[2], 0, 0);
@@ -136,7 +113,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finds_the_chosen_solution_with_its_rates),
-        cmocka_unit_test(position_and_rates_in_one_pass_have_the_same_bits),
         cmocka_unit_test(what_cannot_close_has_a_negative_margin),
         cmocka_unit_test(nobody_need_ask_for_the_block_margin),
     };

@@ -38,7 +38,6 @@ static void finds(uint64_t seed, bool U_varies, bool W_varies)
     for (int branch = -1; branch <= 1; branch += 2) {
         for (size_t i = 0; i < LANES; i++) c.margin[i] = 1;
         yk_lanes_rrr(c.K, c.U, c.W, branch, c.out1, c.out2, c.margin, c.own, LANES);
-        yk_lanes_rrr_rates(c.K, c.U, c.W, c.out1, c.out2, LANES);
         for (size_t i = 0; i < LANES; i++) {
             double s = sine(&c, i), near = fabs(s) * fmin(1, (double)cabsl(get_plane(c.K, i).value));
             CHECK_NEAR(c.margin[i], s * s, 1e-14);
@@ -66,27 +65,6 @@ static void finds_the_chosen_solution_with_its_rates(void **state)
     for_all_choices(finds, 10);
 }
 
-static void all_at_once(uint64_t seed, bool U_varies, bool W_varies)
-{
-    static Pool pool;
-    pool.used = 0;
-    Case c = make(&pool, seed, U_varies, W_varies);
-    YkTurn one = pool_turn(&pool), two = pool_turn(&pool);
-    double *margin = pool_full(&pool, 1), *own = pool_row(&pool);
-    yk_lanes_rrr(c.K, c.U, c.W, 1, c.out1, c.out2, c.margin, c.own, LANES);
-    yk_lanes_rrr_rates(c.K, c.U, c.W, c.out1, c.out2, LANES);
-    yk_lanes_rrr_all(c.K, c.U, c.W, 1, one, two, margin, own, LANES);
-    double *apart[] = {c.out1.c, c.out1.s, c.out1.w, c.out1.a, c.out2.c, c.out2.s, c.out2.w, c.out2.a, c.margin, c.own};
-    double *together[] = {one.c, one.s, one.w, one.a, two.c, two.s, two.w, two.a, margin, own};
-    for (size_t k = 0; k < 10; k++) assert_memory_equal(apart[k], together[k], LANES * sizeof(double));
-}
-
-static void position_and_rates_in_one_pass_have_the_same_bits(void **state)
-{
-    (void)state;
-    for_all_choices(all_at_once, 4);
-}
-
 static void what_cannot_close_has_a_negative_margin(void **state)
 {
     (void)state;
@@ -97,7 +75,7 @@ static void what_cannot_close_has_a_negative_margin(void **state)
     const double x[] = {3.1, -3.1, 0.9, 3, 1, 2, 0, (double)NAN, 1e200}; // arms of 2 and 1: closes for 1 <= |K| <= 3
     for (size_t i = 0; i < 9; i++) put_plane(K, i, (Motion){x[i], 1, 1});
     YkArm U = {.constant = {2, 0}}, W = {.constant = {0, 1}};
-    yk_lanes_rrr_all(K, U, W, 1, one, two, margin, own, 9);
+    yk_lanes_rrr(K, U, W, 1, one, two, margin, own, 9);
     for (size_t i = 0; i < 9; i++) assert_true(i >= 3 && i <= 5 ? margin[i] >= 0 : margin[i] < 0);
     CHECK_NEAR(own[0], (9 - 3.1 * 3.1) * (3.1 * 3.1 - 1) / 16, 1e-15); // the stated formula goes on beyond the limit
     CHECK_NEAR(own[3], 0, 0);
@@ -141,7 +119,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finds_the_chosen_solution_with_its_rates),
-        cmocka_unit_test(position_and_rates_in_one_pass_have_the_same_bits),
         cmocka_unit_test(what_cannot_close_has_a_negative_margin),
         cmocka_unit_test(two_equal_arms_folded_upon_each_other_have_no_answer),
         cmocka_unit_test(a_stretched_dyad_still_has_its_position),

@@ -22,7 +22,7 @@ static void check(const char *units, double value, YkQuantity quantity, const ch
 {
     YkModel *model = load(units);
     YkText text = {0};
-    yk_amount_write(&text, model, NULL, value, quantity, 5);
+    yk_amount_write_shown(&text, model, yk_amount_in_unit(model, NULL, value, quantity), quantity, 5);
     assert_string_equal(yk_text_get(&text), expected);
     yk_text_free(&text);
     yk_model_free(model);

@@ -22,82 +22,40 @@ const YkForm *yk_form_of(YkRing *ring, const YkPoisson *a)
     return form;
 }
 
-static const YkForm *combine(YkRing *ring, YkFormKind kind, const YkForm *const *parts, size_t count)
+static const YkForm *combine(YkRing *ring, YkFormKind kind, const YkForm *a, const YkForm *b)
 {
-    size_t height = 0;
-    for (size_t i = 0; i < count; i++) {
-        if (!parts[i]) return NULL;
-        if (parts[i]->height > height) height = parts[i]->height;
-    }
+    if (!a || !b) return NULL;
+    size_t height = a->height > b->height ? a->height : b->height;
     if (height >= YK_FORM_HEIGHT_MAX) {
         yk_ring_fail(ring, YK_RING_SIZE);
         return NULL;
     }
-    YkForm *form = new_form(ring, kind, count);
+    YkForm *form = new_form(ring, kind, 2);
     if (!form) return NULL;
     form->height = height + 1;
-    for (size_t i = 0; i < count; i++) {
-        form->parts[i] = parts[i];
-        if (parts[i]->least < form->least) form->least = parts[i]->least;
-    }
+    form->least = a->least < b->least ? a->least : b->least;
+    form->parts[0] = a, form->parts[1] = b;
     return form;
-}
-
-const YkForm *yk_form_sum(YkRing *ring, const YkForm *const *parts, size_t count)
-{
-    return combine(ring, YK_FORM_SUM, parts, count);
-}
-
-const YkForm *yk_form_product(YkRing *ring, const YkForm *const *parts, size_t count)
-{
-    return combine(ring, YK_FORM_PRODUCT, parts, count);
 }
 
 const YkForm *yk_form_add(YkRing *ring, const YkForm *a, const YkForm *b)
 {
-    return combine(ring, YK_FORM_SUM, (const YkForm *const[]){a, b}, 2);
+    return combine(ring, YK_FORM_SUM, a, b);
 }
 
 const YkForm *yk_form_multiply(YkRing *ring, const YkForm *a, const YkForm *b)
 {
-    return combine(ring, YK_FORM_PRODUCT, (const YkForm *const[]){a, b}, 2);
-}
-
-// Returns number * i^turned * a.
-static const YkForm *times(YkRing *ring, const YkForm *a, int64_t over, int64_t under, bool turned)
-{
-    const YkPoisson *number = yk_ring_scale(ring, turned ? yk_ring_i(ring) : ring->one, over, under);
-    return yk_form_multiply(ring, yk_form_of(ring, number), a);
+    return combine(ring, YK_FORM_PRODUCT, a, b);
 }
 
 const YkForm *yk_form_subtract(YkRing *ring, const YkForm *a, const YkForm *b)
 {
-    return yk_form_add(ring, a, times(ring, b, -1, 1, false));
+    return yk_form_add(ring, a, yk_form_multiply(ring, yk_form_of(ring, yk_ring_scale(ring, ring->one, -1, 1)), b));
 }
 
 const YkForm *yk_form_divide(YkRing *ring, const YkForm *over, const YkForm *under)
 {
-    return combine(ring, YK_FORM_QUOTIENT, (const YkForm *const[]){over, under}, 2);
-}
-
-const YkForm *yk_form_conjugate(YkRing *ring, const YkForm *a)
-{
-    return combine(ring, YK_FORM_CONJUGATE, &a, 1);
-}
-
-const YkForm *yk_form_real(YkRing *ring, const YkForm *a)
-{
-    return times(ring, yk_form_add(ring, a, yk_form_conjugate(ring, a)), 1, 2, false);
-}
-
-const YkForm *yk_form_imaginary(YkRing *ring, const YkForm *a)
-{
-    return times(ring, yk_form_subtract(ring, a, yk_form_conjugate(ring, a)), -1, 2, true);
-}
-
-YkFormKind yk_form_kind(const YkForm *form)
-{
-    return form->kind;
+    return combine(ring, YK_FORM_QUOTIENT, over, under);
 }
 
 const YkPoisson *yk_form_element(const YkForm *form)

@@ -8,28 +8,16 @@
 // A node of a graph; constant, shared freely, lives as long as its ring. Functions return NULL when out of memory (with
 // the ring's status) and when given NULL.
 typedef struct YkForm YkForm;
-typedef enum YkFormKind {
-    YK_FORM_ELEMENT,
-    YK_FORM_SUM,
-    YK_FORM_PRODUCT,
-    YK_FORM_QUOTIENT,
-    YK_FORM_CONJUGATE
-} YkFormKind;
+typedef enum YkFormKind { YK_FORM_ELEMENT, YK_FORM_SUM, YK_FORM_PRODUCT, YK_FORM_QUOTIENT } YkFormKind;
 
 const YkForm *yk_form_of(YkRing *ring, const YkPoisson *a);
-const YkForm *yk_form_sum(YkRing *ring, const YkForm *const *parts, size_t count);
-const YkForm *yk_form_product(YkRing *ring, const YkForm *const *parts, size_t count);
 const YkForm *yk_form_add(YkRing *ring, const YkForm *a, const YkForm *b);
 const YkForm *yk_form_subtract(YkRing *ring, const YkForm *a, const YkForm *b);
 const YkForm *yk_form_multiply(YkRing *ring, const YkForm *a, const YkForm *b);
 const YkForm *yk_form_divide(YkRing *ring, const YkForm *over, const YkForm *under);
-const YkForm *yk_form_conjugate(YkRing *ring, const YkForm *a);
-const YkForm *yk_form_real(YkRing *ring, const YkForm *a);
-const YkForm *yk_form_imaginary(YkRing *ring, const YkForm *a);
 
-YkFormKind yk_form_kind(const YkForm *form);
 const YkPoisson *yk_form_element(const YkForm *form); // of YK_FORM_ELEMENT, otherwise NULL
-// Return the parts of a sum or product, [over, under] of a quotient, [the inner form] of a conjugate.
+// Return the parts: both of a sum or product, [over, under] of a quotient, none of an element.
 size_t yk_form_part_count(const YkForm *form);
 const YkForm *yk_form_part(const YkForm *form, size_t index);
 
@@ -45,10 +33,9 @@ YkVec yk_form_value(YkRing *ring, const YkForm *form, const double *values);
 double yk_form_magnitude(YkRing *ring, const YkForm *form, const double *values);
 
 typedef enum YkFormVerdict { YK_FORM_DIFFERENT, YK_FORM_EQUAL, YK_FORM_UNDECIDED } YkFormVerdict;
-// Compares at `points` random points (3 are plenty). "Different" is certain; "equal" is wrong with probability below
-// (degree / 2^64)^points. Undecided when out of memory, or if no point avoids a division by zero.
-YkFormVerdict yk_form_compare(YkRing *ring, const YkForm *a, const YkForm *b, int points, uint64_t seed);
-// Does the same at points that are kept, for many comparisons.
+// Compares at `points` random points (3 are plenty), which are kept for many comparisons. "Different" is certain;
+// "equal" is wrong with probability below (degree / 2^64)^points. Undecided when out of memory, or if no point avoids a
+// division by zero.
 YkFormVerdict yk_form_compare_at(YkRing *ring, const YkForm *a, const YkForm *b, int points, YkFieldPoints *kept);
 
 #endif

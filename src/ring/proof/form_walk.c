@@ -4,11 +4,11 @@
 
 typedef enum Way { EXPAND, FIELD, DOUBLE } Way;
 
-// The result for a node; in the prime field together with its conjugate.
+// The result for a node.
 typedef struct Result {
     bool known;
     const YkPoisson *element;
-    uint64_t field, mirrored;
+    uint64_t field;
     YkVec value;
     double magnitude; // scale of rounding errors in the value
 } Result;
@@ -30,10 +30,7 @@ static Result of_element(const Walk *walk, const YkPoisson *a)
         result.value = yk_ring_value(walk->ring, a, walk->values);
         result.magnitude = yk_ring_magnitude(walk->ring, a, walk->values);
     }
-    if (walk->way == FIELD) {
-        result.field = yk_ring_field(walk->ring, a, walk->point, false);
-        result.mirrored = yk_ring_field(walk->ring, a, walk->point, true);
-    }
+    if (walk->way == FIELD) result.field = yk_ring_field(walk->ring, a, walk->point, false);
     return result;
 }
 
@@ -43,7 +40,6 @@ static Result add(const Walk *walk, Result a, Result b)
     a.value = yk_add(a.value, b.value);
     a.magnitude += b.magnitude;
     a.field = yk_field_add(a.field, b.field);
-    a.mirrored = yk_field_add(a.mirrored, b.mirrored);
     return a;
 }
 
@@ -53,17 +49,6 @@ static Result multiply(const Walk *walk, Result a, Result b)
     a.value = yk_mul(a.value, b.value);
     a.magnitude *= b.magnitude;
     a.field = yk_field_multiply(a.field, b.field);
-    a.mirrored = yk_field_multiply(a.mirrored, b.mirrored);
-    return a;
-}
-
-static Result conjugate(const Walk *walk, Result a)
-{
-    uint64_t field = a.field;
-    if (walk->way == EXPAND) a.element = yk_ring_conjugate(walk->ring, a.element);
-    a.value = yk_conj(a.value);
-    a.field = a.mirrored;
-    a.mirrored = field;
     return a;
 }
 
@@ -76,9 +61,8 @@ static Result divide(const Walk *walk, Result a, Result b)
         a.magnitude *= b.magnitude / size;
     }
     if (walk->way == FIELD) {
-        a.known = b.field != 0 && b.mirrored != 0;
+        a.known = b.field != 0;
         a.field = yk_field_multiply(a.field, yk_field_invert(b.field));
-        a.mirrored = yk_field_multiply(a.mirrored, yk_field_invert(b.mirrored));
     }
     return a;
 }
@@ -86,19 +70,11 @@ static Result divide(const Walk *walk, Result a, Result b)
 // Combines the results of all parts, which are known.
 static Result of_parts(const Walk *walk, const YkForm *form)
 {
-    bool product = form->kind == YK_FORM_PRODUCT;
     if (form->kind == YK_FORM_ELEMENT) return of_element(walk, form->element);
-    const Result *results = walk->results;
-    if (form->kind == YK_FORM_CONJUGATE) return conjugate(walk, results[form->parts[0]->number - walk->first]);
-    if (form->kind == YK_FORM_QUOTIENT)
-        return divide(walk, results[form->parts[0]->number - walk->first],
-                      results[form->parts[1]->number - walk->first]);
-    Result sum = of_element(walk, product ? walk->ring->one : walk->ring->zero);
-    for (size_t i = 0; i < form->count; i++) {
-        Result part = results[form->parts[i]->number - walk->first];
-        sum = product ? multiply(walk, sum, part) : add(walk, sum, part);
-    }
-    return sum;
+    Result a = walk->results[form->parts[0]->number - walk->first],
+           b = walk->results[form->parts[1]->number - walk->first];
+    if (form->kind == YK_FORM_QUOTIENT) return divide(walk, a, b);
+    return form->kind == YK_FORM_PRODUCT ? multiply(walk, a, b) : add(walk, a, b);
 }
 
 static bool visit(const Walk *walk, const YkForm *form)
@@ -178,12 +154,4 @@ YkFormVerdict yk_form_compare_at(YkRing *ring, const YkForm *a, const YkForm *b,
         agreed += verdict == 1;
     }
     return agreed == points ? YK_FORM_EQUAL : YK_FORM_UNDECIDED;
-}
-
-YkFormVerdict yk_form_compare(YkRing *ring, const YkForm *a, const YkForm *b, int points, uint64_t seed)
-{
-    YkFieldPoints *kept = yk_field_points_new(ring, seed);
-    YkFormVerdict verdict = yk_form_compare_at(ring, a, b, points, kept);
-    yk_field_points_free(kept);
-    return verdict;
 }

@@ -60,7 +60,8 @@ void yk_lanes_add_turn(YkPlane out, YkTurn turn, YkVec v, size_t n); // out += v
 void yk_lanes_add_slide(YkPlane out, YkTurn turn, YkVec v, YkSlide slide,
                         size_t n); // out += d v e^(i turn); turn may be the ground
 
-// Positions of dyads. branch = +1 or -1 is the sign of the determinant of the block's columns, in the order stated.
+// Dyads: positions and, of RRR, RRP and RPR in the same pass, rates. branch = +1 or -1 is the sign of the determinant
+// of the block's columns, in the order stated.
 // margin[lane] = min(margin[lane], m), where m = (determinant / product of the column lengths)^2 = sin^2 of the angle
 // between the columns; negative if the loop does not close (the root is then taken of 0). block_margin (may be NULL)
 // gets m itself.
@@ -90,24 +91,14 @@ void yk_lanes_guide(YkPlane K, YkTurn line, YkVec u, YkSlide d, double *gap, siz
 // CHECK: gap[lane] = max(gap, |K|).
 void yk_lanes_gap(YkPlane K, double *gap, size_t n);
 
-// Velocities and accelerations of the same blocks, after their positions, from one determinant. They write w, a of the
+// Velocities and accelerations of the other blocks, after their positions, from one determinant. All write w, a of the
 // orientations and v, a of the distances. K's rates, and the rates of varying arms and of turning lines (with their
 // Coriolis terms), are known.
-void yk_lanes_rrr_rates(YkPlane K, YkArm U, YkArm W, YkTurn out1, YkTurn out2, size_t n);
-void yk_lanes_rrp_rates(YkPlane K, YkArm W, YkTurn line, YkVec u, YkTurn out, YkSlide d, size_t n);
-void yk_lanes_rpr_rates(YkPlane K, YkArm C, YkTurn inner, YkVec u, YkTurn out, YkSlide d, size_t n);
 void yk_lanes_pp_rates(YkPlane K, YkTurn line1, YkVec u1, YkTurn line2, YkVec u2, YkSlide d1, YkSlide d2, size_t n);
 void yk_lanes_link_rates(YkPlane K, YkArm U, YkTurn out, size_t n); // least squares: component along the column
 void yk_lanes_guide_rates(YkPlane K, YkTurn line, YkVec u, YkSlide d, size_t n);
-// Position and rates of the most common dyads in one pass, if both are needed: same bits as the two above. (constant
-// arms, line and inner as given). The engine calls these when the state is well.
-void yk_lanes_rrp_all(YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
-                      double *block_margin, size_t n);
-void yk_lanes_rpr_all(YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
-                      double *block_margin, size_t n);
-void yk_lanes_rrr_all(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
-                      double *block_margin, size_t n);
-// The same for constant arms, with the known part as a turned vector: same bits as yk_lanes_start_turn and then these.
+// RRR, RRP and RPR for constant arms, with the known part as a turned vector: same bits as yk_lanes_start_turn and then
+// those above.
 void yk_lanes_rrp_turned(const YkTurned *K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
                          double *margin, double *block_margin, size_t n);
 void yk_lanes_rpr_turned(const YkTurned *K, YkArm C, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,

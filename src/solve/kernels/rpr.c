@@ -36,29 +36,11 @@ YK_INLINE void rpr_choose(bool places, bool rates, Base K, YkArm C, YkTurn inner
 YK_INLINE void yk_lanes_rpr_body(YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, YkTurn out, YkSlide d,
                                  double *margin, double *block_margin, size_t n)
 {
-    rpr_choose(true, false, (Base){.lanes = K}, C, inner, u, branch, out, d, margin,
-               block_margin ? block_margin : margin, n);
-}
-YK_KERNEL(yk_lanes_rpr,
-          (YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
-           double *block_margin, size_t n),
-          (K, C, inner, u, branch, out, d, margin, block_margin))
-
-YK_INLINE void yk_lanes_rpr_rates_body(YkPlane K, YkArm C, YkTurn inner, YkVec u, YkTurn out, YkSlide d, size_t n)
-{
-    rpr_choose(false, true, (Base){.lanes = K}, C, inner, u, 0, out, d, NULL, NULL, n);
-}
-YK_KERNEL(yk_lanes_rpr_rates, (YkPlane K, YkArm C, YkTurn inner, YkVec u, YkTurn out, YkSlide d, size_t n),
-          (K, C, inner, u, out, d))
-
-YK_INLINE void yk_lanes_rpr_all_body(YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, YkTurn out, YkSlide d,
-                                     double *margin, double *block_margin, size_t n)
-{
     rpr_choose(true, YK_ONE_PASS, (Base){.lanes = K}, C, inner, u, branch, out, d, margin,
                block_margin ? block_margin : margin, n);
-    if (!YK_ONE_PASS) yk_lanes_rpr_rates_body(K, C, inner, u, out, d, n);
+    if (!YK_ONE_PASS) rpr_choose(false, true, (Base){.lanes = K}, C, inner, u, 0, out, d, NULL, NULL, n);
 }
-YK_KERNEL(yk_lanes_rpr_all,
+YK_KERNEL(yk_lanes_rpr,
           (YkPlane K, YkArm C, YkTurn inner, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
            double *block_margin, size_t n),
           (K, C, inner, u, branch, out, d, margin, block_margin))

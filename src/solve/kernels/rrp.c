@@ -40,29 +40,11 @@ YK_INLINE void rrp_choose(bool places, bool rates, Base K, YkArm W, YkTurn line,
 YK_INLINE void yk_lanes_rrp_body(YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
                                  double *margin, double *block_margin, size_t n)
 {
-    rrp_choose(true, false, (Base){.lanes = K}, W, line, u, branch, out, d, margin,
-               block_margin ? block_margin : margin, n);
-}
-YK_KERNEL(yk_lanes_rrp,
-          (YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
-           double *block_margin, size_t n),
-          (K, W, line, u, branch, out, d, margin, block_margin))
-
-YK_INLINE void yk_lanes_rrp_rates_body(YkPlane K, YkArm W, YkTurn line, YkVec u, YkTurn out, YkSlide d, size_t n)
-{
-    rrp_choose(false, true, (Base){.lanes = K}, W, line, u, 0, out, d, NULL, NULL, n);
-}
-YK_KERNEL(yk_lanes_rrp_rates, (YkPlane K, YkArm W, YkTurn line, YkVec u, YkTurn out, YkSlide d, size_t n),
-          (K, W, line, u, out, d))
-
-YK_INLINE void yk_lanes_rrp_all_body(YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d,
-                                     double *margin, double *block_margin, size_t n)
-{
     rrp_choose(true, YK_ONE_PASS, (Base){.lanes = K}, W, line, u, branch, out, d, margin,
                block_margin ? block_margin : margin, n);
-    if (!YK_ONE_PASS) yk_lanes_rrp_rates_body(K, W, line, u, out, d, n);
+    if (!YK_ONE_PASS) rrp_choose(false, true, (Base){.lanes = K}, W, line, u, 0, out, d, NULL, NULL, n);
 }
-YK_KERNEL(yk_lanes_rrp_all,
+YK_KERNEL(yk_lanes_rrp,
           (YkPlane K, YkArm W, YkTurn line, YkVec u, double branch, YkTurn out, YkSlide d, double *margin,
            double *block_margin, size_t n),
           (K, W, line, u, branch, out, d, margin, block_margin))

@@ -57,28 +57,11 @@ YK_INLINE void rrr_choose(bool places, bool rates, Base K, YkArm U, YkArm W, dou
 YK_INLINE void yk_lanes_rrr_body(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
                                  double *block_margin, size_t n)
 {
-    rrr_choose(true, false, (Base){.lanes = K}, U, W, branch, out1, out2, margin, block_margin ? block_margin : margin,
-               n);
-}
-YK_KERNEL(yk_lanes_rrr,
-          (YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin, double *block_margin,
-           size_t n),
-          (K, U, W, branch, out1, out2, margin, block_margin))
-
-YK_INLINE void yk_lanes_rrr_rates_body(YkPlane K, YkArm U, YkArm W, YkTurn out1, YkTurn out2, size_t n)
-{
-    rrr_choose(false, true, (Base){.lanes = K}, U, W, 0, out1, out2, NULL, NULL, n);
-}
-YK_KERNEL(yk_lanes_rrr_rates, (YkPlane K, YkArm U, YkArm W, YkTurn out1, YkTurn out2, size_t n), (K, U, W, out1, out2))
-
-YK_INLINE void yk_lanes_rrr_all_body(YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2,
-                                     double *margin, double *block_margin, size_t n)
-{
     rrr_choose(true, YK_ONE_PASS, (Base){.lanes = K}, U, W, branch, out1, out2, margin,
                block_margin ? block_margin : margin, n);
-    if (!YK_ONE_PASS) yk_lanes_rrr_rates_body(K, U, W, out1, out2, n);
+    if (!YK_ONE_PASS) rrr_choose(false, true, (Base){.lanes = K}, U, W, 0, out1, out2, NULL, NULL, n);
 }
-YK_KERNEL(yk_lanes_rrr_all,
+YK_KERNEL(yk_lanes_rrr,
           (YkPlane K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin, double *block_margin,
            size_t n),
           (K, U, W, branch, out1, out2, margin, block_margin))
