@@ -6,56 +6,56 @@ enum { STRAIGHT_MAX = 6 }; // more free inputs are solved with pivots, in a loop
 // Records what must be above 0: a pivot less its rounding.
 static void keep_pivot(YkForces *f, YkRef pivot, YkRef whole)
 {
-    YkDag *g = &f->program->graph;
-    YkRef rounding = yk_dag_multiply(g, yk_dag_number(g, 1e-14), whole);
-    YkRef above = pivot == whole ? pivot : yk_dag_subtract(g, pivot, rounding);
-    f->inertia = f->inertia < 0 ? above : yk_dag_binary(g, YK_VALUE_LEAST, f->inertia, above);
+    YkGraph *g = &f->program->graph;
+    YkRef rounding = yk_graph_multiply(g, yk_graph_number(g, 1e-14), whole);
+    YkRef above = pivot == whole ? pivot : yk_graph_subtract(g, pivot, rounding);
+    f->inertia = f->inertia < 0 ? above : yk_graph_binary(g, YK_VALUE_LEAST, f->inertia, above);
 }
 
 // Solves two equations with one division.
 static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     size_t n = p->mech->input_count;
     YkRef A = f->mass[free[0] * n + free[0]], B = f->mass[free[1] * n + free[0]], D = f->mass[free[1] * n + free[1]];
-    YkRef whole = yk_dag_multiply(g, A, D);
-    YkRef determinant = yk_dag_subtract(g, whole, yk_dag_multiply(g, B, B));
-    YkRef over = yk_dag_inverse(g, determinant), first = b[0], second = b[1];
+    YkRef whole = yk_graph_multiply(g, A, D);
+    YkRef determinant = yk_graph_subtract(g, whole, yk_graph_multiply(g, B, B));
+    YkRef over = yk_graph_inverse(g, determinant), first = b[0], second = b[1];
     keep_pivot(f, A, A);
     keep_pivot(f, determinant, whole);
-    YkRef D_first = yk_dag_multiply(g, D, first), B_second = yk_dag_multiply(g, B, second),
-          A_second = yk_dag_multiply(g, A, second), B_first = yk_dag_multiply(g, B, first);
-    b[0] = yk_dag_subtract(g, D_first, B_second);
-    b[1] = yk_dag_subtract(g, A_second, B_first);
-    for (size_t k = 0; k < 2; k++) b[k] = yk_dag_multiply(g, b[k], over);
+    YkRef D_first = yk_graph_multiply(g, D, first), B_second = yk_graph_multiply(g, B, second),
+          A_second = yk_graph_multiply(g, A, second), B_first = yk_graph_multiply(g, B, first);
+    b[0] = yk_graph_subtract(g, D_first, B_second);
+    b[1] = yk_graph_subtract(g, A_second, B_first);
+    for (size_t k = 0; k < 2; k++) b[k] = yk_graph_multiply(g, b[k], over);
 }
 
 // Solves M x = b for the free inputs by L D L^T, written out; every pivot must be above the rounding of its diagonal.
 static void solve_straight(YkForces *f, const size_t *free, YkRef *b)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     size_t n = p->mech->input_count, m = f->free_count;
     YkRef A[STRAIGHT_MAX][STRAIGHT_MAX], L[STRAIGHT_MAX][STRAIGHT_MAX], inverse[STRAIGHT_MAX];
     for (size_t i = 0; i < m; i++)
         for (size_t j = 0; j < m; j++) A[i][j] = f->mass[free[i] * n + free[j]];
     for (size_t k = 0; k < m; k++) {
         keep_pivot(f, A[k][k], f->mass[free[k] * n + free[k]]);
-        inverse[k] = yk_dag_inverse(g, A[k][k]);
+        inverse[k] = yk_graph_inverse(g, A[k][k]);
         for (size_t i = k + 1; i < m; i++) {
-            L[i][k] = yk_dag_multiply(g, A[i][k], inverse[k]);
+            L[i][k] = yk_graph_multiply(g, A[i][k], inverse[k]);
             for (size_t j = k + 1; j <= i; j++) {
-                A[i][j] = yk_dag_subtract(g, A[i][j], yk_dag_multiply(g, L[i][k], A[j][k]));
+                A[i][j] = yk_graph_subtract(g, A[i][j], yk_graph_multiply(g, L[i][k], A[j][k]));
                 A[j][i] = A[i][j];
             }
         }
     }
     for (size_t k = 0; k < m; k++)
-        for (size_t i = k + 1; i < m; i++) b[i] = yk_dag_subtract(g, b[i], yk_dag_multiply(g, L[i][k], b[k]));
+        for (size_t i = k + 1; i < m; i++) b[i] = yk_graph_subtract(g, b[i], yk_graph_multiply(g, L[i][k], b[k]));
     for (size_t k = m; k-- > 0;) {
-        b[k] = yk_dag_multiply(g, b[k], inverse[k]);
-        for (size_t i = k + 1; i < m; i++) b[k] = yk_dag_subtract(g, b[k], yk_dag_multiply(g, L[i][k], b[i]));
+        b[k] = yk_graph_multiply(g, b[k], inverse[k]);
+        for (size_t i = k + 1; i < m; i++) b[k] = yk_graph_subtract(g, b[k], yk_graph_multiply(g, L[i][k], b[i]));
     }
 }
 
@@ -72,22 +72,22 @@ static void solve_pivoted(YkForces *f, const size_t *free, YkRef *b)
         for (size_t j = 0; j < m; j++) system[i * (m + 1) + j] = f->mass[free[i] * n + free[j]];
         system[i * (m + 1) + m] = b[i];
     }
-    int32_t call = yk_dag_call(&p->graph, (YkCall){.kind = YK_CALL_SOLVE,
-                                                   .n = (int32_t)m,
-                                                   .m = 1,
-                                                   .arguments = system,
-                                                   .argument_count = m * (m + 1),
-                                                   .result_count = m * (m + 1) + 1,
-                                                   .name = "motion"});
-    for (size_t i = 0; i < m; i++) b[i] = yk_dag_result(&p->graph, call, i * (m + 1) + m);
-    YkRef size = yk_dag_unary(&p->graph, YK_VALUE_SIZE, yk_dag_result(&p->graph, call, m * (m + 1)));
-    f->inertia = yk_dag_subtract(&p->graph, size, yk_dag_number(&p->graph, 1e-14));
+    int32_t call = yk_graph_call(&p->graph, (YkCall){.kind = YK_CALL_SOLVE,
+                                                     .n = (int32_t)m,
+                                                     .m = 1,
+                                                     .arguments = system,
+                                                     .argument_count = m * (m + 1),
+                                                     .result_count = m * (m + 1) + 1,
+                                                     .name = "motion"});
+    for (size_t i = 0; i < m; i++) b[i] = yk_graph_result(&p->graph, call, i * (m + 1) + m);
+    YkRef size = yk_graph_unary(&p->graph, YK_VALUE_SIZE, yk_graph_result(&p->graph, call, m * (m + 1)));
+    f->inertia = yk_graph_subtract(&p->graph, size, yk_graph_number(&p->graph, 1e-14));
 }
 
 void yk_forces_accelerations(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     size_t n = p->mech->input_count, free[YK_FORCES_INPUTS_MAX];
     YkRef b[YK_FORCES_INPUTS_MAX];
     for (size_t i = 0; i < n; i++) {
@@ -95,17 +95,17 @@ void yk_forces_accelerations(YkForces *f)
         f->acceleration[i] = p->input[i].acceleration;
         if (f->is_free[i]) free[f->free_count++] = i;
     }
-    yk_dag_section(g, "Accelerations of the coordinates that are free.");
+    yk_graph_section(g, "Accelerations of the coordinates that are free.");
     f->inertia = -1;
     if (f->free_count == 0) return;
     for (size_t k = 0; k < f->free_count; k++) {
         const char *name = p->names.coordinate[p->mech->inputs[free[k]]];
-        YkRef extra = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "in->%s_effort", name));
-        b[k] = yk_dag_subtract(g, extra, f->rest[free[k]]);
+        YkRef extra = yk_graph_leaf(g, YK_LEAF_POSE, yk_graph_text(&p->graph, "in->%s_effort", name));
+        b[k] = yk_graph_subtract(g, extra, f->rest[free[k]]);
         for (size_t j = 0; j < n; j++) {
             if (f->is_free[j]) continue;
-            YkRef part = yk_dag_multiply(g, f->mass[free[k] * n + j], p->input[j].acceleration);
-            b[k] = yk_dag_subtract(g, b[k], part);
+            YkRef part = yk_graph_multiply(g, f->mass[free[k] * n + j], p->input[j].acceleration);
+            b[k] = yk_graph_subtract(g, b[k], part);
         }
     }
     if (f->free_count == 2)

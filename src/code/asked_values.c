@@ -5,26 +5,12 @@
 
 // --- names
 
-char *yk_program_text(YkProgram *p, const char *format, ...)
-{
-    YkText text = {0};
-    va_list arguments;
-    va_start(arguments, format);
-    yk_text_vformat(&text, format, arguments);
-    va_end(arguments);
-    char *copy = yk_arena_copy(p->arena, yk_text_get(&text), text.length);
-    if (!copy) p->failed = p->graph.failed = true;
-    yk_text_free(&text);
-    static char nothing[1];
-    return copy ? copy : nothing;
-}
-
 const char *yk_program_slot_name(YkProgram *p, int32_t slot)
 {
     if (slot < (int32_t)p->mech->orientation_count) return p->model->bodies[p->mech->orientation_body[slot]].name;
     for (size_t o = 0; o < p->mech->orientation_count; o++)
         if (p->mech->relative_slot[o] == slot)
-            return yk_program_text(p, "%s_relative", yk_program_slot_name(p, (int32_t)o));
+            return yk_graph_text(&p->graph, "%s_relative", yk_program_slot_name(p, (int32_t)o));
     return "turned";
 }
 
@@ -35,7 +21,8 @@ const char *yk_program_distance_name(YkProgram *p, int32_t distance)
         if (c->is_distance && c->distance == distance) return c->name;
     }
     for (size_t j = 0; j < p->model->joint_count; j++)
-        if (p->mech->joint_distance[j] == distance) return yk_program_text(p, "%s_distance", p->model->joints[j].name);
+        if (p->mech->joint_distance[j] == distance)
+            return yk_graph_text(&p->graph, "%s_distance", p->model->joints[j].name);
     return "d";
 }
 
@@ -43,23 +30,24 @@ const char *yk_program_distance_name(YkProgram *p, int32_t distance)
 
 YkRef yk_program_coordinate(YkProgram *p, size_t coordinate)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkTreeCoordinate *c = &p->mech->coordinates[coordinate];
     if (c->input != YK_NONE) return p->input[c->input].position;
     if (c->is_distance) return p->distance[c->distance];
     YkRefVec a = p->unit[c->angle.a], b = p->unit[c->angle.b];
-    YkRefVec e = yk_dag_vec_multiply(g, b, yk_dag_vec_conjugate(g, a));
-    YkRef turned = yk_dag_binary(g, YK_VALUE_ANGLE, e.y, e.x);
-    YkRef angle = yk_dag_add(g, turned, yk_program_joint_offset(p, c->joint));
-    YkRef near = yk_dag_leaf(g, YK_LEAF_POSE, yk_program_text(p, "c->%s", p->names.near_coordinate[coordinate]));
-    return yk_dag_binary(g, YK_VALUE_NEAREST, angle, near);
+    YkRefVec e = yk_graph_vec_multiply(g, b, yk_graph_vec_conjugate(g, a));
+    YkRef turned = yk_graph_binary(g, YK_VALUE_ANGLE, e.y, e.x);
+    YkRef angle = yk_graph_add(g, turned, yk_program_joint_offset(p, c->joint));
+    YkRef near =
+        yk_graph_leaf(g, YK_LEAF_POSE, yk_graph_text(&p->graph, "c->%s", p->names.near_coordinate[coordinate]));
+    return yk_graph_binary(g, YK_VALUE_NEAREST, angle, near);
 }
 
 YkRef yk_program_joint_rate(YkProgram *p, int32_t joint, bool is_distance, const YkRates *rates)
 {
     if (is_distance) return rates->slide[p->mech->joint_distance[joint]];
     YkJointAngle angle = yk_joint_angle(p->mech, joint);
-    return yk_dag_subtract(&p->graph, rates->turn[angle.b], rates->turn[angle.a]);
+    return yk_graph_subtract(&p->graph, rates->turn[angle.b], rates->turn[angle.a]);
 }
 
 YkRef yk_program_coordinate_rate(YkProgram *p, size_t coordinate, const YkRates *rates)
@@ -72,30 +60,30 @@ YkRef yk_program_coordinate_rate(YkProgram *p, size_t coordinate, const YkRates 
 
 static YkRefVec arm_of(YkProgram *p, int32_t body, YkRefVec at)
 {
-    YkRefVec v = yk_dag_vec_multiply(&p->graph, p->turn_unit[body], at);
-    return yk_dag_vec_multiply(&p->graph, p->unit[p->mech->bodies[body].orientation], v);
+    YkRefVec v = yk_graph_vec_multiply(&p->graph, p->turn_unit[body], at);
+    return yk_graph_vec_multiply(&p->graph, p->unit[p->mech->bodies[body].orientation], v);
 }
 
 YkRefVec yk_program_at(YkProgram *p, int32_t body, YkRefVec at)
 {
     YkRefVec origin = yk_program_sum(p, &p->mech->bodies[body].origin);
-    return yk_dag_vec_add(&p->graph, origin, arm_of(p, body, at));
+    return yk_graph_vec_add(&p->graph, origin, arm_of(p, body, at));
 }
 
 YkRefVec yk_program_at_rate(YkProgram *p, int32_t body, YkRefVec at, const YkRates *r)
 {
-    YkDag *g = &p->graph;
-    YkRefVec across = yk_dag_vec_quarter(g, arm_of(p, body, at));
+    YkGraph *g = &p->graph;
+    YkRefVec across = yk_graph_vec_quarter(g, arm_of(p, body, at));
     YkRefVec origin = yk_program_sum_rate(p, &p->mech->bodies[body].origin, r);
-    return yk_dag_vec_add(g, origin, yk_dag_vec_scale(g, r->turn[p->mech->bodies[body].orientation], across));
+    return yk_graph_vec_add(g, origin, yk_graph_vec_scale(g, r->turn[p->mech->bodies[body].orientation], across));
 }
 
 YkRefVec yk_program_at_accel(YkProgram *p, int32_t body, YkRefVec at, const YkRates *r, const YkRates *s)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRefVec arm = arm_of(p, body, at);
     YkRef w = r->turn[p->mech->bodies[body].orientation], a = s->turn[p->mech->bodies[body].orientation];
-    YkRefVec across = yk_dag_vec_scale(g, a, yk_dag_vec_quarter(g, arm));
-    YkRefVec own = yk_dag_vec_subtract(g, across, yk_dag_vec_scale(g, yk_dag_multiply(g, w, w), arm));
-    return yk_dag_vec_add(g, yk_program_sum_accel(p, &p->mech->bodies[body].origin, r, s), own);
+    YkRefVec across = yk_graph_vec_scale(g, a, yk_graph_vec_quarter(g, arm));
+    YkRefVec own = yk_graph_vec_subtract(g, across, yk_graph_vec_scale(g, yk_graph_multiply(g, w, w), arm));
+    return yk_graph_vec_add(g, yk_program_sum_accel(p, &p->mech->bodies[body].origin, r, s), own);
 }

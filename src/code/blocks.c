@@ -3,70 +3,70 @@
 
 YkRef yk_block_branch(YkProgram *p, size_t block)
 {
-    return yk_dag_leaf(&p->graph, YK_LEAF_POSE, yk_program_text(p, "c->%s", p->names.block[block]));
+    return yk_graph_leaf(&p->graph, YK_LEAF_POSE, yk_graph_text(&p->graph, "c->%s", p->names.block[block]));
 }
 
 // Keeps the least margin; NaN once a block is not finite.
 void yk_block_keep_margin(YkProgram *p, YkRef margin, YkRef result)
 {
-    YkDag *g = &p->graph;
-    bool is_first = yk_dag_is_number(g, p->margin, 1);
-    YkRef least = is_first ? margin : yk_dag_binary(g, YK_VALUE_LEAST, margin, p->margin);
-    p->margin = yk_dag_add(g, least, yk_dag_unary(g, YK_VALUE_WITNESS, result));
+    YkGraph *g = &p->graph;
+    bool is_first = yk_graph_is_number(g, p->margin, 1);
+    YkRef least = is_first ? margin : yk_graph_binary(g, YK_VALUE_LEAST, margin, p->margin);
+    p->margin = yk_graph_add(g, least, yk_graph_unary(g, YK_VALUE_WITNESS, result));
 }
 
 void yk_block_set_unit(YkProgram *p, int32_t slot, YkRefVec e)
 {
     const char *name = yk_program_slot_name(p, slot);
     p->unit[slot] = e;
-    yk_dag_name(&p->graph, e.x, "%s_c", name);
-    yk_dag_name(&p->graph, e.y, "%s_s", name);
+    yk_graph_name(&p->graph, e.x, "%s_c", name);
+    yk_graph_name(&p->graph, e.y, "%s_s", name);
 }
 
 void yk_block_set_distance(YkProgram *p, int32_t distance, YkRef d)
 {
-    p->distance[distance] = yk_dag_name(&p->graph, d, "%s", yk_program_distance_name(p, distance));
+    p->distance[distance] = yk_graph_name(&p->graph, d, "%s", yk_program_distance_name(p, distance));
 }
 
 void yk_block_name(YkProgram *p, YkRefVec v, const char *block, const char *what)
 {
-    yk_dag_name(&p->graph, v.x, "%s_%s_x", block, what);
-    yk_dag_name(&p->graph, v.y, "%s_%s_y", block, what);
+    yk_graph_name(&p->graph, v.x, "%s_%s_x", block, what);
+    yk_graph_name(&p->graph, v.y, "%s_%s_y", block, what);
 }
 
 YkRefVec yk_block_line(YkProgram *p, const YkBlock *b, size_t column, size_t k)
 {
     YkRefVec u = yk_program_line(p, b->column[column].index, b->line[k]);
-    return yk_dag_vec_multiply(&p->graph, p->unit[b->line_slot[k]], u);
+    return yk_graph_vec_multiply(&p->graph, p->unit[b->line_slot[k]], u);
 }
 
 void yk_program_keep_gap(YkProgram *p, YkRef gap)
 {
-    YkDag *g = &p->graph;
-    YkRef largest = yk_dag_binary(g, YK_VALUE_LARGEST, gap, p->gap);
-    p->gap = yk_dag_add(g, largest, yk_dag_unary(g, YK_VALUE_WITNESS, gap));
+    YkGraph *g = &p->graph;
+    YkRef largest = yk_graph_binary(g, YK_VALUE_LARGEST, gap, p->gap);
+    p->gap = yk_graph_add(g, largest, yk_graph_unary(g, YK_VALUE_WITNESS, gap));
 }
 
 static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkBlock *b = &p->mech->blocks[index];
     YkRefVec K = placed->known;
-    YkRef length = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, K, K), -1);
+    YkRef length = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, K, K), -1);
     if (b->kind == YK_BLOCK_CHECK) {
         yk_program_keep_gap(p, length);
     } else if (b->column[0].is_distance) { // GUIDE
         placed->e[0] = yk_block_line(p, b, 0, 0);
-        yk_block_set_distance(p, b->column[0].index, yk_dag_minus(g, yk_dag_dot(g, K, placed->e[0])));
-        yk_program_keep_gap(p, yk_dag_unary(g, YK_VALUE_SIZE, yk_dag_cross(g, K, placed->e[0])));
+        yk_block_set_distance(p, b->column[0].index, yk_graph_minus(g, yk_graph_dot(g, K, placed->e[0])));
+        yk_program_keep_gap(p, yk_graph_unary(g, YK_VALUE_SIZE, yk_graph_cross(g, K, placed->e[0])));
     } else { // LINK
-        YkRefVec U = yk_program_sum(p, &b->arm[0]), z = yk_dag_vec_multiply(g, K, yk_dag_vec_conjugate(g, U));
-        YkRef per = yk_dag_minus(g, yk_dag_inverse(g, yk_dag_function(g, YK_SQRT, yk_dag_dot(g, z, z), -1)));
-        YkRef arm = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, U, U), -1);
-        placed->e[0] = yk_dag_vec_scale(g, per, z);
+        YkRefVec U = yk_program_sum(p, &b->arm[0]), z = yk_graph_vec_multiply(g, K, yk_graph_vec_conjugate(g, U));
+        YkRef per = yk_graph_minus(g, yk_graph_inverse(g, yk_graph_function(g, YK_SQRT, yk_graph_dot(g, z, z), -1)));
+        YkRef arm = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, U, U), -1);
+        placed->e[0] = yk_graph_vec_scale(g, per, z);
         yk_block_set_unit(p, b->column[0].index, placed->e[0]);
-        placed->p = yk_dag_vec_multiply(g, U, placed->e[0]);
-        yk_program_keep_gap(p, yk_dag_unary(g, YK_VALUE_SIZE, yk_dag_subtract(g, length, arm)));
+        placed->p = yk_graph_vec_multiply(g, U, placed->e[0]);
+        yk_program_keep_gap(p, yk_graph_unary(g, YK_VALUE_SIZE, yk_graph_subtract(g, length, arm)));
     }
 }
 
@@ -86,7 +86,7 @@ void yk_program_place(YkProgram *p, size_t index)
         yk_block_place_group(p, index, placed);
         return;
     }
-    yk_dag_section(&p->graph, yk_program_text(p, "%s: %s, %s. K: the known part of its loop.", b->label,
+    yk_graph_section(&p->graph, yk_graph_text(&p->graph, "%s: %s, %s. K: the known part of its loop.", b->label,
                                               yk_block_kind_name(b->kind), what[b->kind]));
     placed->known = yk_program_sum(p, &b->known);
     yk_block_name(p, placed->known, placed->name, "K");

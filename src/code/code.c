@@ -20,7 +20,7 @@ YkCSourceOptions yk_default_c_source_options(void)
 static const char *prefix_of(YkProgram *p, const char *name)
 {
     const char *slash = strrchr(name, '/');
-    char *copy = yk_program_text(p, "%s", slash ? slash + 1 : name), *to = copy, *dot = strrchr(copy, '.');
+    char *copy = yk_graph_text(&p->graph, "%s", slash ? slash + 1 : name), *to = copy, *dot = strrchr(copy, '.');
     if (dot && dot > copy) *dot = 0;
     for (const char *c = copy; *c && to - copy < 40; c++) {
         bool is_upper = *c >= 'A' && *c <= 'Z',
@@ -33,7 +33,7 @@ static const char *prefix_of(YkProgram *p, const char *name)
     while (to > copy && to[-1] == '_') to--;
     *to = 0;
     if (to == copy) return "machine";
-    return copy[0] >= '0' && copy[0] <= '9' ? yk_program_text(p, "machine_%s", copy) : copy;
+    return copy[0] >= '0' && copy[0] <= '9' ? yk_graph_text(&p->graph, "machine_%s", copy) : copy;
 }
 
 static bool assemble(YkFile *file, const YkState *pose, YkProblems *problems)
@@ -56,10 +56,10 @@ static void name_fields(YkFile *file)
     for (size_t k = 0; k < pr->field_count; k++) {
         YkRef field = pr->fields[k];
         const char *wish = p->graph.values[field].name;
-        wish = wish ? yk_program_name(p, wish) : yk_program_text(p, "k%d", (int)k + 1);
+        wish = wish ? yk_program_name(p, wish) : yk_graph_text(&p->graph, "k%d", (int)k + 1);
         const char *name = wish;
-        for (int i = 2; yk_names_find(&taken, name) != YK_NONE && !p->failed; i++)
-            name = yk_program_name(p, yk_program_text(p, "%s_%d", wish, i));
+        for (int i = 2; yk_names_find(&taken, name) != YK_NONE && !p->graph.failed; i++)
+            name = yk_program_name(p, yk_graph_text(&p->graph, "%s_%d", wish, i));
         if (!yk_names_add(&taken, name, 0, &existing)) p->failed = true;
         pr->field[field] = name;
     }
@@ -104,7 +104,7 @@ static bool write_body(YkFile *file)
     file->text = (YkText){0};
     yk_file_write_machine(file);
     for (size_t b = 0; b < p->mech->block_count; b++)
-        if (p->mech->blocks[b].kind == YK_BLOCK_GROUP) yk_printer_group(&file->printer, b);
+        if (p->mech->blocks[b].kind == YK_BLOCK_GROUP) yk_file_write_group(file, b);
     yk_file_write_drives(file);
     yk_file_write_residuals(file);
     for (size_t k = 0; k < file->routine_count; k++) yk_file_write_routine(file, &file->routines[k]);
@@ -137,11 +137,18 @@ static bool is_whole(const YkFile *file)
     return !file->text.failed && !file->printer.failed && !p->failed && !p->graph.failed && !yk_arena_failed(p->arena);
 }
 
+static const char *name_of(void *program, const char *wish)
+{
+    return yk_program_name(program, wish);
+}
+
 static bool write_all(YkFile *file)
 {
     if (!yk_file_members(file) || !yk_file_routines(file)) return false;
     if (file->program.graph.failed) return false;
-    if (!yk_printer_start(&file->printer, &file->program, file->prefix, file->single, &file->text)) return false;
+    file->naming = (YkPrinterFile){&file->program, "m->p.", "p->", "machine.", name_of, yk_call_print, yk_call_known};
+    if (!yk_printer_start(&file->printer, &file->program.graph, &file->naming, file->prefix, file->single, &file->text))
+        return false;
     if (!need_fields(file)) return false;
     yk_file_write_head(file);
     yk_file_write_types(file);

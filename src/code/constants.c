@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "code/program.h"
-#include "expr/function.h"
+#include "graph/function.h"
 #include "model/laws/laws.h"
 
 // --- expressions
@@ -38,41 +38,41 @@ static YkRef read_name(const Reading *r, const YkExpr *expr)
     YkProgram *p = r->program;
     int32_t parameter = yk_names_find(&p->model->parameter_names, expr->name);
     if (parameter != YK_NONE) return p->parameter[parameter];
-    if (strcmp(expr->name, "pi") == 0) return yk_dag_number(&p->graph, YK_PI);
+    if (strcmp(expr->name, "pi") == 0) return yk_graph_number(&p->graph, YK_PI);
     if (strcmp(expr->name, "t") == 0) return p->time;
     char *name = yk_arena_copy(p->arena, expr->name, strlen(expr->name));
-    if (!name) return yk_dag_number(&p->graph, 0);
+    if (!name) return yk_graph_number(&p->graph, 0);
     bool is_rate = cut(name, ".rate");
     int32_t coordinate = find_coordinate(p, name);
     if (coordinate == YK_NONE || !r->motion) { // of a joint that closes a loop: the loader or the printer refuses it
         p->failed = true;
-        return yk_dag_number(&p->graph, 0);
+        return yk_graph_number(&p->graph, 0);
     }
     return is_rate ? r->motion[coordinate].velocity : r->motion[coordinate].position;
 }
 
 static YkRef read(const Reading *r, const YkExpr *expr)
 {
-    YkDag *g = &r->program->graph;
+    YkGraph *g = &r->program->graph;
     if (expr->kind == YK_EXPR_NUMBER)
-        return yk_dag_number(g, expr->number * (expr->has_unit ? expr->unit_size : expr->value_scale));
+        return yk_graph_number(g, expr->number * (expr->has_unit ? expr->unit_size : expr->value_scale));
     if (expr->kind == YK_EXPR_NAME) return read_name(r, expr);
     YkRef a = read(r, expr->a), b = expr->b ? read(r, expr->b) : -1;
     switch (expr->kind) {
     case YK_EXPR_NEGATE:
-        return yk_dag_minus(g, a);
+        return yk_graph_minus(g, a);
     case YK_EXPR_ADD:
-        return yk_dag_add(g, a, b);
+        return yk_graph_add(g, a, b);
     case YK_EXPR_SUBTRACT:
-        return yk_dag_subtract(g, a, b);
+        return yk_graph_subtract(g, a, b);
     case YK_EXPR_MULTIPLY:
-        return yk_dag_multiply(g, a, b);
+        return yk_graph_multiply(g, a, b);
     case YK_EXPR_DIVIDE:
-        return yk_dag_divide(g, a, b);
+        return yk_graph_divide(g, a, b);
     case YK_EXPR_POWER:
-        return yk_dag_power(g, a, b);
+        return yk_graph_power(g, a, b);
     default:
-        return yk_dag_function(g, expr->function, a, b);
+        return yk_graph_function(g, expr->function, a, b);
     }
 }
 
@@ -83,7 +83,7 @@ YkRef yk_program_expr(YkProgram *p, const YkExpr *expr)
 
 YkRef yk_program_expr_at(YkProgram *p, const YkExpr *expr, const YkMotionRef *motion)
 {
-    return expr ? read(&(Reading){p, motion}, expr) : yk_dag_number(&p->graph, 0);
+    return expr ? read(&(Reading){p, motion}, expr) : yk_graph_number(&p->graph, 0);
 }
 
 // --- parameters
@@ -165,10 +165,10 @@ void yk_program_fix(YkProgram *p)
 static void add_parameter(YkProgram *p, size_t index, int depth)
 {
     const YkParameter *parameter = &p->model->parameters[index];
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     if (p->parameter[index] != -1) return;
     if (p->is_fixed[index] || depth > 100) {
-        p->parameter[index] = yk_dag_number(g, parameter->value);
+        p->parameter[index] = yk_graph_number(g, parameter->value);
         return;
     }
     bool hangs_on_others = false;
@@ -179,9 +179,9 @@ static void add_parameter(YkProgram *p, size_t index, int depth)
     }
     if (hangs_on_others) {
         p->parameter[index] = yk_program_expr(p, parameter->expr);
-        yk_dag_name(g, p->parameter[index], "%s", p->names.parameter[index]);
+        yk_graph_name(g, p->parameter[index], "%s", p->names.parameter[index]);
     } else {
-        p->parameter[index] = yk_dag_leaf(g, YK_LEAF_PARAMETER, p->names.parameter[index]);
+        p->parameter[index] = yk_graph_leaf(g, YK_LEAF_PARAMETER, p->names.parameter[index]);
     }
 }
 
@@ -194,35 +194,35 @@ void yk_program_constants(YkProgram *p)
     for (size_t k = 0; k < m->parameter_count; k++) add_parameter(p, k, 0);
     for (size_t b = 0; b < m->body_count; b++) {
         const YkPlacing *placing = &p->mech->bodies[b];
-        p->turn[b] = yk_dag_number(&p->graph, placing->turn);
-        p->turn_unit[b] = yk_dag_vec_number(&p->graph, placing->turn_unit.x, placing->turn_unit.y);
+        p->turn[b] = yk_graph_number(&p->graph, placing->turn);
+        p->turn_unit[b] = yk_graph_vec_number(&p->graph, placing->turn_unit.x, placing->turn_unit.y);
     }
 }
 
 YkRefVec yk_program_point(YkProgram *p, int32_t point)
 {
-    if (point == YK_NONE) return yk_dag_vec_number(&p->graph, 0, 0);
+    if (point == YK_NONE) return yk_graph_vec_number(&p->graph, 0, 0);
     const YkPoint *at = &p->model->points[point];
-    YkRef x = at->x ? yk_program_expr(p, at->x) : yk_dag_number(&p->graph, at->at.x);
-    YkRef y = at->y ? yk_program_expr(p, at->y) : yk_dag_number(&p->graph, at->at.y);
+    YkRef x = at->x ? yk_program_expr(p, at->x) : yk_graph_number(&p->graph, at->at.x);
+    YkRef y = at->y ? yk_program_expr(p, at->y) : yk_graph_number(&p->graph, at->at.y);
     return (YkRefVec){x, y};
 }
 
 static YkRefVec along_of(YkProgram *p, const YkJoint *joint)
 {
-    if (!joint->along_expr) return yk_dag_vec_number(&p->graph, joint->along.x, joint->along.y);
-    return yk_dag_unit(&p->graph, yk_program_expr(p, joint->along_expr));
+    if (!joint->along_expr) return yk_graph_vec_number(&p->graph, joint->along.x, joint->along.y);
+    return yk_graph_unit(&p->graph, yk_program_expr(p, joint->along_expr));
 }
 
 static YkRefVec in_orientation(YkProgram *p, int32_t body, YkRefVec v)
 {
-    return yk_dag_vec_multiply(&p->graph, p->turn_unit[body], v);
+    return yk_graph_vec_multiply(&p->graph, p->turn_unit[body], v);
 }
 
 // Evaluates a vector by its recipe: points and lines of joints, in the axes of their bodies' orientations, added.
 static YkRefVec by_recipe(YkProgram *p, int32_t index)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkRecipeNode *node = &p->recipe->nodes[index];
     switch (node->kind) {
     case YK_RECIPE_POINT: {
@@ -232,17 +232,17 @@ static YkRefVec by_recipe(YkProgram *p, int32_t index)
     case YK_RECIPE_ALONG:
         return in_orientation(p, p->model->joints[node->a].body[0], along_of(p, &p->model->joints[node->a]));
     case YK_RECIPE_NEGATE: {
-        YkRef minus_one = yk_dag_number(g, -1);
-        return yk_dag_vec_scale(g, minus_one, by_recipe(p, node->a));
+        YkRef minus_one = yk_graph_number(g, -1);
+        return yk_graph_vec_scale(g, minus_one, by_recipe(p, node->a));
     }
     case YK_RECIPE_ADD: {
         YkRefVec a = by_recipe(p, node->a);
-        return yk_dag_vec_add(g, a, by_recipe(p, node->b));
+        return yk_graph_vec_add(g, a, by_recipe(p, node->b));
     }
     case YK_RECIPE_FIXED:
         break;
     }
-    return yk_dag_vec_number(g, node->value.x, node->value.y);
+    return yk_graph_vec_number(g, node->value.x, node->value.y);
 }
 
 YkRefVec yk_program_term(YkProgram *p, size_t term)
@@ -263,14 +263,14 @@ YkRefVec yk_program_line(YkProgram *p, int32_t distance, YkVec value)
         YkVec along = yk_mul(p->mech->bodies[joint->body[0]].turn_unit, joint->along);
         double sign = yk_dot(along, value) < 0 ? -1 : 1;
         YkRefVec v = in_orientation(p, joint->body[0], along_of(p, joint));
-        return yk_dag_vec_scale(&p->graph, yk_dag_number(&p->graph, sign), v);
+        return yk_graph_vec_scale(&p->graph, yk_graph_number(&p->graph, sign), v);
     }
-    return yk_dag_vec_number(&p->graph, value.x, value.y);
+    return yk_graph_vec_number(&p->graph, value.x, value.y);
 }
 
 // Returns the angle from the first to the second body, from those of their orientations, as in compile.
 YkRef yk_program_joint_offset(YkProgram *p, int32_t joint)
 {
     const YkJoint *j = &p->model->joints[joint];
-    return yk_dag_subtract(&p->graph, p->turn[j->body[1]], p->turn[j->body[0]]);
+    return yk_graph_subtract(&p->graph, p->turn[j->body[1]], p->turn[j->body[0]]);
 }

@@ -2,7 +2,7 @@
 #ifndef CODE_FILE_H
 #define CODE_FILE_H
 #include "code/forces.h"
-#include "code/print.h"
+#include "graph/print.h"
 #include "solve/state.h"
 
 // A result of a function, as a member of its struct.
@@ -37,6 +37,7 @@ typedef struct YkLeafNote { // of the inputs or the configuration
 
 typedef struct YkFile {
     YkProgram program;
+    YkPrinterFile naming;
     YkPrinter printer;
     YkForces forces;
     bool has_forces, single, is_of_file; // is_of_file: see compile/variant.h
@@ -75,8 +76,12 @@ void yk_file_write_types(YkFile *file);
 void yk_file_write_helpers(YkFile *file, const char *body); // those that the body uses
 void yk_file_write_laws(YkFile *file);
 void yk_file_write_machine(YkFile *file);
+void yk_file_write_group(YkFile *file, size_t block); // print_group.c: Newton's method for it
 void yk_file_write_routine(YkFile *file, const YkRoutine *routine);
 void yk_file_write_drives(YkFile *file);
+// print_calls.c, print_group.c: calls in functions (YkPrinterFile).
+const char *yk_call_print(YkPrinter *printer, const YkCall *call);
+size_t yk_call_known(YkPrinter *printer, const YkCall *call, YkRef *known, size_t capacity);
 // residuals.c: as values; their prototype; their function.
 bool yk_file_residuals(YkFile *file);
 void yk_file_declare_residuals(YkFile *file);

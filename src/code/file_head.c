@@ -19,7 +19,7 @@ void yk_file_write_head(YkFile *file)
 {
     const YkModel *m = file->program.model;
     YkText *out = &file->text;
-    char *name = yk_program_text(&file->program, "%s", m->name); // must neither end the comment nor begin another
+    char *name = yk_graph_text(&file->program.graph, "%s", m->name); // must neither end the comment nor begin another
     for (char *c = name; *c; c++)
         if ((*c == '*' && c[1] == '/') || (*c == '/' && c[1] == '*')) *c = ' ';
     yk_text_format(out, "/* %s\n\n", name);

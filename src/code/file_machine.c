@@ -68,6 +68,6 @@ void yk_file_write_drives(YkFile *file)
                            "void @_drives(const @_machine *m, $ t, @_inputs *in)\n{\n    (void)m;\n    in->t = t;\n");
     yk_printer_body(&file->printer, roots, file->drive_count);
     for (size_t k = 0; k < file->drive_count; k++)
-        yk_file_line(file, yk_program_text(&file->program, "    in->%s = ", file->drives[k].name), roots[k], ";\n");
+        yk_file_line(file, yk_graph_text(&file->program.graph, "    in->%s = ", file->drives[k].name), roots[k], ";\n");
     yk_text_puts(&file->text, "}\n\n");
 }

@@ -36,10 +36,10 @@ static void write_witnesses(YkFile *file, const YkRoutine *r, bool has_margin, b
     YkText *out = &file->text;
     yk_text_puts(out, "\n    /* How it went. */\n");
     if (has_margin)
-        yk_file_line(file, yk_program_text(&file->program, "    const %s margin = ", real), file->program.margin,
+        yk_file_line(file, yk_graph_text(&file->program.graph, "    const %s margin = ", real), file->program.margin,
                      ";\n");
     if (has_witness)
-        yk_file_line(file, yk_program_text(&file->program, "    const %s witness = ", real), r->witness, ";\n");
+        yk_file_line(file, yk_graph_text(&file->program.graph, "    const %s witness = ", real), r->witness, ";\n");
     if (!r->checks_results) return;
     size_t from = out->length;
     yk_text_format(out, "    const %s finite = ", real);
@@ -52,13 +52,13 @@ static void write_witnesses(YkFile *file, const YkRoutine *r, bool has_margin, b
 static void write_status(YkFile *file, const YkRoutine *r)
 {
     const YkProgram *p = &file->program;
-    const YkDag *g = &p->graph;
-    bool has_gap = !yk_dag_is_number(g, p->gap, 0), has_margin = has_gap || !yk_dag_is_number(g, p->margin, 1),
-         has_witness = !yk_dag_is_number(g, r->witness, 0), has_angles = !yk_dag_is_number(g, p->angles, 0);
+    const YkGraph *g = &p->graph;
+    bool has_gap = !yk_graph_is_number(g, p->gap, 0), has_margin = has_gap || !yk_graph_is_number(g, p->margin, 1),
+         has_witness = !yk_graph_is_number(g, r->witness, 0), has_angles = !yk_graph_is_number(g, p->angles, 0);
     write_witnesses(file, r, has_margin, has_witness);
     yk_text_puts(&file->text, "    return ");
     if (has_witness) check_local(file, "witness == 0", "BAD_INPUT");
-    if (!yk_dag_is_number(g, p->missed, 0)) check(file, p->missed, " <= 1", "NOT_CONVERGED");
+    if (!yk_graph_is_number(g, p->missed, 0)) check(file, p->missed, " <= 1", "NOT_CONVERGED");
     if (has_margin) check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
     if (has_angles) check(file, p->angles, " == 0", "BAD_INPUT");
     if (has_gap) check_gap(file);
@@ -101,8 +101,8 @@ static void write_kernel(YkFile *file, const YkRoutine *r)
     yk_printer_body(&file->printer, roots, count);
     yk_text_puts(&file->text, "\n    /* Results. */\n");
     for (size_t k = 0; k < r->count; k++)
-        yk_file_line(file, yk_program_text(&file->program, "    out->%s = ", r->results[k].name), r->results[k].value,
-                     ";\n");
+        yk_file_line(file, yk_graph_text(&file->program.graph, "    out->%s = ", r->results[k].name),
+                     r->results[k].value, ";\n");
     write_status(file, r);
 }
 
@@ -122,7 +122,7 @@ static size_t input_of(const YkFile *file, const YkValue *v)
     return k;
 }
 
-static void mark_operands(const YkDag *g, const YkValue *v, bool *is_marked)
+static void mark_operands(const YkGraph *g, const YkValue *v, bool *is_marked)
 {
     const YkRef operands[] = {v->a, v->b, v->c}, *of = operands;
     size_t count = v->op == YK_VALUE_SINE || v->op == YK_VALUE_COSINE ? 1 : 3; // behind the angle is the other of them
@@ -136,7 +136,7 @@ static void mark_operands(const YkDag *g, const YkValue *v, bool *is_marked)
 }
 
 // Marks a value and all that it depends on: operands come before their value.
-static void mark_under(const YkDag *g, YkRef value, bool *is_marked)
+static void mark_under(const YkGraph *g, YkRef value, bool *is_marked)
 {
     is_marked[value] = true;
     for (size_t k = (size_t)value + 1; k-- > 0;)
@@ -145,7 +145,7 @@ static void mark_under(const YkDag *g, YkRef value, bool *is_marked)
 
 static bool find_uses(YkFile *file, const YkRoutine *r, Uses *uses)
 {
-    const YkDag *g = &file->program.graph;
+    const YkGraph *g = &file->program.graph;
     bool *is_seen = YK_NEW(file->program.arena, bool, g->count + 1);
     uses->taken = YK_NEW(file->program.arena, bool, file->input_count + 1);
     uses->unseen = YK_NEW(file->program.arena, bool, file->input_count + 1);

@@ -73,7 +73,7 @@ static void write_notes(YkFile *file, const char *about, const char *type, const
     yk_text_format(&file->text, "/* %s */\ntypedef struct %s_%s {\n", about, file->prefix, type);
     for (size_t k = 0; k < count; k++) {
         const char *name = notes[k].name;
-        if (notes[k].count > 0) name = yk_program_text(&file->program, "%s[%d]", name, (int)notes[k].count);
+        if (notes[k].count > 0) name = yk_graph_text(&file->program.graph, "%s[%d]", name, (int)notes[k].count);
         member(file, name, notes[k].comment);
     }
     if (count == 0) member(file, "none", "a struct cannot be empty");

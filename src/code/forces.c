@@ -19,14 +19,14 @@ static bool allocate(YkForces *f)
 
 static YkRef combine(YkProgram *p, YkRef sum, YkRef column, YkRef rate)
 {
-    return yk_dag_add(&p->graph, sum, yk_dag_multiply(&p->graph, column, rate));
+    return yk_graph_add(&p->graph, sum, yk_graph_multiply(&p->graph, column, rate));
 }
 
 // Makes the columns, and the pose's velocities as their sum.
 static void make_columns(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     size_t n = p->mech->input_count;
     YkRef *rate = YK_NEW(p->arena, YkRef, n + 1);
     if (!rate) {
@@ -35,17 +35,17 @@ static void make_columns(YkForces *f)
     }
     f->velocities = yk_program_new_rates(p);
     for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < n; k++) rate[k] = yk_dag_number(g, k == i ? 1 : 0);
+        for (size_t k = 0; k < n; k++) rate[k] = yk_graph_number(g, k == i ? 1 : 0);
         f->column[i] = yk_program_velocities(p, rate);
     }
-    yk_dag_section(g, "Velocities, from the Jacobian and the inputs' rates.");
+    yk_graph_section(g, "Velocities, from the Jacobian and the inputs' rates.");
     for (size_t i = 0; i < n && !p->failed; i++) {
         YkRef w = p->input[i].velocity;
         YkRates *v = &f->velocities, *c = &f->column[i];
         for (size_t k = 0; k < p->mech->slot_count; k++) v->turn[k] = combine(p, v->turn[k], c->turn[k], w);
         for (size_t k = 0; k < p->mech->distance_count; k++) v->slide[k] = combine(p, v->slide[k], c->slide[k], w);
         for (size_t k = 0; k < p->mech->node_count; k++)
-            v->node[k] = yk_dag_vec_add(g, v->node[k], yk_dag_vec_scale(g, w, c->node[k]));
+            v->node[k] = yk_graph_vec_add(g, v->node[k], yk_graph_vec_scale(g, w, c->node[k]));
     }
 }
 
@@ -61,7 +61,7 @@ static void make_bias(YkForces *f)
     }
     for (size_t r = 0; r < p->mech->relation_count + p->mech->derived_count; r++)
         if (p->mech->relations[r].law) p->argument_rate[r] = yk_program_argument_rate(p, r, &f->velocities);
-    for (size_t k = 0; k < n; k++) rate[k] = yk_dag_number(&p->graph, 0);
+    for (size_t k = 0; k < n; k++) rate[k] = yk_graph_number(&p->graph, 0);
     f->bias = yk_program_accelerations(p, &f->velocities, rate);
 }
 
@@ -79,24 +79,24 @@ static void make_motion(YkForces *f)
 static void make_kinetic(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     size_t n = p->mech->input_count;
-    f->kinetic = yk_dag_number(g, 0);
+    f->kinetic = yk_graph_number(g, 0);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j <= i; j++) {
-            YkRef rates = yk_dag_multiply(g, p->input[i].velocity, p->input[j].velocity);
-            YkRef half = yk_dag_number(g, i == j ? 0.5 : 1);
-            f->kinetic =
-                yk_dag_add(g, f->kinetic, yk_dag_multiply(g, half, yk_dag_multiply(g, f->mass[i * n + j], rates)));
+            YkRef rates = yk_graph_multiply(g, p->input[i].velocity, p->input[j].velocity);
+            YkRef half = yk_graph_number(g, i == j ? 0.5 : 1);
+            f->kinetic = yk_graph_add(g, f->kinetic,
+                                      yk_graph_multiply(g, half, yk_graph_multiply(g, f->mass[i * n + j], rates)));
         }
 }
 
 static void make_efforts(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     size_t n = p->mech->input_count;
-    yk_dag_section(g, "Efforts.");
+    yk_graph_section(g, "Efforts.");
     for (size_t i = 0; i < n; i++) {
         f->effort[i] = f->rest[i];
         for (size_t j = 0; j < n; j++)

@@ -4,33 +4,34 @@
 
 YkRefVec yk_forces_center(YkProgram *p, int32_t body)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkBody *b = &p->model->bodies[body];
-    if (!b->has_mass) return yk_dag_vec_number(g, 0, 0);
+    if (!b->has_mass) return yk_graph_vec_number(g, 0, 0);
     if (b->rod[0] != YK_NONE && b->rod[1] != YK_NONE) {
-        YkRefVec first = yk_program_point(p, b->rod[0]), sum = yk_dag_vec_add(g, first, yk_program_point(p, b->rod[1]));
-        return yk_dag_vec_scale(g, yk_dag_number(g, 0.5), sum);
+        YkRefVec first = yk_program_point(p, b->rod[0]),
+                 sum = yk_graph_vec_add(g, first, yk_program_point(p, b->rod[1]));
+        return yk_graph_vec_scale(g, yk_graph_number(g, 0.5), sum);
     }
-    YkRef x = b->center_x ? yk_program_expr(p, b->center_x) : yk_dag_number(g, b->center.x);
-    YkRef y = b->center_y ? yk_program_expr(p, b->center_y) : yk_dag_number(g, b->center.y);
+    YkRef x = b->center_x ? yk_program_expr(p, b->center_x) : yk_graph_number(g, b->center.x);
+    YkRef y = b->center_y ? yk_program_expr(p, b->center_y) : yk_graph_number(g, b->center.y);
     return (YkRefVec){x, y};
 }
 
 YkRef yk_forces_mass(YkProgram *p, int32_t body)
 {
     const YkBody *b = &p->model->bodies[body];
-    return b->mass_expr ? yk_program_expr(p, b->mass_expr) : yk_dag_number(&p->graph, b->mass);
+    return b->mass_expr ? yk_program_expr(p, b->mass_expr) : yk_graph_number(&p->graph, b->mass);
 }
 
 YkRef yk_forces_inertia(YkProgram *p, int32_t body)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkBody *b = &p->model->bodies[body];
     if (b->inertia_expr) return yk_program_expr(p, b->inertia_expr);
-    if (b->rod[0] == YK_NONE || b->rod[1] == YK_NONE) return yk_dag_number(g, b->inertia);
-    YkRefVec end = yk_program_point(p, b->rod[1]), rod = yk_dag_vec_subtract(g, end, yk_program_point(p, b->rod[0]));
-    YkRef mass = yk_forces_mass(p, body), twelfth = yk_dag_divide(g, mass, yk_dag_number(g, 12));
-    return yk_dag_multiply(g, twelfth, yk_dag_dot(g, rod, rod));
+    if (b->rod[0] == YK_NONE || b->rod[1] == YK_NONE) return yk_graph_number(g, b->inertia);
+    YkRefVec end = yk_program_point(p, b->rod[1]), rod = yk_graph_vec_subtract(g, end, yk_program_point(p, b->rod[0]));
+    YkRef mass = yk_forces_mass(p, body), twelfth = yk_graph_divide(g, mass, yk_graph_number(g, 12));
+    return yk_graph_multiply(g, twelfth, yk_graph_dot(g, rod, rod));
 }
 
 bool yk_model_has_forces(const YkModel *m)
@@ -44,32 +45,32 @@ bool yk_model_has_forces(const YkModel *m)
 // Returns the vector from a body's reference point to one of its points, world axes.
 static YkRefVec arm_to(YkProgram *p, int32_t body, YkRefVec at)
 {
-    YkDag *g = &p->graph;
-    YkRefVec v = yk_dag_vec_subtract(g, at, yk_forces_center(p, body));
-    v = yk_dag_vec_multiply(g, p->turn_unit[body], v);
-    return yk_dag_vec_multiply(g, p->unit[p->mech->bodies[body].orientation], v);
+    YkGraph *g = &p->graph;
+    YkRefVec v = yk_graph_vec_subtract(g, at, yk_forces_center(p, body));
+    v = yk_graph_vec_multiply(g, p->turn_unit[body], v);
+    return yk_graph_vec_multiply(g, p->unit[p->mech->bodies[body].orientation], v);
 }
 
 static void push(YkForces *f, int32_t body, YkRefVec arm, YkRefVec force)
 {
-    YkDag *g = &f->program->graph;
+    YkGraph *g = &f->program->graph;
     YkWrenchRef *load = &f->load[body];
-    load->force = yk_dag_vec_add(g, load->force, force);
-    load->moment = yk_dag_add(g, load->moment, yk_dag_cross(g, arm, force));
+    load->force = yk_graph_vec_add(g, load->force, force);
+    load->moment = yk_graph_add(g, load->moment, yk_graph_cross(g, arm, force));
 }
 
 static YkRefVec in_world(YkProgram *p, int32_t body, YkRefVec v)
 {
-    YkDag *g = &p->graph;
-    return yk_dag_vec_multiply(g, p->unit[p->mech->bodies[body].orientation],
-                               yk_dag_vec_multiply(g, p->turn_unit[body], v));
+    YkGraph *g = &p->graph;
+    return yk_graph_vec_multiply(g, p->unit[p->mech->bodies[body].orientation],
+                                 yk_graph_vec_multiply(g, p->turn_unit[body], v));
 }
 
 YkRefVec yk_forces_line(YkProgram *p, const YkJoint *joint)
 {
-    YkDag *g = &p->graph;
-    YkRefVec along = joint->along_expr ? yk_dag_unit(g, yk_program_expr(p, joint->along_expr))
-                                       : yk_dag_vec_number(g, joint->along.x, joint->along.y);
+    YkGraph *g = &p->graph;
+    YkRefVec along = joint->along_expr ? yk_graph_unit(g, yk_program_expr(p, joint->along_expr))
+                                       : yk_graph_vec_number(g, joint->along.x, joint->along.y);
     return in_world(p, joint->body[0], along);
 }
 
@@ -77,19 +78,19 @@ YkRefVec yk_forces_line(YkProgram *p, const YkJoint *joint)
 static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effort)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkJoint *j = &p->model->joints[joint];
     if (!is_distance) {
-        f->load[j->body[1]].moment = yk_dag_add(g, f->load[j->body[1]].moment, effort);
-        f->load[j->body[0]].moment = yk_dag_subtract(g, f->load[j->body[0]].moment, effort);
+        f->load[j->body[1]].moment = yk_graph_add(g, f->load[j->body[1]].moment, effort);
+        f->load[j->body[0]].moment = yk_graph_subtract(g, f->load[j->body[0]].moment, effort);
         return;
     }
-    YkRefVec line = yk_forces_line(p, j), force = yk_dag_vec_scale(g, effort, line);
+    YkRefVec line = yk_forces_line(p, j), force = yk_graph_vec_scale(g, effort, line);
     YkRefVec arm = arm_to(p, j->body[0], yk_program_point(p, j->point[0]));
-    YkRefVec out = yk_dag_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
+    YkRefVec out = yk_graph_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
     push(f, j->body[1], arm_to(p, j->body[1], yk_program_point(p, j->point[1])), force);
-    YkRefVec at = yk_dag_vec_add(g, arm, out);
-    push(f, j->body[0], at, yk_dag_vec_scale(g, yk_dag_number(g, -1), force));
+    YkRefVec at = yk_graph_vec_add(g, arm, out);
+    push(f, j->body[0], at, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
 }
 
 static void add_efforts(YkForces *f)
@@ -101,14 +102,14 @@ static void add_efforts(YkForces *f)
         bool is_law = e->law.of != NULL;
         YkRef value = yk_program_expr_at(p, is_law ? e->law.of : e->expr, f->motion);
         push_along(f, c->joint, c->is_distance,
-                   is_law ? yk_dag_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0) : value);
+                   is_law ? yk_graph_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0) : value);
     }
 }
 
 static void add_forces(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     for (size_t k = 0; k < p->model->force_count; k++) {
         const YkForce *force = &p->model->forces[k];
         YkRefVec v = {.x = yk_program_expr_at(p, force->x, f->motion)};
@@ -116,20 +117,20 @@ static void add_forces(YkForces *f)
         if (force->in_body_axes) v = in_world(p, force->body, v);
         push(f, force->body, arm_to(p, force->body, yk_program_point(p, force->point)), v);
         YkRef *moment = &f->load[force->body].moment;
-        *moment = yk_dag_add(g, *moment, yk_program_expr_at(p, force->moment, f->motion));
+        *moment = yk_graph_add(g, *moment, yk_program_expr_at(p, force->moment, f->motion));
     }
 }
 
 static YkRef value_of(YkProgram *p, const YkExpr *expr, double value)
 {
-    return expr ? yk_program_expr(p, expr) : yk_dag_number(&p->graph, value);
+    return expr ? yk_program_expr(p, expr) : yk_graph_number(&p->graph, value);
 }
 
 static void store(YkForces *f, YkRef stiffness, YkRef stretch)
 {
-    YkDag *g = &f->program->graph;
-    YkRef square = yk_dag_multiply(g, stiffness, yk_dag_multiply(g, stretch, stretch));
-    f->potential = yk_dag_add(g, f->potential, yk_dag_multiply(g, yk_dag_number(g, 0.5), square));
+    YkGraph *g = &f->program->graph;
+    YkRef square = yk_graph_multiply(g, stiffness, yk_graph_multiply(g, stretch, stretch));
+    f->potential = yk_graph_add(g, f->potential, yk_graph_multiply(g, yk_graph_number(g, 0.5), square));
 }
 
 // Between ends that a joint holds together, only rounding is left, and no direction.
@@ -141,17 +142,17 @@ static double no_length(const YkProgram *p)
 static void add_spring(YkForces *f, const YkSpring *s)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRef stiffness = value_of(p, s->stiffness_expr, s->stiffness), free = value_of(p, s->length_expr, s->length);
     YkRef damping = value_of(p, s->damping_expr, s->damping);
     if (s->coordinate != YK_NONE) {
         const YkCoordinate *c = &p->model->coordinates[s->coordinate];
         int32_t coordinate = yk_tree_coordinate(p->mech, c->joint, c->is_distance);
-        YkRef stretch = yk_dag_subtract(g, f->motion[coordinate].position, free);
-        YkRef spring = yk_dag_multiply(g, stiffness, stretch);
-        YkRef pull = yk_dag_add(g, spring, yk_dag_multiply(g, damping, f->motion[coordinate].velocity));
+        YkRef stretch = yk_graph_subtract(g, f->motion[coordinate].position, free);
+        YkRef spring = yk_graph_multiply(g, stiffness, stretch);
+        YkRef pull = yk_graph_add(g, spring, yk_graph_multiply(g, damping, f->motion[coordinate].velocity));
         store(f, stiffness, stretch);
-        push_along(f, c->joint, c->is_distance, yk_dag_minus(g, pull));
+        push_along(f, c->joint, c->is_distance, yk_graph_minus(g, pull));
         return;
     }
     YkRefVec at[2], rate[2], arm[2];
@@ -161,25 +162,26 @@ static void add_spring(YkForces *f, const YkSpring *s)
         rate[k] = yk_program_at_rate(p, s->body[k], point, &f->velocities);
         arm[k] = arm_to(p, s->body[k], point);
     }
-    YkRefVec line = yk_dag_vec_subtract(g, at[1], at[0]);
-    YkRef length = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1);
-    yk_dag_name(g, length, "%s_length", s->name);
-    YkRef per = yk_dag_inverse(g, yk_dag_unary(g, YK_VALUE_NONZERO, length));
-    YkRef stretch = yk_dag_subtract(g, length, free);
-    YkRef speed = yk_dag_multiply(g, yk_dag_dot(g, yk_dag_vec_subtract(g, rate[1], rate[0]), line), per);
-    YkRef spring = yk_dag_multiply(g, stiffness, stretch);
-    YkRef pull = yk_dag_add(g, spring, yk_dag_multiply(g, damping, speed));
-    YkRef joined = yk_dag_subtract(g, length, yk_dag_number(g, no_length(p)));
-    YkRefVec force = yk_dag_vec_scale(g, yk_dag_choose(g, joined, stiffness, yk_dag_multiply(g, pull, per)), line);
+    YkRefVec line = yk_graph_vec_subtract(g, at[1], at[0]);
+    YkRef length = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, line, line), -1);
+    yk_graph_name(g, length, "%s_length", s->name);
+    YkRef per = yk_graph_inverse(g, yk_graph_unary(g, YK_VALUE_NONZERO, length));
+    YkRef stretch = yk_graph_subtract(g, length, free);
+    YkRef speed = yk_graph_multiply(g, yk_graph_dot(g, yk_graph_vec_subtract(g, rate[1], rate[0]), line), per);
+    YkRef spring = yk_graph_multiply(g, stiffness, stretch);
+    YkRef pull = yk_graph_add(g, spring, yk_graph_multiply(g, damping, speed));
+    YkRef joined = yk_graph_subtract(g, length, yk_graph_number(g, no_length(p)));
+    YkRefVec force =
+        yk_graph_vec_scale(g, yk_graph_choose(g, joined, stiffness, yk_graph_multiply(g, pull, per)), line);
     store(f, stiffness, stretch);
     push(f, s->body[0], arm[0], force);
-    push(f, s->body[1], arm[1], yk_dag_vec_scale(g, yk_dag_number(g, -1), force));
+    push(f, s->body[1], arm[1], yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
 }
 
 static bool add_friction(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     for (size_t j = 0; j < p->model->joint_count; j++) {
         const YkJoint *joint = &p->model->joints[j];
         if (!joint->has_friction) continue;
@@ -194,7 +196,7 @@ static bool add_friction(YkForces *f)
         bool slides = yk_part(joint->kind)->slides;
         YkRef viscous = value_of(p, joint->friction.viscous_expr, joint->friction.viscous);
         YkRef rate = yk_program_joint_rate(p, (int32_t)j, slides, &f->velocities);
-        push_along(f, (int32_t)j, slides, yk_dag_minus(g, yk_dag_multiply(g, viscous, rate)));
+        push_along(f, (int32_t)j, slides, yk_graph_minus(g, yk_graph_multiply(g, viscous, rate)));
     }
     return true;
 }
@@ -202,26 +204,26 @@ static bool add_friction(YkForces *f)
 static void make_gravity(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkDag *g = &p->graph;
-    f->gravity = yk_dag_vec_number(g, 0, 0);
+    YkGraph *g = &p->graph;
+    f->gravity = yk_graph_vec_number(g, 0, 0);
     if (!p->model->has_gravity) return;
     f->gravity.x = value_of(p, p->model->gravity_x, p->model->gravity.x);
     f->gravity.y = value_of(p, p->model->gravity_y, p->model->gravity.y);
     for (size_t b = 1; b < p->model->body_count; b++) {
         if (!p->model->bodies[b].has_mass) continue;
-        YkRefVec weight = yk_dag_vec_scale(g, yk_forces_mass(p, (int32_t)b), f->gravity);
+        YkRefVec weight = yk_graph_vec_scale(g, yk_forces_mass(p, (int32_t)b), f->gravity);
         YkRefVec at = yk_program_at(p, (int32_t)b, yk_forces_center(p, (int32_t)b));
-        f->potential = yk_dag_subtract(g, f->potential, yk_dag_dot(g, weight, at));
+        f->potential = yk_graph_subtract(g, f->potential, yk_graph_dot(g, weight, at));
     }
 }
 
 bool yk_forces_loads(YkForces *f)
 {
     YkProgram *p = f->program;
-    YkRef zero = yk_dag_number(&p->graph, 0);
+    YkRef zero = yk_graph_number(&p->graph, 0);
     for (size_t b = 0; b < p->model->body_count; b++) f->load[b] = (YkWrenchRef){{zero, zero}, zero};
     f->potential = zero;
-    yk_dag_section(&p->graph, "Loads on the bodies: forces at, and moments about, their centres of mass.");
+    yk_graph_section(&p->graph, "Loads on the bodies: forces at, and moments about, their centres of mass.");
     make_gravity(f);
     add_efforts(f);
     add_forces(f);

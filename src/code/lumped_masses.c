@@ -35,7 +35,7 @@ static Arm *arm_of(Work *w, int32_t slot, int32_t distance)
         w->too_many = true;
         return &w->arms[0];
     }
-    YkRefVec none = yk_dag_vec_number(&w->f->program->graph, 0, 0);
+    YkRefVec none = yk_graph_vec_number(&w->f->program->graph, 0, 0);
     w->arms[w->count] = (Arm){slot, distance, none, none};
     return &w->arms[w->count++];
 }
@@ -44,7 +44,7 @@ static void put(Work *w, int32_t slot, int32_t distance, YkRefVec u)
 {
     Arm *arm = arm_of(w, slot, distance);
     if (slot == 0 && distance == YK_NONE) return; // stands still
-    arm->own = yk_dag_vec_add(&w->f->program->graph, arm->own, u);
+    arm->own = yk_graph_vec_add(&w->f->program->graph, arm->own, u);
 }
 
 static void put_sum(Work *w, const YkSum *sum, double sign)
@@ -55,8 +55,8 @@ static void put_sum(Work *w, const YkSum *sum, double sign)
         if (nodes[k] != YK_NONE) put_sum(w, &p->mech->node_sums[nodes[k]], k == 0 ? sign : -sign);
     for (uint32_t k = sum->first; k < sum->first + sum->count; k++) {
         const YkTerm *term = &p->mech->terms[k];
-        YkRef factor = yk_dag_number(&p->graph, sign);
-        YkRefVec u = yk_dag_vec_scale(&p->graph, factor, yk_program_term(p, k));
+        YkRef factor = yk_graph_number(&p->graph, sign);
+        YkRefVec u = yk_graph_vec_scale(&p->graph, factor, yk_program_term(p, k));
         put(w, term->slot, term->distance, u);
     }
 }
@@ -65,22 +65,22 @@ static void put_sum(Work *w, const YkSum *sum, double sign)
 static void lump(Work *w, int32_t body)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkPlacing *placing = &p->mech->bodies[body];
     YkRef mass = yk_forces_mass(p, body);
-    for (size_t a = 0; a < w->count; a++) w->arms[a].own = yk_dag_vec_number(g, 0, 0);
+    for (size_t a = 0; a < w->count; a++) w->arms[a].own = yk_graph_vec_number(g, 0, 0);
     put_sum(w, &placing->origin, 1);
-    put(w, placing->orientation, YK_NONE, yk_dag_vec_multiply(g, p->turn_unit[body], yk_forces_center(p, body)));
+    put(w, placing->orientation, YK_NONE, yk_graph_vec_multiply(g, p->turn_unit[body], yk_forces_center(p, body)));
     for (size_t b = 0; b < w->count && !w->too_many; b++) {
-        YkRefVec heavy = yk_dag_vec_scale(g, mass, w->arms[b].own);
-        w->arms[b].sum = yk_dag_vec_add(g, w->arms[b].sum, heavy);
+        YkRefVec heavy = yk_graph_vec_scale(g, mass, w->arms[b].own);
+        w->arms[b].sum = yk_graph_vec_add(g, w->arms[b].sum, heavy);
         for (size_t a = 0; a <= b; a++) {
-            YkRefVec part = yk_dag_vec_multiply(g, yk_dag_vec_conjugate(g, w->arms[a].own), heavy);
-            w->K[a][b] = yk_dag_vec_add(g, w->K[a][b], part);
+            YkRefVec part = yk_graph_vec_multiply(g, yk_graph_vec_conjugate(g, w->arms[a].own), heavy);
+            w->K[a][b] = yk_graph_vec_add(g, w->K[a][b], part);
         }
     }
     size_t own = (size_t)(arm_of(w, placing->orientation, YK_NONE) - w->arms);
-    w->K[own][own].x = yk_dag_add(g, w->K[own][own].x, yk_forces_inertia(p, body));
+    w->K[own][own].x = yk_graph_add(g, w->K[own][own].x, yk_forces_inertia(p, body));
 }
 
 static void name_constants(Work *w)
@@ -91,9 +91,10 @@ static void name_constants(Work *w)
             const char *second = yk_program_slot_name(p, w->arms[b].slot);
             if (w->arms[a].distance != YK_NONE || w->arms[b].distance != YK_NONE) continue;
             if (a == b)
-                yk_dag_name(&p->graph, w->K[a][a].x, "inertia_%s", second);
+                yk_graph_name(&p->graph, w->K[a][a].x, "inertia_%s", second);
             else
-                yk_dag_name(&p->graph, w->K[a][b].x, "inertia_%s_%s", yk_program_slot_name(p, w->arms[a].slot), second);
+                yk_graph_name(&p->graph, w->K[a][b].x, "inertia_%s_%s", yk_program_slot_name(p, w->arms[a].slot),
+                              second);
         }
 }
 
@@ -121,18 +122,18 @@ static bool hangs_from(const YkMechanism *mech, int32_t slot, int32_t root)
 // Returns conj(e_root) e_slot for a slot attached to the root: the turns between them.
 static YkRefVec turns_from(YkProgram *p, int32_t root, int32_t slot)
 {
-    if (slot == root) return yk_dag_vec_number(&p->graph, 1, 0);
+    if (slot == root) return yk_graph_vec_number(&p->graph, 1, 0);
     const YkStep *step = turn_of(p->mech, slot);
     YkRefVec own = step->kind == YK_STEP_COMPOSE ? p->unit[step->other] : yk_program_turn(p, step);
-    return yk_dag_vec_multiply(&p->graph, turns_from(p, root, step->parent), own);
+    return yk_graph_vec_multiply(&p->graph, turns_from(p, root, step->parent), own);
 }
 
 static YkRefVec between(YkProgram *p, int32_t a, int32_t b)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     if (hangs_from(p->mech, b, a)) return turns_from(p, a, b);
-    if (hangs_from(p->mech, a, b)) return yk_dag_vec_conjugate(g, turns_from(p, b, a));
-    return yk_dag_vec_multiply(g, yk_dag_vec_conjugate(g, p->unit[a]), p->unit[b]);
+    if (hangs_from(p->mech, a, b)) return yk_graph_vec_conjugate(g, turns_from(p, b, a));
+    return yk_graph_vec_multiply(g, yk_graph_vec_conjugate(g, p->unit[a]), p->unit[b]);
 }
 
 // Computes z = d' + i d w of each arm.
@@ -142,9 +143,9 @@ static void rates_of(const Work *w, const YkRates *r, YkRefVec *z)
     for (size_t a = 0; a < w->count; a++) {
         const Arm *arm = &w->arms[a];
         YkRef turn = r->turn[arm->slot];
-        z[a] = arm->distance == YK_NONE
-                   ? (YkRefVec){yk_dag_number(&p->graph, 0), turn}
-                   : (YkRefVec){r->slide[arm->distance], yk_dag_multiply(&p->graph, p->distance[arm->distance], turn)};
+        z[a] = arm->distance == YK_NONE ? (YkRefVec){yk_graph_number(&p->graph, 0), turn}
+                                        : (YkRefVec){r->slide[arm->distance],
+                                                     yk_graph_multiply(&p->graph, p->distance[arm->distance], turn)};
     }
 }
 
@@ -152,16 +153,16 @@ static void rates_of(const Work *w, const YkRates *r, YkRefVec *z)
 static void accelerations_of(const Work *w, const YkRates *r, const YkRates *s, YkRefVec *z)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     for (size_t a = 0; a < w->count; a++) {
         const Arm *arm = &w->arms[a];
-        YkRef turn = r->turn[arm->slot], inward = yk_dag_minus(g, yk_dag_multiply(g, turn, turn));
+        YkRef turn = r->turn[arm->slot], inward = yk_graph_minus(g, yk_graph_multiply(g, turn, turn));
         z[a] = (YkRefVec){inward, s->turn[arm->slot]};
         if (arm->distance == YK_NONE) continue;
-        YkRef two = yk_dag_number(g, 2), speed = yk_dag_multiply(g, r->slide[arm->distance], turn),
-              across = yk_dag_multiply(g, two, speed);
-        z[a] = yk_dag_vec_scale(g, p->distance[arm->distance], z[a]);
-        z[a] = yk_dag_vec_add(g, z[a], (YkRefVec){s->slide[arm->distance], across});
+        YkRef two = yk_graph_number(g, 2), speed = yk_graph_multiply(g, r->slide[arm->distance], turn),
+              across = yk_graph_multiply(g, two, speed);
+        z[a] = yk_graph_vec_scale(g, p->distance[arm->distance], z[a]);
+        z[a] = yk_graph_vec_add(g, z[a], (YkRefVec){s->slide[arm->distance], across});
     }
 }
 
@@ -171,13 +172,13 @@ static void accelerations_of(const Work *w, const YkRates *r, const YkRates *s, 
 static YkRefVec push_on(const Work *w, size_t a, const YkRefVec *z)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
-    YkRefVec sum = yk_dag_vec_number(g, 0, 0);
+    YkGraph *g = &p->graph;
+    YkRefVec sum = yk_graph_vec_number(g, 0, 0);
     for (size_t b = 0; b < w->count; b++) {
-        YkRefVec K = a <= b ? w->K[a][b] : yk_dag_vec_conjugate(g, w->K[b][a]);
-        if (yk_dag_is_zero_vec(g, K) || yk_dag_is_zero_vec(g, z[b])) continue;
-        YkRefVec turned = yk_dag_vec_multiply(g, K, between(p, w->arms[a].slot, w->arms[b].slot));
-        sum = yk_dag_vec_add(g, sum, yk_dag_vec_multiply(g, turned, z[b]));
+        YkRefVec K = a <= b ? w->K[a][b] : yk_graph_vec_conjugate(g, w->K[b][a]);
+        if (yk_graph_is_zero_vec(g, K) || yk_graph_is_zero_vec(g, z[b])) continue;
+        YkRefVec turned = yk_graph_vec_multiply(g, K, between(p, w->arms[a].slot, w->arms[b].slot));
+        sum = yk_graph_vec_add(g, sum, yk_graph_vec_multiply(g, turned, z[b]));
     }
     return sum;
 }
@@ -186,34 +187,34 @@ static YkRefVec push_on(const Work *w, size_t a, const YkRefVec *z)
 static YkRefVec weight_on(const Work *w, const Arm *arm)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
-    YkRefVec moment = yk_dag_vec_multiply(g, yk_dag_vec_conjugate(g, arm->sum), w->f->gravity);
-    return yk_dag_vec_multiply(g, yk_dag_vec_conjugate(g, p->unit[arm->slot]), moment);
+    YkGraph *g = &p->graph;
+    YkRefVec moment = yk_graph_vec_multiply(g, yk_graph_vec_conjugate(g, arm->sum), w->f->gravity);
+    return yk_graph_vec_multiply(g, yk_graph_vec_conjugate(g, p->unit[arm->slot]), moment);
 }
 
 static void make_matrix(const Work *w, const YkRefVec *z, YkEquations *out)
 {
-    YkDag *g = &w->f->program->graph;
+    YkGraph *g = &w->f->program->graph;
     size_t n = w->f->program->mech->input_count;
     for (size_t j = 0; j < n; j++)
         for (size_t a = 0; a < w->count; a++) {
             YkRefVec push = push_on(w, a, z + j * w->count);
             for (size_t i = j; i < n; i++) {
-                YkRef part = yk_dag_dot(g, z[i * w->count + a], push);
-                out->mass[i * n + j] = yk_dag_add(g, out->mass[i * n + j], part);
+                YkRef part = yk_graph_dot(g, z[i * w->count + a], push);
+                out->mass[i * n + j] = yk_graph_add(g, out->mass[i * n + j], part);
             }
         }
 }
 
 static void make_rest(const Work *w, const YkRefVec *z, const YkRefVec *bias, YkEquations *out)
 {
-    YkDag *g = &w->f->program->graph;
+    YkGraph *g = &w->f->program->graph;
     size_t n = w->f->program->mech->input_count;
     for (size_t a = 0; a < w->count; a++) {
         YkRefVec push = push_on(w, a, bias);
-        push = yk_dag_vec_subtract(g, push, weight_on(w, &w->arms[a]));
+        push = yk_graph_vec_subtract(g, push, weight_on(w, &w->arms[a]));
         for (size_t i = 0; i < n; i++)
-            out->rest[i] = yk_dag_add(g, out->rest[i], yk_dag_dot(g, z[i * w->count + a], push));
+            out->rest[i] = yk_graph_add(g, out->rest[i], yk_graph_dot(g, z[i * w->count + a], push));
     }
 }
 
@@ -230,7 +231,7 @@ bool yk_forces_lumped(YkForces *f, YkEquations *out)
     if (p->mech->block_count > 0 || p->mech->relation_count > 0) return false;
     w->f = f;
     for (size_t a = 0; a < ARMS_MAX; a++)
-        for (size_t b = 0; b < ARMS_MAX; b++) w->K[a][b] = yk_dag_vec_number(&p->graph, 0, 0);
+        for (size_t b = 0; b < ARMS_MAX; b++) w->K[a][b] = yk_graph_vec_number(&p->graph, 0, 0);
     for (size_t b = 1; b < p->model->body_count; b++) {
         if (!p->model->bodies[b].has_mass) return false; // it would only carry what is attached to it, which may cancel
         lump(w, (int32_t)b);

@@ -23,7 +23,7 @@ void yk_meshes_columns(YkBalanceSystem *w)
 
 void yk_meshes_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, const YkRef *couples)
 {
-    YkRefVec none = yk_dag_vec_number(&w->f->program->graph, 0, 0);
+    YkRefVec none = yk_graph_vec_number(&w->f->program->graph, 0, 0);
     for (int k = 0; k < 3; k++) yk_balance_add(w, column, bodies[k], none, couples[k]);
 }
 
@@ -34,7 +34,7 @@ static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodi
     double unit = yk_program_size(p) / fmax(fabs(a), fmax(fabs(b), fabs(a + b)));
     const double sizes[] = {a * unit, b * unit, -(a + b) * unit};
     YkRef couples[3];
-    for (size_t k = 0; k < 3; k++) couples[k] = yk_dag_number(&p->graph, sizes[k]);
+    for (size_t k = 0; k < 3; k++) couples[k] = yk_graph_number(&p->graph, sizes[k]);
     yk_meshes_couples(w, column, bodies, couples);
 }
 
@@ -48,7 +48,7 @@ void yk_meshes_force(YkBalanceSystem *w, size_t column, const int32_t *bodies, Y
 // Returns a wheel's centre: the origin of its body.
 static YkRefVec center_of(YkProgram *p, int32_t body)
 {
-    return yk_program_at(p, body, yk_dag_vec_number(&p->graph, 0, 0));
+    return yk_program_at(p, body, yk_graph_vec_number(&p->graph, 0, 0));
 }
 
 // At the pitch point: a force across the line of centres and, per newton of it, a force on the second wheel away from
@@ -56,37 +56,37 @@ static YkRefVec center_of(YkProgram *p, int32_t body)
 static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     double a = (double)gear->teeth[0], b = gear->is_internal ? -(double)gear->teeth[1] : (double)gear->teeth[1];
     if (!has_force(gear)) {
         const int32_t bodies[] = {gear->body[0], gear->body[1], gear->carrier};
         enter_couples(w, column, bodies, a, b);
         return;
     }
-    YkRefVec A = center_of(p, gear->body[0]), line = yk_dag_vec_subtract(g, center_of(p, gear->body[1]), A);
-    YkRefVec out = yk_dag_vec_scale(g, yk_dag_number(g, a / (a + b)), line); // internal: beyond A
-    YkRefVec pitch = yk_dag_vec_add(g, A, out);
-    YkRef per = yk_dag_inverse(g, yk_dag_function(g, YK_SQRT, yk_dag_dot(g, line, line), -1));
-    YkRefVec unit = yk_dag_vec_scale(g, per, line);
-    yk_meshes_force(w, column, gear->body, pitch, yk_dag_vec_quarter(g, unit));
+    YkRefVec A = center_of(p, gear->body[0]), line = yk_graph_vec_subtract(g, center_of(p, gear->body[1]), A);
+    YkRefVec out = yk_graph_vec_scale(g, yk_graph_number(g, a / (a + b)), line); // internal: beyond A
+    YkRefVec pitch = yk_graph_vec_add(g, A, out);
+    YkRef per = yk_graph_inverse(g, yk_graph_function(g, YK_SQRT, yk_graph_dot(g, line, line), -1));
+    YkRefVec unit = yk_graph_vec_scale(g, per, line);
+    yk_meshes_force(w, column, gear->body, pitch, yk_graph_vec_quarter(g, unit));
     if (w->columns[column].radial == 0) return;
     double slope = (a / (a + b) < 0 ? -1 : 1) * yk_tan(gear->pressure_angle);
-    YkRefVec radial = yk_dag_vec_scale(g, yk_dag_number(g, slope), unit);
+    YkRefVec radial = yk_graph_vec_scale(g, yk_graph_number(g, slope), unit);
     yk_meshes_force(w, w->n + w->columns[column].radial, gear->body, pitch, radial);
 }
 
 static void enter_rack(YkBalanceSystem *w, size_t column, const YkRack *rack)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkJoint *slide = &p->model->joints[rack->slide];
     double sign = slide->body[1] == rack->rack ? 1 : -1; // the distance and its sense are the second body's
     YkRefVec u = yk_forces_line(p, slide);
-    YkRef away = yk_dag_number(g, -sign * rack->sense * rack->radius);
+    YkRef away = yk_graph_number(g, -sign * rack->sense * rack->radius);
     YkRefVec center = center_of(p, rack->pinion);
-    YkRefVec pitch = yk_dag_vec_add(g, center, yk_dag_vec_scale(g, away, yk_dag_vec_quarter(g, u)));
+    YkRefVec pitch = yk_graph_vec_add(g, center, yk_graph_vec_scale(g, away, yk_graph_vec_quarter(g, u)));
     const int32_t bodies[] = {rack->pinion, rack->rack};
-    yk_meshes_force(w, column, bodies, pitch, yk_dag_vec_scale(g, yk_dag_number(g, sign), u));
+    yk_meshes_force(w, column, bodies, pitch, yk_graph_vec_scale(g, yk_graph_number(g, sign), u));
 }
 
 void yk_meshes_enter(YkBalanceSystem *w, size_t column)

@@ -7,12 +7,12 @@ static YkRef slope_of(const YkBalanceSystem *w, const YkRelation *r)
 {
     YkProgram *p = w->f->program;
     size_t index = (size_t)(r - p->mech->relations);
-    return yk_dag_divide(&p->graph, p->slope[2 * index], yk_dag_number(&p->graph, r->gain));
+    return yk_graph_divide(&p->graph, p->slope[2 * index], yk_graph_number(&p->graph, r->gain));
 }
 
-static YkRef times(YkDag *g, double factor, YkRef value)
+static YkRef times(YkGraph *g, double factor, YkRef value)
 {
-    return yk_dag_multiply(g, yk_dag_number(g, factor), value);
+    return yk_graph_multiply(g, yk_graph_number(g, factor), value);
 }
 
 // --- cams
@@ -32,58 +32,58 @@ static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
 // Adds couples in the ratio of the motions, for followers that turn and name no point.
 static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
-    YkDag *g = &w->f->program->graph;
+    YkGraph *g = &w->f->program->graph;
     double size = yk_program_size(w->f->program);
-    YkRef on_cam = times(g, -pose->turn * size, pose->slope), on_follower = yk_dag_number(g, pose->way * size);
-    const YkRef couples[] = {on_cam, on_follower, yk_dag_minus(g, yk_dag_add(g, on_cam, on_follower))};
+    YkRef on_cam = times(g, -pose->turn * size, pose->slope), on_follower = yk_graph_number(g, pose->way * size);
+    const YkRef couples[] = {on_cam, on_follower, yk_graph_minus(g, yk_graph_add(g, on_cam, on_follower))};
     yk_meshes_couples(w, column, (int32_t[]){cam->cam, cam->follower, cam->carrier}, couples);
 }
 
 // Pushes a flat face along its line of motion at the contact, which is off that line by the slope of the lift.
 static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
-    YkDag *g = &w->f->program->graph;
+    YkGraph *g = &w->f->program->graph;
     YkRef aside = times(g, -pose->turn, pose->slope);
-    YkRefVec off = yk_dag_vec_scale(g, aside, yk_dag_vec_quarter(g, pose->u));
-    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_dag_vec_add(g, pose->center, off), pose->u);
+    YkRefVec off = yk_graph_vec_scale(g, aside, yk_graph_vec_quarter(g, pose->u));
+    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, off), pose->u);
 }
 
 // Returns the roller or edge of a follower that slides and names no point.
 static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     double reach = cam->base + cam->roller, start = sqrt(reach * reach - cam->offset * cam->offset);
     YkRef lift = p->distance[p->mech->joint_distance[cam->follower_joint]];
-    YkRefVec along = yk_dag_vec_scale(g, yk_dag_add(g, yk_dag_number(g, start), lift), pose->u);
-    YkRef offset = yk_dag_number(g, -cam->offset);
-    YkRefVec aside = yk_dag_vec_scale(g, offset, yk_dag_vec_quarter(g, pose->u));
-    return yk_dag_vec_add(g, pose->center, yk_dag_vec_add(g, along, aside));
+    YkRefVec along = yk_graph_vec_scale(g, yk_graph_add(g, yk_graph_number(g, start), lift), pose->u);
+    YkRef offset = yk_graph_number(g, -cam->offset);
+    YkRefVec aside = yk_graph_vec_scale(g, offset, yk_graph_vec_quarter(g, pose->u));
+    return yk_graph_vec_add(g, pose->center, yk_graph_vec_add(g, along, aside));
 }
 
 // Adds a force along the common normal: across the path of the roller on the cam.
 static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
-    YkRefVec velocity = yk_dag_vec_scale(g, pose->slope, pose->u);
+    YkGraph *g = &p->graph;
+    YkRefVec velocity = yk_graph_vec_scale(g, pose->slope, pose->u);
     if (cam->oscillates) {
-        YkRefVec arm = yk_dag_vec_subtract(g, at, joint_on(p, cam->follower_joint, cam->follower));
+        YkRefVec arm = yk_graph_vec_subtract(g, at, joint_on(p, cam->follower_joint, cam->follower));
         YkRef spin = times(g, pose->way, pose->slope);
-        velocity = yk_dag_vec_scale(g, spin, yk_dag_vec_quarter(g, arm));
+        velocity = yk_graph_vec_scale(g, spin, yk_graph_vec_quarter(g, arm));
     }
-    YkRefVec out = yk_dag_vec_quarter(g, yk_dag_vec_subtract(g, at, pose->center));
-    YkRefVec against = yk_dag_vec_subtract(g, velocity, yk_dag_vec_scale(g, yk_dag_number(g, pose->turn), out));
-    YkRef speed = yk_dag_function(g, YK_SQRT, yk_dag_dot(g, against, against), -1);
-    YkRef per = yk_dag_inverse(g, speed);
-    YkRefVec force = yk_dag_vec_scale(g, per, yk_dag_vec_quarter(g, against));
+    YkRefVec out = yk_graph_vec_quarter(g, yk_graph_vec_subtract(g, at, pose->center));
+    YkRefVec against = yk_graph_vec_subtract(g, velocity, yk_graph_vec_scale(g, yk_graph_number(g, pose->turn), out));
+    YkRef speed = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, against, against), -1);
+    YkRef per = yk_graph_inverse(g, speed);
+    YkRefVec force = yk_graph_vec_scale(g, per, yk_graph_vec_quarter(g, against));
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, force);
 }
 
 void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkCam *cam)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkModel *m = p->model;
     CamPose pose = {.slope = slope_of(w, r)};
     pose.center = joint_on(p, cam->cam_joint, cam->cam);
@@ -91,8 +91,8 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
     pose.way = m->joints[cam->follower_joint].body[1] == cam->follower ? 1 : -1;
     pose.turn = m->joints[cam->cam_joint].body[1] == cam->cam ? 1 : -1;
     YkRefVec carrier =
-        yk_dag_vec_multiply(g, p->unit[p->mech->bodies[cam->carrier].orientation], p->turn_unit[cam->carrier]);
-    pose.u = yk_dag_vec_multiply(g, carrier, yk_dag_vec_number(g, cam->along.x, cam->along.y));
+        yk_graph_vec_multiply(g, p->unit[p->mech->bodies[cam->carrier].orientation], p->turn_unit[cam->carrier]);
+    pose.u = yk_graph_vec_multiply(g, carrier, yk_graph_vec_number(g, cam->along.x, cam->along.y));
     if (!cam->oscillates && (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)))
         flat_face(w, column, cam, &pose);
     else if (cam->point != YK_NONE)
@@ -109,26 +109,26 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
 static void push_along(YkBalanceSystem *w, size_t column, int32_t coordinate, YkRef effort)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkCoordinate *c = &p->model->coordinates[coordinate];
     const YkJoint *j = &p->model->joints[c->joint];
     if (c->is_distance) {
         YkRefVec at = yk_program_at(p, j->body[1], yk_program_point(p, j->point[1]));
-        yk_meshes_force(w, column, j->body, at, yk_dag_vec_scale(g, effort, yk_forces_line(p, j)));
+        yk_meshes_force(w, column, j->body, at, yk_graph_vec_scale(g, effort, yk_forces_line(p, j)));
         return;
     }
-    YkRefVec none = yk_dag_vec_number(g, 0, 0);
+    YkRefVec none = yk_graph_vec_number(g, 0, 0);
     yk_balance_add(w, column, j->body[1], none, effort);
-    yk_balance_add(w, column, j->body[0], none, yk_dag_minus(g, effort));
+    yk_balance_add(w, column, j->body[0], none, yk_graph_minus(g, effort));
 }
 
 // The follower pushes along its own coordinate; the other coordinate's two bodies feel minus the law's slope of it.
 void yk_meshes_follow(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkFollow *follow)
 {
     YkProgram *p = w->f->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     bool is_distance = p->model->coordinates[follow->coordinate].is_distance;
-    YkRef unit = yk_dag_number(g, is_distance ? 1 : yk_program_size(p));
+    YkRef unit = yk_graph_number(g, is_distance ? 1 : yk_program_size(p));
     push_along(w, column, follow->coordinate, unit);
-    push_along(w, column, follow->of, yk_dag_minus(g, yk_dag_multiply(g, slope_of(w, r), unit)));
+    push_along(w, column, follow->of, yk_graph_minus(g, yk_graph_multiply(g, slope_of(w, r), unit)));
 }

@@ -19,7 +19,7 @@ static void take(Scope *scope, const char *name)
 static bool is_free(Scope *scope, const char *name)
 {
     for (size_t k = 0; k < scope->ending_count; k++) {
-        const char *member = yk_program_text(scope->program, "%s%s", name, scope->endings[k]);
+        const char *member = yk_graph_text(&scope->program->graph, "%s%s", name, scope->endings[k]);
         if (yk_program_is_reserved(scope->program, member) || yk_names_find(&scope->taken, member) != YK_NONE)
             return false;
     }
@@ -30,10 +30,10 @@ static bool is_free(Scope *scope, const char *name)
 static const char *choose(Scope *scope, const char *wish)
 {
     const char *name = wish;
-    for (int k = 2; !scope->program->failed && !is_free(scope, name); k++)
-        name = yk_program_name(scope->program, yk_program_text(scope->program, "%s_%d", wish, k));
+    for (int k = 2; !scope->program->graph.failed && !is_free(scope, name); k++)
+        name = yk_program_name(scope->program, yk_graph_text(&scope->program->graph, "%s_%d", wish, k));
     for (size_t k = 0; k < scope->ending_count; k++)
-        take(scope, yk_program_text(scope->program, "%s%s", name, scope->endings[k]));
+        take(scope, yk_graph_text(&scope->program->graph, "%s%s", name, scope->endings[k]));
     return name;
 }
 
@@ -81,13 +81,13 @@ static void name_configuration(YkProgram *p)
     for (size_t k = 0; k < p->mech->coordinate_count; k++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         if (!c->is_distance && c->input == YK_NONE)
-            p->names.near_coordinate[k] = choose(&scope, yk_program_text(p, "near_%s", p->names.coordinate[k]));
+            p->names.near_coordinate[k] = choose(&scope, yk_graph_text(&p->graph, "near_%s", p->names.coordinate[k]));
     }
     for (size_t k = 0; k < p->mech->source_count; k++) {
         const YkRelationSource *s = &p->mech->sources[k];
         if (s->kind == YK_SOURCE_SLOT && !p->names.near_slot[s->index])
-            p->names.near_slot[s->index] =
-                choose(&scope, yk_program_name(p, yk_program_text(p, "near_%s", yk_program_slot_name(p, s->index))));
+            p->names.near_slot[s->index] = choose(
+                &scope, yk_program_name(p, yk_graph_text(&p->graph, "near_%s", yk_program_slot_name(p, s->index))));
     }
     close_scope(&scope);
 }
@@ -99,7 +99,7 @@ static void name_points(YkProgram *p)
     for (size_t k = 0; k < p->model->point_count; k++) {
         const YkPoint *point = &p->model->points[k];
         if (point->body == 0) continue;
-        const char *both = yk_program_text(p, "%s_%s", p->model->bodies[point->body].name, point->name);
+        const char *both = yk_graph_text(&p->graph, "%s_%s", p->model->bodies[point->body].name, point->name);
         p->names.point[k] = choose(&scope, yk_program_name(p, both));
     }
     close_scope(&scope);
@@ -140,5 +140,5 @@ bool yk_program_choose_names(YkProgram *p)
     name_points(p);
     name_joints(p);
     name_laws(p);
-    return !p->failed;
+    return !p->failed && !p->graph.failed;
 }

@@ -1,6 +1,5 @@
 // Prints Newton's method for one group as a function of its own.
-#include "code/print.h"
-#include <string.h>
+#include "code/file.h"
 
 typedef struct Gather {
     YkPrinter *pr;
@@ -11,7 +10,7 @@ typedef struct Gather {
 
 static const YkValue *value_of(const YkPrinter *pr, YkRef value)
 {
-    return &pr->program->graph.values[value];
+    return &pr->graph->values[value];
 }
 
 // Returns the operands; for a law's result, the law's argument. Results of other calls depend on no unknown.
@@ -21,7 +20,7 @@ static size_t operands_of(const Gather *g, const YkValue *v, YkRef *operands)
     size_t count = 0;
     if (v->op == YK_VALUE_LEAF) return 0;
     if (v->op == YK_VALUE_RESULT) {
-        const YkCall *call = &g->pr->program->graph.calls[v->a];
+        const YkCall *call = &g->pr->graph->calls[v->a];
         if (call->kind == YK_CALL_LAW) operands[count++] = call->arguments[0];
         return count;
     }
@@ -60,11 +59,13 @@ static void gather(Gather *g, YkRef value)
     g->count++;
 }
 
-size_t yk_printer_group_known(YkPrinter *pr, size_t block, YkRef *known, size_t capacity)
+size_t yk_call_known(YkPrinter *pr, const YkCall *call, YkRef *known, size_t capacity)
 {
-    const YkPlaced *placed = &pr->program->placed[block];
-    size_t n = pr->program->mech->blocks[block].column_count;
-    Gather g = {pr, known, 0, capacity, YK_NEW(pr->program->arena, signed char, pr->room)};
+    if (call->kind != YK_CALL_GROUP) return 0;
+    const YkProgram *p = pr->file->context;
+    const YkPlaced *placed = &p->placed[call->index];
+    size_t n = p->mech->blocks[call->index].column_count;
+    Gather g = {pr, known, 0, capacity, YK_NEW(p->arena, signed char, pr->room)};
     if (!g.hangs) {
         pr->failed = true;
         return 0;
@@ -75,20 +76,21 @@ size_t yk_printer_group_known(YkPrinter *pr, size_t block, YkRef *known, size_t 
     return g.count;
 }
 
-void yk_printer_group(YkPrinter *pr, size_t block)
+void yk_file_write_group(YkFile *file, size_t block)
 {
-    YkProgram *p = pr->program;
+    YkProgram *p = &file->program;
+    YkPrinter *pr = &file->printer;
     const YkPlaced *placed = &p->placed[block];
     const YkBlock *b = &p->mech->blocks[block];
     const char *real = pr->single ? "float" : "double", *name = placed->name;
     int n = (int)b->column_count;
     YkRef known[YK_PRINTER_KNOWN_MAX];
-    size_t count = yk_printer_group_known(pr, block, known, YK_PRINTER_KNOWN_MAX);
+    size_t count = yk_call_known(pr, &p->graph.calls[placed->call], known, YK_PRINTER_KNOWN_MAX);
     YkRef *roots = YK_NEW(p->arena, YkRef, (size_t)(n + n * n));
     if (!roots || pr->failed) return;
     for (int i = 0; i < n; i++) { // rows with their right side
         for (int j = 0; j < n; j++) roots[i * (n + 1) + j] = placed->jacobian[i * n + j];
-        roots[i * (n + 1) + n] = yk_dag_minus(&p->graph, placed->residual[i]);
+        roots[i * (n + 1) + n] = yk_graph_minus(&p->graph, placed->residual[i]);
     }
     yk_text_format(
         pr->out,
@@ -101,7 +103,7 @@ void yk_printer_group(YkPrinter *pr, size_t block)
     yk_text_format(pr->out, "    %s miss = 0;\n    (void)m;\n    (void)known;\n", real);
     pr->cut = known;
     pr->cut_count = count;
-    pr->unknowns = yk_program_text(p, "x_%s", name);
+    pr->unknowns = yk_graph_text(&p->graph, "x_%s", name);
     yk_printer_body(pr, roots, (size_t)(n * (n + 1)));
     for (int k = 0; k < n * (n + 1); k++) {
         yk_text_format(pr->out, "    system[%d] = ", k);

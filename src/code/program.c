@@ -21,14 +21,14 @@ bool yk_program_start(YkProgram *p, const YkMechanism *mech, const YkRecipe *rec
     p->argument = YK_NEW(arena, YkRef, relations);
     p->argument_rate = YK_NEW(arena, YkRef, relations);
     p->slope = YK_NEW(arena, YkRef, 2 * relations);
-    if (yk_arena_failed(arena) || !yk_dag_start(&p->graph, arena)) return false;
-    p->time = yk_dag_leaf(&p->graph, YK_LEAF_POSE, "in->t");
+    if (yk_arena_failed(arena) || !yk_graph_start(&p->graph, arena)) return false;
+    p->time = yk_graph_leaf(&p->graph, YK_LEAF_POSE, "in->t");
     return true;
 }
 
 void yk_program_end(YkProgram *p)
 {
-    yk_dag_end(&p->graph);
+    yk_graph_end(&p->graph);
 }
 
 double yk_program_size(const YkProgram *p)

@@ -6,9 +6,9 @@
 #ifndef CODE_PROGRAM_H
 #define CODE_PROGRAM_H
 #include <yoke/code.h>
-#include "code/dag.h"
 #include "compile/mechanism.h"
 #include "compile/recipe.h"
+#include "graph/graph.h"
 
 // First or second derivatives of all orientations (by slot), distances and nodes.
 typedef struct YkRates {
@@ -52,7 +52,7 @@ typedef struct YkCNames {
 } YkCNames;
 
 typedef struct YkProgram {
-    YkDag graph;
+    YkGraph graph;
     const char *prefix; // of all names of the file at its outermost level
     YkCNames names;
     YkArena *arena;
@@ -89,7 +89,6 @@ bool yk_program_start(YkProgram *program, const YkMechanism *mech, const YkRecip
 void yk_program_end(YkProgram *program);
 // Returns the machine's size to the nearest power of two, for tolerances: the text then depends on no value.
 double yk_program_size(const YkProgram *program);
-char *yk_program_text(YkProgram *program, const char *format, ...); // in the arena
 
 // constants.c: numbers of the model as values.
 // Fixes the parameters on which numbers depend that the program cannot compute anew.

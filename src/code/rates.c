@@ -4,7 +4,7 @@
 YkRates yk_program_new_rates(YkProgram *p)
 {
     const YkMechanism *mech = p->mech;
-    YkRef zero = yk_dag_number(&p->graph, 0);
+    YkRef zero = yk_graph_number(&p->graph, 0);
     YkRates r = {YK_NEW(p->arena, YkRef, mech->slot_count + 1), YK_NEW(p->arena, YkRef, mech->distance_count + 1),
                  YK_NEW(p->arena, YkRefVec, mech->node_count + 1)};
     if (yk_arena_failed(p->arena)) {
@@ -19,32 +19,32 @@ YkRates yk_program_new_rates(YkProgram *p)
 
 static YkRefVec add_nodes(YkProgram *p, const YkSum *sum, const YkRates *r)
 {
-    YkDag *g = &p->graph;
-    YkRefVec total = yk_dag_vec_number(g, 0, 0);
-    if (sum->plus != YK_NONE) total = yk_dag_vec_add(g, total, r->node[sum->plus]);
-    if (sum->minus != YK_NONE) total = yk_dag_vec_subtract(g, total, r->node[sum->minus]);
+    YkGraph *g = &p->graph;
+    YkRefVec total = yk_graph_vec_number(g, 0, 0);
+    if (sum->plus != YK_NONE) total = yk_graph_vec_add(g, total, r->node[sum->plus]);
+    if (sum->minus != YK_NONE) total = yk_graph_vec_subtract(g, total, r->node[sum->minus]);
     return total;
 }
 
 static YkRefVec turned(YkProgram *p, size_t index)
 {
-    return yk_dag_vec_multiply(&p->graph, p->unit[p->mech->terms[index].slot], yk_program_term(p, index));
+    return yk_graph_vec_multiply(&p->graph, p->unit[p->mech->terms[index].slot], yk_program_term(p, index));
 }
 
 // (d u)' = d' u + d w i u
 YkRefVec yk_program_sum_rate(YkProgram *p, const YkSum *sum, const YkRates *r)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRefVec total = add_nodes(p, sum, r);
     for (uint32_t k = 0; k < sum->count; k++) {
         const YkTerm *term = &p->mech->terms[sum->first + k];
         YkRefVec u = turned(p, sum->first + k);
         YkRef across = r->turn[term->slot];
         if (term->distance != YK_NONE) {
-            total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, r->slide[term->distance], u));
-            u = yk_dag_vec_scale(g, p->distance[term->distance], u);
+            total = yk_graph_vec_add(g, total, yk_graph_vec_scale(g, r->slide[term->distance], u));
+            u = yk_graph_vec_scale(g, p->distance[term->distance], u);
         }
-        total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, across, yk_dag_vec_quarter(g, u)));
+        total = yk_graph_vec_add(g, total, yk_graph_vec_scale(g, across, yk_graph_vec_quarter(g, u)));
     }
     return total;
 }
@@ -52,21 +52,21 @@ YkRefVec yk_program_sum_rate(YkProgram *p, const YkSum *sum, const YkRates *r)
 // (d u)'' = d'' u + 2 d' w i u + d (a i u - w^2 u)
 YkRefVec yk_program_sum_accel(YkProgram *p, const YkSum *sum, const YkRates *r, const YkRates *s)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRefVec total = add_nodes(p, sum, s);
     for (uint32_t k = 0; k < sum->count; k++) {
         const YkTerm *term = &p->mech->terms[sum->first + k];
         YkRefVec u = turned(p, sum->first + k);
         YkRef w = r->turn[term->slot], a = s->turn[term->slot];
         if (term->distance != YK_NONE) {
-            YkRef two = yk_dag_number(g, 2), speed = yk_dag_multiply(g, r->slide[term->distance], w),
-                  twice = yk_dag_multiply(g, two, speed);
-            total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, s->slide[term->distance], u));
-            total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, twice, yk_dag_vec_quarter(g, u)));
-            u = yk_dag_vec_scale(g, p->distance[term->distance], u);
+            YkRef two = yk_graph_number(g, 2), speed = yk_graph_multiply(g, r->slide[term->distance], w),
+                  twice = yk_graph_multiply(g, two, speed);
+            total = yk_graph_vec_add(g, total, yk_graph_vec_scale(g, s->slide[term->distance], u));
+            total = yk_graph_vec_add(g, total, yk_graph_vec_scale(g, twice, yk_graph_vec_quarter(g, u)));
+            u = yk_graph_vec_scale(g, p->distance[term->distance], u);
         }
-        total = yk_dag_vec_add(g, total, yk_dag_vec_scale(g, a, yk_dag_vec_quarter(g, u)));
-        total = yk_dag_vec_subtract(g, total, yk_dag_vec_scale(g, yk_dag_multiply(g, w, w), u));
+        total = yk_graph_vec_add(g, total, yk_graph_vec_scale(g, a, yk_graph_vec_quarter(g, u)));
+        total = yk_graph_vec_subtract(g, total, yk_graph_vec_scale(g, yk_graph_multiply(g, w, w), u));
     }
     return total;
 }
@@ -74,15 +74,15 @@ YkRefVec yk_program_sum_accel(YkProgram *p, const YkSum *sum, const YkRates *r, 
 // Rates of a relation's sources.
 static YkRef sources(YkProgram *p, uint32_t first, uint32_t count, const YkRef *input, const YkRates *r)
 {
-    YkDag *g = &p->graph;
-    YkRef sum = yk_dag_number(g, 0);
+    YkGraph *g = &p->graph;
+    YkRef sum = yk_graph_number(g, 0);
     for (uint32_t k = first; k < first + count; k++) {
         const YkRelationSource *s = &p->mech->sources[k];
         YkRef rate = s->kind == YK_SOURCE_INPUT      ? input[s->index]
-                     : s->kind == YK_SOURCE_COLUMN   ? yk_dag_number(g, 0) // known apart
+                     : s->kind == YK_SOURCE_COLUMN   ? yk_graph_number(g, 0) // known apart
                      : s->kind == YK_SOURCE_DISTANCE ? r->slide[s->index]
                                                      : r->turn[s->index];
-        sum = yk_dag_add(g, sum, yk_dag_multiply(g, yk_dag_number(g, s->factor), rate));
+        sum = yk_graph_add(g, sum, yk_graph_multiply(g, yk_graph_number(g, s->factor), rate));
     }
     return sum;
 }
@@ -90,14 +90,14 @@ static YkRef sources(YkProgram *p, uint32_t first, uint32_t count, const YkRef *
 // Adds to the rate of a relation's argument the part of its group's unknowns, if it is solved in a group.
 static YkRef columns_rate(YkProgram *p, const YkBlock *b, const YkRelation *relation, const YkRates *r)
 {
-    YkDag *g = &p->graph;
-    YkRef sum = yk_dag_number(g, 0);
+    YkGraph *g = &p->graph;
+    YkRef sum = yk_graph_number(g, 0);
     for (uint32_t k = 0; k < relation->argument_source_count; k++) {
         const YkRelationSource *s = &p->mech->sources[relation->first_argument_source + k];
         if (s->kind != YK_SOURCE_COLUMN) continue;
         const YkColumn *c = &p->mech->group_columns[b->first_column + (uint32_t)s->index];
         YkRef rate = c->is_distance ? r->slide[c->index] : r->turn[c->index];
-        sum = yk_dag_add(g, sum, yk_dag_multiply(g, yk_dag_number(g, s->factor), rate));
+        sum = yk_graph_add(g, sum, yk_graph_multiply(g, yk_graph_number(g, s->factor), rate));
     }
     return sum;
 }
@@ -108,7 +108,7 @@ void yk_program_group_arguments(YkProgram *p, const YkBlock *b, const YkRates *r
         size_t index = (size_t)p->mech->group_relations[b->first_relation + k];
         if (!p->mech->relations[index].law) continue;
         YkRef own = columns_rate(p, b, &p->mech->relations[index], r);
-        p->argument_rate[index] = yk_dag_add(&p->graph, p->argument_rate[index], own);
+        p->argument_rate[index] = yk_graph_add(&p->graph, p->argument_rate[index], own);
     }
 }
 
@@ -131,26 +131,26 @@ YkRef yk_program_argument_rate(YkProgram *p, size_t index, const YkRates *r)
     for (size_t i = 0; i < p->mech->input_count; i++) input[i] = p->input[i].velocity;
     YkRef known = sources(p, relation->first_argument_source, relation->argument_source_count, input, r);
     const YkBlock *group = group_of(p->mech, index);
-    return group ? yk_dag_add(&p->graph, known, columns_rate(p, group, relation, r)) : known;
+    return group ? yk_graph_add(&p->graph, known, columns_rate(p, group, relation, r)) : known;
 }
 
 // value' = sources' + f' x', value'' = sources'' + f' x'' + f'' x'^2; r: first derivatives, if s are second ones.
 YkRef yk_program_relation_rate(YkProgram *p, size_t index, const YkRates *r, const YkRates *s)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkRelation *relation = &p->mech->relations[index];
     const YkRates *of = s ? s : r;
     const YkRef *input = p->input_rates;
     YkRef value = sources(p, relation->first_source, relation->source_count, input, of);
     if (!relation->law) return value;
     YkRef x = sources(p, relation->first_argument_source, relation->argument_source_count, input, of);
-    value = yk_dag_add(g, value, yk_dag_multiply(g, p->slope[2 * index], x));
+    value = yk_graph_add(g, value, yk_graph_multiply(g, p->slope[2 * index], x));
     if (!s) {
         p->argument_rate[index] = x;
         return value;
     }
     YkRef w = p->argument_rate[index];
-    return yk_dag_add(g, value, yk_dag_multiply(g, p->slope[2 * index + 1], yk_dag_multiply(g, w, w)));
+    return yk_graph_add(g, value, yk_graph_multiply(g, p->slope[2 * index + 1], yk_graph_multiply(g, w, w)));
 }
 
 static void run_relation(YkProgram *p, size_t index, const YkRates *r, YkRates *s)
@@ -162,29 +162,29 @@ static void run_relation(YkProgram *p, size_t index, const YkRates *r, YkRates *
 
 static void name_rates(YkProgram *p, const YkStep *step, const YkRates *s, const char *ending)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     if (step->kind != YK_STEP_BLOCK) return;
     const YkBlock *b = &p->mech->blocks[step->target];
     for (uint32_t k = 0; k < b->column_count; k++) {
         YkColumn c = b->kind == YK_BLOCK_GROUP ? p->mech->group_columns[b->first_column + k] : b->column[k];
         YkRef value = c.is_distance ? s->slide[c.index] : s->turn[c.index];
         const char *name = c.is_distance ? yk_program_distance_name(p, c.index) : yk_program_slot_name(p, c.index);
-        yk_dag_name(g, value, "%s_%s", name, ending);
+        yk_graph_name(g, value, "%s_%s", name, ending);
     }
 }
 
 // r: the first derivatives, if s are the second; otherwise NULL.
 static void run_step(YkProgram *p, const YkStep *step, const YkRef *input, YkRates *r, YkRates *s)
 {
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     switch (step->kind) {
     case YK_STEP_TURN: {
-        YkRef change = step->sign < 0 ? yk_dag_minus(g, input[step->input]) : input[step->input];
-        s->turn[step->target] = yk_dag_add(g, s->turn[step->parent], change);
+        YkRef change = step->sign < 0 ? yk_graph_minus(g, input[step->input]) : input[step->input];
+        s->turn[step->target] = yk_graph_add(g, s->turn[step->parent], change);
         break;
     }
     case YK_STEP_COMPOSE:
-        s->turn[step->target] = yk_dag_add(g, s->turn[step->parent], s->turn[step->other]);
+        s->turn[step->target] = yk_graph_add(g, s->turn[step->parent], s->turn[step->other]);
         break;
     case YK_STEP_DISTANCE:
         s->slide[step->target] = input[step->input];
@@ -210,7 +210,7 @@ YkRates yk_program_velocities(YkProgram *p, const YkRef *input_rates)
 {
     YkRates r = yk_program_new_rates(p);
     p->input_rates = input_rates;
-    yk_dag_section(&p->graph, "Velocities, block by block from the same determinants.");
+    yk_graph_section(&p->graph, "Velocities, block by block from the same determinants.");
     for (size_t k = 0; k < p->mech->step_count && !p->failed; k++)
         run_step(p, &p->mech->steps[k], input_rates, NULL, &r);
     return r;
@@ -220,7 +220,7 @@ YkRates yk_program_accelerations(YkProgram *p, const YkRates *velocities, const 
 {
     YkRates s = yk_program_new_rates(p), r = *velocities;
     p->input_rates = input_accelerations;
-    yk_dag_section(&p->graph, "Accelerations, likewise.");
+    yk_graph_section(&p->graph, "Accelerations, likewise.");
     for (size_t k = 0; k < p->mech->step_count && !p->failed; k++)
         run_step(p, &p->mech->steps[k], input_accelerations, &r, &s);
     return s;

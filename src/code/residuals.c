@@ -15,7 +15,7 @@ typedef struct Work {
 static YkRef leaf(Work *w, size_t k)
 {
     YkProgram *p = &w->file->program;
-    return yk_dag_leaf(&p->graph, YK_LEAF_POSE, yk_program_text(p, "q[%d]", (int)k));
+    return yk_graph_leaf(&p->graph, YK_LEAF_POSE, yk_graph_text(&p->graph, "q[%d]", (int)k));
 }
 
 static void make_leaves(Work *w)
@@ -39,17 +39,17 @@ static void make_leaves(Work *w)
 static void make_angles(Work *w)
 {
     YkProgram *p = &w->file->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     const YkMechanism *mech = p->mech;
     for (size_t o = 0; o < mech->orientation_count; o++) {
-        YkRef sum = yk_dag_minus(g, p->turn[mech->orientation_body[o]]);
+        YkRef sum = yk_graph_minus(g, p->turn[mech->orientation_body[o]]);
         for (int32_t b = mech->orientation_body[o]; mech->tree.parent[b] != YK_NONE; b = mech->tree.parent[b]) {
             const YkJoint *joint = &p->model->joints[mech->tree.joint[b]];
             int32_t c = yk_tree_coordinate(mech, mech->tree.joint[b], false);
             YkRef part = c != YK_NONE         ? w->coordinate[c]
                          : joint->turned_expr ? yk_program_expr(p, joint->turned_expr)
-                                              : yk_dag_number(g, joint->turned);
-            sum = joint->body[1] == b ? yk_dag_add(g, sum, part) : yk_dag_subtract(g, sum, part);
+                                              : yk_graph_number(g, joint->turned);
+            sum = joint->body[1] == b ? yk_graph_add(g, sum, part) : yk_graph_subtract(g, sum, part);
         }
         w->angle[o] = sum;
     }
@@ -58,14 +58,14 @@ static void make_angles(Work *w)
 static void add_loop(Work *w, const YkSum *sum)
 {
     YkProgram *p = &w->file->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRefVec total = yk_program_constant(p, sum);
     for (uint32_t k = 0; k < sum->count; k++) {
         const YkTerm *term = &p->mech->terms[sum->first + k];
-        YkRefVec e = yk_dag_unit(g, w->angle[term->slot]);
-        YkRefVec v = yk_dag_vec_multiply(g, e, yk_program_term(p, sum->first + k));
-        if (term->distance != YK_NONE) v = yk_dag_vec_scale(g, w->coordinate[w->distance[term->distance]], v);
-        total = yk_dag_vec_add(g, total, v);
+        YkRefVec e = yk_graph_unit(g, w->angle[term->slot]);
+        YkRefVec v = yk_graph_vec_multiply(g, e, yk_program_term(p, sum->first + k));
+        if (term->distance != YK_NONE) v = yk_graph_vec_scale(g, w->coordinate[w->distance[term->distance]], v);
+        total = yk_graph_vec_add(g, total, v);
     }
     w->rows[w->row_count++] = total.x;
     w->rows[w->row_count++] = total.y;
@@ -74,12 +74,12 @@ static void add_loop(Work *w, const YkSum *sum)
 static YkRef relation_sum(Work *w, uint32_t first, uint32_t count)
 {
     YkProgram *p = &w->file->program;
-    YkDag *g = &p->graph;
-    YkRef sum = yk_dag_number(g, 0);
+    YkGraph *g = &p->graph;
+    YkRef sum = yk_graph_number(g, 0);
     for (uint32_t k = first; k < first + count; k++) {
         const YkRelationTerm *t = &p->mech->relation_terms[k];
         YkRef x = t->is_distance ? w->coordinate[w->distance[t->index]] : w->angle[t->index];
-        sum = yk_dag_add(g, sum, yk_dag_multiply(g, yk_dag_number(g, t->factor), x));
+        sum = yk_graph_add(g, sum, yk_graph_multiply(g, yk_graph_number(g, t->factor), x));
     }
     return sum;
 }
@@ -87,13 +87,14 @@ static YkRef relation_sum(Work *w, uint32_t first, uint32_t count)
 static void add_relation(Work *w, const YkRelation *r)
 {
     YkProgram *p = &w->file->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRef sum = relation_sum(w, r->first_term, r->term_count);
-    YkRef row = yk_dag_subtract(g, sum, yk_dag_number(g, r->constant));
+    YkRef row = yk_graph_subtract(g, sum, yk_graph_number(g, r->constant));
     if (r->law) {
         YkRef argument = relation_sum(w, r->first_argument, r->argument_count);
-        argument = yk_dag_add(g, argument, yk_dag_number(g, r->argument_constant));
-        row = yk_dag_subtract(g, row, yk_dag_result(g, yk_program_call_law(p, yk_program_law(p, r->law), argument), 0));
+        argument = yk_graph_add(g, argument, yk_graph_number(g, r->argument_constant));
+        row = yk_graph_subtract(g, row,
+                                yk_graph_result(g, yk_program_call_law(p, yk_program_law(p, r->law), argument), 0));
     }
     w->rows[w->row_count++] = row;
 }
@@ -109,7 +110,7 @@ bool yk_file_residuals(YkFile *file)
     w.angle = YK_NEW(p->arena, YkRef, mech->orientation_count);
     w.rows = YK_NEW(p->arena, YkRef, rows + 1);
     if (yk_arena_failed(p->arena)) return false;
-    yk_dag_section(&p->graph, NULL);
+    yk_graph_section(&p->graph, NULL);
     make_leaves(&w);
     make_angles(&w);
     for (size_t l = 0; l < mech->loop_count; l++) add_loop(&w, &mech->loops[l].sum);
@@ -121,7 +122,7 @@ bool yk_file_residuals(YkFile *file)
     for (size_t i = 0; i < w.row_count; i++) file->residuals[file->residual_count++] = w.rows[i];
     for (size_t i = 0; i < w.row_count; i++)
         for (size_t k = 0; k < w.count; k++)
-            file->residuals[file->residual_count++] = yk_dag_derivative(&p->graph, w.rows[i], w.coordinate[k]);
+            file->residuals[file->residual_count++] = yk_graph_derivative(&p->graph, w.rows[i], w.coordinate[k]);
     return !p->failed;
 }
 

@@ -32,7 +32,7 @@ static YkChannel of(YkChannelKind kind, size_t index, int order)
 
 static YkRef witness(YkProgram *p, YkRef sum, YkRef value)
 {
-    return yk_dag_add(&p->graph, sum, yk_dag_unary(&p->graph, YK_VALUE_WITNESS, value));
+    return yk_graph_add(&p->graph, sum, yk_graph_unary(&p->graph, YK_VALUE_WITNESS, value));
 }
 
 static const char *unit_of(bool is_distance, int order)
@@ -78,7 +78,7 @@ static void add_motion(YkFile *file, const Rates *r)
     YkProgram *p = &file->program;
     size_t n = p->mech->coordinate_count;
     YkRoutine *routine = begin(file, "motion", "Coordinates that are not inputs, with rates and accelerations.", 3 * n);
-    yk_dag_section(&p->graph, "Answers: angles between bodies, nearest to the configuration's.");
+    yk_graph_section(&p->graph, "Answers: angles between bodies, nearest to the configuration's.");
     for (size_t k = 0; k < n && !p->failed; k++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         const char *name = p->names.coordinate[k];
@@ -98,11 +98,11 @@ static void add_motion(YkFile *file, const Rates *r)
 static void add_points(YkFile *file, const Rates *r)
 {
     YkProgram *p = &file->program;
-    YkDag *g = &p->graph;
+    YkGraph *g = &p->graph;
     YkRoutine *routine =
         begin(file, "points", "Points of the moving bodies: places, velocities, accelerations, in world axes.",
               6 * p->model->point_count);
-    yk_dag_section(g, "Points.");
+    yk_graph_section(g, "Points.");
     for (size_t k = 0; k < p->model->point_count && !p->failed; k++) {
         const YkPoint *point = &p->model->points[k];
         if (point->body == 0) continue;
@@ -187,8 +187,8 @@ static void add_reactions(YkFile *file, const Rates *r)
             yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, j, 0), "N m", f->reaction[3 * j + 2], "%s_moment",
                                name);
     }
-    YkRef size = yk_dag_unary(&p->graph, YK_VALUE_SIZE, f->determinant);
-    routine->regular = yk_dag_subtract(&p->graph, size, yk_dag_number(&p->graph, 1e-14));
+    YkRef size = yk_graph_unary(&p->graph, YK_VALUE_SIZE, f->determinant);
+    routine->regular = yk_graph_subtract(&p->graph, size, yk_graph_number(&p->graph, 1e-14));
     routine->checks_results = true;
     routine->kind = YK_ROUTINE_INVERSE;
     routine->witness = rates_witness(p);
@@ -199,16 +199,16 @@ static void add_reactions(YkFile *file, const Rates *r)
 // Returns a drive's value: its expression, or a law of it, with two time derivatives.
 static YkMotionRef drive_of(YkProgram *p, const YkDrive *drive)
 {
-    YkDag *g = &p->graph;
-    YkRef x = yk_program_expr(p, drive->expr), v = yk_dag_derivative(g, x, p->time),
-          a = yk_dag_derivative(g, v, p->time);
+    YkGraph *g = &p->graph;
+    YkRef x = yk_program_expr(p, drive->expr), v = yk_graph_derivative(g, x, p->time),
+          a = yk_graph_derivative(g, v, p->time);
     if (drive->law == YK_NONE) return (YkMotionRef){x, v, a};
     int32_t call = yk_program_call_law(p, drive->law, x);
-    YkRef d1 = yk_dag_result(g, call, 1), d2 = yk_dag_result(g, call, 2);
-    YkRef bend = yk_dag_multiply(g, d2, yk_dag_multiply(g, v, v));
-    YkMotionRef motion = {.position = yk_dag_result(g, call, 0)};
-    motion.velocity = yk_dag_multiply(g, d1, v);
-    motion.acceleration = yk_dag_add(g, yk_dag_multiply(g, d1, a), bend);
+    YkRef d1 = yk_graph_result(g, call, 1), d2 = yk_graph_result(g, call, 2);
+    YkRef bend = yk_graph_multiply(g, d2, yk_graph_multiply(g, v, v));
+    YkMotionRef motion = {.position = yk_graph_result(g, call, 0)};
+    motion.velocity = yk_graph_multiply(g, d1, v);
+    motion.acceleration = yk_graph_add(g, yk_graph_multiply(g, d1, a), bend);
     return motion;
 }
 
@@ -220,7 +220,7 @@ static void add_drives(YkFile *file)
         p->failed = true;
         return;
     }
-    yk_dag_section(&p->graph, NULL);
+    yk_graph_section(&p->graph, NULL);
     for (size_t i = 0; i < p->mech->input_count; i++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
         if (c->drive == YK_NONE) continue;
@@ -228,9 +228,9 @@ static void add_drives(YkFile *file)
         YkMotionRef m = drive_of(p, &p->model->drives[c->drive]);
         file->drives[file->drive_count++] = (YkResult){.name = name, .value = m.position};
         file->drives[file->drive_count++] =
-            (YkResult){.name = yk_program_text(p, "%s_rate", name), .value = m.velocity};
+            (YkResult){.name = yk_graph_text(&p->graph, "%s_rate", name), .value = m.velocity};
         file->drives[file->drive_count++] =
-            (YkResult){.name = yk_program_text(p, "%s_accel", name), .value = m.acceleration};
+            (YkResult){.name = yk_graph_text(&p->graph, "%s_accel", name), .value = m.acceleration};
     }
 }
 

@@ -18,10 +18,10 @@ static void add_inputs(YkFile *file)
         YkMotion m = yk_state_input(file->state, i);
         const char *const *unit = units[c->is_distance];
         add(file->inputs, &file->input_count, name, unit[0], m.position, 0);
-        add(file->inputs, &file->input_count, yk_program_text(p, "%s_rate", name), unit[1], m.velocity, 0);
-        add(file->inputs, &file->input_count, yk_program_text(p, "%s_accel", name), unit[2], m.acceleration, 0);
+        add(file->inputs, &file->input_count, yk_graph_text(&p->graph, "%s_rate", name), unit[1], m.velocity, 0);
+        add(file->inputs, &file->input_count, yk_graph_text(&p->graph, "%s_accel", name), unit[2], m.acceleration, 0);
         if (!file->has_forces || c->drive != YK_NONE) continue;
-        add(file->inputs, &file->input_count, yk_program_text(p, "%s_effort", name),
+        add(file->inputs, &file->input_count, yk_graph_text(&p->graph, "%s_effort", name),
             c->is_distance ? "N, besides the loads: of a motor, say" : "N m, besides the loads: of a motor, say", 0, 0);
         file->inputs[file->input_count - 1].is_effort = true;
     }
@@ -35,9 +35,9 @@ static void add_branches(YkFile *file)
         const char *name = p->names.block[b];
         if (block->kind > YK_BLOCK_RPR && block->kind != YK_BLOCK_GROUP) continue;
         add(file->configuration, &file->configuration_count, name,
-            yk_program_text(p, "branch of %s: +1 or -1", block->label), yk_state_branch(file->state, b), 0);
+            yk_graph_text(&p->graph, "branch of %s: +1 or -1", block->label), yk_state_branch(file->state, b), 0);
         if (block->kind != YK_BLOCK_GROUP) continue;
-        add(file->configuration, &file->configuration_count, yk_program_text(p, "%s_guess", name),
+        add(file->configuration, &file->configuration_count, yk_graph_text(&p->graph, "%s_guess", name),
             "where Newton's method begins: rad, m", (double)block->first_column, block->column_count);
     }
 }

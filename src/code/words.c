@@ -108,7 +108,7 @@ static void tidy(char *name)
 
 const char *yk_program_name(YkProgram *p, const char *name)
 {
-    char *copy = yk_program_text(p, "%s", name);
+    char *copy = yk_graph_text(&p->graph, "%s", name);
     for (char *c = copy; *c; c++) {
         bool is_letter = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
         if (!is_letter) *c = '_';
@@ -116,5 +116,5 @@ const char *yk_program_name(YkProgram *p, const char *name)
     bool is_number = copy[0] >= '0' && copy[0] <= '9';
     if (!is_number && !yk_program_is_reserved(p, copy)) return copy;
     tidy(copy);
-    return yk_program_text(p, "name_%s", *copy ? copy : "0");
+    return yk_graph_text(&p->graph, "name_%s", *copy ? copy : "0");
 }

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/memory.h"
-#include "ring/graph/graph.h"
+#include "ring/graph/element.h"
 #include "ring/print/write.h"
 #include "ring/ring.h"
 
@@ -21,9 +21,9 @@ typedef enum YkPagePieceKind {
 } YkPagePieceKind;
 
 // For code: makes the entries in a shorter way than one by one, row by row. Returns false on failure.
-typedef bool (*YkPageBuild)(void *context, YkGraph *graph, YkGraphValue *entries);
+typedef bool (*YkPageBuild)(void *context, YkRingGraph *graph, YkRef *entries);
 // For code: defines symbols that stand for others.
-typedef bool (*YkPageDefine)(void *context, YkGraph *graph);
+typedef bool (*YkPageDefine)(void *context, YkRingGraph *graph);
 
 // Entries row by row; NULL is 0. A cut after row or column k is a printed line between blocks. Labels may be NULL.
 typedef struct YkShownMatrix {

@@ -8,25 +8,25 @@
 #include <stdlib.h>
 #include <string.h>
 #include "derive/forces/free_bodies.h"
-#include "ring/graph/graph.h"
+#include "ring/graph/element.h"
 
 // --- Definitions
 
-static YkGraphValue after(YkGraph *graph, YkGraphValue before, YkGraphValue step, bool forwards)
+static YkRef after(YkRingGraph *graph, YkRef before, YkRef step, bool forwards)
 {
-    return forwards ? yk_graph_add(graph, before, step) : yk_graph_subtract(graph, before, step);
+    return forwards ? yk_graph_add(&graph->graph, before, step) : yk_graph_subtract(&graph->graph, before, step);
 }
 
 // Defines the angle of a body's axes, its spin and the spin's rate from those of the body before it.
-static void define_body(YkDerivation *d, YkGraph *graph, int32_t b, YkGraphValue (*motions)[3])
+static void define_body(YkDerivation *d, YkRingGraph *graph, int32_t b, YkRef (*motions)[3])
 {
     const YkDeriveBody *body = &d->bodies[b];
     bool forwards = d->model->joints[body->joint].body[1] == b;
     int32_t coordinate = d->joint_angle[body->joint];
-    YkGraphValue *before = motions[body->parent], *here = motions[b];
+    YkRef *before = motions[body->parent], *here = motions[b];
     if (coordinate == YK_NONE) {
         const YkPoisson *turned = yk_derive_expression(d, d->model->joints[body->joint].turned_expr);
-        here[0] = after(graph, before[0], yk_graph_of(graph, turned), forwards);
+        here[0] = after(graph, before[0], yk_ring_graph_of(graph, turned), forwards);
         here[1] = before[1], here[2] = before[2];
         return;
     }
@@ -34,17 +34,17 @@ static void define_body(YkDerivation *d, YkGraph *graph, int32_t b, YkGraphValue
     const int32_t steps[] = {c->position, c->rate, c->acceleration};
     const int32_t own[] = {body->angle, body->rate, body->acceleration};
     for (int k = 0; k < 3; k++) {
-        here[k] = after(graph, before[k], yk_graph_symbol(graph, steps[k]), forwards);
-        if (own[k] != steps[k]) yk_graph_define(graph, own[k], here[k]);
+        here[k] = after(graph, before[k], yk_ring_graph_symbol(graph, steps[k]), forwards);
+        if (own[k] != steps[k]) yk_ring_graph_define(graph, own[k], here[k]);
     }
 }
 
-static void define_lengths(YkDerivation *d, YkGraph *graph)
+static void define_lengths(YkDerivation *d, YkRingGraph *graph)
 {
     const YkDeriveForces *f = yk_derive_forces(d);
     for (size_t k = 0; f && k < f->length_count; k++)
         if (f->lengths[k].rate_symbol != YK_NONE)
-            yk_graph_define(graph, f->lengths[k].rate_symbol, yk_graph_of(graph, f->lengths[k].rate));
+            yk_ring_graph_define(graph, f->lengths[k].rate_symbol, yk_ring_graph_of(graph, f->lengths[k].rate));
 }
 
 static void look_for_name(void *context, const YkExpr *expr)
@@ -53,22 +53,23 @@ static void look_for_name(void *context, const YkExpr *expr)
 }
 
 // Defines constants that no parameter changes as numbers.
-static void define_numbers(YkDerivation *d, YkGraph *graph)
+static void define_numbers(YkDerivation *d, YkRingGraph *graph)
 {
     for (size_t k = 0; k < d->constant_count; k++) {
         bool has_names = false;
         yk_expr_names(d->constants[k].expr, look_for_name, &has_names);
-        if (!has_names) yk_graph_define(graph, d->constants[k].symbol, yk_graph_number(graph, d->constants[k].value));
+        if (!has_names)
+            yk_ring_graph_define(graph, d->constants[k].symbol, yk_graph_number(&graph->graph, d->constants[k].value));
     }
 }
 
-bool yk_derive_define_bodies(void *derivation, YkGraph *graph)
+bool yk_derive_define_bodies(void *derivation, YkRingGraph *graph)
 {
     YkDerivation *d = derivation;
     size_t bodies = d->model->body_count;
-    YkGraphValue(*motions)[3] = yk_derive_scratch(d, bodies + 1, sizeof *motions);
+    YkRef(*motions)[3] = yk_derive_scratch(d, bodies + 1, sizeof *motions);
     if (!motions) return false;
-    for (int k = 0; k < 3; k++) motions[0][k] = yk_graph_number(graph, 0);
+    for (int k = 0; k < 3; k++) motions[0][k] = yk_graph_number(&graph->graph, 0);
     for (size_t k = 0; k < bodies; k++) {
         int32_t b = d->mech->tree_order[k];
         if (d->bodies[b].parent != YK_NONE) define_body(d, graph, b, motions);
@@ -76,18 +77,18 @@ bool yk_derive_define_bodies(void *derivation, YkGraph *graph)
     free(motions);
     define_lengths(d, graph);
     define_numbers(d, graph);
-    return !yk_graph_failed(graph);
+    return !graph->graph.failed;
 }
 
 // --- Branches of the tree
 
 typedef struct Branches {
     const YkDeriveForces *f;
-    YkGraph *graph;
+    YkRingGraph *graph;
     size_t n;
     int32_t *first, *next, *parent; // of coordinates: those that begin right after one, or YK_NONE
     bool *is_backwards;
-    YkGraphValue *own, *column, *both; // memo, [n][n]: M in body form; summed over rows; over rows and columns
+    YkRef *own, *column, *both; // memo, [n][n]: M in body form; summed over rows; over rows and columns
 } Branches;
 
 static void find_branch(Branches *t, size_t k)
@@ -107,7 +108,7 @@ static void find_branch(Branches *t, size_t k)
     }
 }
 
-static bool start(Branches *t, const YkDeriveForces *f, YkGraph *graph)
+static bool start(Branches *t, const YkDeriveForces *f, YkRingGraph *graph)
 {
     YkArena *arena = f->d->arena;
     size_t n = f->d->tree_count;
@@ -118,36 +119,36 @@ static bool start(Branches *t, const YkDeriveForces *f, YkGraph *graph)
                     .next = YK_NEW(arena, int32_t, n + 1),
                     .parent = YK_NEW(arena, int32_t, n + 1),
                     .is_backwards = YK_NEW(arena, bool, n + 1),
-                    .own = YK_NEW(arena, YkGraphValue, n * n + 1),
-                    .column = YK_NEW(arena, YkGraphValue, n * n + 1),
-                    .both = YK_NEW(arena, YkGraphValue, n * n + 1)};
+                    .own = YK_NEW(arena, YkRef, n * n + 1),
+                    .column = YK_NEW(arena, YkRef, n * n + 1),
+                    .both = YK_NEW(arena, YkRef, n * n + 1)};
     if (yk_arena_failed(arena)) return false;
-    for (size_t k = 0; k < n * n; k++) t->own[k] = t->column[k] = t->both[k] = YK_GRAPH_NONE;
+    for (size_t k = 0; k < n * n; k++) t->own[k] = t->column[k] = t->both[k] = YK_NONE;
     for (size_t k = 0; k < n; k++) t->first[k] = t->next[k] = YK_NONE;
     for (size_t k = 0; k < n; k++) find_branch(t, k);
     return true;
 }
 
-static YkGraphValue entry(Branches *t, size_t i, size_t k)
+static YkRef entry(Branches *t, size_t i, size_t k)
 {
     YkDerivation *d = t->f->d;
     if (i < k) return entry(t, k, i); // M is symmetric
-    YkGraphValue *memo = &t->own[i * t->n + k];
-    if (*memo != YK_GRAPH_NONE) return *memo;
+    YkRef *memo = &t->own[i * t->n + k];
+    if (*memo != YK_NONE) return *memo;
     const YkPoisson *left = yk_derive_lagrange(t->f, i).left;
     int32_t acceleration = yk_derive_freedom(d, k).acceleration;
-    if (!left || !yk_ring_mentions(d->ring, left, acceleration)) return *memo = yk_graph_number(t->graph, 0);
-    return *memo = yk_graph_of(t->graph, yk_ring_coefficient(d->ring, left, acceleration, 1));
+    if (!left || !yk_ring_mentions(d->ring, left, acceleration)) return *memo = yk_graph_number(&t->graph->graph, 0);
+    return *memo = yk_ring_graph_of(t->graph, yk_ring_coefficient(d->ring, left, acceleration, 1));
 }
 
 // Sums over the branch that begins with i.
-static YkGraphValue column_sum(Branches *t, size_t i, size_t k)
+static YkRef column_sum(Branches *t, size_t i, size_t k)
 {
-    YkGraphValue *memo = &t->column[i * t->n + k];
-    if (*memo != YK_GRAPH_NONE) return *memo;
-    YkGraphValue sum = entry(t, i, k);
+    YkRef *memo = &t->column[i * t->n + k];
+    if (*memo != YK_NONE) return *memo;
+    YkRef sum = entry(t, i, k);
     for (int32_t c = t->first[i]; c != YK_NONE; c = t->next[c])
-        sum = yk_graph_add(t->graph, sum, column_sum(t, (size_t)c, k));
+        sum = yk_graph_add(&t->graph->graph, sum, column_sum(t, (size_t)c, k));
     return *memo = sum;
 }
 
@@ -159,58 +160,61 @@ static bool is_before(const Branches *t, size_t i, size_t k) // on the way from 
 }
 
 // Sums over the branches that begin with i and k; i is never before k, so that both halves of M come from one.
-static YkGraphValue sum_of_both(Branches *t, size_t i, size_t k)
+static YkRef sum_of_both(Branches *t, size_t i, size_t k)
 {
     if (is_before(t, i, k) || (i < k && !is_before(t, k, i))) return sum_of_both(t, k, i);
-    YkGraphValue *memo = &t->both[i * t->n + k];
-    if (*memo != YK_GRAPH_NONE) return *memo;
-    YkGraphValue sum = column_sum(t, i, k);
+    YkRef *memo = &t->both[i * t->n + k];
+    if (*memo != YK_NONE) return *memo;
+    YkRef sum = column_sum(t, i, k);
     for (int32_t c = t->first[k]; c != YK_NONE; c = t->next[c])
-        sum = yk_graph_add(t->graph, sum, sum_of_both(t, i, (size_t)c));
+        sum = yk_graph_add(&t->graph->graph, sum, sum_of_both(t, i, (size_t)c));
     return *memo = sum;
 }
 
 // Returns the rest of a coordinate's equation in body form, without accelerations and multipliers.
-static YkGraphValue rest_of(Branches *t, size_t k)
+static YkRef rest_of(Branches *t, size_t k)
 {
     YkDerivation *d = t->f->d;
     size_t count = t->n + t->f->row_count;
     int32_t *symbols = YK_NEW(d->arena, int32_t, count + 1);
-    if (!symbols) return YK_GRAPH_NONE;
+    if (!symbols) {
+        t->graph->graph.failed = true;
+        return 0;
+    }
     for (size_t c = 0; c < t->n; c++) symbols[c] = yk_derive_freedom(d, c).acceleration;
     for (size_t r = 0; r < t->f->row_count; r++) symbols[t->n + r] = t->f->multipliers[r];
     const YkPoisson *left = yk_derive_lagrange(t->f, k).left;
-    return yk_graph_of(t->graph, yk_ring_split(d->ring, left, symbols, count, NULL, 0));
+    return yk_ring_graph_of(t->graph, yk_ring_split(d->ring, left, symbols, count, NULL, 0));
 }
 
-static YkGraphValue rest_sum(Branches *t, size_t k)
+static YkRef rest_sum(Branches *t, size_t k)
 {
-    if (t->own[k] != YK_GRAPH_NONE) return t->own[k];
-    YkGraphValue sum = rest_of(t, k);
+    if (t->own[k] != YK_NONE) return t->own[k];
+    YkRef sum = rest_of(t, k);
     for (int32_t c = t->first[k]; c != YK_NONE; c = t->next[c])
-        sum = yk_graph_add(t->graph, sum, rest_sum(t, (size_t)c));
+        sum = yk_graph_add(&t->graph->graph, sum, rest_sum(t, (size_t)c));
     return t->own[k] = sum;
 }
 
-bool yk_derive_build_mass(void *forces, YkGraph *graph, YkGraphValue *entries)
+bool yk_derive_build_mass(void *forces, YkRingGraph *graph, YkRef *entries)
 {
     Branches t;
     if (!start(&t, forces, graph)) return false;
     for (size_t i = 0; i < t.n; i++)
         for (size_t k = 0; k < t.n; k++) {
-            YkGraphValue sum = sum_of_both(&t, i, k);
-            entries[i * t.n + k] = t.is_backwards[i] != t.is_backwards[k] ? yk_graph_negate(sum) : sum;
+            YkRef sum = sum_of_both(&t, i, k);
+            entries[i * t.n + k] = t.is_backwards[i] != t.is_backwards[k] ? yk_graph_minus(&graph->graph, sum) : sum;
         }
-    return !yk_graph_failed(graph);
+    return !graph->graph.failed;
 }
 
-bool yk_derive_build_rest(void *forces, YkGraph *graph, YkGraphValue *entries)
+bool yk_derive_build_rest(void *forces, YkRingGraph *graph, YkRef *entries)
 {
     Branches t;
     if (!start(&t, forces, graph)) return false;
     for (size_t k = 0; k < t.n; k++) {
-        YkGraphValue sum = rest_sum(&t, k);
-        entries[k] = t.is_backwards[k] ? yk_graph_negate(sum) : sum;
+        YkRef sum = rest_sum(&t, k);
+        entries[k] = t.is_backwards[k] ? yk_graph_minus(&graph->graph, sum) : sum;
     }
-    return !yk_graph_failed(graph);
+    return !graph->graph.failed;
 }

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "base/text.h"
 #include "expr/dimension.h"
-#include "expr/function.h"
+#include "graph/function.h"
 
 enum { QUOTE_MAX = 40 }; // the longest quotation of an expression in a hint
 

@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "base/problems.h"
 #include "base/units.h"
+#include "graph/function.h"
 
 typedef enum YkExprKind {
     YK_EXPR_NUMBER, // value (in its unit), exact decimal kept; has_unit
@@ -20,27 +21,6 @@ typedef enum YkExprKind {
     YK_EXPR_POWER,
     YK_EXPR_CALL // sin cos tan asin acos atan atan2 sinh cosh tanh sqrt exp log abs sign min max
 } YkExprKind;
-
-typedef enum YkFunction {
-    YK_SIN,
-    YK_COS,
-    YK_TAN,
-    YK_ASIN,
-    YK_ACOS,
-    YK_ATAN,
-    YK_ATAN2,
-    YK_SINH,
-    YK_COSH,
-    YK_TANH,
-    YK_SQRT,
-    YK_EXP,
-    YK_LOG,
-    YK_ABS,
-    YK_SIGN,
-    YK_MIN,
-    YK_MAX,
-    YK_FUNCTION_COUNT
-} YkFunction;
 
 typedef struct YkExpr YkExpr;
 struct YkExpr {

@@ -15,49 +15,6 @@ static double whole_power(double base, double exponent)
     return exponent < 0 ? 1 / power : power;
 }
 
-double yk_function_value(YkFunction function, double a, double b)
-{
-    switch (function) {
-    case YK_SIN:
-        return yk_sin(a);
-    case YK_COS:
-        return yk_cos(a);
-    case YK_TAN:
-        return yk_tan(a);
-    case YK_ASIN:
-        return yk_asin(a);
-    case YK_ACOS:
-        return yk_acos(a);
-    case YK_ATAN:
-        return yk_atan(a);
-    case YK_ATAN2:
-        return a == 0 && b == 0 ? NAN : yk_atan2(a, b);
-    case YK_SINH:
-        return yk_sinh(a);
-    case YK_COSH:
-        return yk_cosh(a);
-    case YK_TANH:
-        return yk_tanh(a);
-    case YK_SQRT:
-        return sqrt(a);
-    case YK_EXP:
-        return yk_exp(a);
-    case YK_LOG:
-        return yk_log(a);
-    case YK_ABS:
-        return fabs(a);
-    case YK_SIGN:
-        return (a > 0) - (a < 0);
-    case YK_MIN:
-        return a <= b ? a : b;
-    case YK_MAX:
-        return a >= b ? a : b;
-    case YK_FUNCTION_COUNT:
-        break;
-    }
-    return NAN;
-}
-
 double yk_formula_operate(int operation, double a, double b)
 {
     switch (operation) {

@@ -17,8 +17,6 @@ bool yk_formula_is_constant(const YkFormula *formula); // eval then accepts NULL
 int yk_formula_variable(const YkFormula *formula, double *sign);
 // Returns the value; not finite if the expression has none (division by zero, root of a negative number, ...).
 double yk_formula_eval(const YkFormula *formula, const double *variables);
-// Returns one function of one or two numbers, as formulas evaluate it.
-double yk_function_value(YkFunction function, double a, double b);
 // Does the same as yk_formula_eval for n <= YK_FORMULA_LANES sets of variables at once, variables[index][lane]. Returns
 // the lanes of the value, in scratch[YK_FORMULA_SCRATCH] or a variable's own; they stay valid until scratch is used
 // again.

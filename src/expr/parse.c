@@ -5,8 +5,8 @@
 //   power    primary ["^" sign]
 //   primary  literal | name | function "(" sum {"," sum} ")" | "(" sum ")"
 // The first mistake ends the parse.
-#include "expr/function.h"
 #include "expr/parser.h"
+#include "graph/function.h"
 
 static YkExpr *parse_sum(YkParser *parser);
 static YkExpr *parse_sign(YkParser *parser);

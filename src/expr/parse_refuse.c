@@ -1,8 +1,8 @@
 // What the parser says when something else stands in place of a piece of an expression.
 #include <string.h>
 #include "base/utf8.h"
-#include "expr/function.h"
 #include "expr/parser.h"
+#include "graph/function.h"
 
 typedef struct Look {
     const char *character, *meant;

@@ -1,7 +1,7 @@
 // Decides which names are allowed, and finds the one nearest to an unknown name.
 #include <stdlib.h>
 #include <string.h>
-#include "expr/function.h"
+#include "graph/function.h"
 #include "model/load.h"
 
 enum { NEAREST_MAX = 10000 }; // as many as yk_nearest looks at

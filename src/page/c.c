@@ -1,10 +1,11 @@
 // Prints pages as C: a struct of everything in the formulas, and one function per section, which computes what the
-// section states. Shared parts are computed once (graph/graph.h).
+// section states. All sections become values of one graph, which computes shared parts once; then they are printed.
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
+#include "graph/print.h"
 #include "page/print.h"
-#include "ring/graph/graph.h"
+#include "ring/graph/element.h"
 
 // A result of a function: an array, a number, or a field of the struct.
 typedef struct Result {
@@ -14,17 +15,25 @@ typedef struct Result {
     size_t first;         // of its values
 } Result;
 
+typedef struct Function { // a section
+    const YkLine *first;
+    size_t first_result, result_count;
+} Function;
+
 typedef struct Code {
     YkPrinting *printing;
     const YkPage *page;
-    YkGraph *graph;
-    YkText prototypes, functions, words;
-    bool *is_field; // per symbol: some function writes it
+    YkRingGraph graph;
+    YkPrinter printer;
+    YkText words;   // a body, until it is put
+    bool *is_field; // per symbol: in the struct
     size_t symbol_count;
-    // Of the present function:
+    Function *functions;
+    size_t function_count, function_capacity;
+    size_t first_result; // of the present function
     Result *results;
     size_t result_count, result_capacity;
-    YkGraphValue *values;
+    YkRef *values;
     size_t value_count, value_capacity;
     YkArena *arena; // of names
     bool failed;
@@ -43,36 +52,36 @@ static Result *add_result(Code *code, const char *name, int32_t field, size_t ro
     return result;
 }
 
-static void add_value(Code *code, YkGraphValue value)
+static void add_value(Code *code, YkRef value)
 {
-    if (value < 0 || !YK_ROOM(code->values, code->value_count, code->value_capacity)) {
+    if (!YK_ROOM(code->values, code->value_count, code->value_capacity)) {
         code->failed = true;
         return;
     }
     code->values[code->value_count++] = value;
 }
 
-static YkGraphValue value_of(Code *code, const YkPoisson *over, const YkPoisson *under)
+static YkRef value_of(Code *code, const YkPoisson *over, const YkPoisson *under)
 {
-    YkGraphValue value = yk_graph_of(code->graph, over);
-    return under ? yk_graph_divide(code->graph, value, yk_graph_of(code->graph, under)) : value;
+    YkRef value = yk_ring_graph_of(&code->graph, over);
+    return under ? yk_graph_divide(&code->graph.graph, value, yk_ring_graph_of(&code->graph, under)) : value;
 }
 
 static void add_matrix(Code *code, const YkShownMatrix *matrix)
 {
     size_t count = matrix->rows * matrix->columns;
     if (!add_result(code, matrix->target, -1, matrix->rows, matrix->columns)) return;
-    YkGraphValue *entries = calloc(count + 1, sizeof *entries);
+    YkRef *entries = calloc(count + 1, sizeof *entries);
     if (!entries) {
         code->failed = true;
         return;
     }
-    if (matrix->build) code->failed |= !matrix->build(matrix->build_context, code->graph, entries);
+    if (matrix->build) code->failed |= !matrix->build(matrix->build_context, &code->graph, entries);
     for (size_t k = 0; k < count; k++) {
         const YkPoisson *entry = matrix->entries[k];
         bool is_built = matrix->build || !entry;
         add_value(code, matrix->build ? entries[k]
-                        : is_built    ? yk_graph_number(code->graph, 0)
+                        : is_built    ? yk_graph_number(&code->graph.graph, 0)
                                       : value_of(code, entry, NULL));
     }
     free(entries);
@@ -88,16 +97,16 @@ static bool is_constant(const Code *code, int32_t symbol)
 static void add_field(Code *code, const YkLine *line)
 {
     if (is_constant(code, line->solved) || !add_result(code, NULL, line->solved, 0, 0)) return;
-    YkGraphValue value = value_of(code, line->over, line->under);
+    YkRef value = value_of(code, line->over, line->under);
     add_value(code, value);
     code->is_field[line->solved] = true;
-    if (!code->failed) yk_graph_define(code->graph, line->solved, value);
+    yk_ring_graph_define(&code->graph, line->solved, value);
 }
 
 // Adds a loop's equation; one array holds them all.
 static void add_row(Code *code, const YkLine *line)
 {
-    Result *last = code->result_count > 0 ? &code->results[code->result_count - 1] : NULL;
+    Result *last = code->result_count > code->first_result ? &code->results[code->result_count - 1] : NULL;
     if (!last || !last->name || strcmp(last->name, "Phi") != 0) last = add_result(code, "Phi", -1, 0, 1);
     if (last) last->rows++;
     add_value(code, value_of(code, line->over, line->under));
@@ -107,7 +116,7 @@ static void add_row(Code *code, const YkLine *line)
 
 static bool is_taken(const Code *code, const char *name)
 {
-    for (size_t k = 0; k < code->result_count; k++)
+    for (size_t k = code->first_result; k < code->result_count; k++)
         if (code->results[k].name && strcmp(code->results[k].name, name) == 0) return true;
     return false;
 }
@@ -197,13 +206,14 @@ static void put_comment(YkText *text, const char *indent, const char *words)
     yk_text_puts(text, "\n");
 }
 
-static void put_parameters(Code *code, YkText *text)
+static void put_parameters(const Code *code, const Function *f, YkText *text)
 {
+    const Result *results = &code->results[f->first_result];
     bool writes = false;
-    for (size_t k = 0; k < code->result_count; k++) writes = writes || !code->results[k].name;
+    for (size_t k = 0; k < f->result_count; k++) writes = writes || !results[k].name;
     yk_text_puts(text, writes ? "(Machine *m" : "(const Machine *restrict m");
-    for (size_t k = 0; k < code->result_count; k++) {
-        const Result *r = &code->results[k];
+    for (size_t k = 0; k < f->result_count; k++) {
+        const Result *r = &results[k];
         if (!r->name) continue;
         yk_text_format(text, r->rows > 0 ? ", double %s[%z]" : ", double *%s", r->name, r->rows);
         if (r->columns > 1) yk_text_format(text, "[%z]", r->columns);
@@ -229,70 +239,98 @@ static size_t size_of(const Result *r)
     return r->rows > 0 ? r->rows * r->columns : 1;
 }
 
+static void put_result(Code *code, const Result *r)
+{
+    for (size_t k = 0; k < size_of(r); k++) {
+        size_t from = code->words.length;
+        put_target(code, r, k);
+        yk_printer_value(&code->printer, code->values[r->first + k]);
+        yk_text_puts(&code->words, ";");
+        yk_printer_wrap(&code->printer, from);
+        yk_text_puts(&code->words, "\n");
+    }
+}
+
 // Writes the statements in `words`.
-static void put_body(Code *code)
+static void put_body(Code *code, const Function *f)
 {
-    YkText *text = &code->words;
-    yk_text_clear(text);
-    yk_graph_begin(code->graph);
-    for (size_t k = 0; k < code->result_count; k++)
-        if (!code->results[k].name) yk_graph_writes(code->graph, code->results[k].field);
-    for (size_t k = 0; k < code->value_count; k++) yk_graph_want(code->graph, code->values[k]);
-    yk_graph_put_shared(code->graph, text);
-    for (size_t k = 0; k < code->result_count; k++)
-        for (size_t e = 0; e < size_of(&code->results[k]); e++) {
-            put_target(code, &code->results[k], e);
-            yk_graph_put(code->graph, code->values[code->results[k].first + e], text);
-            yk_text_puts(text, ";\n");
-        }
+    const Result *results = &code->results[f->first_result], *last = &results[f->result_count - 1];
+    yk_text_clear(&code->words);
+    size_t count = last->first + size_of(last) - results->first;
+    YkRef *roots = YK_NEW(code->arena, YkRef, count);
+    for (size_t k = 0; roots && k < count; k++) { // x and -x are one value that is used twice
+        roots[k] = code->values[results->first + k];
+        const YkValue *v = &code->graph.graph.values[roots[k]];
+        if (v->op == YK_VALUE_MINUS) roots[k] = v->a;
+    }
+    YkRef *written = YK_NEW(code->arena, YkRef, f->result_count);
+    if (!roots || !written) return;
+    code->printer.written = written;
+    code->printer.written_count = 0;
+    for (size_t k = 0; k < f->result_count; k++) {
+        YkRef leaf = results[k].name ? YK_NONE : code->graph.leaf[results[k].field];
+        if (leaf != YK_NONE) written[code->printer.written_count++] = leaf;
+    }
+    yk_printer_body(&code->printer, roots, count);
+    for (size_t k = 0; k < f->result_count; k++) put_result(code, &results[k]);
 }
 
-static void put_identifier(YkText *text, const char *section)
+static void put_head(const Code *code, const Function *f, YkText *text)
 {
-    for (const char *c = section; *c; c++) yk_text_format(text, "%c", *c == '-' ? '_' : *c);
+    yk_text_puts(text, "void machine_");
+    for (const char *c = f->first->section; *c; c++) yk_text_format(text, "%c", *c == '-' ? '_' : *c);
+    put_parameters(code, f, text);
 }
 
-static void put_remarks(Code *code, const YkLine *first, const char *section)
+static void put_remarks(const YkLine *first, YkText *text)
 {
-    for (const YkLine *line = first; line && line->section == section; line = line->next)
+    for (const YkLine *line = first; line && line->section == first->section; line = line->next)
         for (const YkPagePiece *piece = line->first; piece; piece = piece->next)
             if (piece->kind == YK_PIECE_MATRIX && piece->matrix->target && piece->matrix->code_remark)
-                put_comment(&code->functions, "", piece->matrix->code_remark);
+                put_comment(text, "", piece->matrix->code_remark);
 }
 
-// Writes one section; returns the line after it.
-static const YkLine *put_section(Code *code, const YkLine *first)
+static void put_function(Code *code, const Function *f, YkText *text)
 {
-    const char *section = first->section;
+    code->first_result = f->first_result;
+    code->result_count = f->first_result + f->result_count; // for names of variables
+    put_body(code, f);
+    yk_text_puts(text, "\n");
+    put_comment(text, "", f->first->kind == YK_LINE_HEADING ? f->first->text : f->first->section);
+    put_remarks(f->first, text);
+    put_head(code, f, text);
+    bool reads = strstr(yk_text_get(&code->words), "m->") != NULL;
+    yk_text_format(text, "\n{\n%s%s}\n", reads ? "" : "    (void)m;\n", yk_text_get(&code->words));
+}
+
+// Adds one section as values; returns the line after it.
+static const YkLine *add_section(Code *code, const YkLine *first)
+{
+    size_t known = code->graph.definition_count, from = code->first_result = code->result_count;
     const YkLine *line = first;
-    size_t known = yk_graph_definitions(code->graph);
-    code->result_count = code->value_count = 0;
-    for (; line && line->section == section && !code->failed; line = line->next) add_line(code, line);
-    if (code->failed) return NULL;
-    if (code->result_count > 0) {
-        put_body(code);
-        yk_text_puts(&code->prototypes, "void machine_");
-        put_identifier(&code->prototypes, section);
-        put_parameters(code, &code->prototypes);
-        yk_text_puts(&code->prototypes, ";\n");
-        yk_text_puts(&code->functions, "\n");
-        put_comment(&code->functions, "", first->kind == YK_LINE_HEADING ? first->text : section);
-        put_remarks(code, first, section);
-        yk_text_puts(&code->functions, "void machine_");
-        put_identifier(&code->functions, section);
-        put_parameters(code, &code->functions);
-        bool reads = strstr(yk_text_get(&code->words), "m->") != NULL;
-        yk_text_format(&code->functions, "\n{\n%s%s}\n", reads ? "" : "    (void)m;\n", yk_text_get(&code->words));
-    }
-    yk_graph_forget(code->graph, known);
+    for (; line && line->section == first->section && !code->failed; line = line->next) add_line(code, line);
+    yk_ring_graph_forget(&code->graph, known);
+    if (code->result_count == from) return line;
+    if (YK_ROOM(code->functions, code->function_count, code->function_capacity))
+        code->functions[code->function_count++] = (Function){first, from, code->result_count - from};
+    else
+        code->failed = true;
     return line;
 }
 
 // --- The whole
 
-static bool is_in_struct(const Code *code, size_t symbol)
+// Finds what the values need of the struct: symbols, and constants under names of their own.
+static void need_fields(Code *code)
 {
-    return code->is_field[symbol] || yk_graph_reads(code->graph, (int32_t)symbol);
+    YkPrinter *pr = &code->printer;
+    yk_printer_need(pr, code->values, code->value_count);
+    for (size_t k = 0; k < pr->field_count; k++) pr->field[pr->fields[k]] = yk_graph_text(pr->graph, "constant[%z]", k);
+    for (size_t k = 0; k < 2; k++) {
+        for (size_t s = 0; s < code->graph.symbol_count && s < code->symbol_count; s++)
+            code->is_field[s] |= code->graph.leaf[s] != YK_NONE && pr->count[code->graph.leaf[s]] > 0;
+        if (k == 0) yk_printer_machine(pr); // into `words`; it reads parameters
+    }
 }
 
 // Writes the fields: constants first, then the rest.
@@ -302,14 +340,14 @@ static void put_struct(Code *code, YkText *text)
     yk_text_puts(text, "typedef struct Machine {\n");
     for (int rest = 0; rest < 2; rest++)
         for (size_t s = 0; s < code->symbol_count; s++) {
-            if (!is_in_struct(code, s) || is_constant(code, (int32_t)s) == (rest == 1)) continue;
+            if (!code->is_field[s] || is_constant(code, (int32_t)s) == (rest == 1)) continue;
             const char *name = yk_ring_symbol_name(code->page->ring, (int32_t)s);
             const char *field = yk_ring_name_in(code->page->ring, (int32_t)s, YK_RING_C);
             bool is_same = strcmp(name, field) == 0;
             yk_text_format(text, "    double %s;%s%s\n", field, is_same ? "" : " // ", is_same ? "" : name);
             count++;
         }
-    size_t constants = yk_graph_constants(code->graph);
+    size_t constants = code->printer.field_count;
     if (constants > 0) yk_text_format(text, "    double constant[%z]; // by machine_constants\n", constants);
     if (constants + count == 0) yk_text_puts(text, "    double unused;\n");
     yk_text_puts(text, "} Machine;\n");
@@ -322,7 +360,7 @@ static void put_pose(Code *code, YkText *text)
     for (size_t s = 0; s < code->symbol_count; s++) {
         char digits[YK_NUMBER_SIZE];
         double value = code->printing->values[s];
-        if (!is_in_struct(code, s) || !(value - value == 0)) continue;
+        if (!code->is_field[s] || !(value - value == 0)) continue;
         yk_number_write(value, digits);
         yk_text_format(text, "%s.%s = %s", is_first ? "" : ",\n                               ",
                        yk_ring_name_in(code->page->ring, (int32_t)s, YK_RING_C), digits);
@@ -338,24 +376,44 @@ static void put_all(Code *code, YkText *text)
     yk_text_puts(
         text, "// Set the fields, in SI and radians; then machine_constants, again after every change of a parameter; "
               "then the rest.\n// Needs libm.\n#include <math.h>\n\n");
-    yk_text_clear(&code->words);
-    yk_graph_put_constants(code->graph, &code->words); // before the struct: they read parameters
     put_struct(code, text);
     if (code->printing->values) put_pose(code, text);
-    yk_text_format(text, "\nvoid machine_constants(Machine *m);\n%s", yk_text_get(&code->prototypes));
+    yk_text_puts(text, "\nvoid machine_constants(Machine *m);\n");
+    for (size_t k = 0; k < code->function_count; k++) {
+        put_head(code, &code->functions[k], text);
+        yk_text_puts(text, ";\n");
+    }
     yk_text_puts(text, "\n// What depends on parameters alone.\nvoid machine_constants(Machine *m)\n{\n");
-    yk_text_format(text, "%s%s}\n", strstr(yk_text_get(&code->words), "m->") ? "" : "    (void)m;\n",
-                   yk_text_get(&code->words));
-    yk_text_puts(text, yk_text_get(&code->functions));
+    yk_text_format(text, "%s%s}\n", code->words.length > 0 ? "" : "    (void)m;\n", yk_text_get(&code->words));
+    for (size_t k = 0; k < code->function_count; k++) put_function(code, &code->functions[k], text);
+}
+
+// A variable is not called like what the function gives.
+static const char *name_of_variable(void *code, const char *wish)
+{
+    return is_taken(code, wish) ? yk_graph_text(&((Code *)code)->graph.graph, "%s_", wish) : wish;
 }
 
 static bool start(Code *code)
 {
     const YkPage *page = code->page;
-    code->graph = yk_graph_new(page->ring);
     code->arena = yk_arena_new();
-    if (!code->graph || !code->arena) return false;
-    return !page->define || page->define(page->define_context, code->graph);
+    if (!code->arena || !yk_ring_graph_start(&code->graph, page->ring, code->arena)) return false;
+    return !page->define || page->define(page->define_context, &code->graph);
+}
+
+static void print(Code *code)
+{
+    const YkPrinterFile file = {
+        .context = code, .parameter = "m->", .own_parameter = "m->", .machine = "m->", .name = name_of_variable};
+    code->first_result = code->result_count; // the constants give nothing
+    code->failed |= code->graph.graph.failed ||
+                    !yk_printer_start(&code->printer, &code->graph.graph, &file, "machine", false, &code->words);
+    if (code->failed) return;
+    need_fields(code);
+    put_all(code, code->printing->text);
+    code->failed =
+        yk_arena_failed(code->arena) || code->words.failed || code->printer.failed || code->graph.graph.failed;
 }
 
 void yk_print_c(YkPrinting *printing, const YkPage *page)
@@ -364,19 +422,15 @@ void yk_print_c(YkPrinting *printing, const YkPage *page)
     code.symbol_count = yk_ring_symbol_count(page->ring);
     code.is_field = calloc(code.symbol_count + 1, sizeof *code.is_field);
     code.failed = !code.is_field || !start(&code);
-    for (const YkLine *line = page->first; line && !code.failed;) line = put_section(&code, line);
-    if (!code.failed) {
-        put_all(&code, printing->text);
-        code.failed =
-            code.prototypes.failed || code.functions.failed || code.words.failed || yk_graph_failed(code.graph);
-    }
+    for (const YkLine *line = page->first; line && !code.failed;) line = add_section(&code, line);
+    if (!code.failed) print(&code);
     printing->failed |= code.failed;
-    yk_text_free(&code.prototypes);
-    yk_text_free(&code.functions);
+    yk_printer_end(&code.printer);
+    yk_ring_graph_end(&code.graph);
     yk_text_free(&code.words);
+    free(code.functions);
     free(code.results);
     free(code.values);
     free(code.is_field);
-    yk_graph_free(code.graph);
     yk_arena_free(code.arena);
 }

@@ -190,7 +190,7 @@ static void add_box(Graph *graph, size_t body, YkText *svg)
     yk_text_free(&number);
 }
 
-bool yk_graph_write(const YkMechanism *mech, YkText *svg)
+bool yk_structure_write(const YkMechanism *mech, YkText *svg)
 {
     const YkModel *model = yk_mechanism_model(mech);
     Graph *graph = model->body_count <= BODIES_MAX ? calloc(1, sizeof *graph) : NULL;

@@ -7,6 +7,6 @@
 
 // Writes the picture as SVG. Returns false if the machine has too many bodies for one (more than 40), or out of memory
 // (then svg->failed). Deterministic. Cost O(bodies^2) for some hundred rounds.
-bool yk_graph_write(const YkMechanism *mech, YkText *svg);
+bool yk_structure_write(const YkMechanism *mech, YkText *svg);
 
 #endif

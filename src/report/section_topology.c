@@ -89,7 +89,7 @@ void yk_section_topology(YkReportPage *report, YkText *html, YkProblems *problem
 {
     YkText svg = {0}, told = {0};
     (void)problems;
-    if (yk_graph_write(report->mech, &svg)) {
+    if (yk_structure_write(report->mech, &svg)) {
         yk_text_format(&told, "Bodies as boxes and joints as lines between them: %z bodies, %z joints, %z loops",
                        report->model->body_count, report->model->joint_count, yk_loop_count(report->mech));
         yk_html_picture(

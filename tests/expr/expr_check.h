@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include "base/number.h"
 #include "expr/expr.h"
-#include "expr/function.h"
+#include "graph/function.h"
 
 typedef struct Fixture {
     YkArena *arena;

@@ -20,7 +20,7 @@ static void check_boxes(const char *name)
     YkText svg = {0}, again = {0};
     Box boxes[64];
     size_t count = 0;
-    assert_true(yk_graph_write(page.mech, &svg));
+    assert_true(yk_structure_write(page.mech, &svg));
     for (const char *at = strstr(svg.data, "<rect x="); at; at = strstr(at + 1, "<rect x="))
         boxes[count++] = (Box){attribute(at, "x"), attribute(at, "y"), attribute(at, "width"), attribute(at, "height")};
     assert_int_equal(count, page.model->body_count);
@@ -36,7 +36,7 @@ static void check_boxes(const char *name)
         snprintf(word, sizeof word, ">%s</text>", page.model->joints[j].name);
         assert_non_null(strstr(svg.data, word));
     }
-    assert_true(yk_graph_write(page.mech, &again));
+    assert_true(yk_structure_write(page.mech, &again));
     assert_string_equal(svg.data, again.data);
     yk_text_free(&svg);
     yk_text_free(&again);

@@ -1,7 +1,8 @@
-// Turns elements into operations: sums of constants times sine or cosine, grouped by their common factor.
+// Turns elements into values of a graph: sums of constants times sine or cosine, grouped by their common factor.
 #include <math.h>
 #include <stdlib.h>
-#include "ring/graph/inside.h"
+#include "ring/graph/element.h"
+#include "ring/inside.h"
 
 // A term of a real element, taken together with its conjugate.
 typedef struct Piece {
@@ -24,7 +25,7 @@ static int by_rest(const void *left, const void *right)
 // --- Angles
 
 typedef struct Unit { // cosine and sine
-    YkGraphValue re, im;
+    YkRef re, im;
 } Unit;
 
 static Unit unit_product(YkGraph *graph, Unit a, Unit b)
@@ -33,40 +34,52 @@ static Unit unit_product(YkGraph *graph, Unit a, Unit b)
                   yk_graph_add(graph, yk_graph_multiply(graph, a.im, b.re), yk_graph_multiply(graph, a.re, b.im))};
 }
 
-// Returns e^(i factor angle); small factors by products.
-static Unit unit_of_angle(YkGraph *graph, int32_t symbol, int32_t factor)
+static Unit unit_once(YkGraph *graph, YkRef angle)
+{
+    const YkValue *v = &graph->values[angle];
+    bool is_negative = v->op == YK_VALUE_MINUS;
+    if (is_negative) angle = v->a;
+    Unit unit = {.re = yk_graph_function(graph, YK_COS, angle, YK_NONE)};
+    unit.im = yk_graph_function(graph, YK_SIN, angle, YK_NONE);
+    if (is_negative) unit.im = yk_graph_minus(graph, unit.im);
+    return unit;
+}
+
+// e^(i factor angle); small factors by products.
+static Unit unit_of_angle(YkRingGraph *values, int32_t symbol, int32_t factor)
 {
     enum { FACTOR_MAX = 3 };
-    YkGraphValue angle = yk_graph_symbol(graph, symbol);
+    YkGraph *graph = &values->graph;
+    YkRef angle = yk_ring_graph_symbol(values, symbol);
     int32_t times = factor < 0 ? -factor : factor;
     if (times > FACTOR_MAX) {
         angle = yk_graph_multiply(graph, yk_graph_number(graph, times), angle);
         times = 1;
     }
-    Unit once = {yk_graph_function(graph, YK_OP_COS, angle), yk_graph_function(graph, YK_OP_SIN, angle)};
-    Unit unit = once;
+    Unit once = unit_once(graph, angle), unit = once;
     for (int32_t k = 1; k < times; k++) unit = unit_product(graph, unit, once);
-    if (factor < 0) unit.im = yk_graph_negate(unit.im);
+    if (factor < 0) unit.im = yk_graph_minus(graph, unit.im);
     return unit;
 }
 
-static Unit unit_of(YkGraph *graph, uint32_t phase)
+static Unit unit_of(YkRingGraph *values, uint32_t phase)
 {
+    YkGraph *graph = &values->graph;
     uint32_t count;
     Unit unit = {yk_graph_number(graph, 1), yk_graph_number(graph, 0)};
-    yk_powers_of(&graph->ring->phases, phase, &count);
+    yk_powers_of(&values->ring->phases, phase, &count);
     for (uint32_t k = 0; k < count; k++) {
-        YkPower power = yk_powers_of(&graph->ring->phases, phase, &count)[k]; // squaring may enter new ones
-        unit = unit_product(graph, unit, unit_of_angle(graph, power.symbol, power.exponent));
+        YkPower power = yk_powers_of(&values->ring->phases, phase, &count)[k]; // a square may enter new ones
+        unit = unit_product(graph, unit, unit_of_angle(values, power.symbol, power.exponent));
     }
     return unit;
 }
 
 // --- Products
 
-static YkGraphValue power_of(YkGraph *graph, YkGraphValue base, int32_t exponent)
+static YkRef power_of(YkGraph *graph, YkRef base, int32_t exponent)
 {
-    YkGraphValue power = yk_graph_number(graph, 1);
+    YkRef power = yk_graph_number(graph, 1);
     for (uint32_t rest = (uint32_t)exponent; rest > 0; rest /= 2) {
         if (rest & 1) power = yk_graph_multiply(graph, power, base);
         if (rest > 1) base = yk_graph_multiply(graph, base, base);
@@ -74,15 +87,16 @@ static YkGraphValue power_of(YkGraph *graph, YkGraphValue base, int32_t exponent
     return power;
 }
 
-static YkGraphValue monomial_of(YkGraph *graph, uint32_t monomial)
+static YkRef monomial_of(YkRingGraph *values, uint32_t monomial)
 {
+    YkGraph *graph = &values->graph;
     uint32_t count;
-    YkGraphValue above = yk_graph_number(graph, 1), below = above;
-    yk_powers_of(&graph->ring->monomials, monomial, &count);
+    YkRef above = yk_graph_number(graph, 1), below = above;
+    yk_powers_of(&values->ring->monomials, monomial, &count);
     for (uint32_t k = 0; k < count; k++) {
-        YkPower power = yk_powers_of(&graph->ring->monomials, monomial, &count)[k];
-        YkGraphValue base = yk_graph_symbol(graph, power.symbol);
-        YkGraphValue *side = power.exponent > 0 ? &above : &below;
+        YkPower power = yk_powers_of(&values->ring->monomials, monomial, &count)[k];
+        YkRef base = yk_ring_graph_symbol(values, power.symbol);
+        YkRef *side = power.exponent > 0 ? &above : &below;
         *side = yk_graph_multiply(graph, *side,
                                   power_of(graph, base, power.exponent < 0 ? -power.exponent : power.exponent));
     }
@@ -125,45 +139,46 @@ static size_t make_pieces(YkRing *ring, const YkPoisson *a, Piece *pieces)
 }
 
 // Returns the sum of the constants of one sine or cosine.
-static YkGraphValue lump_of(YkGraph *graph, const Piece *pieces, size_t count)
+static YkRef lump_of(YkRingGraph *values, const Piece *pieces, size_t count)
 {
-    YkGraphValue sum = yk_graph_number(graph, 0);
+    YkGraph *graph = &values->graph;
+    YkRef sum = yk_graph_number(graph, 0);
     for (size_t i = 0; i < count; i++) {
-        YkGraphValue product = monomial_of(graph, pieces[i].constant);
+        YkRef product = monomial_of(values, pieces[i].constant);
         product = yk_graph_multiply(graph, yk_graph_number(graph, pieces[i].number), product);
         sum = yk_graph_add(graph, sum, product);
     }
     return sum;
 }
 
-static YkGraphValue group_of(YkGraph *graph, const Piece *pieces, size_t count)
+static YkRef group_of(YkRingGraph *values, const Piece *pieces, size_t count)
 {
-    YkGraphValue sum = yk_graph_number(graph, 0);
+    YkGraph *graph = &values->graph;
+    YkRef sum = yk_graph_number(graph, 0);
     for (size_t start = 0, end; start < count; start = end) {
         for (end = start;
              end < count && pieces[end].phase == pieces[start].phase && pieces[end].is_sine == pieces[start].is_sine;)
             end++;
-        Unit unit = unit_of(graph, pieces[start].phase);
-        YkGraphValue atom = pieces[start].is_sine ? unit.im : unit.re;
-        sum = yk_graph_add(graph, sum, yk_graph_multiply(graph, lump_of(graph, pieces + start, end - start), atom));
+        Unit unit = unit_of(values, pieces[start].phase);
+        YkRef atom = pieces[start].is_sine ? unit.im : unit.re;
+        sum = yk_graph_add(graph, sum, yk_graph_multiply(graph, lump_of(values, pieces + start, end - start), atom));
     }
-    return yk_graph_multiply(graph, sum, monomial_of(graph, pieces[0].rest));
+    return yk_graph_multiply(graph, sum, monomial_of(values, pieces[0].rest));
 }
 
-YkGraphValue yk_graph_of(YkGraph *graph, const YkPoisson *a)
+YkRef yk_ring_graph_of(YkRingGraph *values, const YkPoisson *a)
 {
-    if (!a || !yk_ring_is_real(graph->ring, a)) {
-        if (a) yk_ring_fail(graph->ring, YK_RING_NOT_REAL);
-        return YK_GRAPH_NONE;
-    }
-    Piece *pieces = calloc(a->count + 1, sizeof *pieces);
-    size_t count = pieces ? make_pieces(graph->ring, a, pieces) : 0;
+    YkGraph *graph = &values->graph;
+    bool is_real = a && yk_ring_is_real(values->ring, a);
+    if (a && !is_real) yk_ring_fail(values->ring, YK_RING_NOT_REAL);
+    Piece *pieces = is_real ? calloc(a->count + 1, sizeof *pieces) : NULL;
+    size_t count = pieces ? make_pieces(values->ring, a, pieces) : 0;
     if (!pieces || (count == 0 && a->count > 0)) graph->failed = true;
-    YkGraphValue sum = yk_graph_number(graph, 0);
+    YkRef sum = yk_graph_number(graph, 0);
     for (size_t start = 0, end; start < count; start = end) {
         for (end = start; end < count && pieces[end].rest == pieces[start].rest;) end++;
-        sum = yk_graph_add(graph, sum, group_of(graph, pieces + start, end - start));
+        sum = yk_graph_add(graph, sum, group_of(values, pieces + start, end - start));
     }
     free(pieces);
-    return graph->failed ? YK_GRAPH_NONE : sum;
+    return sum;
 }

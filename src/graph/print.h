@@ -1,9 +1,9 @@
 // From values to statements of C.
-#ifndef CODE_PRINT_H
-#define CODE_PRINT_H
+#ifndef GRAPH_PRINT_H
+#define GRAPH_PRINT_H
 #include "base/names.h"
 #include "base/text.h"
-#include "code/program.h"
+#include "graph/graph.h"
 
 // The small functions at the head of the file; each is printed if it is used.
 typedef enum YkHelper {
@@ -21,9 +21,26 @@ typedef enum YkHelper {
     YK_HELPER_COUNT
 } YkHelper;
 
-typedef struct YkPrinter {
-    YkProgram *program;
-    const char *prefix;
+typedef struct YkPrinter YkPrinter;
+enum { YK_PRINTER_KNOWN_MAX = 512 };
+
+// What the file around the printed functions has: its names, its calls.
+typedef struct YkPrinterFile {
+    void *context;
+    const char *parameter, *own_parameter; // before a parameter's name: in a pose; where the machine is computed
+    const char *machine;                   // before the name of one of the machine's values there
+    // Returns a name like the wish that the file may have for a variable. NULL: all names are free.
+    const char *(*name)(void *context, const char *wish);
+    // For graphs with calls. Prints the statements of one; returns the array with its results.
+    const char *(*call)(YkPrinter *printer, const YkCall *call);
+    // What a call takes besides its arguments: at most `capacity` to known. Returns how many.
+    size_t (*call_known)(YkPrinter *printer, const YkCall *call, YkRef *known, size_t capacity);
+} YkPrinterFile;
+
+struct YkPrinter {
+    YkGraph *graph;
+    const YkPrinterFile *file;
+    const char *prefix; // of the helpers
     bool single;
     YkText *out;
     bool uses[YK_HELPER_COUNT];
@@ -39,35 +56,36 @@ typedef struct YkPrinter {
     bool in_machine;  // prints the machine's own values
     const YkRef *cut; // values that stand for array elements: `known[k]`, sorted; or NULL
     size_t cut_count;
+    const YkRef *written; // leaves that the current function sets in the end: it reads them first
+    size_t written_count;
     const char *unknowns; // of the current group: the array that its function takes; or NULL
     YkNames taken;        // names of variables
     int32_t section;
     bool failed;
-} YkPrinter;
+};
 
-bool yk_printer_start(YkPrinter *printer, YkProgram *program, const char *prefix, bool single, YkText *out);
+// The graph must be complete. False when out of memory; end it then as well.
+bool yk_printer_start(YkPrinter *printer, YkGraph *graph, const YkPrinterFile *file, const char *prefix, bool single,
+                      YkText *out);
 void yk_printer_end(YkPrinter *printer);
 // Marks what the roots need, for a function that begins here (print.c).
 void yk_printer_begin(YkPrinter *printer, const YkRef *roots, size_t count);
 // Notes what the values of a pose need of the machine.
 void yk_printer_need(YkPrinter *printer, const YkRef *roots, size_t count);
-// Prints statements for all that the roots need; then yk_printer_value writes them. Does not use names in `reserved`.
+// Prints statements for all that the roots need; then yk_printer_value writes them.
 void yk_printer_body(YkPrinter *printer, const YkRef *roots, size_t count);
+// Returns a name for a variable that nothing else in the function has.
+const char *yk_printer_unique(YkPrinter *printer, const char *wish);
+// Declares an array with these values at its start.
+void yk_printer_array(YkPrinter *printer, const char *name, const YkRef *values, size_t count, size_t size);
 // print_value.c: writes a value by its variable if it has one; or the value of that variable.
 void yk_printer_value(YkPrinter *printer, YkRef value);
 void yk_printer_written(YkPrinter *printer, YkRef value);
 // Returns whether it needs no statement: a number, a leaf, a value of the machine, an element of `known`.
 bool yk_printer_is_given(const YkPrinter *printer, YkRef value);
-// Prints the machine's own values: `m.name = ...;`.
+// Prints the machine's own values, those that were needed and have names by now: `machine.name = ...;`.
 void yk_printer_machine(YkPrinter *printer);
 void yk_printer_number(YkPrinter *printer, double number);
 // Breaks the text from there on into lines of the usual length.
 void yk_printer_wrap(YkPrinter *printer, size_t from);
-// print_group.c: prints the functions of Newton's method, one for each group that the roots need.
-void yk_printer_group(YkPrinter *printer, size_t block);
-enum { YK_PRINTER_KNOWN_MAX = 512 };
-// Finds the arguments of a group's function, in the order of its array: at most `capacity` to known. Returns their
-// count.
-size_t yk_printer_group_known(YkPrinter *printer, size_t block, YkRef *known, size_t capacity);
-
 #endif

@@ -1,16 +1,16 @@
-// The graph of a program: every value that the printed C computes, each once.
+// Operations in the order in which a program does them: every value that printed C computes, each once.
 //
 // Values are numbers, names that the program gets from outside (leaves), and operations on earlier values. Building a
 // value folds constants, and returns an existing value if there is one. A value that depends only on parameters belongs
 // to the machine and is computed once; all others belong to a pose.
-#ifndef CODE_DAG_H
-#define CODE_DAG_H
+#ifndef GRAPH_GRAPH_H
+#define GRAPH_GRAPH_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include "base/memory.h"
 #include "base/names.h"
-#include "expr/expr.h"
+#include "graph/function.h"
 
 typedef int32_t YkRef; // a value of the graph
 
@@ -26,7 +26,7 @@ typedef enum YkValueKind {
     YK_VALUE_MULTIPLY,
     YK_VALUE_DIVIDE,
     YK_VALUE_MINUS,
-    YK_VALUE_FUNCTION, // of expressions: sin ... max
+    YK_VALUE_FUNCTION, // of formulas: sin ... max
     YK_VALUE_POWER,
     YK_VALUE_SINE, // a pair of one angle, the cosine right behind the sine
     YK_VALUE_COSINE,
@@ -79,16 +79,16 @@ typedef struct YkCall {
 } YkCall;
 
 // What derivatives remember about values: room made once, whose entries count only with the latest stamp.
-typedef struct YkDagMemo {
+typedef struct YkGraphMemo {
     YkRef *slope;
     uint32_t *slope_stamp, *reach_stamp, newest; // by value
     size_t capacity;
     YkRef reached;          // reach_stamp tells what this value is made of ...
     uint32_t reached_stamp; // ... where it is this
-} YkDagMemo;
+} YkGraphMemo;
 
-typedef struct YkDag {
-    YkDagMemo memo;
+typedef struct YkGraph {
+    YkGraphMemo memo;
     YkArena *arena;
     YkValue *values;
     size_t count, capacity;
@@ -98,53 +98,59 @@ typedef struct YkDag {
     size_t section_count, section_capacity;
     int32_t *table; // of what is there already
     size_t table_size;
-    YkNames leaves; // values by name
-    bool failed;    // out of memory
-} YkDag;
+    YkNames leaves;    // values by name
+    bool failed;       // out of memory
+    bool shares_signs; // b - a becomes -(a - b) where a - b is there, and sums with negative numbers are differences
+} YkGraph;
 
-bool yk_dag_start(YkDag *graph, YkArena *arena);
-void yk_dag_end(YkDag *graph);
+bool yk_graph_start(YkGraph *graph, YkArena *arena);
+void yk_graph_end(YkGraph *graph);
 // Puts the following values under this heading.
-void yk_dag_section(YkDag *graph, const char *heading);
+void yk_graph_section(YkGraph *graph, const char *heading);
 // Gives a value a name, unless it has one or is a plain number; returns the value.
-YkRef yk_dag_name(YkDag *graph, YkRef value, const char *format, ...);
+YkRef yk_graph_name(YkGraph *graph, YkRef value, const char *format, ...);
+
+// Formats a text in the graph's arena; never NULL.
+char *yk_graph_text(YkGraph *graph, const char *format, ...);
 
 // Returns a value with its operands set: an existing one, or a new one.
-YkRef yk_dag_intern(YkDag *graph, YkValue value);
-YkRef yk_dag_number(YkDag *graph, double number);
-YkRef yk_dag_leaf(YkDag *graph, YkLeafClass leaf_class, const char *name);
-YkRef yk_dag_add(YkDag *graph, YkRef a, YkRef b);
-YkRef yk_dag_subtract(YkDag *graph, YkRef a, YkRef b);
-YkRef yk_dag_multiply(YkDag *graph, YkRef a, YkRef b);
-YkRef yk_dag_divide(YkDag *graph, YkRef a, YkRef b);
-YkRef yk_dag_inverse(YkDag *graph, YkRef a);
-YkRef yk_dag_minus(YkDag *graph, YkRef a);
-YkRef yk_dag_power(YkDag *graph, YkRef a, YkRef b);
-YkRef yk_dag_function(YkDag *graph, YkFunction function, YkRef a, YkRef b);
-YkRef yk_dag_unary(YkDag *graph, YkValueKind op, YkRef a);
-YkRef yk_dag_binary(YkDag *graph, YkValueKind op, YkRef a, YkRef b); // ANGLE: y, x; NEAREST, LEAST, LARGEST
-YkRef yk_dag_choose(YkDag *graph, YkRef sign, YkRef negative, YkRef otherwise);
-YkRefVec yk_dag_unit(YkDag *graph, YkRef angle); // (cos, sin)
+YkRef yk_graph_intern(YkGraph *graph, YkValue value);
+// Returns the existing one; -1 if there is none.
+YkRef yk_graph_find(const YkGraph *graph, YkValue value);
+YkRef yk_graph_number(YkGraph *graph, double number);
+YkRef yk_graph_leaf(YkGraph *graph, YkLeafClass leaf_class, const char *name);
+YkRef yk_graph_add(YkGraph *graph, YkRef a, YkRef b);
+YkRef yk_graph_subtract(YkGraph *graph, YkRef a, YkRef b);
+YkRef yk_graph_multiply(YkGraph *graph, YkRef a, YkRef b);
+YkRef yk_graph_divide(YkGraph *graph, YkRef a, YkRef b);
+YkRef yk_graph_inverse(YkGraph *graph, YkRef a);
+YkRef yk_graph_minus(YkGraph *graph, YkRef a);
+YkRef yk_graph_power(YkGraph *graph, YkRef a, YkRef b);
+YkRef yk_graph_function(YkGraph *graph, YkFunction function, YkRef a, YkRef b);
+YkRef yk_graph_unary(YkGraph *graph, YkValueKind op, YkRef a);
+YkRef yk_graph_binary(YkGraph *graph, YkValueKind op, YkRef a, YkRef b); // ANGLE: y, x; NEAREST, LEAST, LARGEST
+YkRef yk_graph_choose(YkGraph *graph, YkRef sign, YkRef negative, YkRef otherwise);
+YkRefVec yk_graph_unit(YkGraph *graph, YkRef angle); // (cos, sin)
 // A call; the result `k` of it.
-int32_t yk_dag_call(YkDag *graph, YkCall call);
-YkRef yk_dag_result(YkDag *graph, int32_t call, size_t k);
+int32_t yk_graph_call(YkGraph *graph, YkCall call);
+YkRef yk_graph_result(YkGraph *graph, int32_t call, size_t k);
 // Counts the operations of the roots, each value once, without those that depend only on parameters.
-size_t yk_dag_cost(const YkDag *graph, const YkRef *roots, size_t count);
+size_t yk_graph_cost(const YkGraph *graph, const YkRef *roots, size_t count);
 // Returns d value / d leaf, exact. memo: one entry per present value, -1 if not known yet.
-YkRef yk_dag_derivative(YkDag *graph, YkRef value, YkRef leaf);
+YkRef yk_graph_derivative(YkGraph *graph, YkRef value, YkRef leaf);
 
-bool yk_dag_is_number(const YkDag *graph, YkRef value, double number);
-bool yk_dag_is_zero_vec(const YkDag *graph, YkRefVec v);
+bool yk_graph_is_number(const YkGraph *graph, YkRef value, double number);
+bool yk_graph_is_zero_vec(const YkGraph *graph, YkRefVec v);
 
 // Plane vectors.
-YkRefVec yk_dag_vec_number(YkDag *graph, double x, double y);
-YkRefVec yk_dag_vec_add(YkDag *graph, YkRefVec a, YkRefVec b);
-YkRefVec yk_dag_vec_subtract(YkDag *graph, YkRefVec a, YkRefVec b);
-YkRefVec yk_dag_vec_scale(YkDag *graph, YkRef k, YkRefVec a);
-YkRefVec yk_dag_vec_multiply(YkDag *graph, YkRefVec a, YkRefVec b); // turn and stretch
-YkRefVec yk_dag_vec_conjugate(YkDag *graph, YkRefVec a);
-YkRefVec yk_dag_vec_quarter(YkDag *graph, YkRefVec a);
-YkRef yk_dag_dot(YkDag *graph, YkRefVec a, YkRefVec b);
-YkRef yk_dag_cross(YkDag *graph, YkRefVec a, YkRefVec b);
+YkRefVec yk_graph_vec_number(YkGraph *graph, double x, double y);
+YkRefVec yk_graph_vec_add(YkGraph *graph, YkRefVec a, YkRefVec b);
+YkRefVec yk_graph_vec_subtract(YkGraph *graph, YkRefVec a, YkRefVec b);
+YkRefVec yk_graph_vec_scale(YkGraph *graph, YkRef k, YkRefVec a);
+YkRefVec yk_graph_vec_multiply(YkGraph *graph, YkRefVec a, YkRefVec b); // turn and stretch
+YkRefVec yk_graph_vec_conjugate(YkGraph *graph, YkRefVec a);
+YkRefVec yk_graph_vec_quarter(YkGraph *graph, YkRefVec a);
+YkRef yk_graph_dot(YkGraph *graph, YkRefVec a, YkRefVec b);
+YkRef yk_graph_cross(YkGraph *graph, YkRefVec a, YkRefVec b);
 
 #endif

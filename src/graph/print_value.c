@@ -1,12 +1,12 @@
 // Writes values as expressions of C.
-#include "code/print.h"
+#include "graph/print.h"
 #include <string.h>
 #include "base/number.h"
-#include "expr/function.h"
+#include "graph/function.h"
 
 static const YkValue *value_of(const YkPrinter *pr, YkRef value)
 {
-    return &pr->program->graph.values[value];
+    return &pr->graph->values[value];
 }
 
 void yk_printer_number(YkPrinter *pr, double number)
@@ -113,7 +113,7 @@ static void given(YkPrinter *pr, YkRef value)
     if (known >= 0)
         yk_text_format(pr->out, "known[%d]", (int)known);
     else if (v->op == YK_VALUE_LEAF && v->of_parameters)
-        yk_text_format(pr->out, "%s%s", pr->in_machine ? "p->" : "m->p.", v->name);
+        yk_text_format(pr->out, "%s%s", pr->in_machine ? pr->file->own_parameter : pr->file->parameter, v->name);
     else if (v->op == YK_VALUE_LEAF)
         yk_text_puts(pr->out, v->name);
     else

@@ -1,22 +1,23 @@
 // Starts the printer, and finds what a function needs of the graph.
-#include "code/print.h"
+#include "graph/print.h"
 #include <stdlib.h>
 #include <string.h>
 
 static const YkValue *value_of(const YkPrinter *pr, YkRef value)
 {
-    return &pr->program->graph.values[value];
+    return &pr->graph->values[value];
 }
 
-bool yk_printer_start(YkPrinter *pr, YkProgram *program, const char *prefix, bool single, YkText *out)
+bool yk_printer_start(YkPrinter *pr, YkGraph *graph, const YkPrinterFile *file, const char *prefix, bool single,
+                      YkText *out)
 {
-    *pr = (YkPrinter){.program = program, .prefix = prefix, .single = single, .out = out};
-    size_t n = pr->room = program->graph.count + 1;
+    *pr = (YkPrinter){.graph = graph, .file = file, .prefix = prefix, .single = single, .out = out};
+    size_t n = pr->room = graph->count + 1;
     pr->field = calloc(n, sizeof *pr->field);
     pr->marked = calloc(n, sizeof *pr->marked);
     pr->count = calloc(n, sizeof *pr->count);
     pr->local = calloc(n, sizeof *pr->local);
-    pr->call_done = calloc(program->graph.call_count + 1, sizeof *pr->call_done);
+    pr->call_done = calloc(graph->call_count + 1, sizeof *pr->call_done);
     return pr->field && pr->marked && pr->count && pr->local && pr->call_done;
 }
 
@@ -54,11 +55,10 @@ static void mark_call(YkPrinter *pr, int32_t index)
 {
     if (pr->call_done[index]) return;
     pr->call_done[index] = true;
-    YkCall call = pr->program->graph.calls[index];
+    YkCall call = pr->graph->calls[index];
     for (size_t k = 0; k < call.argument_count; k++) mark(pr, call.arguments[k]);
-    if (call.kind != YK_CALL_GROUP) return;
     YkRef known[YK_PRINTER_KNOWN_MAX];
-    size_t count = yk_printer_group_known(pr, (size_t)call.index, known, YK_PRINTER_KNOWN_MAX);
+    size_t count = pr->file->call_known(pr, &call, known, YK_PRINTER_KNOWN_MAX);
     for (size_t k = 0; k < count && k < YK_PRINTER_KNOWN_MAX; k++) {
         mark(pr, known[k]);
         pr->count[known[k]]++; // an element of an array: a variable of its own
@@ -70,7 +70,7 @@ void yk_printer_begin(YkPrinter *pr, const YkRef *roots, size_t count)
     memset(pr->marked, 0, pr->room * sizeof *pr->marked);
     memset(pr->count, 0, pr->room * sizeof *pr->count);
     memset(pr->local, 0, pr->room * sizeof *pr->local);
-    memset(pr->call_done, 0, (pr->program->graph.call_count + 1) * sizeof *pr->call_done);
+    memset(pr->call_done, 0, (pr->graph->call_count + 1) * sizeof *pr->call_done);
     yk_names_free(&pr->taken);
     pr->section = -1;
     for (size_t k = 0; k < count; k++) mark(pr, roots[k]);

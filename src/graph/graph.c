@@ -1,23 +1,23 @@
 // The graph of a program: makes values, and finds those that are already there.
-#include "code/dag.h"
+#include "graph/graph.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/text.h"
 
 enum { NOTHING = -1 };
 
-bool yk_dag_start(YkDag *g, YkArena *arena)
+bool yk_graph_start(YkGraph *g, YkArena *arena)
 {
-    *g = (YkDag){.arena = arena, .table_size = 1024};
+    *g = (YkGraph){.arena = arena, .table_size = 1024};
     g->table = malloc(g->table_size * sizeof *g->table);
     if (!g->table) return false;
     for (size_t k = 0; k < g->table_size; k++) g->table[k] = NOTHING;
-    yk_dag_section(g, NULL);
-    yk_dag_number(g, 0); // value 0 always exists: a failed allocation refers to it
+    yk_graph_section(g, NULL);
+    yk_graph_number(g, 0); // value 0 always exists: a failed allocation refers to it
     return !g->failed;
 }
 
-void yk_dag_end(YkDag *g)
+void yk_graph_end(YkGraph *g)
 {
     free(g->values);
     free(g->calls);
@@ -27,10 +27,10 @@ void yk_dag_end(YkDag *g)
     free(g->memo.slope_stamp);
     free(g->memo.reach_stamp);
     yk_names_free(&g->leaves);
-    *g = (YkDag){0};
+    *g = (YkGraph){0};
 }
 
-void yk_dag_section(YkDag *g, const char *heading)
+void yk_graph_section(YkGraph *g, const char *heading)
 {
     if (YK_ROOM(g->sections, g->section_count, g->section_capacity))
         g->sections[g->section_count++] = heading;
@@ -38,19 +38,34 @@ void yk_dag_section(YkDag *g, const char *heading)
         g->failed = true;
 }
 
-YkRef yk_dag_name(YkDag *g, YkRef value, const char *format, ...)
+static char *text_of(YkGraph *g, const char *format, va_list arguments)
+{
+    static char nothing[1];
+    YkText text = {0};
+    yk_text_vformat(&text, format, arguments);
+    char *copy = yk_arena_copy(g->arena, yk_text_get(&text), text.length);
+    if (!copy || text.failed) g->failed = true;
+    yk_text_free(&text);
+    return copy ? copy : nothing;
+}
+
+char *yk_graph_text(YkGraph *g, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *text = text_of(g, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+YkRef yk_graph_name(YkGraph *g, YkRef value, const char *format, ...)
 {
     YkValue *v = &g->values[value];
     if (v->name || v->op == YK_VALUE_NUMBER || v->op == YK_VALUE_MINUS) return value;
-    YkText text = {0};
     va_list arguments;
     va_start(arguments, format);
-    yk_text_vformat(&text, format, arguments);
+    v->name = text_of(g, format, arguments);
     va_end(arguments);
-    const char *name = yk_arena_copy(g->arena, yk_text_get(&text), text.length);
-    if (!name || text.failed) g->failed = true;
-    v->name = name;
-    yk_text_free(&text);
     return value;
 }
 
@@ -72,7 +87,7 @@ static bool is_same(const YkValue *a, const YkValue *b)
     return memcmp(&a->number, &b->number, sizeof a->number) == 0;
 }
 
-static void enter(YkDag *g, size_t index, size_t hash)
+static void enter(YkGraph *g, size_t index, size_t hash)
 {
     size_t at = hash % g->table_size;
     while (g->table[at] != NOTHING) at = (at + 1) % g->table_size;
@@ -87,7 +102,7 @@ static YkValue key_of(const YkValue *v)
     return key;
 }
 
-static bool grow_table(YkDag *g)
+static bool grow_table(YkGraph *g)
 {
     int32_t *table = malloc(2 * g->table_size * sizeof *table);
     if (!table) return false;
@@ -103,12 +118,19 @@ static bool grow_table(YkDag *g)
 }
 
 // Returns a value with its operands set: an existing one, or a new one.
-YkRef yk_dag_intern(YkDag *g, YkValue v)
+YkRef yk_graph_find(const YkGraph *g, YkValue v)
 {
     YkValue key = key_of(&v);
-    size_t hash = hash_of(&key);
-    for (size_t at = hash % g->table_size; g->table[at] != NOTHING; at = (at + 1) % g->table_size)
+    for (size_t at = hash_of(&key) % g->table_size; g->table[at] != NOTHING; at = (at + 1) % g->table_size)
         if (is_same(&g->values[g->table[at]], &v)) return g->table[at];
+    return NOTHING;
+}
+
+YkRef yk_graph_intern(YkGraph *g, YkValue v)
+{
+    YkValue key = key_of(&v);
+    YkRef known = yk_graph_find(g, v);
+    if (known != NOTHING) return known;
     if ((2 * g->count > g->table_size && !grow_table(g)) || !YK_ROOM(g->values, g->count, g->capacity)) {
         g->failed = true;
         return 0;
@@ -121,21 +143,21 @@ YkRef yk_dag_intern(YkDag *g, YkValue v)
             if (operands[k] != NOTHING && !g->values[operands[k]].of_parameters) v.of_parameters = false;
     }
     g->values[g->count] = v;
-    enter(g, g->count, hash);
+    enter(g, g->count, hash_of(&key));
     return (YkRef)g->count++;
 }
 
-YkRef yk_dag_number(YkDag *g, double number)
+YkRef yk_graph_number(YkGraph *g, double number)
 {
-    return yk_dag_intern(g, (YkValue){.op = YK_VALUE_NUMBER,
-                                      .a = NOTHING,
-                                      .b = NOTHING,
-                                      .c = NOTHING,
-                                      .number = number == 0 ? 0 : number, // no negative zero
-                                      .of_parameters = true});
+    return yk_graph_intern(g, (YkValue){.op = YK_VALUE_NUMBER,
+                                        .a = NOTHING,
+                                        .b = NOTHING,
+                                        .c = NOTHING,
+                                        .number = number == 0 ? 0 : number, // no negative zero
+                                        .of_parameters = true});
 }
 
-YkRef yk_dag_leaf(YkDag *g, YkLeafClass leaf_class, const char *name)
+YkRef yk_graph_leaf(YkGraph *g, YkLeafClass leaf_class, const char *name)
 {
     int32_t known = yk_names_find(&g->leaves, name);
     if (known != YK_NONE) return known;
@@ -144,17 +166,17 @@ YkRef yk_dag_leaf(YkDag *g, YkLeafClass leaf_class, const char *name)
         g->failed = true;
         return 0;
     }
-    YkRef leaf = yk_dag_intern(g, (YkValue){.op = YK_VALUE_LEAF,
-                                            .a = (YkRef)g->count, // a leaf is found by its name alone, above
-                                            .b = NOTHING,
-                                            .c = NOTHING,
-                                            .name = copy,
-                                            .of_parameters = leaf_class == YK_LEAF_PARAMETER,
-                                            .leaf_class = (int32_t)leaf_class});
+    YkRef leaf = yk_graph_intern(g, (YkValue){.op = YK_VALUE_LEAF,
+                                              .a = (YkRef)g->count, // a leaf is found by its name alone, above
+                                              .b = NOTHING,
+                                              .c = NOTHING,
+                                              .name = copy,
+                                              .of_parameters = leaf_class == YK_LEAF_PARAMETER,
+                                              .leaf_class = (int32_t)leaf_class});
     return leaf;
 }
 
-int32_t yk_dag_call(YkDag *g, YkCall call)
+int32_t yk_graph_call(YkGraph *g, YkCall call)
 {
     if (!YK_ROOM(g->calls, g->call_count, g->call_capacity)) {
         g->failed = true;
@@ -165,14 +187,14 @@ int32_t yk_dag_call(YkDag *g, YkCall call)
     return (int32_t)g->call_count++;
 }
 
-YkRef yk_dag_result(YkDag *g, int32_t call, size_t k)
+YkRef yk_graph_result(YkGraph *g, int32_t call, size_t k)
 {
-    return yk_dag_intern(g, (YkValue){.op = YK_VALUE_RESULT, .a = call, .b = (YkRef)k, .c = NOTHING});
+    return yk_graph_intern(g, (YkValue){.op = YK_VALUE_RESULT, .a = call, .b = (YkRef)k, .c = NOTHING});
 }
 
 // --- cost
 
-static size_t cost_of(const YkDag *g, YkRef value, bool *counted)
+static size_t cost_of(const YkGraph *g, YkRef value, bool *counted)
 {
     const YkValue *v = &g->values[value];
     if (counted[value] || v->of_parameters || v->op == YK_VALUE_LEAF) return 0;
@@ -184,7 +206,7 @@ static size_t cost_of(const YkDag *g, YkRef value, bool *counted)
     return sum;
 }
 
-size_t yk_dag_cost(const YkDag *g, const YkRef *roots, size_t count)
+size_t yk_graph_cost(const YkGraph *g, const YkRef *roots, size_t count)
 {
     size_t sum = 0;
     bool *counted = YK_NEW(g->arena, bool, g->count);

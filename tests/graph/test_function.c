@@ -1,5 +1,6 @@
 // The functions of expressions.
-#include "expr_check.h"
+#include "check.h"
+#include "graph/function.h"
 
 static void every_function_is_found_by_its_own_name(void **state)
 {

@@ -1,13 +1,13 @@
 // Prints values as statements: a variable for what is used more than once, calls before their first result.
 #include <stdlib.h>
 #include <string.h>
-#include "code/print.h"
+#include "graph/print.h"
 
 enum { INLINE_MAX = 9, LINE_MAX_LENGTH = 112 }; // operations in one expression; columns
 
 static const YkValue *value_of(const YkPrinter *pr, YkRef value)
 {
-    return &pr->program->graph.values[value];
+    return &pr->graph->values[value];
 }
 
 // Variables of the printed functions, and the functions of <math.h> that they call, which a variable of that name
@@ -27,13 +27,17 @@ static bool is_used(const YkPrinter *pr, const char *name)
     return false;
 }
 
-// Returns a unique name for a variable.
-static const char *unique(YkPrinter *pr, const char *wish)
+static const char *allowed(const YkPrinter *pr, const char *wish)
 {
-    const char *name = wish = yk_program_name(pr->program, wish);
+    return pr->file->name ? pr->file->name(pr->file->context, wish) : wish;
+}
+
+const char *yk_printer_unique(YkPrinter *pr, const char *wish)
+{
+    const char *name = wish = allowed(pr, wish);
     int32_t existing;
-    for (int k = 2; !pr->program->failed && (is_used(pr, name) || yk_names_find(&pr->taken, name) != YK_NONE); k++)
-        name = yk_program_name(pr->program, yk_program_text(pr->program, "%s_%d", wish, k));
+    for (int k = 2; !pr->graph->failed && (is_used(pr, name) || yk_names_find(&pr->taken, name) != YK_NONE); k++)
+        name = allowed(pr, yk_graph_text(pr->graph, "%s_%d", wish, k));
     if (!yk_names_add(&pr->taken, name, 0, &existing)) pr->failed = true;
     return name;
 }
@@ -60,7 +64,7 @@ static int weight(const YkPrinter *pr, YkRef value)
 // Writes a comment before the first statement of its section.
 static void heading(YkPrinter *pr, int32_t section)
 {
-    const char *text = pr->program->graph.sections[section];
+    const char *text = pr->graph->sections[section];
     if (section == pr->section) return;
     pr->section = section;
     if (text) yk_text_format(pr->out, "\n    /* %s */\n", text);
@@ -74,7 +78,7 @@ void yk_printer_wrap(YkPrinter *pr, size_t from)
         size_t at = start + LINE_MAX_LENGTH;
         while (at > start + 20 && pr->out->data[at] != ' ') at--;
         if (at <= start + 20) return;
-        char *rest = yk_arena_copy(pr->program->arena, pr->out->data + at + 1, pr->out->length - at - 1);
+        char *rest = yk_arena_copy(pr->graph->arena, pr->out->data + at + 1, pr->out->length - at - 1);
         if (!rest) {
             pr->failed = true;
             return;
@@ -103,16 +107,15 @@ static void declare_pair(YkPrinter *pr, YkRef sine)
 {
     const YkValue *s = value_of(pr, sine), *c = value_of(pr, sine + 1);
     pr->uses[YK_HELPER_SINCOS] = true;
-    pr->local[sine] = unique(pr, s->name ? s->name : yk_program_text(pr->program, "s%d", (int)sine));
-    pr->local[sine + 1] = unique(pr, c->name ? c->name : yk_program_text(pr->program, "c%d", (int)sine));
+    pr->local[sine] = yk_printer_unique(pr, s->name ? s->name : yk_graph_text(pr->graph, "s%d", (int)sine));
+    pr->local[sine + 1] = yk_printer_unique(pr, c->name ? c->name : yk_graph_text(pr->graph, "c%d", (int)sine));
     yk_text_format(pr->out, "    %s %s, %s;\n    %s_sincos(", real(pr), pr->local[sine], pr->local[sine + 1],
                    pr->prefix);
     yk_printer_value(pr, s->a);
     yk_text_format(pr->out, ", &%s, &%s);\n", pr->local[sine], pr->local[sine + 1]);
 }
 
-// Writes a row of values as an array's initial values.
-static void array(YkPrinter *pr, const char *name, const YkRef *values, size_t count, size_t size)
+void yk_printer_array(YkPrinter *pr, const char *name, const YkRef *values, size_t count, size_t size)
 {
     size_t from = pr->out->length;
     yk_text_format(pr->out, "    %s %s[%d] = {", real(pr), name, (int)size);
@@ -125,72 +128,11 @@ static void array(YkPrinter *pr, const char *name, const YkRef *values, size_t c
     yk_text_puts(pr->out, "\n");
 }
 
-// --- calls
-
-static const char *call_array(YkPrinter *pr, const YkCall *call)
-{
-    static const char *const endings[] = {"system", "solution", "law"};
-    return unique(pr, yk_program_text(pr->program, "%s_%s", call->name, endings[call->kind]));
-}
-
-// Writes equations: the entries that are not zero, then the solution in their place.
-static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
-{
-    pr->uses[YK_HELPER_SOLVE] = true;
-    if (call->argument_count <= 24) {
-        array(pr, name, call->arguments, call->argument_count, call->result_count);
-    } else {
-        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", real(pr), name, (int)call->result_count);
-        for (size_t k = 0; k < call->argument_count; k++) {
-            if (yk_dag_is_number(&pr->program->graph, call->arguments[k], 0)) continue;
-            size_t from = pr->out->length;
-            yk_text_format(pr->out, "    %s[%d] = ", name, (int)k);
-            yk_printer_value(pr, call->arguments[k]);
-            yk_text_puts(pr->out, ";");
-            yk_printer_wrap(pr, from);
-            yk_text_puts(pr->out, "\n");
-        }
-    }
-    yk_text_format(pr->out, "    %s[%d] = %s_equations(%d, %d, %s);\n", name, (int)call->result_count - 1, pr->prefix,
-                   (int)call->n, (int)call->m, name);
-}
-
-static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
-{
-    YkRef known[YK_PRINTER_KNOWN_MAX];
-    size_t count = yk_printer_group_known(pr, (size_t)call->index, known, YK_PRINTER_KNOWN_MAX);
-    const char *given_name = unique(pr, yk_program_text(pr->program, "%s_known", call->name));
-    pr->uses[YK_HELPER_SOLVE] = true;
-    array(pr, name, call->arguments, call->argument_count, call->result_count);
-    if (count == 0) {
-        yk_text_format(pr->out, "    const %s %s[1] = {0};\n", real(pr), given_name);
-    } else {
-        yk_text_puts(pr->out, "    const");
-        array(pr, given_name, known, count, count);
-    }
-    yk_text_format(pr->out, "    %s_solve_%s(m, %s, %s);\n", pr->prefix, call->name, given_name, name);
-}
-
-static void call_law(YkPrinter *pr, const YkCall *call, const char *name)
-{
-    pr->uses[YK_HELPER_LAW] = true;
-    yk_text_format(pr->out, "    %s %s[3];\n    %s_law_%s(", real(pr), name, pr->prefix, call->name);
-    yk_printer_value(pr, call->arguments[0]);
-    yk_text_format(pr->out, ", %s);\n", name);
-}
-
 // Makes sure that the call is written before its first result.
 static const char *ensure_call(YkPrinter *pr, int32_t index, const char **names)
 {
-    YkCall call = pr->program->graph.calls[index];
-    if (names[index]) return names[index];
-    names[index] = call_array(pr, &call);
-    if (call.kind == YK_CALL_SOLVE)
-        call_solve(pr, &call, names[index]);
-    else if (call.kind == YK_CALL_GROUP)
-        call_group(pr, &call, names[index]);
-    else
-        call_law(pr, &call, names[index]);
+    YkCall call = pr->graph->calls[index];
+    if (!names[index]) names[index] = pr->file->call(pr, &call);
     return names[index];
 }
 
@@ -212,22 +154,33 @@ static void statement(YkPrinter *pr, YkRef value, const char **call_names)
         heading(pr, v.section);
         declare_pair(pr, v.op == YK_VALUE_SINE ? value : v.b);
     } else if (v.op == YK_VALUE_RESULT) {
-        if (!call_names[v.a]) heading(pr, pr->program->graph.calls[v.a].section);
-        pr->local[value] = yk_program_text(pr->program, "%s[%d]", ensure_call(pr, v.a, call_names), (int)v.b);
+        if (!call_names[v.a]) heading(pr, pr->graph->calls[v.a].section);
+        pr->local[value] = yk_graph_text(pr->graph, "%s[%d]", ensure_call(pr, v.a, call_names), (int)v.b);
     } else if (needs_variable(pr, value)) {
         heading(pr, v.section);
-        declare(pr, value, unique(pr, v.name ? v.name : yk_program_text(pr->program, "t%d", (int)value)));
+        declare(pr, value, yk_printer_unique(pr, v.name ? v.name : yk_graph_text(pr->graph, "t%d", (int)value)));
     }
+}
+
+static void keep(YkPrinter *pr, YkRef leaf)
+{
+    if (pr->count[leaf] == 0 || pr->local[leaf]) return;
+    const char *name = yk_printer_unique(pr, yk_graph_text(pr->graph, "t%d", (int)leaf));
+    yk_text_format(pr->out, "    const %s %s = ", real(pr), name);
+    yk_printer_value(pr, leaf);
+    yk_text_puts(pr->out, ";\n");
+    pr->local[leaf] = name;
 }
 
 void yk_printer_body(YkPrinter *pr, const YkRef *roots, size_t count)
 {
     yk_printer_begin(pr, roots, count);
-    const char **names = calloc(pr->program->graph.call_count + 1, sizeof *names);
+    const char **names = calloc(pr->graph->call_count + 1, sizeof *names);
     if (!names) {
         pr->failed = true;
         return;
     }
+    for (size_t k = 0; k < pr->written_count; k++) keep(pr, pr->written[k]);
     for (size_t k = 0; k < pr->room - 1; k++)
         if (pr->marked[k]) statement(pr, (YkRef)k, names);
     free(names);
@@ -248,15 +201,15 @@ void yk_printer_machine(YkPrinter *pr)
         for (YkRef v = k == 0 ? 0 : pr->fields[k - 1] + 1; v < field; v++)
             if (pr->marked[v] && needs_variable(pr, v))
                 declare(pr, v,
-                        unique(pr, value_of(pr, v)->name ? value_of(pr, v)->name
-                                                         : yk_program_text(pr->program, "t%d", (int)v)));
+                        yk_printer_unique(pr, value_of(pr, v)->name ? value_of(pr, v)->name
+                                                                    : yk_graph_text(pr->graph, "t%d", (int)v)));
         size_t from = pr->out->length;
-        yk_text_format(pr->out, "    machine.%s = ", pr->field[field]);
+        yk_text_format(pr->out, "    %s%s = ", pr->file->machine, pr->field[field]);
         yk_printer_written(pr, field);
         yk_text_puts(pr->out, ";");
         yk_printer_wrap(pr, from);
         yk_text_puts(pr->out, "\n");
-        pr->local[field] = yk_program_text(pr->program, "machine.%s", pr->field[field]);
+        pr->local[field] = yk_graph_text(pr->graph, "%s%s", pr->file->machine, pr->field[field]);
     }
     pr->in_machine = false;
 }

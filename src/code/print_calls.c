@@ -1,0 +1,71 @@
+// Calls in the printed functions: equations, Newton's method for a group, laws.
+#include "code/file.h"
+
+static const char *real(const YkPrinter *pr)
+{
+    return pr->single ? "float" : "double";
+}
+
+static const char *call_array(YkPrinter *pr, const YkCall *call)
+{
+    static const char *const endings[] = {"system", "solution", "law"};
+    return yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_%s", call->name, endings[call->kind]));
+}
+
+// Equations: the entries that are not zero, then the solution in their place.
+static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    pr->uses[YK_HELPER_SOLVE] = true;
+    if (call->argument_count <= 24) {
+        yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
+    } else {
+        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", real(pr), name, (int)call->result_count);
+        for (size_t k = 0; k < call->argument_count; k++) {
+            if (yk_graph_is_number(pr->graph, call->arguments[k], 0)) continue;
+            size_t from = pr->out->length;
+            yk_text_format(pr->out, "    %s[%d] = ", name, (int)k);
+            yk_printer_value(pr, call->arguments[k]);
+            yk_text_puts(pr->out, ";");
+            yk_printer_wrap(pr, from);
+            yk_text_puts(pr->out, "\n");
+        }
+    }
+    yk_text_format(pr->out, "    %s[%d] = %s_equations(%d, %d, %s);\n", name, (int)call->result_count - 1, pr->prefix,
+                   (int)call->n, (int)call->m, name);
+}
+
+static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    YkRef known[YK_PRINTER_KNOWN_MAX];
+    size_t count = yk_call_known(pr, call, known, YK_PRINTER_KNOWN_MAX);
+    const char *given_name = yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_known", call->name));
+    pr->uses[YK_HELPER_SOLVE] = true;
+    yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
+    if (count == 0) {
+        yk_text_format(pr->out, "    const %s %s[1] = {0};\n", real(pr), given_name);
+    } else {
+        yk_text_puts(pr->out, "    const");
+        yk_printer_array(pr, given_name, known, count, count);
+    }
+    yk_text_format(pr->out, "    %s_solve_%s(m, %s, %s);\n", pr->prefix, call->name, given_name, name);
+}
+
+static void call_law(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    pr->uses[YK_HELPER_LAW] = true;
+    yk_text_format(pr->out, "    %s %s[3];\n    %s_law_%s(", real(pr), name, pr->prefix, call->name);
+    yk_printer_value(pr, call->arguments[0]);
+    yk_text_format(pr->out, ", %s);\n", name);
+}
+
+const char *yk_call_print(YkPrinter *pr, const YkCall *call)
+{
+    const char *name = call_array(pr, call);
+    if (call->kind == YK_CALL_SOLVE)
+        call_solve(pr, call, name);
+    else if (call->kind == YK_CALL_GROUP)
+        call_group(pr, call, name);
+    else
+        call_law(pr, call, name);
+    return name;
+}

@@ -1,0 +1,64 @@
+// Plane vectors of values.
+#include "graph/graph.h"
+
+YkRefVec yk_graph_vec_number(YkGraph *g, double x, double y)
+{
+    YkRefVec v = {.x = yk_graph_number(g, x)};
+    v.y = yk_graph_number(g, y);
+    return v;
+}
+
+YkRefVec yk_graph_vec_add(YkGraph *g, YkRefVec a, YkRefVec b)
+{
+    YkRefVec v = {.x = yk_graph_add(g, a.x, b.x)};
+    v.y = yk_graph_add(g, a.y, b.y);
+    return v;
+}
+
+YkRefVec yk_graph_vec_subtract(YkGraph *g, YkRefVec a, YkRefVec b)
+{
+    YkRefVec v = {.x = yk_graph_subtract(g, a.x, b.x)};
+    v.y = yk_graph_subtract(g, a.y, b.y);
+    return v;
+}
+
+YkRefVec yk_graph_vec_scale(YkGraph *g, YkRef k, YkRefVec a)
+{
+    YkRefVec v = {.x = yk_graph_multiply(g, k, a.x)};
+    v.y = yk_graph_multiply(g, k, a.y);
+    return v;
+}
+
+YkRefVec yk_graph_vec_multiply(YkGraph *g, YkRefVec a, YkRefVec b)
+{
+    YkRef xx = yk_graph_multiply(g, a.x, b.x), yy = yk_graph_multiply(g, a.y, b.y), x = yk_graph_subtract(g, xx, yy);
+    YkRef xy = yk_graph_multiply(g, a.x, b.y), yx = yk_graph_multiply(g, a.y, b.x), y = yk_graph_add(g, xy, yx);
+    return (YkRefVec){x, y};
+}
+
+YkRefVec yk_graph_vec_conjugate(YkGraph *g, YkRefVec a)
+{
+    return (YkRefVec){a.x, yk_graph_minus(g, a.y)};
+}
+
+YkRefVec yk_graph_vec_quarter(YkGraph *g, YkRefVec a)
+{
+    return (YkRefVec){yk_graph_minus(g, a.y), a.x};
+}
+
+YkRef yk_graph_dot(YkGraph *g, YkRefVec a, YkRefVec b)
+{
+    YkRef xx = yk_graph_multiply(g, a.x, b.x), yy = yk_graph_multiply(g, a.y, b.y);
+    return yk_graph_add(g, xx, yy);
+}
+
+YkRef yk_graph_cross(YkGraph *g, YkRefVec a, YkRefVec b)
+{
+    YkRef xy = yk_graph_multiply(g, a.x, b.y), yx = yk_graph_multiply(g, a.y, b.x);
+    return yk_graph_subtract(g, xy, yx);
+}
+
+bool yk_graph_is_zero_vec(const YkGraph *g, YkRefVec v)
+{
+    return yk_graph_is_number(g, v.x, 0) && yk_graph_is_number(g, v.y, 0);
+}

@@ -1,0 +1,108 @@
+// The graph folds what is constant, finds values again, and its derivatives agree with differences.
+#include "graph/graph_check.h"
+
+typedef struct Graph {
+    YkGraph g;
+    YkArena *arena;
+    YkRef x, y, length;
+} Graph;
+
+static int set_up(void **state)
+{
+    static Graph t;
+    t.arena = yk_arena_new();
+    assert_true(t.arena && yk_graph_start(&t.g, t.arena));
+    t.x = yk_graph_leaf(&t.g, YK_LEAF_POSE, "x");
+    t.y = yk_graph_leaf(&t.g, YK_LEAF_POSE, "y");
+    t.length = yk_graph_leaf(&t.g, YK_LEAF_PARAMETER, "l");
+    *state = &t;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    Graph *t = *state;
+    yk_graph_end(&t->g);
+    yk_arena_free(t->arena);
+    return 0;
+}
+
+// The value at x, y and l = 3.
+static double value(const Graph *t, YkRef ref, double x, double y)
+{
+    double *numbers = calloc(t->g.count, sizeof *numbers);
+    assert_non_null(numbers);
+    numbers[t->x] = x, numbers[t->y] = y, numbers[t->length] = 3;
+    graph_evaluate(&t->g, numbers);
+    double found = numbers[ref];
+    free(numbers);
+    return found;
+}
+
+static void what_is_constant_is_folded_and_what_is_there_is_found(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef zero = yk_graph_number(g, 0), one = yk_graph_number(g, 1), two = yk_graph_number(g, 2);
+    assert_int_equal(yk_graph_add(g, t->x, zero), t->x);
+    assert_int_equal(yk_graph_multiply(g, one, t->x), t->x);
+    assert_int_equal(yk_graph_multiply(g, t->x, zero), zero);
+    assert_int_equal(yk_graph_subtract(g, t->x, t->x), zero);
+    assert_int_equal(yk_graph_add(g, one, one), two);
+    assert_int_equal(yk_graph_minus(g, yk_graph_minus(g, t->x)), t->x);
+    assert_int_equal(yk_graph_add(g, t->x, t->y), yk_graph_add(g, t->y, t->x));
+    assert_int_equal(yk_graph_subtract(g, t->x, yk_graph_minus(g, t->y)), yk_graph_add(g, t->x, t->y));
+    assert_int_equal(yk_graph_leaf(g, YK_LEAF_POSE, "x"), t->x);
+    YkRef square = yk_graph_multiply(g, t->x, t->x);
+    assert_int_equal(g->values[yk_graph_function(g, YK_SQRT, square, -1)].op, YK_VALUE_SIZE);
+    assert_true(yk_graph_is_number(g, yk_graph_unit(g, zero).x, 1));
+}
+
+static void what_hangs_on_parameters_alone_is_known_as_such(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef own = yk_graph_multiply(g, t->length, t->length), mixed = yk_graph_multiply(g, t->length, t->x);
+    assert_true(g->values[own].of_parameters);
+    assert_true(g->values[t->length].of_parameters);
+    assert_false(g->values[mixed].of_parameters);
+}
+
+// The argument keeps every function within its range: 0.2 to 0.8.
+static void derivatives_agree_with_differences(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    const double x = 0.37, y = 0.81, h = 1e-6;
+    YkRef inner = yk_graph_multiply(g, t->x, yk_graph_add(g, t->y, yk_graph_number(g, 0.5)));
+    for (int f = 0; f < YK_FUNCTION_COUNT; f++) {
+        bool is_binary = f == YK_ATAN2 || f == YK_MIN || f == YK_MAX;
+        YkRef value_ref = yk_graph_function(g, (YkFunction)f, inner, is_binary ? yk_graph_multiply(g, t->x, t->y) : -1);
+        YkRef slope = yk_graph_derivative(g, value_ref, t->x);
+        double difference = (value(t, value_ref, x + h, y) - value(t, value_ref, x - h, y)) / (2 * h);
+        CHECK_NEAR(value(t, slope, x, y), difference, 1e-8);
+    }
+    YkRefVec unit = yk_graph_unit(g, inner);
+    YkRef ratio = yk_graph_divide(g, unit.y, yk_graph_add(g, unit.x, t->y));
+    YkRef power = yk_graph_power(g, inner, yk_graph_add(g, t->x, t->y)),
+          fixed = yk_graph_power(g, inner, yk_graph_number(g, -3));
+    const YkRef all[] = {ratio, power, fixed, yk_graph_subtract(g, ratio, yk_graph_minus(g, power)),
+                         yk_graph_choose(g, t->x, ratio, power)};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+        YkRef slope = yk_graph_derivative(g, all[k], t->x), across = yk_graph_derivative(g, all[k], t->y);
+        double by_x = (value(t, all[k], x + h, y) - value(t, all[k], x - h, y)) / (2 * h);
+        double by_y = (value(t, all[k], x, y + h) - value(t, all[k], x, y - h)) / (2 * h);
+        CHECK_NEAR(value(t, slope, x, y), by_x, 1e-7 * (1 + fabs(by_x)));
+        CHECK_NEAR(value(t, across, x, y), by_y, 1e-7 * (1 + fabs(by_y)));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(what_is_constant_is_folded_and_what_is_there_is_found, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(what_hangs_on_parameters_alone_is_known_as_such, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(derivatives_agree_with_differences, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
