@@ -1,6 +1,5 @@
 // YAML text into a tree with places; what model files do not need is refused.
 #include "doc_check.h"
-#include <time.h>
 
 static void maps_lists_and_scalars_become_a_tree(void **state)
 {
@@ -204,7 +203,7 @@ static void a_text_over_the_limit_is_refused_before_it_is_looked_at(void **state
     yk_problems_free(problems);
 }
 
-static double seconds_for(size_t lines)
+static void read_lines(size_t lines)
 {
     enum { LINE = 64 };
     char *text = malloc(lines * LINE + 16);
@@ -212,21 +211,17 @@ static double seconds_for(size_t lines)
     size_t used = (size_t)sprintf(text, "bodies:\n");
     for (size_t i = 0; i < lines; i++)
         used += (size_t)snprintf(text + used, LINE, "  b%zu: {points: {A: [0, 0], B: [1, 0]}}\n", i);
-    clock_t start = clock();
     Fixture fixture = fixture_of_bytes(text, used);
-    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     assert_non_null(fixture.root);
     fixture_free(&fixture);
     free(text);
-    return seconds;
 }
 
-static void the_cost_grows_linearly_with_the_text(void **state)
+// At a quadratic cost it would not end before the test's time limit.
+static void a_long_text_is_read(void **state)
 {
     (void)state;
-    double small = seconds_for(5000), large = seconds_for(50000);
-    if (large > 40 * small + 0.5) print_error("5,000 lines: %g s, 50,000: %g s\n", small, large);
-    assert_true(large <= 40 * small + 0.5);
+    read_lines(300000);
 }
 
 int main(void)
@@ -246,7 +241,7 @@ int main(void)
         cmocka_unit_test(a_long_text_and_a_big_map_keep_their_contents),
         cmocka_unit_test(random_trees_read_back_as_written),
         cmocka_unit_test(a_text_over_the_limit_is_refused_before_it_is_looked_at),
-        cmocka_unit_test(the_cost_grows_linearly_with_the_text),
+        cmocka_unit_test(a_long_text_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

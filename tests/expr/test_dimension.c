@@ -1,6 +1,5 @@
 // Dimension inference: what bare numbers and parameters become, and which contradictions are found where.
 #include "expr_check.h"
-#include <time.h>
 
 #define NUMBER ((YkDimension){0, 0, 0, 0})
 #define ANGLE ((YkDimension){0, 0, 0, 1})
@@ -622,13 +621,12 @@ static void an_empty_file_is_fine(void **state)
 }
 
 // A chain of parameters, declared so that each needs the next: the worst order for sweeps.
-static double seconds_for_chain(size_t count)
+static void follow_chain(size_t count)
 {
     Fixture fixture = fixture_new();
     YkUnits units = yk_units_si();
     YkDimensions *dims = yk_dimensions_new(fixture.arena, &units);
     char text[32];
-    clock_t start = clock();
     for (size_t i = 0; i < count; i++) {
         int length = snprintf(text, sizeof text, i + 1 < count ? "p%zu + 1" : "3 mm", i + 1);
         YkExpr *expr = yk_expr_parse(text, (size_t)length, (YkPlace){1, 1, 0}, fixture.arena, fixture.problems);
@@ -642,17 +640,14 @@ static double seconds_for_chain(size_t count)
     YkDimension found;
     assert_true(yk_dimensions_of(dims, "p0", &found));
     assert_true(yk_dimension_equal(found, LENGTH));
-    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     fixture_free(&fixture);
-    return seconds;
 }
 
-static void the_cost_grows_linearly_along_a_chain(void **state)
+// At a quadratic cost it would not end before the test's time limit.
+static void a_long_chain_is_followed(void **state)
 {
     (void)state;
-    double small = seconds_for_chain(10000), large = seconds_for_chain(100000);
-    if (large > 40 * small + 0.5) print_error("10,000: %g s, 100,000: %g s\n", small, large);
-    assert_true(large <= 40 * small + 0.5); // quadratic would be 100 times as long
+    follow_chain(500000);
 }
 
 int main(void)
@@ -681,7 +676,7 @@ int main(void)
         cmocka_unit_test(unknown_names_are_left_to_the_caller),
         cmocka_unit_test(circles_of_parameters_come_to_an_end),
         cmocka_unit_test(an_empty_file_is_fine),
-        cmocka_unit_test(the_cost_grows_linearly_along_a_chain),
+        cmocka_unit_test(a_long_chain_is_followed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,6 @@
 // each other's inverse, least norm, the same numbers in another place of the world; and cost that grows with the
 // machine alone.
 #include "loads_check.h"
-#include <time.h>
 #include "compile/ladder.h"
 #include "free_bodies/inside.h"
 #include "num/dense.h"
@@ -325,20 +324,13 @@ static void test_redundant_reactions_are_the_least_in_norm_and_say_which_are_det
 
 // --- long machines --------------------------------------------------------------------------------------------------
 
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-// Gives all bodies mass and weight, and solves inverse and forward dynamics twice. Returns the time of the second, s.
-static double solve_long(const Machine *m, YkStatus expected, YkFreeBodies **bodies)
+// Gives all bodies mass and weight, and solves inverse and forward dynamics twice.
+static void solve_long(const Machine *m, YkStatus expected, YkFreeBodies **bodies)
 {
     size_t n = m->model->body_count, inputs = m->mech->input_count;
     YkLoad *load = calloc(n, sizeof *load);
     bool *is_prescribed = calloc(inputs + 1, sizeof *is_prescribed);
-    double *accelerations = calloc(inputs + 1, sizeof *accelerations), start = 0;
+    double *accelerations = calloc(inputs + 1, sizeof *accelerations);
     for (size_t b = 1; b < n; b++) {
         YkBody *body = &m->model->bodies[b];
         body->has_mass = true;
@@ -349,7 +341,6 @@ static double solve_long(const Machine *m, YkStatus expected, YkFreeBodies **bod
     }
     YkFreeBodies *f = *bodies = yk_free_bodies_new(m->mech);
     for (int k = 0; k < 2; k++) {
-        start = seconds();
         assert_int_equal(yk_free_bodies_forward(f, &m->state->space, load, is_prescribed, accelerations, NULL),
                          expected);
         assert_true(imbalance_of(f) < 1e-12);
@@ -359,27 +350,24 @@ static double solve_long(const Machine *m, YkStatus expected, YkFreeBodies **bod
     free(load);
     free(is_prescribed);
     free(accelerations);
-    return seconds() - start;
 }
 
-static double cost_of(Story story)
+static void solve_story(Story story)
 {
     YkFreeBodies *f;
     Machine m = machine_parse(story.text, true);
-    double time = solve_long(&m, YK_OK, &f);
+    solve_long(&m, YK_OK, &f);
     yk_free_bodies_free(f);
     machine_free(&m);
     free(story.text);
-    return time;
 }
 
-static void test_the_cost_of_chains_and_ladders_grows_with_their_length(void **unused)
+// At a quadratic cost they would not end before the test's time limit.
+static void test_long_chains_and_ladders_are_solved(void **unused)
 {
     (void)unused;
-    double chains[2] = {cost_of(chain(500)), cost_of(chain(8000))};
-    double ladders[2] = {cost_of(ladder(250)), cost_of(ladder(4000))};
-    assert_true(chains[1] < 16 * 6 * (chains[0] + 1e-3)); // quadratic would be 256
-    assert_true(ladders[1] < 16 * 6 * (ladders[0] + 1e-3));
+    solve_story(chain(60000));
+    solve_story(ladder(30000));
 }
 
 // A long chain hangs from a crosshead on two guides: the guides share their forces, everything else is determined.
@@ -393,12 +381,11 @@ static void test_a_doubled_guide_leaves_a_long_chain_sparse_and_determinate(void
          "joints:\n  U: {slide: [ground, head], along: x, distance: u}\n  V: {slide: [ground, head], along: x, to: "
          "S}\n  J0: {pin: [head, b0], angle: a0}\n%s",
          rest);
-    double base = cost_of(plain);
+    solve_story(plain);
     Machine m = machine_parse(story.text, true);
     YkFreeBodies *f;
-    double time = solve_long(&m, YK_REDUNDANT, &f);
+    solve_long(&m, YK_REDUNDANT, &f);
     assert_int_equal(f->part_count, 1);
-    assert_true(time < 20 * (base + 1e-3)); // dense it would be hours
     for (size_t j = 0; j < m.model->joint_count; j++)
         assert_int_equal(yk_free_bodies_joint(f, j).is_determinate, m.model->joints[j].kind != YK_SLIDE);
     yk_free_bodies_free(f);
@@ -414,7 +401,7 @@ int main(void)
         cmocka_unit_test(test_inverse_undoes_forward_on_every_machine),
         cmocka_unit_test(test_machines_without_inertia_name_an_input),
         cmocka_unit_test(test_redundant_reactions_are_the_least_in_norm_and_say_which_are_determined),
-        cmocka_unit_test(test_the_cost_of_chains_and_ladders_grows_with_their_length),
+        cmocka_unit_test(test_long_chains_and_ladders_are_solved),
         cmocka_unit_test(test_a_doubled_guide_leaves_a_long_chain_sparse_and_determinate),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
