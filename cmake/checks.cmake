@@ -36,6 +36,8 @@ if(PYTHON3)
   if(MKDOCS AND NOT YOKE_SANITIZE)
     add_test(NAME house/site COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tests/house/test-site $<TARGET_FILE:yoke>)
   endif()
+  add_test(NAME house/bits COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tests/bits/golden.py $<TARGET_FILE:yoke>)
+  set_tests_properties(house/bits PROPERTIES ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;$<$<BOOL:${YOKE_SANITIZE}>:YOKE_FEW=1>")
   add_test(NAME house/docs COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tools/check-docs $<TARGET_FILE:yoke>)
 endif()
 # The report in a browser; once is enough, whatever the compiler. Skipped if npm could not get its packages.

@@ -30,8 +30,12 @@ typedef struct Unit { // cosine and sine
 
 static Unit unit_product(YkGraph *graph, Unit a, Unit b)
 {
-    return (Unit){yk_graph_subtract(graph, yk_graph_multiply(graph, a.re, b.re), yk_graph_multiply(graph, a.im, b.im)),
-                  yk_graph_add(graph, yk_graph_multiply(graph, a.im, b.re), yk_graph_multiply(graph, a.re, b.im))};
+    // One after the other: C leaves the order of arguments open, and the order of values shows in the printed C.
+    YkRef real = yk_graph_multiply(graph, a.re, b.re), imaginary = yk_graph_multiply(graph, a.im, b.im);
+    Unit product = {.re = yk_graph_subtract(graph, real, imaginary)};
+    YkRef left = yk_graph_multiply(graph, a.im, b.re), right = yk_graph_multiply(graph, a.re, b.im);
+    product.im = yk_graph_add(graph, left, right);
+    return product;
 }
 
 static Unit unit_once(YkGraph *graph, YkRef angle)
@@ -66,7 +70,8 @@ static Unit unit_of(YkRingGraph *values, uint32_t phase)
 {
     YkGraph *graph = &values->graph;
     uint32_t count;
-    Unit unit = {yk_graph_number(graph, 1), yk_graph_number(graph, 0)};
+    Unit unit = {.re = yk_graph_number(graph, 1)};
+    unit.im = yk_graph_number(graph, 0);
     yk_powers_of(&values->ring->phases, phase, &count);
     for (uint32_t k = 0; k < count; k++) {
         YkPower power = yk_powers_of(&values->ring->phases, phase, &count)[k]; // a square may enter new ones
