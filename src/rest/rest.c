@@ -5,6 +5,7 @@
 #include <yoke/move.h>
 #include "base/problems.h"
 #include "num/dense.h"
+#include "solve/relations.h"
 
 YkRestOptions yk_default_rest_options(void)
 {
@@ -283,16 +284,16 @@ YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index)
 YkState *yk_rest_state(YkRest *rest, size_t index)
 {
     YkState *s = rest->state;
-    memcpy(s->input, rest->points[index].inputs, 3 * rest->mech->input_count * sizeof *s->input);
-    memcpy(s->reference, rest->points[index].coordinates, rest->mech->coordinate_count * sizeof *s->reference);
-    memcpy(s->branch, rest->points[index].branch, rest->mech->block_count);
-    if (rest->mech->has_groups) { // tracked from the present poses: the guesses bring them there
-        for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
-            s->guess[c] = rest->points[index].coordinates[c];
-            s->is_guessed[c] = true;
-        }
-        yk_state_assemble(s);
+    const YkRestPoint *point = &rest->points[index];
+    memcpy(s->input, point->inputs, 3 * rest->mech->input_count * sizeof *s->input);
+    memcpy(s->valid_input, s->input, 3 * rest->mech->input_count * sizeof *s->input); // no way from the last pose to it
+    memcpy(s->branch, point->branch, rest->mech->block_count);
+    for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+        s->guess[c] = s->reference[c] = point->coordinates[c];
+        s->is_guessed[c] = true;
     }
+    yk_relations_guess(s);                            // meshes count turns too
+    if (rest->mech->has_groups) yk_state_assemble(s); // tracked from the present poses: the guesses bring them there
     yk_state_solve(s);
     return s;
 }

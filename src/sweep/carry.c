@@ -67,12 +67,14 @@ YkStatus yk_state_carry(YkState *s, YkVariant *variant, const double *from, cons
 YkStatus yk_state_take_labels(YkState *to, const YkState *from)
 {
     const YkMechanism *a = to->mech, *b = from->mech;
-    if (a->block_count != b->block_count || a->has_groups || a->coordinate_count != b->coordinate_count)
+    if (a->block_count != b->block_count || a->has_groups || a->coordinate_count != b->coordinate_count ||
+        a->reference_count != b->reference_count)
         return YK_BAD_ARGUMENT;
     for (size_t k = 0; k < a->block_count; k++)
         if (a->blocks[k].kind != b->blocks[k].kind || strcmp(a->blocks[k].label, b->blocks[k].label) != 0)
             return YK_BAD_ARGUMENT;
     memcpy(to->branch, from->branch, a->block_count);
+    memcpy(to->slot_reference, from->slot_reference, a->reference_count * sizeof *to->slot_reference);
     for (size_t c = 0; c < a->coordinate_count; c++) to->reference[c] = yk_state_coordinate(from, c).position;
     return YK_OK;
 }

@@ -46,6 +46,38 @@ static void a_double_pendulum_rests_in_four_places(void **unused)
     yk_model_free(model);
 }
 
+// A four-bar's rocker drives a rack: the assemblies that are found may differ by whole turns of the mesh, and each keeps
+// its own while others are looked at.
+static void every_equilibrium_keeps_its_mesh(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of(
+        "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], C: [0.2, 0.03]}}\n"
+        "  crank: {points: {O: [0, 0], A: [0.06, 0]}, mass: 0.8, rod: [O, A]}\n"
+        "  rod: {points: {A: [0, 0], B: [0.22, 0]}, mass: 1.5, rod: [A, B]}\n"
+        "  bell: {points: {C: [0, 0], B: [0.11, 0]}, mass: 2, rod: [C, B]}\n"
+        "  table: {points: {G: [0, 0]}, mass: 6}\njoints:\n  O: {pin: [ground, crank], angle: theta}\n"
+        "  A: {pin: [crank, rod], angle: phi}\n  C: {pin: [ground, bell], angle: psi}\n  B: {pin: [rod, bell]}\n"
+        "  G: {slide: [ground, table], along: x, distance: s}\nracks: {r: {pinion: bell, rack: table, radius: 0.04}}\n"
+        "drives: {theta: 0.5 rad}\nstart: {phi: -0.35, psi: 1.05, s: 0}\n",
+        &model);
+    size_t psi = yk_coordinate_find(yk_rest_mechanism(rest), "psi"),
+           s = yk_coordinate_find(yk_rest_mechanism(rest), "s");
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (size_t round = 0; round < 2; round++)
+        for (size_t k = 0; k < yk_rest_count(rest); k++) {
+            const YkState *state = yk_rest_state(rest, round == 0 ? k : yk_rest_count(rest) - 1 - k);
+            double angle = yk_state_coordinate(state, psi).position;
+            CHECK_NEAR(yk_state_coordinate(state, s).position, 0.04 * (angle - 1.05), 1e-12);
+            least = fmin(least, angle);
+            most = fmax(most, angle);
+        }
+    assert_true(most - least > 6); // there are some a turn apart
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
 static void a_damped_spring_has_its_roots(void **unused)
 {
     (void)unused;
@@ -169,6 +201,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_double_pendulum_rests_in_four_places),
+        cmocka_unit_test(every_equilibrium_keeps_its_mesh),
         cmocka_unit_test(a_damped_spring_has_its_roots),
         cmocka_unit_test(a_wheel_is_neutral),
         cmocka_unit_test(inertia_is_judged_where_the_machine_stands),
