@@ -12,7 +12,7 @@ YkCode yk_status_code(YkStatus status);
 const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE]);
 // Adds a status other than YK_OK to the problems, in the given words.
 void yk_tell_status(YkSession *session, YkStatus status, const char *message);
-// Notes a status that is not reported: without memory there is no answer.
+// Remembers that memory ran out where a status that is not reported says so; the verb then gives no answer.
 void yk_note_status(YkSession *session, YkStatus status);
 // Returns 0 if the answer stands, 1 if the machine has none, 2 if the request was wrong.
 int yk_status_exit(YkStatus status);

@@ -86,7 +86,7 @@ struct YkSession {
     bool lacks_accelerations;       // the dynamics found none for the pose: the state's are meaningless
     bool is_told;                   // the problems are printed already
     bool has_told_error;            // of these or of another list
-    bool ran_out;                   // of memory: there is no answer
+    bool ran_out;                   // memory ran out, so nothing is answered
     bool has_told_memory;           // E0100
     bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's
     YkProblems *file_problems; // then; otherwise NULL

@@ -1,35 +1,9 @@
 // yoke VERB FILE [options]: one verb, one question.
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 #include "help.h"
 #include "options.h"
 #include "session.h"
-
-// Colours are for people: on a terminal, unless the user asked for none (https://no-color.org).
-static int wants_colour(void)
-{
-    const char *none = getenv("NO_COLOR"), *terminal = getenv("TERM");
-    return isatty(STDERR_FILENO) && !(none && *none) && !(terminal && strcmp(terminal, "dumb") == 0);
-}
-
-const char *yk_words_of_problems(const YkSession *session, YkProblems *problems)
-{
-    bool has_errors = yk_problems_error_count(problems) > 0;
-    if (yk_problems_count(problems) == 0 || (session->request->quiet && !has_errors)) return "";
-    return yk_problems_text(problems, wants_colour());
-}
-
-void yk_tell_problems(YkSession *session, YkProblems *problems)
-{
-    fputs(yk_words_of_problems(session, problems), stderr);
-    bool ran_out = yk_problems_ran_out(problems);
-    session->ran_out |= ran_out || !problems;
-    session->has_told_memory |= ran_out;
-    session->has_told_error |= ran_out || yk_problems_error_count(problems) > 0;
-}
 
 static int run(YkSession *session)
 {

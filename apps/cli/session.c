@@ -42,20 +42,25 @@ static bool run_out(YkSession *session)
     return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
 }
 
-YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems)
+bool yk_session_load_options(const YkSession *session, bool with_params, YkLoadOptions *options)
 {
     static const YkAssignments none = {0};
     const YkAssignments *param = with_params ? &session->request->param : &none;
-    YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
-    if (!overrides) return NULL;
+    YkOverride *overrides = YK_NEW(session->request->arena, YkOverride, param->count + 1);
+    if (!overrides) return false;
     for (size_t i = 0; i < param->count; i++) overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
-    YkLoadOptions options = yk_default_load_options();
-    options.parameters = overrides;
-    options.parameter_count = param->count;
-    options.lock = session->request->lock;
-    YkModel *model = yk_model_load(session->request->file, &options, problems);
-    free(overrides);
-    return model;
+    *options = yk_default_load_options();
+    options->parameters = overrides;
+    options->parameter_count = param->count;
+    options->lock = session->request->lock;
+    return true;
+}
+
+YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems)
+{
+    YkLoadOptions options;
+    if (!yk_session_load_options(session, with_params, &options)) return NULL;
+    return yk_model_load(session->request->file, &options, problems);
 }
 
 static void add_name(const char **names, size_t *count, const char *name)
@@ -337,6 +342,13 @@ bool yk_session_forces(YkSession *session, bool all_prescribed)
     yk_dynamics_free(session->dynamics);
     session->dynamics = NULL;
     return true;
+}
+
+bool yk_session_has_forces(YkSession *session)
+{
+    if (session->dynamics) return true;
+    return yk_session_refuse(session, YK_CODE_NO_FORCES,
+                             "the machine has neither masses nor loads, and therefore no forces%s", "");
 }
 
 int yk_session_finish(YkSession *session, int exit_code)

@@ -11,6 +11,8 @@ bool yk_session_load(YkSession *session, const char *swept);
 // Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel, which are held from then on.
 // Returns false if a value is wrong. The pose comes from yk_session_reach (reach.h).
 bool yk_session_inputs(YkSession *session);
+// Fills the options of loading with --param, unless with_params is false, and --lock. Returns false when out of memory.
+bool yk_session_load_options(const YkSession *session, bool with_params, YkLoadOptions *options);
 // Loads the model with the parameters of --param or, with_params false, with the file's own.
 YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems);
 // Holds the inputs of a state as --at, --rate and --accel say.
@@ -18,6 +20,8 @@ void yk_session_hold(const YkSession *session, YkState *state);
 // Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all are (an imposed motion). Returns
 // false if a name or value is wrong.
 bool yk_session_forces(YkSession *session, bool all_prescribed);
+// Returns whether there are forces; if there are none, refuses what was asked of them.
+bool yk_session_has_forces(YkSession *session);
 // Reads --method reduced|newton-euler.
 bool yk_session_method(YkSession *session, YkMethod *method);
 // Finds a coordinate by name; refuses unknown names and suggests the nearest.

@@ -83,7 +83,7 @@ YK_API const char *yk_builder_text(YkBuilder *builder);
 // The model as a model file: read back, it is the same machine to the last bit. Of a model that came from a file or a
 // text this is that text, byte for byte, with its comments and in its order, where only values that overrides
 // replaced are new (and, where such a value is folded over lines by `>`, all is laid out anew, without comments). An
-// engaged lock is no part of it. Belongs to the model.
+// engaged lock is not written. The text lives as long as the model.
 YK_API const char *yk_model_text(const YkModel *model);
 // Writes it to a file, which appears whole or not at all. YK_OK, YK_IO or YK_NO_MEMORY with a problem added.
 YK_API YkStatus yk_model_write(const YkModel *model, const char *path, YkProblems *problems);

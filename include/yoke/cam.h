@@ -23,8 +23,8 @@ YK_API const char *yk_model_cam_name(const YkModel *model, size_t cam);
 YK_API size_t yk_model_cam_find(const YkModel *model, const char *name); // YK_NOT_FOUND if there is none
 YK_API const char *yk_cam_face_name(YkCamFace face);                     // "knife", "roller", "flat"
 
-// Samples the law once. The model must outlive the design; use a design in one thread at a time. Returns NULL when out
-// of memory or if there is no such cam.
+// Samples the law once. The model must outlive the design; use a design in one thread at a time. Returns NULL if the
+// index is out of range or memory runs out.
 YK_API YkCamDesign *yk_cam_design_new(const YkModel *model, size_t cam);
 YK_API void yk_cam_design_free(YkCamDesign *design);
 

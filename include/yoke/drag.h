@@ -13,7 +13,7 @@ typedef struct YkDrag YkDrag;
 
 // Takes hold of a point of a body: place[2] in the body's axes, m. The inputs for which is_fixed[input] says so (may be
 // NULL) and those held by a lock stay as they are; all others follow, driven ones too. One per thread; the state must
-// outlive it. Returns NULL when out of memory, or if there is no such body.
+// outlive it. Returns NULL if the body index is out of range or memory runs out.
 YK_API YkDrag *yk_drag_new(YkState *state, size_t body, const double place[2], const bool *is_fixed);
 YK_API void yk_drag_free(YkDrag *drag);
 

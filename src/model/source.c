@@ -106,7 +106,7 @@ void yk_load_keep_source(YkLoader *loader, const char *source, size_t length)
 {
     YkModel *model = loader->model;
     YkText text = {0};
-    if (length >= 3 && memcmp(source, "\xef\xbb\xbf", 3) == 0) { // a byte order mark is no part of it
+    if (length >= 3 && memcmp(source, "\xef\xbb\xbf", 3) == 0) { // skips a byte order mark
         source += 3;
         length -= 3;
     }

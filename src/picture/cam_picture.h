@@ -18,7 +18,7 @@ typedef struct YkCamPicture {
     YkCamOutline outlines[YK_CAM_OUTLINES_MAX];
     size_t count;
     double cutter; // radius, m; 0: none
-    bool ran_out;  // of memory
+    bool ran_out;  // memory ran out
 } YkCamPicture;
 
 // Takes all curves of the cam within a tolerance (m). Returns false when out of memory or if the tolerance is too

@@ -80,17 +80,9 @@ static void write_json(YkText *out, const YkSketch *sketch)
 
 static YkSketch *load(YkSession *session, YkProblems *problems)
 {
-    const YkAssignments *param = &session->request->param;
-    YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
-    if (!overrides) return NULL;
-    for (size_t i = 0; i < param->count; i++) overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
-    YkLoadOptions options = yk_default_load_options();
-    options.parameters = overrides;
-    options.parameter_count = param->count;
-    options.lock = session->request->lock;
-    YkSketch *sketch = yk_sketch_load(session->request->file, &options, problems);
-    free(overrides);
-    return sketch;
+    YkLoadOptions options;
+    if (!yk_session_load_options(session, true, &options)) return NULL;
+    return yk_sketch_load(session->request->file, &options, problems);
 }
 
 static int answer(YkSession *session, const YkSketch *sketch)

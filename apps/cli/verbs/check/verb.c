@@ -3,13 +3,6 @@
 #include "reach.h"
 #include "verbs/check/check.h"
 
-size_t yk_check_loop(const YkCheckAnswer *answer, size_t loop)
-{
-    size_t most = yk_model_body_count(answer->session->model);
-    size_t count = yk_loop_bodies(answer->session->mech, loop, answer->bodies, most);
-    return count < most ? count : most;
-}
-
 // Tries to assemble the machine at the start. The answer does not depend on it, the exit code does.
 static YkStatus try_assembly(YkCheckAnswer *answer)
 {

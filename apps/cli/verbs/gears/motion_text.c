@@ -53,7 +53,7 @@ static bool is_needed(const char *exact)
     return exact && strcmp(exact, "0") != 0;
 }
 
-// Writes "theta1*(1 + N1/N2) - theta2*N1/N2", the speed in terms of the inputs; in fractions if there is no formula.
+// Writes "theta1*(1 + N1/N2) - theta2*N1/N2", the speed in terms of the inputs; as fractions where no formula exists.
 static void write_relation(const YkGearsAnswer *answer, size_t member, YkText *text)
 {
     bool is_first = true;

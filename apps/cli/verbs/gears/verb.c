@@ -5,38 +5,22 @@
 
 static const YkPlace nowhere = {0};
 
-const char *yk_gears_body(const YkGearsAnswer *answer, size_t body)
-{
-    return yk_model_body_name(answer->session->model, body);
-}
-
-const char *yk_gears_kind(YkTrainKind kind)
-{
-    return kind == YK_TRAIN_KIND_GEARS ? "gears" : kind == YK_TRAIN_KIND_BELT ? "belt" : "rack";
-}
-
 // Loads only the model. Returns false if that failed, with everything printed.
 static bool load(YkSession *session)
 {
-    const YkAssignments *param = &session->request->param;
     if (!session->request->file) {
         yk_problem(session->problems, YK_CODE_FILE_MISSING, nowhere, "`yoke gears` needs a model file");
         yk_problem_hint(session->problems, "yoke gears train.yaml");
         return false;
     }
     YkProblems *problems = yk_problems_new();
-    YkOverride *overrides = calloc(param->count + 1, sizeof *overrides);
-    bool good = problems && overrides;
-    for (size_t i = 0; good && i < param->count; i++)
-        overrides[i] = (YkOverride){param->items[i].name, param->items[i].value};
-    YkLoadOptions options = yk_default_load_options();
-    options.parameters = overrides;
-    options.parameter_count = param->count;
+    YkLoadOptions options;
+    bool good = problems && yk_session_load_options(session, true, &options);
+    if (good) options.lock = NULL; // the train engages it, or all of them one after the other
     if (good) session->model = yk_model_load(session->request->file, &options, problems);
     yk_tell_problems(session, problems);
     if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     yk_problems_free(problems);
-    free(overrides);
     return session->model != NULL;
 }
 

@@ -1,21 +1,8 @@
 // yoke rest: where the machine stands still under its loads, and how it vibrates there.
-#include <math.h>
 #include "reach.h"
 #include "verbs/rest/rest.h"
 
 enum { STARTS_MAX = 100000 };
-static const double full_turn = 6.28318530717958647692;
-
-const char *yk_stability_word(YkStability stability)
-{
-    static const char *const words[] = {"stable", "unstable", "neutral"};
-    return words[stability];
-}
-
-double yk_mode_hertz(YkMode mode)
-{
-    return mode.frequency >= 0 ? mode.frequency / full_turn : (double)NAN;
-}
 
 // Returns whether the search failed because the machine cannot be assembled: that is an answer, not an error in the
 // file.

@@ -163,9 +163,7 @@ static bool read_columns(YkSession *session, YkAnswerColumns *columns)
     if (!session->request->of) return true;
     if (!yk_columns_read(session, columns)) return false;
     session->columns = columns;
-    if (session->dynamics || !yk_columns_need_forces(columns)) return true;
-    return yk_session_refuse(session, YK_CODE_NO_FORCES,
-                             "the machine has neither masses nor loads, so there are no forces%s", "");
+    return !yk_columns_need_forces(columns) || yk_session_has_forces(session);
 }
 
 int yk_run_solve(YkSession *session)

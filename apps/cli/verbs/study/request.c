@@ -256,11 +256,6 @@ bool yk_study_read(YkStudyAnswer *answer)
     good = good && yk_session_load(session, swept) && yk_session_inputs(session);
     good = good && (!answer->over.name || yk_over_read(session, &answer->over));
     good = good && read_columns(answer) && (request->sample ? read_sample(answer) : read_grid(answer));
-    if (good && has_force(answer)) {
-        good = yk_session_forces(session, true);
-        if (good && !session->dynamics)
-            good = yk_session_refuse(session, YK_CODE_NO_FORCES,
-                                     "the machine has neither masses nor loads, so there are no forces%s", "");
-    }
+    if (good && has_force(answer)) good = yk_session_forces(session, true) && yk_session_has_forces(session);
     return good && stand(answer) && read_poses(answer, steps) && make_study(answer);
 }

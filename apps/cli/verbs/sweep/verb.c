@@ -213,10 +213,8 @@ int yk_run_sweep(YkSession *session)
     const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
     good =
         good && yk_session_load(session, swept) && yk_session_inputs(session) && yk_over_read(session, &answer->over);
-    good = good && read_columns(answer) && (!wants_forces(answer) || yk_session_forces(session, true));
-    if (good && wants_forces(answer) && !session->dynamics)
-        good = yk_session_refuse(session, YK_CODE_NO_FORCES,
-                                 "the machine has neither masses nor loads, so there are no forces%s", "");
+    good = good && read_columns(answer) &&
+           (!wants_forces(answer) || (yk_session_forces(session, true) && yk_session_has_forces(session)));
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
     yk_text_free(&answer->message);
