@@ -45,27 +45,6 @@ static bool assemble(YkFile *file, const YkState *pose, YkProblems *problems)
     return false;
 }
 
-// Gives names to the values of parameters that the poses need.
-static void name_fields(YkFile *file)
-{
-    YkPrinter *pr = &file->printer;
-    YkProgram *p = &file->program;
-    YkNames taken = {0};
-    int32_t existing;
-    yk_names_add(&taken, "p", 0, &existing);
-    for (size_t k = 0; k < pr->field_count; k++) {
-        YkRef field = pr->fields[k];
-        const char *wish = p->graph.values[field].name;
-        wish = wish ? yk_program_name(p, wish) : yk_graph_text(&p->graph, "k%d", (int)k + 1);
-        const char *name = wish;
-        for (int i = 2; yk_names_find(&taken, name) != YK_NONE && !p->graph.failed; i++)
-            name = yk_program_name(p, yk_graph_text(&p->graph, "%s_%d", wish, i));
-        if (!yk_names_add(&taken, name, 0, &existing)) p->failed = true;
-        pr->field[field] = name;
-    }
-    yk_names_free(&taken);
-}
-
 static bool need_fields(YkFile *file)
 {
     YkProgram *p = &file->program;
@@ -82,7 +61,7 @@ static bool need_fields(YkFile *file)
         yk_printer_need(&file->printer, p->placed[b].residual, n);
         yk_printer_need(&file->printer, p->placed[b].jacobian, n * n);
     }
-    name_fields(file);
+    yk_program_name_fields(&file->program, &file->printer);
     return !p->failed;
 }
 

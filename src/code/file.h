@@ -62,6 +62,8 @@ void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, con
                         const char *format, ...);
 // Finds the roots of a routine's body: its results and the values for its status; room for 6 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
+// names.c: gives names to the values of parameters that the poses need.
+void yk_program_name_fields(YkProgram *program, YkPrinter *printer);
 // file_types.c: the type of numbers; parameters in the struct, which follow from no others.
 const char *yk_file_real(const YkFile *file);
 bool yk_file_is_own(const YkFile *file, size_t parameter);

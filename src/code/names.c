@@ -1,5 +1,5 @@
 // Chooses the printed file's names for the things of the model: unique among the members of a struct, and functions.
-#include "code/program.h"
+#include "code/file.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -119,6 +119,18 @@ static void name_laws(YkProgram *p)
     Scope scope = open_scope(p, alone, COUNT(alone));
     for (size_t k = 0; k < p->model->law_count; k++)
         p->names.law[k] = choose(&scope, yk_program_name(p, p->model->laws[k].name));
+    close_scope(&scope);
+}
+
+void yk_program_name_fields(YkProgram *p, YkPrinter *pr)
+{
+    Scope scope = open_scope(p, alone, COUNT(alone));
+    take(&scope, "p");
+    for (size_t k = 0; k < pr->field_count; k++) {
+        const char *wish = p->graph.values[pr->fields[k]].name;
+        wish = wish ? yk_program_name(p, wish) : yk_graph_text(&p->graph, "k%d", (int)k + 1);
+        pr->field[pr->fields[k]] = choose(&scope, wish);
+    }
     close_scope(&scope);
 }
 

@@ -72,8 +72,9 @@ size_t yk_call_known(YkPrinter *pr, const YkCall *call, YkRef *known, size_t cap
     }
     for (size_t k = 0; k < n; k++) gather(&g, placed->residual[k]);
     for (size_t k = 0; k < n * n; k++) gather(&g, placed->jacobian[k]);
-    if (g.count > capacity) pr->failed = true;
-    return g.count;
+    if (g.count <= capacity) return g.count;
+    pr->failed = true;
+    return capacity;
 }
 
 void yk_file_write_group(YkFile *file, size_t block)

@@ -155,13 +155,19 @@ static bool make_changes(YkDerivation *d)
     return true;
 }
 
+// Notes that memory ran out, unless the ring has refused: its status says why.
+static void note_lack(YkDerivation *d)
+{
+    d->failed |= yk_ring_status(d->ring) == YK_RING_OK;
+}
+
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
 {
     if (!a || d->change_count == 0) return a;
     if (!d->to_joints && (d->changes || make_changes(d)))
         d->to_joints = yk_ring_changes(d->ring, d->changes, d->change_count);
     if (!d->to_joints) {
-        d->failed = true;
+        note_lack(d);
         return NULL;
     }
     return yk_ring_change(d->ring, a, d->to_joints);
@@ -170,7 +176,7 @@ const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body)
 {
     if (!d->changes && !make_changes(d)) {
-        d->failed = true;
+        note_lack(d);
         return NULL;
     }
     return d->body_angles[body];

@@ -25,7 +25,7 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
         *d = (YkDerivation){.arena = yk_arena_new(), .model = model, .mech = mech, .ring = yk_ring_new()};
         if (d->arena && d->ring && enter_all(d) && yk_derivation_is_well(d)) return d;
     }
-    YkRingStatus why = d && d->ring && yk_ring_status(d->ring) != YK_RING_OK ? yk_ring_status(d->ring) : YK_RING_MEMORY;
+    YkRingStatus why = yk_derivation_fault(d);
     yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "the machine cannot be written in symbols: %s",
                yk_ring_status_text(why));
     yk_derivation_free(d);
@@ -57,6 +57,12 @@ void *yk_derive_scratch(YkDerivation *d, size_t count, size_t size)
 bool yk_derivation_ran_out(const YkDerivation *d)
 {
     return !d || d->failed || yk_arena_failed(d->arena) || yk_ring_status(d->ring) == YK_RING_MEMORY;
+}
+
+YkRingStatus yk_derivation_fault(const YkDerivation *d)
+{
+    YkRingStatus status = d && d->ring ? yk_ring_status(d->ring) : YK_RING_OK;
+    return status == YK_RING_OK || yk_derivation_ran_out(d) ? YK_RING_MEMORY : status;
 }
 
 bool yk_derivation_is_well(const YkDerivation *d)

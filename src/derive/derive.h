@@ -146,6 +146,8 @@ YkCode yk_derive_code(YkRingStatus status); // of the problem that reports it
 void *yk_derive_scratch(YkDerivation *derivation, size_t count, size_t size);
 // Returns whether it ran out of memory, in the ring or outside. It remains so, and its results must not be shown.
 bool yk_derivation_ran_out(const YkDerivation *derivation);
+// Returns why there is no result: memory if anything ran out of it, otherwise the status of the ring.
+YkRingStatus yk_derivation_fault(const YkDerivation *derivation);
 
 // --- From the file (expression.c, symbols.c)
 // Returns an expression of the file in SI, exactly: parameters, coordinates, rates and t become symbols; decimals and

@@ -39,7 +39,5 @@ YK_APART double rare_power(double x, double y)
 
 double yk_pow(double x, double y)
 {
-    bool is_plain = x > 0 && x < (double)INFINITY && fabs(y) < 0x1p64 && fabs(y) > 0x1p-64;
-    if (!is_plain && !(y == 0 || x == 1) && isfinite(y) && x > 0 && isfinite(x)) return positive_power(x, y, 1);
-    return is_plain ? positive_power(x, y, 1) : rare_power(x, y);
+    return x > 0 && isfinite(x) && isfinite(y) ? positive_power(x, y, 1) : rare_power(x, y);
 }

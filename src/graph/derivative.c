@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NOTHING = -1 };
-
 typedef struct Work {
     YkGraph *g;
     YkRef leaf;
@@ -82,16 +80,16 @@ static YkRef of_function(Work *w, YkValue v)
     YkRef square = yk_graph_multiply(g, a, a);
     switch (v.function) {
     case YK_SIN:
-        return yk_graph_multiply(g, da, yk_graph_function(g, YK_COS, a, NOTHING));
+        return yk_graph_multiply(g, da, yk_graph_function(g, YK_COS, a, YK_NONE));
     case YK_COS:
-        return yk_graph_minus(g, yk_graph_multiply(g, da, yk_graph_function(g, YK_SIN, a, NOTHING)));
+        return yk_graph_minus(g, yk_graph_multiply(g, da, yk_graph_function(g, YK_SIN, a, YK_NONE)));
     case YK_TAN:
         return yk_graph_multiply(g, da, yk_graph_add(g, one, yk_graph_multiply(g, self, self)));
     case YK_ASIN:
-        return yk_graph_divide(g, da, yk_graph_function(g, YK_SQRT, yk_graph_subtract(g, one, square), NOTHING));
+        return yk_graph_divide(g, da, yk_graph_function(g, YK_SQRT, yk_graph_subtract(g, one, square), YK_NONE));
     case YK_ACOS:
         return yk_graph_minus(
-            g, yk_graph_divide(g, da, yk_graph_function(g, YK_SQRT, yk_graph_subtract(g, one, square), NOTHING)));
+            g, yk_graph_divide(g, da, yk_graph_function(g, YK_SQRT, yk_graph_subtract(g, one, square), YK_NONE)));
     case YK_ATAN:
         return yk_graph_divide(g, da, yk_graph_add(g, one, square));
     case YK_ATAN2: { // of y = a, x = b
@@ -101,9 +99,9 @@ static YkRef of_function(Work *w, YkValue v)
         return yk_graph_divide(g, top, length);
     }
     case YK_SINH:
-        return yk_graph_multiply(g, da, yk_graph_function(g, YK_COSH, a, NOTHING));
+        return yk_graph_multiply(g, da, yk_graph_function(g, YK_COSH, a, YK_NONE));
     case YK_COSH:
-        return yk_graph_multiply(g, da, yk_graph_function(g, YK_SINH, a, NOTHING));
+        return yk_graph_multiply(g, da, yk_graph_function(g, YK_SINH, a, YK_NONE));
     case YK_TANH:
         return yk_graph_multiply(g, da, yk_graph_subtract(g, one, yk_graph_multiply(g, self, self)));
     case YK_SQRT:
@@ -131,7 +129,7 @@ static YkRef of_power(Work *w, YkValue v)
     YkRef da = derive(w, v.a), db = derive(w, v.b), less = yk_graph_subtract(g, v.b, yk_graph_number(g, 1));
     YkRef by_base = yk_graph_multiply(g, yk_graph_multiply(g, v.b, yk_graph_power(g, v.a, less)), da);
     if (yk_graph_is_number(g, db, 0)) return by_base;
-    YkRef log = yk_graph_function(g, YK_LOG, v.a, NOTHING), self = yk_graph_power(g, v.a, v.b);
+    YkRef log = yk_graph_function(g, YK_LOG, v.a, YK_NONE), self = yk_graph_power(g, v.a, v.b);
     return yk_graph_add(g, by_base, yk_graph_multiply(g, self, yk_graph_multiply(g, log, db)));
 }
 

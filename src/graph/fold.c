@@ -3,8 +3,6 @@
 #include "elementary/elementary.h"
 #include "graph/graph.h"
 
-enum { NOTHING = -1 };
-
 static YkRef operation(YkGraph *g, YkValueKind op, YkRef a, YkRef b, YkRef c)
 {
     return yk_graph_intern(g, (YkValue){.op = op, .a = a, .b = b, .c = c});
@@ -49,7 +47,7 @@ YkRef yk_graph_minus(YkGraph *g, YkRef a)
     if (is_number(g, a)) return yk_graph_number(g, -at(g, a)->number);
     if (is_minus(g, a)) return at(g, a)->a;
     if (at(g, a)->op == YK_VALUE_SUBTRACT) return yk_graph_subtract(g, at(g, a)->b, at(g, a)->a);
-    return operation(g, YK_VALUE_MINUS, a, NOTHING, NOTHING);
+    return operation(g, YK_VALUE_MINUS, a, YK_NONE, YK_NONE);
 }
 
 YkRef yk_graph_add(YkGraph *g, YkRef a, YkRef b)
@@ -60,7 +58,7 @@ YkRef yk_graph_add(YkGraph *g, YkRef a, YkRef b)
     if (is_negative(g, b)) return yk_graph_subtract(g, a, yk_graph_minus(g, b));
     if (is_negative(g, a)) return yk_graph_subtract(g, b, yk_graph_minus(g, a));
     order(&a, &b);
-    return operation(g, YK_VALUE_ADD, a, b, NOTHING);
+    return operation(g, YK_VALUE_ADD, a, b, YK_NONE);
 }
 
 YkRef yk_graph_subtract(YkGraph *g, YkRef a, YkRef b)
@@ -71,9 +69,11 @@ YkRef yk_graph_subtract(YkGraph *g, YkRef a, YkRef b)
     if (yk_graph_is_number(g, a, 0)) return yk_graph_minus(g, b);
     if (is_negative(g, b)) return yk_graph_add(g, a, yk_graph_minus(g, b));
     if (is_negative(g, a)) return yk_graph_minus(g, yk_graph_add(g, yk_graph_minus(g, a), b));
-    YkRef opposite = yk_graph_find(g, (YkValue){.op = YK_VALUE_SUBTRACT, .a = b, .b = a, .c = NOTHING});
-    if (g->shares_signs && opposite != NOTHING) return operation(g, YK_VALUE_MINUS, opposite, NOTHING, NOTHING);
-    return operation(g, YK_VALUE_SUBTRACT, a, b, NOTHING);
+    if (g->shares_signs) {
+        YkRef opposite = yk_graph_find(g, (YkValue){.op = YK_VALUE_SUBTRACT, .a = b, .b = a, .c = YK_NONE});
+        if (opposite != YK_NONE) return operation(g, YK_VALUE_MINUS, opposite, YK_NONE, YK_NONE);
+    }
+    return operation(g, YK_VALUE_SUBTRACT, a, b, YK_NONE);
 }
 
 YkRef yk_graph_multiply(YkGraph *g, YkRef a, YkRef b)
@@ -92,7 +92,7 @@ YkRef yk_graph_multiply(YkGraph *g, YkRef a, YkRef b)
     if (is_minus(g, a)) return yk_graph_minus(g, yk_graph_multiply(g, at(g, a)->a, b));
     if (is_minus(g, b)) return yk_graph_minus(g, yk_graph_multiply(g, a, at(g, b)->a));
     order(&a, &b);
-    return operation(g, YK_VALUE_MULTIPLY, a, b, NOTHING);
+    return operation(g, YK_VALUE_MULTIPLY, a, b, YK_NONE);
 }
 
 YkRef yk_graph_divide(YkGraph *g, YkRef a, YkRef b)
@@ -104,7 +104,7 @@ YkRef yk_graph_divide(YkGraph *g, YkRef a, YkRef b)
     if (yk_graph_is_number(g, a, 0) && !is_number(g, b)) return a;
     if (is_minus(g, a)) return yk_graph_minus(g, yk_graph_divide(g, at(g, a)->a, b));
     if (is_minus(g, b)) return yk_graph_minus(g, yk_graph_divide(g, a, at(g, b)->a));
-    return operation(g, YK_VALUE_DIVIDE, a, b, NOTHING);
+    return operation(g, YK_VALUE_DIVIDE, a, b, YK_NONE);
 }
 
 YkRef yk_graph_inverse(YkGraph *g, YkRef a)
@@ -120,24 +120,24 @@ YkRef yk_graph_power(YkGraph *g, YkRef a, YkRef b)
     if (is_number(g, a) && is_number(g, b)) return yk_graph_number(g, yk_pow(at(g, a)->number, at(g, b)->number));
     if (is_number(g, b)) {
         double exponent = at(g, b)->number;
-        if (exponent == 0.5) return yk_graph_function(g, YK_SQRT, a, NOTHING);
+        if (exponent == 0.5) return yk_graph_function(g, YK_SQRT, a, YK_NONE);
         if (exponent == rint(exponent) && fabs(exponent) <= POWER_MAX) {
             YkRef product = yk_graph_number(g, 1);
             for (int k = 0; k < (int)fabs(exponent); k++) product = yk_graph_multiply(g, product, a);
             return exponent < 0 ? yk_graph_inverse(g, product) : product;
         }
     }
-    return operation(g, YK_VALUE_POWER, a, b, NOTHING);
+    return operation(g, YK_VALUE_POWER, a, b, YK_NONE);
 }
 
 YkRef yk_graph_function(YkGraph *g, YkFunction function, YkRef a, YkRef b)
 {
-    bool has_second = b != NOTHING;
+    bool has_second = b != YK_NONE;
     if (is_number(g, a) && (!has_second || is_number(g, b)))
         return yk_graph_number(g, yk_function_value(function, at(g, a)->number, has_second ? at(g, b)->number : 0));
     if (function == YK_SQRT && at(g, a)->op == YK_VALUE_MULTIPLY && at(g, a)->a == at(g, a)->b)
         return yk_graph_unary(g, YK_VALUE_SIZE, at(g, a)->a);
-    return yk_graph_intern(g, (YkValue){.op = YK_VALUE_FUNCTION, .a = a, .b = b, .c = NOTHING, .function = function});
+    return yk_graph_intern(g, (YkValue){.op = YK_VALUE_FUNCTION, .a = a, .b = b, .c = YK_NONE, .function = function});
 }
 
 YkRef yk_graph_unary(YkGraph *g, YkValueKind op, YkRef a)
@@ -151,7 +151,7 @@ YkRef yk_graph_unary(YkGraph *g, YkValueKind op, YkRef a)
         if (op == YK_VALUE_WITNESS) return yk_graph_number(g, 0);
     }
     if (op == YK_VALUE_SIZE && (is_minus(g, a) || at(g, a)->op == YK_VALUE_SIZE)) a = at(g, a)->a;
-    return operation(g, op, a, NOTHING, NOTHING);
+    return operation(g, op, a, YK_NONE, YK_NONE);
 }
 
 YkRef yk_graph_binary(YkGraph *g, YkValueKind op, YkRef a, YkRef b)
@@ -162,7 +162,7 @@ YkRef yk_graph_binary(YkGraph *g, YkValueKind op, YkRef a, YkRef b)
         if (op == YK_VALUE_LARGEST) return yk_graph_number(g, x > y ? x : y);
         if (op == YK_VALUE_ANGLE) return yk_graph_number(g, yk_atan2(x, y));
     }
-    return operation(g, op, a, b, NOTHING);
+    return operation(g, op, a, b, YK_NONE);
 }
 
 YkRef yk_graph_choose(YkGraph *g, YkRef sign, YkRef negative, YkRef otherwise)
@@ -178,6 +178,6 @@ YkRefVec yk_graph_unit(YkGraph *g, YkRef angle)
         return yk_graph_vec_number(g, yk_cos(x), yk_sin(x));
     }
     if (is_minus(g, angle)) return yk_graph_vec_conjugate(g, yk_graph_unit(g, at(g, angle)->a));
-    YkRef sine = operation(g, YK_VALUE_SINE, angle, NOTHING, NOTHING);
-    return (YkRefVec){operation(g, YK_VALUE_COSINE, angle, sine, NOTHING), sine};
+    YkRef sine = operation(g, YK_VALUE_SINE, angle, YK_NONE, YK_NONE);
+    return (YkRefVec){operation(g, YK_VALUE_COSINE, angle, sine, YK_NONE), sine};
 }

@@ -4,14 +4,12 @@
 #include <string.h>
 #include "base/text.h"
 
-enum { NOTHING = -1 };
-
 bool yk_graph_start(YkGraph *g, YkArena *arena)
 {
     *g = (YkGraph){.arena = arena, .table_size = 1024};
     g->table = malloc(g->table_size * sizeof *g->table);
     if (!g->table) return false;
-    for (size_t k = 0; k < g->table_size; k++) g->table[k] = NOTHING;
+    for (size_t k = 0; k < g->table_size; k++) g->table[k] = YK_NONE;
     yk_graph_section(g, NULL);
     yk_graph_number(g, 0); // value 0 always exists: a failed allocation refers to it
     return !g->failed;
@@ -71,12 +69,13 @@ YkRef yk_graph_name(YkGraph *g, YkRef value, const char *format, ...)
 
 // --- finding again
 
+// The name is left out: only leaves are told apart by it, and is_same compares it.
 static size_t hash_of(const YkValue *v)
 {
     uint64_t bits, h = (uint64_t)v->op * 31 + (uint64_t)v->function;
     memcpy(&bits, &v->number, sizeof bits);
-    const uint64_t parts[] = {(uint64_t)v->a, (uint64_t)v->b, (uint64_t)v->c, bits, (uint64_t)(uintptr_t)v->name};
-    for (size_t k = 0; k < 5; k++) h = (h ^ parts[k]) * 0x9e3779b97f4a7c15u + (h >> 29);
+    const uint64_t parts[] = {(uint64_t)v->a, (uint64_t)v->b, (uint64_t)v->c, bits};
+    for (size_t k = 0; k < 4; k++) h = (h ^ parts[k]) * 0x9e3779b97f4a7c15u + (h >> 29);
     return (size_t)(h >> 16);
 }
 
@@ -90,16 +89,8 @@ static bool is_same(const YkValue *a, const YkValue *b)
 static void enter(YkGraph *g, size_t index, size_t hash)
 {
     size_t at = hash % g->table_size;
-    while (g->table[at] != NOTHING) at = (at + 1) % g->table_size;
+    while (g->table[at] != YK_NONE) at = (at + 1) % g->table_size;
     g->table[at] = (int32_t)index;
-}
-
-// A value's name is not part of its identity, except for leaves.
-static YkValue key_of(const YkValue *v)
-{
-    YkValue key = *v;
-    key.name = NULL;
-    return key;
 }
 
 static bool grow_table(YkGraph *g)
@@ -109,28 +100,29 @@ static bool grow_table(YkGraph *g)
     free(g->table);
     g->table = table;
     g->table_size *= 2;
-    for (size_t k = 0; k < g->table_size; k++) table[k] = NOTHING;
-    for (size_t k = 0; k < g->count; k++) {
-        YkValue key = key_of(&g->values[k]);
-        enter(g, k, hash_of(&key));
-    }
+    for (size_t k = 0; k < g->table_size; k++) table[k] = YK_NONE;
+    for (size_t k = 0; k < g->count; k++) enter(g, k, hash_of(&g->values[k]));
     return true;
 }
 
-// Returns a value with its operands set: an existing one, or a new one.
-YkRef yk_graph_find(const YkGraph *g, YkValue v)
+static YkRef find(const YkGraph *g, const YkValue *v, size_t hash)
 {
-    YkValue key = key_of(&v);
-    for (size_t at = hash_of(&key) % g->table_size; g->table[at] != NOTHING; at = (at + 1) % g->table_size)
-        if (is_same(&g->values[g->table[at]], &v)) return g->table[at];
-    return NOTHING;
+    for (size_t at = hash % g->table_size; g->table[at] != YK_NONE; at = (at + 1) % g->table_size)
+        if (is_same(&g->values[g->table[at]], v)) return g->table[at];
+    return YK_NONE;
 }
 
+YkRef yk_graph_find(const YkGraph *g, YkValue v)
+{
+    return find(g, &v, hash_of(&v));
+}
+
+// Returns a value with its operands set: an existing one, or a new one.
 YkRef yk_graph_intern(YkGraph *g, YkValue v)
 {
-    YkValue key = key_of(&v);
-    YkRef known = yk_graph_find(g, v);
-    if (known != NOTHING) return known;
+    size_t hash = hash_of(&v);
+    YkRef known = find(g, &v, hash);
+    if (known != YK_NONE) return known;
     if ((2 * g->count > g->table_size && !grow_table(g)) || !YK_ROOM(g->values, g->count, g->capacity)) {
         g->failed = true;
         return 0;
@@ -140,19 +132,19 @@ YkRef yk_graph_intern(YkGraph *g, YkValue v)
         const YkRef operands[] = {v.a, v.b, v.c};
         v.of_parameters = true;
         for (size_t k = 0; k < 3; k++)
-            if (operands[k] != NOTHING && !g->values[operands[k]].of_parameters) v.of_parameters = false;
+            if (operands[k] != YK_NONE && !g->values[operands[k]].of_parameters) v.of_parameters = false;
     }
     g->values[g->count] = v;
-    enter(g, g->count, hash_of(&key));
+    enter(g, g->count, hash);
     return (YkRef)g->count++;
 }
 
 YkRef yk_graph_number(YkGraph *g, double number)
 {
     return yk_graph_intern(g, (YkValue){.op = YK_VALUE_NUMBER,
-                                        .a = NOTHING,
-                                        .b = NOTHING,
-                                        .c = NOTHING,
+                                        .a = YK_NONE,
+                                        .b = YK_NONE,
+                                        .c = YK_NONE,
                                         .number = number == 0 ? 0 : number, // no negative zero
                                         .of_parameters = true});
 }
@@ -168,8 +160,8 @@ YkRef yk_graph_leaf(YkGraph *g, YkLeafClass leaf_class, const char *name)
     }
     YkRef leaf = yk_graph_intern(g, (YkValue){.op = YK_VALUE_LEAF,
                                               .a = (YkRef)g->count, // a leaf is found by its name alone, above
-                                              .b = NOTHING,
-                                              .c = NOTHING,
+                                              .b = YK_NONE,
+                                              .c = YK_NONE,
                                               .name = copy,
                                               .of_parameters = leaf_class == YK_LEAF_PARAMETER,
                                               .leaf_class = (int32_t)leaf_class});
@@ -189,7 +181,7 @@ int32_t yk_graph_call(YkGraph *g, YkCall call)
 
 YkRef yk_graph_result(YkGraph *g, int32_t call, size_t k)
 {
-    return yk_graph_intern(g, (YkValue){.op = YK_VALUE_RESULT, .a = call, .b = (YkRef)k, .c = NOTHING});
+    return yk_graph_intern(g, (YkValue){.op = YK_VALUE_RESULT, .a = call, .b = (YkRef)k, .c = YK_NONE});
 }
 
 // --- cost
@@ -202,7 +194,7 @@ static size_t cost_of(const YkGraph *g, YkRef value, bool *counted)
     size_t sum = v->op != YK_VALUE_MINUS && v->op != YK_VALUE_RESULT;
     const YkRef operands[] = {v->a, v->b, v->c};
     for (size_t k = 0; k < 3 && v->op != YK_VALUE_RESULT; k++)
-        if (operands[k] != NOTHING) sum += cost_of(g, operands[k], counted);
+        if (operands[k] != YK_NONE) sum += cost_of(g, operands[k], counted);
     return sum;
 }
 

@@ -136,7 +136,7 @@ int32_t yk_graph_call(YkGraph *graph, YkCall call);
 YkRef yk_graph_result(YkGraph *graph, int32_t call, size_t k);
 // Counts the operations of the roots, each value once, without those that depend only on parameters.
 size_t yk_graph_cost(const YkGraph *graph, const YkRef *roots, size_t count);
-// Returns d value / d leaf, exact. memo: one entry per present value, -1 if not known yet.
+// Returns d value / d leaf, exact.
 YkRef yk_graph_derivative(YkGraph *graph, YkRef value, YkRef leaf);
 
 bool yk_graph_is_number(const YkGraph *graph, YkRef value, double number);

@@ -59,7 +59,7 @@ static void mark_call(YkPrinter *pr, int32_t index)
     for (size_t k = 0; k < call.argument_count; k++) mark(pr, call.arguments[k]);
     YkRef known[YK_PRINTER_KNOWN_MAX];
     size_t count = pr->file->call_known(pr, &call, known, YK_PRINTER_KNOWN_MAX);
-    for (size_t k = 0; k < count && k < YK_PRINTER_KNOWN_MAX; k++) {
+    for (size_t k = 0; k < count; k++) {
         mark(pr, known[k]);
         pr->count[known[k]]++; // an element of an array: a variable of its own
     }

@@ -33,7 +33,8 @@ typedef struct YkPrinterFile {
     const char *(*name)(void *context, const char *wish);
     // For graphs with calls. Prints the statements of one; returns the array with its results.
     const char *(*call)(YkPrinter *printer, const YkCall *call);
-    // What a call takes besides its arguments: at most `capacity` to known. Returns how many.
+    // What a call takes besides its arguments: at most `capacity` to known. Returns how many; fails if
+    // there are more.
     size_t (*call_known)(YkPrinter *printer, const YkCall *call, YkRef *known, size_t capacity);
 } YkPrinterFile;
 
@@ -54,7 +55,7 @@ struct YkPrinter {
     bool *call_done;
     size_t room;      // values there was room for
     bool in_machine;  // prints the machine's own values
-    const YkRef *cut; // values that stand for array elements: `known[k]`, sorted; or NULL
+    const YkRef *cut; // values that stand for array elements: `known[k]`; or NULL
     size_t cut_count;
     const YkRef *written; // leaves that the current function sets in the end: it reads them first
     size_t written_count;

@@ -86,9 +86,8 @@ static bool write_whole(Printer *printer, YkPage *page)
 // The section at which it came to an end, and why.
 static YkStatus cannot(YkDerivation *d, const YkPage *page, YkProblems *problems)
 {
-    YkRingStatus why = yk_ring_status(d->ring);
+    YkRingStatus why = yk_derivation_fault(d);
     size_t section = page->section ? yk_derivation_section_find(page->section) : YK_NOT_FOUND;
-    if (why == YK_RING_OK || yk_derivation_ran_out(d)) why = YK_RING_MEMORY; // of the page
     if (section == YK_NOT_FOUND)
         yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "%s", yk_ring_status_text(why));
     else

@@ -92,7 +92,7 @@ static void decide(YkCheck *check, YkCheckVerdict *verdict)
 static bool prepare(YkDerivation *d, YkProblems *problems)
 {
     if (!yk_derive_blocks(d) || !yk_derive_enter_forces(d)) {
-        YkRingStatus why = yk_derivation_ran_out(d) ? YK_RING_MEMORY : yk_ring_status(d->ring);
+        YkRingStatus why = yk_derivation_fault(d);
         yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "the machine cannot be written in symbols: %s",
                    yk_ring_status_text(why));
         return false;

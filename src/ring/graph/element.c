@@ -24,33 +24,19 @@ static int by_rest(const void *left, const void *right)
 
 // --- Angles
 
-typedef struct Unit { // cosine and sine
-    YkRef re, im;
-} Unit;
-
-static Unit unit_product(YkGraph *graph, Unit a, Unit b)
-{
-    // One after the other: C leaves the order of arguments open, and the order of values shows in the printed C.
-    YkRef real = yk_graph_multiply(graph, a.re, b.re), imaginary = yk_graph_multiply(graph, a.im, b.im);
-    Unit product = {.re = yk_graph_subtract(graph, real, imaginary)};
-    YkRef left = yk_graph_multiply(graph, a.im, b.re), right = yk_graph_multiply(graph, a.re, b.im);
-    product.im = yk_graph_add(graph, left, right);
-    return product;
-}
-
-static Unit unit_once(YkGraph *graph, YkRef angle)
+// Returns (cos, sin) of an angle.
+static YkRefVec unit_once(YkGraph *graph, YkRef angle)
 {
     const YkValue *v = &graph->values[angle];
     bool is_negative = v->op == YK_VALUE_MINUS;
     if (is_negative) angle = v->a;
-    Unit unit = {.re = yk_graph_function(graph, YK_COS, angle, YK_NONE)};
-    unit.im = yk_graph_function(graph, YK_SIN, angle, YK_NONE);
-    if (is_negative) unit.im = yk_graph_minus(graph, unit.im);
-    return unit;
+    YkRefVec unit = {.x = yk_graph_function(graph, YK_COS, angle, YK_NONE)};
+    unit.y = yk_graph_function(graph, YK_SIN, angle, YK_NONE);
+    return is_negative ? yk_graph_vec_conjugate(graph, unit) : unit;
 }
 
 // e^(i factor angle); small factors by products.
-static Unit unit_of_angle(YkRingGraph *values, int32_t symbol, int32_t factor)
+static YkRefVec unit_of_angle(YkRingGraph *values, int32_t symbol, int32_t factor)
 {
     enum { FACTOR_MAX = 3 };
     YkGraph *graph = &values->graph;
@@ -60,22 +46,21 @@ static Unit unit_of_angle(YkRingGraph *values, int32_t symbol, int32_t factor)
         angle = yk_graph_multiply(graph, yk_graph_number(graph, times), angle);
         times = 1;
     }
-    Unit once = unit_once(graph, angle), unit = once;
-    for (int32_t k = 1; k < times; k++) unit = unit_product(graph, unit, once);
-    if (factor < 0) unit.im = yk_graph_minus(graph, unit.im);
-    return unit;
+    YkRefVec once = unit_once(graph, angle), unit = once;
+    for (int32_t k = 1; k < times; k++) unit = yk_graph_vec_multiply(graph, once, unit);
+    return factor < 0 ? yk_graph_vec_conjugate(graph, unit) : unit;
 }
 
-static Unit unit_of(YkRingGraph *values, uint32_t phase)
+static YkRefVec unit_of(YkRingGraph *values, uint32_t phase)
 {
     YkGraph *graph = &values->graph;
     uint32_t count;
-    Unit unit = {.re = yk_graph_number(graph, 1)};
-    unit.im = yk_graph_number(graph, 0);
+    YkRefVec unit = yk_graph_vec_number(graph, 1, 0);
     yk_powers_of(&values->ring->phases, phase, &count);
     for (uint32_t k = 0; k < count; k++) {
         YkPower power = yk_powers_of(&values->ring->phases, phase, &count)[k]; // a square may enter new ones
-        unit = unit_product(graph, unit, unit_of_angle(values, power.symbol, power.exponent));
+        YkRefVec next = unit_of_angle(values, power.symbol, power.exponent);
+        unit = yk_graph_vec_multiply(graph, next, unit);
     }
     return unit;
 }
@@ -164,8 +149,8 @@ static YkRef group_of(YkRingGraph *values, const Piece *pieces, size_t count)
         for (end = start;
              end < count && pieces[end].phase == pieces[start].phase && pieces[end].is_sine == pieces[start].is_sine;)
             end++;
-        Unit unit = unit_of(values, pieces[start].phase);
-        YkRef atom = pieces[start].is_sine ? unit.im : unit.re;
+        YkRefVec unit = unit_of(values, pieces[start].phase);
+        YkRef atom = pieces[start].is_sine ? unit.y : unit.x;
         sum = yk_graph_add(graph, sum, yk_graph_multiply(graph, lump_of(values, pieces + start, end - start), atom));
     }
     return yk_graph_multiply(graph, sum, monomial_of(values, pieces[0].rest));

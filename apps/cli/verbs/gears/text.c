@@ -27,8 +27,9 @@ static void add_head(const YkGearsAnswer *answer)
     YkText *out = &answer->session->out;
     int freedom = yk_train_freedom(train);
     const char *lock = yk_train_lock(train);
-    yk_text_format(out, "%s\n  gear train of %z bodies besides the ground, %z mesh%s; %d degree%s of freedom",
-                   yk_model_name(answer->session->model), yk_train_body_count(train), yk_train_mesh_count(train),
+    yk_text_format(out, "%s\n  gear train of %z bod%s besides the ground, %z mesh%s; %d degree%s of freedom",
+                   yk_model_name(answer->session->model), yk_train_body_count(train),
+                   yk_train_body_count(train) == 1 ? "y" : "ies", yk_train_mesh_count(train),
                    yk_train_mesh_count(train) == 1 ? "" : "es", freedom, freedom == 1 ? "" : "s");
     if (lock) yk_text_format(out, " under the lock %s", lock);
     yk_text_puts(out, "\n");
