@@ -61,6 +61,14 @@ class Derive(Case):
             seen += 1
         self.assertEqual(seen, 8)
 
+    def test_a_wrong_value_is_a_wrong_request_and_a_pose_out_of_reach_an_answer(self):
+        for option in (("--numbers",), ("--check", "l1 = l1"), ("--svg", self.path("pictures"))):
+            self.wrong(403, "derive", QUICK, *option, "--at", "theta1=foo")
+            self.wrong(403, "derive", QUICK, *option, "--effort", "theta1=foo")
+            run = Run("derive", self.rocker, *option, "--at", "theta1=170deg")
+            self.assertEqual((run.code, run.out), (1, ""), run.err)
+            self.assertEqual(run.err.count("[E0602]"), 1, run.err)
+
     def test_text_shows_values_beside_the_symbols(self):
         run = self.good("derive", QUICK, "--what", "velocity", "--numbers")
         self.assertRegex(run.out, r"theta2' = l1 cos\(theta1 - theta2\) / d3 \* theta1' = -0\.202703\n")

@@ -10,6 +10,17 @@ import xml.etree.ElementTree as tree
 from harness import Case, ROOT, Run, at_least, some
 
 SVG = "{http://www.w3.org/2000/svg}"
+LOST = """\
+gravity: [0, -9.81]
+bodies:
+  ground: {points: {O: [0, 0]}}
+  rod:    {points: {O: [0, 0], P: [1, 0]}, mass: 1 kg, center: [0.5, 0]}
+joints:
+  O: {pin: [ground, rod], angle: theta}
+forces:
+  push: {body: rod, at: P, value: [sqrt(-1 - theta^2) * 1 N, 0]}
+start: {theta: 0.3}
+"""
 EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
 
 
@@ -166,6 +177,29 @@ class Drawings(Case):
             self.good("derive", example, "--svg", self.path(name), "--at", "theta=" + at)
         self.assertEqual(self.read("a/2-rod.svg"), self.read("b/2-rod.svg"))
         self.assertNotEqual(self.read("a/2-rod.svg"), self.read("c/2-rod.svg"))
+
+    def test_gears_push_as_they_do_in_the_report(self):
+        example = os.path.join(ROOT, "examples", "geared-five-bar.yaml")
+        page = self.good("report", example).out
+        self.good("derive", example, "--svg", self.path("pictures"))
+        for name in os.listdir(self.path("pictures")):
+            arrows = re.findall(r"<(?:line|polygon) [^>]*>", self.read("pictures/" + name).decode())
+            self.assertGreater(len(arrows), 0)
+            for arrow in arrows:
+                self.assertIn(arrow, page, name)
+
+    def test_a_warning_of_the_pose_is_given_once(self):
+        for name in ("doubled-guide", "ferguson"):
+            example = os.path.join(ROOT, "examples", name + ".yaml")
+            run = self.good("derive", example, "--svg", self.path(name), "--numbers")
+            self.assertEqual(run.err.count("[W0605]"), 1, run.err)
+
+    def test_a_pose_without_forces_has_pictures_and_no_values(self):
+        lost = self.write("lost.yaml", LOST)
+        self.assertEqual(self.good("derive", lost, "--svg", self.path("a")).err, "")
+        self.assertEqual(os.listdir(self.path("a")), ["1-rod.svg"])
+        run = Run("derive", lost, "--svg", self.path("b"), "--numbers")
+        self.assertEqual((run.code, run.out, run.err.count("[E0606]")), (1, "", 1), run.err)
 
     def test_the_pictures_of_the_readme_are_what_the_command_draws(self):
         script = os.path.join(ROOT, "tools", "draw-pictures")

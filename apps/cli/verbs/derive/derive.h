@@ -6,11 +6,10 @@
 #include "prove/check.h"
 #include "session.h"
 
-// Assembles at the inputs and solves the forces too. Returns false (reported) if the machine does not close.
-bool yk_derive_pose(YkSession *session);
-// --check: gives verdicts on all equations; returns the exit code.
+// --check: gives verdicts on all equations from session->state, a pose; returns the exit code.
 int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json);
-// --svg: draws the free bodies; returns the exit code.
-int yk_derive_drawings(YkSession *session, YkDerivation *derivation);
+// --svg: draws the free bodies at session->state, a pose, with the forces there if they were found; returns the exit
+// code.
+int yk_derive_drawings(YkSession *session, YkDerivation *derivation, bool has_forces);
 
 #endif

@@ -1,7 +1,6 @@
 // yoke derive --svg DIR: draws the free bodies, with one file for each body and junction.
 #include <stdlib.h>
 #include "picture/free_body.h"
-#include "reach.h"
 #include "verbs/derive/derive.h"
 #include "write/file_set.h"
 
@@ -39,17 +38,12 @@ static bool write_all(YkSession *session, YkFreeBodyDrawings *pictures)
     return good;
 }
 
-int yk_derive_drawings(YkSession *session, YkDerivation *derivation)
+int yk_derive_drawings(YkSession *session, YkDerivation *derivation, bool has_forces)
 {
-    if (!session->state && !yk_session_inputs(session)) return YK_EXIT_WRONG;
-    YkStatus status = yk_session_reach(session, NULL);
-    yk_reach_tell(session, status);
-    if (status < 0) return YK_EXIT_NO_ANSWER;
     if (derivation->model->body_count > DRAWINGS_MAX) {
         yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--svg draws machines of at most 2000 bodies%s", "");
         return YK_EXIT_WRONG;
     }
-    bool has_forces = session->dynamics && yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED) >= 0;
     YkFreeBodyDrawings *pictures =
         yk_free_body_drawings_new(derivation, session->state, has_forces ? session->dynamics : NULL);
     if (!pictures) {

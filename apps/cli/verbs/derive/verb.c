@@ -63,21 +63,27 @@ static bool read_format(YkSession *session, YkPageFormat *format)
                              "--format takes text, latex, mathml, json or c here, not %q", word);
 }
 
-bool yk_derive_pose(YkSession *session)
+// Assembles at the inputs and solves the forces too: verdicts and values need both, pictures only the pose. Returns an
+// exit code; what went wrong is reported.
+static int find_pose(YkSession *session, bool *has_forces)
 {
-    if ((!session->state && !yk_session_inputs(session)) || !yk_session_forces(session, false)) return false;
+    const YkRequest *request = session->request;
+    if (!yk_session_inputs(session) || !yk_session_forces(session, false)) return YK_EXIT_WRONG;
     YkStatus status = yk_session_reach(session, NULL);
     if (status < 0) {
         yk_reach_tell(session, status);
-        return false;
+        return yk_status_exit(status);
     }
     const char *message = yk_state_report(session->state)->message;
     if (session->dynamics) {
         status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
         if (status < 0) message = yk_dynamics_report(session->dynamics)->message;
     }
+    *has_forces = session->dynamics && (status == YK_OK || status == YK_REDUNDANT);
+    bool only_draws = !request->numbers && request->checks.count == 0;
+    if (only_draws && status < 0 && status != YK_NO_MEMORY) return YK_EXIT_DONE;
     yk_tell_status(session, status, message);
-    return status >= 0;
+    return yk_status_exit(status);
 }
 
 // The page as it comes. A short one stays in session->out; of a longer one what stands there goes on at once, so that a
@@ -131,7 +137,6 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPageFormat
     options.write = take;
     options.context = &output;
     if (session->request->numbers) {
-        if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
         options.state = session->state;
         options.dynamics = session->dynamics;
     }
@@ -140,14 +145,14 @@ static int write_page(YkSession *session, YkDerivation *derivation, YkPageFormat
 
 static int derive(YkSession *session, YkDerivation *derivation, YkPageFormat format)
 {
-    bool wanted[SECTIONS_MAX] = {false};
-    if (session->request->checks.count > 0) {
-        if (!yk_derive_pose(session)) return YK_EXIT_NO_ANSWER;
-        return yk_derive_checks(session, derivation, format == YK_PAGE_JSON);
-    }
-    if (!read_what(session, derivation, wanted)) return YK_EXIT_WRONG;
-    int drawn = session->request->svg ? yk_derive_drawings(session, derivation) : YK_EXIT_DONE;
-    return drawn == YK_EXIT_DONE ? write_page(session, derivation, format, wanted) : drawn;
+    const YkRequest *request = session->request;
+    bool wanted[SECTIONS_MAX] = {false}, checks = request->checks.count > 0, has_forces = false;
+    if (!checks && !read_what(session, derivation, wanted)) return YK_EXIT_WRONG;
+    int exit_code = YK_EXIT_DONE;
+    if (checks || request->svg || request->numbers) exit_code = find_pose(session, &has_forces);
+    if (exit_code == YK_EXIT_DONE && checks) return yk_derive_checks(session, derivation, format == YK_PAGE_JSON);
+    if (exit_code == YK_EXIT_DONE && request->svg) exit_code = yk_derive_drawings(session, derivation, has_forces);
+    return exit_code == YK_EXIT_DONE ? write_page(session, derivation, format, wanted) : exit_code;
 }
 
 int yk_run_derive(YkSession *session)

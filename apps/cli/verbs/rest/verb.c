@@ -26,7 +26,8 @@ static bool find(YkRestAnswer *answer)
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &options.time))
         return false;
     if (request->assembly || request->time) { // another assembly, or the machine where its drives have brought it
-        YkStatus status = yk_session_inputs(session) ? yk_session_reach(session, NULL) : YK_BAD_ARGUMENT;
+        if (!yk_session_inputs(session)) return false;
+        YkStatus status = yk_session_reach(session, NULL);
         if (status < 0) {
             yk_reach_tell(session, status);
             return false;
