@@ -3,6 +3,9 @@
 #include "base/text.h"
 #include "doc/reader.h"
 
+// The look ahead at each value, so that a list of values that never end costs no more than its length.
+enum { PIECES_MAX = 16 };
+
 // Returns how many parentheses are left open after the text of a plain scalar; parentheses in quotes do not count.
 static int open_after(int open, const YkNode *node)
 {
@@ -21,11 +24,12 @@ static const YkNode *piece_at(const YkNode *node, size_t index)
     return is_void ? node->pairs[index].key : NULL;
 }
 
-// Returns how many pieces after entry `index` belong to its value; 0 if the value is whole, or never ends.
+// Returns how many pieces after entry `index` belong to its value; 0 if the value is whole, or does not end
+// within PIECES_MAX.
 static size_t pieces_after(const YkNode *node, size_t index, const YkNode *value)
 {
     int open = open_after(0, value);
-    for (size_t more = 1; open > 0; more++) {
+    for (size_t more = 1; open > 0 && more <= PIECES_MAX; more++) {
         const YkNode *piece = piece_at(node, index + more);
         if (!piece || piece->kind != YK_NODE_SCALAR || piece->quoted) return 0;
         open = open_after(open, piece);

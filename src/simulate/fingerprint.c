@@ -1,4 +1,4 @@
-// Identifies a machine by one number: names, dimensions, masses, loads, drives and laws of a model.
+// Identifies a machine by one number: all of a model that its motion depends on.
 #include <string.h>
 #include "simulate/save.h"
 
@@ -43,100 +43,162 @@ static void add_expr(Print *p, const YkExpr *e)
     add_expr(p, e->b);
 }
 
+// Adds whole numbers, of which indices may be YK_NONE.
+static void add_indices(Print *p, const int32_t *indices, size_t count)
+{
+    for (size_t k = 0; k < count; k++) add_whole(p, (uint64_t)indices[k]);
+}
+
+#define INDICES(print, ...)                                                                                            \
+    add_indices(print, (const int32_t[]){__VA_ARGS__}, sizeof(int32_t[]){__VA_ARGS__} / sizeof(int32_t))
+
+static void add_numbers(Print *p, const double *numbers, size_t count)
+{
+    for (size_t k = 0; k < count; k++) add_number(p, numbers[k]);
+}
+
+#define NUMBERS(print, ...)                                                                                            \
+    add_numbers(print, (const double[]){__VA_ARGS__}, sizeof(double[]){__VA_ARGS__} / sizeof(double))
+
+// Each list begins with its count, so that two machines never give the same row of bytes.
+
 static void add_bodies(Print *p, const YkModel *m)
 {
+    add_whole(p, m->body_count);
     for (size_t k = 0; k < m->body_count; k++) {
         const YkBody *b = &m->bodies[k];
         add_name(p, b->name);
-        add_number(p, b->has_mass ? b->mass : 0);
-        add_number(p, b->has_mass ? b->inertia : 0);
+        add_whole(p, b->has_mass);
+        if (b->has_mass) NUMBERS(p, b->mass, b->inertia);
         add_vector(p, b->center);
     }
+    add_whole(p, m->point_count);
+    for (size_t k = 0; k < m->point_count; k++) {
+        INDICES(p, m->points[k].body);
+        add_vector(p, m->points[k].at);
+    }
+}
+
+static void add_joints(Print *p, const YkModel *m)
+{
+    add_whole(p, m->joint_count);
     for (size_t k = 0; k < m->joint_count; k++) {
         const YkJoint *j = &m->joints[k];
         add_name(p, j->name);
-        add_whole(p, (uint64_t)j->kind);
-        for (int end = 0; end < 2; end++) {
-            add_whole(p, (uint64_t)j->body[end]);
-            add_vector(p, j->at[end]);
-        }
+        INDICES(p, (int32_t)j->kind, j->body[0], j->body[1], j->angle, j->distance, j->has_friction);
+        add_vector(p, j->at[0]);
+        add_vector(p, j->at[1]);
         add_vector(p, j->along);
         add_number(p, j->turned);
-        if (!j->has_friction) continue;
-        add_number(p, j->friction.coulomb);
-        add_number(p, j->friction.radius);
-        add_number(p, j->friction.viscous);
+        if (j->has_friction) NUMBERS(p, j->friction.coulomb, j->friction.radius, j->friction.viscous);
+    }
+}
+
+static void add_law(Print *p, const YkLaw *law)
+{
+    enum { SAMPLES = 7 };
+    YkLawRange range = yk_law_range(law);
+    NUMBERS(p, range.from, range.to, range.period);
+    for (int j = 0; j <= SAMPLES; j++) {
+        double d[YK_LAW_ORDER + 1];
+        yk_law_eval(law, range.from + (range.to - range.from) * j / SAMPLES, d);
+        add_number(p, d[0]);
     }
 }
 
 static void add_motion(Print *p, const YkModel *m)
 {
+    add_whole(p, m->parameter_count);
     for (size_t k = 0; k < m->parameter_count; k++) {
         add_name(p, m->parameters[k].name);
         add_number(p, m->parameters[k].value);
     }
-    for (size_t k = 0; k < m->coordinate_count; k++) add_name(p, m->coordinates[k].name);
+    add_whole(p, m->coordinate_count);
+    for (size_t k = 0; k < m->coordinate_count; k++) {
+        const YkCoordinate *c = &m->coordinates[k];
+        add_name(p, c->name);
+        INDICES(p, c->joint, c->is_distance, c->drive);
+    }
+    add_whole(p, m->drive_count);
     for (size_t k = 0; k < m->drive_count; k++) {
-        add_whole(p, (uint64_t)m->drives[k].coordinate);
+        INDICES(p, m->drives[k].coordinate, m->drives[k].law, m->drives[k].is_hold);
         add_expr(p, m->drives[k].expr);
     }
-    for (size_t k = 0; k < m->law_count; k++) {
-        enum { SAMPLES = 7 };
-        YkLawRange range = yk_law_range(m->laws[k].law);
-        for (int j = 0; j <= SAMPLES; j++) {
-            double d[YK_LAW_ORDER + 1];
-            yk_law_eval(m->laws[k].law, range.from + (range.to - range.from) * j / SAMPLES, d);
-            add_number(p, d[0]);
-        }
+    add_whole(p, m->follow_count);
+    for (size_t k = 0; k < m->follow_count; k++)
+        INDICES(p, m->follows[k].coordinate, m->follows[k].of, m->follows[k].law);
+    add_whole(p, m->law_count);
+    for (size_t k = 0; k < m->law_count; k++) add_law(p, m->laws[k].law);
+}
+
+static void add_forces(Print *p, const YkModel *m)
+{
+    add_whole(p, m->effort_count);
+    for (size_t k = 0; k < m->effort_count; k++) {
+        INDICES(p, m->efforts[k].coordinate, m->efforts[k].law.law);
+        add_expr(p, m->efforts[k].expr);
+        add_expr(p, m->efforts[k].law.of);
+    }
+    add_whole(p, m->force_count);
+    for (size_t k = 0; k < m->force_count; k++) {
+        const YkForce *f = &m->forces[k];
+        INDICES(p, f->body, f->in_body_axes);
+        add_vector(p, f->at);
+        add_expr(p, f->x);
+        add_expr(p, f->y);
+        add_expr(p, f->moment);
     }
 }
 
 static void add_loads(Print *p, const YkModel *m)
 {
     add_vector(p, m->gravity);
-    for (size_t k = 0; k < m->effort_count; k++) {
-        add_whole(p, (uint64_t)m->efforts[k].coordinate);
-        add_expr(p, m->efforts[k].expr);
-        add_expr(p, m->efforts[k].law.of);
-    }
-    for (size_t k = 0; k < m->force_count; k++) {
-        const YkForce *f = &m->forces[k];
-        add_whole(p, (uint64_t)f->body);
-        add_vector(p, f->at);
-        add_expr(p, f->x);
-        add_expr(p, f->y);
-        add_expr(p, f->moment);
-    }
+    add_forces(p, m);
+    add_whole(p, m->spring_count);
     for (size_t k = 0; k < m->spring_count; k++) {
         const YkSpring *s = &m->springs[k];
-        add_number(p, s->stiffness);
-        add_number(p, s->length);
-        add_number(p, s->damping);
+        INDICES(p, s->coordinate, s->body[0], s->body[1]);
+        NUMBERS(p, s->stiffness, s->length, s->damping);
         for (int end = 0; end < 2; end++) add_vector(p, s->at[end]);
     }
+    add_whole(p, m->stop_count);
     for (size_t k = 0; k < m->stop_count; k++) {
-        add_number(p, m->stops[k].low);
-        add_number(p, m->stops[k].high);
-        add_number(p, m->stops[k].restitution);
+        INDICES(p, m->stops[k].coordinate);
+        NUMBERS(p, m->stops[k].low, m->stops[k].high, m->stops[k].restitution);
     }
 }
 
-static void add_transmissions(Print *p, const YkModel *m)
+static void add_wheels(Print *p, const YkModel *m)
 {
+    add_whole(p, m->gear_count);
     for (size_t k = 0; k < m->gear_count; k++) {
-        add_number(p, (double)m->gears[k].teeth[0]);
-        add_number(p, (double)m->gears[k].teeth[1]);
-        add_number(p, m->gears[k].pressure_angle);
+        const YkGear *g = &m->gears[k];
+        INDICES(p, g->body[0], g->body[1], g->carrier, g->is_internal);
+        NUMBERS(p, (double)g->teeth[0], (double)g->teeth[1], g->module, g->pressure_angle, g->planets);
     }
-    for (size_t k = 0; k < m->rack_count; k++) add_number(p, m->racks[k].radius);
+    add_whole(p, m->rack_count);
+    for (size_t k = 0; k < m->rack_count; k++) {
+        const YkRack *r = &m->racks[k];
+        INDICES(p, r->pinion, r->rack, r->carrier, r->slide, r->sense);
+        add_number(p, r->radius);
+    }
+    add_whole(p, m->belt_count);
     for (size_t k = 0; k < m->belt_count; k++) {
-        add_number(p, m->belts[k].radius[0]);
-        add_number(p, m->belts[k].radius[1]);
+        const YkBelt *b = &m->belts[k];
+        INDICES(p, b->body[0], b->body[1], b->carrier, b->is_crossed, b->is_lock);
+        NUMBERS(p, b->radius[0], b->radius[1]);
     }
+}
+
+static void add_cams(Print *p, const YkModel *m)
+{
+    add_whole(p, m->cam_count);
     for (size_t k = 0; k < m->cam_count; k++) {
-        add_number(p, m->cams[k].base);
-        add_number(p, m->cams[k].roller);
-        add_number(p, m->cams[k].offset);
+        const YkCam *c = &m->cams[k];
+        INDICES(p, c->cam, c->follower, c->carrier, c->cam_joint, c->follower_joint, c->law, c->point, c->oscillates,
+                c->is_groove, c->is_conjugate, (int32_t)c->face);
+        NUMBERS(p, c->base, c->roller, c->offset, c->arm, c->centers, c->other_roller, c->other_span, c->other_arm,
+                c->other_angle);
     }
 }
 
@@ -144,8 +206,10 @@ uint64_t yk_fingerprint(const YkModel *model)
 {
     Print p = {UINT64_C(0xcbf29ce484222325)};
     add_bodies(&p, model);
+    add_joints(&p, model);
     add_motion(&p, model);
     add_loads(&p, model);
-    add_transmissions(&p, model);
+    add_wheels(&p, model);
+    add_cams(&p, model);
     return p.sum;
 }

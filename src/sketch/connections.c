@@ -48,11 +48,11 @@ static bool gather(const YkModel *model, PointNames *names)
     return good;
 }
 
-// Are two bodies joined at a point of this name?
-static bool are_joined(const YkModel *model, int32_t a, int32_t b)
+// Are two bodies joined by a joint of the sketch's own?
+static bool are_joined(const YkSketch *sketch, int32_t a, int32_t b)
 {
-    for (size_t j = 0; j < model->joint_count; j++) {
-        const int32_t *body = model->joints[j].body;
+    for (size_t j = 0; j < yk_sketch_joint_count(sketch); j++) {
+        const int32_t *body = sketch->model->joints[j].body;
         if ((body[0] == a && body[1] == b) || (body[0] == b && body[1] == a)) return true;
     }
     return false;
@@ -66,7 +66,7 @@ static int32_t find_partner(const YkSketch *sketch, const PointNames *names, int
     for (int looks = 0; other != YK_NONE && looks < LOOKS; other = names->next[other], looks++) {
         int32_t with = model->points[other].body;
         if (with == body) continue;
-        if (leaves_group ? sketch->group[with] != sketch->group[body] : !are_joined(model, body, with)) return other;
+        if (leaves_group ? sketch->group[with] != sketch->group[body] : !are_joined(sketch, body, with)) return other;
     }
     return YK_NONE;
 }

@@ -29,12 +29,30 @@ static void what_is_whole_stays_as_it_is(void **state)
     check_tree("{a: (1, b: 2}", 0, "{a: (1, b: 2}"); // never closed: the expression says so
 }
 
+// A look ahead of each to the end of the list would take longer than a test may.
+static void a_long_list_of_values_that_never_end_is_read(void **state)
+{
+    (void)state;
+    enum { VALUES = 2000000 };
+    char *text = malloc(2 * VALUES + 1);
+    assert_non_null(text);
+    for (size_t k = 0; k < VALUES; k++) memcpy(text + 2 * k, k == 0 ? "[(" : ",(", 2);
+    text[2 * VALUES] = ']';
+    Fixture fixture = fixture_of_bytes(text, 2 * VALUES + 1);
+    assert_non_null(fixture.root);
+    assert_int_equal(fixture.root->count, VALUES);
+    assert_int_equal(yk_problems_count(fixture.problems), 0);
+    fixture_free(&fixture);
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_function_of_two_arguments_between_braces_or_brackets_is_told_once),
         cmocka_unit_test(every_split_value_is_told_and_repeated_keys_of_its_pieces_are_not),
         cmocka_unit_test(what_is_whole_stays_as_it_is),
+        cmocka_unit_test(a_long_list_of_values_that_never_end_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,11 +61,27 @@ static void gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is(void **state)
     is_silent("parameters: {g: 9810 mm/s^2}\nunits: {length: cm}\ngravity: [0, -g]\n");
 }
 
+// Each parameter is twice the one before: a walk that looks at every use anew never ends.
+static void gravity_of_a_long_chain_of_doubled_parameters_is_read(void **state)
+{
+    (void)state;
+    enum { DOUBLED = 60 };
+    char text[4096];
+    int used = snprintf(text, sizeof text, "parameters:\n  p0: 1\n");
+    for (int k = 1; k <= DOUBLED; k++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "  p%d: p%d + p%d\n", k, k - 1, k - 1);
+    snprintf(text + used, sizeof text - (size_t)used, "gravity: [0, -p%d]\n" CRANK, DOUBLED);
+    YkProblems *problems;
+    assert_null(warning(text, &problems)); // whether a unit is in it is not known
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bare_gravity_unlike_any_planets_warns_and_says_what_may_be_meant),
         cmocka_unit_test(gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is),
+        cmocka_unit_test(gravity_of_a_long_chain_of_doubled_parameters_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -84,6 +84,25 @@ static void open_ends_name_the_point_they_could_be_pinned_to(void **state)
     yk_sketch_free(sketch);
 }
 
+// What holds a group that floats is no joint of the sketch.
+static void an_open_end_of_a_group_that_floats_could_be_pinned_to_the_ground(void **state)
+{
+    (void)state;
+    YkSketch *sketch = sketch_of("bodies: {ground: {points: {B: [4, 0]}}, a: {points: {A: [0, 0], B: [1, 0]}},\n"
+                                 "  b: {points: {A: [0, 0]}}}\njoints: {A: {pin: [a, b]}}\n");
+    size_t ends = 0;
+    for (size_t i = 0; i < yk_sketch_lack_count(sketch); i++) {
+        YkLack lack = yk_sketch_lack(sketch, i);
+        if (lack.kind != YK_LACK_END) continue;
+        ends++;
+        assert_string_equal(yk_model_body_name(yk_sketch_model(sketch), lack.body), "a");
+        assert_string_equal(lack.path, "joints/B");
+        assert_string_equal(lack.value, "{pin: [ground, a]}");
+    }
+    assert_int_equal(ends, 1);
+    yk_sketch_free(sketch);
+}
+
 static void masses_make_drives_optional(void **state)
 {
     (void)state;
@@ -112,7 +131,8 @@ static void what_is_wrong_still_is(void **state)
     static const char *const texts[] = {
         "bodies: {a: {points: {P: [1 kg, 0]}}}\n",
         "bodies: {a: {}}\njoints: {O: {pin: [ground, b]}}\n",
-        "bodies: {a: {}}\njoints: {O: {pin: [ground, a], angle: q}, P: {pin: [ground, a]}}\ndrives: {q: 1 rad/s * t, r: 1 rad/s * t}\n",
+        "bodies: {a: {}}\njoints: {O: {pin: [ground, a], angle: q}, P: {pin: [ground, a]}}\ndrives: {q: 1 rad/s * t, "
+        "r: 1 rad/s * t}\n",
         "body: {}\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -168,6 +188,7 @@ int main(void)
         cmocka_unit_test(bodies_without_joints_float_with_three_freedoms_each),
         cmocka_unit_test(groups_are_told_once_with_all_their_bodies),
         cmocka_unit_test(open_ends_name_the_point_they_could_be_pinned_to),
+        cmocka_unit_test(an_open_end_of_a_group_that_floats_could_be_pinned_to_the_ground),
         cmocka_unit_test(masses_make_drives_optional),
         cmocka_unit_test(a_frame_lacks_a_freedom),
         cmocka_unit_test(what_is_wrong_still_is),

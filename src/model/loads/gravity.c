@@ -3,7 +3,7 @@
 #include "elementary/elementary.h"
 #include "model/load.h"
 
-enum { PARAMETERS_DEEP = 64 };
+enum { PARAMETERS_DEEP = 64, LOOKS_MAX = 20000 };
 
 // From the smallest round body of the solar system (Ceres, 0.28 m/s^2) to more than the largest planet.
 static const double planet_least = 0.25, planet_most = 30, earth_least = 9.7, earth_most = 9.9; // m/s^2
@@ -20,15 +20,24 @@ void yk_load_gravity(YkLoader *loader)
     model->gravity_y = expr[1];
 }
 
+// One walk. Parameters that are each twice another, in a long chain, stand for more numbers than can be visited.
+typedef struct Walk {
+    const YkModel *model;
+    size_t looks_left;
+} Walk;
+
 // Returns whether the value depends on the file's units alone: no number in it, nor in its parameters, has a unit.
-static bool is_bare(const YkModel *model, const YkExpr *expr, int depth)
+// Returns false if that takes too many looks.
+static bool is_bare(Walk *walk, const YkExpr *expr, int depth)
 {
     if (!expr) return true;
+    if (walk->looks_left == 0) return false;
+    walk->looks_left--;
     if (expr->kind == YK_EXPR_NUMBER) return !expr->has_unit || yk_dimension_equal(expr->unit, YK_DIM_NUMBER);
-    if (expr->kind != YK_EXPR_NAME) return is_bare(model, expr->a, depth) && is_bare(model, expr->b, depth);
-    int32_t index = yk_names_find(&model->parameter_names, expr->name);
+    if (expr->kind != YK_EXPR_NAME) return is_bare(walk, expr->a, depth) && is_bare(walk, expr->b, depth);
+    int32_t index = yk_names_find(&walk->model->parameter_names, expr->name);
     if (index == YK_NONE) return true;
-    return depth < PARAMETERS_DEEP && is_bare(model, model->parameters[index].expr, depth + 1);
+    return depth < PARAMETERS_DEEP && is_bare(walk, walk->model->parameters[index].expr, depth + 1);
 }
 
 // Returns the unit in which this number is earth's gravity, or at least a planet's; NULL if there is none.
@@ -51,11 +60,12 @@ void yk_load_check_gravity(YkLoader *loader)
 {
     const YkModel *model = loader->model;
     double size = yk_units_size(&model->units, YK_DIM_ACCELERATION), g = yk_hypot(model->gravity.x, model->gravity.y);
-    if (!model->has_gravity || !(g > 0) || !is_bare(model, model->gravity_x, 0) || !is_bare(model, model->gravity_y, 0))
-        return;
+    if (!model->has_gravity || !(g > 0)) return;
     double in_file = g / size;
     bool is_earths_number = size != 1 && in_file > earth_least && in_file < earth_most;
     if (g >= planet_least && g <= planet_most && !is_earths_number) return;
+    Walk walk = {model, LOOKS_MAX};
+    if (!is_bare(&walk, model->gravity_x, 0) || !is_bare(&walk, model->gravity_y, 0)) return;
     YkText unit = {0};
     const char *meant = unit_meant(in_file);
     double down = model->gravity.x == 0 ? model->gravity.y / size : in_file; // usually as the file has it
