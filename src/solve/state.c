@@ -86,6 +86,7 @@ void yk_state_take(YkState *to, const YkState *from)
 {
     const YkMechanism *mech = to->mech;
     memcpy(to->guess, from->guess, mech->coordinate_count * sizeof *to->guess);
+    memcpy(to->is_guessed, from->is_guessed, mech->coordinate_count * sizeof *to->is_guessed);
     bool same = mech == from->mech; // a variant may keep nodes that cancel in the file's own mechanism
     if (same) yk_space_copy(&to->space, &from->space);
     memcpy(to->input, from->input, 3 * mech->input_count * sizeof *to->input);
