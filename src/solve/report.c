@@ -132,6 +132,13 @@ static void append(char *message, size_t capacity, const char *part, size_t most
     message[at] = 0;
 }
 
+YkStatus yk_state_refuse(YkState *s, YkStatus status, const char *message)
+{
+    yk_state_tell(s, &s->spare, YK_OK);
+    append(s->report.message, sizeof s->report.message, message, sizeof s->report.message);
+    return s->report.status = status;
+}
+
 static void write_sentence(YkReport *r, const Sentence *sentence, const char *label, double value)
 {
     char number[YK_NUMBER_SIZE];

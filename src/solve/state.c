@@ -86,6 +86,7 @@ void yk_state_take(YkState *to, const YkState *from)
 {
     const YkMechanism *mech = to->mech;
     memcpy(to->guess, from->guess, mech->coordinate_count * sizeof *to->guess);
+    memcpy(to->is_guessed, from->is_guessed, mech->coordinate_count * sizeof *to->is_guessed);
     bool same = mech == from->mech; // a variant may keep nodes that cancel in the file's own mechanism
     if (same) yk_space_copy(&to->space, &from->space);
     memcpy(to->input, from->input, 3 * mech->input_count * sizeof *to->input);
@@ -215,14 +216,6 @@ static bool is_too_fast(const YkState *s)
     return false;
 }
 
-static YkStatus refuse_rates(YkState *s)
-{
-    static const char why[] = "the rates of the inputs are too large to be computed with";
-    yk_state_tell(s, &s->spare, YK_OK);
-    memcpy(s->report.message, why, sizeof why);
-    return s->report.status = YK_BAD_ARGUMENT;
-}
-
 // Settles a pose that does not close or is singular, since it may be a coincidence: angles that no loop determines then
 // stay.
 static YkStatus settle(YkState *s, YkStatus status)
@@ -254,7 +247,8 @@ static YkStatus solve(YkState *s)
 YkStatus yk_state_solve(YkState *s)
 {
     YkStatus status = solve(s);
-    return status < 0 && is_too_fast(s) ? refuse_rates(s) : status;
+    if (status >= 0 || !is_too_fast(s)) return status;
+    return yk_state_refuse(s, YK_BAD_ARGUMENT, "the rates of the inputs are too large to be computed with");
 }
 
 const YkMechanism *yk_state_mechanism(const YkState *s)

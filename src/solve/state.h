@@ -84,6 +84,8 @@ static inline void yk_state_tell(YkState *state, const YkSpace *space, YkStatus 
     report->message[0] = 0;
     if (status != YK_OK && status != YK_REDUNDANT) yk_state_explain(state, space, status);
 }
+// Fills the report of a request that is refused, or given up, whatever the blocks do: only why. Returns the status.
+YkStatus yk_state_refuse(YkState *state, YkStatus status, const char *message);
 // Takes the inputs, branches, reference angles and guesses of a state of another mechanism with the same plan (a
 // variant); also the pose if it is the same mechanism.
 void yk_state_take(YkState *to, const YkState *from);

@@ -134,16 +134,6 @@ static const char *const way_too_long =
 static const char *const way_too_hard =
     "the way to these inputs was given up: near the last pose that closes, steps become too small";
 
-static void explain_way(YkState *s, const char *message)
-{
-    size_t length = strlen(message);
-    if (length >= sizeof s->report.message) length = sizeof s->report.message - 1;
-    yk_state_tell(s, &s->spare, YK_OK);
-    s->report.status = YK_NOT_CONVERGED;
-    memcpy(s->report.message, message, length);
-    s->report.message[length] = 0;
-}
-
 static void accept_along(YkState *s)
 {
     YkSpace space = s->space;
@@ -226,10 +216,7 @@ YkStatus yk_state_track(YkState *s)
     keep_references(s);
     Tracker t = {.h = 1, .longest = path_length(s)};
     t.trials_left = trials_max(s, t.longest);
-    if (t.trials_left == 0) {
-        explain_way(s, way_too_long);
-        return YK_NOT_CONVERGED;
-    }
+    if (t.trials_left == 0) return yk_state_refuse(s, YK_NOT_CONVERGED, way_too_long);
     if (t.longest > STRIDE) t.h = STRIDE / t.longest;
     memcpy(s->groups.x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
     yk_space_copy(&s->search->kept, &s->space); // to return to on failure
@@ -253,7 +240,7 @@ YkStatus yk_state_track(YkState *s)
         if (status == YK_LIMIT)
             yk_state_tell(s, &s->spare, status);
         else
-            explain_way(s, way_too_hard);
+            yk_state_refuse(s, status, way_too_hard);
         yk_space_copy(&s->space, &s->search->kept);
         memcpy(s->valid_x, s->search->kept_x, s->mech->column_count * sizeof *s->valid_x);
         yk_state_walk_back(s);

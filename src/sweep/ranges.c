@@ -94,8 +94,8 @@ static void join_ends(Scan *scan)
     scan->count--;
 }
 
-// Returns how far the motion goes from the position of `home`: through change points, up to a limit or to `to`. NaN
-// when out of memory.
+// Returns how far the motion goes from the position of `home`: through change points, up to a limit or to `to`; `from`
+// itself if the machine does not close there with the inputs asked for. NaN when out of memory.
 static double reach(Scan *scan, YkState *home, double from, double to)
 {
     YkWalk walk;
@@ -104,7 +104,7 @@ static double reach(Scan *scan, YkState *home, double from, double to)
     yk_path_start(&path, scan->path.state, scan->path.state->mech->inputs[scan->path.input]);
     bool ok = yk_walk_start(&walk, path, 2 * YK_PI / 180) && yk_path_probe(&walk.path, from, true) >= 0;
     walk.from = from;
-    double end = ok && !yk_walk_go(&walk, from, to) ? walk.path.last : to;
+    double end = !ok ? from : yk_walk_go(&walk, from, to) ? to : walk.path.last;
     if (!walk.margins || !walk.flipped_at || !walk.path.others || walk.failed) end = (double)NAN;
     yk_walk_end(&walk);
     return end;
@@ -118,7 +118,7 @@ static bool widen(Scan *scan, YkState *home, double here)
     bool is_whole = n == 1 && scan->ranges[0].to - scan->ranges[0].from >= scan->high - scan->low;
     if (is_whole || n == 0 || scan->count > scan->capacity || home->mech->block_count < 2) return true;
     YkRange own = {reach(scan, home, here, scan->low), reach(scan, home, here, scan->high)};
-    if (!(own.to >= own.from)) return false;
+    if (!(own.to > own.from)) return own.to == own.from; // it goes nowhere, so it absorbs nothing
     for (size_t k = 0; k < n; k++) {
         YkRange other = scan->ranges[k];
         bool overlaps = other.from < own.to - 1e-9 && other.to > own.from + 1e-9;

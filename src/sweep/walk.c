@@ -216,14 +216,12 @@ static double fastest_turn(const YkWalk *w)
 
 bool yk_walk_refuses(YkWalk *w, double a, double b)
 {
-    static const char why[] =
-        "the way is too long to be followed pose by pose: the inputs turn too often on it; ask for a "
-        "shorter one";
     YkState *s = w->path.state;
     double cost = 10 + (double)s->mech->step_count; // of a step
     if (s->mech->block_count == 0 || yk_path_length(&w->path, a, b) / w->turn_max * cost <= COST_MAX) return false;
-    memcpy(s->report.message, why, sizeof why);
-    w->status = s->report.status = YK_STOPPED;
+    w->status = yk_state_refuse(s, YK_STOPPED,
+                                "the way is too long to be followed pose by pose: the inputs turn too often on it; ask "
+                                "for a shorter one");
     return true;
 }
 

@@ -572,6 +572,38 @@ static void test_a_dead_point_in_an_early_dyad_is_seen_in_every_configuration(vo
     machine_free(&m);
 }
 
+static const char half_guessed[] = "bodies:\n"
+                                   "  ground: {points: {O2: [0, 0], O4: [5, 0]}}\n"
+                                   "  crank: {points: {O2: [0, 0], A: [2, 0]}}\n"
+                                   "  coupler: {points: {A: [0, 0], B: [6, 0]}}\n"
+                                   "  rocker: {points: {O4: [0, 0], B: [4, 0]}}\n"
+                                   "joints:\n"
+                                   "  O2: {pin: [ground, crank], angle: theta2}\n"
+                                   "  A: {pin: [crank, coupler], angle: gamma}\n"
+                                   "  O4: {pin: [ground, rocker], angle: theta4}\n"
+                                   "  B: {pin: [coupler, rocker]}\n"
+                                   "start: {theta2: 0.7, theta4: 1}\n";
+
+// A pose that is taken as the guess counts in every coordinate, `start:` only in those that it names.
+static void test_a_copy_assembles_as_the_original_does(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(half_guessed, true);
+    YkState *guessed = yk_state_new(m.mech), *copy = yk_state_new(m.mech);
+    assert_true(guessed && copy);
+    for (int k = 0; k < 100; k++) {
+        assert_int_equal(yk_state_guess(guessed, m.state), YK_OK);
+        yk_state_set_input(guessed, 0, (YkMotion){2 * YK_PI * k / 100, 0, 0});
+        assert_int_equal(yk_state_copy(copy, guessed), YK_OK);
+        assert_int_equal(yk_state_assemble(guessed), YK_OK);
+        assert_int_equal(yk_state_assemble(copy), YK_OK);
+        assert_int_equal(yk_state_branch(copy, 0), yk_state_branch(guessed, 0));
+    }
+    yk_state_free(guessed);
+    yk_state_free(copy);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -590,6 +622,7 @@ int main(void)
         cmocka_unit_test(test_where_the_search_gave_up_it_says_so),
         cmocka_unit_test(test_where_there_are_too_many_branches_it_gives_up_and_says_so),
         cmocka_unit_test(test_a_dead_point_in_an_early_dyad_is_seen_in_every_configuration),
+        cmocka_unit_test(test_a_copy_assembles_as_the_original_does),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

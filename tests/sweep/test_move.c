@@ -304,6 +304,27 @@ static bool stop_half_way(void *context, double part)
     return part < 0.5;
 }
 
+static void test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("excavator");
+    size_t n = yk_input_count(m.mech);
+    YkMotion goal[8];
+    assert_true(n <= 8);
+    for (size_t i = 0; i < n; i++) goal[i] = (YkMotion){yk_state_input(m.state, i).position, 0, 0};
+    yk_state_set_input(m.state, 0, (YkMotion){50, 0, 0});
+    assert_int_equal(yk_state_solve(m.state), YK_LIMIT);
+    assert_true(yk_state_report(m.state)->block >= 0);
+    goal[0].position = 1e9;
+    assert_int_equal(yk_state_move_to(m.state, goal, NULL, NULL), YK_STOPPED);
+    const YkReport *report = yk_state_report(m.state);
+    assert_non_null(strstr(report->message, "too long"));
+    assert_int_equal(report->block, -1);
+    assert_int_equal(report->joint, -1);
+    assert_true(report->gap == 0 && report->determinant == 0);
+    machine_free(&m);
+}
+
 static void test_a_move_can_be_stopped(void **unused)
 {
     (void)unused;
@@ -397,6 +418,7 @@ int main(void)
         cmocka_unit_test(test_a_pose_where_nothing_closes_is_out_of_reach),
         cmocka_unit_test(test_a_parallelogram_passes_its_change_points),
         cmocka_unit_test(test_an_input_ends_exactly_where_a_base_vanishes),
+        cmocka_unit_test(test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure),
         cmocka_unit_test(test_a_move_can_be_stopped),
         cmocka_unit_test(test_no_example_jumps),
     };

@@ -157,6 +157,46 @@ static void test_more_ranges_than_room_are_counted(void **unused)
     machine_free(&m);
 }
 
+// Beside the five-bar stands a crank-rocker, so that the machine has two dyads.
+static const char five_bar_with_rocker[] =
+    "units: {length: mm}\n"
+    "bodies:\n"
+    "  ground: {points: {L: [-60, 0], R: [60, 0], Q: [-310, 0]}}\n"
+    "  left:   {points: {L: [0, 0], A: [200, 0], E: [200, 0]}}\n"
+    "  right:  {points: {R: [0, 0], B: [200, 0]}}\n"
+    "  reachL: {points: {A: [0, 0], P: [150, 0]}}\n"
+    "  reachR: {points: {B: [0, 0], P: [150, 0]}}\n"
+    "  rod:    {points: {E: [0, 0], D: [300, 0]}}\n"
+    "  rocker: {points: {Q: [0, 0], D: [300, 0]}}\n"
+    "joints:\n"
+    "  L: {pin: [ground, left], angle: theta1}\n"
+    "  R: {pin: [ground, right], angle: theta2}\n"
+    "  Q: {pin: [ground, rocker], angle: phi3}\n"
+    "  A: {pin: [left, reachL], angle: phi1}\n"
+    "  E: {pin: [left, rod]}\n"
+    "  B: {pin: [right, reachR], angle: phi2}\n"
+    "  P: {pin: [reachL, reachR]}\n"
+    "  D: {pin: [rod, rocker]}\n"
+    "start: {theta1: 120 deg, theta2: 100 deg, phi1: -70 deg, phi2: 70 deg, phi3: 60 deg}\n";
+
+// The inputs asked for do not fit the pose that stands: the ranges are those of the inputs asked for.
+static void test_the_range_of_a_pose_that_does_not_fit_the_inputs_is_not_made_up(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(five_bar_with_rocker, true);
+    size_t theta1 = yk_coordinate_find(m.mech, "theta1"), theta2 = yk_coordinate_find(m.mech, "theta2");
+    assert_int_equal(yk_block_count(m.mech), 2);
+    double right = YK_PI / 6;
+    yk_state_set_input(m.state, (size_t)yk_coordinate_info(m.mech, theta2).input, (YkMotion){right, 0, 0});
+    assert_int_equal(yk_state_solve(m.state), YK_LIMIT);
+    YkRange found[CAPACITY];
+    assert_int_equal(yk_closing_ranges(m.state, theta1, found, CAPACITY), 1);
+    double x = 0.12 + 0.2 * cos(right), y = 0.2 * sin(right), r = hypot(x, y); // B seen from L
+    double half = acos((0.2 * 0.2 + r * r - 0.3 * 0.3) / (2 * 0.2 * r));
+    assert_true(is_among(found, 1, atan2(y, x) - half, atan2(y, x) + half, 1e-10));
+    machine_free(&m);
+}
+
 // A group's configuration is what can be reached: its ends are where a sweep stops.
 static void test_the_range_of_a_group_ends_where_sweeps_stop(void **unused)
 {
@@ -194,6 +234,7 @@ int main(void)
         cmocka_unit_test(test_a_cylinder_closes_between_its_triangles_limits),
         cmocka_unit_test(test_a_full_turn_is_one_range),
         cmocka_unit_test(test_more_ranges_than_room_are_counted),
+        cmocka_unit_test(test_the_range_of_a_pose_that_does_not_fit_the_inputs_is_not_made_up),
         cmocka_unit_test(test_the_range_of_a_group_ends_where_sweeps_stop),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
