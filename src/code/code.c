@@ -118,7 +118,7 @@ static bool is_whole(const YkFile *file)
 
 static const char *name_of(void *program, const char *wish)
 {
-    return yk_program_name(program, wish);
+    return yk_file_name(program, wish);
 }
 
 static bool write_all(YkFile *file)
@@ -167,7 +167,7 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
     if (!yk_program_start(&file->program, mech, &variant->recipe, arena, problems)) return false;
     file->prefix = options->prefix ? options->prefix : prefix_of(&file->program, mech->model->source_name);
     file->program.prefix = file->prefix;
-    if (!yk_program_choose_names(&file->program)) return false;
+    if (!yk_file_choose_names(&file->program)) return false;
     file->single = file->program.is_single = options->single;
     file->is_of_file = variant->is_of_file;
     file->has_forces = !options->kinematics && yk_model_has_forces(mech->model);

@@ -1,7 +1,8 @@
 // The printed file: its types, its functions, its self-test.
 #ifndef CODE_FILE_H
 #define CODE_FILE_H
-#include "code/forces.h"
+#include <yoke/code.h>
+#include "program/forces.h"
 #include "graph/print.h"
 #include "solve/state.h"
 
@@ -62,6 +63,13 @@ void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, con
                         const char *format, ...);
 // Finds the roots of a routine's body: its results and the values for its status; room for 6 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
+// names.c: chooses program->names for the prefix. Returns false when out of memory.
+bool yk_file_choose_names(YkProgram *program);
+// words.c: returns whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one
+// of the file's own.
+bool yk_file_is_reserved(const YkProgram *program, const char *name);
+// Makes a C name that is not reserved: letters, digits and underscores, with `name_` before it if it has to change.
+const char *yk_file_name(YkProgram *program, const char *name);
 // names.c: gives names to the values of parameters that the poses need.
 void yk_program_name_fields(YkProgram *program, YkPrinter *printer);
 // file_types.c: the type of numbers; parameters in the struct, which follow from no others.

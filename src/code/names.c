@@ -20,7 +20,7 @@ static bool is_free(Scope *scope, const char *name)
 {
     for (size_t k = 0; k < scope->ending_count; k++) {
         const char *member = yk_graph_text(&scope->program->graph, "%s%s", name, scope->endings[k]);
-        if (yk_program_is_reserved(scope->program, member) || yk_names_find(&scope->taken, member) != YK_NONE)
+        if (yk_file_is_reserved(scope->program, member) || yk_names_find(&scope->taken, member) != YK_NONE)
             return false;
     }
     return true;
@@ -31,7 +31,7 @@ static const char *choose(Scope *scope, const char *wish)
 {
     const char *name = wish;
     for (int k = 2; !scope->program->graph.failed && !is_free(scope, name); k++)
-        name = yk_program_name(scope->program, yk_graph_text(&scope->program->graph, "%s_%d", wish, k));
+        name = yk_file_name(scope->program, yk_graph_text(&scope->program->graph, "%s_%d", wish, k));
     for (size_t k = 0; k < scope->ending_count; k++)
         take(scope, yk_graph_text(&scope->program->graph, "%s%s", name, scope->endings[k]));
     return name;
@@ -55,7 +55,7 @@ static void name_parameters(YkProgram *p)
 {
     Scope scope = open_scope(p, alone, COUNT(alone));
     for (size_t k = 0; k < p->model->parameter_count; k++)
-        p->names.parameter[k] = choose(&scope, yk_program_name(p, p->model->parameters[k].name));
+        p->names.parameter[k] = choose(&scope, yk_file_name(p, p->model->parameters[k].name));
     close_scope(&scope);
 }
 
@@ -65,7 +65,7 @@ static void name_coordinates(YkProgram *p)
     Scope scope = open_scope(p, endings, COUNT(endings));
     take(&scope, "t");
     for (size_t k = 0; k < p->mech->coordinate_count; k++)
-        p->names.coordinate[k] = choose(&scope, yk_program_name(p, p->mech->coordinates[k].name));
+        p->names.coordinate[k] = choose(&scope, yk_file_name(p, p->mech->coordinates[k].name));
     close_scope(&scope);
 }
 
@@ -75,7 +75,7 @@ static void name_configuration(YkProgram *p)
     static const char *const endings[] = {"", "_guess"};
     Scope scope = open_scope(p, endings, COUNT(endings));
     for (size_t b = 0; b < p->mech->block_count; b++)
-        p->names.block[b] = choose(&scope, yk_program_name(p, p->mech->blocks[b].label));
+        p->names.block[b] = choose(&scope, yk_file_name(p, p->mech->blocks[b].label));
     scope.endings = alone;
     scope.ending_count = COUNT(alone);
     for (size_t k = 0; k < p->mech->coordinate_count; k++) {
@@ -87,7 +87,7 @@ static void name_configuration(YkProgram *p)
         const YkRelationSource *s = &p->mech->sources[k];
         if (s->kind == YK_SOURCE_SLOT && !p->names.near_slot[s->index])
             p->names.near_slot[s->index] = choose(
-                &scope, yk_program_name(p, yk_graph_text(&p->graph, "near_%s", yk_program_slot_name(p, s->index))));
+                &scope, yk_file_name(p, yk_graph_text(&p->graph, "near_%s", yk_program_slot_name(p, s->index))));
     }
     close_scope(&scope);
 }
@@ -100,7 +100,7 @@ static void name_points(YkProgram *p)
         const YkPoint *point = &p->model->points[k];
         if (point->body == 0) continue;
         const char *both = yk_graph_text(&p->graph, "%s_%s", p->model->bodies[point->body].name, point->name);
-        p->names.point[k] = choose(&scope, yk_program_name(p, both));
+        p->names.point[k] = choose(&scope, yk_file_name(p, both));
     }
     close_scope(&scope);
 }
@@ -110,7 +110,7 @@ static void name_joints(YkProgram *p)
     static const char *const endings[] = {"_force_x", "_force_y", "_moment"};
     Scope scope = open_scope(p, endings, COUNT(endings));
     for (size_t k = 0; k < p->model->joint_count; k++)
-        p->names.joint[k] = choose(&scope, yk_program_name(p, p->model->joints[k].name));
+        p->names.joint[k] = choose(&scope, yk_file_name(p, p->model->joints[k].name));
     close_scope(&scope);
 }
 
@@ -118,7 +118,7 @@ static void name_laws(YkProgram *p)
 {
     Scope scope = open_scope(p, alone, COUNT(alone));
     for (size_t k = 0; k < p->model->law_count; k++)
-        p->names.law[k] = choose(&scope, yk_program_name(p, p->model->laws[k].name));
+        p->names.law[k] = choose(&scope, yk_file_name(p, p->model->laws[k].name));
     close_scope(&scope);
 }
 
@@ -128,13 +128,13 @@ void yk_program_name_fields(YkProgram *p, YkPrinter *pr)
     take(&scope, "p");
     for (size_t k = 0; k < pr->field_count; k++) {
         const char *wish = p->graph.values[pr->fields[k]].name;
-        wish = wish ? yk_program_name(p, wish) : yk_graph_text(&p->graph, "k%d", (int)k + 1);
+        wish = wish ? yk_file_name(p, wish) : yk_graph_text(&p->graph, "k%d", (int)k + 1);
         pr->field[pr->fields[k]] = choose(&scope, wish);
     }
     close_scope(&scope);
 }
 
-bool yk_program_choose_names(YkProgram *p)
+bool yk_file_choose_names(YkProgram *p)
 {
     YkCNames *n = &p->names;
     n->parameter = YK_NEW(p->arena, const char *, p->model->parameter_count + 1);

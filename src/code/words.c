@@ -1,6 +1,6 @@
 // Words that a name of the model must not be: those of C, C++ and their headers, and the printed file's own.
 #include <string.h>
-#include "code/program.h"
+#include "code/file.h"
 
 // Lists of words, separated by blanks.
 
@@ -86,7 +86,7 @@ static bool is_own(const YkProgram *p, const char *name)
            is_among(rest, ENDING, own_endings);
 }
 
-bool yk_program_is_reserved(const YkProgram *p, const char *name)
+bool yk_file_is_reserved(const YkProgram *p, const char *name)
 {
     return has_odd_underscores(name) || is_among(name, WHOLE, keywords) || is_macro(name) || is_own(p, name);
 }
@@ -106,7 +106,7 @@ static void tidy(char *name)
     *to = 0;
 }
 
-const char *yk_program_name(YkProgram *p, const char *name)
+const char *yk_file_name(YkProgram *p, const char *name)
 {
     char *copy = yk_graph_text(&p->graph, "%s", name);
     for (char *c = copy; *c; c++) {
@@ -114,7 +114,7 @@ const char *yk_program_name(YkProgram *p, const char *name)
         if (!is_letter) *c = '_';
     }
     bool is_number = copy[0] >= '0' && copy[0] <= '9';
-    if (!is_number && !yk_program_is_reserved(p, copy)) return copy;
+    if (!is_number && !yk_file_is_reserved(p, copy)) return copy;
     tidy(copy);
     return yk_graph_text(&p->graph, "name_%s", *copy ? copy : "0");
 }

@@ -7,7 +7,7 @@
 #include <yoke/move.h>
 #include <yoke/study.h>
 #include "compile/mechanism.h"
-#include "solve/batch.h"
+#include "batch/batch.h"
 #include "solve/state.h"
 
 enum { YK_STUDY_BLOCK = 96 }; // poses reduced at a time: their rows stay in the first cache

@@ -1,7 +1,7 @@
 // Gears, racks, belts, cams and laws as unknowns of the bodies' balance. By virtual work the force belongs to the
 // relation that it enforces; free_bodies/meshes derives where it acts.
 #include <math.h>
-#include "code/balance.h"
+#include "program/balance.h"
 #include "elementary/elementary.h"
 
 static bool has_force(const YkGear *gear)

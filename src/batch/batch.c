@@ -1,5 +1,5 @@
 // Computes many poses at once: runs blocks of lanes through the same steps, then writes the requested channels.
-#include "solve/batch.h"
+#include "batch/batch.h"
 #include <stdlib.h>
 #include <string.h>
 #include "solve/coincidence.h"

@@ -1,6 +1,6 @@
 // Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
 #include <math.h>
-#include "code/balance.h"
+#include "program/balance.h"
 
 // Returns d value / d argument of the relation's law.
 static YkRef slope_of(const YkBalanceSystem *w, const YkRelation *r)

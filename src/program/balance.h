@@ -1,8 +1,8 @@
 // The balance of all bodies: three equations each - two of forces, one of moments over the machine's size - whose
 // unknowns are what joints, inputs and teeth transmit.
-#ifndef CODE_BALANCE_H
-#define CODE_BALANCE_H
-#include "code/forces.h"
+#ifndef PROGRAM_BALANCE_H
+#define PROGRAM_BALANCE_H
+#include "program/forces.h"
 
 typedef struct YkUnknown { // a unit wrench on a joint's second body, its opposite on the first; or a mesh's
     int32_t joint, input;  // input: YK_NONE for a reaction

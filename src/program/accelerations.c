@@ -1,5 +1,5 @@
 // Forward dynamics: solves M q'' = efforts - rest for the free inputs.
-#include "code/forces.h"
+#include "program/forces.h"
 
 enum { STRAIGHT_MAX = 6 }; // more free inputs are solved with pivots, in a loop
 

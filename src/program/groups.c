@@ -1,5 +1,5 @@
 // Computes a group: its loops and relations as residual and Jacobian, and the call of Newton's method.
-#include "code/blocks.h"
+#include "program/blocks.h"
 #include "base/problems.h"
 
 static int find_column(const YkProgram *p, const YkBlock *b, bool is_distance, int32_t index)

@@ -1,5 +1,5 @@
 // Computes velocities and accelerations: the same steps, differentiated.
-#include "code/program.h"
+#include "program/program.h"
 
 YkRates yk_program_new_rates(YkProgram *p)
 {

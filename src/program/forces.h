@@ -3,9 +3,9 @@
 // With the Jacobian columns J_i of every body (its velocities for the rate 1 of input i), the equations are
 //     sum_j M_ij q_j'' + h_i = Q_i + effort_i,   M_ij = sum m v_i.v_j + I w_i w_j,
 // h from the accelerations for q'' = 0, Q from the loads. Source: Kane & Levinson 1985.
-#ifndef CODE_FORCES_H
-#define CODE_FORCES_H
-#include "code/program.h"
+#ifndef PROGRAM_FORCES_H
+#define PROGRAM_FORCES_H
+#include "program/program.h"
 
 typedef struct YkWrenchRef { // on a body: force, and moment about its reference point
     YkRefVec force;

@@ -1,6 +1,6 @@
 // Loads: the action of gravity, efforts, forces, springs, dampers and viscous friction on the bodies.
 #include "base/problems.h"
-#include "code/forces.h"
+#include "program/forces.h"
 
 YkRefVec yk_forces_center(YkProgram *p, int32_t body)
 {

@@ -1,7 +1,7 @@
 // Values that can be asked of a pose - coordinates and points with their rates - and their names.
 #include <string.h>
 #include "base/text.h"
-#include "code/program.h"
+#include "program/program.h"
 
 // --- names
 

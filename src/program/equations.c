@@ -1,6 +1,6 @@
 // The equations of motion in the inputs, M q'' + rest = efforts: body by body, or by lumped constants if that takes
 // fewer operations.
-#include "code/forces.h"
+#include "program/forces.h"
 
 // Adds all loads except weight.
 static void add_loads(YkForces *f, YkEquations *out)

@@ -1,6 +1,6 @@
 // Computes one block's velocities and accelerations from the determinant of its position: the formulas of
 // solve/kernels*.
-#include "code/program.h"
+#include "program/program.h"
 
 // A sum that turns with an unknown: its rate and acceleration in the unknown's axes.
 typedef struct Arm {

@@ -1,5 +1,5 @@
 // Computes positions: the compiled steps in order, as in solve/run.
-#include "code/program.h"
+#include "program/program.h"
 
 // Returns a term's vector in the world without its distance, and that distance (-1: none).
 static YkRefVec turned(YkProgram *p, size_t index)

@@ -7,7 +7,7 @@
 // K depends only on parameters, and conj(e_a) e_b on the angles between the arms: for a double pendulum this is the
 // form of the textbooks. With closed loops the sums would cancel near dead points, where bodies stand still at the end
 // of arms that turn; there the bodies are taken one by one.
-#include "code/forces.h"
+#include "program/forces.h"
 
 enum { ARMS_MAX = 16 };
 

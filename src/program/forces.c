@@ -1,5 +1,5 @@
 // Computes the forces of a pose: everything that acts on the machine, in order.
-#include "code/forces.h"
+#include "program/forces.h"
 #include "base/problems.h"
 
 static bool allocate(YkForces *f)

@@ -1,5 +1,5 @@
 // Computes dyads in closed form: the formulas of solve/kernels*, where they are derived.
-#include "code/blocks.h"
+#include "program/blocks.h"
 
 // 1 / a, as a complex number.
 static YkRefVec vec_inverse(YkGraph *g, YkRefVec a)

@@ -1,7 +1,7 @@
 // Numbers of the model as values: parameters by name, expressions, points, the turns of bodies, the vectors of terms.
 #include <math.h>
 #include <string.h>
-#include "code/program.h"
+#include "program/program.h"
 #include "graph/function.h"
 #include "model/laws/laws.h"
 

@@ -1,6 +1,6 @@
 // What a batch offers to later rooms.
-#ifndef SOLVE_BATCH_H
-#define SOLVE_BATCH_H
+#ifndef BATCH_BATCH_H
+#define BATCH_BATCH_H
 #include <yoke/batch.h>
 
 // Makes a batch for a machine of dyads whose poses follow each other along one path of the inputs, at most some degrees

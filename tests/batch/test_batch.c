@@ -1,5 +1,5 @@
 // Batches: bit for bit one pose a call, over every channel; lanes that do not close, blocks that are not full.
-#include "machine.h"
+#include "solve/machine.h"
 #include "compile/mechanism.h"
 
 enum { POSES = 777, CHANNELS_MAX = 400, INPUTS_MAX = 12 };

@@ -1,7 +1,7 @@
 // The positions of blocks: dyads in closed form, groups by Newton's method, blocks that repeat constraints.
-#ifndef CODE_BLOCKS_H
-#define CODE_BLOCKS_H
-#include "code/program.h"
+#ifndef PROGRAM_BLOCKS_H
+#define PROGRAM_BLOCKS_H
+#include "program/program.h"
 
 // blocks.c: shared by all kinds.
 YkRef yk_block_branch(YkProgram *program, size_t block); // +1 or -1

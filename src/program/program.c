@@ -1,5 +1,5 @@
 // Creates the program of a mechanism, and makes its constants and texts.
-#include "code/program.h"
+#include "program/program.h"
 #include "elementary/elementary.h"
 #include <math.h>
 

@@ -3,9 +3,9 @@
 // What the engine does lane by lane (solve/run, solve/kernels*) is done here once, in symbols: the same steps in the
 // same order, the same closed forms. Rates come in sets: those of the motion, or those for rate 1 of one input and 0 of
 // all others, which give the columns of the Jacobian.
-#ifndef CODE_PROGRAM_H
-#define CODE_PROGRAM_H
-#include <yoke/code.h>
+#ifndef PROGRAM_PROGRAM_H
+#define PROGRAM_PROGRAM_H
+#include <yoke/problem.h>
 #include "compile/mechanism.h"
 #include "compile/recipe.h"
 #include "graph/graph.h"
@@ -147,14 +147,7 @@ YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
-// names.c: chooses p->names for the prefix. Returns false when out of memory.
-bool yk_program_choose_names(YkProgram *program);
-// words.c: returns whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one
-// of the file's own.
-bool yk_program_is_reserved(const YkProgram *program, const char *name);
-// Makes a C name that is not reserved: letters, digits and underscores, with `name_` before it if it has to change.
-const char *yk_program_name(YkProgram *program, const char *name);
-// Returns a name for variables, not yet unique.
+// Return names for variables, not yet unique.
 const char *yk_program_slot_name(YkProgram *program, int32_t slot);
 const char *yk_program_distance_name(YkProgram *program, int32_t distance);
 

@@ -1,5 +1,5 @@
 // Computes one block's position: what all kinds share, and blocks that repeat constraints.
-#include "code/blocks.h"
+#include "program/blocks.h"
 
 YkRef yk_block_branch(YkProgram *p, size_t block)
 {

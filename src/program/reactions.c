@@ -1,6 +1,6 @@
 // Reactions: Newton's and Euler's equations of every body, with all reactions and efforts unknown, as in free_bodies/:
 // a pin transmits two forces, a slide a normal force and a couple, a pin-slot a normal force, a weld all three.
-#include "code/balance.h"
+#include "program/balance.h"
 
 static void add_column(YkBalanceSystem *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
 {
