@@ -1,0 +1,37 @@
+// A tape: a graph as a list of operations on rows of numbers. A row holds one value, and a lane of it one pose.
+//
+// Values that depend on parameters alone are computed once for a set of parameters; all others for every pose. The
+// operations are those of the graph, in its order and without fused rounding: a lane has the same bits alone and among
+// others.
+#ifndef GRAPH_TAPE_H
+#define GRAPH_TAPE_H
+#include "graph/graph.h"
+
+typedef struct YkTape YkTape;
+
+// What the graph's calls of laws mean: result = value, first and second derivative.
+typedef struct YkTapeLaws {
+    const void *context;
+    void (*evaluate)(const void *context, int32_t law, double argument, double result[3]);
+} YkTapeLaws;
+
+// Makes a tape that computes the roots in blocks of at most `lanes` poses. leaves[k]: the leaves that somebody will
+// give values; every leaf that the roots depend on must be among them. Returns NULL when out of memory, or if the
+// graph contains what a tape cannot do: calls of groups. The graph is not needed afterwards.
+YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
+                    size_t lanes, YkTapeLaws laws);
+void yk_tape_free(YkTape *tape);
+size_t yk_tape_length(const YkTape *tape); // operations a pose
+
+// Returns whether the roots depend on a leaf.
+bool yk_tape_needs(const YkTape *tape, size_t leaf);
+// Gives a leaf of a pose its lanes, which must stay until the tape has run.
+void yk_tape_set_lanes(YkTape *tape, size_t leaf, const double *lanes);
+// Gives a leaf the same value in all lanes. After parameters, call yk_tape_prepare.
+void yk_tape_set(YkTape *tape, size_t leaf, double value);
+// Computes what depends on parameters alone.
+void yk_tape_prepare(YkTape *tape);
+// Computes out[root][0 .. n) for the first n lanes. The rows of roots and leaves must not overlap. Allocates nothing.
+void yk_tape_run(YkTape *tape, double *const *out, size_t n);
+
+#endif

@@ -1,0 +1,186 @@
+// Gives the values of a tape their rows: a row is used again once nobody needs what it holds.
+#include "graph/tape_steps.h"
+
+enum { APART = 8 }; // numbers between rows, so that they do not compete for the same cache lines
+
+typedef struct Placer {
+    YkTape *tape;
+    const YkGraph *graph;
+    int32_t *row;     // per value, or YK_NONE
+    int32_t *last;    // per value: the last step that reads it; YK_NONE: its row is never free
+    int32_t *vacant;  // rows that are free, a stack
+    size_t vacant_count, own_count;
+} Placer;
+
+static int32_t new_row(Placer *p)
+{
+    return (int32_t)(p->tape->leaf_count + p->tape->root_count + p->own_count++);
+}
+
+// --- who reads what last
+
+// Calls a function for every place in a step that names a value it reads.
+static void each_operand(Placer *p, YkTapeStep *s, int32_t step, void (*visit)(Placer *p, int32_t *value, int32_t step))
+{
+    for (size_t k = 0; k < 4; k++)
+        if (s->in[k] != YK_NONE) visit(p, &s->in[k], step);
+    if (s->call == YK_NONE) return;
+    YkTapeCall *call = &p->tape->calls[s->call];
+    for (size_t k = 0; k < call->argument_count; k++) visit(p, &call->arguments[k], step);
+}
+
+static void note_reader(Placer *p, int32_t *value, int32_t step)
+{
+    if (p->row[*value] == YK_NONE) p->last[*value] = step;
+}
+
+// --- rows
+
+static void leave(Placer *p, int32_t *value, int32_t step)
+{
+    if (p->last[*value] == step) {
+        p->vacant[p->vacant_count++] = p->row[*value];
+        p->last[*value] = YK_NONE; // a step may read it twice
+    }
+}
+
+static void take_row_of(Placer *p, int32_t *value, int32_t step)
+{
+    (void)step;
+    *value = p->row[*value];
+}
+
+static int32_t row_for(Placer *p, YkRef value)
+{
+    if (p->row[value] == YK_NONE) p->row[value] = p->vacant_count > 0 ? p->vacant[--p->vacant_count] : new_row(p);
+    return p->row[value];
+}
+
+// The result gets its row before those of the operands are free, so that it is none of them.
+static void place_step(Placer *p, YkTapeStep *s, YkRef made, int32_t step)
+{
+    if (s->call == YK_NONE) {
+        s->out = row_for(p, made);
+    } else {
+        YkTapeCall *call = &p->tape->calls[s->call];
+        for (size_t k = 0; k < call->result_count; k++)
+            if (call->results[k] != YK_NONE) s->out = call->results[k] = row_for(p, call->results[k]);
+    }
+    each_operand(p, s, step, leave);
+    each_operand(p, s, step, take_row_of);
+    for (size_t k = 0; k < 4; k++)
+        if (s->in[k] == YK_NONE) s->in[k] = s->out; // not read
+}
+
+// Returns whether a step of a pose computes the value.
+static bool is_of_pose(const Placer *p, YkRef value)
+{
+    const YkValue *v = &p->graph->values[value];
+    return !v->of_parameters && v->op != YK_VALUE_LEAF;
+}
+
+// Rows that stay: numbers, leaves, what depends on parameters alone, roots.
+static void place_lasting(Placer *p, const YkRef *leaves, const YkRef *roots)
+{
+    const YkTape *t = p->tape;
+    for (size_t k = 0; k < p->graph->count; k++) p->row[k] = p->last[k] = YK_NONE;
+    for (size_t k = 0; k < t->leaf_count; k++) p->row[leaves[k]] = (int32_t)k;
+    for (size_t k = 0; k < t->root_count; k++)
+        if (is_of_pose(p, roots[k]) && p->row[roots[k]] == YK_NONE) p->row[roots[k]] = (int32_t)(t->leaf_count + k);
+}
+
+static void place_constant(Placer *p, int32_t *value, int32_t step)
+{
+    (void)step;
+    const YkValue *v = &p->graph->values[*value];
+    if (v->of_parameters && v->op != YK_VALUE_LEAF && p->row[*value] == YK_NONE) p->row[*value] = new_row(p);
+}
+
+// Adds steps for roots that no step computes in their own rows.
+static void copy_roots(Placer *p, const YkRef *roots)
+{
+    YkTape *t = p->tape;
+    for (size_t k = 0; k < t->root_count; k++) {
+        int32_t out = (int32_t)(t->leaf_count + k);
+        if (p->row[roots[k]] == out) continue;
+        place_constant(p, &(int32_t){roots[k]}, 0);
+        t->steps[t->step_count++] =
+            (YkTapeStep){.op = YK_TAPE_COPY, .out = out, .in = {p->row[roots[k]]}, .call = YK_NONE};
+    }
+}
+
+// --- memory
+
+static double *next_row(const YkTape *t, double **numbers)
+{
+    double *row = *numbers;
+    *numbers += t->lanes + APART;
+    return row;
+}
+
+static bool make_rows(Placer *p, const bool *is_needed)
+{
+    YkTape *t = p->tape;
+    t->row_count = t->leaf_count + t->root_count + p->own_count;
+    size_t rows = p->own_count;
+    for (size_t k = 0; k < t->leaf_count; k++) rows += is_needed[k];
+    t->row = YK_NEW(t->arena, double *, t->row_count + 1);
+    t->own_row = YK_NEW(t->arena, double *, t->leaf_count + 1);
+    double *numbers = YK_NEW(t->arena, double, rows * (t->lanes + APART) + 8);
+    if (yk_arena_failed(t->arena)) return false;
+    for (size_t k = t->leaf_count + t->root_count; k < t->row_count; k++) t->row[k] = next_row(t, &numbers);
+    for (size_t k = 0; k < t->leaf_count; k++)
+        if (is_needed[k]) t->row[k] = t->own_row[k] = next_row(t, &numbers);
+    for (size_t v = 0; v < p->graph->count; v++) {
+        const YkValue *value = &p->graph->values[v];
+        if (value->op != YK_VALUE_NUMBER || p->row[v] == YK_NONE) continue;
+        for (size_t k = 0; k < t->lanes; k++) t->row[p->row[v]][k] = value->number;
+    }
+    return true;
+}
+
+// Marks the leaves that steps read; by now steps name rows.
+static void find_needed(const YkTape *t, bool *is_needed)
+{
+    for (size_t s = 0; s < t->step_count; s++) {
+        const YkTapeStep *step = &t->steps[s];
+        for (size_t k = 0; k < 4; k++)
+            if ((size_t)step->in[k] < t->leaf_count) is_needed[step->in[k]] = true;
+        for (size_t k = 0; step->call != YK_NONE && k < t->calls[step->call].argument_count; k++)
+            if ((size_t)t->calls[step->call].arguments[k] < t->leaf_count)
+                is_needed[t->calls[step->call].arguments[k]] = true;
+    }
+}
+
+// Returns whether every leaf that is read, or is a root, has been promised a value.
+static bool has_all_leaves(const Placer *p, const YkRef *roots)
+{
+    for (size_t k = 0; k < p->tape->root_count; k++)
+        if (p->graph->values[roots[k]].op == YK_VALUE_LEAF && p->row[roots[k]] == YK_NONE) return false;
+    for (size_t v = 0; v < p->graph->count; v++)
+        if (p->graph->values[v].op == YK_VALUE_LEAF && p->row[v] == YK_NONE && p->last[v] != YK_NONE) return false;
+    return true;
+}
+
+bool yk_tape_place(YkTape *t, YkArena *work, const YkGraph *graph, const YkRef *leaves, const YkRef *roots,
+                   const YkRef *made)
+{
+    size_t values = graph->count + 1;
+    Placer p = {.tape = t, .graph = graph};
+    p.row = YK_NEW(work, int32_t, values);
+    p.last = YK_NEW(work, int32_t, values);
+    p.vacant = YK_NEW(work, int32_t, values);
+    bool *is_needed = YK_NEW(work, bool, t->leaf_count + 1);
+    if (yk_arena_failed(work)) return false;
+    place_lasting(&p, leaves, roots);
+    for (size_t s = 0; s < t->step_count; s++) {
+        each_operand(&p, &t->steps[s], (int32_t)s, place_constant);
+        if (s < t->prelude_count) place_constant(&p, &(int32_t){made[s]}, 0);
+        each_operand(&p, &t->steps[s], (int32_t)s, note_reader);
+    }
+    if (!has_all_leaves(&p, roots)) return false;
+    for (size_t s = 0; s < t->step_count; s++) place_step(&p, &t->steps[s], made[s], (int32_t)s);
+    copy_roots(&p, roots);
+    find_needed(t, is_needed);
+    return make_rows(&p, is_needed);
+}

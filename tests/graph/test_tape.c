@@ -1,0 +1,227 @@
+// Tapes: random graphs against the values of the graph one by one, calls against their definition; the same bits for
+// any number of lanes.
+#include "graph_check.h"
+#include "graph/tape.h"
+
+enum { LEAVES = 6, PARAMETERS = 3, VALUES = 120, ROOTS = 7, LANES = 24 };
+
+typedef struct Case {
+    YkArena *arena;
+    YkGraph graph;
+    YkRef leaves[LEAVES + PARAMETERS], roots[ROOTS];
+    double leaf[LEAVES + PARAMETERS][LANES];
+    double out[ROOTS][LANES];
+} Case;
+
+static void start(Case *c, uint64_t *seed)
+{
+    c->arena = yk_arena_new();
+    assert_true(yk_graph_start(&c->graph, c->arena));
+    for (int k = 0; k < LEAVES + PARAMETERS; k++) {
+        bool is_parameter = k >= LEAVES;
+        const char *name = yk_graph_text(&c->graph, "%s%d", is_parameter ? "p" : "x", k);
+        c->leaves[k] = yk_graph_leaf(&c->graph, is_parameter ? YK_LEAF_PARAMETER : YK_LEAF_POSE, name);
+        for (int i = 0; i < LANES; i++)
+            c->leaf[k][i] = is_parameter && i > 0 ? c->leaf[k][0] : check_uniform(seed, -2, 2);
+    }
+}
+
+static void end(Case *c)
+{
+    yk_graph_end(&c->graph);
+    yk_arena_free(c->arena);
+}
+
+static YkRef combine(YkGraph *g, int kind, YkRef a, YkRef b, YkRef c)
+{
+    switch (kind) {
+    case 0:
+    case 1:
+        return yk_graph_add(g, a, yk_graph_multiply(g, b, c));
+    case 2:
+        return yk_graph_subtract(g, yk_graph_multiply(g, a, b), c);
+    case 3:
+        return yk_graph_subtract(g, c, yk_graph_multiply(g, a, b));
+    case 4:
+        return yk_graph_dot(g, (YkRefVec){a, b}, (YkRefVec){c, a});
+    case 5:
+        return yk_graph_cross(g, (YkRefVec){a, b}, (YkRefVec){c, b});
+    case 6:
+        return yk_graph_divide(g, a, yk_graph_add(g, yk_graph_unary(g, YK_VALUE_SIZE, b), yk_graph_number(g, 1)));
+    case 7:
+        return yk_graph_function(g, YK_SQRT, yk_graph_unary(g, YK_VALUE_SIZE, a), -1);
+    case 8:
+        return yk_graph_choose(g, a, b, c);
+    case 9:
+        return yk_graph_minus(g, a);
+    default:
+        return yk_graph_multiply(g, a, yk_graph_number(g, 0.25));
+    }
+}
+
+static void grow(Case *c, uint64_t *seed)
+{
+    YkRef values[LEAVES + PARAMETERS + VALUES];
+    size_t count = LEAVES + PARAMETERS;
+    memcpy(values, c->leaves, sizeof c->leaves);
+    for (; count < LEAVES + PARAMETERS + VALUES; count++) {
+        YkRef a = values[check_random(seed) % count], b = values[check_random(seed) % count];
+        values[count] = combine(&c->graph, (int)(check_random(seed) % 11), a, b, values[check_random(seed) % count]);
+    }
+    for (int k = 0; k < ROOTS; k++) c->roots[k] = values[count - 1 - check_random(seed) % (VALUES / 2)];
+    c->roots[ROOTS - 1] = c->roots[0];
+    c->roots[ROOTS - 2] = c->leaves[check_random(seed) % (LEAVES + PARAMETERS)];
+}
+
+static YkTape *tape_of(Case *c, YkTapeLaws laws)
+{
+    YkTape *t =
+        yk_tape_new(&c->graph, c->leaves, LEAVES + PARAMETERS, c->roots, ROOTS, LANES, laws);
+    assert_non_null(t);
+    for (size_t k = LEAVES; k < LEAVES + PARAMETERS; k++) yk_tape_set(t, k, c->leaf[k][0]);
+    yk_tape_prepare(t);
+    return t;
+}
+
+static void run(Case *c, YkTape *t, size_t from, size_t n)
+{
+    double *out[ROOTS];
+    for (size_t k = 0; k < LEAVES; k++) yk_tape_set_lanes(t, k, c->leaf[k] + from);
+    for (size_t k = 0; k < ROOTS; k++) out[k] = c->out[k] + from;
+    yk_tape_run(t, out, n);
+}
+
+static void test_random_graphs(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 11;
+    for (int round = 0; round < 300; round++) {
+        start(&c, &seed);
+        grow(&c, &seed);
+        double *numbers = calloc(c.graph.count, sizeof *numbers), alone[ROOTS];
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        run(&c, t, 0, LANES);
+        for (size_t i = 0; i < LANES; i++) {
+            for (int k = 0; k < LEAVES + PARAMETERS; k++) numbers[c.leaves[k]] = c.leaf[k][i];
+            graph_evaluate(&c.graph, numbers);
+            for (int k = 0; k < ROOTS; k++) {
+                alone[k] = c.out[k][i];
+                assert_memory_equal(&alone[k], &numbers[c.roots[k]], sizeof(double));
+            }
+            run(&c, t, i, 1);
+            for (int k = 0; k < ROOTS; k++) assert_memory_equal(&alone[k], &c.out[k][i], sizeof(double));
+        }
+        yk_tape_free(t);
+        free(numbers);
+        end(&c);
+    }
+}
+
+// Leaves of a pose may also have one value in all lanes, and parameters others later.
+static void test_values_for_all_lanes(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 5;
+    start(&c, &seed);
+    YkRef sum = yk_graph_add(&c.graph, c.leaves[0], yk_graph_multiply(&c.graph, c.leaves[6], c.leaves[7]));
+    for (int k = 0; k < ROOTS; k++) c.roots[k] = sum;
+    YkTape *t = tape_of(&c, (YkTapeLaws){0});
+    assert_true(yk_tape_needs(t, 0) && yk_tape_needs(t, 6));
+    assert_false(yk_tape_needs(t, 1) || yk_tape_needs(t, 8));
+    assert_int_equal(yk_tape_length(t), 1 + ROOTS - 1);
+    double *out[ROOTS];
+    for (size_t k = 0; k < ROOTS; k++) out[k] = c.out[k];
+    yk_tape_set(t, 0, 3);
+    yk_tape_set(t, 6, 2);
+    yk_tape_set(t, 7, 5);
+    yk_tape_prepare(t);
+    yk_tape_run(t, out, LANES);
+    for (size_t k = 0; k < ROOTS; k++) assert_true(c.out[k][0] == 13 && c.out[k][LANES - 1] == 13);
+    yk_tape_free(t);
+    end(&c);
+}
+
+// --- calls
+
+static void square(const void *context, int32_t law, double x, double result[3])
+{
+    result[0] = *(const double *)context * x * x + law;
+    result[1] = 2 * *(const double *)context * x;
+    result[2] = 2 * *(const double *)context;
+}
+
+static void test_laws(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 6;
+    static const double factor = 3;
+    start(&c, &seed);
+    int32_t call = yk_graph_call(
+        &c.graph,
+        (YkCall){.kind = YK_CALL_LAW, .index = 7, .arguments = c.leaves, .argument_count = 1, .result_count = 3});
+    YkRef value = yk_graph_result(&c.graph, call, 0), bend = yk_graph_result(&c.graph, call, 2);
+    for (int k = 0; k < ROOTS; k++) c.roots[k] = k == 1 ? bend : k == 2 ? yk_graph_add(&c.graph, value, bend) : value;
+    YkTape *t = tape_of(&c, (YkTapeLaws){&factor, square});
+    run(&c, t, 0, LANES);
+    for (int i = 0; i < LANES; i++) {
+        double x = c.leaf[0][i];
+        assert_true(c.out[0][i] == 3 * x * x + 7 && c.out[1][i] == 6 && c.out[2][i] == c.out[0][i] + 6);
+    }
+    yk_tape_free(t);
+    end(&c);
+}
+
+// A x = b with a 0 on the diagonal: rows must change places.
+static void test_equations(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 8;
+    start(&c, &seed);
+    YkRef zero = yk_graph_number(&c.graph, 0), *x = c.leaves;
+    const YkRef system[] = {zero, x[0], x[1], x[2], x[3], x[4]}; // [0 x0 | x1], [x2 x3 | x4]
+    int32_t call = yk_graph_call(&c.graph, (YkCall){.kind = YK_CALL_SOLVE,
+                                                    .n = 2,
+                                                    .m = 1,
+                                                    .arguments = system,
+                                                    .argument_count = 6,
+                                                    .result_count = 7});
+    for (int k = 0; k < ROOTS; k++) c.roots[k] = yk_graph_result(&c.graph, call, k == 0 ? 2 : 5);
+    YkTape *t = tape_of(&c, (YkTapeLaws){0});
+    run(&c, t, 0, LANES);
+    for (int i = 0; i < LANES; i++) {
+        double first = c.out[0][i], second = c.out[1][i];
+        assert_true(fabs(c.leaf[0][i] * second - c.leaf[1][i]) < 1e-14);
+        assert_true(fabs(c.leaf[2][i] * first + c.leaf[3][i] * second - c.leaf[4][i]) < 1e-13 * (1 + fabs(second)));
+    }
+    yk_tape_free(t);
+    end(&c);
+}
+
+static void test_what_a_tape_cannot_do(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 9;
+    start(&c, &seed);
+    int32_t call = yk_graph_call(
+        &c.graph, (YkCall){.kind = YK_CALL_GROUP, .arguments = c.leaves, .argument_count = 1, .result_count = 1});
+    YkRef unknown = yk_graph_result(&c.graph, call, 0), sum = yk_graph_add(&c.graph, c.leaves[0], c.leaves[1]);
+    assert_null(yk_tape_new(&c.graph, c.leaves, 2, &unknown, 1, LANES, (YkTapeLaws){0}));
+    assert_null(yk_tape_new(&c.graph, c.leaves, 1, &sum, 1, LANES, (YkTapeLaws){0})); // nobody gives the second leaf
+    assert_null(yk_tape_new(&c.graph, c.leaves, 1, &c.leaves[1], 1, LANES, (YkTapeLaws){0}));
+    end(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_graphs), cmocka_unit_test(test_values_for_all_lanes),
+        cmocka_unit_test(test_laws),          cmocka_unit_test(test_equations),
+        cmocka_unit_test(test_what_a_tape_cannot_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
