@@ -2,10 +2,18 @@
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 #include <yoke/batch.h>
+#include <yoke/variant.h>
 
 // Makes a batch for a machine of dyads whose poses follow each other along one path of the inputs, at most some degrees
 // apart. It counts angles turn by turn along the path, and tells where the branches may no longer be those of the path.
-YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count);
+// variant (NULL: none): that of the state's mechanism, for forces; after every change of its values, call
+// yk_batch_redesign.
+YkBatch *yk_batch_new_along(const YkState *state, const YkVariant *variant, const YkChannel *channels,
+                            size_t channel_count);
+void yk_batch_redesign(YkBatch *batch);
+// Returns whether its channels of forces cannot be computed in lanes.
+bool yk_batch_has_slow_forces(const YkBatch *batch);
+struct YkPoseForces *yk_batch_forces(YkBatch *batch); // NULL: no channel needs any
 // Returns whether poses can be followed so: closed forms only, without gears, belts, cams and channels that only a
 // state knows.
 bool yk_batch_can_follow(const YkMechanism *mech, const YkChannel *channels, size_t channel_count);

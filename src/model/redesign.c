@@ -367,6 +367,14 @@ int32_t yk_redesign_parameter(const YkRedesign *r, size_t k)
 {
     return r->chosen[k];
 }
+bool yk_redesign_varies(const YkRedesign *r, int32_t parameter)
+{
+    return r->varies[parameter];
+}
+double yk_redesign_now(const YkRedesign *r, int32_t parameter)
+{
+    return r->value[parameter];
+}
 bool yk_redesign_point_varies(const YkRedesign *r, int32_t point)
 {
     return point != YK_NONE && r->point_varies[point];

@@ -22,6 +22,9 @@ YkModel *yk_redesign_model(YkRedesign *redesign); // the copy; valid until freed
 YkStatus yk_redesign_set(YkRedesign *redesign, const double *values);
 double yk_redesign_value(const YkRedesign *redesign, size_t index); // the value of names[index], as last set
 
+bool yk_redesign_varies(const YkRedesign *redesign, int32_t parameter); // of the model: chosen, or derived from such
+double yk_redesign_now(const YkRedesign *redesign, int32_t parameter);  // its value, as last set
+
 // What varies, for callers that keep numbers derived from the model.
 bool yk_redesign_point_varies(const YkRedesign *redesign, int32_t point); // YK_NONE: an origin, which does not vary
 bool yk_redesign_along_varies(const YkRedesign *redesign, int32_t joint);

@@ -7,18 +7,36 @@
 typedef struct YkUnknown { // a unit wrench on a joint's second body, its opposite on the first; or a mesh's
     int32_t joint, input;  // input: YK_NONE for a reaction
     int32_t relation;      // whose mesh it is, or YK_NONE
-    YkRefVec force;
+    YkRefVec force; // of a mesh: on its second body
     bool is_couple;
+    YkRef moment;  // of a mesh that transmits couples alone: on its second body
     size_t radial; // for gears with a force: the right side of its radial component; 0: none
 } YkUnknown;
 
 typedef struct YkBalanceSystem {
     YkForces *f;
+    YkRates velocities, accelerations;
     YkUnknown *columns;
     size_t count;
-    size_t n, sides; // right sides: 1 and the radial forces of gears, N for each newton across the teeth
-    YkRef *system;   // [n][n + sides]
+    size_t n, sides;  // right sides: 1 and the radial forces of gears, N for each newton across the teeth
+    YkRef *system;    // [n][n + sides]
+    YkRef *solution;  // [n][sides], once it is solved
+    YkRefVec *radial; // [sides]: what a gear's radial force is on its second wheel
 } YkBalanceSystem;
+
+// reactions.c: makes the unknowns, then the equations for a pose with these rates. Returns false when out of memory, or
+// if the unknowns are not as many as the equations (f->why_no_reactions is then set).
+bool yk_balance_make(YkBalanceSystem *balance, YkForces *f, const YkRates *velocities, const YkRates *accelerations);
+// Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
+YkRef yk_balance_value(const YkBalanceSystem *balance, size_t k);
+// Reads what joints transmit from the solution: force x, y, moment of each, into f->reaction.
+bool yk_balance_read(YkBalanceSystem *balance);
+// balance_solve.c: solves it in symbols. Returns false when out of memory, or if it has no solution whatever the pose.
+bool yk_balance_solve(YkBalanceSystem *balance);
+
+// force_channels.c: the value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what is
+// none.
+YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
 
 // Adds a wrench on a body, about its centre of mass, to a column or right side.
 void yk_balance_add(YkBalanceSystem *balance, size_t column, int32_t body, YkRefVec force, YkRef moment);

@@ -173,7 +173,7 @@ static void add_parameter(YkProgram *p, size_t index, int depth)
     }
     bool hangs_on_others = false;
     for (size_t k = 0; k < p->model->parameter_count; k++) {
-        if (!parameter->expr || !yk_expr_mentions(parameter->expr, p->model->parameters[k].name)) continue;
+        if (p->takes_all || !parameter->expr || !yk_expr_mentions(parameter->expr, p->model->parameters[k].name)) continue;
         hangs_on_others = true;
         add_parameter(p, k, depth + 1);
     }
@@ -245,13 +245,19 @@ static YkRefVec by_recipe(YkProgram *p, int32_t index)
     return yk_graph_vec_number(g, node->value.x, node->value.y);
 }
 
+static YkRefVec as_it_is(YkProgram *p, YkVec v)
+{
+    return yk_graph_vec_number(&p->graph, v.x, v.y);
+}
+
 YkRefVec yk_program_term(YkProgram *p, size_t term)
 {
-    return by_recipe(p, p->recipe->of_term[term]);
+    return p->recipe ? by_recipe(p, p->recipe->of_term[term]) : as_it_is(p, p->mech->terms[term].v);
 }
 
 YkRefVec yk_program_constant(YkProgram *p, const YkSum *sum)
 {
+    if (!p->recipe) return as_it_is(p, sum->constant);
     return by_recipe(p, yk_recipe_constant(p->recipe, sum->first, sum->plus != YK_NONE));
 }
 

@@ -2,13 +2,14 @@
 #include "program/forces.h"
 #include "base/problems.h"
 
-static bool allocate(YkForces *f)
+bool yk_forces_start(YkForces *f, YkProgram *p)
 {
-    YkProgram *p = f->program;
+    *f = (YkForces){.program = p};
     size_t n = p->mech->input_count;
     f->motion = YK_NEW(p->arena, YkMotionRef, p->mech->coordinate_count + 1);
     f->column = YK_NEW(p->arena, YkRates, n + 1);
     f->load = YK_NEW(p->arena, YkWrenchRef, p->model->body_count);
+    f->given = YK_NEW(p->arena, YkRef, p->model->effort_count + 1);
     f->mass = YK_NEW(p->arena, YkRef, n * n + 1);
     f->rest = YK_NEW(p->arena, YkRef, n + 1);
     f->effort = YK_NEW(p->arena, YkRef, n + 1);
@@ -106,7 +107,6 @@ static void make_efforts(YkForces *f)
 
 bool yk_forces_build(YkForces *f, YkProgram *p)
 {
-    *f = (YkForces){.program = p};
     if (p->mech->input_count > YK_FORCES_INPUTS_MAX) {
         yk_problem(p->problems, YK_CODE_NOT_PRINTABLE, (YkPlace){0},
                    "the machine has %z freedoms; forces are printed for at most %d", p->mech->input_count,
@@ -115,7 +115,7 @@ bool yk_forces_build(YkForces *f, YkProgram *p)
         p->failed = true;
         return false;
     }
-    if (!allocate(f)) return false;
+    if (!yk_forces_start(f, p)) return false;
     make_columns(f);
     if (p->failed) return false;
     make_motion(f);

@@ -19,6 +19,7 @@ typedef struct YkForces {
     YkRates velocities, bias; // of the pose; bias: its accelerations for zero accelerations of the inputs
     YkRefVec gravity;
     YkWrenchRef *load;   // per body, besides its weight
+    YkRef *given;        // per effort of the model: its value
     YkRef *mass, *rest;  // M[n][n]; h - Q
     YkRef *effort;       // per input, all accelerations given
     YkRef *acceleration; // per input; inputs without a drive have no effort except `extra`
@@ -37,11 +38,15 @@ typedef struct YkEquations { // M q'' + rest = efforts
 
 enum { YK_FORCES_INPUTS_MAX = 40 };
 
+// Makes room, and nothing else. Returns false when out of memory.
+bool yk_forces_start(YkForces *forces, YkProgram *program);
 // Returns false if a load cannot be printed: reported.
 bool yk_forces_build(YkForces *forces, YkProgram *program);
 // loads.c: the action of all loads, into forces->load; the energy of springs and gravity.
 bool yk_forces_loads(YkForces *forces);
 YkRefVec yk_forces_center(YkProgram *program, int32_t body);       // its reference point, in the body's axes
+// Returns the vector from the body's reference point to a point given in its axes, world axes.
+YkRefVec yk_forces_arm(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_forces_line(YkProgram *program, const YkJoint *joint); // of a joint that slides, world axes
 YkRef yk_forces_mass(YkProgram *program, int32_t body);
 YkRef yk_forces_inertia(YkProgram *program, int32_t body);

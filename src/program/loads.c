@@ -42,8 +42,7 @@ bool yk_model_has_forces(const YkModel *m)
     return has;
 }
 
-// Returns the vector from a body's reference point to one of its points, world axes.
-static YkRefVec arm_to(YkProgram *p, int32_t body, YkRefVec at)
+YkRefVec yk_forces_arm(YkProgram *p, int32_t body, YkRefVec at)
 {
     YkGraph *g = &p->graph;
     YkRefVec v = yk_graph_vec_subtract(g, at, yk_forces_center(p, body));
@@ -86,9 +85,9 @@ static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effor
         return;
     }
     YkRefVec line = yk_forces_line(p, j), force = yk_graph_vec_scale(g, effort, line);
-    YkRefVec arm = arm_to(p, j->body[0], yk_program_point(p, j->point[0]));
+    YkRefVec arm = yk_forces_arm(p, j->body[0], yk_program_point(p, j->point[0]));
     YkRefVec out = yk_graph_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
-    push(f, j->body[1], arm_to(p, j->body[1], yk_program_point(p, j->point[1])), force);
+    push(f, j->body[1], yk_forces_arm(p, j->body[1], yk_program_point(p, j->point[1])), force);
     YkRefVec at = yk_graph_vec_add(g, arm, out);
     push(f, j->body[0], at, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
 }
@@ -101,8 +100,9 @@ static void add_efforts(YkForces *f)
         const YkCoordinate *c = &p->model->coordinates[e->coordinate];
         bool is_law = e->law.of != NULL;
         YkRef value = yk_program_expr_at(p, is_law ? e->law.of : e->expr, f->motion);
-        push_along(f, c->joint, c->is_distance,
-                   is_law ? yk_graph_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0) : value);
+        if (is_law) value = yk_graph_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0);
+        push_along(f, c->joint, c->is_distance, value);
+        f->given[k] = value;
     }
 }
 
@@ -115,7 +115,7 @@ static void add_forces(YkForces *f)
         YkRefVec v = {.x = yk_program_expr_at(p, force->x, f->motion)};
         v.y = yk_program_expr_at(p, force->y, f->motion);
         if (force->in_body_axes) v = in_world(p, force->body, v);
-        push(f, force->body, arm_to(p, force->body, yk_program_point(p, force->point)), v);
+        push(f, force->body, yk_forces_arm(p, force->body, yk_program_point(p, force->point)), v);
         YkRef *moment = &f->load[force->body].moment;
         *moment = yk_graph_add(g, *moment, yk_program_expr_at(p, force->moment, f->motion));
     }
@@ -160,7 +160,7 @@ static void add_spring(YkForces *f, const YkSpring *s)
         YkRefVec point = yk_program_point(p, s->point[k]);
         at[k] = yk_program_at(p, s->body[k], point);
         rate[k] = yk_program_at_rate(p, s->body[k], point, &f->velocities);
-        arm[k] = arm_to(p, s->body[k], point);
+        arm[k] = yk_forces_arm(p, s->body[k], point);
     }
     YkRefVec line = yk_graph_vec_subtract(g, at[1], at[0]);
     YkRef length = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, line, line), -1);

@@ -24,6 +24,7 @@ void yk_meshes_columns(YkBalanceSystem *w)
 void yk_meshes_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, const YkRef *couples)
 {
     YkRefVec none = yk_graph_vec_number(&w->f->program->graph, 0, 0);
+    w->columns[column].moment = couples[1];
     for (int k = 0; k < 3; k++) yk_balance_add(w, column, bodies[k], none, couples[k]);
 }
 
@@ -41,6 +42,7 @@ static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodi
 // Adds a force on the second body at a place of the world, and its opposite on the first.
 void yk_meshes_force(YkBalanceSystem *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
 {
+    *(column < w->n ? &w->columns[column].force : &w->radial[column - w->n]) = force;
     yk_balance_push(w, column, bodies[0], -1, place, force);
     yk_balance_push(w, column, bodies[1], 1, place, force);
 }

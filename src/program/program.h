@@ -58,9 +58,10 @@ typedef struct YkProgram {
     YkArena *arena;
     const YkModel *model;
     const YkMechanism *mech;
-    const YkRecipe *recipe; // how its vectors follow from points and lines of the model
+    const YkRecipe *recipe; // how its vectors follow from points and lines of the model; NULL: they keep their values
     YkProblems *problems;
     bool is_single; // numbers are floats
+    bool takes_all; // parameters that depend on others are given as well
     // constants
     YkRef *parameter; // per parameter
     bool *is_fixed;   // per parameter: it keeps the file's value

@@ -4,7 +4,8 @@
 
 static void add_column(YkBalanceSystem *w, size_t joint, int32_t input, YkRefVec force, bool is_couple)
 {
-    w->columns[w->count++] = (YkUnknown){(int32_t)joint, input, YK_NONE, force, is_couple, 0};
+    w->columns[w->count++] = (YkUnknown){
+        .joint = (int32_t)joint, .input = input, .relation = YK_NONE, .force = force, .is_couple = is_couple};
 }
 
 static void make_columns(YkBalanceSystem *w)
@@ -50,20 +51,41 @@ void yk_balance_push(YkBalanceSystem *w, size_t column, int32_t body, double sig
     yk_balance_add(w, column, body, force, yk_graph_cross(g, arm, force));
 }
 
-// Enters a joint's wrench on one of its bodies; a couple is taken over the machine's size.
-static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec point)
+// Enters a joint's wrench on one of its bodies, at an arm from its centre of mass; a couple is taken over the machine's
+// size.
+static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec arm)
 {
     YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
     const YkUnknown *c = &w->columns[column];
-    YkRefVec none = yk_graph_vec_number(&p->graph, 0, 0);
-    if (c->is_couple)
-        yk_balance_add(w, column, body, none, yk_graph_number(&p->graph, sign * yk_program_size(p)));
-    else
-        yk_balance_push(w, column, body, sign, point, c->force);
+    YkRefVec none = yk_graph_vec_number(g, 0, 0);
+    if (c->is_couple) {
+        yk_balance_add(w, column, body, none, yk_graph_number(g, sign * yk_program_size(p)));
+        return;
+    }
+    YkRefVec force = yk_graph_vec_scale(g, yk_graph_number(g, sign), c->force);
+    yk_balance_add(w, column, body, force, yk_graph_cross(g, arm, force));
+}
+
+// Enters a joint's wrench on both bodies. It acts at the joint's point of the second body; from the first body's point
+// that is where the joint has slid.
+static void enter_joint(YkBalanceSystem *w, size_t column)
+{
+    YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
+    size_t index = (size_t)w->columns[column].joint;
+    const YkJoint *joint = &p->model->joints[index];
+    YkRefVec arm = yk_forces_arm(p, joint->body[0], yk_program_point(p, joint->point[0]));
+    if (yk_part(joint->kind)->slides) {
+        YkRef slid = p->distance[p->mech->joint_distance[index]];
+        arm = yk_graph_vec_add(g, arm, yk_graph_vec_scale(g, slid, yk_forces_line(p, joint)));
+    }
+    enter(w, column, joint->body[0], -1, arm);
+    enter(w, column, joint->body[1], 1, yk_forces_arm(p, joint->body[1], yk_program_point(p, joint->point[1])));
 }
 
 // Enters inertia - weight - loads, with moments over the machine's size as in the rows.
-static void enter_right(YkBalanceSystem *w, int32_t body, const YkRates *r, const YkRates *s)
+static void enter_right(YkBalanceSystem *w, int32_t body)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
@@ -71,16 +93,17 @@ static void enter_right(YkBalanceSystem *w, int32_t body, const YkRates *r, cons
     YkRefVec force = yk_graph_vec_scale(g, yk_graph_number(g, -1), load->force);
     YkRef moment = yk_graph_minus(g, load->moment);
     if (p->model->bodies[body].has_mass) {
-        YkRefVec a = yk_program_at_accel(p, body, yk_forces_center(p, body), r, s);
+        YkRefVec center = yk_forces_center(p, body);
+        YkRefVec a = yk_program_at_accel(p, body, center, &w->velocities, &w->accelerations);
         YkRefVec pull = yk_graph_vec_subtract(g, a, w->f->gravity);
         force = yk_graph_vec_add(g, force, yk_graph_vec_scale(g, yk_forces_mass(p, body), pull));
-        YkRef spin = s->turn[p->mech->bodies[body].orientation];
+        YkRef spin = w->accelerations.turn[p->mech->bodies[body].orientation];
         moment = yk_graph_add(g, moment, yk_graph_multiply(g, yk_forces_inertia(p, body), spin));
     }
     yk_balance_add(w, w->n, body, force, moment);
 }
 
-static void make_system(YkBalanceSystem *w, const YkRates *r, const YkRates *s)
+static void make_system(YkBalanceSystem *w)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
@@ -90,40 +113,37 @@ static void make_system(YkBalanceSystem *w, const YkRates *r, const YkRates *s)
             yk_meshes_enter(w, k);
             continue;
         }
-        const YkJoint *joint = &p->model->joints[w->columns[k].joint];
-        YkRefVec point = yk_program_at(p, joint->body[1], yk_program_point(p, joint->point[1]));
-        enter(w, k, joint->body[0], -1, point);
-        enter(w, k, joint->body[1], 1, point);
+        enter_joint(w, k);
     }
-    for (size_t b = 1; b < p->model->body_count; b++) enter_right(w, (int32_t)b, r, s);
+    for (size_t b = 1; b < p->model->body_count; b++) enter_right(w, (int32_t)b);
 }
 
-// Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
-static YkRef value_of(YkBalanceSystem *w, int32_t call, size_t k)
+YkRef yk_balance_value(const YkBalanceSystem *w, size_t k)
 {
     YkGraph *g = &w->f->program->graph;
-    size_t stride = w->n + w->sides;
-    YkRef value = yk_graph_result(g, call, k * stride + w->n);
+    YkRef value = w->solution[k * w->sides];
     for (size_t c = 0; c < w->count; c++) {
         size_t side = w->columns[c].radial;
         if (side == 0) continue;
-        YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, yk_graph_result(g, call, c * stride + w->n));
-        YkRef part = yk_graph_multiply(g, size, yk_graph_result(g, call, k * stride + w->n + side));
+        YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, w->solution[c * w->sides]);
+        YkRef part = yk_graph_multiply(g, size, w->solution[k * w->sides + side]);
         value = yk_graph_subtract(g, value, part);
     }
     return value;
 }
 
 // Couples are unknown over the machine's size, as the rows of moments are.
-static void read_results(YkBalanceSystem *w, int32_t call)
+bool yk_balance_read(YkBalanceSystem *w)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
-    for (size_t k = 0; k < 3 * p->model->joint_count; k++) w->f->reaction[k] = yk_graph_number(g, 0);
+    YkRef *reaction = w->f->reaction = YK_NEW(p->arena, YkRef, 3 * p->model->joint_count + 1);
+    if (!reaction) return false;
+    for (size_t k = 0; k < 3 * p->model->joint_count; k++) reaction[k] = yk_graph_number(g, 0);
     for (size_t k = 0; k < w->count; k++) {
         const YkUnknown *c = &w->columns[k];
         if (c->input != YK_NONE || c->relation != YK_NONE) continue;
-        YkRef value = value_of(w, call, k), *out = w->f->reaction + 3 * c->joint;
+        YkRef value = yk_balance_value(w, k), *out = reaction + 3 * c->joint;
         if (c->is_couple) {
             out[2] = yk_graph_multiply(g, value, yk_graph_number(g, yk_program_size(p)));
         } else {
@@ -131,41 +151,53 @@ static void read_results(YkBalanceSystem *w, int32_t call)
             out[1] = yk_graph_add(g, out[1], yk_graph_multiply(g, value, c->force.y));
         }
     }
-    w->f->determinant = yk_graph_result(g, call, w->n * (w->n + w->sides));
+    return true;
+}
+
+bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const YkRates *s)
+{
+    YkProgram *p = f->program;
+    *w = (YkBalanceSystem){.f = f, .velocities = *r, .accelerations = *s, .n = 3 * (p->model->body_count - 1), .sides = 1};
+    size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
+    w->columns = YK_NEW(p->arena, YkUnknown, most + 1);
+    w->radial = YK_NEW(p->arena, YkRefVec, p->mech->relation_count + 1);
+    if (yk_arena_failed(p->arena)) return false;
+    yk_graph_section(&p->graph, "Free bodies: three equations each, their reactions and efforts unknown.");
+    make_columns(w);
+    yk_meshes_columns(w);
+    if (w->count != w->n) {
+        f->why_no_reactions = "constraints repeat others, so that they are not determined";
+        return false;
+    }
+    w->system = YK_NEW(p->arena, YkRef, w->n * (w->n + w->sides) + 1);
+    w->solution = YK_NEW(p->arena, YkRef, w->n * w->sides + 1);
+    if (yk_arena_failed(p->arena)) return false;
+    make_system(w);
+    return true;
+}
+
+// Has the printed program solve the equations by elimination with pivots.
+static void call_solve(YkBalanceSystem *w)
+{
+    YkGraph *g = &w->f->program->graph;
+    size_t stride = w->n + w->sides, entries = w->n * stride;
+    int32_t call = yk_graph_call(g, (YkCall){.kind = YK_CALL_SOLVE,
+                                             .n = (int32_t)w->n,
+                                             .m = (int32_t)w->sides,
+                                             .arguments = w->system,
+                                             .argument_count = entries,
+                                             .result_count = entries + 1,
+                                             .name = "bodies"});
+    for (size_t k = 0; k < w->n; k++)
+        for (size_t side = 0; side < w->sides; side++)
+            w->solution[k * w->sides + side] = yk_graph_result(g, call, k * stride + w->n + side);
+    w->f->determinant = yk_graph_result(g, call, entries);
 }
 
 void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
 {
-    YkProgram *p = f->program;
-    YkBalanceSystem w = {.f = f, .n = 3 * (p->model->body_count - 1), .sides = 1};
-    size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
-    w.columns = YK_NEW(p->arena, YkUnknown, most + 1);
-    if (yk_arena_failed(p->arena)) {
-        p->failed = true;
-        return;
-    }
-    yk_graph_section(&p->graph, "Free bodies: three equations each, their reactions and efforts unknown.");
-    make_columns(&w);
-    yk_meshes_columns(&w);
-    if (w.count != w.n) {
-        f->why_no_reactions = "constraints repeat others, so that they are not determined";
-        return;
-    }
-    size_t entries = w.n * (w.n + w.sides);
-    w.system = YK_NEW(p->arena, YkRef, entries + 1);
-    YkRef *reaction = YK_NEW(p->arena, YkRef, 3 * p->model->joint_count + 1);
-    if (yk_arena_failed(p->arena)) {
-        p->failed = true;
-        return;
-    }
-    f->reaction = reaction;
-    make_system(&w, r, s);
-    int32_t call = yk_graph_call(&p->graph, (YkCall){.kind = YK_CALL_SOLVE,
-                                                     .n = (int32_t)w.n,
-                                                     .m = (int32_t)w.sides,
-                                                     .arguments = w.system,
-                                                     .argument_count = entries,
-                                                     .result_count = entries + 1,
-                                                     .name = "bodies"});
-    read_results(&w, call);
+    YkBalanceSystem w;
+    bool made = yk_balance_make(&w, f, r, s);
+    if (made) call_solve(&w);
+    if (made ? !yk_balance_read(&w) : !f->why_no_reactions) f->program->failed = true;
 }

@@ -39,15 +39,19 @@ static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, cons
     w->mech = yk_variant_mechanism(w->variant);
     if (!make_room(w, options->parameter_count, options->channel_count)) return false;
     if (!yk_worker_start(w, state, options, problems)) return false;
-    if (!yk_batch_can_follow(w->mech, options->channels, options->channel_count)) return true;
-    w->batch = yk_batch_new_along(w->home, options->channels, options->channel_count);
-    return w->batch != NULL;
+    bool none, is_followed = yk_batch_can_follow(w->mech, options->channels, options->channel_count);
+    if (is_followed) w->batch = yk_batch_new_along(w->home, w->variant, options->channels, options->channel_count);
+    if (is_followed && (!w->batch || !yk_batch_has_slow_forces(w->batch))) return w->batch != NULL;
+    yk_batch_free(w->batch); // every pose needs the state
+    w->batch = NULL;
+    w->forces = yk_pose_forces_new(w->mech, w->variant, options->channels, options->channel_count, 1, &none);
+    return w->forces || none;
 }
 
 static void end_worker(YkWorker *w)
 {
     yk_batch_free(w->batch);
-    yk_dynamics_free(w->dynamics);
+    yk_pose_forces_free(w->forces);
     yk_state_free(w->state);
     yk_state_free(w->kept);
     yk_state_free(w->begun);
@@ -110,10 +114,7 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
         study->own = calloc(options->parameter_count + 1, sizeof *study->own);
         good = study->worker && study->thread && study->channels && study->own;
     }
-    for (size_t c = 0; good && c < options->channel_count; c++) {
-        study->channels[c] = options->channels[c];
-        study->needs_forces |= yk_channel_needs_forces(options->channels[c]);
-    }
+    for (size_t c = 0; good && c < options->channel_count; c++) study->channels[c] = options->channels[c];
     for (size_t p = 0; good && p < options->parameter_count; p++)
         study->own[p] = yk_model_parameter(state->mech->model, options->parameters[p]);
     for (size_t t = 0; good && t < threads; t++) {
@@ -142,21 +143,12 @@ void yk_study_free(YkStudy *study)
 
 // --- a design
 
-// The machine's equations contain its masses, so forces need new ones.
-static YkStatus prepare_forces(YkWorker *w)
-{
-    yk_dynamics_free(w->dynamics);
-    w->dynamics = yk_dynamics_new(w->mech, NULL);
-    if (!w->dynamics) return YK_NO_MEMORY;
-    for (size_t i = 0; i < w->mech->input_count; i++) yk_dynamics_prescribe(w->dynamics, i, true);
-    return YK_OK;
-}
-
 YkStatus yk_worker_set(YkWorker *w, const double *values)
 {
     YkStatus status = yk_variant_set(w->variant, values);
     if (status >= 0) status = yk_worker_begin(w, values);
-    if (status >= 0 && w->study->needs_forces) status = prepare_forces(w);
+    if (status >= 0 && w->batch) yk_batch_redesign(w->batch);
+    if (status >= 0 && w->forces) yk_pose_forces_redesign(w->forces);
     return status;
 }
 
@@ -191,10 +183,11 @@ static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
 
 // --- reducing
 
-// Returns whether a pose counts for this channel: rates have no value at a dead point.
+// Returns whether a pose counts for this channel: rates and forces have no value at a dead point.
 static bool counts(YkChannel channel, signed char status)
 {
-    bool is_rate = channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED;
+    bool is_rate =
+        channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(channel);
     return status >= 0 && !(status == YK_SINGULAR && is_rate);
 }
 

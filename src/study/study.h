@@ -3,11 +3,11 @@
 #define STUDY_STUDY_H
 #include <pthread.h>
 #include <stdatomic.h>
-#include <yoke/dynamics.h>
 #include <yoke/move.h>
 #include <yoke/study.h>
 #include "compile/mechanism.h"
 #include "batch/batch.h"
+#include "batch/pose_forces.h"
 #include "solve/state.h"
 
 enum { YK_STUDY_BLOCK = 96 }; // poses reduced at a time: their rows stay in the first cache
@@ -50,7 +50,7 @@ typedef struct YkWorker {
     // otherwise NULL.
     YkVariant *base_variant;
     YkState *base_home, *base;
-    YkDynamics *dynamics;
+    YkPoseForces *forces; // pose by pose, without a batch
     YkMotion *goal; // [input]
     YkWay way;
     double *last, *end;    // [3 * input + k]: of the last lane known to be on the way; of the last one filled in
@@ -78,7 +78,6 @@ struct YkStudy {
     YkChannel *channels;
     size_t channel_count, parameter_count;
     double *own; // values of the file
-    bool needs_forces;
 };
 
 // Sets a design, at its start; then solves its poses at w->inputs, in one call or several: each call is the next part

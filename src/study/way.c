@@ -222,18 +222,13 @@ static YkStatus move(YkWorker *w, size_t pose)
 
 static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const *outputs)
 {
-    if (status >= 0 && w->dynamics) status = yk_dynamics_solve(w->dynamics, w->state, YK_METHOD_REDUCED);
-    if (status == YK_REDUNDANT) status = YK_OK;
+    YkPoseForces *forces = w->batch ? yk_batch_forces(w->batch) : w->forces;
     for (size_t c = 0; c < w->study->channel_count; c++) {
         YkChannel channel = w->study->channels[c];
-        double value = status < 0    ? 0
-                       : w->dynamics ? yk_dynamics_channel(w->dynamics, w->state, channel)
-                                     : yk_state_channel(w->state, channel);
-        bool is_number = value - value == 0;
-        outputs[c][pose] = is_number ? value : 0;
-        if (!is_number) status = YK_SINGULAR;
+        bool has_value = status >= 0 && !yk_channel_needs_forces(channel);
+        outputs[c][pose] = has_value ? yk_state_channel(w->state, channel) : 0;
     }
-    return status;
+    return status == YK_OK && forces ? yk_pose_forces_at(forces, w->state, outputs, pose) : status;
 }
 
 // Returns whether the state stands where branches meet: the next move would not know which of them it is on.

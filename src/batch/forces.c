@@ -1,0 +1,280 @@
+// Makes and runs the forces of lanes.
+#include "batch/forces.h"
+#include <stdlib.h>
+#include "base/text.h"
+#include "graph/tape.h"
+#include "law/law.h"
+#include "program/balance.h"
+
+enum { BODIES_MAX = 64 }; // the equations of all bodies are dense while they are made
+
+typedef enum SourceKind {
+    SOURCE_TURN,       // c, s, w, a of an orientation
+    SOURCE_SLIDE,      // d, v, a of a distance
+    SOURCE_NODE,       // x, y, vx, vy, ax, ay
+    SOURCE_COORDINATE, // position of an angle that is no input
+    SOURCE_INPUT,      // position, velocity
+    SOURCE_GAIN,       // of a relation with a law
+    SOURCE_TIME,
+    SOURCE_PARAMETER
+} SourceKind;
+
+typedef struct Source { // where the lanes of a leaf lie
+    SourceKind kind;
+    int32_t index, part;
+} Source;
+
+struct YkLaneForces {
+    const YkMechanism *mech;
+    const YkVariant *variant;
+    YkTape *tape;
+    Source *sources; // per leaf
+    YkRef *leaves;
+    size_t leaf_count, leaf_capacity;
+    bool *needs; // per coordinate
+    bool failed;
+};
+
+// --- leaves
+
+static YkRef leaf(YkLaneForces *f, YkGraph *g, SourceKind kind, size_t index, int32_t part)
+{
+    YkLeafClass leaf_class = kind == SOURCE_PARAMETER ? YK_LEAF_PARAMETER : YK_LEAF_POSE;
+    if (f->leaf_count == f->leaf_capacity) {
+        f->failed = true;
+        return 0;
+    }
+    YkRef ref = yk_graph_leaf(g, leaf_class, yk_graph_text(g, "%d.%d.%d", (int)kind, (int)index, (int)part));
+    f->sources[f->leaf_count] = (Source){kind, (int32_t)index, part};
+    f->leaves[f->leaf_count++] = ref;
+    return ref;
+}
+
+static size_t count_leaves(const YkMechanism *mech)
+{
+    return 4 * (mech->slot_count + 1) + 3 * (mech->distance_count + 1) + 6 * (mech->node_count + 1) +
+           mech->coordinate_count + 2 * mech->input_count + mech->relation_count + mech->derived_count +
+           mech->model->parameter_count + 2;
+}
+
+static bool start_leaves(YkLaneForces *f)
+{
+    f->leaf_capacity = count_leaves(f->mech);
+    f->sources = calloc(f->leaf_capacity, sizeof *f->sources);
+    f->leaves = calloc(f->leaf_capacity, sizeof *f->leaves);
+    f->needs = calloc(f->mech->coordinate_count + 1, sizeof *f->needs);
+    return f->sources && f->leaves && f->needs;
+}
+
+// The parameters that vary are leaves; all others keep their values.
+static bool prepare(YkProgram *p, const YkVariant *variant)
+{
+    size_t count = p->model->parameter_count;
+    p->names.parameter = YK_NEW(p->arena, const char *, count + 1);
+    p->names.law = YK_NEW(p->arena, const char *, p->model->law_count + 1);
+    if (yk_arena_failed(p->arena)) return false;
+    for (size_t k = 0; k < p->model->law_count; k++) p->names.law[k] = p->model->laws[k].name;
+    for (size_t k = 0; k < count; k++) {
+        p->names.parameter[k] = p->model->parameters[k].name;
+        p->is_fixed[k] = !variant || !yk_redesign_varies(variant->redesign, (int32_t)k);
+    }
+    p->takes_all = true;
+    return true;
+}
+
+// Parameters that are leaves of the graph get their values from the model.
+static void find_parameters(YkLaneForces *f, YkProgram *p)
+{
+    for (size_t k = 0; k < p->model->parameter_count; k++) {
+        if (p->graph.values[p->parameter[k]].op != YK_VALUE_LEAF) continue;
+        if (f->leaf_count == f->leaf_capacity) f->failed = true;
+        if (f->failed) return;
+        f->sources[f->leaf_count] = (Source){SOURCE_PARAMETER, (int32_t)k, 0};
+        f->leaves[f->leaf_count++] = p->parameter[k];
+    }
+}
+
+static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
+{
+    YkGraph *g = &p->graph;
+    const YkMechanism *mech = p->mech;
+    p->unit[0] = yk_graph_vec_number(g, 1, 0);
+    for (size_t k = 1; k < mech->slot_count; k++) {
+        p->unit[k] = (YkRefVec){leaf(f, g, SOURCE_TURN, k, 0), leaf(f, g, SOURCE_TURN, k, 1)};
+        r->turn[k] = leaf(f, g, SOURCE_TURN, k, 2);
+        s->turn[k] = leaf(f, g, SOURCE_TURN, k, 3);
+    }
+    for (size_t k = 0; k < mech->distance_count; k++) {
+        p->distance[k] = leaf(f, g, SOURCE_SLIDE, k, 0);
+        r->slide[k] = leaf(f, g, SOURCE_SLIDE, k, 1);
+        s->slide[k] = leaf(f, g, SOURCE_SLIDE, k, 2);
+    }
+    for (size_t k = 0; k < mech->node_count; k++) {
+        p->node[k] = (YkRefVec){leaf(f, g, SOURCE_NODE, k, 0), leaf(f, g, SOURCE_NODE, k, 1)};
+        r->node[k] = (YkRefVec){leaf(f, g, SOURCE_NODE, k, 2), leaf(f, g, SOURCE_NODE, k, 3)};
+        s->node[k] = (YkRefVec){leaf(f, g, SOURCE_NODE, k, 4), leaf(f, g, SOURCE_NODE, k, 5)};
+    }
+    for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++)
+        if (mech->relations[k].law) p->slope[2 * k] = leaf(f, g, SOURCE_GAIN, k, 0);
+}
+
+static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *r)
+{
+    YkProgram *p = forces->program;
+    for (size_t k = 0; k < p->mech->coordinate_count; k++) {
+        const YkTreeCoordinate *c = &p->mech->coordinates[k];
+        YkMotionRef *m = &forces->motion[k];
+        if (c->input != YK_NONE) {
+            m->position = leaf(f, &p->graph, SOURCE_INPUT, (size_t)c->input, 0);
+            m->velocity = leaf(f, &p->graph, SOURCE_INPUT, (size_t)c->input, 1);
+            continue;
+        }
+        m->position = c->is_distance ? p->distance[c->distance] : leaf(f, &p->graph, SOURCE_COORDINATE, k, 0);
+        m->velocity = yk_program_coordinate_rate(p, k, r);
+    }
+}
+
+// --- making
+
+static bool can_fit(const YkMechanism *mech)
+{
+    for (size_t j = 0; j < mech->model->joint_count; j++)
+        if (mech->model->joints[j].has_friction && mech->model->joints[j].friction.coulomb != 0) return false;
+    return mech->model->body_count <= BODIES_MAX && mech->redundant_count + mech->redundant_relation_count == 0;
+}
+
+static void evaluate_law(const void *context, int32_t law, double argument, double result[3])
+{
+    const YkModel *model = context;
+    double d[YK_LAW_ORDER + 1];
+    if (!(argument - argument == 0)) {
+        result[0] = result[1] = result[2] = argument;
+        return;
+    }
+    yk_law_eval(model->laws[law].law, argument, d);
+    for (size_t k = 0; k < 3; k++) result[k] = d[k];
+}
+
+// Makes the values of all channels. *fits: the machine can be computed so.
+static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channels, size_t count, bool *fits)
+{
+    YkForces forces;
+    YkBalanceSystem balance;
+    YkRef *roots = YK_NEW(p->arena, YkRef, count + 1);
+    YkRates r = yk_program_new_rates(p), s = yk_program_new_rates(p);
+    f->leaves[f->leaf_count] = p->time;
+    f->sources[f->leaf_count++] = (Source){SOURCE_TIME, 0, 0};
+    if (!roots || p->failed || !yk_forces_start(&forces, p)) return NULL;
+    find_parameters(f, p);
+    place_pose(f, p, &r, &s);
+    forces.velocities = r;
+    place_coordinates(f, &forces, &r);
+    bool is_made = yk_forces_loads(&forces) && yk_balance_make(&balance, &forces, &r, &s);
+    *fits = is_made && yk_balance_solve(&balance);
+    if (!*fits || !yk_balance_read(&balance)) return NULL;
+    for (size_t k = 0; k < count; k++) roots[k] = yk_balance_channel(&balance, channels[k]);
+    return roots;
+}
+
+static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_t lanes, bool *fits)
+{
+    YkProgram p = {0};
+    YkArena *arena = yk_arena_new();
+    const YkRecipe *recipe = f->variant ? &f->variant->recipe : NULL;
+    bool good = arena && start_leaves(f) && yk_program_start(&p, f->mech, recipe, arena, NULL);
+    good = good && prepare(&p, f->variant);
+    if (good) yk_program_constants(&p);
+    YkRef *roots = good ? make_roots(f, &p, channels, count, fits) : NULL;
+    if (roots && !f->failed && !p.failed && !yk_arena_failed(arena))
+        f->tape = yk_tape_new(&p.graph, f->leaves, f->leaf_count, roots, count, lanes,
+                              (YkTapeLaws){f->mech->model, evaluate_law});
+    yk_program_end(&p);
+    yk_arena_free(arena);
+    return f->tape != NULL;
+}
+
+static void note_needs(YkLaneForces *f)
+{
+    for (size_t k = 0; k < f->leaf_count; k++)
+        if (f->sources[k].kind == SOURCE_COORDINATE && yk_tape_needs(f->tape, k)) f->needs[f->sources[k].index] = true;
+}
+
+YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
+                                 size_t channel_count, size_t lanes, bool *fits)
+{
+    *fits = can_fit(mech);
+    YkLaneForces *f = *fits ? calloc(1, sizeof *f) : NULL;
+    if (!f) return NULL;
+    f->mech = mech;
+    f->variant = variant;
+    if (!make(f, channels, channel_count, lanes, fits)) {
+        yk_lane_forces_free(f);
+        return NULL;
+    }
+    note_needs(f);
+    yk_lane_forces_redesign(f);
+    return f;
+}
+
+void yk_lane_forces_free(YkLaneForces *f)
+{
+    if (!f) return;
+    yk_tape_free(f->tape);
+    free(f->sources);
+    free(f->leaves);
+    free(f->needs);
+    free(f);
+}
+
+size_t yk_lane_forces_length(const YkLaneForces *f)
+{
+    return yk_tape_length(f->tape);
+}
+
+bool yk_lane_forces_needs(const YkLaneForces *f, size_t coordinate)
+{
+    return f->needs[coordinate];
+}
+
+// --- running
+
+void yk_lane_forces_redesign(YkLaneForces *f)
+{
+    for (size_t k = 0; k < f->leaf_count; k++)
+        if (f->sources[k].kind == SOURCE_PARAMETER)
+            yk_tape_set(f->tape, k, yk_redesign_now(f->variant->redesign, f->sources[k].index));
+    yk_tape_prepare(f->tape);
+}
+
+static const double *lanes_of(const Source *s, const YkLanePose *pose)
+{
+    const YkSpace *space = pose->space;
+    if (s->kind == SOURCE_TURN) {
+        YkTurn t = yk_space_turn(space, s->index);
+        return (const double *const[]){t.c, t.s, t.w, t.a}[s->part];
+    }
+    if (s->kind == SOURCE_SLIDE) {
+        YkSlide d = yk_space_slide(space, s->index);
+        return (const double *const[]){d.d, d.v, d.a}[s->part];
+    }
+    if (s->kind == SOURCE_NODE) {
+        YkPlane n = yk_space_plane(space, s->index);
+        return (const double *const[]){n.x, n.y, n.vx, n.vy, n.ax, n.ay}[s->part];
+    }
+    if (s->kind == SOURCE_COORDINATE) return pose->positions[s->index];
+    if (s->kind == SOURCE_INPUT) return pose->inputs[3 * s->index + s->part];
+    return space->gain + (size_t)s->index * space->stride;
+}
+
+void yk_lane_forces_run(YkLaneForces *f, const YkLanePose *pose, double *const *out, size_t n)
+{
+    for (size_t k = 0; k < f->leaf_count; k++) {
+        const Source *s = &f->sources[k];
+        if (s->kind == SOURCE_PARAMETER || !yk_tape_needs(f->tape, k)) continue;
+        if (s->kind == SOURCE_TIME)
+            yk_tape_set(f->tape, k, pose->time);
+        else
+            yk_tape_set_lanes(f->tape, k, lanes_of(s, pose));
+    }
+    yk_tape_run(f->tape, out, n);
+}

@@ -1,0 +1,31 @@
+// Forces over lanes: inverse dynamics of many poses at once, made from the steps in symbols (program/) and run as a tape.
+#ifndef BATCH_FORCES_H
+#define BATCH_FORCES_H
+#include "compile/variant.h"
+#include "solve/space.h"
+
+typedef struct YkLaneForces YkLaneForces;
+
+// Makes what computes these channels, all of forces or energies, with every acceleration given. variant (NULL: none):
+// that of the mechanism, whose parameters may change later. Returns NULL when out of memory, or if they cannot be
+// computed in lanes: *fits is then false. Such machines have dry friction, constraints that repeat others, very many
+// bodies.
+YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
+                                 size_t channel_count, size_t lanes, bool *fits);
+void yk_lane_forces_free(YkLaneForces *forces);
+size_t yk_lane_forces_length(const YkLaneForces *forces); // operations a pose
+// Takes new values of the variant's parameters.
+void yk_lane_forces_redesign(YkLaneForces *forces);
+
+typedef struct YkLanePose {
+    const YkSpace *space;
+    const double *const *inputs; // [3 * input + k]: lanes
+    double time;
+    const double *const *positions; // [coordinate]: lanes of those that yk_lane_forces_needs names
+} YkLanePose;
+// Returns whether the loads depend on the position of a coordinate that is neither an input nor a distance.
+bool yk_lane_forces_needs(const YkLaneForces *forces, size_t coordinate);
+// Computes out[channel][0 .. n) at a pose of n lanes. Forces of poses at dead points are not finite, or meaningless.
+void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *const *out, size_t n);
+
+#endif

@@ -1,0 +1,58 @@
+// The inside of YkBatch.
+#ifndef BATCH_INSIDE_H
+#define BATCH_INSIDE_H
+#include "batch/batch.h"
+#include "batch/pose_forces.h"
+#include "solve/run.h"
+#include "solve/state.h"
+#include "solve/watch.h"
+
+struct YkBatch {
+    const YkMechanism *mech;
+    YkState *state; // its branches, reference angles, and inputs for NULL arrays; poses of machines with groups are
+                    // tracked in it
+    YkState *home;  // groups: every pose starts here
+    YkSpace space;
+    YkChannel *channels;
+    int32_t (*turns)[2]; // per channel: the orientations of its angle (a, b)
+    double ***row;       // per channel: the lanes in which it is made, redirected to its output; or NULL
+    size_t channel_count, lanes;
+    double *constant;        // [3 * input + k][lane]: for NULL arrays
+    const double **lanes_of; // the runner's view of the inputs of this block
+    YkPlane point;           // scratch: the lanes of one point
+    double *point_lanes;
+    bool is_along;       // the poses follow one path:
+    YkBranchWatch watch; // where its branches could have met
+    double *next;        // [coordinate]: angles at the end of this block of lanes, references of the next
+    size_t clear;        // lanes of this block that are certainly on the path
+    YkPoseForces *forces; // of the channels that need them; NULL if none does
+};
+
+// channels.c: prepares the angles of a channel, and finds the lanes that already hold it.
+void yk_batch_prepare_angle(YkBatch *batch, size_t channel);
+double **yk_batch_free_row_of(YkBatch *batch, size_t channel);
+// Writes the positions of a coordinate that is an angle.
+void yk_batch_write_angle(const YkBatch *batch, const YkRun *run, size_t coordinate, double *out, size_t n);
+// Writes a channel that is none of forces. masks: some lanes may not close, or are at a dead point.
+void yk_batch_write_channel(const YkBatch *batch, const YkRun *run, size_t channel, bool masks, double *out);
+// Makes a channel 0 in lanes that have no answer.
+void yk_batch_mask(const YkBatch *batch, size_t channel, double *out, size_t n);
+// judge.c: tells the status of n lanes, and leaves margins that mask what they cannot tell. Returns the worst.
+YkStatus yk_batch_judge(YkBatch *batch, signed char *status, size_t n);
+// Solves one lane of the block in batch->state.
+YkStatus yk_batch_solve_lane(YkBatch *batch, size_t lane);
+// Writes the answers of poses at coincidences, which only a state settles.
+void yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t at, size_t n);
+// batch_forces.c: computes the forces of a block of lanes, before its channels are masked.
+void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at);
+// Returns how many lanes have finite forces, from the first.
+size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
+// Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.
+YkStatus yk_batch_settle_forces(YkBatch *batch, double *const *outputs, signed char *status, size_t at, size_t n);
+
+static inline YkStatus yk_batch_worse(YkStatus a, YkStatus b)
+{
+    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
+}
+
+#endif

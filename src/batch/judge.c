@@ -1,0 +1,66 @@
+// Judges the lanes of a batch: which close, which are at a dead point, which only a state can settle.
+#include <math.h>
+#include <string.h>
+#include "batch/inside.h"
+#include "solve/coincidence.h"
+
+YkStatus yk_batch_solve_lane(YkBatch *b, size_t lane)
+{
+    yk_state_copy(b->state, b->home);
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++) b->state->input[i] = b->lanes_of[i][lane];
+    return yk_state_solve(b->state);
+}
+
+// Returns whether a lane's rates are blurred, as the state judges it.
+static bool is_singular(YkBatch *b, size_t lane)
+{
+    return yk_batch_solve_lane(b, lane) == YK_SINGULAR;
+}
+
+// The margin of a lane at a coincidence, until its answers are written. They are the state's, which settles the angles
+// that no loop determines; a lane cannot.
+#define SETTLED_MARGIN (-2.0)
+
+// Judges a lane; leaves a margin that masks what it cannot tell. On a path the state judges close poses, not a lane.
+static YkStatus judge_lane(YkBatch *b, size_t k)
+{
+    double *margin = &b->space.margin[k];
+    bool closes = *margin >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, *margin);
+    bool is_close = closes ? *margin <= YK_BLUR_MARGIN : !b->is_along && yk_may_coincide(*margin);
+    if (is_close && b->is_along) {
+        *margin = fmin(*margin, YK_SINGULAR_MARGIN);
+    } else if (is_close && is_singular(b, k)) {
+        *margin = b->state->is_kept ? SETTLED_MARGIN : fmin(*margin, YK_SINGULAR_MARGIN);
+        return YK_SINGULAR;
+    } else if (!closes) {
+        *margin = -1;
+    }
+    return !closes ? YK_LIMIT : *margin <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
+}
+
+void yk_batch_write_settled(YkBatch *b, double *const *outputs, size_t at, size_t n)
+{
+    for (size_t lane = 0; lane < n; lane++) {
+        if (b->space.margin[lane] != SETTLED_MARGIN || !is_singular(b, lane)) continue;
+        for (size_t k = 0; k < b->channel_count; k++)
+            if (!yk_channel_needs_forces(b->channels[k]))
+                outputs[k][at + lane] = yk_state_channel(b->state, b->channels[k]);
+    }
+}
+
+YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
+{
+    YkStatus worst = YK_OK;
+    bool well;
+    yk_lanes_well(&well, b->space.margin, b->space.gap, YK_BLUR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
+    if (well) {
+        if (status) memset(status, YK_OK, n);
+        return YK_OK;
+    }
+    for (size_t k = 0; k < n; k++) {
+        YkStatus one = judge_lane(b, k);
+        if (status) status[k] = (signed char)one;
+        worst = yk_batch_worse(worst, one);
+    }
+    return worst;
+}

@@ -1,0 +1,130 @@
+// Answers channels of forces at a pose.
+#include "batch/pose_forces.h"
+#include <stdlib.h>
+
+static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
+{
+    f->channels = calloc(count + 1, sizeof *f->channels);
+    f->which = calloc(count + 1, sizeof *f->which);
+    f->out = calloc(count + 1, sizeof *f->out);
+    if (!f->channels || !f->which || !f->out) return false;
+    for (size_t k = 0; k < count; k++) {
+        if (!yk_channel_needs_forces(channels[k])) continue;
+        f->channels[f->count] = channels[k];
+        f->which[f->count++] = k;
+    }
+    return true;
+}
+
+static bool make_positions(YkPoseForces *f, size_t lanes)
+{
+    size_t coordinates = f->mech->coordinate_count, count = 0;
+    f->position = calloc(coordinates + 1, sizeof *f->position);
+    for (size_t k = 0; k < coordinates; k++) count += yk_lane_forces_needs(f->lanes, k);
+    f->position_lanes = calloc(count * lanes + 1, sizeof *f->position_lanes);
+    if (!f->position || !f->position_lanes) return false;
+    double *next = f->position_lanes;
+    for (size_t k = 0; k < coordinates; k++) {
+        if (!yk_lane_forces_needs(f->lanes, k)) continue;
+        f->position[k] = next;
+        next += lanes;
+    }
+    return true;
+}
+
+static bool make(YkPoseForces *f, const YkChannel *channels, size_t count, size_t lanes)
+{
+    bool fits;
+    if (!list_channels(f, channels, count)) return false;
+    f->input = calloc(3 * f->mech->input_count + 1, sizeof *f->input);
+    if (!f->input || f->count == 0) return f->input != NULL;
+    f->lanes = yk_lane_forces_new(f->mech, f->variant, f->channels, f->count, lanes, &fits);
+    return f->lanes ? make_positions(f, lanes) : !fits;
+}
+
+YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
+                                 size_t channel_count, size_t lanes, bool *none)
+{
+    YkPoseForces *f = calloc(1, sizeof *f);
+    *none = false;
+    if (!f) return NULL;
+    f->mech = mech;
+    f->variant = variant;
+    bool good = make(f, channels, channel_count, lanes);
+    *none = good && f->count == 0;
+    if (good && !*none) return f;
+    yk_pose_forces_free(f);
+    return NULL;
+}
+
+void yk_pose_forces_free(YkPoseForces *f)
+{
+    if (!f) return;
+    yk_lane_forces_free(f->lanes);
+    yk_dynamics_free(f->dynamics);
+    free(f->channels);
+    free(f->which);
+    free(f->out);
+    free(f->input);
+    free(f->position);
+    free(f->position_lanes);
+    free(f);
+}
+
+void yk_pose_forces_redesign(YkPoseForces *f)
+{
+    if (f->lanes) yk_lane_forces_redesign(f->lanes);
+    f->is_stale = true;
+}
+
+// --- one pose
+
+// Runs one lane: the state's own space.
+static void run_lane(YkPoseForces *f, const YkState *state, double *const *outputs, size_t pose)
+{
+    for (size_t i = 0; i < 3 * f->mech->input_count; i++) f->input[i] = &state->input[i];
+    for (size_t k = 0; k < f->mech->coordinate_count; k++)
+        if (f->position[k]) f->position[k][0] = yk_state_coordinate(state, k).position;
+    for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->which[k]] + pose;
+    YkLanePose at = {&state->space, f->input, state->time, (const double *const *)f->position};
+    yk_lane_forces_run(f->lanes, &at, f->out, 1);
+}
+
+static bool is_finite(const YkPoseForces *f, double *const *outputs, size_t pose)
+{
+    double sum = 0;
+    for (size_t k = 0; k < f->count; k++) sum += 0 * outputs[f->which[k]][pose];
+    return sum == 0;
+}
+
+static bool make_dynamics(YkPoseForces *f)
+{
+    if (f->dynamics && !f->is_stale) return true;
+    yk_dynamics_free(f->dynamics);
+    f->dynamics = yk_dynamics_new(f->mech, NULL);
+    f->is_stale = false;
+    for (size_t i = 0; f->dynamics && i < f->mech->input_count; i++) yk_dynamics_prescribe(f->dynamics, i, true);
+    return f->dynamics != NULL;
+}
+
+static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
+{
+    YkStatus status = make_dynamics(f) ? yk_dynamics_solve(f->dynamics, state, YK_METHOD_REDUCED) : YK_NO_MEMORY;
+    if (status == YK_REDUNDANT) status = YK_OK;
+    for (size_t k = 0; k < f->count; k++)
+        outputs[f->which[k]][pose] = status == YK_OK ? yk_dynamics_channel(f->dynamics, state, f->channels[k]) : 0;
+    return status;
+}
+
+YkStatus yk_pose_forces_at(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
+{
+    YkStatus status = YK_OK;
+    if (f->lanes && state->has_rates) {
+        run_lane(f, state, outputs, pose);
+        if (is_finite(f, outputs, pose)) return YK_OK;
+    }
+    status = by_dynamics(f, state, outputs, pose);
+    if (status == YK_OK && !is_finite(f, outputs, pose)) status = YK_SINGULAR; // of an effort that is not single
+    for (size_t k = 0; status != YK_OK && k < f->count; k++) outputs[f->which[k]][pose] = 0;
+    return status;
+}
