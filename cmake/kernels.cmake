@@ -2,6 +2,6 @@
 # that one (packing neighbouring statements of one lane costs more than it gains). Instruction sets are chosen at run time, see
 # src/elementary/kernel.h; the numbers do not depend on any of this. What solves one pose and tells of it wants the same:
 # numbers stored one by one and read back in pairs wait for each other.
-file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS src/solve/kernels/*.c src/equations/kernels_*.c)
+file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS src/solve/kernels/*.c src/equations/kernels_*.c src/graph/tape_run.c)
 list(APPEND YOKE_KERNELS src/elementary/sine.c src/solve/single.c src/solve/run.c src/solve/state.c src/solve/answer.c)
 set_source_files_properties(${YOKE_KERNELS} PROPERTIES COMPILE_OPTIONS "$<$<NOT:$<CONFIG:Debug>>:-O3;-fno-tree-slp-vectorize>")

@@ -163,7 +163,7 @@ static size_t clear_lanes(YkBatch *b, YkStatus worst, size_t n)
 
 // Runs one block of lanes from `at`.
 static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs,
-                          signed char *status, size_t at)
+                          signed char *status, const bool *wanted, size_t at)
 {
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
         b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
@@ -173,7 +173,7 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     yk_run_steps(run, 0, b->mech->step_count);
     YkStatus here = yk_batch_judge(b, status ? status + at : NULL, run->lanes);
     if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
-    if (b->forces) yk_batch_run_forces(b, run, outputs, at);
+    if (b->forces) yk_batch_run_forces(b, run, outputs, at, wanted ? wanted + at : NULL);
     for (size_t k = 0; k < b->channel_count; k++)
         yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
     if (here != YK_OK) yk_batch_write_settled(b, outputs, at, run->lanes);
@@ -198,7 +198,7 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
     YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        worst = yk_batch_worse(worst, run_lanes(b, &run, inputs, outputs, status, at));
+        worst = yk_batch_worse(worst, run_lanes(b, &run, inputs, outputs, status, NULL, at));
     }
     return worst;
 }
@@ -230,12 +230,12 @@ void yk_batch_begin(YkBatch *b, const YkState *state)
 }
 
 size_t yk_batch_run_along(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
-                          size_t count)
+                          const bool *wanted, size_t count)
 {
     YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        run_lanes(b, &run, inputs, outputs, status, at);
+        run_lanes(b, &run, inputs, outputs, status, wanted, at);
         memcpy(b->state->reference, b->next, b->mech->coordinate_count * sizeof *b->next);
         if (b->clear == run.lanes) continue;
         return at + b->clear;

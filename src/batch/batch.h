@@ -21,9 +21,9 @@ bool yk_batch_can_follow(const YkMechanism *mech, const YkChannel *channels, siz
 void yk_batch_begin(YkBatch *batch, const YkState *state);
 // Continues through `count` poses of the path, like yk_batch_run. Returns how many of them, from the first, are
 // certainly on the path: `count` if none came near a limit or a change point. The others have no answer yet, and the
-// path ends.
+// path ends. wanted[pose] (may be NULL): the forces of all other poses are left out, and 0.
 size_t yk_batch_run_along(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
-                          size_t count);
+                          const bool *wanted, size_t count);
 // Gives a state the angles that the path has reached, as its references.
 void yk_batch_refer(const YkBatch *batch, YkState *state);
 

@@ -1,30 +1,60 @@
 // Forces of a batch's lanes.
 #include <math.h>
+#include <string.h>
 #include "batch/inside.h"
 
-void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at)
+// Lists the lanes that are wanted. Returns how many.
+static size_t list_lanes(YkPoseForces *f, const bool *wanted, size_t n)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < n; k++)
+        if (wanted[k]) f->which[count++] = k;
+    return count;
+}
+
+// Computes only the lanes that are wanted; the others are 0.
+static void run_some(YkPoseForces *f, YkLanePose *pose, double *const *outputs, size_t at, size_t n, size_t count)
+{
+    pose->which = f->which;
+    for (size_t k = 0; k < f->count; k++) f->out[k] = f->packed + k * f->lane_count;
+    if (count > 0) yk_lane_forces_run(f->lanes, pose, f->out, count);
+    for (size_t k = 0; k < f->count; k++) {
+        double *out = outputs[f->place[k]] + at;
+        memset(out, 0, n * sizeof *out);
+        for (size_t lane = 0; lane < count; lane++) out[f->which[lane]] = f->out[k][lane];
+        f->out[k] = out;
+    }
+}
+
+void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at, const bool *wanted)
 {
     YkPoseForces *f = b->forces;
     for (size_t k = 0; k < b->mech->coordinate_count; k++)
         if (f->position[k]) yk_batch_write_angle(b, run, k, f->position[k], run->lanes);
-    for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->which[k]] + at;
-    YkLanePose pose = {&b->space, run->inputs, b->state->time, (const double *const *)f->position};
+    YkLanePose pose = {&b->space, run->inputs, b->state->time, (const double *const *)f->position, NULL};
+    size_t count = wanted ? list_lanes(f, wanted, run->lanes) : run->lanes;
+    if (count < run->lanes) {
+        run_some(f, &pose, outputs, at, run->lanes, count);
+        return;
+    }
+    for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + at;
     yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
 }
 
-static bool is_finite(const YkPoseForces *f, double *const *outputs, size_t at, size_t n)
+static bool is_finite(const YkPoseForces *f, double *const *outputs, size_t at)
 {
-    double sum = 0;
-    for (size_t k = 0; k < f->count; k++)
-        for (size_t lane = at; lane < at + n; lane++) sum += 0 * outputs[f->which[k]][lane];
-    return sum == 0;
+    bool finite = true;
+    for (size_t k = 0; finite && k < f->count; k++) finite = isfinite(outputs[f->place[k]][at]);
+    return finite;
 }
 
 size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     size_t lane = 0;
-    if (is_finite(b->forces, outputs, at, n)) return n;
-    while (is_finite(b->forces, outputs, at + lane, 1)) lane++;
+    bool finite;
+    yk_lanes_finite(&finite, b->forces->out, b->forces->count, n);
+    if (finite) return n;
+    while (lane < n && is_finite(b->forces, outputs, at + lane)) lane++;
     return lane;
 }
 
@@ -32,11 +62,11 @@ YkStatus yk_batch_settle_forces(YkBatch *b, double *const *outputs, signed char 
 {
     YkStatus worst = YK_OK;
     for (size_t lane = yk_batch_finite_lanes(b, outputs, at, n); lane < n; lane++) {
-        if (is_finite(b->forces, outputs, at + lane, 1)) continue;
+        if (is_finite(b->forces, outputs, at + lane)) continue;
         YkStatus one = yk_batch_solve_lane(b, lane);
         if (one >= 0) one = yk_pose_forces_at(b->forces, b->state, outputs, at + lane);
         if (one == YK_REDUNDANT) one = YK_OK;
-        for (size_t k = 0; one != YK_OK && k < b->forces->count; k++) outputs[b->forces->which[k]][at + lane] = 0;
+        for (size_t k = 0; one != YK_OK && k < b->forces->count; k++) outputs[b->forces->place[k]][at + lane] = 0;
         if (status) status[at + lane] = (signed char)one;
         worst = yk_batch_worse(worst, one);
     }

@@ -169,7 +169,7 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     place_pose(f, p, &r, &s);
     forces.velocities = r;
     place_coordinates(f, &forces, &r);
-    bool is_made = yk_forces_loads(&forces) && yk_balance_make(&balance, &forces, &r, &s);
+    bool is_made = yk_forces_loads(&forces) && yk_balance_make(&balance, &forces, &r, &s, 1);
     *fits = is_made && yk_balance_solve(&balance);
     if (!*fits || !yk_balance_read(&balance)) return NULL;
     for (size_t k = 0; k < count; k++) roots[k] = yk_balance_channel(&balance, channels[k]);
@@ -273,6 +273,8 @@ void yk_lane_forces_run(YkLaneForces *f, const YkLanePose *pose, double *const *
         if (s->kind == SOURCE_PARAMETER || !yk_tape_needs(f->tape, k)) continue;
         if (s->kind == SOURCE_TIME)
             yk_tape_set(f->tape, k, pose->time);
+        else if (pose->which)
+            yk_tape_pack_lanes(f->tape, k, lanes_of(s, pose), pose->which, n);
         else
             yk_tape_set_lanes(f->tape, k, lanes_of(s, pose));
     }

@@ -22,10 +22,11 @@ typedef struct YkLanePose {
     const double *const *inputs; // [3 * input + k]: lanes
     double time;
     const double *const *positions; // [coordinate]: lanes of those that yk_lane_forces_needs names
+    const size_t *which;            // the lanes that are asked for; NULL: the first n
 } YkLanePose;
 // Returns whether the loads depend on the position of a coordinate that is neither an input nor a distance.
 bool yk_lane_forces_needs(const YkLaneForces *forces, size_t coordinate);
-// Computes out[channel][0 .. n) at a pose of n lanes. Forces of poses at dead points are not finite, or meaningless.
+// Computes out[channel][0 .. n) for n lanes of a pose. Forces of poses at dead points are not finite, or meaningless.
 void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *const *out, size_t n);
 
 #endif

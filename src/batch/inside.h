@@ -43,8 +43,9 @@ YkStatus yk_batch_judge(YkBatch *batch, signed char *status, size_t n);
 YkStatus yk_batch_solve_lane(YkBatch *batch, size_t lane);
 // Writes the answers of poses at coincidences, which only a state settles.
 void yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t at, size_t n);
-// batch_forces.c: computes the forces of a block of lanes, before its channels are masked.
-void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at);
+// batch_forces.c: computes the forces of a block of lanes, before its channels are masked: of those that are wanted;
+// NULL: of all.
+void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at, const bool *wanted);
 // Returns how many lanes have finite forces, from the first.
 size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.

@@ -5,24 +5,27 @@
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
 {
     f->channels = calloc(count + 1, sizeof *f->channels);
-    f->which = calloc(count + 1, sizeof *f->which);
+    f->place = calloc(count + 1, sizeof *f->place);
     f->out = calloc(count + 1, sizeof *f->out);
-    if (!f->channels || !f->which || !f->out) return false;
+    if (!f->channels || !f->place || !f->out) return false;
     for (size_t k = 0; k < count; k++) {
         if (!yk_channel_needs_forces(channels[k])) continue;
         f->channels[f->count] = channels[k];
-        f->which[f->count++] = k;
+        f->place[f->count++] = k;
     }
     return true;
 }
 
-static bool make_positions(YkPoseForces *f, size_t lanes)
+static bool make_lanes(YkPoseForces *f, size_t lanes)
 {
     size_t coordinates = f->mech->coordinate_count, count = 0;
     f->position = calloc(coordinates + 1, sizeof *f->position);
     for (size_t k = 0; k < coordinates; k++) count += yk_lane_forces_needs(f->lanes, k);
     f->position_lanes = calloc(count * lanes + 1, sizeof *f->position_lanes);
-    if (!f->position || !f->position_lanes) return false;
+    f->which = calloc(lanes, sizeof *f->which);
+    f->packed = calloc(f->count * lanes, sizeof *f->packed);
+    f->lane_count = lanes;
+    if (!f->position || !f->position_lanes || !f->which || !f->packed) return false;
     double *next = f->position_lanes;
     for (size_t k = 0; k < coordinates; k++) {
         if (!yk_lane_forces_needs(f->lanes, k)) continue;
@@ -39,7 +42,7 @@ static bool make(YkPoseForces *f, const YkChannel *channels, size_t count, size_
     f->input = calloc(3 * f->mech->input_count + 1, sizeof *f->input);
     if (!f->input || f->count == 0) return f->input != NULL;
     f->lanes = yk_lane_forces_new(f->mech, f->variant, f->channels, f->count, lanes, &fits);
-    return f->lanes ? make_positions(f, lanes) : !fits;
+    return f->lanes ? make_lanes(f, lanes) : !fits;
 }
 
 YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
@@ -63,11 +66,13 @@ void yk_pose_forces_free(YkPoseForces *f)
     yk_lane_forces_free(f->lanes);
     yk_dynamics_free(f->dynamics);
     free(f->channels);
-    free(f->which);
+    free(f->place);
     free(f->out);
     free(f->input);
     free(f->position);
     free(f->position_lanes);
+    free(f->which);
+    free(f->packed);
     free(f);
 }
 
@@ -85,15 +90,15 @@ static void run_lane(YkPoseForces *f, const YkState *state, double *const *outpu
     for (size_t i = 0; i < 3 * f->mech->input_count; i++) f->input[i] = &state->input[i];
     for (size_t k = 0; k < f->mech->coordinate_count; k++)
         if (f->position[k]) f->position[k][0] = yk_state_coordinate(state, k).position;
-    for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->which[k]] + pose;
-    YkLanePose at = {&state->space, f->input, state->time, (const double *const *)f->position};
+    for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + pose;
+    YkLanePose at = {&state->space, f->input, state->time, (const double *const *)f->position, NULL};
     yk_lane_forces_run(f->lanes, &at, f->out, 1);
 }
 
 static bool is_finite(const YkPoseForces *f, double *const *outputs, size_t pose)
 {
     double sum = 0;
-    for (size_t k = 0; k < f->count; k++) sum += 0 * outputs[f->which[k]][pose];
+    for (size_t k = 0; k < f->count; k++) sum += 0 * outputs[f->place[k]][pose];
     return sum == 0;
 }
 
@@ -112,7 +117,7 @@ static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outp
     YkStatus status = make_dynamics(f) ? yk_dynamics_solve(f->dynamics, state, YK_METHOD_REDUCED) : YK_NO_MEMORY;
     if (status == YK_REDUNDANT) status = YK_OK;
     for (size_t k = 0; k < f->count; k++)
-        outputs[f->which[k]][pose] = status == YK_OK ? yk_dynamics_channel(f->dynamics, state, f->channels[k]) : 0;
+        outputs[f->place[k]][pose] = status == YK_OK ? yk_dynamics_channel(f->dynamics, state, f->channels[k]) : 0;
     return status;
 }
 
@@ -125,6 +130,6 @@ YkStatus yk_pose_forces_at(YkPoseForces *f, YkState *state, double *const *outpu
     }
     status = by_dynamics(f, state, outputs, pose);
     if (status == YK_OK && !is_finite(f, outputs, pose)) status = YK_SINGULAR; // of an effort that is not single
-    for (size_t k = 0; status != YK_OK && k < f->count; k++) outputs[f->which[k]][pose] = 0;
+    for (size_t k = 0; status != YK_OK && k < f->count; k++) outputs[f->place[k]][pose] = 0;
     return status;
 }

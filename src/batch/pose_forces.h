@@ -10,7 +10,7 @@ typedef struct YkPoseForces {
     const YkMechanism *mech;
     const YkVariant *variant; // NULL: the model keeps its values
     YkChannel *channels;      // those that need forces,
-    size_t *which;            // and their places among the caller's
+    size_t *place;            // and their places among the caller's
     size_t count;
     YkLaneForces *lanes;   // NULL: the machine is not for lanes
     YkDynamics *dynamics;  // made when a pose needs it
@@ -18,6 +18,9 @@ typedef struct YkPoseForces {
     double **position;     // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
     double **out;          // [k]: of the channels that need forces
+    size_t *which;         // the lanes asked for, when they are not all,
+    double *packed;        // [k][lanes]: and their forces
+    size_t lane_count;
     const double **input;  // [3 * input + k]: of a state
 } YkPoseForces;
 

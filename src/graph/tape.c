@@ -233,6 +233,12 @@ void yk_tape_set_lanes(YkTape *t, size_t leaf, const double *lanes)
     t->row[leaf] = (double *)(uintptr_t)lanes; // only read
 }
 
+void yk_tape_pack_lanes(YkTape *t, size_t leaf, const double *lanes, const size_t *which, size_t n)
+{
+    for (size_t k = 0; k < n; k++) t->own_row[leaf][k] = lanes[which[k]];
+    t->row[leaf] = t->own_row[leaf];
+}
+
 void yk_tape_set(YkTape *t, size_t leaf, double value)
 {
     if (!yk_tape_needs(t, leaf)) return;

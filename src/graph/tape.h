@@ -8,6 +8,7 @@
 #include "graph/graph.h"
 
 typedef struct YkTape YkTape;
+enum { YK_TAPE_BLOCK = 96 }; // the number of lanes for which it is fastest
 
 // What the graph's calls of laws mean: result = value, first and second derivative.
 typedef struct YkTapeLaws {
@@ -27,6 +28,8 @@ size_t yk_tape_length(const YkTape *tape); // operations a pose
 bool yk_tape_needs(const YkTape *tape, size_t leaf);
 // Gives a leaf of a pose its lanes, which must stay until the tape has run.
 void yk_tape_set_lanes(YkTape *tape, size_t leaf, const double *lanes);
+// Gives a leaf the lanes which[0 .. n) of these, one after the other; they are copied.
+void yk_tape_pack_lanes(YkTape *tape, size_t leaf, const double *lanes, const size_t *which, size_t n);
 // Gives a leaf the same value in all lanes. After parameters, call yk_tape_prepare.
 void yk_tape_set(YkTape *tape, size_t leaf, double value);
 // Computes what depends on parameters alone.

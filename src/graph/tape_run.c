@@ -1,4 +1,5 @@
 // Runs a tape: each operation over all lanes before the next one.
+#include <float.h>
 #include <math.h>
 #include "base/vec.h"
 #include "elementary/elementary.h"
@@ -11,7 +12,7 @@
     for (size_t i = 0; i < n; i++) out[i] = (expression);                                                              \
     break
 
-YK_INLINE void yk_tape_run_steps_body(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n)
+YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n)
 {
     double *const *row = tape->row;
     for (const YkTapeStep *s = steps; s < steps + count; s++) {
@@ -51,6 +52,15 @@ YK_INLINE void yk_tape_run_steps_body(const YkTape *tape, const YkTapeStep *step
             break;
         }
     }
+}
+
+// Whole blocks have loops of a length that the compiler knows.
+YK_INLINE void yk_tape_run_steps_body(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n)
+{
+    if (n == YK_TAPE_BLOCK)
+        run_over(tape, steps, count, YK_TAPE_BLOCK);
+    else
+        run_over(tape, steps, count, n);
 }
 
 YK_KERNEL(yk_tape_run_steps, (const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n), (tape, steps, count))
@@ -96,11 +106,23 @@ static void swap_rows(double *a, size_t width, size_t i, size_t k)
     }
 }
 
-// Solves a[n][n + m] in place by elimination with partial pivoting: the right sides become the solutions. They are not
-// finite if the matrix is singular.
+// Divides a row by about its largest coefficient, by a power of two so that nothing is rounded.
+static void scale_row(double *row, size_t n, size_t width)
+{
+    double most = 0;
+    int exponent;
+    for (size_t k = 0; k < n; k++) most = fmax(most, fabs(row[k]));
+    if (!(most > 0 && most <= DBL_MAX)) return;
+    frexp(most, &exponent);
+    for (size_t k = 0; k < width; k++) row[k] = ldexp(row[k], -exponent);
+}
+
+// Solves a[n][n + m] in place by elimination with partial pivoting on scaled rows: the right sides become the solutions.
+// They are not finite if the matrix is singular.
 static void solve(double *a, size_t n, size_t m)
 {
     size_t width = n + m;
+    for (size_t i = 0; i < n; i++) scale_row(a + i * width, n, width);
     for (size_t j = 0; j < n; j++) {
         size_t pivot = j;
         for (size_t i = j + 1; i < n; i++)

@@ -1,5 +1,5 @@
-// The balance of all bodies: three equations each - two of forces, one of moments over the machine's size - whose
-// unknowns are what joints, inputs and teeth transmit.
+// The balance of all bodies: three equations each - two of forces, one of moments over a unit of length - whose unknowns
+// are what joints, inputs and teeth transmit: forces, and couples over that unit.
 #ifndef PROGRAM_BALANCE_H
 #define PROGRAM_BALANCE_H
 #include "program/forces.h"
@@ -16,6 +16,7 @@ typedef struct YkUnknown { // a unit wrench on a joint's second body, its opposi
 typedef struct YkBalanceSystem {
     YkForces *f;
     YkRates velocities, accelerations;
+    double unit; // of length, m
     YkUnknown *columns;
     size_t count;
     size_t n, sides;  // right sides: 1 and the radial forces of gears, N for each newton across the teeth
@@ -24,9 +25,10 @@ typedef struct YkBalanceSystem {
     YkRefVec *radial; // [sides]: what a gear's radial force is on its second wheel
 } YkBalanceSystem;
 
-// reactions.c: makes the unknowns, then the equations for a pose with these rates. Returns false when out of memory, or
+// reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns false when out of memory, or
 // if the unknowns are not as many as the equations (f->why_no_reactions is then set).
-bool yk_balance_make(YkBalanceSystem *balance, YkForces *f, const YkRates *velocities, const YkRates *accelerations);
+bool yk_balance_make(YkBalanceSystem *balance, YkForces *f, const YkRates *velocities, const YkRates *accelerations,
+                     double unit);
 // Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
 YkRef yk_balance_value(const YkBalanceSystem *balance, size_t k);
 // Reads what joints transmit from the solution: force x, y, moment of each, into f->reaction.

@@ -48,7 +48,7 @@ static YkRef effort(YkBalanceSystem *w, size_t coordinate)
     YkRef sum = yk_graph_number(g, 0);
     for (size_t k = 0; k < w->count && input != YK_NONE; k++)
         if (w->columns[k].relation == YK_NONE && w->columns[k].input == input) {
-            YkRef unit = yk_graph_number(g, w->columns[k].is_couple ? yk_program_size(p) : 1);
+            YkRef unit = yk_graph_number(g, w->columns[k].is_couple ? w->unit : 1);
             return yk_graph_multiply(g, yk_balance_value(w, k), unit);
         }
     for (size_t k = 0; k < p->model->effort_count; k++) {

@@ -32,7 +32,7 @@ void yk_meshes_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies,
 static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, double a, double b)
 {
     YkProgram *p = w->f->program;
-    double unit = yk_program_size(p) / fmax(fabs(a), fmax(fabs(b), fabs(a + b)));
+    double unit = w->unit / fmax(fabs(a), fmax(fabs(b), fabs(a + b)));
     const double sizes[] = {a * unit, b * unit, -(a + b) * unit};
     YkRef couples[3];
     for (size_t k = 0; k < 3; k++) couples[k] = yk_graph_number(&p->graph, sizes[k]);

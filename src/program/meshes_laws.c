@@ -33,7 +33,7 @@ static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
 static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkGraph *g = &w->f->program->graph;
-    double size = yk_program_size(w->f->program);
+    double size = w->unit;
     YkRef on_cam = times(g, -pose->turn * size, pose->slope), on_follower = yk_graph_number(g, pose->way * size);
     const YkRef couples[] = {on_cam, on_follower, yk_graph_minus(g, yk_graph_add(g, on_cam, on_follower))};
     yk_meshes_couples(w, column, (int32_t[]){cam->cam, cam->follower, cam->carrier}, couples);
@@ -128,7 +128,7 @@ void yk_meshes_follow(YkBalanceSystem *w, size_t column, const YkRelation *r, co
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
     bool is_distance = p->model->coordinates[follow->coordinate].is_distance;
-    YkRef unit = yk_graph_number(g, is_distance ? 1 : yk_program_size(p));
+    YkRef unit = yk_graph_number(g, is_distance ? 1 : w->unit);
     push_along(w, column, follow->coordinate, unit);
     push_along(w, column, follow->of, yk_graph_minus(g, yk_graph_multiply(g, slope_of(w, r), unit)));
 }

@@ -38,7 +38,7 @@ void yk_balance_add(YkBalanceSystem *w, size_t column, int32_t body, YkRefVec fo
     size_t stride = w->n + w->sides;
     if (body == 0) return;
     YkRef *row = w->system + 3 * (size_t)(body - 1) * stride + column;
-    const YkRef parts[] = {force.x, force.y, yk_graph_divide(g, moment, yk_graph_number(g, yk_program_size(p)))};
+    const YkRef parts[] = {force.x, force.y, yk_graph_divide(g, moment, yk_graph_number(g, w->unit))};
     for (size_t k = 0; k < 3; k++) row[k * stride] = yk_graph_add(g, row[k * stride], parts[k]);
 }
 
@@ -51,8 +51,7 @@ void yk_balance_push(YkBalanceSystem *w, size_t column, int32_t body, double sig
     yk_balance_add(w, column, body, force, yk_graph_cross(g, arm, force));
 }
 
-// Enters a joint's wrench on one of its bodies, at an arm from its centre of mass; a couple is taken over the machine's
-// size.
+// Enters a joint's wrench on one of its bodies, at an arm from its centre of mass; a couple is taken over the unit.
 static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec arm)
 {
     YkProgram *p = w->f->program;
@@ -60,7 +59,7 @@ static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, 
     const YkUnknown *c = &w->columns[column];
     YkRefVec none = yk_graph_vec_number(g, 0, 0);
     if (c->is_couple) {
-        yk_balance_add(w, column, body, none, yk_graph_number(g, sign * yk_program_size(p)));
+        yk_balance_add(w, column, body, none, yk_graph_number(g, sign * w->unit));
         return;
     }
     YkRefVec force = yk_graph_vec_scale(g, yk_graph_number(g, sign), c->force);
@@ -84,7 +83,7 @@ static void enter_joint(YkBalanceSystem *w, size_t column)
     enter(w, column, joint->body[1], 1, yk_forces_arm(p, joint->body[1], yk_program_point(p, joint->point[1])));
 }
 
-// Enters inertia - weight - loads, with moments over the machine's size as in the rows.
+// Enters inertia - weight - loads, with moments over the unit as in the rows.
 static void enter_right(YkBalanceSystem *w, int32_t body)
 {
     YkProgram *p = w->f->program;
@@ -132,7 +131,7 @@ YkRef yk_balance_value(const YkBalanceSystem *w, size_t k)
     return value;
 }
 
-// Couples are unknown over the machine's size, as the rows of moments are.
+// Couples are unknown over the unit, as the rows of moments are.
 bool yk_balance_read(YkBalanceSystem *w)
 {
     YkProgram *p = w->f->program;
@@ -145,7 +144,7 @@ bool yk_balance_read(YkBalanceSystem *w)
         if (c->input != YK_NONE || c->relation != YK_NONE) continue;
         YkRef value = yk_balance_value(w, k), *out = reaction + 3 * c->joint;
         if (c->is_couple) {
-            out[2] = yk_graph_multiply(g, value, yk_graph_number(g, yk_program_size(p)));
+            out[2] = yk_graph_multiply(g, value, yk_graph_number(g, w->unit));
         } else {
             out[0] = yk_graph_add(g, out[0], yk_graph_multiply(g, value, c->force.x));
             out[1] = yk_graph_add(g, out[1], yk_graph_multiply(g, value, c->force.y));
@@ -154,10 +153,10 @@ bool yk_balance_read(YkBalanceSystem *w)
     return true;
 }
 
-bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const YkRates *s)
+bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const YkRates *s, double unit)
 {
     YkProgram *p = f->program;
-    *w = (YkBalanceSystem){.f = f, .velocities = *r, .accelerations = *s, .n = 3 * (p->model->body_count - 1), .sides = 1};
+    *w = (YkBalanceSystem){.f = f, .velocities = *r, .accelerations = *s, .unit = unit, .n = 3 * (p->model->body_count - 1), .sides = 1};
     size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
     w->columns = YK_NEW(p->arena, YkUnknown, most + 1);
     w->radial = YK_NEW(p->arena, YkRefVec, p->mech->relation_count + 1);
@@ -197,7 +196,7 @@ static void call_solve(YkBalanceSystem *w)
 void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
 {
     YkBalanceSystem w;
-    bool made = yk_balance_make(&w, f, r, s);
+    bool made = yk_balance_make(&w, f, r, s, yk_program_size(f->program));
     if (made) call_solve(&w);
     if (made ? !yk_balance_read(&w) : !f->why_no_reactions) f->program->failed = true;
 }

@@ -57,6 +57,7 @@ typedef struct YkWorker {
     double *lane;          // [3 * input + k][YK_STUDY_BLOCK]: a block of lanes on the way,
     double *lane_output;   // [channel][YK_STUDY_BLOCK]: their results,
     ptrdiff_t *lane_pose;  // [YK_STUDY_BLOCK]: and the pose of each lane, or -1
+    bool lane_is_pose[YK_STUDY_BLOCK];
     const double **row;    // [3 * input + k]: what the batch reads,
     double **row_output;   // [channel]: and writes
     double *value;         // [parameter]

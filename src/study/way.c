@@ -41,7 +41,7 @@ static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
     size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count, n = *put;
     for (size_t i = 0; i < inputs; i++) w->row[i] = w->lane + i * YK_STUDY_BLOCK;
     for (size_t c = 0; c < channels; c++) w->row_output[c] = w->lane_output + c * YK_STUDY_BLOCK;
-    size_t clear = n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, n) : 0;
+    size_t clear = n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, w->lane_is_pose, n) : 0;
     for (size_t k = 0; k < clear; k++) {
         if (w->lane_pose[k] < 0) continue;
         size_t pose = (size_t)w->lane_pose[k];
@@ -65,6 +65,7 @@ static void put_lane(YkWorker *w, size_t *put, size_t pose, double part)
         for (size_t o = 1; o < 3; o++) w->lane[(3 * i + o) * YK_STUDY_BLOCK + k] = input_at(w, 3 * i + o, pose);
     }
     w->lane_pose[k] = part == 1 ? (ptrdiff_t)pose : -1;
+    w->lane_is_pose[k] = part == 1;
 }
 
 static bool is_there(const YkWorker *w, const double *from, size_t pose)
@@ -125,7 +126,7 @@ static bool run_poses(YkWorker *w, Answers *a)
     for (size_t i = 0; i < inputs; i++) w->row[i] = w->inputs[i] ? w->inputs[i] + pose : NULL;
     for (size_t c = 0; c < w->study->channel_count; c++) w->row_output[c] = a->outputs[c] + pose;
     size_t clear =
-        yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL, a->count - pose);
+        yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL, NULL, a->count - pose);
     a->done += clear;
     w->way.lanes += clear;
     if (clear > 0) end_at(w, a->done - 1);

@@ -85,3 +85,15 @@ YK_INLINE void yk_lanes_swing_body(bool *swings, const double *c, const double *
 }
 YK_KERNEL(yk_lanes_swing, (bool *swings, const double *c, const double *s, double least, size_t n),
           (swings, c, s, least))
+
+YK_INLINE void yk_lanes_finite_body(bool *finite, double *const *rows, size_t count, size_t n)
+{
+    uint64_t bad = 0;
+    for (const double *const *row = (const double *const *)rows; row < (const double *const *)rows + count; row++) {
+        const double *value = *row;
+        YK_EACH_LANE
+        for (size_t i = 0; i < n; i++) bad |= value[i] - value[i] == 0 ? 0u : 1u;
+    }
+    *finite = bad == 0;
+}
+YK_KERNEL(yk_lanes_finite, (bool *finite, double *const *rows, size_t count, size_t n), (finite, rows, count))

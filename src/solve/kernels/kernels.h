@@ -119,5 +119,7 @@ void yk_lanes_swing(bool *swings, const double *c, const double *s, double least
 // Sets *well if every lane has margin > least and gap <= most (NaN has not): the usual case, in which no lane needs a
 // mask.
 void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);
+// Sets *finite if every lane of all rows is finite.
+void yk_lanes_finite(bool *finite, double *const *rows, size_t count, size_t n);
 
 #endif

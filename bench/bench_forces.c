@@ -1,0 +1,112 @@
+// Forces: input torque and all reactions of the quick-return with masses, in batches and one pose a call, against Newton
+// and Euler by hand.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "machine.h"
+#include "reference/common/bench.h"
+#include "reference/forces.h"
+
+enum { CHUNK = 1024, CHUNKS = 100, ROUNDS = 5, OUTS = QUICK_RETURN_FORCES };
+static const double RATE = -0.5, ACCEL = 0.1;
+
+typedef struct Bench {
+    Machine machine;
+    YkBatch *batch;
+    YkChannel channels[OUTS];
+    double *theta, rate[CHUNK], accel[CHUNK], by_hand[OUTS][CHUNK], ours[OUTS][CHUNK];
+} Bench;
+
+static bool start(Bench *b)
+{
+    static const char *const names[OUTS] = {"O1.force.x", "O1.force.y", "O2.force.x", "O2.force.y", "S.force.x",
+                                            "S.force.y",  "S.moment",   "A.force.x",  "A.force.y",  "B.force.x",
+                                            "B.force.y",  "C.force.x",  "C.force.y",  "R.force.y",  "theta1.effort"};
+    if (!machine_load(&b->machine, YOKE_ROOT "/bench/machines/quick-return-forces.yaml")) return false;
+    for (size_t k = 0; k < OUTS; k++)
+        if (yk_channel_parse(b->machine.mech, names[k], &b->channels[k], b->machine.problems) != YK_OK) return false;
+    b->batch = yk_batch_new(b->machine.state, b->channels, OUTS);
+    b->theta = malloc(CHUNK * CHUNKS * sizeof *b->theta);
+    if (!b->batch || !b->theta) return false;
+    for (size_t k = 0; k < CHUNK * CHUNKS; k++) b->theta[k] = 3.141592653589793 * (double)k / (CHUNK * CHUNKS - 1);
+    for (size_t k = 0; k < CHUNK; k++) b->rate[k] = RATE, b->accel[k] = ACCEL;
+    yk_dynamics_prescribe(b->machine.dynamics, 0, true);
+    return true;
+}
+
+static void by_hand(Bench *b, const double *theta)
+{
+    double *out[OUTS];
+    for (size_t k = 0; k < OUTS; k++) out[k] = b->by_hand[k];
+    quick_return_forces(theta, RATE, ACCEL, out, CHUNK);
+}
+
+static void by_batch(Bench *b, const double *theta)
+{
+    const double *inputs[] = {theta, b->rate, b->accel};
+    double *out[OUTS];
+    for (size_t k = 0; k < OUTS; k++) out[k] = b->ours[k];
+    if (yk_batch_run(b->batch, inputs, out, NULL, CHUNK) != YK_OK) exit(1);
+}
+
+static void by_scalar(Bench *b, const double *theta)
+{
+    for (size_t i = 0; i < CHUNK; i++) {
+        double one[OUTS];
+        quick_return_forces_one(theta[i], RATE, ACCEL, one);
+        for (size_t k = 0; k < OUTS; k++) b->by_hand[k][i] = one[k];
+    }
+}
+
+static void one_by_one(Bench *b, const double *theta)
+{
+    Machine *m = &b->machine;
+    for (size_t i = 0; i < CHUNK; i++) {
+        yk_state_set_input_to(m->state, 0, theta[i], RATE, ACCEL);
+        if (yk_dynamics_solve(m->dynamics, m->state, YK_METHOD_REDUCED) != YK_OK) exit(1);
+        for (size_t k = 0; k < OUTS; k++) b->ours[k][i] = yk_dynamics_channel(m->dynamics, m->state, b->channels[k]);
+    }
+}
+
+static double time_of(Bench *b, void (*run)(Bench *, const double *), size_t chunks)
+{
+    double from = bench_now();
+    for (size_t c = 0; c < chunks; c++) run(b, b->theta + c * (CHUNKS / chunks) * CHUNK);
+    return (bench_now() - from) * 1e9 / (double)(chunks * CHUNK);
+}
+
+// The largest difference over the poses, relative to the largest force.
+static double difference(Bench *b)
+{
+    double most = 0, largest = 0;
+    for (size_t c = 0; c < CHUNKS; c++) {
+        by_hand(b, b->theta + c * CHUNK);
+        by_batch(b, b->theta + c * CHUNK);
+        for (size_t k = 0; k < OUTS; k++)
+            for (size_t i = 0; i < CHUNK; i++) {
+                most = fmax(most, fabs(b->ours[k][i] - b->by_hand[k][i]));
+                largest = fmax(largest, fabs(b->by_hand[k][i]));
+            }
+    }
+    return most / largest;
+}
+
+int main(void)
+{
+    static Bench b;
+    if (!start(&b)) return 1;
+    double off = difference(&b), ns[4][ROUNDS];
+    for (size_t r = 0; r < ROUNDS; r++) {
+        ns[0][r] = time_of(&b, by_hand, CHUNKS);
+        ns[1][r] = time_of(&b, by_batch, CHUNKS);
+        ns[2][r] = time_of(&b, by_scalar, CHUNKS / 4);
+        ns[3][r] = time_of(&b, one_by_one, CHUNKS / 20);
+    }
+    bool keeps = row("quick-return with masses: torque and all reactions, in batches, a pose", median(ns[0], ROUNDS),
+                     median(ns[1], ROUNDS), "ns", 2, off);
+    keeps &= row("the same, one pose a call", median(ns[2], ROUNDS), median(ns[3], ROUNDS), "ns", 2, off);
+    yk_batch_free(b.batch);
+    free(b.theta);
+    machine_end(&b.machine);
+    return keeps ? 0 : 2;
+}
