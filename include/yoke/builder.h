@@ -41,7 +41,8 @@ YK_API void yk_builder_pin(YkBuilder *builder, const char *joint, const char *fi
                            const char *angle);
 YK_API void yk_builder_weld(YkBuilder *builder, const char *joint, const char *first, const char *second,
                             const char *at);
-// Along a line of the first body through its point `from`: "x", "y", "-x", "-y" or an angle. from, to: NULL, the origins.
+// Along a line of the first body through its point `from`: "x", "y", "-x", "-y" or an angle. from, to: NULL, the
+// origins.
 YK_API void yk_builder_slide(YkBuilder *builder, const char *joint, const char *first, const char *second,
                              const char *along, const char *from, const char *to, const char *distance);
 // The point `at` of the second body on a line of the first, free to turn. at NULL: the point of the joint's own name.

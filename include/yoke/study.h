@@ -13,9 +13,9 @@ extern "C" {
 #endif
 
 typedef struct YkStudyOptions {
-    const char *const *parameters; // names of those that vary; yk_variant_new tells which can
+    const char *const *parameters; // names of those that vary: any but those of drives and of the starts of inputs
     size_t parameter_count;
-    const YkChannel *channels; // what is computed; forces too (slower: equations are made anew for each design)
+    const YkChannel *channels; // what is computed; forces as in batches
     size_t channel_count;
     size_t threads; // 0 means 1
     // The state in which the machine was assembled, if it was assembled with other inputs: a state of a mechanism
@@ -48,8 +48,10 @@ typedef struct YkStudyCase {
 // assembled, YK_LIMIT for a pose that it cannot reach (the next one is sought from the last one reached); outputs are
 // then 0, never NaN. Returns the worst status. For dyads the results have the bits of yk_state_move_to.
 // Cost per design: the expressions that vary, then that of yk_batch_run for every 2 degrees of the way or every pose,
-// whichever are more; that of yk_state_move_to where branches may meet, with groups, gears, belts, cams, and forces.
-// Only these allocate.
+// whichever are more; that of yk_state_move_to where branches may meet, with groups, gears, belts and cams. Only these
+// allocate, and forces that a batch solves pose by pose. A parameter that enters teeth, belts, cams, laws, `turned` or
+// the phase of a mesh makes every design a machine of its own, read and compiled anew; it is assembled by the labels of
+// the file's machine or, with groups, nearest to it, within 0.5 rad and half its size.
 YK_API YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status);
 
 // Least, largest and mean value of a channel over the valid poses of one design.
@@ -65,8 +67,9 @@ YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExte
 // which the machine moves as in yk_study_run. Both results are [channel * parameters + parameter].
 // by_derivative: by the implicit function theorem on the loops of the tree (only positions, of machines with at most
 // 300 unknowns and without gears, belts and cams; otherwise as by_difference). by_difference: from the solved pose,
-// extrapolated from central differences (Richardson 1911). The two share only the pose. Returns YK_OK, or the status of
-// a neighbouring pose that is not valid.
+// extrapolated from central differences (Richardson 1911). The two share only the pose. Designs that are machines of
+// their own are only differenced. Returns YK_OK, or the status of a neighbouring pose that is not valid: half a tooth
+// makes no machine.
 YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
                                        double *by_difference);
 

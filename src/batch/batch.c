@@ -174,8 +174,7 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     YkStatus here = yk_batch_judge(b, status ? status + at : NULL, run->lanes);
     if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
     if (b->forces) yk_batch_run_forces(b, run, outputs, at, wanted ? wanted + at : NULL);
-    for (size_t k = 0; k < b->channel_count; k++)
-        yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
+    for (size_t k = 0; k < b->channel_count; k++) yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
     if (here != YK_OK) yk_batch_write_settled(b, outputs, at, run->lanes);
     if (!b->forces) return here;
     if (!b->is_along) return yk_batch_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));

@@ -184,8 +184,7 @@ void yk_batch_mask(const YkBatch *b, size_t k, double *out, size_t n)
     YkChannel c = b->channels[k];
     bool is_input =
         c.kind == YK_CHANNEL_COORDINATE && b->mech->coordinates[c.index].input != YK_NONE; // known at a dead point too
-    bool is_rate =
-        (c.order > 0 && !is_input) || c.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(c);
+    bool is_rate = (c.order > 0 && !is_input) || c.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(c);
     yk_lanes_mask(out, b->space.margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
 }
 

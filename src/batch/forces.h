@@ -1,4 +1,4 @@
-// Forces over lanes: inverse dynamics of many poses at once, made from the steps in symbols (program/) and run as a tape.
+// Forces over lanes: inverse dynamics of many poses at once, made from the steps in symbols (program/), run as a tape.
 #ifndef BATCH_FORCES_H
 #define BATCH_FORCES_H
 #include "compile/variant.h"

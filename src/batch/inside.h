@@ -21,10 +21,10 @@ struct YkBatch {
     const double **lanes_of; // the runner's view of the inputs of this block
     YkPlane point;           // scratch: the lanes of one point
     double *point_lanes;
-    bool is_along;       // the poses follow one path:
-    YkBranchWatch watch; // where its branches could have met
-    double *next;        // [coordinate]: angles at the end of this block of lanes, references of the next
-    size_t clear;        // lanes of this block that are certainly on the path
+    bool is_along;        // the poses follow one path:
+    YkBranchWatch watch;  // where its branches could have met
+    double *next;         // [coordinate]: angles at the end of this block of lanes, references of the next
+    size_t clear;         // lanes of this block that are certainly on the path
     YkPoseForces *forces; // of the channels that need them; NULL if none does
 };
 

@@ -12,16 +12,16 @@ typedef struct YkPoseForces {
     YkChannel *channels;      // those that need forces,
     size_t *place;            // and their places among the caller's
     size_t count;
-    YkLaneForces *lanes;   // NULL: the machine is not for lanes
-    YkDynamics *dynamics;  // made when a pose needs it
-    bool is_stale;         // dynamics is that of another design
-    double **position;     // [coordinate]: lanes of a position that the loads depend on, or NULL
+    YkLaneForces *lanes;  // NULL: the machine is not for lanes
+    YkDynamics *dynamics; // made when a pose needs it
+    bool is_stale;        // dynamics is that of another design
+    double **position;    // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
-    double **out;          // [k]: of the channels that need forces
-    size_t *which;         // the lanes asked for, when they are not all,
-    double *packed;        // [k][lanes]: and their forces
+    double **out;   // [k]: of the channels that need forces
+    size_t *which;  // the lanes asked for, when they are not all,
+    double *packed; // [k][lanes]: and their forces
     size_t lane_count;
-    const double **input;  // [3 * input + k]: of a state
+    const double **input; // [3 * input + k]: of a state
 } YkPoseForces;
 
 // Makes the forces for those of the channels that need some; *none is true if no channel does. lanes: how many at a

@@ -86,8 +86,8 @@ static void name_configuration(YkProgram *p)
     for (size_t k = 0; k < p->mech->source_count; k++) {
         const YkRelationSource *s = &p->mech->sources[k];
         if (s->kind == YK_SOURCE_SLOT && !p->names.near_slot[s->index])
-            p->names.near_slot[s->index] = choose(
-                &scope, yk_file_name(p, yk_graph_text(&p->graph, "near_%s", yk_program_slot_name(p, s->index))));
+            p->names.near_slot[s->index] =
+                choose(&scope, yk_file_name(p, yk_graph_text(&p->graph, "near_%s", yk_program_slot_name(p, s->index))));
     }
     close_scope(&scope);
 }

@@ -133,8 +133,14 @@ static void make_call(Maker *m, int32_t index)
     YkArena *arena = m->tape->arena;
     YkTapeCall *c = &m->tape->calls[m->of_call[index]];
     if (c->arguments) return;
-    *c = (YkTapeCall){call->kind, call->index, call->n, call->m, call->argument_count, call->result_count,
-                      YK_NEW(arena, int32_t, call->argument_count + 1), YK_NEW(arena, int32_t, call->result_count + 1)};
+    *c = (YkTapeCall){call->kind,
+                      call->index,
+                      call->n,
+                      call->m,
+                      call->argument_count,
+                      call->result_count,
+                      YK_NEW(arena, int32_t, call->argument_count + 1),
+                      YK_NEW(arena, int32_t, call->result_count + 1)};
     if (yk_arena_failed(arena)) return;
     memcpy(c->arguments, call->arguments, call->argument_count * sizeof *c->arguments);
     for (size_t k = 0; k < call->result_count; k++) {

@@ -6,9 +6,9 @@ enum { APART = 8 }; // numbers between rows, so that they do not compete for the
 typedef struct Placer {
     YkTape *tape;
     const YkGraph *graph;
-    int32_t *row;     // per value, or YK_NONE
-    int32_t *last;    // per value: the last step that reads it; YK_NONE: its row is never free
-    int32_t *vacant;  // rows that are free, a stack
+    int32_t *row;    // per value, or YK_NONE
+    int32_t *last;   // per value: the last step that reads it; YK_NONE: its row is never free
+    int32_t *vacant; // rows that are free, a stack
     size_t vacant_count, own_count;
 } Placer;
 
@@ -126,7 +126,7 @@ static bool make_rows(Placer *p, const bool *is_needed)
     for (size_t k = 0; k < t->leaf_count; k++) rows += is_needed[k];
     t->row = YK_NEW(t->arena, double *, t->row_count + 1);
     t->own_row = YK_NEW(t->arena, double *, t->leaf_count + 1);
-    double *numbers = YK_NEW(t->arena, double, rows * (t->lanes + APART) + 8);
+    double *numbers = YK_NEW(t->arena, double, rows *(t->lanes + APART) + 8);
     if (yk_arena_failed(t->arena)) return false;
     for (size_t k = t->leaf_count + t->root_count; k < t->row_count; k++) t->row[k] = next_row(t, &numbers);
     for (size_t k = 0; k < t->leaf_count; k++)

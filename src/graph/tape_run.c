@@ -63,7 +63,8 @@ YK_INLINE void yk_tape_run_steps_body(const YkTape *tape, const YkTapeStep *step
         run_over(tape, steps, count, n);
 }
 
-YK_KERNEL(yk_tape_run_steps, (const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n), (tape, steps, count))
+YK_KERNEL(yk_tape_run_steps, (const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n),
+          (tape, steps, count))
 
 // --- what is rare
 
@@ -117,8 +118,8 @@ static void scale_row(double *row, size_t n, size_t width)
     for (size_t k = 0; k < width; k++) row[k] = ldexp(row[k], -exponent);
 }
 
-// Solves a[n][n + m] in place by elimination with partial pivoting on scaled rows: the right sides become the solutions.
-// They are not finite if the matrix is singular.
+// Solves a[n][n + m] in place by elimination with partial pivoting on scaled rows: the right sides become the
+// solutions. They are not finite if the matrix is singular.
 static void solve(double *a, size_t n, size_t m)
 {
     size_t width = n + m;

@@ -50,8 +50,9 @@ struct YkTape {
     double *scratch; // of a call
 };
 
-// tape_rows.c: replaces the values in the steps by rows, which are used again once nobody needs what they hold. made[k]:
-// the value that step k computes. Returns false when out of memory, or if a leaf that is needed is not among the leaves.
+// tape_rows.c: replaces the values in the steps by rows, which are used again once nobody needs what they hold.
+// made[k]: the value that step k computes. Returns false when out of memory, or if a leaf that is needed is not among
+// the leaves.
 bool yk_tape_place(YkTape *tape, YkArena *work, const YkGraph *graph, const YkRef *leaves, const YkRef *roots,
                    const YkRef *made);
 // tape_run.c: runs steps over n lanes.

@@ -1,5 +1,5 @@
-// The balance of all bodies: three equations each - two of forces, one of moments over a unit of length - whose unknowns
-// are what joints, inputs and teeth transmit: forces, and couples over that unit.
+// The balance of all bodies: three equations each - two of forces, one of moments over a unit of length - whose
+// unknowns are what joints, inputs and teeth transmit: forces, and couples over that unit.
 #ifndef PROGRAM_BALANCE_H
 #define PROGRAM_BALANCE_H
 #include "program/forces.h"
@@ -7,7 +7,7 @@
 typedef struct YkUnknown { // a unit wrench on a joint's second body, its opposite on the first; or a mesh's
     int32_t joint, input;  // input: YK_NONE for a reaction
     int32_t relation;      // whose mesh it is, or YK_NONE
-    YkRefVec force; // of a mesh: on its second body
+    YkRefVec force;        // of a mesh: on its second body
     bool is_couple;
     YkRef moment;  // of a mesh that transmits couples alone: on its second body
     size_t radial; // for gears with a force: the right side of its radial component; 0: none
@@ -25,8 +25,8 @@ typedef struct YkBalanceSystem {
     YkRefVec *radial; // [sides]: what a gear's radial force is on its second wheel
 } YkBalanceSystem;
 
-// reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns false when out of memory, or
-// if the unknowns are not as many as the equations (f->why_no_reactions is then set).
+// reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns
+// false when out of memory, or if the unknowns are not as many as the equations (f->why_no_reactions is then set).
 bool yk_balance_make(YkBalanceSystem *balance, YkForces *f, const YkRates *velocities, const YkRates *accelerations,
                      double unit);
 // Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
@@ -36,8 +36,8 @@ bool yk_balance_read(YkBalanceSystem *balance);
 // balance_solve.c: solves it in symbols. Returns false when out of memory, or if it has no solution whatever the pose.
 bool yk_balance_solve(YkBalanceSystem *balance);
 
-// force_channels.c: the value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what is
-// none.
+// force_channels.c: the value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what
+// is none.
 YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
 
 // Adds a wrench on a body, about its centre of mass, to a column or right side.

@@ -1,6 +1,6 @@
-// Solves the balance in symbols. Entries that are plain numbers - the forces of pins, couples - are eliminated first: that
-// takes few operations and no division by what may vanish. What is left falls apart into small blocks, one for every
-// group of links, which are solved one after the other (Duff & Reid 1978, block triangular form).
+// Solves the balance in symbols. Entries that are plain numbers - the forces of pins, couples - are eliminated first:
+// that takes few operations and no division by what may vanish. What is left falls apart into small blocks, one for
+// every group of links, which are solved one after the other (Duff & Reid 1978, block triangular form).
 #include <math.h>
 #include "num/components.h"
 #include "num/matching.h"
@@ -144,15 +144,43 @@ static bool find_blocks(const Solver *s, Blocks *b)
     return true;
 }
 
-// Solves [a b; c d] by Cramer's rule, which is as exact as elimination with pivots for two unknowns (Higham 2002, 1.10.1).
-static void solve_two(const Solver *s, const size_t *rows, const size_t *columns, const YkRef *right, size_t side)
+// Notes how near a block is to having no solution: its determinant over the lengths of its columns.
+static void note_determinant(const Solver *s, YkRef determinant)
+{
+    YkForces *f = s->w->f;
+    determinant = yk_graph_unary(s->g, YK_VALUE_SIZE, determinant);
+    f->determinant =
+        f->determinant == 0 ? determinant : yk_graph_binary(s->g, YK_VALUE_LEAST, f->determinant, determinant);
+}
+
+static YkRef length(YkGraph *g, YkRefVec v)
+{
+    return yk_graph_function(g, YK_SQRT, yk_graph_dot(g, v, v), YK_NONE);
+}
+
+// Solves [a b; c d] by Cramer's rule, for two unknowns as exact as elimination with pivots (Higham 2002, 1.10.1).
+static void solve_two(const Solver *s, const size_t *rows, const size_t *columns, const YkRef *right)
 {
     YkGraph *g = s->g;
     YkRefVec first = {*entry(s, rows[0], columns[0]), *entry(s, rows[1], columns[0])};
-    YkRefVec second = {*entry(s, rows[0], columns[1]), *entry(s, rows[1], columns[1])}, b = {right[0], right[1]};
-    YkRef per = yk_graph_inverse(g, yk_graph_cross(g, first, second));
-    s->w->solution[columns[0] * s->w->sides + side] = yk_graph_multiply(g, yk_graph_cross(g, b, second), per);
-    s->w->solution[columns[1] * s->w->sides + side] = yk_graph_multiply(g, yk_graph_cross(g, first, b), per);
+    YkRefVec second = {*entry(s, rows[0], columns[1]), *entry(s, rows[1], columns[1])};
+    YkRef determinant = yk_graph_cross(g, first, second), per = yk_graph_inverse(g, determinant);
+    YkRef lengths = yk_graph_multiply(g, length(g, first), length(g, second));
+    for (size_t side = 0; side < s->w->sides; side++) {
+        YkRefVec b = {right[2 * side], right[2 * side + 1]};
+        YkRef *solution = s->w->solution + side;
+        solution[columns[0] * s->w->sides] = yk_graph_multiply(g, yk_graph_cross(g, b, second), per);
+        solution[columns[1] * s->w->sides] = yk_graph_multiply(g, yk_graph_cross(g, first, b), per);
+    }
+    note_determinant(s, yk_graph_divide(g, determinant, lengths));
+}
+
+static void solve_one(const Solver *s, size_t row, size_t column, const YkRef *right)
+{
+    YkRef a = *entry(s, row, column);
+    for (size_t side = 0; side < s->w->sides; side++)
+        s->w->solution[column * s->w->sides + side] = yk_graph_divide(s->g, right[side], a);
+    note_determinant(s, a);
 }
 
 // Solves more unknowns by elimination with pivots, which are chosen pose by pose.
@@ -170,11 +198,12 @@ static bool solve_many(const Solver *s, size_t n, const size_t *rows, const size
                                                 .m = (int32_t)sides,
                                                 .arguments = system,
                                                 .argument_count = n * stride,
-                                                .result_count = n * stride,
+                                                .result_count = n * stride + 1,
                                                 .name = "bodies"});
     for (size_t k = 0; k < n; k++)
         for (size_t side = 0; side < sides; side++)
             s->w->solution[columns[k] * sides + side] = yk_graph_result(s->g, call, k * stride + n + side);
+    note_determinant(s, yk_graph_result(s->g, call, n * stride));
     return true;
 }
 
@@ -186,13 +215,10 @@ static bool solve_block(const Solver *s, size_t n, const size_t *rows, const siz
     for (size_t side = 0; side < sides; side++)
         for (size_t i = 0; i < n; i++) right[side * n + i] = right_side(s, rows[i], side, is_known);
     if (n > 2) return solve_many(s, n, rows, columns, right);
-    for (size_t side = 0; side < sides; side++) {
-        if (n == 2)
-            solve_two(s, rows, columns, right + 2 * side, side);
-        else
-            s->w->solution[columns[0] * sides + side] =
-                yk_graph_divide(s->g, right[side], *entry(s, rows[0], columns[0]));
-    }
+    if (n == 2)
+        solve_two(s, rows, columns, right);
+    else
+        solve_one(s, rows[0], columns[0], right);
     return true;
 }
 
@@ -246,6 +272,7 @@ static bool run(Solver *s)
     while (find_pivot(s, &p)) eliminate(s, p);
     if (!solve_blocks(s, is_known)) return false;
     solve_pivots(s, is_known);
+    if (s->w->f->determinant == 0) s->w->f->determinant = yk_graph_number(s->g, 1); // nothing can vanish
     return !s->g->failed;
 }
 
@@ -253,9 +280,9 @@ bool yk_balance_solve(YkBalanceSystem *w)
 {
     YkArena *arena = yk_arena_new();
     if (!arena) return false;
-    yk_graph_section(&w->f->program->graph, "Free bodies, solved.");
-    bool solved = run(&(Solver){
-        .w = w, .g = &w->f->program->graph, .arena = arena, .n = w->n, .stride = w->n + w->sides});
+    w->f->determinant = 0;
+    bool solved =
+        run(&(Solver){.w = w, .g = &w->f->program->graph, .arena = arena, .n = w->n, .stride = w->n + w->sides});
     yk_arena_free(arena);
     return solved;
 }

@@ -173,7 +173,8 @@ static void add_parameter(YkProgram *p, size_t index, int depth)
     }
     bool hangs_on_others = false;
     for (size_t k = 0; k < p->model->parameter_count; k++) {
-        if (p->takes_all || !parameter->expr || !yk_expr_mentions(parameter->expr, p->model->parameters[k].name)) continue;
+        if (p->takes_all || !parameter->expr || !yk_expr_mentions(parameter->expr, p->model->parameters[k].name))
+            continue;
         hangs_on_others = true;
         add_parameter(p, k, depth + 1);
     }

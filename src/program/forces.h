@@ -44,7 +44,7 @@ bool yk_forces_start(YkForces *forces, YkProgram *program);
 bool yk_forces_build(YkForces *forces, YkProgram *program);
 // loads.c: the action of all loads, into forces->load; the energy of springs and gravity.
 bool yk_forces_loads(YkForces *forces);
-YkRefVec yk_forces_center(YkProgram *program, int32_t body);       // its reference point, in the body's axes
+YkRefVec yk_forces_center(YkProgram *program, int32_t body); // its reference point, in the body's axes
 // Returns the vector from the body's reference point to a point given in its axes, world axes.
 YkRefVec yk_forces_arm(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_forces_line(YkProgram *program, const YkJoint *joint); // of a joint that slides, world axes

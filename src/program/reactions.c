@@ -156,7 +156,8 @@ bool yk_balance_read(YkBalanceSystem *w)
 bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const YkRates *s, double unit)
 {
     YkProgram *p = f->program;
-    *w = (YkBalanceSystem){.f = f, .velocities = *r, .accelerations = *s, .unit = unit, .n = 3 * (p->model->body_count - 1), .sides = 1};
+    *w = (YkBalanceSystem){
+        .f = f, .velocities = *r, .accelerations = *s, .unit = unit, .n = 3 * (p->model->body_count - 1), .sides = 1};
     size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
     w->columns = YK_NEW(p->arena, YkUnknown, most + 1);
     w->radial = YK_NEW(p->arena, YkRefVec, p->mech->relation_count + 1);
@@ -175,28 +176,13 @@ bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const Yk
     return true;
 }
 
-// Has the printed program solve the equations by elimination with pivots.
-static void call_solve(YkBalanceSystem *w)
-{
-    YkGraph *g = &w->f->program->graph;
-    size_t stride = w->n + w->sides, entries = w->n * stride;
-    int32_t call = yk_graph_call(g, (YkCall){.kind = YK_CALL_SOLVE,
-                                             .n = (int32_t)w->n,
-                                             .m = (int32_t)w->sides,
-                                             .arguments = w->system,
-                                             .argument_count = entries,
-                                             .result_count = entries + 1,
-                                             .name = "bodies"});
-    for (size_t k = 0; k < w->n; k++)
-        for (size_t side = 0; side < w->sides; side++)
-            w->solution[k * w->sides + side] = yk_graph_result(g, call, k * stride + w->n + side);
-    w->f->determinant = yk_graph_result(g, call, entries);
-}
-
 void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
 {
     YkBalanceSystem w;
     bool made = yk_balance_make(&w, f, r, s, yk_program_size(f->program));
-    if (made) call_solve(&w);
+    if (made && !yk_balance_solve(&w)) {
+        f->why_no_reactions = "constraints repeat others, so that they are not determined";
+        return;
+    }
     if (made ? !yk_balance_read(&w) : !f->why_no_reactions) f->program->failed = true;
 }

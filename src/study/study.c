@@ -6,6 +6,7 @@
 #include <string.h>
 #include "base/problems.h"
 #include "compile/variant.h"
+#include "study/remake.h"
 
 // --- workers
 
@@ -34,7 +35,7 @@ static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, cons
                          YkProblems *problems)
 {
     w->study = study;
-    w->variant = yk_variant_new(state->mech, options->parameters, options->parameter_count, problems);
+    if (!w->variant) w->variant = yk_variant_new(state->mech, options->parameters, options->parameter_count, problems);
     if (!w->variant) return false;
     w->mech = yk_variant_mechanism(w->variant);
     if (!make_room(w, options->parameter_count, options->channel_count)) return false;
@@ -77,25 +78,87 @@ static void end_worker(YkWorker *w)
     free((void *)w->row_output);
 }
 
+const YkExpr *yk_study_input_expr(const YkState *state, size_t input)
+{
+    const YkModel *model = state->mech->model;
+    const YkTreeCoordinate *q = &state->mech->coordinates[state->mech->inputs[input]];
+    if (q->drive != YK_NONE) return model->drives[q->drive].expr;
+    for (size_t k = 0; k < model->start_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
+        if (c->joint == q->joint && c->is_distance == q->is_distance) return model->starts[k].expr;
+    }
+    return NULL;
+}
+
+void yk_study_refuse_input(const YkState *state, size_t input, const YkExpr *expr, YkProblems *problems)
+{
+    yk_problem(problems, YK_CODE_CANNOT_VARY, expr->place,
+               "a parameter that varies enters the drive or start of %q here",
+               state->mech->coordinates[state->mech->inputs[input]].name);
+    yk_problem_hint(problems, "sweep the coordinate itself, with --over");
+}
+
 // Returns false if a drive varies, or the start value of a held input: the state's inputs would not follow.
 static bool inputs_follow(const YkStudy *study, const YkState *state, YkProblems *problems)
 {
-    const YkModel *model = state->mech->model;
     const YkRedesign *redesign = study->worker[0].variant->redesign;
     bool good = true;
     for (size_t i = 0; i < state->mech->input_count; i++) {
-        const YkTreeCoordinate *q = &state->mech->coordinates[state->mech->inputs[i]];
-        const YkExpr *expr = q->drive != YK_NONE ? model->drives[q->drive].expr : NULL;
-        for (size_t k = 0; q->drive == YK_NONE && k < model->start_count; k++) {
-            const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
-            bool is_own = c->joint == q->joint && c->is_distance == q->is_distance;
-            if (is_own && yk_redesign_expression_varies(redesign, model->starts[k].expr)) expr = model->starts[k].expr;
-        }
-        if (!yk_redesign_expression_varies(redesign, expr)) continue;
-        yk_problem(problems, YK_CODE_CANNOT_VARY, expr->place,
-                   "a parameter that varies enters the drive or start of %q here", q->name);
-        yk_problem_hint(problems, "sweep the coordinate itself, with --over");
+        const YkExpr *expr = yk_study_input_expr(state, i);
+        if (!expr || !yk_redesign_expression_varies(redesign, expr)) continue;
+        yk_study_refuse_input(state, i, expr, problems);
         good = false;
+    }
+    return good;
+}
+
+// --- the two ways to make designs
+
+// Returns whether parameters enter what a variant cannot follow, and nothing else is wrong.
+static bool must_be_remade(const YkProblems *found)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < yk_problems_count(found); k++) {
+        const YkProblem *problem = yk_problems_get(found, k);
+        if (problem->severity != YK_SEVERITY_ERROR) continue;
+        if (problem->code != YK_CODE_CANNOT_VARY) return false;
+        count++;
+    }
+    return count > 0;
+}
+
+// Makes the first worker's variant. If there can be none, designs are to be made anew.
+static bool choose_way(YkStudy *study, const YkState *state, const YkStudyOptions *options, YkProblems *problems)
+{
+    YkProblems *found = yk_problems_new();
+    if (!found) return false;
+    YkVariant *variant = yk_variant_new(state->mech, options->parameters, options->parameter_count, found);
+    bool is_remade = !variant && must_be_remade(found);
+    study->worker[0].variant = variant;
+    study->thread_count = variant ? 1 : 0;
+    if (!is_remade) yk_problems_pass_on(problems, found, NULL);
+    yk_problems_free(found);
+    return is_remade ? yk_remake_start(study, state, options, problems) : variant != NULL;
+}
+
+static bool start_remaking(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options)
+{
+    w->study = study;
+    w->mech = state->mech;
+    return make_room(w, options->parameter_count, options->channel_count);
+}
+
+static bool start_workers(YkStudy *study, const YkState *state, const YkStudyOptions *options, YkProblems *problems)
+{
+    size_t threads = options->threads ? options->threads : 1;
+    bool good = choose_way(study, state, options, problems);
+    for (size_t t = 0; good && t < threads; t++) {
+        study->thread_count = t + 1;
+        good = study->remake ? start_remaking(study, &study->worker[t], state, options)
+                             : start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
+        if (!good || t > 0 || study->remake) continue;
+        good = inputs_follow(study, state, problems) &&
+               (!options->start || inputs_follow(study, options->start, problems));
     }
     return good;
 }
@@ -117,13 +180,7 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
     for (size_t c = 0; good && c < options->channel_count; c++) study->channels[c] = options->channels[c];
     for (size_t p = 0; good && p < options->parameter_count; p++)
         study->own[p] = yk_model_parameter(state->mech->model, options->parameters[p]);
-    for (size_t t = 0; good && t < threads; t++) {
-        study->thread_count++;
-        good = start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
-        if (good && t == 0) good = inputs_follow(study, state, problems);
-        if (good && t == 0 && options->start) good = inputs_follow(study, options->start, problems);
-    }
-    if (good) return study;
+    if (good && start_workers(study, state, options, problems)) return study;
     yk_study_free(study);
     if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the study");
@@ -134,6 +191,7 @@ void yk_study_free(YkStudy *study)
 {
     if (!study) return;
     for (size_t t = 0; t < study->thread_count; t++) end_worker(&study->worker[t]);
+    yk_remake_end(study);
     free(study->worker);
     free(study->thread);
     free(study->channels);
@@ -159,10 +217,15 @@ static void point_inputs(YkWorker *w, const YkStudyCase *asked, size_t design, s
         w->inputs[i] = asked->inputs && asked->inputs[i] ? asked->inputs[i] + at : NULL;
 }
 
-static YkStatus set_design(YkWorker *w, const YkStudyCase *asked, size_t design)
+static void take_values(YkWorker *w, const YkStudyCase *asked, size_t design)
 {
     for (size_t p = 0; p < w->study->parameter_count; p++)
         w->value[p] = asked->parameters && asked->parameters[p] ? asked->parameters[p][design] : w->study->own[p];
+}
+
+static YkStatus set_design(YkWorker *w, const YkStudyCase *asked, size_t design)
+{
+    take_values(w, asked, design);
     return yk_worker_set(w, w->value);
 }
 
@@ -186,8 +249,7 @@ static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
 // Returns whether a pose counts for this channel: rates and forces have no value at a dead point.
 static bool counts(YkChannel channel, signed char status)
 {
-    bool is_rate =
-        channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(channel);
+    bool is_rate = channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(channel);
     return status >= 0 && !(status == YK_SINGULAR && is_rate);
 }
 
@@ -234,6 +296,14 @@ static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
     return worst;
 }
 
+static YkStatus solve_design(YkWorker *w, const YkJob *job, size_t design)
+{
+    if (!w->study->remake) return job->extents ? reduce_design(w, job, design) : run_design(w, job, design);
+    take_values(w, job->asked, design);
+    point_inputs(w, job->asked, design, 0);
+    return yk_remake_design(w, job, design);
+}
+
 // --- threads
 
 static void *work(void *context)
@@ -245,8 +315,7 @@ static void *work(void *context)
     for (;;) {
         size_t from = atomic_fetch_add(&job->next, job->chunk), to = from + job->chunk;
         if (from >= designs) return NULL;
-        for (size_t d = from; d < to && d < designs; d++)
-            w->worst = yk_worse(w->worst, job->extents ? reduce_design(w, job, d) : run_design(w, job, d));
+        for (size_t d = from; d < to && d < designs; d++) w->worst = yk_worse(w->worst, solve_design(w, job, d));
     }
 }
 

@@ -51,12 +51,12 @@ typedef struct YkWorker {
     YkVariant *base_variant;
     YkState *base_home, *base;
     YkPoseForces *forces; // pose by pose, without a batch
-    YkMotion *goal; // [input]
+    YkMotion *goal;       // [input]
     YkWay way;
-    double *last, *end;    // [3 * input + k]: of the last lane known to be on the way; of the last one filled in
-    double *lane;          // [3 * input + k][YK_STUDY_BLOCK]: a block of lanes on the way,
-    double *lane_output;   // [channel][YK_STUDY_BLOCK]: their results,
-    ptrdiff_t *lane_pose;  // [YK_STUDY_BLOCK]: and the pose of each lane, or -1
+    double *last, *end;   // [3 * input + k]: of the last lane known to be on the way; of the last one filled in
+    double *lane;         // [3 * input + k][YK_STUDY_BLOCK]: a block of lanes on the way,
+    double *lane_output;  // [channel][YK_STUDY_BLOCK]: their results,
+    ptrdiff_t *lane_pose; // [YK_STUDY_BLOCK]: and the pose of each lane, or -1
     bool lane_is_pose[YK_STUDY_BLOCK];
     const double **row;    // [3 * input + k]: what the batch reads,
     double **row_output;   // [channel]: and writes
@@ -72,7 +72,10 @@ typedef struct YkWorker {
     YkStatus worst;
 } YkWorker;
 
+typedef struct YkRemake YkRemake;
+
 struct YkStudy {
+    YkRemake *remake; // designs are machines of their own; NULL: variants
     YkWorker *worker;
     pthread_t *thread;
     size_t thread_count;
@@ -85,6 +88,10 @@ struct YkStudy {
 // of the way.
 YkStatus yk_worker_set(YkWorker *worker, const double *values);
 YkStatus yk_worker_go(YkWorker *worker, double *const *outputs, signed char *status, size_t count);
+
+// Returns the expression of an input's drive or, if it is held, of its start; NULL if it has none.
+const YkExpr *yk_study_input_expr(const YkState *state, size_t input);
+void yk_study_refuse_input(const YkState *state, size_t input, const YkExpr *expr, YkProblems *problems);
 
 // Creates the worker's states for assembling designs (start.c). Returns false with problems added, or out of memory.
 bool yk_worker_start(YkWorker *worker, const YkState *state, const YkStudyOptions *options, YkProblems *problems);

@@ -17,8 +17,7 @@ static size_t machines_in_lanes, poses_compared;
 
 static void add(YkChannelKind kind, size_t index)
 {
-    if (channel_count < CHANNELS_MAX)
-        channels[channel_count++] = (YkChannel){.kind = kind, .index = (int)index};
+    if (channel_count < CHANNELS_MAX) channels[channel_count++] = (YkChannel){.kind = kind, .index = (int)index};
 }
 
 static void add_transmitted(size_t index)
@@ -95,8 +94,8 @@ static void check_pose(const char *name, Machine *m, YkDynamics *d, size_t k)
     for (size_t c = 0; c < channel_count; c++) {
         double due = yk_dynamics_channel(d, m->state, channels[c]), got = outputs[c][k];
         if (!(fabs(got - due) <= tolerance_of(m, d, channels[c].kind)))
-            print_error("%s pose %zu: channel kind %d index %d is %.17g, by the free bodies %.17g (margin %g)\n", name, k,
-                        channels[c].kind, channels[c].index, got, due, m->state->space.margin[0]);
+            print_error("%s pose %zu: channel kind %d index %d is %.17g, by the free bodies %.17g (margin %g)\n", name,
+                        k, channels[c].kind, channels[c].index, got, due, m->state->space.margin[0]);
         assert_true(fabs(got - due) <= tolerance_of(m, d, channels[c].kind));
     }
 }

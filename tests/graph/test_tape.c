@@ -75,8 +75,7 @@ static void grow(Case *c, uint64_t *seed)
 
 static YkTape *tape_of(Case *c, YkTapeLaws laws)
 {
-    YkTape *t =
-        yk_tape_new(&c->graph, c->leaves, LEAVES + PARAMETERS, c->roots, ROOTS, LANES, laws);
+    YkTape *t = yk_tape_new(&c->graph, c->leaves, LEAVES + PARAMETERS, c->roots, ROOTS, LANES, laws);
     assert_non_null(t);
     for (size_t k = LEAVES; k < LEAVES + PARAMETERS; k++) yk_tape_set(t, k, c->leaf[k][0]);
     yk_tape_prepare(t);
@@ -183,12 +182,9 @@ static void test_equations(void **unused)
     start(&c, &seed);
     YkRef zero = yk_graph_number(&c.graph, 0), *x = c.leaves;
     const YkRef system[] = {zero, x[0], x[1], x[2], x[3], x[4]}; // [0 x0 | x1], [x2 x3 | x4]
-    int32_t call = yk_graph_call(&c.graph, (YkCall){.kind = YK_CALL_SOLVE,
-                                                    .n = 2,
-                                                    .m = 1,
-                                                    .arguments = system,
-                                                    .argument_count = 6,
-                                                    .result_count = 7});
+    int32_t call = yk_graph_call(
+        &c.graph,
+        (YkCall){.kind = YK_CALL_SOLVE, .n = 2, .m = 1, .arguments = system, .argument_count = 6, .result_count = 7});
     for (int k = 0; k < ROOTS; k++) c.roots[k] = yk_graph_result(&c.graph, call, k == 0 ? 2 : 5);
     YkTape *t = tape_of(&c, (YkTapeLaws){0});
     run(&c, t, 0, LANES);
@@ -219,9 +215,8 @@ static void test_what_a_tape_cannot_do(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_graphs), cmocka_unit_test(test_values_for_all_lanes),
-        cmocka_unit_test(test_laws),          cmocka_unit_test(test_equations),
-        cmocka_unit_test(test_what_a_tape_cannot_do),
+        cmocka_unit_test(test_random_graphs), cmocka_unit_test(test_values_for_all_lanes),  cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_equations),     cmocka_unit_test(test_what_a_tape_cannot_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
