@@ -25,10 +25,12 @@ static bool allocate(YkState *s)
     s->is_guessed = calloc(n + 1, sizeof *s->is_guessed);
     s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
     s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
+    s->arrival = calloc(inputs + 1, sizeof *s->arrival);
+    s->heading = calloc(inputs + 1, sizeof *s->heading);
     s->search = yk_search_new(mech);
     return s->input && s->valid_input && s->held && s->is_held && s->input_lanes && s->phases && s->reference &&
-           s->guess && s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->search &&
-           yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
+           s->guess && s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->arrival && s->heading &&
+           s->search && yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
            yk_group_start(&s->groups, mech);
 }
 
@@ -79,6 +81,8 @@ void yk_state_free(YkState *s)
     free(s->is_guessed);
     free(s->branch);
     free(s->valid_x);
+    free(s->arrival);
+    free(s->heading);
     free(s);
 }
 
@@ -93,6 +97,8 @@ void yk_state_take(YkState *to, const YkState *from)
     memcpy(to->valid_input, from->valid_input, 3 * mech->input_count * sizeof *to->input);
     memcpy(to->held, from->held, 3 * mech->input_count * sizeof *to->held);
     memcpy(to->is_held, from->is_held, 3 * mech->input_count * sizeof *to->is_held);
+    memcpy(to->arrival, from->arrival, mech->input_count * sizeof *to->arrival);
+    memcpy(to->heading, from->heading, mech->input_count * sizeof *to->heading);
     memcpy(to->phases, from->phases, mech->input_count * sizeof *to->phases);
     to->has_phases = to->has_phases || from->has_phases;
     memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);

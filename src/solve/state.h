@@ -26,6 +26,8 @@ struct YkState {
     signed char *branch; // per block; 0 if it has none
     YkGroupWork groups;
     double *valid_x; // group columns at the valid pose
+    // Where the last motion ended: at a change point the branches are those of the side it came from.
+    double *arrival, *heading; // [input]: the inputs there, and the direction in which they moved; 0: unknown
     double time;
     bool has_pose, has_rates;
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it

@@ -159,6 +159,7 @@ void yk_drag_begin_walk(YkDrag *d)
     YkPath *path = &w->path;
     memcpy(path->others, d->state->valid_input, 3 * d->state->mech->input_count * sizeof *path->others);
     path->last = path->is_line ? 0 : d->state->valid_input[3 * path->input];
+    path->way = 0;
     w->from = path->last;
 }
 

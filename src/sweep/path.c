@@ -14,6 +14,7 @@ bool yk_path_start(YkPath *path, YkState *state, int coordinate)
     if (!path->others) return false;
     memcpy(path->others, state->input, n * sizeof *path->others);
     path->last = path->input < 0 ? state->time : state->valid_input[3 * path->input];
+    path->way = yk_path_heading(path);
     return true;
 }
 
@@ -24,6 +25,7 @@ bool yk_path_start_line(YkPath *path, YkState *state, const double *goal)
     path->goal = goal;
     path->last = 0;
     memcpy(path->others, state->valid_input, 3 * state->mech->input_count * sizeof *path->others);
+    path->way = yk_path_heading(path);
     return true;
 }
 

@@ -8,7 +8,7 @@ typedef struct YkPath {
     YkState *state;
     int input;           // -1: time, or a line
     bool is_line;        // from `others` (at 0) to `goal` (at 1)
-    double last, way;    // place of the last pose that closed; +1 or -1: the direction of motion to it
+    double last, way;    // place of the last pose that closed; +1 or -1: the direction of motion to it; 0: unknown
     double passed, side; // the last change point, and the side of it on which the signs hold (0: none yet)
     double *others;      // the inputs at the start: [3 * input + k]
     const double *goal;  // [3 * input + k], owned by the caller
@@ -19,6 +19,11 @@ bool yk_path_start(YkPath *path, YkState *state, int coordinate);
 // Starts a straight line from the inputs of the state's pose to `goal`, which must outlive the path.
 bool yk_path_start_line(YkPath *path, YkState *state, const double *goal);
 void yk_path_end(YkPath *path);
+// heading.c: returns the direction on the path, +1 or -1, in which an earlier motion has come to where the path starts;
+// 0: across it, or none has.
+double yk_path_heading(const YkPath *path);
+// Notes that a motion has ended at the state's pose, going in this direction of the path.
+void yk_path_arrive(const YkPath *path, double way);
 // Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
 // YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);

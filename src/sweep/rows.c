@@ -84,21 +84,40 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
             w->values[row * w->channel_count + c] = sums[c];
 }
 
+// Returns the first block that touches, or -1.
+static int touching_block(const YkSweep *w, const double *margins)
+{
+    for (size_t k = 0; k < w->walk.margin_count; k++)
+        if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN) return (int)k;
+    return -1;
+}
+
+// At its start the sweep may also turn back at a change point: the signs then hold that the machine came with.
+static bool passes(const YkSweep *w, size_t row, double way)
+{
+    return row > 0 || w->walk.path.way == way;
+}
+
 void yk_sweep_try_change_row(YkSweep *w)
 {
     size_t row = w->row_count - 1;
     double way = w->options.to > w->options.from ? 1 : -1, *margins = yk_walk_margins(&w->walk, 0, 0);
     YkState *s = w->walk.path.state;
     if (s->space.margin[0] > YK_SINGULAR_MARGIN || w->row_status[row] != YK_SINGULAR ||
-        w->walk.margin_count != s->mech->block_count || s->mech->has_groups || row == 0)
+        w->walk.margin_count != s->mech->block_count || s->mech->has_groups)
         return;
+    bool is_passed = passes(w, row, way);
     yk_walk_read_margins(&w->walk, margins);
-    yk_walk_flip_at(&w->walk, w->at[row], margins);
+    if (row == 0 && is_passed) w->walk.from = NAN;
+    if (is_passed) yk_walk_flip_at(&w->walk, w->at[row], margins);
     fill_change_row(w, row, margins, way);
     if (w->row_status[row] == YK_CHANGE_POINT) {
         w->walk.event_count = drop_singular(w, w->at[row]);
+        YkEvent touched = {.kind = YK_EVENT_CHANGE_POINT, .at = w->at[row], .block = touching_block(w, margins)};
+        if (!is_passed) yk_walk_note(&w->walk, touched);
         return;
     }
+    if (row == 0) w->walk.from = w->at[row];
     for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: restores the signs
         if (yk_walk_was_flipped_near(&w->walk, k, w->at[row])) {
             s->branch[k] = (signed char)-s->branch[k];

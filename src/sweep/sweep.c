@@ -17,7 +17,9 @@ static bool watch(void *context, double at)
     return true;
 }
 
-// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded.
+// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded. If
+// the sweep goes on in the same direction, a change point at its start is passed as anywhere else; if it turns back
+// there, the signs hold that it came with.
 static bool approach(YkSweep *w)
 {
     YkWalk *walk = &w->walk;
@@ -41,6 +43,7 @@ static void run_rows(YkSweep *w)
     double last = o->from;
     if (!approach(w) || !yk_sweep_record(w, o->from)) return;
     yk_path_probe(&walk->path, o->from, true);
+    yk_sweep_try_change_row(w);
     yk_sweep_watch_extremes(w, o->from);
     walk->arrived = watch;
     walk->context = w;
@@ -59,6 +62,7 @@ static void run(YkSweep *w)
     run_rows(w);
     if (w->row_count > 0) yk_sweep_read_events(w, w->walk.path.last);
     if (w->walk.status != YK_STOPPED) yk_path_probe(&w->walk.path, w->walk.path.last, false);
+    if (w->walk.status == YK_OK) yk_path_arrive(&w->walk.path, w->options.to > w->options.from ? 1 : -1);
 }
 
 static bool allocate(YkSweep *w)

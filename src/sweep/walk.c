@@ -149,13 +149,39 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
     return touched ? TOUCHED : CLEAR;
 }
 
+// Returns whether the machine closes a little ahead; the state is at a again.
+static bool closes_ahead(YkWalk *w, double a, double way)
+{
+    bool closes = yk_path_try(&w->path, a + way * 2e-5 * yk_path_scale(&w->path), true) >= 0;
+    w->path.last = a - way; // so that it comes to a in its own direction
+    yk_path_try(&w->path, a, true);
+    return closes;
+}
+
+// Takes back the flips at a place that proved to be a limit, not a change point.
+static void unflip(YkWalk *w, double a, size_t events, size_t more)
+{
+    for (size_t k = 0; k < w->margin_count; k++) {
+        if (!yk_walk_was_flipped_near(w, k, a)) continue;
+        w->path.state->branch[k] = (signed char)-w->path.state->branch[k];
+        w->flipped_at[k] = NAN;
+    }
+    w->event_count = events;
+    w->more_events = more;
+    w->path.side = 0;
+}
+
 void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
 {
     if (a == w->from || w->margin_count != w->path.state->mech->block_count) return;
     double way = w->path.way;
-    for (size_t k = 0; k < w->margin_count; k++)
-        if (yk_walk_has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && !yk_walk_was_flipped_near(w, k, a))
-            flip(w, k, a, way);
+    size_t events = w->event_count, more = w->more_events, flips = 0;
+    for (size_t k = 0; k < w->margin_count; k++) {
+        if (!yk_walk_has_margin(w, k) || margins[k] > YK_SINGULAR_MARGIN || yk_walk_was_flipped_near(w, k, a)) continue;
+        flip(w, k, a, way);
+        flips++;
+    }
+    if (flips > 0 && !closes_ahead(w, a, way)) unflip(w, a, events, more);
 }
 
 // Returns whether, over time, the drives go farther between a and b than the path may go unchecked.
@@ -228,6 +254,7 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
 bool yk_walk_go(YkWalk *w, double a, double b)
 {
     double last = a, way = b > a ? 1 : -1;
+    if (a == w->from && w->path.way == way) w->from = NAN; // it goes on as it came: a change point there is passed
     while (last != b) {
         double stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w), left = fabs(b - last);
         double next = left <= stride * (1 + 1e-9) ? b : last + way * left / ceil(left / stride);
