@@ -1,5 +1,4 @@
-// Forces by hand: the quick-return of bench/machines/quick-return-forces.yaml, the slider-crank of
-// bench/machines/gas-slider-crank.yaml.
+// Forces by hand: the quick-return of bench/machines/quick-return-forces.yaml.
 #ifndef BENCH_FORCES_H
 #define BENCH_FORCES_H
 #include <stddef.h>
