@@ -61,6 +61,19 @@ static YkCamExtreme extreme(const Finder *finder, YkCamMeasure measure, double s
     return found;
 }
 
+// Where the law is flat an extreme is found only roughly: takes the end of a segment if the lift is the same there.
+static YkCamExtreme at_a_joint(const Finder *finder, YkCamExtreme found, double range)
+{
+    const YkLaw *law = finder->samples->law;
+    for (size_t k = 0; k < yk_law_segment_count(law); k++) {
+        double d[YK_LAW_ORDER + 1], from = yk_law_segment(law, k).from;
+        yk_law_eval(law, from, d);
+        if (fabs(d[0] - found.value) <= 1e-13 * range && fabs(from - found.angle) < 0.01)
+            return (YkCamExtreme){d[0], from};
+    }
+    return found;
+}
+
 static YkCamPoint at(const Finder *finder, double angle)
 {
     double d[YK_LAW_ORDER + 1];
@@ -108,6 +121,9 @@ YkCamSummary yk_cam_summarize(const YkCamSamples *samples, const YkCamShape *sha
     YkCamSummary summary = {.lift_low = {0, 0}};
     summary.lift_low = extreme(&finder, lift, -1);
     summary.lift_high = extreme(&finder, lift, 1);
+    double range = summary.lift_high.value - summary.lift_low.value;
+    summary.lift_low = at_a_joint(&finder, summary.lift_low, range);
+    summary.lift_high = at_a_joint(&finder, summary.lift_high, range);
     for (int k = 0; k <= YK_LAW_ORDER; k++) {
         YkLawPeak peak = yk_law_peak(samples->law, k);
         summary.peak[k] = (YkCamExtreme){peak.value, peak.x};

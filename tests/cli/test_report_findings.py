@@ -22,7 +22,7 @@ LEAST = {  # of each kind that is checked: on all examples, on a third of them
     "four-bar": (29, 5), "turn": (41, 8), "range": (9, 1), "change point": (6, 1), "turning": (100, 20), "ratio": (37, 8),
     "energy": (20, 4), "work of a turn": (7, 1),
     "closed": (600, 100), "balances": (31, 5), "steps": (21, 4), "happenings": (5, 1), "speed": (13, 0),
-    "cam": (100, 25), "cam's acceleration": (90, 20), "end": (1, 1), "rest": (1, 1)}
+    "cam": (100, 25), "cam's acceleration": (90, 20), "pressure angle": (20, 20), "end": (1, 1), "rest": (1, 1)}
 
 
 def configurations(path, *words):
@@ -286,7 +286,16 @@ class Findings(Case):
                     a = way * (at[m + 1] - 2 * at[m] + at[m - 1]) / h ** 2
                     self.assertAlmostEqual(a, row["a = dv/dtheta"], delta=2e-2 * push, msg=str((path, k)))
                     self.count["cam's acceleration"] += 1
+            self.check_pressure(cam["cam"], row, (path, k))
             self.count["cam"] += 1
+
+    def check_pressure(self, cam, row, where):
+        """The angle between the common normal and the motion of a roller that slides: Norton, Cam Design, equation 7.2."""
+        if cam["motion"] != "translating" or cam["face"] != "roller" or cam["offset"] != 0:
+            return
+        angle = math.atan2(row["v = ds/dtheta"], cam["base"] + cam["roller"] + row["s"])
+        self.assertAlmostEqual(angle, row["pressure angle"], delta=2e-5, msg=str(where))
+        self.count["pressure angle"] += 1
 
     # --- all of it ---------------------------------------------------------------------------------------------------
 
