@@ -11,7 +11,7 @@
 #include "scale.h"
 
 // Exit codes.
-enum { YK_EXIT_DONE = 0, YK_EXIT_NO_ANSWER = 1, YK_EXIT_WRONG = 2 };
+enum { YK_EXIT_DONE = 0, YK_EXIT_NO_ANSWER = 1, YK_EXIT_WRONG = 2 }; // 128 + its number: ended by a signal (stop.h)
 
 typedef enum YkFormat { YK_FORMAT_TEXT, YK_FORMAT_JSON, YK_FORMAT_CSV } YkFormat;
 
@@ -86,6 +86,7 @@ struct YkSession {
     bool lacks_accelerations;       // the dynamics found none for the pose: the state's are meaningless
     bool is_told;                   // the problems are printed already
     bool has_told_error;            // of these or of another list
+    bool keeps_what_is_done;        // Ctrl-C: the verb answers with what is done, and says so itself
     bool ran_out;                   // memory ran out, so nothing is answered
     bool has_told_memory;           // E0100
     bool is_simulation;        // only --at chooses inputs; the file's problems are printed later, with the simulation's

@@ -4,6 +4,7 @@
 #include "help.h"
 #include "options.h"
 #include "session.h"
+#include "stop.h"
 
 static int run(YkSession *session)
 {
@@ -21,7 +22,9 @@ static int run(YkSession *session)
         }
         return yk_session_finish(session, YK_EXIT_DONE);
     }
-    return request->verb->run(session);
+    int exit_code = request->verb->run(session);
+    yk_stop_clear_line();
+    return exit_code;
 }
 
 // A file that cannot grow any more is a failed write, which is reported, and the rest of the file is removed.
@@ -35,6 +38,7 @@ static void ignore_file_limit(void)
 int main(int argc, char **argv)
 {
     ignore_file_limit();
+    yk_stop_catch();
     YkRequest request = {.arena = yk_arena_new()};
     YkSession session = {.request = &request, .problems = yk_problems_new()};
     int exit_code = YK_EXIT_WRONG;
@@ -46,8 +50,10 @@ int main(int argc, char **argv)
         session.ran_out |= yk_memory_ran_out();
         if (session.ran_out) exit_code = YK_EXIT_WRONG;
     }
+    bool is_stopped = yk_stop_is_heeded();
+    if (is_stopped) exit_code = yk_stop_exit();
     bool has_no_reason = exit_code == YK_EXIT_WRONG && !session.has_told_error;
-    if (has_no_reason || (session.ran_out && !session.has_told_memory))
+    if (!is_stopped && (has_no_reason || (session.ran_out && !session.has_told_memory)))
         fputs("yoke: error: out of memory [E0100]\n", stderr);
     yk_session_free(&session);
     yk_problems_free(session.problems);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
+#include "stop.h"
 
 static YkStatus run_out(YkSession *session)
 {
@@ -15,9 +16,9 @@ static YkStatus run_out(YkSession *session)
 // --- where the machine was assembled
 
 // Returns the state of a mechanism at t = 0, assembled nearest to the guesses of `start:`; NULL when out of memory.
-static YkState *assemble(const YkMechanism *mech, YkStatus *status)
+static YkState *assemble(const YkSession *session, const YkMechanism *mech, YkStatus *status)
 {
-    YkState *state = yk_state_new(mech);
+    YkState *state = yk_session_new_state(session, mech);
     if (!state) return NULL;
     *status = yk_state_set_time(state, 0, NULL);
     if (*status >= 0) *status = yk_state_assemble(state);
@@ -31,8 +32,10 @@ static YkState *assemble_own(YkSession *session, YkMechanism **mech)
     YkProblems *quiet = yk_problems_new();
     YkStatus status = YK_BAD_MODEL;
     if (!session->own && quiet) session->own = yk_session_load_model(session, false, quiet);
-    *mech = session->own && quiet ? yk_mechanism_compile(session->own, NULL, quiet) : NULL;
-    YkState *state = *mech ? assemble(*mech, &status) : NULL;
+    YkCompileOptions options = yk_default_compile_options();
+    options.progress = yk_stop_progress(session);
+    *mech = session->own && quiet ? yk_mechanism_compile(session->own, &options, quiet) : NULL;
+    YkState *state = *mech ? assemble(session, *mech, &status) : NULL;
     if (!*mech ? yk_ran_out(quiet) : !state) yk_session_run_out(session);
     yk_problems_free(quiet);
     if (status >= 0) return state;
@@ -58,7 +61,7 @@ static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *st
     for (size_t i = 0; good && i < inputs; i++) goal[i] = yk_state_input(state, i);
     YkProblems *quiet = yk_problems_new();
     YkVariant *variant = good && quiet ? yk_variant_new(yk_state_mechanism(own), names, count, quiet) : NULL;
-    YkState *moving = variant ? yk_state_new(yk_variant_mechanism(variant)) : NULL;
+    YkState *moving = variant ? yk_session_new_state(session, yk_variant_mechanism(variant)) : NULL;
     if (!names || !from || !goal || (variant ? !moving : good && yk_ran_out(quiet))) yk_session_run_out(session);
     yk_problems_free(quiet);
     good = moving && yk_state_adopt(moving, own) >= 0;
@@ -91,7 +94,7 @@ YkState *yk_reach_start(YkSession *session, YkStatus *status)
     const YkMechanism *mech = session->base ? session->base : session->mech;
     YkMechanism *own_mech = NULL;
     YkState *own = session->request->param.count > 0 ? assemble_own(session, &own_mech) : NULL;
-    YkState *state = own ? yk_state_new(mech) : assemble(mech, status);
+    YkState *state = own ? yk_session_new_state(session, mech) : assemble(session, mech, status);
     if (own && state) *status = take_own(session, own, state);
     yk_state_free(own);
     yk_mechanism_free(own_mech);
@@ -215,7 +218,7 @@ static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus st
 static YkState *find_start(YkSession *session, YkStatus *status, bool *is_untold)
 {
     *status = YK_NO_MEMORY;
-    YkState *start = yk_reach_start(session, status), *fresh = yk_state_new(session->mech);
+    YkState *start = yk_reach_start(session, status), *fresh = yk_session_new_state(session, session->mech);
     if (!start || !fresh) {
         yk_state_free(start);
         yk_state_free(fresh);

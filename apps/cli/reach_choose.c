@@ -4,6 +4,7 @@
 #include <string.h>
 #include "answer.h"
 #include "reach.h"
+#include "stop.h"
 
 static const double full_turn = 6.28318530717958647692, same = 1e-6; // rad, or lengths over the size
 
@@ -52,7 +53,7 @@ static Namesakes namesakes(YkState *at, const YkState *sought)
 // Moves a configuration back to where the machine was assembled. Returns its number there within its label, or 0.
 static size_t number_at_start(YkSession *session, const YkState *state)
 {
-    YkState *back = yk_state_new(session->mech), *start = yk_state_new(session->mech);
+    YkState *back = yk_session_new_state(session, session->mech), *start = yk_session_new_state(session, session->mech);
     size_t count = yk_input_count(session->mech), number = 0;
     YkMotion *goal = calloc(count + 1, sizeof *goal);
     if (!back || !start || !goal) yk_session_run_out(session);
@@ -75,7 +76,7 @@ static size_t number_at_start(YkSession *session, const YkState *state)
 
 YkText yk_configuration_name(YkSession *session, const YkState *state)
 {
-    YkState *here = yk_state_new(session->mech);
+    YkState *here = yk_session_new_state(session, session->mech);
     YkText name = yk_label_of(state);
     if (!here || name.failed || yk_state_copy(here, state) < 0) {
         yk_session_run_out(session);
@@ -148,7 +149,7 @@ static bool is_own(YkSession *session, const YkState *chosen)
 
 static YkStatus choose_by_name(YkSession *session, const char *word)
 {
-    Chooser c = {session, word, number_of(word), 0, yk_state_new(session->mech), false, {0}};
+    Chooser c = {session, word, number_of(word), 0, yk_session_new_state(session, session->mech), false, {0}};
     if (!c.found) {
         yk_session_run_out(session);
         return YK_NO_MEMORY;

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "answer.h"
 #include "reach.h"
+#include "stop.h"
 
 enum { RANGES_MAX = 32, INPUTS_MAX = 3 };
 static const double full_turn = 6.28318530717958647692;
@@ -55,7 +56,7 @@ const char *yk_reach_message(const YkSession *session)
 
 YkStatus yk_reach_ask(YkSession *session)
 {
-    YkState *state = yk_state_new(session->mech);
+    YkState *state = yk_session_new_state(session, session->mech);
     if (!state) {
         yk_session_run_out(session);
         return YK_NO_MEMORY;
@@ -111,7 +112,7 @@ static void hint_range(YkSession *session, YkText *text, double asked)
 // Returns a state with the requested inputs and no pose; NULL if there is none.
 static YkState *asked_state(YkSession *session)
 {
-    YkState *state = yk_state_new(session->mech);
+    YkState *state = yk_session_new_state(session, session->mech);
     if (!state) yk_session_run_out(session);
     if (!state) return NULL;
     yk_session_hold(session, state);

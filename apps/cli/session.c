@@ -1,5 +1,6 @@
 // A run's steps that the verbs share.
 #include "session.h"
+#include "stop.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,7 @@ bool yk_session_load_options(const YkSession *session, bool with_params, YkLoadO
     options->parameters = overrides;
     options->parameter_count = param->count;
     options->lock = session->request->lock;
+    options->progress = yk_stop_progress(session);
     return true;
 }
 
@@ -83,6 +85,7 @@ static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *p
     for (size_t l = 0; l < list_count; l++)
         for (size_t i = 0; i < lists[l]->count; i++) add_name(names, &count, lists[l]->items[i].name);
     YkCompileOptions options = yk_default_compile_options();
+    options.progress = yk_stop_progress(session);
     options.inputs = names;
     options.input_count = count;
     YkMechanism *mech = yk_mechanism_compile(session->model, &options, problems);
@@ -101,7 +104,9 @@ static bool is_input(const YkMechanism *mech, const char *name)
 static void find_base(YkSession *session)
 {
     YkProblems *quiet = yk_problems_new(); // the same as those of session->mech, if any
-    session->base = quiet ? yk_mechanism_compile(session->model, NULL, quiet) : NULL;
+    YkCompileOptions options = yk_default_compile_options();
+    options.progress = yk_stop_progress(session);
+    session->base = quiet ? yk_mechanism_compile(session->model, &options, quiet) : NULL;
     if (!session->base && yk_ran_out(quiet)) yk_session_run_out(session);
     yk_problems_free(quiet);
     bool same = session->base != NULL;
@@ -277,7 +282,7 @@ bool yk_session_inputs(YkSession *session)
 {
     const YkRequest *request = session->request;
     size_t most = request->at.count + request->rate.count + request->accel.count + 1; // one more: for a sweep's start
-    session->state = yk_state_new(session->mech);
+    session->state = yk_session_new_state(session, session->mech);
     session->holds = calloc(most, sizeof *session->holds);
     if (!session->state || !session->holds) return run_out(session);
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &session->time))
@@ -355,6 +360,8 @@ int yk_session_finish(YkSession *session, int exit_code)
 {
     const char *path = session->request->output;
     bool good;
+    if (!session->keeps_what_is_done && yk_stop_is_due()) return YK_EXIT_WRONG;
+    yk_stop_clear_line();
     (void)yk_words_of_problems(session, session->problems); // before the answer, which must not stand beside E0100
     session->ran_out |= yk_memory_ran_out();
     if (session->out.failed || session->ran_out || yk_problems_ran_out(session->problems)) {
@@ -362,8 +369,10 @@ int yk_session_finish(YkSession *session, int exit_code)
     } else if (path && strcmp(path, "-") != 0) {
         good = yk_file_write(path, yk_text_get(&session->out), session->out.length, session->problems);
     } else {
+        yk_stop_release(); // whoever reads may never take it
         good = yk_file_write_to(STDOUT_FILENO, "standard output", yk_text_get(&session->out), session->out.length,
                                 session->problems);
+        yk_stop_catch();
     }
     return good ? exit_code : YK_EXIT_WRONG;
 }

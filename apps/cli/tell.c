@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "cli.h"
+#include "stop.h"
 
 // Colours are for people: on a terminal, unless the user asked for none (https://no-color.org).
 static int wants_colour(void)
@@ -15,6 +15,8 @@ static int wants_colour(void)
 const char *yk_words_of_problems(const YkSession *session, YkProblems *problems)
 {
     bool has_errors = yk_problems_error_count(problems) > 0;
+    if (!session->keeps_what_is_done && yk_stop_is_due()) return ""; // main says so, and there is no more to say
+    yk_stop_clear_line();
     if (yk_problems_count(problems) == 0 || (session->request->quiet && !has_errors)) return "";
     return yk_problems_text(problems, wants_colour());
 }

@@ -4,6 +4,7 @@
 #define YOKE_DERIVE_H
 
 #include <yoke/dynamics.h>
+#include <yoke/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -16,6 +17,9 @@ typedef struct YkDerivation YkDerivation;
 // Cost linear in the number of bodies; everything else is derived when it is first asked for.
 YK_API YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
 YK_API void yk_derivation_free(YkDerivation *derivation);
+// Lets `progress` watch the pages and checks that follow (<yoke/progress.h>). One that is stopped leaves the derivation
+// spent: it answers YK_STOPPED, or that the equation could not be read, from then on.
+YK_API void yk_derivation_set_progress(YkDerivation *derivation, YkProgress progress);
 
 // The sections of a page, in their order: "loops", "jacobian", ...; with the heading under which each stands.
 YK_API size_t yk_derivation_section_count(void);
@@ -47,7 +51,8 @@ typedef struct YkPageOptions {
 } YkPageOptions;
 YK_API YkPageOptions yk_default_page_options(void); // text, all sections, no values
 // Derives and prints a page. options may be NULL. YK_OK; YK_BAD_MODEL where a section cannot be derived exactly (products
-// too long, numbers too large: the problem names it), YK_STOPPED where `write` said so, YK_NO_MEMORY, YK_BAD_ARGUMENT.
+// too long, numbers too large: the problem names it), YK_STOPPED where `write` or the progress said so,
+// YK_NO_MEMORY, YK_BAD_ARGUMENT.
 YK_API YkStatus yk_derivation_page(YkDerivation *derivation, const YkPageOptions *options, YkProblems *problems);
 YK_API const char *yk_derivation_text(const YkDerivation *derivation); // of the last page; lives until the next
 

@@ -4,6 +4,7 @@
 #define YOKE_MECHANISM_H
 
 #include <yoke/model.h>
+#include <yoke/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -15,6 +16,7 @@ typedef struct YkCompileOptions {
     // Coordinates that the caller sets (`--at`, the coordinate of a sweep), by name; they precede the file's drives.
     const char *const *inputs;
     size_t input_count;
+    YkProgress progress; // watches the compilation; {NULL}: nobody
 } YkCompileOptions;
 
 YK_API YkCompileOptions yk_default_compile_options(void);

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <yoke/problem.h>
+#include <yoke/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -21,6 +22,7 @@ typedef struct YkLoadOptions {
     const YkOverride *parameters;
     size_t parameter_count;
     const char *lock; // entry of `locks:` that is engaged: holds its bodies and coordinates from the start; NULL: none
+    YkProgress progress; // watches the loading; {NULL}: nobody
 } YkLoadOptions;
 
 YK_API YkLoadOptions yk_default_load_options(void);

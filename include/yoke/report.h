@@ -27,7 +27,8 @@ typedef struct YkReportPage YkReportPage;
 // Gathers everything from a state whose inputs are set: its pose or, without one, the configuration nearest to the
 // guesses. Chooses a motion, goes through it and solves the forces. A machine that cannot be assembled has a report too
 // (yk_report_status tells). The state's model and mechanism must outlive it. Returns NULL with a problem added when out
-// of memory. Cost: that of some hundred poses.
+// of memory, or if it was stopped: what watches the state (yk_state_set_progress) watches this call and yk_report_html.
+// Cost: that of some hundred poses.
 YK_API YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkProblems *problems);
 YK_API void yk_report_free(YkReportPage *report);
 YK_API YkStatus yk_report_status(const YkReportPage *report);     // of the assembly at the start
@@ -38,7 +39,7 @@ YK_API size_t yk_report_finding_count(const YkReportPage *report);
 YK_API const char *yk_report_finding(const YkReportPage *report, size_t index);
 
 // Returns the whole document, valid HTML without a reference to anything outside. It belongs to the report. Returns
-// NULL with a problem added when out of memory.
+// NULL with a problem added when out of memory or stopped; after a stop it may be asked again.
 YK_API const char *yk_report_html(YkReportPage *report, YkProblems *problems);
 // Returns the drawing of the motion's poses, one for each row, which belongs to the report; NULL if nothing can be
 // drawn or without options.pose_rate > 0. yk_report_seconds is the time of one pass on a screen, s;

@@ -15,13 +15,14 @@ typedef struct YkRestOptions {
     double time;                     // s, at which drives and loads are evaluated
     const YkState *pose; // where the search starts, of the same machine; must outlive the answer. NULL: assembled
                          // as `start:` says
+    YkProgress progress; // watches yk_rest_find, and yk_rest_reach later on; {NULL}: nobody
 } YkRestOptions;
 YK_API YkRestOptions yk_default_rest_options(void);
 
 typedef struct YkRest YkRest;
 // Searches for equilibria by Newton's method from `start:` and from seeded random poses of all configurations. Returns
 // all that it finds: first that of `start:`, if there is one, then the others by energy. None found is not an error.
-// The model must outlive the answer. Returns NULL with problems added: no assembly, a freedom without inertia.
+// The model must outlive the answer. Returns NULL with problems added: no assembly, a freedom without inertia, stopped.
 // Cost: about starts * 20 * freedom^2 evaluations.
 YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);
 YK_API void yk_rest_free(YkRest *rest);
@@ -42,8 +43,8 @@ typedef struct YkEquilibrium {
     bool is_reachable; // after yk_rest_reach: the machine can get there from its start in its own assembly
 } YkEquilibrium;
 // Finds out which equilibria the machine can get to from its start without being taken apart: it moves there, also
-// through dead points, and round in either sense. Returns YK_OK or YK_NO_MEMORY. Those it could not reach are reported
-// as not reachable.
+// through dead points, and round in either sense. Returns YK_OK, YK_NO_MEMORY or YK_STOPPED. Those it could not reach are
+// reported as not reachable.
 YK_API YkStatus yk_rest_reach(YkRest *rest);
 YK_API YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index);
 // Returns the pose itself, valid until the next call. Its forces come from yk_dynamics_solve with a dynamics of its

@@ -4,6 +4,7 @@
 #define YOKE_STATE_H
 
 #include <yoke/mechanism.h>
+#include <yoke/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,6 +25,11 @@ YK_API YkState *yk_state_new(const YkMechanism *mech); // NULL when out of memor
 YK_API void yk_state_free(YkState *state);
 YK_API const YkMechanism *yk_state_mechanism(const YkState *state);
 YK_API YkStatus yk_state_copy(YkState *to, const YkState *from); // both of the same mechanism; allocates nothing
+// Lets `progress` watch the long calls on this state from now on (<yoke/progress.h>): assembling, visiting all
+// configurations, moves, carrying, sweeps, closing ranges, dragging, reports. One that is stopped returns YK_STOPPED and
+// leaves the state as it stood before the call. A single solution (yk_state_solve) is short and asks nobody. A copy of
+// the state is not watched. Returns YK_OK, or YK_NO_MEMORY.
+YK_API YkStatus yk_state_set_progress(YkState *state, YkProgress progress);
 
 // Sets the inputs at `time`, s: evaluates all drives and gives held coordinates their start values and rates.
 YK_API YkStatus yk_state_set_time(YkState *state, double time, YkProblems *problems);

@@ -22,6 +22,9 @@ typedef struct YkStudyOptions {
     // compiled with them, at whose inputs each design starts. NULL: the state itself. Its mechanism must outlive the
     // study.
     const YkState *start;
+    // Watches yk_study_new and every later call on the study; {NULL}: nobody. It is asked on the thread that makes the
+    // call, whatever the number of threads, with the part of the designs (or parameters) that is done.
+    YkProgress progress;
 } YkStudyOptions;
 
 typedef struct YkStudy YkStudy;
@@ -46,7 +49,8 @@ typedef struct YkStudyCase {
 // several inputs), then straight from pose to pose: branch and circuit are kept, change points passed, turns counted.
 // Status: YK_OK, YK_SINGULAR; YK_BAD_MODEL if the values make no valid machine, YK_NO_ASSEMBLY if it cannot be
 // assembled, YK_LIMIT for a pose that it cannot reach (the next one is sought from the last one reached); outputs are
-// then 0, never NaN. Returns the worst status. For dyads the results have the bits of yk_state_move_to.
+// then 0, never NaN. Returns the worst status; YK_STOPPED if it was stopped, and then outputs and status of some designs
+// are missing. For dyads the results have the bits of yk_state_move_to.
 // Cost per design: the expressions that vary, then that of yk_batch_run for every 2 degrees of the way or every pose,
 // whichever are more; that of yk_state_move_to where branches may meet, with groups, gears, belts and cams. Only these
 // allocate, and forces that a batch solves pose by pose. A parameter that enters teeth, belts, cams, laws, `turned` or

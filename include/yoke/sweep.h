@@ -36,7 +36,8 @@ typedef struct YkEvent {
 typedef struct YkSweep YkSweep;
 // Sweeps from the configuration of `state`, which is assembled. Its other inputs keep their values, and the swept
 // coordinate keeps the state's rate and acceleration. Channels are recorded row by row. At a limit the rows before it
-// remain, and the status is YK_LIMIT. Returns NULL only when out of memory or if the options are wrong.
+// remain, and the status is YK_LIMIT. Returns NULL only when out of memory, if the options are wrong, or, with a problem,
+// if it was stopped (yk_state_set_progress).
 YK_API YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels,
                              size_t channel_count, YkProblems *problems);
 YK_API void yk_sweep_free(YkSweep *sweep);
@@ -57,7 +58,7 @@ YK_API double yk_sweep_worst_residual(const YkSweep *sweep);
 // Finds every range of a coordinate in which the configuration of `state`, given by its labels, closes: for an angle
 // within a turn that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends are exact to
 // 1e-10; a full turn is one range of 2 pi. The range in which the state stands goes on through change points, as its
-// motion does. Returns the count, YK_NOT_FOUND when out of memory.
+// motion does. Returns the count, YK_NOT_FOUND when out of memory or stopped (the state's report then says YK_STOPPED).
 typedef struct YkRange {
     double from, to;
 } YkRange;

@@ -17,6 +17,7 @@
 
 #include <yoke/version.h>
 #include <yoke/status.h>
+#include <yoke/progress.h>
 #include <yoke/problem.h>
 #include <yoke/model.h>
 #include <yoke/builder.h>

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "base/text.h"
 
-enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64 };
+enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64, WORK_PER_BYTE = 4 };
 
 typedef struct YkChunk {
     _Alignas(ALIGN_SMALL) struct YkChunk *older;
@@ -48,6 +48,7 @@ static bool add_chunk(YkArena *arena, size_t bytes)
     if (size < needed) size = needed;
     Chunk *chunk = malloc(size);
     if (!chunk) return false;
+    yk_pace_spend(arena->pace, WORK_PER_BYTE * size);
     chunk->older = arena->newest;
     arena->newest = chunk;
     arena->next = (unsigned char *)(chunk + 1);

@@ -3,12 +3,14 @@
 #define BASE_MEMORY_H
 #include <stdbool.h>
 #include <stddef.h>
+#include "base/pace.h"
 
 typedef struct YkArena {
     struct YkChunk *newest;
     unsigned char *next, *end; // free memory of the newest chunk, a multiple of 16 bytes
     size_t chunk_size;         // size of the next chunk
     bool failed;
+    YkPace *pace; // of the long call that fills it, or NULL: new chunks count as work
 } YkArena;
 
 YkArena *yk_arena_new(void);

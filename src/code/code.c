@@ -75,6 +75,8 @@ static void write_lanes(YkFile *file)
     yk_file_template(file, has_blocks ? "typedef short @_status;\n\n" : "typedef int @_status;\n\n");
 }
 
+static const double COMPILED = 0.05, ROUTINES = 0.5, TESTS = 0.7; // shares of the whole up to there
+
 // Writes the body aside first, since the helpers that it uses are printed before it.
 static bool write_body(YkFile *file)
 {
@@ -86,7 +88,12 @@ static bool write_body(YkFile *file)
         if (p->mech->blocks[b].kind == YK_BLOCK_GROUP) yk_file_write_group(file, b);
     yk_file_write_drives(file);
     yk_file_write_residuals(file);
-    for (size_t k = 0; k < file->routine_count; k++) yk_file_write_routine(file, &file->routines[k]);
+    yk_pace_stage(file->pace, ROUTINES, TESTS);
+    for (size_t k = 0; k < file->routine_count && yk_file_goes_on(file, 0); k++) {
+        yk_pace_reach(file->pace, (double)k / (double)file->routine_count);
+        yk_file_write_routine(file, &file->routines[k]);
+    }
+    yk_pace_stage(file->pace, TESTS, 1);
     body = file->text;
     file->text = head;
     yk_file_template(file,
@@ -165,6 +172,7 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
 {
     const YkMechanism *mech = variant->mech;
     if (!yk_program_start(&file->program, mech, &variant->recipe, arena, problems)) return false;
+    file->program.graph.pace = arena->pace = file->pace;
     file->prefix = options->prefix ? options->prefix : prefix_of(&file->program, mech->model->source_name);
     file->program.prefix = file->prefix;
     if (!yk_file_choose_names(&file->program)) return false;
@@ -180,8 +188,10 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
 static bool print(YkFile *file, const YkModel *model, const YkCSourceOptions *options, YkArena *arena,
                   YkProblems *problems)
 {
-    YkCompileOptions compile = {options->inputs, options->input_count};
+    YkCompileOptions compile = {.inputs = options->inputs, .input_count = options->input_count};
+    compile.progress = yk_pace_within(file->pace);
     YkMechanism *mech = yk_mechanism_compile(model, &compile, NULL);
+    yk_pace_stage(file->pace, COMPILED, ROUTINES);
     if (!mech) mech = yk_mechanism_compile(model, &compile, problems); // to say why; its notes are for `yoke check`
     YkVariant *variant = mech ? vary(mech, arena, problems) : NULL;
     bool ok = variant && print_varying(file, variant, options, arena, problems);
@@ -200,18 +210,25 @@ YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *options
     YkArena *arena = yk_arena_new();
     YkCSource *code = calloc(1, sizeof *code);
     size_t errors = yk_problems_error_count(problems);
+    YkPace pace;
+    file.pace = &pace;
+    yk_pace_begin(&pace, options ? options->progress : defaults.progress);
+    yk_pace_stage(&pace, 0, COMPILED);
     bool ok = arena && code && print(&file, model, options ? options : &defaults, arena, problems);
-    if (ok) {
+    if (ok && !pace.is_stopped) {
         code->text = file.text;
         code->prefix = malloc(strlen(file.prefix) + 1);
         if (code->prefix) memcpy(code->prefix, file.prefix, strlen(file.prefix) + 1);
         ok = code->prefix != NULL;
     } else {
         yk_text_free(&file.text);
+        ok = false;
     }
     yk_arena_free(arena);
     if (ok) return code;
-    if (problems && yk_problems_error_count(problems) == errors)
+    if (pace.is_stopped)
+        yk_pace_tell(problems);
+    else if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while printing the code");
     yk_c_source_free(code);
     return NULL;

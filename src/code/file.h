@@ -44,6 +44,7 @@ typedef struct YkFile {
     bool has_forces, single, is_of_file; // is_of_file: see compile/variant.h
     const char *prefix;
     YkState *state; // assembled at the start
+    YkPace *pace;   // of the call
     YkRoutine routines[YK_ROUTINES_MAX];
     size_t routine_count;
     YkLeafNote *inputs, *configuration;
@@ -54,6 +55,12 @@ typedef struct YkFile {
     size_t residual_count, row_count, coordinate_count;
     YkText text;
 } YkFile;
+
+// Counts work for the long call that prints the file. Returns false once its caller has stopped it.
+static inline bool yk_file_goes_on(YkFile *file, size_t work)
+{
+    return yk_pace_spend(file->program.graph.pace, work);
+}
 
 // struct_members.c: the members of the inputs and the configuration.
 bool yk_file_members(YkFile *file);

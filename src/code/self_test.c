@@ -5,7 +5,7 @@
 #include <yoke/dynamics.h>
 #include "code/file.h"
 
-enum { POSES = 5 };
+enum { POSES = 5, SOLVE = 1000 }; // SOLVE: work for each step of a pose with forces
 
 // Returns a number between -1 and 1, the same on every machine.
 static double random_number(uint64_t *seed)
@@ -75,10 +75,12 @@ static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const 
     return true;
 }
 
+enum { NUMBER = 200 }; // work of printing one
+
 static void write_row(YkFile *file, const double *values, size_t count)
 {
     yk_text_puts(&file->text, "        {");
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count && yk_file_goes_on(file, NUMBER); k++) {
         yk_text_puts(&file->text, k == 0 ? "" : k % 5 == 0 ? ",\n         " : ", ");
         yk_printer_number(&file->printer, values[k]);
     }
@@ -103,7 +105,7 @@ static void write_scales(YkFile *file, const YkRoutine *r, const double *wanted,
 {
     yk_text_format(&file->text, "    static const %s scale[%d] = {\n        ", file->single ? "float" : "double",
                    (int)r->count);
-    for (size_t k = 0; k < r->count; k++) {
+    for (size_t k = 0; k < r->count && yk_file_goes_on(file, 20 * r->count); k++) {
         double largest = 0;
         for (size_t i = 0; i < r->count; i++) {
             if (strcmp(r->results[i].comment, r->results[k].comment) != 0) continue;
@@ -155,7 +157,7 @@ static bool write_test(YkFile *file, YkState *state, YkDynamics *dynamics, const
     double *rows = malloc((POSES * members + 1) * sizeof *rows),
            *wanted = malloc((POSES * r->count + 1) * sizeof *wanted);
     bool ok = rows && wanted;
-    for (size_t k = 0; ok && k < POSES; k++) {
+    for (size_t k = 0; ok && k < POSES && yk_file_goes_on(file, SOLVE * file->program.mech->step_count); k++) {
         find_pose(file, state, k, rows + poses * members);
         if (wanted_at(file, state, dynamics, r, wanted + poses * r->count)) poses++;
     }

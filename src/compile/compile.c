@@ -9,7 +9,7 @@
 
 YkCompileOptions yk_default_compile_options(void)
 {
-    return (YkCompileOptions){NULL, 0};
+    return (YkCompileOptions){0};
 }
 
 void yk_mechanism_free(YkMechanism *mech)
@@ -30,18 +30,20 @@ void yk_mechanism_free(YkMechanism *mech)
     free(mech);
 }
 
-static bool build(YkMechanism *mech, const YkCompileOptions *options, YkProblems *problems)
+static bool build(YkMechanism *mech, const YkCompileOptions *options, YkPace *pace, YkProblems *problems)
 {
     YkIncidence incidence = {0};
     mech->arena = yk_arena_new();
+    if (mech->arena) mech->arena->pace = pace;
     if (!YK_ROOM(mech->terms, 0, mech->term_capacity)) return false; // never NULL: sums may be empty
     if (!mech->arena || !yk_incidence_build(&incidence, mech->arena, mech->model)) return false;
-    if (!yk_topology_orientations(mech, &incidence, problems)) return false;
-    if (!yk_topology_tree(mech, &incidence, problems) || !yk_relations_build(mech)) return false;
+    if (!yk_pace_ask(pace) || !yk_topology_orientations(mech, &incidence, problems)) return false;
+    if (!yk_pace_ask(pace) || !yk_topology_tree(mech, &incidence, problems)) return false;
+    if (!yk_pace_ask(pace) || !yk_relations_build(mech)) return false;
     mech->group_root = YK_NEW(mech->arena, int32_t, mech->orientation_count);
     mech->relative_slot = YK_NEW(mech->arena, int32_t, mech->orientation_count);
     mech->inputs = YK_NEW(mech->arena, int32_t, mech->coordinate_count + 1);
-    if (yk_arena_failed(mech->arena)) return false;
+    if (yk_arena_failed(mech->arena) || !yk_pace_ask(pace)) return false;
     return yk_inputs_choose(mech, &incidence, options, problems);
 }
 
@@ -56,13 +58,19 @@ YkMechanism *yk_compile_with(const YkModel *model, const YkCompileOptions *optio
     YkCompileOptions defaults = yk_default_compile_options();
     YkMechanism *mech = calloc(1, sizeof *mech);
     size_t errors = yk_problems_error_count(problems);
+    YkPace pace;
+    yk_pace_begin(&pace, options ? options->progress : defaults.progress);
     if (mech) {
         mech->model = model;
         mech->size = model->size;
         mech->recipe = recipe;
-        if (build(mech, options ? options : &defaults, problems)) return mech;
+        bool is_built = build(mech, options ? options : &defaults, &pace, problems);
+        if (mech->arena) mech->arena->pace = NULL;
+        if (is_built && !pace.is_stopped) return mech;
     }
-    if (problems && yk_problems_error_count(problems) == errors)
+    if (pace.is_stopped)
+        yk_pace_tell(problems);
+    else if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while compiling the machine");
     yk_mechanism_free(mech);
     return NULL;

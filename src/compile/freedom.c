@@ -235,6 +235,7 @@ static bool close_loops(Work *w)
 {
     double mu = 0.1, now = evaluate(w);
     for (int iteration = 0; iteration < 200 && now > 1e-13 && mu < 1e8; iteration++) {
+        if (!yk_compile_goes_on(w->mech, (w->m + w->n) * w->n * w->n / 300)) return false;
         save(w, w->old);
         damped_step(w, mu);
         double then = evaluate(w);
@@ -583,7 +584,7 @@ bool yk_closure_freedom(const YkMechanism *mech, const double *guess, const YkCa
     *freedom = 0;
     if (ok) yk_closure_guess(mech, guess, w.x);
     w.column = parts.column;
-    for (size_t p = 0; ok && p < parts.count; p++) {
+    for (size_t p = 0; ok && p < parts.count && yk_compile_goes_on(mech, 3); p++) {
         int one = part_freedom(&w, &parts, p, pose, &ok);
         *freedom = one < 0 || *freedom < 0 ? -1 : *freedom + one;
     }

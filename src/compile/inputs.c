@@ -69,7 +69,7 @@ static bool accept_by_structure(Choice *c)
     int32_t *row = YK_NEW(c->arena, int32_t, 2 * most + 2);
     if (!row || !yk_matching_start(&m, c->arena, columns, rows, entries)) return false;
     size_t matched = 0;
-    for (size_t l = 0; l < mech->loop_count; l++) {
+    for (size_t l = 0; l < mech->loop_count && yk_compile_goes_on(mech, 1); l++) {
         const YkSum *sum = &mech->loops[l].sum;
         size_t n = 0;
         for (uint32_t k = 0; k < sum->count; k++) {

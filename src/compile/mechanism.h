@@ -251,4 +251,12 @@ double yk_relation_weight(const YkMechanism *mech, const YkRelation *relation);
 // Writes a body's point as a sum: its origin plus one term, which is returned separately.
 YkTerm yk_body_term(const YkMechanism *mech, int32_t body, YkVec at);
 
+// Counts the work of compiling so many joints, or as much. Returns false once the caller has stopped it: what is made
+// then is discarded, whatever it is.
+static inline bool yk_compile_goes_on(const YkMechanism *mech, size_t joints)
+{
+    enum { JOINT = 1000 };
+    return yk_pace_spend(mech->arena->pace, JOINT * joints);
+}
+
 #endif

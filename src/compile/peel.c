@@ -155,6 +155,7 @@ void yk_plan_peel(YkPlan *plan)
     do {
         while (plan->head < plan->tail && !plan->failed) {
             int32_t X = plan->queue[plan->head++ % room];
+            if (!yk_compile_goes_on(plan->mech, 1)) return;
             plan->is_queued[X] = false;
             if (!plan->cluster_known[X]) look_at(plan, X);
         }

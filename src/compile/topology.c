@@ -55,7 +55,7 @@ bool yk_topology_orientations(YkMechanism *mech, const YkIncidence *incidence, Y
         mech->orientation_body[o] = (int32_t)start;
         mech->bodies[start].orientation = o;
         queue[tail++] = (int32_t)start;
-        while (head < tail) {
+        while (head < tail && yk_compile_goes_on(mech, 1)) {
             int32_t b = queue[head++];
             for (uint32_t k = incidence->first[b]; k < incidence->first[b + 1]; k++) {
                 const YkJoint *joint = &model->joints[incidence->joint[k]];
@@ -123,7 +123,7 @@ static void grow_tree(Growth *g)
     const YkModel *model = g->mech->model;
     static const YkPartKind order[] = {YK_WELD, YK_SLIDE, YK_PIN_SLOT, YK_PIN};
     reach_declared(g, 0, YK_NONE, YK_NONE);
-    while (g->head < g->tail) {
+    while (g->head < g->tail && yk_compile_goes_on(g->mech, 1)) {
         int32_t b = g->queue[g->head++];
         for (size_t kind = 0; kind < 4; kind++)
             for (uint32_t k = g->incidence->first[b]; k < g->incidence->first[b + 1]; k++) {
@@ -204,7 +204,7 @@ static bool build_tables(YkMechanism *mech, YkProblems *problems)
     mech->coordinates = YK_NEW(mech->arena, YkTreeCoordinate, 2 * n + 1);
     mech->loops = YK_NEW(mech->arena, YkLoop, n + 1);
     if (yk_arena_failed(mech->arena)) return false;
-    for (size_t j = 0; j < n; j++) {
+    for (size_t j = 0; j < n && yk_compile_goes_on(mech, 1); j++) {
         const YkPart *part = yk_part(model->joints[j].kind);
         mech->gruebler -= part->constraints;
         if (in_tree(mech, (int32_t)j)) {

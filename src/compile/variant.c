@@ -66,7 +66,7 @@ static YkMechanism *compile(YkVariant *v, const YkMechanism *mech, YkProblems *p
     yk_recipe_end(&v->recipe);
     if (inputs && yk_recipe_start(&v->recipe, v->redesign)) {
         for (size_t i = 0; i < mech->input_count; i++) inputs[i] = mech->coordinates[mech->inputs[i]].name;
-        YkCompileOptions options = {inputs, mech->input_count};
+        YkCompileOptions options = {.inputs = inputs, .input_count = mech->input_count};
         made = yk_compile_with(yk_redesign_model(v->redesign), &options, &v->recipe, problems);
     }
     v->failed |= !inputs || v->recipe.failed || (!made && lacks_memory(problems));

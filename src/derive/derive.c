@@ -15,6 +15,7 @@ static bool enter_all(YkDerivation *d)
 
 YkCode yk_derive_code(YkRingStatus status)
 {
+    if (status == YK_RING_STOPPED) return YK_CODE_STOPPED;
     return status == YK_RING_MEMORY ? YK_CODE_OUT_OF_MEMORY : YK_CODE_DERIVATION;
 }
 
@@ -23,6 +24,7 @@ YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, Y
     YkDerivation *d = calloc(1, sizeof *d);
     if (d) {
         *d = (YkDerivation){.arena = yk_arena_new(), .model = model, .mech = mech, .ring = yk_ring_new()};
+        if (d->ring) yk_ring_set_pace(d->ring, &d->pace);
         if (d->arena && d->ring && enter_all(d) && yk_derivation_is_well(d)) return d;
     }
     YkRingStatus why = yk_derivation_fault(d);
@@ -47,6 +49,22 @@ void yk_derivation_free(YkDerivation *d)
     free(d);
 }
 
+void yk_derivation_set_progress(YkDerivation *d, YkProgress progress)
+{
+    d->progress = progress;
+}
+
+bool yk_derivation_begin(YkDerivation *d)
+{
+    if (!d->pace.is_stopped) yk_pace_begin(&d->pace, d->progress);
+    return yk_ring_spend(d->ring, 0);
+}
+
+void yk_derivation_end(YkDerivation *d)
+{
+    d->pace.progress = (YkProgress){0};
+}
+
 void *yk_derive_scratch(YkDerivation *d, size_t count, size_t size)
 {
     void *memory = calloc(count, size);
@@ -61,6 +79,7 @@ bool yk_derivation_ran_out(const YkDerivation *d)
 
 YkRingStatus yk_derivation_fault(const YkDerivation *d)
 {
+    if (d && d->pace.is_stopped) return YK_RING_STOPPED;
     YkRingStatus status = d && d->ring ? yk_ring_status(d->ring) : YK_RING_OK;
     return status == YK_RING_OK || yk_derivation_ran_out(d) ? YK_RING_MEMORY : status;
 }

@@ -134,11 +134,16 @@ struct YkDerivation {
     size_t unknown_count, unknown_capacity;
     struct YkDerivePages *pages;            // names that only sections have; made at first use: prove/equation_pages.c
     struct YkEquationOwn *own_of_equations; // angles, roots: prove/equation_angles.c
+    YkProgress progress;                    // who watches
+    YkPace pace;                            // of the long call that is running, or the last; the ring works for it
     YkText page;                            // the last page in print: page/derivation_page.c
     bool has_names;                         // JOINT.angle, BODY.rate, ... are entered as other names of symbols
     bool failed;                            // out of memory outside the ring
 };
 
+// Begins a long call: asks who watches. Returns false if it is to stop at once, or if another one was stopped.
+bool yk_derivation_begin(YkDerivation *derivation);
+void yk_derivation_end(YkDerivation *derivation);
 // Returns whether everything derived so far exists: neither memory nor the ring has failed.
 bool yk_derivation_is_well(const YkDerivation *derivation);
 YkCode yk_derive_code(YkRingStatus status); // of the problem that reports it

@@ -2,6 +2,8 @@
 #include "derive/page.h"
 #include <string.h>
 
+enum { PIECE = 500 }; // work of one
+
 static YkArena *memory_of(const YkPage *page)
 {
     return page->passing ? page->passing : page->arena;
@@ -61,6 +63,7 @@ YkLine *yk_page_formula(YkPage *page, const char *remark)
 
 static YkPagePiece *add_piece(YkPage *page, YkLine *line, YkPagePieceKind kind)
 {
+    if (!yk_ring_spend(page->ring, PIECE)) page->failed = true;
     YkPagePiece *piece = line ? yk_arena_take(memory_of(page), sizeof *piece) : NULL;
     if (!piece) {
         page->failed = true;

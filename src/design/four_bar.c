@@ -191,5 +191,5 @@ size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capaci
     for (size_t frame = 1; ok && found.count == 0 && frame < mech->model->body_count; frame++)
         search_from(&pins, (int32_t)frame, &found);
     yk_arena_free(arena);
-    return found.count;
+    return ok ? found.count : YK_NOT_FOUND;
 }

@@ -2,6 +2,7 @@
 #include <yoke/design.h>
 #include <stdbool.h>
 #include "base/vec.h"
+#include "solve/state.h"
 
 // Returns whether an extreme found at `at` is the one found at `first`, a turn later.
 static bool is_again(size_t found, double first, double at)
@@ -42,6 +43,8 @@ YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *st
     YkState *probe = yk_state_new(mech);
     if (!probe) return YK_NO_MEMORY;
     yk_state_copy(probe, state);
+    bool is_own = yk_state_begin(state);
+    yk_state_lend(probe, state->pace);
     YkSweep *sweep = yk_sweep_run(probe, &options, &channel, 1, NULL);
     YkStatus status = sweep ? yk_sweep_status(sweep) : YK_NO_MEMORY;
     if (sweep && status >= 0) status = read_extremes(sweep, stroke);
@@ -51,5 +54,5 @@ YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *st
     }
     yk_sweep_free(sweep);
     yk_state_free(probe);
-    return status;
+    return yk_state_end(state, is_own, status);
 }

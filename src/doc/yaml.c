@@ -290,9 +290,11 @@ static void on_event(Reader *reader, const yaml_event_t *event)
     }
 }
 
+enum { EVENT = 1000 }; // work of one
+
 static void read_events(Reader *reader)
 {
-    for (bool done = false; !done && !reader->stopped;) {
+    for (bool done = false; !done && !reader->stopped && yk_pace_spend(reader->arena->pace, EVENT);) {
         yaml_event_t event;
         if (!yaml_parser_parse(&reader->parser, &event)) {
             yk_doc_yaml_error(&reader->parser, reader->text, reader->length, reader->problems);
@@ -335,6 +337,7 @@ YkNode *yk_doc_parse(const char *text, size_t length, const char *name, YkArena 
     yaml_parser_set_encoding(&reader.parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&reader.parser, (const unsigned char *)text, length);
     read_events(&reader);
+    reader.failed |= yk_pace_is_stopped(arena->pace); // the caller of the long call says so
     if (!reader.failed && is_empty(reader.root))
         complain(&reader, YK_CODE_YAML_EMPTY, (YkPlace){1, 1, 0}, "the file describes nothing",
                  "start with `bodies:` and `joints:`");

@@ -117,9 +117,15 @@ YkRef yk_graph_find(const YkGraph *g, YkValue v)
     return find(g, &v, hash_of(&v));
 }
 
+enum { VALUE = 50 }; // work of one
+
 // Returns a value with its operands set: an existing one, or a new one.
 YkRef yk_graph_intern(YkGraph *g, YkValue v)
 {
+    if (!yk_pace_spend(g->pace, VALUE)) {
+        g->failed = true;
+        return 0;
+    }
     size_t hash = hash_of(&v);
     YkRef known = find(g, &v, hash);
     if (known != YK_NONE) return known;

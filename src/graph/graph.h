@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include "base/memory.h"
 #include "base/names.h"
+#include "base/pace.h"
 #include "graph/function.h"
 
 typedef int32_t YkRef; // a value of the graph
@@ -99,7 +100,8 @@ typedef struct YkGraph {
     int32_t *table; // of what is there already
     size_t table_size;
     YkNames leaves;    // values by name
-    bool failed;       // out of memory
+    YkPace *pace;      // of the long call that fills it, or NULL
+    bool failed;       // out of memory, or stopped
     bool shares_signs; // b - a becomes -(a - b) where a - b is there, and sums with negative numbers are differences
 } YkGraph;
 

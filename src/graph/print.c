@@ -73,6 +73,7 @@ void yk_printer_begin(YkPrinter *pr, const YkRef *roots, size_t count)
     memset(pr->call_done, 0, (pr->graph->call_count + 1) * sizeof *pr->call_done);
     yk_names_free(&pr->taken);
     pr->section = -1;
+    yk_pace_spend(pr->graph->pace, pr->room);
     for (size_t k = 0; k < count; k++) mark(pr, roots[k]);
 }
 

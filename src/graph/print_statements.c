@@ -182,7 +182,7 @@ void yk_printer_body(YkPrinter *pr, const YkRef *roots, size_t count)
     }
     for (size_t k = 0; k < pr->written_count; k++) keep(pr, pr->written[k]);
     for (size_t k = 0; k < pr->room - 1; k++)
-        if (pr->marked[k]) statement(pr, (YkRef)k, names);
+        if (pr->marked[k] && !pr->failed) statement(pr, (YkRef)k, names);
     free(names);
 }
 

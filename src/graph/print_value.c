@@ -191,6 +191,9 @@ void yk_printer_written(YkPrinter *pr, YkRef value)
 
 static void expression(YkPrinter *pr, YkRef value, Rank least)
 {
+    enum { WORK = 200 };
+    if (!yk_pace_spend(pr->graph->pace, WORK)) pr->failed = true;
+    if (pr->failed) return;
     const YkValue *v = value_of(pr, value);
     bool in_brackets = rank_of(pr, value) < least;
     if (in_brackets) yk_text_puts(pr->out, "(");

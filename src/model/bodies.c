@@ -20,7 +20,7 @@ static void name_bodies(YkLoader *loader, const YkNode *section, const YkNode **
     model->bodies[0] = (YkBody){.name = "ground", .rod = {YK_NONE, YK_NONE}};
     model->body_count = 1;
     loader->failed |= !yk_names_add(&model->body_names, "ground", 0, &existing);
-    for (size_t i = 0; section && i < section->count; i++) {
+    for (size_t i = 0; section && i < section->count && yk_load_goes_on(loader); i++) {
         const YkNode *key = section->pairs[i].key;
         yk_load_name(loader, key, "body");
         loader->failed |= !yk_names_add(&model->body_names, key->text, (int32_t)model->body_count, &existing);
@@ -46,7 +46,7 @@ void yk_load_bodies(YkLoader *loader)
         yk_problem_hint(loader->problems, "list them as in `bodies: {crank: {points: {A: [0.1, 0]}}}`");
     }
     yk_load_points(loader, section, nodes);
-    for (size_t i = 0; i < model->body_count && !yk_arena_failed(loader->arena); i++) {
+    for (size_t i = 0; i < model->body_count && !yk_arena_failed(loader->arena) && yk_load_goes_on(loader); i++) {
         if (nodes[i]) yk_load_mass(loader, (int32_t)i, nodes[i]);
     }
 }

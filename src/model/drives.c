@@ -85,7 +85,7 @@ void yk_load_starts(YkLoader *loader)
     unsigned char *seen = yk_load_new_seen(loader, section);
     model->starts = YK_NEW(loader->arena, YkStart, section->count);
     if (!seen || !model->starts) return;
-    for (size_t i = 0; i < section->count; i++) {
+    for (size_t i = 0; i < section->count && yk_load_goes_on(loader); i++) {
         const YkNodePair *pair = &section->pairs[i];
         bool is_rate = false;
         int32_t coordinate = yk_load_coordinate_once(loader, pair->key, seen, &is_rate);

@@ -78,7 +78,7 @@ void yk_load_check_uses(YkLoader *loader)
         YkParameter *parameter = &model->parameters[i];
         if (parameter->expr && !names_are_known(loader, parameter->expr, YK_SCOPE_CONSTANT)) parameter->expr = NULL;
     }
-    for (size_t i = 0; i < loader->use_count; i++) {
+    for (size_t i = 0; i < loader->use_count && yk_load_goes_on(loader); i++) {
         YkUse *use = &loader->uses[i];
         use->is_bad = !names_are_known(loader, use->expr, use->scope);
     }
@@ -94,7 +94,7 @@ void yk_load_infer(YkLoader *loader)
         YkParameter *parameter = &model->parameters[i];
         if (parameter->expr) yk_dimensions_parameter(dimensions, parameter->name, parameter->expr);
     }
-    for (size_t i = 0; i < loader->use_count; i++) {
+    for (size_t i = 0; i < loader->use_count && yk_load_goes_on(loader); i++) {
         YkUse *use = &loader->uses[i];
         if (!use->is_bad) yk_dimensions_use(dimensions, use->expr, use->dimension, use->what);
     }
@@ -107,7 +107,7 @@ void yk_load_infer(YkLoader *loader)
 
 void yk_load_eval_uses(YkLoader *loader)
 {
-    for (size_t i = 0; i < loader->use_count; i++) {
+    for (size_t i = 0; i < loader->use_count && yk_load_goes_on(loader); i++) {
         const YkUse *use = &loader->uses[i];
         YkJet jet;
         if (!use->target || use->is_bad) continue;

@@ -136,7 +136,7 @@ void yk_load_joints(YkLoader *loader)
     model->joints = YK_NEW(loader->arena, YkJoint, section->count);
     if (!model->joints) return;
     model->joint_count = section->count;
-    for (size_t i = 0; i < section->count; i++) {
+    for (size_t i = 0; i < section->count && yk_load_goes_on(loader); i++) {
         const YkNode *key = section->pairs[i].key;
         int32_t existing;
         model->joints[i] = (YkJoint){.name = key->text,
@@ -149,7 +149,7 @@ void yk_load_joints(YkLoader *loader)
         yk_load_name(loader, key, "joint");
         loader->failed |= !yk_names_add(&model->joint_names, key->text, (int32_t)i, &existing);
     }
-    for (size_t i = 0; i < section->count && !yk_arena_failed(loader->arena); i++) {
+    for (size_t i = 0; i < section->count && !yk_arena_failed(loader->arena) && yk_load_goes_on(loader); i++) {
         read_joint(loader, (int32_t)i, &section->pairs[i]);
     }
 }

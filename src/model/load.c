@@ -32,58 +32,40 @@ static void read_name(YkLoader *loader)
     if (name->length) model->name = name->text;
 }
 
-// Runs the first pass: every section, parameters before their uses, bodies before joints, joints before coordinates.
+typedef void (*Step)(YkLoader *loader);
+
+// The first pass: every section, parameters before their uses, bodies before joints, joints before coordinates.
+static const Step before_bodies[] = {read_name,         yk_load_units,   yk_load_parameters,
+                                     yk_load_overrides, yk_load_gravity, yk_load_bodies};
+static const Step after_bodies[] = {yk_load_wheels, yk_load_joints,  yk_load_laws,   yk_load_cams,    yk_load_drives,
+                                    yk_load_starts, yk_load_efforts, yk_load_forces, yk_load_springs, yk_load_stops,
+                                    yk_load_gears,  yk_load_racks,   yk_load_belts,  yk_load_locks};
+// The second pass: names, dimensions, values; then the checks that need values.
+static const Step second_pass[] = {yk_load_check_uses,      yk_load_infer,           yk_load_eval_parameters,
+                                   yk_load_check_overrides, yk_load_eval_uses,       yk_load_keep_uses,
+                                   yk_load_check_gravity,   yk_load_finish_laws,     yk_load_finish_masses,
+                                   yk_load_finish_joints,   yk_load_finish_cams,     yk_load_finish_forces,
+                                   yk_load_finish_springs,  yk_load_finish_stops,    yk_load_finish_friction,
+                                   yk_load_finish_gears,    yk_load_finish_racks,    yk_load_finish_belts,
+                                   yk_load_engage,          yk_load_check_connected, yk_load_check_links};
+
+// Runs one step after the other, until the caller of the long call stops it.
+static void run(YkLoader *loader, const Step *steps, size_t count)
+{
+    for (size_t k = 0; k < count && !yk_pace_is_stopped(loader->arena->pace); k++) steps[k](loader);
+}
+
 static void read_sections(YkLoader *loader)
 {
     yk_load_check_keys(loader, loader->root, keys, &(YkSubject){.noun = "a model file"});
-    read_name(loader);
-    yk_load_units(loader);
-    yk_load_parameters(loader);
-    yk_load_overrides(loader);
-    yk_load_gravity(loader);
-    yk_load_bodies(loader);
-    if (loader->model->bodies && !loader->failed && !yk_arena_failed(loader->arena)) {
-        yk_load_wheels(loader);
-        yk_load_joints(loader);
-        yk_load_laws(loader);
-        yk_load_cams(loader);
-        yk_load_drives(loader);
-        yk_load_starts(loader);
-        yk_load_efforts(loader);
-        yk_load_forces(loader);
-        yk_load_springs(loader);
-        yk_load_stops(loader);
-        yk_load_gears(loader);
-        yk_load_racks(loader);
-        yk_load_belts(loader);
-        yk_load_locks(loader);
-    }
+    run(loader, before_bodies, sizeof before_bodies / sizeof *before_bodies);
+    if (loader->model->bodies && !loader->failed && !yk_arena_failed(loader->arena))
+        run(loader, after_bodies, sizeof after_bodies / sizeof *after_bodies);
 }
 
-// Runs the second pass: names, dimensions, values; then the checks that need values.
 static void resolve(YkLoader *loader)
 {
-    yk_load_check_uses(loader);
-    yk_load_infer(loader);
-    yk_load_eval_parameters(loader);
-    yk_load_check_overrides(loader);
-    yk_load_eval_uses(loader);
-    yk_load_keep_uses(loader);
-    yk_load_check_gravity(loader);
-    yk_load_finish_laws(loader);
-    yk_load_finish_masses(loader);
-    yk_load_finish_joints(loader);
-    yk_load_finish_cams(loader);
-    yk_load_finish_forces(loader);
-    yk_load_finish_springs(loader);
-    yk_load_finish_stops(loader);
-    yk_load_finish_friction(loader);
-    yk_load_finish_gears(loader);
-    yk_load_finish_racks(loader);
-    yk_load_finish_belts(loader);
-    yk_load_engage(loader);
-    yk_load_check_connected(loader);
-    yk_load_check_links(loader);
+    run(loader, second_pass, sizeof second_pass / sizeof *second_pass);
 }
 
 static bool is_out_of_memory(const YkLoader *loader)
@@ -104,6 +86,8 @@ static void load(YkLoader *loader)
     loader->dimensions = yk_dimensions_new(loader->arena, &loader->model->units);
     if (loader->dimensions) resolve(loader);
 }
+
+static const double PARSED = 0.6; // share of the work
 
 static YkModel *new_model(const char *name)
 {
@@ -134,12 +118,17 @@ static bool fill(YkModel *model, const char *text, size_t length, const YkReadin
     loader.problems = problems;
     loader.options = how->options;
     loader.is_sketch = how->is_sketch;
+    yk_pace_stage(model->arena->pace, 0, PARSED);
     loader.root = yk_doc_parse(text, length, model->source_name, model->arena, problems);
+    yk_pace_stage(model->arena->pace, PARSED, 1);
     if (how->name_place) yk_problems_name_places(problems, how->name_place);
     if (loader.root) load(&loader);
     bool done = loader.root && !has_new_errors(problems, errors);
     if (done) yk_load_keep_source(&loader, text, length);
-    if (is_out_of_memory(&loader) || (done && !yk_load_size(model))) {
+    if (yk_pace_is_stopped(model->arena->pace)) {
+        yk_pace_tell(problems);
+        done = false;
+    } else if (is_out_of_memory(&loader) || (done && !yk_load_size(model))) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
         done = false;
     }
@@ -153,12 +142,16 @@ YkModel *yk_model_read(const char *text, size_t length, const char *name, const 
 {
     YkProblems *own = problems ? NULL : yk_problems_new(); // errors are counted even if the caller does not want them
     YkModel *model = problems || own ? new_model(name) : NULL;
+    YkPace pace;
+    yk_pace_begin(&pace, how->options ? how->options->progress : (YkProgress){0});
+    if (model) model->arena->pace = &pace;
     if (!model) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
     } else if (!fill(model, text, length, how, problems ? problems : own)) {
         yk_model_free(model);
         model = NULL;
     }
+    if (model) model->arena->pace = NULL;
     yk_problems_free(own);
     return model;
 }

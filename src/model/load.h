@@ -76,6 +76,14 @@ typedef struct YkLoader {
     bool failed;             // out of memory
 } YkLoader;
 
+// Counts the work of an entry of a section, or of an expression. Returns false once the caller has stopped the loading:
+// the steps that are left are then passed over, and what was read so far is discarded.
+static inline bool yk_load_goes_on(const YkLoader *loader)
+{
+    enum { ENTRY = 1000 };
+    return yk_pace_spend(loader->arena->pace, ENTRY);
+}
+
 // source.c: keeps the text, with the values that overrides replaced.
 void yk_load_keep_source(YkLoader *loader, const char *source, size_t length);
 

@@ -53,7 +53,7 @@ void yk_load_points(YkLoader *loader, const YkNode *bodies, const YkNode **nodes
     if (total == 0 || !yk_load_count_fits(loader, bodies, total, "points")) return;
     model->points = YK_NEW(loader->arena, YkPoint, total);
     if (!model->points) return;
-    for (size_t i = 0; i < model->body_count; i++) {
+    for (size_t i = 0; i < model->body_count && yk_load_goes_on(loader); i++) {
         YkBody *body = &model->bodies[i];
         body->first_point = (int32_t)model->point_count;
         const YkNode *points = nodes[i] ? yk_node_get(nodes[i], "points") : NULL;

@@ -50,8 +50,10 @@ static void print_part(void *context, YkPage *page)
 static bool write_sections(Printer *printer, YkPage *page)
 {
     bool good = true;
-    for (size_t k = 0; yk_derive_sections[k].name && good; k++)
+    for (size_t k = 0; yk_derive_sections[k].name && good; k++) {
+        yk_pace_reach(&printer->d->pace, (double)k / (double)(yk_derivation_section_count() + 1)); // one: printing
         good = !is_wanted(printer->d, printer->options, k) || yk_derive_write(printer->d, k, page);
+    }
     return good;
 }
 
@@ -88,7 +90,9 @@ static YkStatus cannot(YkDerivation *d, const YkPage *page, YkProblems *problems
 {
     YkRingStatus why = yk_derivation_fault(d);
     size_t section = page->section ? yk_derivation_section_find(page->section) : YK_NOT_FOUND;
-    if (section == YK_NOT_FOUND)
+    if (why == YK_RING_STOPPED)
+        yk_pace_tell(problems);
+    else if (section == YK_NOT_FOUND)
         yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "%s", yk_ring_status_text(why));
     else
         yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "%s (%q): %s", yk_derive_sections[section].title,
@@ -99,6 +103,7 @@ static YkStatus cannot(YkDerivation *d, const YkPage *page, YkProblems *problems
     if (why == YK_RING_OVERFLOW)
         yk_problem_hint(problems, "numbers of many digits can be given as `parameters:`, which are symbols; other "
                                   "sections may be had");
+    if (why == YK_RING_STOPPED) return YK_STOPPED;
     return why == YK_RING_MEMORY ? YK_NO_MEMORY : YK_BAD_MODEL;
 }
 
@@ -113,8 +118,11 @@ YkStatus yk_derivation_page(YkDerivation *d, const YkPageOptions *options, YkPro
         (YkPrinting){.ring = d->ring, .text = &d->page, .title = d->model->name, .format = options->format};
     YkPage page = {.arena = yk_arena_new(), .ring = d->ring, .has_numbers = options->state != NULL};
     bool has_parts = yk_page_has_parts(options->format) && !options->state;
-    bool good = page.arena && (has_parts ? write_parts(&printer, &page) : write_whole(&printer, &page));
+    bool good = yk_derivation_begin(d) && page.arena &&
+                (has_parts ? write_parts(&printer, &page) : write_whole(&printer, &page));
     good = good && !yk_derivation_ran_out(d) && hand_over(&printer);
+    good = good && yk_ring_spend(d->ring, 0);
+    yk_derivation_end(d);
     YkStatus status = good ? YK_OK : printer.is_stopped ? YK_STOPPED : cannot(d, &page, problems);
     if (!good) yk_text_free(&d->page);
     yk_arena_free(page.arena);

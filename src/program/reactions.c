@@ -106,7 +106,8 @@ static void make_system(YkBalanceSystem *w)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
-    for (size_t k = 0; k < w->n * (w->n + w->sides); k++) w->system[k] = yk_graph_number(g, 0);
+    YkRef zero = yk_graph_number(g, 0);
+    for (size_t k = 0; k < w->n * (w->n + w->sides); k++) w->system[k] = zero;
     for (size_t k = 0; k < w->count; k++) {
         if (w->columns[k].relation != YK_NONE) {
             yk_meshes_enter(w, k);

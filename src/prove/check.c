@@ -136,8 +136,8 @@ void yk_check_close(YkCheck *check)
     free(check->elsewhere);
 }
 
-YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
-                               YkPlace place, YkProblems *problems)
+static YkCheckVerdict check_equation(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text,
+                                     size_t length, YkPlace place, YkProblems *problems)
 {
     YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
     YkCheckSeen seen = {.motion = yk_derive_scratch(d, 2 * d->tree_count * YK_CHECK_SEEN_MAX + 1, sizeof *seen.motion)};
@@ -162,6 +162,19 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
     }
     yk_check_close(&check);
     free(seen.motion);
+    return verdict;
+}
+
+YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
+                               YkPlace place, YkProblems *problems)
+{
+    YkCheckVerdict verdict = {.kind = YK_CHECK_UNREADABLE};
+    if (yk_derivation_begin(d)) verdict = check_equation(d, state, dynamics, text, length, place, problems);
+    yk_derivation_end(d);
+    if (d->pace.is_stopped) {
+        verdict = (YkCheckVerdict){.kind = YK_CHECK_UNREADABLE};
+        yk_pace_tell(problems);
+    }
     return verdict;
 }
 

@@ -3,7 +3,7 @@
 #include "prove/check_inside.h"
 #include "solve/state.h"
 
-enum { STEPS = 24, TIMES = 24 };
+enum { STEPS = 24, TIMES = 24, SOLVE = 300 };  // SOLVE: work for each step of solution
 static const double LONGEST = 10, TRAVEL = 12; // s; rad or sizes of the machine
 
 static bool is_driven(const YkCheck *check, size_t input)
@@ -50,6 +50,7 @@ static bool go_on(YkCheck *check, double from, double to)
 {
     for (int step = 1; step <= STEPS; step++) {
         if (yk_state_set_time(check->state, from + (to - from) * step / STEPS, NULL) < 0) return false;
+        if (!yk_ring_spend(check->d->ring, SOLVE * check->d->mech->step_count)) return false;
         if (yk_state_solve(check->state) < 0) return false;
         yk_state_refer(check->state);
     }

@@ -7,7 +7,7 @@
 #include "prove/check_inside.h"
 #include "solve/state.h"
 
-enum { TRIES_IN_SEGMENT = 40, STEPS = 96 };
+enum { TRIES_IN_SEGMENT = 40, STEPS = 96, SOLVE = 300 }; // SOLVE: work for each step of solution
 static const double TIME = 5;
 
 double yk_check_uniform(YkCheck *check, double low, double high)
@@ -17,6 +17,7 @@ double yk_check_uniform(YkCheck *check, double low, double high)
 
 bool yk_check_solve(YkCheck *check)
 {
+    if (!yk_ring_spend(check->d->ring, SOLVE * check->d->mech->step_count)) return false;
     YkStatus status = check->dynamics ? yk_dynamics_solve(check->dynamics, check->state, YK_METHOD_REDUCED)
                                       : yk_state_solve(check->state);
     return status >= 0 && yk_state_has_rates(check->state);
@@ -75,6 +76,7 @@ static bool move_to_random_pose(YkCheck *check, YkCheckPoses *poses)
     int steps = mech->block_count > 0 || mech->relation_count > 0 ? STEPS : 1; // a tree can go anywhere in one step
     for (int step = 1; step <= steps; step++) {
         go(check, target, (double)step / steps);
+        if (!yk_ring_spend(check->d->ring, SOLVE * mech->step_count)) return false;
         if (yk_state_solve(check->state) < 0 || margin_of(check) < least) break;
         yk_state_refer(check->state); // angles continue from here, over any number of turns
         reached = (double)step / steps;

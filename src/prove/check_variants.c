@@ -13,7 +13,7 @@
 #include "prove/check_inside.h"
 #include "solve/state.h"
 
-enum { STEPS = 8 };
+enum { STEPS = 8, WALKED = 300 }; // WALKED: work for each step of solution
 static const double BESIDE = 0.12, CLOSED = 1e-7;
 
 // --- Which parameters can vary
@@ -133,6 +133,7 @@ static bool walk(const YkCheckVariants *v, YkCheckMachine *m)
             v->value[k] = step == STEPS ? m->target[k] : v->own[k] + (m->target[k] - v->own[k]) * step / STEPS;
         YkStatus status = yk_variant_set(m->variant, v->value);
         v->check->failed |= status == YK_NO_MEMORY;
+        if (!yk_ring_spend(v->check->d->ring, WALKED * (m->state->mech->step_count + 1))) return false;
         if (status < 0 || yk_state_solve(m->state) < 0) return false;
         yk_state_refer(m->state);
     }
@@ -193,6 +194,7 @@ static void stand(const YkCheckVariants *v, YkCheckMachine *m)
     YkProblems *said = yk_problems_new();
     m->d = said ? yk_derivation_new(mech->model, mech, said) : NULL;
     forget(v->check, said);
+    if (m->d) yk_ring_set_pace(m->d->ring, &v->check->d->pace);
     v->check->failed |= v->check->dynamics && !m->dynamics;
     m->poses.seed = m->seed;
     m->is_machine = m->d && (m->dynamics || !v->check->dynamics) && closes(m);

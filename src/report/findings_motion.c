@@ -131,8 +131,7 @@ static void find_reaches(YkReportPage *report, YkText *text)
 static void find_strokes(YkReportPage *report, YkText *text)
 {
     if (report->motion.kind != YK_REPORT_TURN || report->motion_status < 0) return;
-    YkState *state = yk_state_new(report->mech);
-    report->failed |= !state;
+    YkState *state = yk_report_new_state(report);
     for (size_t c = 0; state && c < yk_coordinate_count(report->mech); c++) find_stroke(report, state, c, text);
     yk_state_free(state);
 }

@@ -64,6 +64,8 @@ static void find_four_bars(YkReportPage *report, YkText *text)
 {
     YkFourBar bars[FOUR_BARS_MAX];
     size_t count = yk_four_bars(report->mech, bars, FOUR_BARS_MAX);
+    report->failed |= count == YK_NOT_FOUND;
+    if (count == YK_NOT_FOUND) return;
     for (size_t i = 0; i < count && i < FOUR_BARS_MAX; i++) {
         const YkFourBar *bar = &bars[i];
         double sorted[4];
@@ -106,7 +108,7 @@ static void find_configurations(YkReportPage *report, YkText *text)
     Count count = {0};
     bool complete = false;
     if (report->status < 0 || yk_block_count(report->mech) > 10) return;
-    YkState *state = yk_state_new(report->mech);
+    YkState *state = yk_report_new_state(report);
     YkStatus status = state ? yk_state_copy(state, report->start) : YK_NO_MEMORY;
     if (status >= 0) status = yk_state_each(state, count_one, &count, &complete);
     yk_report_note(report, status);

@@ -3,8 +3,10 @@
 #include <string.h>
 #include "base/problems.h"
 #include "report/report.h"
+#include "solve/state.h"
 
-static const double page_width = 800; // px, of the drawing
+static const double page_width = 800;          // px, of the drawing
+static const double CHOSEN = 0.1, MOVED = 0.8; // shares of the work: the motion is chosen, and run
 
 YkReportOptions yk_default_report_options(void)
 {
@@ -80,8 +82,17 @@ static void gather_movie(YkReportPage *report, YkProblems *problems)
     if (report->drawing && report->posed == 0) end_drawing(report); // nothing moves: the pose at the start
 }
 
+YkState *yk_report_new_state(YkReportPage *report)
+{
+    YkState *state = yk_state_new(report->mech);
+    report->failed |= !state;
+    if (state) yk_state_lend(state, &report->pace);
+    return state;
+}
+
 static void gather(YkReportPage *report, YkProblems *problems)
 {
+    yk_pace_stage(&report->pace, 0, CHOSEN);
     assemble(report);
     make_dynamics(report, problems);
     if (report->status >= 0) {
@@ -91,7 +102,10 @@ static void gather(YkReportPage *report, YkProblems *problems)
         begin_drawing(report);
     }
     if (report->failed) return;
+    yk_pace_stage(&report->pace, CHOSEN, MOVED);
     yk_report_run(report, problems);
+    yk_pace_stage(&report->pace, MOVED, 1);
+    if (report->pace.is_stopped) return;
     solve_start(report);
     end_drawing(report);
     yk_report_findings(report);
@@ -107,13 +121,19 @@ YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkPr
         report->model = yk_mechanism_model(report->mech);
         report->motion.coordinate = -1;
         report->motion_message = report->message = "";
-        report->start = yk_state_new(report->mech);
+        report->progress = state->progress;
+        yk_pace_begin(&report->pace, report->progress);
+        report->start = yk_report_new_state(report);
         good = report->start && yk_state_copy(report->start, state) >= 0;
     }
     bool is_movie = good && report->options.pose_rate > 0;
     if (good) (is_movie ? gather_movie : gather)(report, problems);
-    if (good && !report->failed && !yk_arena_failed(report->arena)) return report;
-    if (yk_problems_error_count(problems) == 0)
+    bool is_stopped = good && report->pace.is_stopped;
+    if (good) report->pace.progress = (YkProgress){0};
+    if (good && !is_stopped && !report->failed && !yk_arena_failed(report->arena)) return report;
+    if (is_stopped)
+        yk_pace_tell(problems);
+    else if (yk_problems_error_count(problems) == 0)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
     yk_report_free(report);
     return NULL;

@@ -209,11 +209,8 @@ bool yk_report_goes_back(const YkReportPage *report)
 
 void yk_report_choose_motion(YkReportPage *report)
 {
-    YkState *scratch = yk_state_new(report->mech);
-    if (!scratch) {
-        report->failed = true;
-        return;
-    }
+    YkState *scratch = yk_report_new_state(report);
+    if (!scratch) return;
     choose(report, scratch);
     yk_state_free(scratch);
     size_t most = POSES_MAX / report->model->body_count;

@@ -96,7 +96,8 @@ static void write_page(YkReportPage *report, YkProblems *problems)
     YkText *html = &report->html, parts[SECTIONS] = {{0}}, *all[SECTIONS];
     for (size_t k = 0; k < SECTIONS; k++) {
         all[k] = &parts[k];
-        sections[k].write(report, all[k], problems);
+        yk_pace_stage(&report->pace, (double)k / SECTIONS, (double)(k + 1) / SECTIONS);
+        if (!report->pace.is_stopped) sections[k].write(report, all[k], problems);
         if (parts[k].failed) yk_text_fail(html);
     }
     open_page(report, html);
@@ -113,7 +114,14 @@ static void write_page(YkReportPage *report, YkProblems *problems)
 
 const char *yk_report_html(YkReportPage *report, YkProblems *problems)
 {
-    if (report->html.length == 0) write_page(report, problems);
+    yk_pace_begin(&report->pace, report->progress);
+    if (report->html.length == 0 && !report->pace.is_stopped) write_page(report, problems);
+    report->pace.progress = (YkProgress){0};
+    if (report->pace.is_stopped) {
+        yk_text_free(&report->html);
+        yk_pace_tell(problems);
+        return NULL;
+    }
     if (!report->html.failed && !report->failed) return yk_text_get(&report->html);
     yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
     return NULL;

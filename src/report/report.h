@@ -8,6 +8,7 @@
 #include <yoke/report.h>
 #include <yoke/simulation.h>
 #include "base/memory.h"
+#include "base/pace.h"
 #include "base/text.h"
 #include "model/model.h"
 #include "picture/drawing.h"
@@ -89,9 +90,14 @@ struct YkReportPage {
 
     YkFinding *findings;
     size_t finding_count, finding_capacity;
-    bool failed; // out of memory
+    bool failed;         // out of memory
+    YkProgress progress; // of the state that was reported on
+    YkPace pace;         // of the call that is running
     YkText html;
 };
+
+// Returns a new state that works for the page; NULL when out of memory, which is noted.
+YkState *yk_report_new_state(YkReportPage *report);
 
 static inline double yk_report_value(const YkReportPage *report, size_t row, size_t column)
 {

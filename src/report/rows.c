@@ -54,7 +54,7 @@ static bool prescribe_all(YkReportPage *report)
 static YkSweep *sweep(YkReportPage *report, double from, double to, size_t steps, const YkChannel *channels,
                       size_t count, bool poses, YkProblems *problems)
 {
-    YkState *state = yk_state_new(report->mech);
+    YkState *state = yk_report_new_state(report);
     YkSweep *result = NULL;
     YkSweepOptions options = yk_default_sweep_options();
     options.coordinate = report->motion.kind == YK_REPORT_TIME ? -1 : report->motion.coordinate;
@@ -111,6 +111,16 @@ static void take_row(YkReportPage *report)
     pose(report, yk_simulation_state(report->simulation));
 }
 
+// After every step, of some twelve evaluations.
+static bool go_on(void *context, double time)
+{
+    enum { STEP = 12 * 300 };
+    YkReportPage *report = context;
+    const YkReportMotion *motion = &report->motion;
+    yk_pace_reach(&report->pace, (time - motion->from) / (motion->to - motion->from));
+    return yk_pace_spend(&report->pace, STEP * report->model->body_count);
+}
+
 // Simulates from the start to the end of the motion. Returns false, with the reason, if it cannot begin.
 static bool simulate(YkReportPage *report)
 {
@@ -121,6 +131,8 @@ static bool simulate(YkReportPage *report)
     options.compile = report->options.compile;
     options.pose = yk_state_has_pose(report->start) ? report->start : NULL;
     options.steps_max = STEPS_MAX;
+    options.goes_on = go_on;
+    options.context = report;
     report->simulation = problems ? yk_simulation_new(report->model, &options, problems) : NULL;
     yk_report_note_problems(report, problems);
     if (!report->simulation) {
@@ -128,7 +140,7 @@ static bool simulate(YkReportPage *report)
         say(report, problems && yk_problems_count(problems) > 0 ? yk_problems_get(problems, 0)->message : "");
     }
     yk_problems_free(problems);
-    for (size_t k = 0; report->simulation && k <= report->motion.steps; k++) {
+    for (size_t k = 0; report->simulation && k <= report->motion.steps && !report->pace.is_stopped; k++) {
         double part = (double)k / (double)report->motion.steps,
                time = report->motion.from + (report->motion.to - report->motion.from) * part;
         report->motion_status = yk_simulation_advance(report->simulation, time);
@@ -167,7 +179,7 @@ static void forget_rows(YkReportPage *report)
 // Halves a chosen duration while the machine turns too fast for its rows.
 static void run_simulation(YkReportPage *report)
 {
-    while (simulate(report) && report->options.duration == 0 && is_coarse(report) &&
+    while (simulate(report) && !report->pace.is_stopped && report->options.duration == 0 && is_coarse(report) &&
            report->motion.duration > duration_least) {
         forget_rows(report);
         report->motion.duration *= 0.5;

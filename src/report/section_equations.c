@@ -27,7 +27,8 @@ static void add_part(YkReportPage *report, YkDerivation *derivation, size_t sect
         if (values) yk_derive_values(derivation, report->start, report->has_forces ? report->dynamics : NULL, values);
     }
     good = good && yk_page_write_part(&page, 3, values, &part);
-    if (part.failed || yk_arena_failed(page.arena) || yk_derivation_ran_out(derivation)) yk_text_fail(html);
+    bool ran_out = !good && yk_derivation_fault(derivation) == YK_RING_MEMORY; // on the page, if not in the ring
+    if (ran_out || part.failed || yk_arena_failed(page.arena) || yk_derivation_ran_out(derivation)) yk_text_fail(html);
     yk_text_format(html, "<div class=\"scroll equations\" tabindex=\"0\" role=\"region\" aria-label=\"%s\">\n",
                    entry->title);
     if (good && part.length <= LENGTH_MAX) {
@@ -76,6 +77,8 @@ void yk_section_equations(YkReportPage *report, YkText *html, YkProblems *proble
     YkProblems *own = yk_problems_new();
     YkDerivation *derivation = own ? yk_derivation_new(report->model, report->mech, own) : NULL;
     yk_report_note_problems(report, own);
+    if (derivation) yk_derivation_set_progress(derivation, yk_pace_within(&report->pace));
+    if (derivation) yk_derivation_begin(derivation);
     if (derivation) {
         yk_text_puts(html, "<p>In SI units and radians.");
         yk_text_puts(html,

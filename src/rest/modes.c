@@ -5,11 +5,14 @@
 #include "num/eigen.h"
 #include "rest/rest.h"
 
+enum { REDUCE = 200 }; // work of forces and inertia, for each step and each pair of freedoms
+
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a)
 {
     YkState *s = rest->state;
     for (size_t k = 0; k < rest->freedom; k++)
         yk_state_set_input(s, (size_t)rest->input[k], (YkMotion){q[k], rates ? rates[k] : 0, 0});
+    if (!yk_pace_spend(rest->pace, REDUCE * (s->mech->step_count + rest->freedom * rest->freedom + 1))) return false;
     YkStatus status = yk_dynamics_reduce(rest->dynamics, s);
     if (status < 0 || status == YK_SINGULAR) return false;
     for (size_t k = 0; k < rest->freedom; k++) a[k] = rest->dynamics->acceleration[rest->input[k]];

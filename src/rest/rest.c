@@ -33,6 +33,7 @@ static bool descend(YkRest *rest)
     double size = norm(rest, a);
     rest->force_scale = fmax(rest->force_scale, size);
     for (int k = 0; k < STEPS_MAX; k++) {
+        if (!yk_pace_spend(rest->pace, f * f * f)) return false;
         if (size <= 1e-13 * rest->force_scale) return true;
         if (!yk_rest_differentiate(rest, q, false, J)) return false;
         double *step = rest->step;
@@ -117,12 +118,17 @@ static double next_random(uint64_t *seed)
     return (double)((*seed * 0x2545F4914F6CDD1Dull) >> 11) * 0x1p-53;
 }
 
+static const double STARTED = 0.05; // share of the whole: compiling, and standing at the start
+
 static bool search(YkRest *rest, size_t starts)
 {
     YkState *s = rest->state;
     const YkMechanism *mech = rest->mech;
     uint64_t seed = 0x9E3779B97F4A7C15ull;
+    yk_pace_stage(rest->pace, STARTED, 1);
     for (size_t k = 0; k <= starts; k++) {
+        yk_pace_reach(rest->pace, (double)k / (double)(starts + 1));
+        if (yk_pace_is_stopped(rest->pace)) return false;
         if (k > 0) {
             for (size_t c = 0; c < mech->coordinate_count; c++) {
                 double x = 2 * next_random(&seed) - 1;
@@ -174,12 +180,15 @@ static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *opt
                     YkProblems *problems)
 {
     rest->arena = yk_arena_new();
-    rest->mech = yk_mechanism_compile(model, options->compile, problems);
+    YkCompileOptions compile = options->compile ? *options->compile : yk_default_compile_options();
+    compile.progress = yk_pace_within(rest->pace);
+    rest->mech = yk_mechanism_compile(model, &compile, problems);
     if (!rest->arena || !rest->mech) return false;
     rest->state = yk_state_new(rest->mech);
     rest->dynamics = yk_dynamics_new(rest->mech, problems);
     size_t n = rest->mech->input_count + 1;
     if (!rest->state || !rest->dynamics) return false;
+    yk_state_lend(rest->state, rest->pace);
     for (size_t i = 0; i < rest->mech->input_count; i++) rest->freedom += rest->dynamics->is_free[i];
     if (!limit_starts(rest, starts, problems)) return false;
     rest->input = YK_NEW(rest->arena, int32_t, n);
@@ -216,7 +225,7 @@ static bool assemble(YkRest *rest, double time, YkProblems *problems)
     YkStatus status = rest->pose ? yk_state_adopt(s, rest->pose) : yk_state_assemble(s);
     for (size_t i = 0; i < rest->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     if (status >= 0) return true;
-    if (status == YK_NO_MEMORY) return false; // reported with the rest
+    if (status == YK_NO_MEMORY || status == YK_STOPPED) return false; // reported with the rest
     yk_problem(problems, status == YK_LIMIT ? YK_CODE_POSE_LIMIT : YK_CODE_POSE_NO_ASSEMBLY, (YkPlace){0},
                "the search for equilibria cannot start: %s", s->report.message);
     return false;
@@ -231,6 +240,11 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     size_t starts = options->starts;
     rest->time = options->time;
     rest->pose = options->pose;
+    rest->progress = options->progress;
+    YkPace pace;
+    rest->pace = &pace;
+    yk_pace_begin(&pace, rest->progress);
+    yk_pace_stage(&pace, 0, STARTED);
     bool ok = prepare(rest, model, options, &starts, problems) && assemble(rest, options->time, problems);
     if (ok && !rest->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
@@ -238,12 +252,16 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
         ok = false;
     }
     if (ok) ok = search(rest, starts) && has_inertia(rest, problems) && !rest->dynamics->ran_out;
-    if (!ok) {
-        if (problems && yk_problems_error_count(problems) == 0)
+    if (!ok || pace.is_stopped) {
+        if (pace.is_stopped)
+            yk_pace_tell(problems);
+        else if (problems && yk_problems_error_count(problems) == 0)
             yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");
         yk_rest_free(rest);
         return NULL;
     }
+    rest->pace = NULL;
+    yk_state_lend(rest->state, NULL);
     size_t first = rest->of_start; // that of `start:` stays first
     if (rest->count > first + 1) qsort(rest->points + first, rest->count - first, sizeof *rest->points, by_energy);
     return rest;

@@ -19,6 +19,8 @@ struct YkRest {
     YkMechanism *mech;
     YkState *state;
     YkDynamics *dynamics;
+    YkProgress progress;
+    YkPace *pace; // of the call that is running
     double time;
     const YkState *pose; // owned by the caller, or NULL
     size_t freedom;

@@ -103,6 +103,7 @@ static bool add_image(const Gathering *d, YkRingTerm term, int64_t factor, const
         yk_ring_fail(ring, YK_RING_OVERFLOW);
         return false;
     }
+    if (!yk_ring_spend(ring, image->count * YK_WORK_PRODUCT)) return !(ring->gather.failed = true);
     for (size_t i = 0; i < image->count; i++)
         if (!yk_gather_add_product(ring, &term, &image->terms[i], factor)) return false;
     return true;

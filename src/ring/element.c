@@ -21,6 +21,7 @@ static void reduce(YkPoisson *a)
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator)
 {
     if (count == 0 && ring->zero) return ring->zero;
+    if (!yk_ring_spend(ring, YK_WORK_ELEMENT + count * YK_WORK_TERM)) return NULL;
     if (count > YK_RING_MADE_MAX - ring->made) return yk_ring_fail(ring, YK_RING_SIZE);
     YkPoisson *a = yk_arena_take(ring->arena, sizeof(YkPoisson) + count * sizeof(YkRingTerm));
     if (!a) return yk_ring_fail(ring, YK_RING_MEMORY);

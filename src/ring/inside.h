@@ -107,6 +107,18 @@ struct YkRing {
     // Marks of symbols with a rate; marks of symbols whose derivatives are not ready or have a denominator.
     uint64_t moving_marks, dependent_marks;
     size_t form_count; // structured forms made so far
+    YkPace *pace;      // of the long calls that it works for, or NULL
+};
+
+// Work, for the pace: of entering a symbol, of making an element, of one of its terms, of a product of two terms, of a
+// term in print, of a term's value.
+enum {
+    YK_WORK_SYMBOL = 1000,
+    YK_WORK_ELEMENT = 30,
+    YK_WORK_TERM = 10,
+    YK_WORK_PRODUCT = 50,
+    YK_WORK_PRINT = 2000,
+    YK_WORK_VALUE = 30
 };
 
 // --- symbols.c: returns the symbol of pi / pi_over, `pi_7`; enters it if it is new; -1 on failure.

@@ -51,6 +51,7 @@ const YkPoisson *yk_ring_multiply(YkRing *ring, const YkPoisson *a, const YkPois
     else
         yk_gather_begin(ring, cancelled.denominator);
     for (size_t i = 0; i < a->count; i++) {
+        if (!yk_ring_spend(ring, b->count * YK_WORK_PRODUCT)) ring->gather.failed = true;
         const YkRingTerm left = {a->terms[i].key, a->terms[i].number / cancelled.a_divisor};
         for (size_t k = 0; k < b->count; k++) {
             const YkRingTerm right = {b->terms[k].key, b->terms[k].number / cancelled.b_divisor};

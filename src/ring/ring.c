@@ -36,7 +36,8 @@ void yk_ring_free(YkRing *ring)
 
 const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status)
 {
-    if (ring->status == YK_RING_OK || status == YK_RING_MEMORY) ring->status = status;
+    bool is_for_good = status >= YK_RING_STOPPED && ring->status < status;
+    if (ring->status == YK_RING_OK || is_for_good) ring->status = status;
     return NULL;
 }
 
@@ -48,7 +49,22 @@ YkRingStatus yk_ring_status(const YkRing *ring)
 
 void yk_ring_clear(YkRing *ring)
 {
-    if (ring->status != YK_RING_MEMORY) ring->status = YK_RING_OK;
+    if (ring->status < YK_RING_STOPPED) ring->status = YK_RING_OK;
+}
+
+void yk_ring_set_pace(YkRing *ring, YkPace *pace)
+{
+    ring->pace = pace;
+}
+
+YkPace *yk_ring_pace(const YkRing *ring)
+{
+    return ring->pace;
+}
+
+bool yk_ring_spend(YkRing *ring, size_t work)
+{
+    return yk_pace_spend(ring->pace, work) || yk_ring_fail(ring, YK_RING_STOPPED) != NULL;
 }
 
 void yk_ring_set_limit(YkRing *ring, size_t terms)
@@ -75,6 +91,8 @@ const char *yk_ring_status_text(YkRingStatus status)
         return "a symbol's name is malformed or taken";
     case YK_RING_NOT_REAL:
         return "a real expression is needed";
+    case YK_RING_STOPPED:
+        return "stopped before it was done, as the caller asked";
     case YK_RING_MEMORY:
         return "out of memory";
     }

@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "base/pace.h"
 #include "base/vec.h"
 
 typedef struct YkRing YkRing;       // owns symbols and elements; must not be shared between threads
@@ -31,6 +32,7 @@ typedef enum YkRingStatus {
     YK_RING_DERIVATIVE, // the last known derivative of a function would have to be differentiated
     YK_RING_NAME,       // not a name, or taken
     YK_RING_NOT_REAL,   // a real element is needed here
+    YK_RING_STOPPED,    // by the caller of the long call that it works for; the ring is spent
     YK_RING_MEMORY,
 } YkRingStatus;
 
@@ -40,12 +42,17 @@ YkRing *yk_ring_new(void); // NULL when out of memory
 void yk_ring_free(YkRing *ring);
 YkRingStatus yk_ring_status(const YkRing *ring);
 const char *yk_ring_status_text(YkRingStatus status); // a phrase: "a coefficient is too large for exact arithmetic"
-// Forgets a failure, so that the caller can do without the elements. A ring that ran out of memory remembers it for
-// good: what is missing must not look like what does not exist.
+// Forgets a failure, so that the caller can do without the elements. A ring that ran out of memory, or was stopped,
+// remembers it for good: what is missing must not look like what does not exist.
 void yk_ring_clear(YkRing *ring);
-// Records a failure, unless another came first (out of memory precedes any other); returns NULL for the caller to
+// Records a failure, unless another came first (out of memory precedes any other, then a stop); returns NULL for the caller to
 // return.
 const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
+// The pace of long calls that the ring works for; it must outlive the ring.
+void yk_ring_set_pace(YkRing *ring, YkPace *pace);
+YkPace *yk_ring_pace(const YkRing *ring); // or NULL
+// Counts work that is done with the ring's elements. Returns false once the call was stopped: the ring has then failed.
+bool yk_ring_spend(YkRing *ring, size_t work);
 void yk_ring_set_limit(YkRing *ring, size_t terms); // sets the most terms an element may have; at least 1
 
 // --- Symbols

@@ -193,6 +193,7 @@ static bool add_term(YkRing *ring, YkRingChanges *changes, YkRingTerm term, Part
 {
     const YkPoisson *image = part->image;
     if (!finish_part(ring, changes, part)) return !(ring->gather.failed = true);
+    if (!yk_ring_spend(ring, image->count * YK_WORK_PRODUCT)) return !(ring->gather.failed = true);
     const YkRingTerm kept = {part->kept | yk_key_unit(term.key), term.number};
     for (size_t i = 0; i < image->count; i++)
         if (!yk_gather_add_product(ring, &image->terms[i], &kept, denominator / image->denominator)) return false;

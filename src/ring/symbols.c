@@ -60,6 +60,7 @@ static bool enter_name(YkRing *ring, const char *name, int32_t symbol)
 // Adds a symbol. `name`, the last memory taken from the ring's arena, is given back if no symbol is made.
 static int32_t add_symbol(YkRing *ring, char *name, YkRingSymbol symbol)
 {
+    if (!yk_ring_spend(ring, YK_WORK_SYMBOL)) return -1;
     if (!name || !YK_ROOM(ring->symbols, ring->symbol_count, ring->symbol_capacity)) {
         yk_ring_fail(ring, YK_RING_MEMORY);
         return -1;

@@ -262,7 +262,8 @@ bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
     next.pose_sum = NULL;
     next.near_count = 0;
     YkProblems *quiet = yk_problems_new();
-    bool is_built = yk_simulation_build(&next, &(YkCompileOptions){names, sim->free_count}, quiet);
+    bool is_built =
+        yk_simulation_build(&next, &(YkCompileOptions){.inputs = names, .input_count = sim->free_count}, quiet);
     bool has_memory = is_built || !is_out_of_memory(quiet);
     bool ok = is_built && next.free_count == sim->free_count && move_over(&next, sim);
     yk_problems_free(quiet);

@@ -92,7 +92,8 @@ static bool make(YkSimulation *sim, YkArchive *a, const Parts *parts, const YkMe
     if (ok) yk_simulation_archive_choice(a, chosen, inputs, n);
     for (size_t k = 0; ok && k < inputs; k++) names[k] = mech->coordinates[chosen[k]].name;
     if (ok && parts->has_efforts) walk_efforts(sim, a, n);
-    ok = ok && !a->failed && yk_simulation_build(sim, &(YkCompileOptions){names, inputs}, quiet) &&
+    ok = ok && !a->failed &&
+         yk_simulation_build(sim, &(YkCompileOptions){.inputs = names, .input_count = inputs}, quiet) &&
          yk_simulation_stepper(sim);
     yk_problems_free(quiet);
     free(names);

@@ -194,6 +194,7 @@ static const YkTurn *guessed_turns(YkState *s)
 // Runs steps and judges them. At a coincidence, angles that no loop determines keep their guesses.
 static YkStatus run_and_judge(YkState *s, size_t from, size_t to)
 {
+    if (!yk_state_spend(s, to - from)) return YK_STOPPED;
     YkRun run = yk_state_run(s, &s->spare);
     yk_run_begin(&run);
     yk_run_steps(&run, from, to);
@@ -277,7 +278,7 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
     if (yk_state_judge(s, &s->spare) < 0) return true;
     if (q->level_count == 0) return leaf(context, s, 0);
     open_level(s, &q->levels[0], 0, nearest);
-    for (;;) {
+    while (!yk_state_is_stopped(s)) {
         YkLevel *level = &q->levels[depth];
         size_t next = level->tried;
         double cost = next < level->options ? level->before + level->cost[level->order[next]] : INFINITY;
@@ -287,6 +288,7 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
         }
         level->tried++;
         run_option(s, level, level->order[next]);
+        if (yk_state_is_stopped(s)) return false; // it was not run
         if (depth + 1 < q->level_count) {
             if (++opened > q->level_count + (leaves > 0 ? OPENED_AFTER : OPENED_BEFORE)) {
                 q->gave_up_at = level->block;
@@ -297,6 +299,7 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
         }
         if (!leaf(context, s, cost) || ++leaves >= cap) return false;
     }
+    return false;
 }
 
 // --- the nearest
@@ -344,7 +347,7 @@ static YkStatus take(YkState *s, const signed char *branch, const double *x)
     return status;
 }
 
-YkStatus yk_state_assemble(YkState *s)
+static YkStatus assemble(YkState *s)
 {
     Best best = {INFINITY, false};
     yk_relations_guess(s);
@@ -365,6 +368,12 @@ YkStatus yk_state_assemble(YkState *s)
     YkStatus status = take(s, s->search->best_branch, s->search->best_x);
     if (status >= 0) yk_state_refer(s);
     return status;
+}
+
+YkStatus yk_state_assemble(YkState *s)
+{
+    bool is_own = yk_state_begin(s);
+    return yk_state_end(s, is_own, assemble(s));
 }
 
 // --- all
@@ -393,6 +402,7 @@ static bool show(void *context, YkState *s, double cost)
     Each *each = context;
     YkSpace pose = s->space;
     bool has_pose = s->has_pose, has_rates = s->has_rates;
+    if (!yk_state_spend(s, s->mech->block_count / 8)) return false;
     YkReport report = s->report;
     (void)cost;
     s->space = s->spare;
@@ -418,6 +428,7 @@ static bool show(void *context, YkState *s, double cost)
 YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *context, bool *complete)
 {
     Each each = {visit, context, 0, false};
+    bool is_own = yk_state_begin(s);
     size_t bytes = s->mech->column_count * sizeof(double), inputs = 3 * s->mech->input_count * sizeof(double);
     memcpy(s->search->wanted, s->valid_input, inputs); // the shown poses have the present inputs
     memcpy(s->valid_input, s->input, inputs);
@@ -428,5 +439,5 @@ YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *conte
     memcpy(s->valid_input, s->search->wanted, inputs);
     if (bytes > 0) memcpy(s->groups.x, s->search->best_x, bytes);
     if (complete) *complete = (whole || each.stopped) && !s->mech->has_groups;
-    return each.count > 0 ? YK_OK : YK_NO_ASSEMBLY;
+    return yk_state_end(s, is_own, each.count > 0 ? YK_OK : YK_NO_ASSEMBLY);
 }

@@ -229,7 +229,7 @@ static bool iterate(YkGroupWork *w, const Group *g)
     evaluate(g, g->x, w->residual, w->J);
     now = norm(w->residual, g->m);
     for (int k = 0; k < limit && now > tolerance; k++) {
-        if (newton_step(w, g) == 0) return false;
+        if (!yk_pace_spend(w->pace, g->m * g->n * (g->n + 20)) || newton_step(w, g) == 0) return false;
         double s = w->global ? step_length(w, g) : 1, then = now;
         for (int halving = 0; halving < 12; halving++, s *= 0.5) {
             for (size_t j = 0; j < g->n; j++) w->trial[j] = g->x[j] + s * w->step[j];
@@ -427,7 +427,7 @@ size_t yk_group_search(const YkRun *run, size_t index)
     bool global = w->global;
     memcpy(guess, g.x, g.n * sizeof *guess);
     w->global = true;
-    for (size_t t = 0; t <= tries && count < YK_GROUP_SOLUTIONS_MAX; t++) {
+    for (size_t t = 0; t <= tries && count < YK_GROUP_SOLUTIONS_MAX && !yk_pace_is_stopped(w->pace); t++) {
         if (t > 0) random_start(&g, guess, &seed);
         if (!iterate(w, &g)) continue;
         for (size_t k = 0; k < g.n && g.block->relation_count == 0; k++) // gears that count turns keep them

@@ -2,6 +2,7 @@
 // one pose at a time.
 #ifndef SOLVE_GROUP_H
 #define SOLVE_GROUP_H
+#include "base/pace.h"
 #include "solve/space.h"
 
 enum { YK_GROUP_SOLUTIONS_MAX = 32 };
@@ -15,6 +16,7 @@ typedef struct YkGroupWork {
     bool at_guess;     // while searching: a solution at the guess itself is the nearest, so no other is sought
     bool global;  // damp the steps and start anywhere (assembling); otherwise accept only a nearby solution (tracking)
     double moved; // distance of the last solution from its guess: largest change, rad or lengths over the size
+    YkPace *pace; // of the long call that is being worked for, or NULL
     void *memory;
 } YkGroupWork;
 

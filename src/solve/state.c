@@ -69,6 +69,7 @@ void yk_state_free(YkState *s)
     yk_space_end(&s->spare);
     yk_group_end(&s->groups);
     yk_search_free(s->search);
+    yk_state_free(s->before);
     free(s->input);
     free(s->valid_input);
     free(s->held);
@@ -236,6 +237,7 @@ static YkStatus settle(YkState *s, YkStatus status)
 
 static YkStatus solve(YkState *s)
 {
+    if (!yk_state_spend(s, s->mech->step_count)) return YK_STOPPED;
     if (s->mech->has_groups) return yk_state_track(s);
     if (s->mech->reference_count > 0) yk_state_walk(s);
     YkRun run = yk_state_run(s, &s->spare);
@@ -253,7 +255,9 @@ static YkStatus solve(YkState *s)
 YkStatus yk_state_solve(YkState *s)
 {
     YkStatus status = solve(s);
-    if (status >= 0 || !is_too_fast(s)) return status;
+    if (status >= 0) return status;
+    if (yk_state_is_stopped(s)) return yk_state_end(s, false, status);
+    if (!is_too_fast(s)) return status;
     return yk_state_refuse(s, YK_BAD_ARGUMENT, "the rates of the inputs are too large to be computed with");
 }
 

@@ -3,6 +3,7 @@
 #define SOLVE_STATE_H
 #include <yoke/state.h>
 #include "base/archive.h"
+#include "base/pace.h"
 #include "solve/run.h"
 
 typedef struct YkPhase { // of an input that has made many turns: stands for `angle` as long as the input has this value
@@ -34,7 +35,32 @@ struct YkState {
     YkReport report;
     // assembling: see assemble.c
     struct YkSearch *search;
+    // long calls: see long_call.c
+    YkPace *pace; // of the one that is being worked for, this state's own or another's; NULL outside of them
+    YkPace own_pace;
+    YkProgress progress;    // who watches the state's own calls
+    struct YkState *before; // the state before such a call; NULL unless somebody watches
 };
+
+// Begins a long call on a state; returns whether it is one of its own, for which `progress` is asked. Otherwise it is
+// part of another call, or nobody watches. From here until yk_state_end solutions fail with YK_STOPPED once the caller
+// has said so; the call may then end with whatever it finds.
+bool yk_state_begin(YkState *state);
+// Ends it. Returns the status; YK_STOPPED if it was stopped, and then, if the call is its own, the state stands where it
+// stood before.
+YkStatus yk_state_end(YkState *state, bool is_own, YkStatus status);
+// Lets a state work for a call that began elsewhere; NULL: no longer.
+void yk_state_lend(YkState *state, YkPace *pace);
+static inline bool yk_state_is_stopped(const YkState *state)
+{
+    return yk_pace_is_stopped(state->pace);
+}
+// Counts the work of running steps. Returns whether to go on.
+static inline bool yk_state_spend(YkState *state, size_t steps)
+{
+    enum { STEP = 40 }; // one step and its judgement
+    return yk_pace_spend(state->pace, STEP * (steps + 1));
+}
 
 // Lets the runner read phases in place of the angles of inputs that have one.
 void yk_state_place_phases(YkState *state);

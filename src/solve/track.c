@@ -14,6 +14,7 @@
 static YkStatus run_here(YkState *s)
 {
     YkRun run = yk_state_run(s, &s->spare);
+    if (!yk_state_spend(s, s->mech->step_count)) return YK_STOPPED;
     s->groups.global = false;
     s->groups.moved = 0;
     yk_run_begin(&run);

@@ -95,13 +95,14 @@ void yk_remake_end(YkStudy *study)
 // --- one machine
 
 typedef struct Made {
+    YkProgress progress;
     YkProblems *problems; // of no interest: the status tells
     YkModel *model;
     YkMechanism *mech, *base_mech;
     YkState *state, *base; // base: with the inputs of the start, if these are others
 } Made;
 
-static YkModel *read_with(const YkRemake *r, const double *values, YkProblems *problems)
+static YkModel *read_with(const YkRemake *r, const double *values, const Made *m)
 {
     const YkModel *model = r->state->mech->model;
     YkOverride *overrides = calloc(r->count + 1, sizeof *overrides);
@@ -112,19 +113,20 @@ static YkModel *read_with(const YkRemake *r, const double *values, YkProblems *p
         overrides[k] = (YkOverride){r->names[k], texts[k]};
     }
     const char *text = yk_model_text(model);
-    YkLoadOptions options = {overrides, r->count, model->engaged};
-    if (overrides && texts && text) made = yk_model_parse(text, strlen(text), model->source_name, &options, problems);
+    YkLoadOptions options = {overrides, r->count, model->engaged, m->progress};
+    if (overrides && texts && text)
+        made = yk_model_parse(text, strlen(text), model->source_name, &options, m->problems);
     free(overrides);
     free(texts);
     return made;
 }
 
-static YkMechanism *compile_as(const YkModel *model, const YkMechanism *as, YkProblems *problems)
+static YkMechanism *compile_as(const Made *m, const YkMechanism *as)
 {
     const char **inputs = calloc(as->input_count + 1, sizeof *inputs);
     for (size_t i = 0; inputs && i < as->input_count; i++) inputs[i] = as->coordinates[as->inputs[i]].name;
-    YkCompileOptions options = {inputs, as->input_count};
-    YkMechanism *mech = inputs ? yk_mechanism_compile(model, &options, problems) : NULL;
+    YkCompileOptions options = {inputs, as->input_count, m->progress};
+    YkMechanism *mech = inputs ? yk_mechanism_compile(m->model, &options, m->problems) : NULL;
     free(inputs);
     return mech;
 }
@@ -166,11 +168,10 @@ static YkStatus stand_as(YkState *to, const YkState *from)
     return status == YK_LIMIT ? YK_NO_ASSEMBLY : status;
 }
 
-static YkStatus make_state(const YkModel *model, const YkState *as, YkProblems *problems, YkMechanism **mech,
-                           YkState **state)
+static YkStatus make_state(const Made *m, const YkState *as, YkMechanism **mech, YkState **state)
 {
-    *mech = compile_as(model, as->mech, problems);
-    if (!*mech) return yk_problems_ran_out(problems) ? YK_NO_MEMORY : YK_BAD_MODEL;
+    *mech = compile_as(m, as->mech);
+    if (!*mech) return yk_problems_ran_out(m->problems) ? YK_NO_MEMORY : YK_BAD_MODEL;
     *state = yk_state_new(*mech);
     return *state ? stand_as(*state, as) : YK_NO_MEMORY;
 }
@@ -180,12 +181,12 @@ static YkStatus make(const YkRemake *r, const double *values, Made *m)
 {
     m->problems = yk_problems_new();
     if (!m->problems) return YK_NO_MEMORY;
-    m->model = read_with(r, values, m->problems);
+    m->model = read_with(r, values, m);
     if (!m->model) return yk_problems_ran_out(m->problems) ? YK_NO_MEMORY : YK_BAD_MODEL;
-    if (!r->start) return make_state(m->model, r->state, m->problems, &m->mech, &m->state);
-    YkStatus status = make_state(m->model, r->start, m->problems, &m->base_mech, &m->base);
+    if (!r->start) return make_state(m, r->state, &m->mech, &m->state);
+    YkStatus status = make_state(m, r->start, &m->base_mech, &m->base);
     if (status < 0) return status;
-    m->mech = compile_as(m->model, r->state->mech, m->problems);
+    m->mech = compile_as(m, r->state->mech);
     m->state = m->mech ? yk_state_new(m->mech) : NULL;
     if (!m->state) return YK_NO_MEMORY;
     return is_alike(m->mech, r->state->mech) ? yk_state_adopt(m->state, m->base) : YK_BAD_MODEL;
@@ -208,7 +209,8 @@ static YkStatus solve(YkWorker *w, const YkJob *job, const Made *m, size_t desig
 {
     const YkStudy *study = w->study;
     size_t n = job->asked->pose_count, at = design * n;
-    YkStudyOptions options = {.channels = study->channels, .channel_count = study->channel_count, .threads = 1};
+    YkStudyOptions options = {
+        .channels = study->channels, .channel_count = study->channel_count, .threads = 1, .progress = m->progress};
     YkStudy *one = yk_study_new(m->state, &options, NULL);
     if (!one) return YK_NO_MEMORY;
     YkStudyCase asked = {.design_count = 1, .inputs = w->inputs, .pose_count = n};
@@ -237,12 +239,12 @@ static void leave_out(YkWorker *w, const YkJob *job, size_t design, YkStatus sta
 
 YkStatus yk_remake_design(YkWorker *w, const YkJob *job, size_t design)
 {
-    Made m = {0};
+    Made m = {.progress = yk_pace_within(&w->pace)};
     YkStatus status = make(w->study->remake, w->value, &m);
-    if (status >= 0)
-        status = solve(w, job, &m, design);
-    else
-        leave_out(w, job, design, status);
+    bool is_made = status >= 0;
+    if (is_made) status = solve(w, job, &m, design);
+    if (w->pace.is_stopped) status = YK_STOPPED;
+    if (!is_made || status == YK_STOPPED) leave_out(w, job, design, status);
     for (size_t c = 0; job->extents && c < w->study->channel_count; c++)
         job->extents[c * job->asked->design_count + design] = w->extent[c];
     if (job->extents && job->status) job->status[design] = (signed char)status;

@@ -310,9 +310,10 @@ YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, dou
     bool is_linear = can_linearise(study, w->mech);
     if (status == YK_OK && is_linear && !start_linear(&l, w->mech)) status = YK_NO_MEMORY;
     for (size_t i = 0; i < 3 * w->mech->input_count; i++) w->inputs[i] = inputs ? inputs[i] : NULL;
+    yk_pace_begin(&w->pace, study->progress);
     if (status == YK_OK) status = stand_at_pose(w);
     if (status >= 0 && is_linear) linearise(&l, w->state);
-    for (size_t p = 0; status >= 0 && p < parameters; p++) {
+    for (size_t p = 0; status >= 0 && p < parameters && yk_pace_ask(&w->pace); p++) {
         status = by_difference(study, p, column, scratch + channels);
         for (size_t c = 0; c < channels; c++)
             by_difference_out[c * parameters + p] = by_derivative[c * parameters + p] = column[c];
@@ -320,7 +321,10 @@ YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, dou
         if (!directions(study, &l, p) || !answers_along(study, &l, p, column, scratch + channels))
             status = YK_BAD_MODEL;
         for (size_t c = 0; c < channels; c++) by_derivative[c * parameters + p] = column[c];
+        yk_pace_reach(&w->pace, (double)(p + 1) / (double)(parameters + 1));
     }
+    if (w->pace.is_stopped) status = YK_STOPPED;
+    w->pace = (YkPace){0};
     yk_worker_set(w, study->own);
     end_linear(&l);
     free(scratch);

@@ -28,6 +28,7 @@ static bool start_base(YkWorker *w, const YkStudyOptions *options, YkProblems *p
     w->base_home = yk_state_new(yk_variant_mechanism(w->base_variant));
     w->base = yk_state_new(yk_variant_mechanism(w->base_variant));
     if (!w->base_home || !w->base) return false;
+    yk_state_lend(w->base, &w->pace);
     w->home_status = yk_study_take_home(w->base_home, start);
     return w->home_status != YK_NO_MEMORY;
 }
@@ -40,6 +41,8 @@ bool yk_worker_start(YkWorker *w, const YkState *state, const YkStudyOptions *op
     w->kept = yk_state_new(w->mech);
     w->goal = calloc(w->mech->input_count + 1, sizeof *w->goal);
     if (!w->home || !w->begun || !w->state || !w->kept || !w->goal) return false;
+    yk_state_lend(w->begun, &w->pace);
+    yk_state_lend(w->state, &w->pace);
     if (options->start && options->start->mech != state->mech && !start_base(w, options, problems)) return false;
     YkStatus status = yk_study_take_home(w->home, state);
     if (w->home_status >= 0) w->home_status = status;

@@ -1,7 +1,6 @@
-// Solves designs on several threads. A worker has all it needs to solve a design by itself: a variant, a state, a
+// Solves designs. A worker has all it needs to solve a design by itself: a variant, a state, a
 // batch. Designs are handed out in chunks, and the thread on which a design is solved changes nothing in its results.
 #include "study/study.h"
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
@@ -148,11 +147,12 @@ static bool start_remaking(YkStudy *study, YkWorker *w, const YkState *state, co
     return make_room(w, options->parameter_count, options->channel_count);
 }
 
-static bool start_workers(YkStudy *study, const YkState *state, const YkStudyOptions *options, YkProblems *problems)
+static bool start_workers(YkStudy *study, const YkState *state, const YkStudyOptions *options, YkPace *pace,
+                          YkProblems *problems)
 {
     size_t threads = options->threads ? options->threads : 1;
     bool good = choose_way(study, state, options, problems);
-    for (size_t t = 0; good && t < threads; t++) {
+    for (size_t t = 0; good && t < threads && yk_pace_ask(pace); t++) {
         study->thread_count = t + 1;
         good = study->remake ? start_remaking(study, &study->worker[t], state, options)
                              : start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
@@ -171,6 +171,7 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
     if (good) {
         study->channel_count = options->channel_count;
         study->parameter_count = options->parameter_count;
+        study->progress = options->progress;
         study->worker = calloc(threads, sizeof *study->worker);
         study->thread = calloc(threads, sizeof *study->thread);
         study->channels = calloc(options->channel_count + 1, sizeof *study->channels);
@@ -180,9 +181,13 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
     for (size_t c = 0; good && c < options->channel_count; c++) study->channels[c] = options->channels[c];
     for (size_t p = 0; good && p < options->parameter_count; p++)
         study->own[p] = yk_model_parameter(state->mech->model, options->parameters[p]);
-    if (good && start_workers(study, state, options, problems)) return study;
+    YkPace pace;
+    yk_pace_begin(&pace, options->progress);
+    if (good && start_workers(study, state, options, &pace, problems) && !pace.is_stopped) return study;
     yk_study_free(study);
-    if (problems && yk_problems_error_count(problems) == errors)
+    if (pace.is_stopped)
+        yk_pace_tell(problems);
+    else if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the study");
     return NULL;
 }
@@ -201,8 +206,12 @@ void yk_study_free(YkStudy *study)
 
 // --- a design
 
+enum { NUMBERS = 100, REMAKING = 20000 }; // work for each step: other numbers; a machine that is made anew
+
 YkStatus yk_worker_set(YkWorker *w, const double *values)
 {
+    size_t steps = w->mech->step_count + w->study->parameter_count + 1;
+    if (!yk_pace_spend(&w->pace, steps * NUMBERS)) return YK_STOPPED;
     YkStatus status = yk_variant_set(w->variant, values);
     if (status >= 0) status = yk_worker_begin(w, values);
     if (status >= 0 && w->batch) yk_batch_redesign(w->batch);
@@ -278,7 +287,7 @@ static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
     memset(w->extent, 0, channels * sizeof *w->extent);
     memset(w->count, 0, channels * sizeof *w->count);
     for (size_t c = 0; c < channels; c++) w->outputs[c] = w->block + c * YK_STUDY_BLOCK;
-    for (size_t from = 0; has_start && from < asked->pose_count; from += YK_STUDY_BLOCK) {
+    for (size_t from = 0; has_start && from < asked->pose_count && !w->pace.is_stopped; from += YK_STUDY_BLOCK) {
         size_t n = asked->pose_count - from < YK_STUDY_BLOCK ? asked->pose_count - from : YK_STUDY_BLOCK, stand = n;
         point_inputs(w, asked, design, from);
         YkStatus here = yk_worker_go(w, w->outputs, w->block_status, n);
@@ -296,65 +305,27 @@ static YkStatus reduce_design(YkWorker *w, const YkJob *job, size_t design)
     return worst;
 }
 
-static YkStatus solve_design(YkWorker *w, const YkJob *job, size_t design)
+YkStatus yk_worker_design(YkWorker *w, size_t design)
 {
+    const YkJob *job = w->job;
     if (!w->study->remake) return job->extents ? reduce_design(w, job, design) : run_design(w, job, design);
+    if (!yk_pace_spend(&w->pace, (w->mech->step_count + 10) * REMAKING)) return YK_STOPPED;
     take_values(w, job->asked, design);
     point_inputs(w, job->asked, design, 0);
     return yk_remake_design(w, job, design);
 }
 
-// --- threads
-
-static void *work(void *context)
-{
-    YkWorker *w = context;
-    YkJob *job = w->job;
-    size_t designs = job->asked->design_count;
-    w->worst = YK_OK;
-    for (;;) {
-        size_t from = atomic_fetch_add(&job->next, job->chunk), to = from + job->chunk;
-        if (from >= designs) return NULL;
-        for (size_t d = from; d < to && d < designs; d++) w->worst = yk_worse(w->worst, solve_design(w, job, d));
-    }
-}
-
-// The calling thread is the first worker; if a thread cannot be started, the others do all the work.
-static YkStatus run(YkStudy *study, YkJob *job)
-{
-    size_t started = 0, designs = job->asked->design_count;
-    job->chunk = designs / (study->thread_count * 16) + 1;
-    if (job->chunk > 256) job->chunk = 256;
-    atomic_init(&job->next, 0);
-    const YkStudyCase *asked = job->asked;
-    bool is_fine = asked->inputs && !asked->inputs_per_design &&
-                   yk_poses_are_fine(study->worker[0].mech, asked->inputs, 0, asked->pose_count);
-    for (size_t t = 0; t < study->thread_count; t++) {
-        study->worker[t].job = job;
-        study->worker[t].worst = YK_OK;
-        study->worker[t].is_fine = is_fine;
-    }
-    while (started + 1 < study->thread_count && started + 1 < designs &&
-           pthread_create(&study->thread[started], NULL, work, &study->worker[started + 1]) == 0)
-        started++;
-    work(&study->worker[0]);
-    YkStatus worst = study->worker[0].worst;
-    for (size_t t = 0; t < started; t++) {
-        pthread_join(study->thread[t], NULL);
-        worst = yk_worse(worst, study->worker[t + 1].worst);
-    }
-    return worst;
-}
+// --- the door
 
 YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status)
 {
     YkJob job = {.asked = asked, .outputs = outputs, .status = status};
-    return run(study, &job);
+    return yk_study_go(study, &job);
 }
 
 YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExtent *extents, signed char *status,
                          size_t *standing)
 {
     YkJob job = {.asked = asked, .extents = extents, .status = status, .standing = standing};
-    return run(study, &job);
+    return yk_study_go(study, &job);
 }

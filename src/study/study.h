@@ -5,6 +5,7 @@
 #include <stdatomic.h>
 #include <yoke/move.h>
 #include <yoke/study.h>
+#include "base/pace.h"
 #include "compile/mechanism.h"
 #include "batch/batch.h"
 #include "batch/pose_forces.h"
@@ -20,6 +21,13 @@ typedef struct YkJob { // one call, for all workers
     size_t *standing;
     atomic_size_t next; // design
     size_t chunk;
+    YkProgress progress; // of the caller
+    atomic_size_t done;  // designs
+    atomic_bool is_stopped;
+    // The calling thread waits here for the others, and is woken after every slice of their work: it alone may ask.
+    pthread_mutex_t lock;
+    pthread_cond_t sign;
+    size_t running; // threads besides the caller's
 } YkJob;
 
 // The end of a design's range: recorded where a way along one input ended.
@@ -39,6 +47,7 @@ typedef struct YkWay {    // a design's way from its start through its poses
 
 typedef struct YkWorker {
     struct YkStudy *study;
+    YkPace pace; // its states work for it
     YkVariant *variant;
     const YkMechanism *mech;
     YkState *home;         // the file's pose
@@ -82,8 +91,12 @@ struct YkStudy {
     YkChannel *channels;
     size_t channel_count, parameter_count;
     double *own; // values of the file
+    YkProgress progress;
 };
 
+// Does what the worker's job asks of one design (study.c); hands all designs out to threads (threads.c).
+YkStatus yk_worker_design(YkWorker *worker, size_t design);
+YkStatus yk_study_go(YkStudy *study, YkJob *job);
 // Sets a design, at its start; then solves its poses at w->inputs, in one call or several: each call is the next part
 // of the way.
 YkStatus yk_worker_set(YkWorker *worker, const double *values);

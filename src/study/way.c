@@ -35,10 +35,17 @@ typedef struct Answers { // of one call
     size_t count, done; // poses
 } Answers;
 
+// Returns the work of a lane, for the pace.
+static size_t lane_work(const YkWorker *w)
+{
+    return 10 * (w->mech->step_count + w->study->channel_count + 1);
+}
+
 // Runs the lanes that were put in. Returns false if not all of them are surely on the way.
 static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
 {
     size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count, n = *put;
+    if (!yk_pace_spend(&w->pace, n * lane_work(w))) return false;
     for (size_t i = 0; i < inputs; i++) w->row[i] = w->lane + i * YK_STUDY_BLOCK;
     for (size_t c = 0; c < channels; c++) w->row_output[c] = w->lane_output + c * YK_STUDY_BLOCK;
     size_t clear = n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, w->lane_is_pose, n) : 0;
@@ -119,19 +126,29 @@ static bool is_fine(const YkWorker *w, size_t pose, size_t count)
     return !(steps_to(w, pose) > 1) && (w->is_fine || yk_poses_are_fine(w->mech, w->inputs, pose, count));
 }
 
-// Runs poses straight from the caller's arrays to the caller's arrays.
-static bool run_poses(YkWorker *w, Answers *a)
+// Runs a slice of poses straight from the caller's arrays to the caller's arrays.
+static bool run_slice(YkWorker *w, Answers *a)
 {
-    size_t pose = a->done, inputs = 3 * w->mech->input_count;
+    size_t pose = a->done, inputs = 3 * w->mech->input_count, count = a->count - pose;
+    size_t most = YK_STUDY_BLOCK * (1 + YK_PACE_SLICE / 4 / (YK_STUDY_BLOCK * lane_work(w)));
+    if (count > most) count = most;
+    if (!yk_pace_spend(&w->pace, count * lane_work(w))) return false;
     for (size_t i = 0; i < inputs; i++) w->row[i] = w->inputs[i] ? w->inputs[i] + pose : NULL;
     for (size_t c = 0; c < w->study->channel_count; c++) w->row_output[c] = a->outputs[c] + pose;
     size_t clear =
-        yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL, NULL, a->count - pose);
+        yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL, NULL, count);
     a->done += clear;
     w->way.lanes += clear;
     if (clear > 0) end_at(w, a->done - 1);
     if (clear > 0) memcpy(w->last, w->end, inputs * sizeof *w->last);
-    return a->done == a->count;
+    return clear == count;
+}
+
+static bool run_poses(YkWorker *w, Answers *a)
+{
+    while (a->done < a->count)
+        if (!run_slice(w, a)) return false;
+    return true;
 }
 
 // Goes on as far as lanes can tell. Returns false if the rest must be moved.
@@ -241,7 +258,7 @@ static bool is_between_branches(const YkWorker *w, YkStatus status)
 static YkStatus go_stepwise(YkWorker *w, Answers *a)
 {
     YkStatus worst = YK_OK;
-    for (; a->done < a->count; a->done++) {
+    for (; a->done < a->count && !w->pace.is_stopped; a->done++) {
         YkStatus one = w->way.status;
         if (one >= 0) one = move(w, a->done);
         bool meets = one >= 0 && is_between_branches(w, one);
@@ -262,6 +279,7 @@ YkStatus yk_worker_go(YkWorker *w, double *const *outputs, signed char *status, 
         w->way.has_answered = true;
         return YK_OK;
     }
+    if (w->pace.is_stopped) return YK_STOPPED;
     if (a.done > 0) w->way.has_answered = true;
     if (!w->way.is_stepwise) w->way.status = take_over(w);
     return go_stepwise(w, &a);

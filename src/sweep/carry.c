@@ -40,8 +40,10 @@ static YkStatus carry(Carrier *c)
     for (double at = 0, h = 0.125; at < 1;) {
         double next = at + h < 1 ? at + h : 1;
         status = stand(c, next);
+        if (yk_state_is_stopped(c->state)) return YK_STOPPED;
         if (status >= 0) {
             at = next;
+            yk_pace_reach(c->state->pace, at);
             h = 2 * h;
         } else if ((h *= 0.5) < STEP_LEAST) {
             return status == YK_BAD_MODEL ? status : YK_NO_ASSEMBLY;
@@ -59,7 +61,8 @@ YkStatus yk_state_carry(YkState *s, YkVariant *variant, const double *from, cons
     if (!room) return YK_NO_MEMORY;
     memcpy(room + count, s->valid_input, inputs * sizeof *room);
     Carrier c = {s, variant, from, to, room, room + count, count, goal};
-    YkStatus status = carry(&c);
+    bool is_own = yk_state_begin(s);
+    YkStatus status = yk_state_end(s, is_own, carry(&c));
     free(room);
     return status;
 }

@@ -255,7 +255,7 @@ static void drag_single(YkDrag *d, YkDragged *e)
     double way = find_way(d, a, &is_end);
     e->end = is_end ? YK_DRAG_LIMIT : YK_DRAG_NEAREST;
     if (is_end) e->block = d->block;
-    for (int k = 0; k < STEPS_MAX && way != 0; k++) {
+    for (int k = 0; k < STEPS_MAX && way != 0 && !yk_state_is_stopped(d->state); k++) {
         yk_drag_begin_walk(d);
         bool arrives = yk_walk_go(w, a, a + way * stride(d));
         double b = w->path.last;
@@ -285,9 +285,12 @@ YkStatus yk_state_drag(YkDrag *d, const double target[2], YkDragged *dragged)
     if (!d->state->has_pose || !isfinite(target[0]) || !isfinite(target[1])) return YK_BAD_ARGUMENT;
     d->target = yk_vec(target[0], target[1]);
     widen_stops(d);
+    bool is_own = yk_state_begin(d->state);
     if (d->active_count == 1) drag_single(d, e);
     if (d->active_count > 1) yk_drag_many(d, e);
+    YkStatus status = yk_state_end(d->state, is_own, YK_OK);
     e->distance = yk_drag_distance(d);
+    if (status == YK_STOPPED) e->end = YK_DRAG_SPENT;
     if (e->distance <= REACHED * d->state->mech->size) e->end = YK_DRAG_REACHED;
-    return YK_OK;
+    return status;
 }

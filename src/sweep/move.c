@@ -17,12 +17,16 @@ typedef struct Mover {
     const YkMoveOptions *options;
     YkMove *move;
     YkProblems *problems;
+    double from, to, part; // of the walk that is being gone; the part that was told last
 } Mover;
 
-static bool ask(void *context, double part)
+// Tells those who watch how much of the way is done.
+static bool ask(void *context, double at)
 {
-    const YkMoveOptions *o = context;
-    return o->goes_on(o->context, fmin(1, fmax(0, part)));
+    Mover *m = context;
+    m->part = fmin(1, fmax(m->part, (at - m->from) / (m->to - m->from)));
+    yk_pace_reach(m->state->pace, m->part);
+    return !m->options->goes_on || m->options->goes_on(m->options->context, m->part);
 }
 
 static size_t goal_size(const YkState *s)
@@ -45,10 +49,9 @@ static void keep_passes(YkMove *move, const YkWalk *walk, double from, double to
 static YkStatus go(Mover *m, YkWalk *w, double from, double to)
 {
     double at = from, period = w->path.is_line ? yk_turns_period(&w->path) : 0;
-    if (m->options->goes_on) {
-        w->arrived = ask;
-        w->context = (void *)(uintptr_t)m->options;
-    }
+    m->from = from, m->to = to;
+    w->arrived = ask;
+    w->context = m;
     w->problems = m->problems;
     w->from = from;
     if (period == 0 && yk_walk_refuses(w, from, to)) return w->status;
@@ -208,6 +211,7 @@ static YkStatus move_round(Mover *m, const YkState *home, const double *goal)
 
 static YkStatus finish(YkState *s, YkMove *move, YkStatus status)
 {
+    if (yk_state_is_stopped(s)) status = YK_STOPPED;
     move->status = status;
     if (status >= 0) {
         move->part = 1;
@@ -238,7 +242,7 @@ YkStatus yk_state_move_to(YkState *s, const YkMotion *goal, const YkMoveOptions 
 {
     YkMoveOptions defaults = yk_default_move_options();
     YkMove unseen;
-    Mover m = {s, options ? options : &defaults, move ? move : &unseen, NULL};
+    Mover m = {.state = s, .options = options ? options : &defaults, .move = move ? move : &unseen};
     *m.move = new_move();
     double *to = calloc(3 * s->mech->input_count + 1, sizeof *to);
     if (!to) return m.move->status = YK_NO_MEMORY;
@@ -249,7 +253,8 @@ YkStatus yk_state_move_to(YkState *s, const YkMotion *goal, const YkMoveOptions 
         to[3 * i + 2] = goal[i].acceleration;
         good = good && isfinite(to[3 * i]) && isfinite(to[3 * i + 1]) && isfinite(to[3 * i + 2]);
     }
-    YkStatus status = good ? move_to(&m, to) : YK_BAD_ARGUMENT;
+    bool is_own = yk_state_begin(s);
+    YkStatus status = yk_state_end(s, is_own, good ? move_to(&m, to) : YK_BAD_ARGUMENT);
     free(to);
     return m.move->status = status;
 }
@@ -295,8 +300,10 @@ YkStatus yk_state_move_time(YkState *s, double time, const YkMoveOptions *option
 {
     YkMoveOptions defaults = yk_default_move_options();
     YkMove unseen;
-    Mover m = {s, options ? options : &defaults, move ? move : &unseen, problems};
+    Mover m = {
+        .state = s, .options = options ? options : &defaults, .move = move ? move : &unseen, .problems = problems};
     *m.move = new_move();
     bool good = s->has_pose && isfinite(time) && m.options->turn_max > 0;
-    return m.move->status = good ? move_in_time(&m, time) : YK_BAD_ARGUMENT;
+    bool is_own = yk_state_begin(s);
+    return m.move->status = yk_state_end(s, is_own, good ? move_in_time(&m, time) : YK_BAD_ARGUMENT);
 }

@@ -54,6 +54,7 @@ static void scan_closed_form(Scan *scan)
     double margin[2] = {1, 1}; // of the two previous samples
     for (int k = 0; k <= SAMPLES; k++) {
         double at = at_of(scan, k), gap;
+        yk_pace_reach(scan->path.state->pace, (double)k / (SAMPLES + 1));
         bool closes = yk_path_probe(&scan->path, at, true) >= 0;
         double m = closes ? scan->path.state->space.margin[0] : -1;
         if (closes && !scan->is_open)
@@ -134,7 +135,7 @@ static bool widen(Scan *scan, YkState *home, double here)
     return true;
 }
 
-size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity)
+static size_t find_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity)
 {
     const YkMechanism *mech = state->mech;
     int32_t input = mech->coordinates[coordinate].input;
@@ -142,6 +143,7 @@ size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, siz
     Scan scan = {.ranges = ranges, .capacity = capacity};
     if (!probe) return input == YK_NONE ? 0 : YK_NOT_FOUND;
     yk_state_copy(probe, state);
+    yk_state_lend(probe, state->pace);
     if (!yk_path_start(&scan.path, probe, (int)coordinate)) {
         yk_state_free(probe);
         return YK_NOT_FOUND;
@@ -163,5 +165,12 @@ size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, siz
     }
     yk_path_end(&scan.path);
     yk_state_free(probe);
-    return is_good ? scan.count : (size_t)-1;
+    return is_good ? scan.count : YK_NOT_FOUND;
+}
+
+size_t yk_closing_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity)
+{
+    bool is_own = yk_state_begin(state);
+    size_t count = find_ranges(state, coordinate, ranges, capacity);
+    return yk_state_end(state, is_own, YK_OK) == YK_STOPPED ? YK_NOT_FOUND : count;
 }

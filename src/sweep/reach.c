@@ -12,6 +12,7 @@ static const double SAME = 1e-6; // rad, or machine sizes
 
 typedef struct YkReach {
     YkRest *rest;
+    YkPace pace;
     bool failed; // out of memory
     size_t way_count;
     YkMechanism *mech[WAYS_MAX]; // the machine with other inputs; [0]: those of the equilibria
@@ -127,6 +128,16 @@ static bool find_places(YkReach *r)
     return ok;
 }
 
+static bool make_states(YkReach *r, size_t way)
+{
+    r->state[way] = yk_state_new(r->mech[way]);
+    r->trial[way] = yk_state_new(r->mech[way]);
+    if (!r->state[way] || !r->trial[way]) return false;
+    yk_state_lend(r->state[way], &r->pace);
+    yk_state_lend(r->trial[way], &r->pace);
+    return true;
+}
+
 // Adds machines with every other coordinate in place of the one free input.
 static bool add_ways(YkReach *r)
 {
@@ -136,7 +147,8 @@ static bool add_ways(YkReach *r)
         if (r->rest->freedom != 1 || own->block_count == 0 || q->input != YK_NONE) continue;
         YkProblems *quiet = yk_problems_new();
         const char *name = q->name;
-        YkMechanism *mech = yk_mechanism_compile(own->model, &(YkCompileOptions){&name, 1}, quiet);
+        YkMechanism *mech =
+            yk_mechanism_compile(own->model, &(YkCompileOptions){.inputs = &name, .input_count = 1}, quiet);
         bool is_told = quiet && yk_problems_error_count(quiet) > 0;
         for (size_t k = 0; is_told && k < yk_problems_count(quiet); k++)
             is_told = yk_problems_get(quiet, k)->code != YK_CODE_OUT_OF_MEMORY;
@@ -154,9 +166,7 @@ static bool add_ways(YkReach *r)
         r->way_count++;
         r->free[way] = input;
         r->mech[way] = mech;
-        r->state[way] = yk_state_new(mech);
-        r->trial[way] = yk_state_new(mech);
-        if (!r->state[way] || !r->trial[way]) return false;
+        if (!make_states(r, way)) return false;
     }
     return true;
 }
@@ -167,10 +177,9 @@ static bool prepare(YkReach *r)
     r->way_count = 1;
     r->free[0] = rest->freedom > 0 ? (size_t)rest->input[0] : 0;
     r->mech[0] = rest->mech;
-    r->state[0] = yk_state_new(rest->mech);
-    r->trial[0] = yk_state_new(rest->mech);
+    bool has_states = make_states(r, 0);
     r->place = calloc(PLACES_MAX * rest->mech->coordinate_count + 1, sizeof *r->place);
-    if (!r->state[0] || !r->trial[0] || !r->place || yk_state_set_time(r->state[0], rest->time, NULL) < 0) return false;
+    if (!has_states || !r->place || yk_state_set_time(r->state[0], rest->time, NULL) < 0) return false;
     for (size_t i = 0; i < rest->mech->input_count; i++)
         r->state[0]->input[3 * i + 1] = r->state[0]->input[3 * i + 2] = 0;
     YkStatus status = rest->pose ? yk_state_adopt(r->state[0], rest->pose) : yk_state_assemble(r->state[0]);
@@ -181,13 +190,18 @@ static bool prepare(YkReach *r)
 YkStatus yk_rest_reach(YkRest *rest)
 {
     YkReach *r = calloc(1, sizeof *r);
-    bool ok = r != NULL;
+    bool ok = r != NULL, is_stopped = false;
     if (ok) {
         r->rest = rest;
+        yk_pace_begin(&r->pace, rest->progress);
         ok = prepare(r);
-        for (size_t k = 0; k < rest->count && ok; k++)
+        for (size_t k = 0; k < rest->count && ok && !r->pace.is_stopped; k++) {
+            yk_pace_reach(&r->pace, (double)k / (double)rest->count);
             rest->points[k].at.is_reachable = reaches(r, rest->points[k].coordinates);
+        }
         ok = ok && !r->failed;
+        is_stopped = r->pace.is_stopped;
+        for (size_t k = 0; is_stopped && k < rest->count; k++) rest->points[k].at.is_reachable = false;
         for (size_t way = 0; way < r->way_count; way++) {
             yk_state_free(r->state[way]);
             yk_state_free(r->trial[way]);
@@ -197,5 +211,5 @@ YkStatus yk_rest_reach(YkRest *rest)
         free(r->place);
     }
     free(r);
-    return ok ? YK_OK : YK_NO_MEMORY;
+    return !ok ? YK_NO_MEMORY : is_stopped ? YK_STOPPED : YK_OK;
 }

@@ -8,11 +8,13 @@ static bool wants_forces(const YkSweep *w)
     return false;
 }
 
-void yk_sweep_read_channels(const YkSweep *w, double *values)
+void yk_sweep_read_channels(YkSweep *w, double *values)
 {
     YkState *s = w->walk.path.state;
+    yk_state_spend(s, wants_forces(w) ? 8 * s->mech->step_count : w->channel_count);
     YkStatus status =
         wants_forces(w) && s->has_rates ? yk_dynamics_solve(w->options.dynamics, s, w->options.method) : YK_SINGULAR;
+    w->walk.failed |= status == YK_NO_MEMORY;
     bool has_forces = status == YK_OK || status == YK_REDUNDANT;
     for (size_t c = 0; c < w->channel_count; c++) {
         if (!yk_channel_needs_forces(w->channels[c]))

@@ -50,6 +50,7 @@ static void run_rows(YkSweep *w)
     for (size_t k = 1; k <= o->steps; k++) {
         double next = k == o->steps ? o->to : o->from + (o->to - o->from) * (double)k / (double)o->steps;
         if (!yk_walk_go(walk, last, next) || !yk_sweep_record(w, next)) return;
+        yk_pace_reach(walk->path.state->pace, (double)k / (double)o->steps);
         yk_path_probe(&walk->path, next, true);
         yk_sweep_try_change_row(w);
         last = next;
@@ -91,7 +92,7 @@ static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *
     return ok;
 }
 
-YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count,
+static YkSweep *sweep(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count,
                       YkProblems *problems)
 {
     if (!are_good(state, options, problems)) return NULL;
@@ -113,6 +114,17 @@ YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkCha
         return NULL;
     }
     return w;
+}
+
+YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels, size_t channel_count,
+                      YkProblems *problems)
+{
+    bool is_own = yk_state_begin(state);
+    YkSweep *w = sweep(state, options, channels, channel_count, problems);
+    if (yk_state_end(state, is_own, YK_OK) != YK_STOPPED) return w;
+    yk_sweep_free(w);
+    yk_pace_tell(problems);
+    return NULL;
 }
 
 void yk_sweep_free(YkSweep *w)

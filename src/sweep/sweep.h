@@ -23,7 +23,7 @@ struct YkSweep {
 // otherwise with the motion's own.
 YkStatus yk_sweep_look_back(YkSweep *sweep, double at, bool along);
 // Reads the channels at the present pose; forces are NaN if they are not determined.
-void yk_sweep_read_channels(const YkSweep *sweep, double *values);
+void yk_sweep_read_channels(YkSweep *sweep, double *values);
 // Reads the channels at the events noted since the last call, with the state at `here`, verified.
 void yk_sweep_read_events(YkSweep *sweep, double here);
 

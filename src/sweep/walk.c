@@ -61,10 +61,18 @@ bool yk_walk_has_margin(const YkWalk *w, size_t block)
 
 void yk_walk_end_at(YkWalk *w, double at, double bad)
 {
+    if (yk_walk_is_stopped(w)) return;
     w->status = yk_path_set(&w->path, bad, true) < 0 ? YK_BAD_MODEL : YK_LIMIT;
     if (w->status == YK_BAD_MODEL) yk_state_set_time(w->path.state, bad, w->problems);
     yk_walk_note(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->status == YK_LIMIT ? w->limit_block : -1});
     yk_path_probe(&w->path, at, true);
+}
+
+bool yk_walk_is_stopped(YkWalk *w)
+{
+    if (!yk_state_is_stopped(w->path.state)) return false;
+    w->status = YK_STOPPED;
+    return true;
 }
 
 bool yk_walk_was_flipped_near(const YkWalk *w, size_t block, double at)
@@ -93,6 +101,7 @@ static bool go_on(YkWalk *w, double from, double to, size_t depth);
 static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
 {
     YkState *s = w->path.state;
+    if (yk_walk_is_stopped(w)) return false;
     w->limit_block = s->report.block;
     double at = yk_path_limit(&w->path, good, bad), beyond = at + copysign(2e-5 * yk_path_scale(&w->path), bad - at);
     bool fits =
@@ -262,7 +271,7 @@ bool yk_walk_go(YkWalk *w, double a, double b)
         double *margins = yk_walk_margins(w, 0, 0);
         yk_walk_read_margins(w, margins);
         yk_walk_flip_at(w, last, margins);
-        if (!advance(w, last, next, 0)) return false;
+        if (!advance(w, last, next, 0) || yk_walk_is_stopped(w)) return false;
         if (w->arrived && !w->arrived(w->context, next)) {
             w->status = YK_STOPPED;
             return false;

@@ -30,6 +30,8 @@ void yk_walk_end(YkWalk *walk);
 // Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
 // tells why, and a limit is noted as an event.
 bool yk_walk_go(YkWalk *walk, double a, double b);
+// Returns whether the caller of the long call that the walk works for has stopped it. The status is then YK_STOPPED.
+bool yk_walk_is_stopped(YkWalk *walk);
 // Returns whether the walk would take unreasonably many steps. The status is then YK_STOPPED, and the state's report
 // tells why. Call it before a walk; it takes account of the cost of the machine at each step.
 bool yk_walk_refuses(YkWalk *walk, double a, double b);

@@ -8,6 +8,7 @@ bool yk_ring_graph_start(YkRingGraph *values, YkRing *ring, YkArena *arena)
 {
     *values = (YkRingGraph){.ring = ring};
     bool has_started = yk_graph_start(&values->graph, arena);
+    values->graph.pace = yk_ring_pace(ring);
     values->graph.shares_signs = true;
     return has_started;
 }

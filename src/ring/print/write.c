@@ -277,6 +277,7 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
         if (text->failed) yk_ring_fail(ring, YK_RING_MEMORY);
         return !text->failed;
     }
+    if (!yk_ring_spend(ring, (1 + a->count) * YK_WORK_PRINT)) return false;
     YkSheet sheet = {ring, ring->sheet, format, style, false};
     size_t count = 0;
     yk_arena_clear(ring->sheet);

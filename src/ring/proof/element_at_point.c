@@ -203,6 +203,7 @@ static uint64_t inverse_of(const YkFieldPoint *point, int64_t denominator)
 uint64_t yk_ring_field(const YkRing *ring, const YkPoisson *a, const YkFieldPoint *point, bool conjugate)
 {
     uint64_t sum = 0, phase = 1;
+    yk_pace_spend(ring->pace, (1 + yk_ring_terms(a)) * YK_WORK_VALUE);
     Bases values = {point->value, point->value_inverse, point->count},
           units = {point->unit, point->unit_inverse, point->count};
     for (size_t i = 0; a && i < a->count; i++) {

@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include "ring/proof/form_inside.h"
 
+enum { NODE = 20 }; // work of visiting one
+
 typedef enum Way { EXPAND, FIELD, DOUBLE } Way;
 
 // The result for a node.
@@ -81,6 +83,7 @@ static bool visit(const Walk *walk, const YkForm *form)
 {
     Result *result = &walk->results[form->number - walk->first];
     if (result->known) return true;
+    if (!yk_ring_spend(walk->ring, NODE)) return false;
     for (size_t i = 0; i < form->count; i++)
         if (!visit(walk, form->parts[i])) return false;
     *result = of_parts(walk, form);

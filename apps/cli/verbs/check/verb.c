@@ -43,6 +43,8 @@ static int answer_check(YkCheckAnswer *answer)
 {
     YkSession *session = answer->session;
     size_t found = yk_four_bars(session->mech, answer->four_bars, YK_FOUR_BARS_MAX);
+    if (found == YK_NOT_FOUND) yk_session_run_out(session);
+    if (found == YK_NOT_FOUND) return YK_EXIT_WRONG;
     answer->four_bar_count = found < YK_FOUR_BARS_MAX ? found : YK_FOUR_BARS_MAX;
     if (!look_at_loads(answer)) return YK_EXIT_WRONG;
     answer->status = try_assembly(answer);

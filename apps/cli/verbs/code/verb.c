@@ -2,6 +2,7 @@
 #include <string.h>
 #include "answer.h"
 #include "reach.h"
+#include "stop.h"
 #include "write/json.h"
 
 // Returns whether the text can begin a C name and is not a word of C.
@@ -43,6 +44,7 @@ int yk_run_code(YkSession *session)
 {
     const YkRequest *request = session->request;
     YkCSourceOptions options = yk_default_c_source_options();
+    options.progress = yk_stop_progress(session);
     options.prefix = request->prefix;
     options.single = request->single;
     options.kinematics = request->kinematics;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
+#include "stop.h"
 #include "verbs/derive/derive.h"
 #include "verbs/derive/input.h"
 
@@ -263,7 +264,7 @@ int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
     Checking checking = {
         .session = session, .derivation = derivation, .json = {.text = &session->out}, .as_json = as_json};
     const YkWords *checks = &session->request->checks;
-    checking.start = yk_state_new(session->mech);
+    checking.start = yk_session_new_state(session, session->mech);
     if (!checking.start || yk_state_copy(checking.start, session->state) < 0) {
         yk_state_free(checking.start);
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");

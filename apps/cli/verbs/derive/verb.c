@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/names.h"
 #include "reach.h"
+#include "stop.h"
 #include "verbs/derive/derive.h"
 #include "write/stream.h"
 
@@ -160,6 +161,7 @@ int yk_run_derive(YkSession *session)
     YkPageFormat format;
     if (!read_format(session, &format) || !yk_session_load(session, NULL)) return YK_EXIT_WRONG;
     YkDerivation *derivation = yk_derivation_new(session->model, session->mech, session->problems);
+    if (derivation) yk_derivation_set_progress(derivation, yk_stop_progress(session));
     int exit_code = derivation ? derive(session, derivation, format) : YK_EXIT_NO_ANSWER;
     yk_derivation_free(derivation);
     return exit_code;

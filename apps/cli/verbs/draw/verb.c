@@ -6,6 +6,7 @@
 #include "picture/movie.h"
 #include "range.h"
 #include "reach.h"
+#include "stop.h"
 #include "write/file.h"
 
 enum { POSES_MAX = 1000, TRACE_STEPS = 720 };
@@ -124,7 +125,7 @@ static YkStatus gather(Drawer *drawer)
     YkStatus status = YK_OK;
     if (session->request->trace.count > 0) choose_range(drawer);
     if (drawer->has_range) {
-        YkState *moving = yk_state_new(session->mech);
+        YkState *moving = yk_session_new_state(session, session->mech);
         if (!moving) return YK_NO_MEMORY;
         status = yk_state_copy(moving, session->state);
         if (status >= 0) status = walk_range(drawer, moving);

@@ -1,5 +1,6 @@
 // yoke rest: where the machine stands still under its loads, and how it vibrates there.
 #include "reach.h"
+#include "stop.h"
 #include "verbs/rest/rest.h"
 
 enum { STARTS_MAX = 100000 };
@@ -21,6 +22,7 @@ static bool find(YkRestAnswer *answer)
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
     YkRestOptions options = yk_default_rest_options();
+    options.progress = yk_stop_progress(session);
     if (!yk_session_count(session, "--starts", request->starts, STARTS_MAX, options.starts, &options.starts))
         return false;
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &options.time))

@@ -152,7 +152,7 @@ static bool read_start(YkSimulationAnswer *answer)
     }
     for (size_t k = 0; k < rate->count; k++)
         if (!read_pair(answer, "--rate", rate->items[k], true)) return false;
-    answer->compile = (YkCompileOptions){answer->inputs, at->count};
+    answer->compile = (YkCompileOptions){.inputs = answer->inputs, .input_count = at->count};
     answer->options.values = answer->values;
     answer->options.compile = at->count > 0 ? &answer->compile : NULL;
     return true;

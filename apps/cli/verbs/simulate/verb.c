@@ -3,39 +3,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #include "base/number.h"
 #include "base/problems.h"
 #include "reach.h"
+#include "stop.h"
 #include "verbs/simulate/simulate.h"
 
 enum { CHUNK = 16384 };
 static const double flush_after = 0.1, progress_after = 0.2; // s of real time
 
-// Set by the first Ctrl-C (or SIGTERM): what is done comes out whole. A second one ends the program at once.
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
+static void ignore_closed_pipes(void)
 {
-    (void)signal_number;
-    interrupted = 1;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction once = {.sa_handler = interrupt}, ignore = {.sa_handler = SIG_IGN};
-    once.sa_flags = (int)SA_RESETHAND;
-    sigaction(SIGINT, &once, NULL);
-    sigaction(SIGTERM, &once, NULL);
+    struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGPIPE, &ignore, NULL); // a closed pipe is a failed write, which is reported
-}
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 // --- after every step: whether to go on, and progress for people who watch
@@ -67,10 +48,9 @@ static void foretell(const Watch *watch, double time)
 // Shows no progress if the rows go to the same terminal.
 static bool wants_progress(const YkSession *session)
 {
-    const char *terminal = getenv("TERM"), *output = session->request->output;
+    const char *output = session->request->output;
     bool rows_are_seen = isatty(STDOUT_FILENO) && (!output || strcmp(output, "-") == 0);
-    bool is_dumb = terminal && strcmp(terminal, "dumb") == 0;
-    return isatty(STDERR_FILENO) && !session->request->quiet && !rows_are_seen && !is_dumb;
+    return yk_stop_shows_progress(session) && !rows_are_seen;
 }
 
 static bool look(void *context, double time)
@@ -78,13 +58,13 @@ static bool look(void *context, double time)
     enum { FIRST_STEPS = 1000 };
     Watch *watch = context;
     if (++watch->steps == FIRST_STEPS && time > watch->from) foretell(watch, time);
-    if (watch->shows_progress && now() - watch->last_progress > progress_after) {
+    if (watch->shows_progress && yk_stop_now() - watch->last_progress > progress_after) {
         fprintf(stderr, "\rsimulate: t = %.6g s, %.0f %%   ", time,
                 100 * (time - watch->from) / (watch->to - watch->from));
         watch->has_shown = true;
-        watch->last_progress = now();
+        watch->last_progress = yk_stop_now();
     }
-    return !interrupted;
+    return !yk_stop_is_asked();
 }
 
 static void clear_progress(const Watch *watch)
@@ -97,8 +77,8 @@ static void clear_progress(const Watch *watch)
 // Flushes rows when there are many of them, or when a reader may be waiting.
 static bool flush_if_due(YkSimulationAnswer *answer, Watch *watch)
 {
-    if (answer->session->out.length < CHUNK && now() - watch->last_flush < flush_after) return true;
-    watch->last_flush = now();
+    if (answer->session->out.length < CHUNK && yk_stop_now() - watch->last_flush < flush_after) return true;
+    watch->last_flush = yk_stop_now();
     return yk_simulate_flush(answer);
 }
 
@@ -110,7 +90,7 @@ static bool run_rows(YkSimulationAnswer *answer, Watch *watch)
         double time = yk_simulate_time_of(answer, k);
         answer->status = yk_simulation_advance(answer->simulation, time);
         bool has_row = answer->status == YK_OK && yk_simulation_time(answer->simulation) >= time;
-        answer->is_interrupted = interrupted && (!has_row || k < answer->steps);
+        answer->is_interrupted = yk_stop_is_asked() && (!has_row || k < answer->steps);
         if (has_row && !yk_simulate_row(answer)) return false;
         if (streams && has_row && !flush_if_due(answer, watch)) return false;
         if (!has_row || answer->is_interrupted) break;
@@ -124,7 +104,8 @@ static bool run(YkSimulationAnswer *answer, Watch *watch)
     if (session->request->format != YK_FORMAT_JSON &&
         !yk_stream_open(&answer->stream, session->request->output, session->problems))
         return false;
-    catch_signals();
+    ignore_closed_pipes();
+    session->keeps_what_is_done = true; // what is done comes out whole
     yk_simulate_head(answer);
     bool good = run_rows(answer, watch);
     clear_progress(watch);
@@ -227,7 +208,7 @@ static int simulate(YkSimulationAnswer *answer)
     bool good = yk_simulate_read(answer);
     Watch watch = {.from = answer->from, .to = answer->to, .shows_progress = wants_progress(session)};
     watch.session = session;
-    watch.last_flush = watch.last_progress = now();
+    watch.last_flush = watch.last_progress = yk_stop_now();
     answer->options.goes_on = look;
     answer->options.context = &watch;
     if (good && reach(answer) < 0)

@@ -1,6 +1,7 @@
 // yoke solve: one pose, or every one that the inputs allow.
 #include "columns.h"
 #include "reach.h"
+#include "stop.h"
 #include "verbs/solve/solve.h"
 
 // The writer for the format, and what it writes for a configuration.
@@ -175,7 +176,7 @@ int yk_run_solve(YkSession *session)
         return YK_EXIT_WRONG;
     bool good = read_columns(session, &columns);
     writer.dynamics = session->dynamics;
-    writer.scratch = yk_state_new(session->mech);
+    writer.scratch = yk_session_new_state(session, session->mech);
     int exit_code = YK_EXIT_WRONG;
     if (good && writer.scratch) {
         exit_code = solve(&writer);

@@ -6,6 +6,7 @@
 #include "base/number.h"
 #include "reach.h"
 #include "session.h"
+#include "stop.h"
 #include "verbs/study/study.h"
 
 enum { DESIGNS_MAX = 10000000, DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36, THREADS_MAX = 1024 };
@@ -139,7 +140,7 @@ static bool read_poses(YkStudyAnswer *answer, size_t steps)
     answer->pose_count = n;
     answer->input = calloc(3 * inputs * n + 1, sizeof *answer->input);
     answer->input_row = calloc(3 * inputs + 1, sizeof *answer->input_row);
-    YkState *state = yk_state_new(session->mech);
+    YkState *state = yk_session_new_state(session, session->mech);
     bool good = answer->input && answer->input_row && state;
     if (!good) {
         yk_state_free(state);
@@ -220,8 +221,13 @@ static bool make_study(YkStudyAnswer *answer)
     YkProblems *problems = yk_problems_new();
     for (size_t c = 0; channels && c < answer->column_count; c++) channels[c] = answer->columns[c].channel;
     for (size_t k = 0; names && k < answer->axis_count; k++) names[k] = answer->axes[k].name;
-    YkStudyOptions options = {names,           answer->axis_count, channels, answer->column_count,
-                              answer->threads, answer->start};
+    YkStudyOptions options = {.parameters = names,
+                              .parameter_count = answer->axis_count,
+                              .channels = channels,
+                              .channel_count = answer->column_count,
+                              .threads = answer->threads,
+                              .start = answer->start,
+                              .progress = yk_stop_progress(session)};
     if (channels && names && problems) answer->study = yk_study_new(session->state, &options, problems);
     yk_tell_problems(session, problems);
     session->is_told |= problems && !answer->study;

@@ -1,39 +1,15 @@
 // yoke study: many designs of one machine.
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #include "session.h"
+#include "stop.h"
 #include "verbs/study/study.h"
 
 static const double chunk_seconds = 0.2; // s between checks of signals, progress and the partial file
 enum { CHUNK = 64, CHUNK_MAX = 1 << 20 };
-
-static volatile sig_atomic_t interrupted; // by the first Ctrl-C; a second one ends the program at once
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction once = {.sa_handler = interrupt};
-    once.sa_flags = (int)SA_RESETHAND;
-    sigaction(SIGINT, &once, NULL);
-    sigaction(SIGTERM, &once, NULL);
-}
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 // --- running
 
@@ -91,8 +67,8 @@ static void fill_row(YkStudyAnswer *a, const Chunk *chunk, size_t k, size_t coun
     }
 }
 
-// Returns false when out of memory: these rows are then invalid.
-static bool run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
+// Returns YK_OK; YK_STOPPED or YK_NO_MEMORY, and then these rows are invalid.
+static YkStatus run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         double *row = yk_study_row(a, from + k);
@@ -100,21 +76,19 @@ static bool run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t count)
         for (size_t p = 0; p < a->axis_count; p++) ((double *)(uintptr_t)chunk->rows[p])[k] = row[p];
     }
     YkStudyCase asked = {chunk->rows, count, a->input_row, a->pose_count, false};
-    if (a->over.name)
-        yk_study_reduce(a->study, &asked, chunk->extents, chunk->status, chunk->standing);
-    else
-        yk_study_run(a->study, &asked, chunk->outputs, chunk->status);
+    YkStatus worst = a->over.name ? yk_study_reduce(a->study, &asked, chunk->extents, chunk->status, chunk->standing)
+                                  : yk_study_run(a->study, &asked, chunk->outputs, chunk->status);
+    if (worst == YK_STOPPED) return worst;
     for (size_t k = 0; k < count; k++) {
-        if (chunk->status[k] == YK_NO_MEMORY)
-            return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        if (chunk->status[k] == YK_NO_MEMORY) return YK_NO_MEMORY;
         fill_row(a, chunk, k, count, yk_study_row(a, from + k));
     }
-    return true;
+    return YK_OK;
 }
 
 static void show_progress(const YkStudyAnswer *a, bool is_last)
 {
-    if (!isatty(STDERR_FILENO) || a->session->request->quiet) return;
+    if (!yk_stop_shows_progress(a->session)) return;
     if (is_last)
         fputs("\r                                                \r", stderr);
     else
@@ -127,16 +101,18 @@ static bool run(YkStudyAnswer *a)
     size_t most = a->design_count < CHUNK_MAX ? a->design_count : CHUNK_MAX, size = CHUNK;
     bool good = start_chunk(a, &chunk, most);
     if (!good) yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    while (good && a->done < a->design_count && !interrupted) {
+    while (good && a->done < a->design_count && !yk_stop_is_asked()) {
         size_t count = a->design_count - a->done < size ? a->design_count - a->done : size;
         if (count > most) count = most;
-        double start = now();
-        good = run_chunk(a, &chunk, a->done, count);
+        double start = yk_stop_now();
+        YkStatus status = run_chunk(a, &chunk, a->done, count);
+        if (status == YK_STOPPED) break;
+        good = status == YK_OK || yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
         for (size_t k = 0; k < count; k++) yk_note_status(a->session, yk_study_status(a, a->done + k));
         good = good && !a->session->ran_out && yk_partial_add(a, a->done, a->done + count);
         a->done += count;
         show_progress(a, false);
-        if (now() - start < chunk_seconds / 2 && size < most) size *= 2;
+        if (yk_stop_now() - start < chunk_seconds / 2 && size < most) size *= 2;
     }
     show_progress(a, true);
     end_chunk(&chunk);
@@ -154,7 +130,7 @@ static bool find_sensitivities(YkStudyAnswer *a)
         return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     a->sensitivity_status = yk_study_sensitivities(a->study, a->input_row, a->derivative, a->difference);
     yk_note_status(a->session, a->sensitivity_status);
-    if (a->sensitivity_status < 0)
+    if (a->sensitivity_status < 0 && !yk_stop_is_asked())
         yk_tell_status(a->session, a->sensitivity_status,
                        "no sensitivities: a design next to the file's own has no valid pose");
     return true;
@@ -195,6 +171,7 @@ static int answer_study(YkStudyAnswer *a)
         yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
         return YK_EXIT_WRONG;
     }
+    a->session->keeps_what_is_done = true;
     if (!yk_partial_open(a) || !find_sensitivities(a) || !run(a)) return YK_EXIT_WRONG;
     if (!a->is_interrupted) return write_answer(a);
     yk_partial_close(false);
@@ -213,7 +190,6 @@ int yk_run_study(YkSession *session)
         return exit_code;
     }
     a->session = session;
-    catch_signals();
     if (yk_study_read(a))
         exit_code = answer_study(a);
     else if (a->start_status < 0)

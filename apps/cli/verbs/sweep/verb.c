@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "reach.h"
+#include "stop.h"
 #include "verbs/sweep/sweep.h"
 #include "write/file.h"
 
@@ -105,7 +106,7 @@ static void tell(YkSweepAnswer *answer)
 static bool run(YkSweepAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
-    YkState *start = yk_state_new(session->mech);
+    YkState *start = yk_session_new_state(session, session->mech);
     YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
     answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
     if (start && channels && answer->strokes) {
