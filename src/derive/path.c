@@ -53,7 +53,7 @@ static bool find_ambiguous(YkDerivation *d, struct YkDeriveNames *names)
         for (size_t p = 0; p < d->model->point_count && well; p++) {
             int32_t other;
             well = yk_names_add(&table, d->model->points[p].name, (int32_t)p, &other);
-            if (other == YK_NONE || find_root(names->root, other) == find_root(names->root, (int32_t)p)) continue;
+            if (!well || other == YK_NONE || find_root(names->root, other) == find_root(names->root, (int32_t)p)) continue;
             names->is_ambiguous[p] = names->is_ambiguous[other] = true;
         }
     for (size_t p = 0; p < d->model->point_count && well; p++) { // all of an ambiguous name
@@ -121,9 +121,8 @@ static void name_centers(YkDerivation *d, struct YkDeriveNames *names)
         if (d->model->bodies[b].has_mass) names->center[b] = number_after(d, stems[stem], ++count);
 }
 
-static struct YkDeriveNames *names_of(YkDerivation *d)
+static struct YkDeriveNames *make_names(YkDerivation *d)
 {
-    if (d->names) return d->names;
     size_t points = d->model->point_count, bodies = d->model->body_count;
     struct YkDeriveNames *names = YK_NEW(d->arena, struct YkDeriveNames, 1);
     if (!names) return NULL;
@@ -141,13 +140,17 @@ static struct YkDeriveNames *names_of(YkDerivation *d)
     return names;
 }
 
+// Returns NULL when out of memory: the derivation has then failed.
+static struct YkDeriveNames *names_of(YkDerivation *d)
+{
+    if (!d->names && !make_names(d)) d->failed = true;
+    return d->names;
+}
+
 const char *yk_derive_point_name(YkDerivation *d, int32_t body, int32_t point)
 {
     const struct YkDeriveNames *names = names_of(d);
-    if (!names) {
-        d->failed = true;
-        return "";
-    }
+    if (!names) return "";
     if (point == YK_NONE) return names->origin[body];
     const YkPoint *p = &d->model->points[point];
     return names->is_ambiguous[point] ? join(d, d->model->bodies[p->body].name, ".", p->name) : p->name;

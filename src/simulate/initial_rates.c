@@ -110,7 +110,10 @@ bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems)
 {
     enum { UNKNOWNS_MAX = 2000 };
     YkStartRate *given = calloc(sim->model->start_count + sim->options.value_count + 1, sizeof *given);
-    if (!given) return false;
+    if (!given) {
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the simulation");
+        return false;
+    }
     size_t m = yk_simulation_given_rates(sim, given);
     bool ok = true;
     for (size_t k = 0; k < sim->free_count; k++) set_rate(sim, k, 0);

@@ -78,7 +78,8 @@ static bool begin(YkSimulation *sim, YkProblems *problems)
     bool has_dead_points = sim->free_count == 1 && sim->mech->block_count > 0;
     sim->first = has_dead_points ? (int32_t)sim->mech->inputs[sim->free_input[0]] : YK_NONE;
     if (!sim->is_flat && !yk_simulation_start_rates(sim, problems))
-        return refuse(sim, problems, YK_SINGULAR,
+        return !yk_problems_ran_out(problems) &&
+               refuse(sim, problems, YK_SINGULAR,
                       "it stands at a dead point, where the rates of `start:` are not determined");
     read_inputs(sim);
     if (!check_stops(sim, problems)) return false;
