@@ -12,6 +12,10 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME yoke)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+# Other packages then depend on the version whose functions they use.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/debian/symbols)
+add_custom_command(TARGET yoke_shared POST_BUILD VERBATIM COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/debian
+  COMMAND sh ${CMAKE_SOURCE_DIR}/tools/list-symbols $<TARGET_FILE:yoke_shared> ${PROJECT_VERSION} > ${CMAKE_BINARY_DIR}/debian/symbols)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "gnuplot-nox, librsvg2-bin")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Answers what a course in kinematics and machine dynamics asks of linkages, gears and cams.")
 
