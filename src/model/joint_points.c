@@ -45,7 +45,10 @@ void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node)
     switch (joint->kind) {
     case YK_PIN:
     case YK_WELD:
-        if (at && !yk_load_expect(loader, at, YK_NODE_SCALAR, &(YkSubject){.noun = "at", .owner = joint->name})) return;
+        if (at && !yk_load_expect(loader, at, YK_NODE_SCALAR, &(YkSubject){.noun = "at", .owner = joint->name})) {
+            yk_problem_hint(loader->problems, "`at:` is the name of a point, which both bodies give in their own axes");
+            return;
+        }
         share_point(loader, joint, at);
         break;
     case YK_SLIDE:
