@@ -49,11 +49,10 @@ typedef struct YkStudyCase {
 // several inputs), then straight from pose to pose: branch and circuit are kept, change points passed, turns counted.
 // Status: YK_OK, YK_SINGULAR; YK_BAD_MODEL if the values make no valid machine, YK_NO_ASSEMBLY if it cannot be
 // assembled, YK_LIMIT for a pose that it cannot reach (the next one is sought from the last one reached); outputs are
-// then 0, never NaN. Returns the worst status; YK_STOPPED if it was stopped, and then outputs and status of some designs
-// are missing. For dyads the results have the bits of yk_state_move_to.
-// Cost per design: the expressions that vary, then that of yk_batch_run for every 2 degrees of the way or every pose,
-// whichever are more; that of yk_state_move_to where branches may meet, with groups, gears, belts, cams, and forces.
-// Only these allocate.
+// then 0, never NaN. Returns the worst status; YK_STOPPED if it was stopped, and then outputs and status of some
+// designs are missing. For dyads the results have the bits of yk_state_move_to. Cost per design: the expressions that
+// vary, then that of yk_batch_run for every 2 degrees of the way or every pose, whichever are more; that of
+// yk_state_move_to where branches may meet, with groups, gears, belts, cams, and forces. Only these allocate.
 YK_API YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status);
 
 // Least, largest and mean value of a channel over the valid poses of one design.
@@ -93,7 +92,7 @@ typedef struct YkMotionCase {
 // Solves accelerations[input][state]. status[state] (may be NULL): YK_OK; YK_BAD_MODEL if the values make no valid
 // machine; YK_SINGULAR if a freedom has no inertia; or that of yk_dynamics_accelerate. Accelerations are 0 if the
 // status is not YK_OK. Returns the worst status; YK_BAD_ARGUMENT for efforts where they cannot be given. The bits are
-// the same for any number of threads.
+// the same for any number of threads. It asks nobody on the way: calls of some thousand states each give the same bits.
 YK_API YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *asked, double *const *accelerations,
                                     signed char *status);
 
