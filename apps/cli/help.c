@@ -54,7 +54,7 @@ void yk_help_verb(YkText *text, const YkVerb *verb)
         if (yk_option_is_for(option, verb->name)) add_option(text, option);
     yk_text_format(text,
                    "\nExit code: 0 done, 1 the machine has no answer (the message says why), 2 the file or the options "
-                   "are wrong.\n"
+                   "are wrong; 130 stopped by Ctrl-C.\n"
                    "FILE may be - for standard input.\n\nExample:\n  %s\n",
                    verb->example);
 }

@@ -14,7 +14,7 @@ typedef struct YkDerivation YkDerivation;
 
 // Starts a derivation: symbols for all that the model speaks of. The model and the mechanism must outlive it. NULL with
 // a problem added when out of memory, or where the file's numbers are too large to be exact. One thread at a time.
-// Cost linear in the number of bodies; everything else is derived when it is first asked for.
+// Cost linear in the number of bodies, some microseconds each; everything else is derived when it is first asked for.
 YK_API YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
 YK_API void yk_derivation_free(YkDerivation *derivation);
 // Lets `progress` watch the pages and checks that follow (<yoke/progress.h>). One that is stopped leaves the derivation
@@ -44,14 +44,14 @@ typedef struct YkPageOptions {
     const bool *sections; // [yk_derivation_section_count()]: which are wanted; NULL: all that the machine has
     const YkState *state; // puts values at this pose beside the symbols; NULL: symbols alone
     YkDynamics *dynamics; // solved at that pose: values of forces; may be NULL
-    // Takes the page as it grows, in pieces of whole lines, so that a large page needs little memory; false ends it. Values
-    // and C need the whole page first. NULL: it is kept, for yk_derivation_text.
+    // Takes the page as it grows, in pieces of whole lines, so that a large page needs little memory; false ends it.
+    // Values and C need the whole page first. NULL: it is kept, for yk_derivation_text.
     bool (*write)(void *context, const char *text, size_t length);
     void *context;
 } YkPageOptions;
 YK_API YkPageOptions yk_default_page_options(void); // text, all sections, no values
-// Derives and prints a page. options may be NULL. YK_OK; YK_BAD_MODEL where a section cannot be derived exactly (products
-// too long, numbers too large: the problem names it), YK_STOPPED where `write` or the progress said so,
+// Derives and prints a page. options may be NULL. YK_OK; YK_BAD_MODEL where a section cannot be derived exactly
+// (products too long, numbers too large: the problem names it), YK_STOPPED where `write` or the progress said so,
 // YK_NO_MEMORY, YK_BAD_ARGUMENT.
 YK_API YkStatus yk_derivation_page(YkDerivation *derivation, const YkPageOptions *options, YkProblems *problems);
 YK_API const char *yk_derivation_text(const YkDerivation *derivation); // of the last page; lives until the next

@@ -24,7 +24,8 @@ typedef struct YkFourBar {
     YkFourBarClass kind; // with body[0] as the frame and body[1] as the input
 } YkFourBar;
 // Finds the machine's four-bars whose frame link is the ground or, if there are none, any ring of four pins. Returns
-// their count, YK_NOT_FOUND when out of memory. The search ends after 2e7 looks, since bodies joined by very many pins have too many rings to list.
+// their count, YK_NOT_FOUND when out of memory. The search ends after 2e7 looks, since bodies joined by very many pins
+// have too many rings to list.
 YK_API size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capacity);
 YK_API const char *yk_four_bar_name(YkFourBarClass kind); // "crank-rocker (Grashof)", ...
 

@@ -35,9 +35,9 @@ typedef struct YkDragged {
 // Drags the point towards target[2], world axes, m. With one free input the state ends at the first pose from which the
 // distance would grow, or at the end of the motion, to 1e-9 of the input. With several it goes where descent leads; at
 // stops and limits it slides along them while that brings it nearer soon, a hair inside, and may give up (SPENT) before
-// the nearest of their poses. Returns YK_OK, wherever it ended; YK_STOPPED (yk_state_set_progress); YK_BAD_ARGUMENT for a
-// target that is not finite or a state without a pose. Allocates nothing. Cost with one free input: of a few solutions
-// every 8 degrees of the way; with n, of n solutions a step, at most 300 steps.
+// the nearest of their poses. Returns YK_OK, wherever it ended; YK_STOPPED (yk_state_set_progress); YK_BAD_ARGUMENT for
+// a target that is not finite or a state without a pose. Allocates nothing. Cost with one free input: of a few
+// solutions every 8 degrees of the way; with n, of n solutions a step, at most 300 steps.
 YK_API YkStatus yk_state_drag(YkDrag *drag, const double target[2], YkDragged *dragged);
 
 #ifdef __cplusplus

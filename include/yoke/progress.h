@@ -16,6 +16,11 @@
 // YkRestOptions, YkCSourceOptions); for all other long calls once for the object that they work on
 // (yk_state_set_progress, yk_derivation_set_progress). Simulations and moves have a `goes_on` of their own besides,
 // which is asked at every step.
+//
+// All other calls are short: of cost linear in the machine, at most some microseconds a body (states, dynamics,
+// variants, new derivations, drawings of a pose, gear trains) or in what is asked for at once (batches of poses and of
+// states, rows of a cam; ask for fewer at a time). Where one solution of a huge machine takes longer than a slice, or
+// one group has more than 400 unknowns, that solution is the slice.
 #ifndef YOKE_PROGRESS_H
 #define YOKE_PROGRESS_H
 

@@ -12,7 +12,8 @@ extern "C" {
 
 typedef struct YkSketch YkSketch;
 
-// Read like a model. NULL with problems added. Cost: of loading and compiling.
+// Read like a model. NULL with problems added. Cost: of loading, which asks
+// options->progress, and of compiling.
 YK_API YkSketch *yk_sketch_load(const char *path, const YkLoadOptions *options, YkProblems *problems);
 YK_API YkSketch *yk_sketch_parse(const char *text, size_t length, const char *name, const YkLoadOptions *options,
                                  YkProblems *problems);

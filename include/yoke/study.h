@@ -96,7 +96,7 @@ typedef struct YkMotionCase {
 // Solves accelerations[input][state]. status[state] (may be NULL): YK_OK; YK_BAD_MODEL if the values make no valid
 // machine; YK_SINGULAR if a freedom has no inertia; or that of yk_dynamics_accelerate. Accelerations are 0 if the
 // status is not YK_OK. Returns the worst status; YK_BAD_ARGUMENT for efforts where they cannot be given. The bits are
-// the same for any number of threads.
+// the same for any number of threads. It asks nobody on the way: calls of some thousand states each give the same bits.
 YK_API YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *asked, double *const *accelerations,
                                     signed char *status);
 

@@ -36,8 +36,8 @@ typedef struct YkEvent {
 typedef struct YkSweep YkSweep;
 // Sweeps from the configuration of `state`, which is assembled. Its other inputs keep their values, and the swept
 // coordinate keeps the state's rate and acceleration. Channels are recorded row by row. At a limit the rows before it
-// remain, and the status is YK_LIMIT. Returns NULL only when out of memory, if the options are wrong, or, with a problem,
-// if it was stopped (yk_state_set_progress).
+// remain, and the status is YK_LIMIT. Returns NULL only when out of memory, if the options are wrong, or, with a
+// problem, if it was stopped (yk_state_set_progress).
 YK_API YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels,
                              size_t channel_count, YkProblems *problems);
 YK_API void yk_sweep_free(YkSweep *sweep);

@@ -45,8 +45,8 @@ const char *yk_ring_status_text(YkRingStatus status); // a phrase: "a coefficien
 // Forgets a failure, so that the caller can do without the elements. A ring that ran out of memory, or was stopped,
 // remembers it for good: what is missing must not look like what does not exist.
 void yk_ring_clear(YkRing *ring);
-// Records a failure, unless another came first (out of memory precedes any other, then a stop); returns NULL for the caller to
-// return.
+// Records a failure, unless another came first (out of memory precedes any other, then a stop); returns NULL for the
+// caller to return.
 const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status);
 // The pace of long calls that the ring works for; it must outlive the ring.
 void yk_ring_set_pace(YkRing *ring, YkPace *pace);

@@ -46,8 +46,8 @@ struct YkState {
 // part of another call, or nobody watches. From here until yk_state_end solutions fail with YK_STOPPED once the caller
 // has said so; the call may then end with whatever it finds.
 bool yk_state_begin(YkState *state);
-// Ends it. Returns the status; YK_STOPPED if it was stopped, and then, if the call is its own, the state stands where it
-// stood before.
+// Ends it. Returns the status; YK_STOPPED if it was stopped, and then, if the call is its own, the state stands where
+// it stood before.
 YkStatus yk_state_end(YkState *state, bool is_own, YkStatus status);
 // Lets a state work for a call that began elsewhere; NULL: no longer.
 void yk_state_lend(YkState *state, YkPace *pace);
