@@ -68,8 +68,8 @@ YK_API void yk_builder_belt(YkBuilder *builder, const char *name, const char *fi
                             double first_radius, double second_radius);
 
 // Everything else: sets a key by its path, "units/length" or "gears/sun-planet/internal", to a value as a file writes
-// it, on one line: "mm", "true", "[a, 0]", "{rise: {to: 120 deg, by: 2 cm, law: cycloidal}}". What stood there is
-// replaced; maps on the way are made.
+// it, on one line: "mm", "true", "[a, 0]", "{rise: {to: 120 deg, by: 2 cm, law: cycloidal}}", "springs/k/force" to
+// "{law: coil, of: length}". What stood there is replaced; maps on the way are made.
 YK_API void yk_builder_set(YkBuilder *builder, const char *path, const char *value);
 YK_API void yk_builder_set_number(YkBuilder *builder, const char *path, double value); // the same bits when read back
 YK_API void yk_builder_remove(YkBuilder *builder, const char *path); // with all that is in it; nothing where it is not

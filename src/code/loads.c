@@ -93,16 +93,22 @@ static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effor
     push(f, j->body[0], at, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
 }
 
+// Returns an expression of the file or a law of it. own: the length and the rate of the spring that it is of, or NULL.
+static YkRef strength_of(YkForces *f, const YkStrength *strength, const YkRef *own)
+{
+    YkProgram *p = f->program;
+    YkRef value = yk_program_expr_of(p, strength->expr, f->motion, own);
+    if (strength->law == YK_NONE) return value;
+    return yk_graph_result(&p->graph, yk_program_call_law(p, strength->law, value), 0);
+}
+
 static void add_efforts(YkForces *f)
 {
     YkProgram *p = f->program;
     for (size_t k = 0; k < p->model->effort_count; k++) {
         const YkEffort *e = &p->model->efforts[k];
         const YkCoordinate *c = &p->model->coordinates[e->coordinate];
-        bool is_law = e->law.of != NULL;
-        YkRef value = yk_program_expr_at(p, is_law ? e->law.of : e->expr, f->motion);
-        push_along(f, c->joint, c->is_distance,
-                   is_law ? yk_graph_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0) : value);
+        push_along(f, c->joint, c->is_distance, strength_of(f, &e->strength, NULL));
     }
 }
 
@@ -112,12 +118,12 @@ static void add_forces(YkForces *f)
     YkGraph *g = &p->graph;
     for (size_t k = 0; k < p->model->force_count; k++) {
         const YkForce *force = &p->model->forces[k];
-        YkRefVec v = {.x = yk_program_expr_at(p, force->x, f->motion)};
-        v.y = yk_program_expr_at(p, force->y, f->motion);
+        YkRefVec v = {.x = strength_of(f, &force->x, NULL)};
+        v.y = strength_of(f, &force->y, NULL);
         if (force->in_body_axes) v = in_world(p, force->body, v);
         push(f, force->body, arm_to(p, force->body, yk_program_point(p, force->point)), v);
         YkRef *moment = &f->load[force->body].moment;
-        *moment = yk_graph_add(g, *moment, yk_program_expr_at(p, force->moment, f->motion));
+        *moment = yk_graph_add(g, *moment, strength_of(f, &force->moment, NULL));
     }
 }
 
@@ -150,7 +156,8 @@ static void add_spring(YkForces *f, const YkSpring *s)
         int32_t coordinate = yk_tree_coordinate(p->mech, c->joint, c->is_distance);
         YkRef stretch = yk_graph_subtract(g, f->motion[coordinate].position, free);
         YkRef spring = yk_graph_multiply(g, stiffness, stretch);
-        YkRef pull = yk_graph_add(g, spring, yk_graph_multiply(g, damping, f->motion[coordinate].velocity));
+        YkRef damper = yk_graph_multiply(g, damping, f->motion[coordinate].velocity);
+        YkRef pull = yk_graph_add(g, spring, yk_graph_add(g, damper, strength_of(f, &s->force, NULL)));
         store(f, stiffness, stretch);
         push_along(f, c->joint, c->is_distance, yk_graph_minus(g, pull));
         return;
@@ -169,7 +176,8 @@ static void add_spring(YkForces *f, const YkSpring *s)
     YkRef stretch = yk_graph_subtract(g, length, free);
     YkRef speed = yk_graph_multiply(g, yk_graph_dot(g, yk_graph_vec_subtract(g, rate[1], rate[0]), line), per);
     YkRef spring = yk_graph_multiply(g, stiffness, stretch);
-    YkRef pull = yk_graph_add(g, spring, yk_graph_multiply(g, damping, speed));
+    YkRef damper = yk_graph_multiply(g, damping, speed), own[] = {length, speed};
+    YkRef pull = yk_graph_add(g, spring, yk_graph_add(g, damper, strength_of(f, &s->force, own)));
     YkRef joined = yk_graph_subtract(g, length, yk_graph_number(g, no_length(p)));
     YkRefVec force =
         yk_graph_vec_scale(g, yk_graph_choose(g, joined, stiffness, yk_graph_multiply(g, pull, per)), line);

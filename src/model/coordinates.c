@@ -78,6 +78,14 @@ int32_t yk_load_coordinate(YkLoader *loader, const char *text, YkPlace place, bo
     return found == YK_NONE ? joint_coordinate(loader, name, place) : found;
 }
 
+const char *yk_load_rate_name(YkLoader *loader, const char *coordinate)
+{
+    yk_text_clear(&loader->text);
+    yk_text_format(&loader->text, "%s.rate", coordinate);
+    const char *name = yk_arena_copy(loader->arena, yk_text_get(&loader->text), strlen(coordinate) + 5);
+    return name ? name : "";
+}
+
 int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rate)
 {
     bool rate = false;

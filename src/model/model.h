@@ -102,17 +102,16 @@ typedef struct YkStart {
     double value;
 } YkStart;
 
-// A value that a law gives: value = law(argument), where the argument is a coordinate or the time.
-typedef struct YkLawUse {
-    int32_t law; // index into model->laws, or YK_NONE: no law here
-    YkExpr *of;  // in t, parameters, coordinates, rates
-} YkLawUse;
+// A value that follows the time and the pose: an expression, or a law of it.
+typedef struct YkStrength {
+    YkExpr *expr; // in t, parameters, coordinates, rates; with a law: its argument. NULL: 0
+    int32_t law;  // index into model->laws, or YK_NONE
+} YkStrength;
 
 typedef struct YkEffort {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr; // in t, parameters, coordinates, rates; NULL if a law gives it
-    YkLawUse law;
+    YkStrength strength;
 } YkEffort;
 
 typedef struct YkForce { // at a point of a body
@@ -122,7 +121,7 @@ typedef struct YkForce { // at a point of a body
     int32_t point; // YK_NONE: the body's origin
     YkVec at;      // the same in the body's axes, m
     bool in_body_axes;
-    YkExpr *x, *y, *moment; // N, N m; in t, parameters, coordinates, rates; NULL: 0
+    YkStrength x, y, moment; // N, N m
 } YkForce;
 
 // A spring and a damper in parallel: between two points, or along a coordinate (a torsion spring on an angle).
@@ -134,7 +133,13 @@ typedef struct YkSpring {
     YkVec at[2];                                         // in each body's axes, m
     double stiffness, length, damping;                   // length: free length, m, or free angle, rad
     YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL if not given (0)
+    YkStrength force; // pulls besides, N or N m; between points it may mention YK_OWN_LENGTH and YK_OWN_RATE
 } YkSpring;
+
+// The names of a spring's own length and rate in its `force`, as the loader writes them: no file can.
+#define YK_OWN_LENGTH "length of the spring"
+#define YK_OWN_RATE "rate of the spring"
+int yk_model_own_name(const char *name); // 0: its length, 1: its rate, YK_NONE: another name
 
 // A stop: a coordinate cannot leave [low, high]. Where it hits an end its rate reverses, times `restitution`.
 typedef struct YkStop {

@@ -11,7 +11,7 @@ void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *co
 
 const char *yk_derive_load_letter(YkDeriveLoadKind kind)
 {
-    static const char *const letters[] = {"W", "S", "D", "R", "F", "Q", "Q"};
+    static const char *const letters[] = {"W", "S", "D", "P", "R", "F", "Q", "Q"};
     return letters[kind];
 }
 
@@ -91,8 +91,8 @@ static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDer
 
 const char *yk_derive_load_word(YkDeriveLoadKind kind)
 {
-    static const char *const words[] = {
-        "weight", "spring", "damper", "friction or stop", "force", "effort", "effort of the drive"};
+    static const char *const words[] = {"weight",           "spring", "damper", "spring by a law",
+                                        "friction or stop", "force",  "effort", "effort of the drive"};
     return words[kind];
 }
 
