@@ -41,6 +41,10 @@ YK_API void yk_builder_pin(YkBuilder *builder, const char *joint, const char *fi
                            const char *angle);
 YK_API void yk_builder_weld(YkBuilder *builder, const char *joint, const char *first, const char *second,
                             const char *at);
+// Leaves everything free: x and y of the point `to` of the second body from the point `from` of the first, in its
+// axes, and the angle. from, to: NULL, the origins. x, y, angle: all three, or all NULL.
+YK_API void yk_builder_free_joint(YkBuilder *builder, const char *joint, const char *first, const char *second,
+                                  const char *from, const char *to, const char *x, const char *y, const char *angle);
 // Along a line of the first body through its point `from`: "x", "y", "-x", "-y" or an angle. from, to: NULL, the origins.
 YK_API void yk_builder_slide(YkBuilder *builder, const char *joint, const char *first, const char *second,
                              const char *along, const char *from, const char *to, const char *distance);

@@ -74,23 +74,31 @@ YkRefVec yk_forces_line(YkProgram *p, const YkJoint *joint)
     return in_world(p, joint->body[0], along);
 }
 
+// Returns the way along a joint's line, world axes.
+static YkRefVec way_along(YkProgram *p, const YkJoint *joint)
+{
+    YkRef distance = p->distance[p->mech->joint_distance[joint - p->model->joints]];
+    return yk_graph_vec_scale(&p->graph, distance, yk_forces_line(p, joint));
+}
+
 // Adds an effort along a joint's freedom: on its second body, and its opposite at the same place on the first.
 static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effort)
 {
     YkProgram *p = f->program;
     YkGraph *g = &p->graph;
-    const YkJoint *j = &p->model->joints[joint];
+    const YkJoint *j = &p->model->joints[joint], *first = yk_joint_end(p->model, (size_t)joint, 0),
+                  *last = yk_joint_end(p->model, (size_t)joint, 1);
+    int32_t from = first->body[0], on = last->body[1];
     if (!is_distance) {
-        f->load[j->body[1]].moment = yk_graph_add(g, f->load[j->body[1]].moment, effort);
-        f->load[j->body[0]].moment = yk_graph_subtract(g, f->load[j->body[0]].moment, effort);
+        f->load[on].moment = yk_graph_add(g, f->load[on].moment, effort);
+        f->load[from].moment = yk_graph_subtract(g, f->load[from].moment, effort);
         return;
     }
-    YkRefVec line = yk_forces_line(p, j), force = yk_graph_vec_scale(g, effort, line);
-    YkRefVec arm = arm_to(p, j->body[0], yk_program_point(p, j->point[0]));
-    YkRefVec out = yk_graph_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
-    push(f, j->body[1], arm_to(p, j->body[1], yk_program_point(p, j->point[1])), force);
-    YkRefVec at = yk_graph_vec_add(g, arm, out);
-    push(f, j->body[0], at, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
+    YkRefVec force = yk_graph_vec_scale(g, effort, yk_forces_line(p, j));
+    YkRefVec arm = yk_graph_vec_add(g, arm_to(p, from, yk_program_point(p, first->point[0])), way_along(p, first));
+    if (first != last) arm = yk_graph_vec_add(g, arm, way_along(p, last)); // past a free joint's carriage
+    push(f, on, arm_to(p, on, yk_program_point(p, last->point[1])), force);
+    push(f, from, arm, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
 }
 
 // Returns an expression of the file or a law of it. own: the length and the rate of the spring that it is of, or NULL.

@@ -55,12 +55,12 @@ static void act_on(YkLoads *loads, int32_t a, int32_t b)
 
 static YkLoadItem *add_along(YkLoads *loads, YkLoadKind kind, const char *name, int32_t joint, bool is_distance)
 {
-    const YkJoint *j = &loads->mech->model->joints[joint];
+    const YkModel *model = loads->mech->model;
     YkLoadItem *item = add_item(loads, kind, name);
     item->joint = joint;
     item->is_distance = is_distance;
     item->coordinate = yk_tree_coordinate(loads->mech, joint, is_distance);
-    act_on(loads, j->body[0], j->body[1]);
+    act_on(loads, yk_joint_end(model, (size_t)joint, 0)->body[0], yk_joint_end(model, (size_t)joint, 1)->body[1]);
     return item;
 }
 

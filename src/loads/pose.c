@@ -70,18 +70,20 @@ static void push(YkLoad *load, int32_t body, YkVec arm, YkVec force)
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load)
 {
-    const YkJoint *j = &mech->model->joints[joint];
+    const YkJoint *first = yk_joint_end(mech->model, (size_t)joint, 0),
+                  *last = yk_joint_end(mech->model, (size_t)joint, 1);
+    int32_t from = first->body[0], on = last->body[1];
     if (!is_distance) {
-        load[j->body[1]].moment += effort;
-        load[j->body[0]].moment -= effort;
+        load[on].moment += effort;
+        load[from].moment -= effort;
         return;
     }
     Pose p = {.mech = mech, .space = space};
-    YkLoadEnd ends[2] = {yk_load_end(mech, j->body[0], j->at[0]), yk_load_end(mech, j->body[1], j->at[1])};
+    YkLoadEnd ends[2] = {yk_load_end(mech, from, first->at[0]), yk_load_end(mech, on, last->at[1])};
     YkLoadPoint a = point_of(&p, &ends[0]), b = point_of(&p, &ends[1]);
-    YkVec force = yk_scale(effort, in_world(&p, j->body[0], &a, j->along));
-    push(load, j->body[1], b.arm, force);
-    push(load, j->body[0], yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
+    YkVec force = yk_scale(effort, in_world(&p, from, &a, mech->model->joints[joint].along));
+    push(load, on, b.arm, force);
+    push(load, from, yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
 }
 
 static double push_along(const Pose *p, const YkLoadItem *item, double effort)

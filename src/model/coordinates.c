@@ -56,9 +56,9 @@ static int32_t joint_coordinate(YkLoader *loader, const char *name, YkPlace plac
     int32_t index = joint_name ? yk_names_find(&loader->model->joint_names, joint_name) : YK_NONE;
     if (index == YK_NONE) return YK_NONE;
     YkJoint *joint = &loader->model->joints[index];
-    const YkPart *part = yk_part(joint->kind);
+    const YkPart *part = yk_part(joint->is_free ? YK_FREE : joint->kind);
     if (!part) return YK_REPORTED;
-    if (is_distance ? !part->slides : !part->turns) {
+    if (joint->is_free ? is_distance : is_distance ? !part->slides : !part->turns) {
         yk_problem(loader->problems, YK_CODE_COORDINATE_KIND, place, "a %s has no %s", part->key, dot + 1);
         return YK_REPORTED;
     }

@@ -156,6 +156,11 @@ void yk_load_joints(YkLoader *loader);
 void yk_load_laws(YkLoader *loader);                       // after the joints, before everything that uses laws
 int32_t yk_load_law(YkLoader *loader, const YkNode *node); // a law by name; YK_NONE, reported
 void yk_load_cams(YkLoader *loader);                       // after the laws
+// free_joints.c: joints that leave all three freedoms.
+size_t yk_load_count_free(YkLoader *loader);
+void yk_load_carriages(YkLoader *loader); // after the bodies of the file, whose room has to suffice
+// Makes joint `index`, whose bodies are read, of itself and the joint `slide` with the carriage between them.
+void yk_load_free_joint(YkLoader *loader, int32_t index, int32_t carriage, int32_t slide, const YkNode *node);
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
 void yk_load_drives(YkLoader *loader);
 void yk_load_starts(YkLoader *loader);

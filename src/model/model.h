@@ -39,6 +39,7 @@ typedef struct YkBody {
     YkVec center;                                           // of mass, in the body's axes, m
     YkExpr *mass_expr, *inertia_expr, *center_x, *center_y; // NULL if not given
     int32_t rod[2];                                         // points of `rod`, or YK_NONE
+    bool is_carriage; // massless, within a free joint; behind all others, and never shown
 } YkBody;
 
 // Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the rotation, and viscous * rate; in a
@@ -66,6 +67,10 @@ typedef struct YkJoint {
     int32_t angle, distance;          // declared coordinates, or YK_NONE
     bool has_friction;
     YkFriction friction;
+    // One half of a free joint, which is a slide of its first body and a carriage, behind all joints of the file, and a
+    // pin-slot of the carriage and its second body in its own place. A free joint transmits nothing.
+    bool is_free;
+    int32_t partner; // the other half
 } YkJoint;
 
 // A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mentioning `JOINT.angle` or
@@ -261,7 +266,9 @@ struct YkModel {
     const char *source_name; // as given to the loader, for messages
     const char *source;      // the file's text, with the values that overrides replaced (builder.h: yk_model_text)
     size_t source_length;
-    size_t held_joints; // of a sketch: so many joints at the end hold what nothing connects to the ground (sketch.h)
+    size_t carriage_count; // so many bodies, and joints, at the end are parts of free joints
+    size_t shown_joints;   // joints before them
+    size_t held_joints;    // of a sketch: so many joints at the end hold what nothing connects to the ground (sketch.h)
     YkUnits units;
     const char *unit_names[YK_QUANTITY_COUNT]; // the file's unit of each quantity: "mm/s"
     YkParameter *parameters;
@@ -310,6 +317,13 @@ struct YkModel {
                  // largest start distance if that is more; 1 if all are zero. The scale for lengths.
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
+
+// Returns the joint that holds one side of a joint: the joint itself; of a free joint the half that has that body.
+static inline const YkJoint *yk_joint_end(const YkModel *model, size_t joint, int side)
+{
+    const YkJoint *j = &model->joints[joint];
+    return !j->is_free || (side == 1) == (j->kind == YK_PIN_SLOT) ? j : &model->joints[j->partner];
+}
 
 // How a text is read, besides as yk_model_parse reads it.
 typedef struct YkReading {

@@ -52,7 +52,22 @@
     "  s4: {along: d, force: 30 N/m * (length - 0.2 m) + 1 kg/m * rate*abs(rate)}\n"                                   \
     "start: {theta1: 0.5, theta1.rate: 1, theta2: 1.3}\n"
 
-static const char *const machines[] = {LEVER, SLOT, PULLS};
+// A free joint between bodies that move, with loads along all its coordinates.
+#define FREE                                                                                                           \
+    "gravity: [0.4, -9.81]\nbodies:\n  ground: {points: {O: [0.1, 0.2], P: [0, 1]}}\n"                                 \
+    "  arm: {points: {O: [0, 0], K: [0.5, 0.1]}, mass: 1.1, center: [0.2, 0.05], inertia: 0.07}\n"                     \
+    "  plate: {points: {A: [-0.3, 0.1], B: [0.3, 0.1], C: [0.05, -0.1]}, mass: 2, center: [0.02, 0.03], inertia: "     \
+    "0.1}\n"                                                                                                           \
+    "  bob: {points: {B: [0, 0], E: [0, -0.2]}, mass: 0.5, center: [0, -0.2], inertia: 0.01}\n"                        \
+    "  tip: {points: {E: [0, 0]}, mass: 0.3, center: [0.1, 0.1], inertia: 0.02}\njoints:\n  O: {pin: [ground, arm], "  \
+    "angle: q}\n  F: {free: [arm, plate], at: [x, y, phi], from: K, to: C}\n"                                          \
+    "  B: {pin: [plate, bob], angle: psi}\n  E: {pin: [bob, tip], angle: chi}\n"                                       \
+    "springs:\n  a: {between: [ground.P, plate.A], stiffness: 100, length: 0.2}\n"                                     \
+    "  c: {along: x, stiffness: 30, length: 0.1, damping: 2}\n  d: {along: y, force: 50 N/m^3 * length^3}\n"           \
+    "  e: {along: phi, stiffness: 3, damping: 0.2}\nefforts: {x: 3 N - 1 N*s/m * y.rate, phi: 0.5 N*m * cos(phi)}\n"   \
+    "start: {q: 0.3, q.rate: 0.4, x: 0.5, y: 0.4, phi: 0.2, x.rate: 0.3, y.rate: -0.2, phi.rate: 0.7}\n"
+
+static const char *const machines[] = {LEVER, SLOT, PULLS, FREE};
 
 static void every_line_holds_and_reads_back(void **state)
 {

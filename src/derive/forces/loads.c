@@ -47,6 +47,18 @@ static void add_gravity(YkDeriveForces *f)
     }
 }
 
+// Returns the vector from a body's reference to the place where an effort along a joint acts; past a free joint's
+// carriage.
+static const YkPoisson *end_arm(YkDeriveForces *f, int32_t joint, int side)
+{
+    const YkModel *model = f->d->model;
+    int32_t end[] = {(int32_t)(yk_joint_end(model, (size_t)joint, 0) - model->joints),
+                     (int32_t)(yk_joint_end(model, (size_t)joint, 1) - model->joints)};
+    const YkPoisson *arm = yk_derive_joint_arm(f, end[side], side);
+    if (side == 1 || end[0] == end[1]) return arm;
+    return yk_ring_add(f->d->ring, arm, yk_derive_joint_arm(f, end[1], 0));
+}
+
 // Adds an effort along a joint's freedom: on the second body, with its reaction on the first.
 static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint,
                                bool is_distance, const YkPoisson *effort)
@@ -55,14 +67,15 @@ static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const c
     const YkJoint *j = &d->model->joints[joint];
     YkDeriveLoad *load = add_load(f, kind, name);
     load->joint = joint;
+    int32_t body[] = {yk_joint_end(d->model, (size_t)joint, 0)->body[0],
+                      yk_joint_end(d->model, (size_t)joint, 1)->body[1]};
     const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[j->body[0]].unit, yk_derive_along(d, joint));
     for (int side = 1; side >= 0; side--) {
         const YkPoisson *signed_effort = side ? effort : yk_ring_negate(d->ring, effort);
         if (is_distance)
-            push(f, load, j->body[side], yk_derive_joint_arm(f, joint, side),
-                 yk_ring_multiply(d->ring, signed_effort, line), NULL);
+            push(f, load, body[side], end_arm(f, joint, side), yk_ring_multiply(d->ring, signed_effort, line), NULL);
         else
-            push(f, load, j->body[side], NULL, NULL, signed_effort);
+            push(f, load, body[side], NULL, NULL, signed_effort);
     }
     return load;
 }
