@@ -41,6 +41,10 @@ YK_API void yk_builder_pin(YkBuilder *builder, const char *joint, const char *fi
                            const char *angle);
 YK_API void yk_builder_weld(YkBuilder *builder, const char *joint, const char *first, const char *second,
                             const char *at);
+// Leaves everything free: x and y of the point `to` of the second body from the point `from` of the first, in its
+// axes, and the angle. from, to: NULL, the origins. x, y, angle: all three, or all NULL.
+YK_API void yk_builder_free_joint(YkBuilder *builder, const char *joint, const char *first, const char *second,
+                                  const char *from, const char *to, const char *x, const char *y, const char *angle);
 // Along a line of the first body through its point `from`: "x", "y", "-x", "-y" or an angle. from, to: NULL, the
 // origins.
 YK_API void yk_builder_slide(YkBuilder *builder, const char *joint, const char *first, const char *second,
@@ -69,8 +73,8 @@ YK_API void yk_builder_belt(YkBuilder *builder, const char *name, const char *fi
                             double first_radius, double second_radius);
 
 // Everything else: sets a key by its path, "units/length" or "gears/sun-planet/internal", to a value as a file writes
-// it, on one line: "mm", "true", "[a, 0]", "{rise: {to: 120 deg, by: 2 cm, law: cycloidal}}". What stood there is
-// replaced; maps on the way are made.
+// it, on one line: "mm", "true", "[a, 0]", "{rise: {to: 120 deg, by: 2 cm, law: cycloidal}}", "springs/k/force" to
+// "{law: coil, of: length}". What stood there is replaced; maps on the way are made.
 YK_API void yk_builder_set(YkBuilder *builder, const char *path, const char *value);
 YK_API void yk_builder_set_number(YkBuilder *builder, const char *path, double value); // the same bits when read back
 YK_API void yk_builder_remove(YkBuilder *builder, const char *path); // with all that is in it; nothing where it is not

@@ -44,7 +44,8 @@ YK_API const char *yk_model_point_name(const YkModel *model, size_t point);
 YK_API size_t yk_model_point_body(const YkModel *model, size_t point);
 YK_API size_t yk_model_joint_count(const YkModel *model);
 YK_API const char *yk_model_joint_name(const YkModel *model, size_t joint);
-// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld"), and its first (side 0) and second body.
+// A joint's kind as the file writes it ("pin", "slide", "pin-slot", "weld", "free"), and its first (side 0) and second
+// body.
 YK_API const char *yk_model_joint_kind(const YkModel *model, size_t joint);
 YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
 // Returns the index of a name, YK_NOT_FOUND if there is none. The name of a point is "body.point".

@@ -180,6 +180,7 @@ static void add_reactions(YkFile *file, const Rates *r)
               3 * p->model->joint_count);
     for (size_t j = 0; j < p->model->joint_count; j++) {
         const char *name = p->names.joint[j];
+        if (p->model->joints[j].is_free) continue; // it transmits nothing
         yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_X, j, 0), "N", f->reaction[3 * j], "%s_force_x", name);
         yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_Y, j, 0), "N", f->reaction[3 * j + 1], "%s_force_y",
                            name);

@@ -26,11 +26,17 @@ static bool has_start(const YkMechanism *mech, const YkTreeCoordinate *c)
     return false;
 }
 
+// Returns the joint of the file to which a joint belongs.
+static int32_t shown_joint(const YkModel *model, int32_t joint)
+{
+    return (int32_t)(yk_joint_end(model, (size_t)joint, 1) - model->joints);
+}
+
 YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
 {
     const YkTreeCoordinate *c = &mech->coordinates[coordinate];
     return (YkCoordinateInfo){.name = c->name,
-                              .joint = (size_t)c->joint,
+                              .joint = (size_t)shown_joint(mech->model, c->joint),
                               .is_distance = c->is_distance,
                               .is_declared = c->is_declared,
                               .has_drive = c->drive != YK_NONE,
@@ -48,16 +54,19 @@ size_t yk_coordinate_find(const YkMechanism *mech, const char *name)
 
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance)
 {
-    size_t low = 0, high = mech->coordinate_count; // sorted by their joints
+    const YkModel *model = mech->model;
+    const YkTreeCoordinate *c = mech->coordinates;
+    size_t low = 0, high = mech->coordinate_count; // sorted by the joints of the file
+    int32_t shown = shown_joint(model, joint);
     while (low < high) {
         size_t middle = (low + high) / 2;
-        if (mech->coordinates[middle].joint < joint)
+        if (shown_joint(model, c[middle].joint) < shown)
             low = middle + 1;
         else
             high = middle;
     }
-    for (; low < mech->coordinate_count && mech->coordinates[low].joint == joint; low++)
-        if (mech->coordinates[low].is_distance == is_distance) return (int32_t)low;
+    for (; low < mech->coordinate_count && shown_joint(model, c[low].joint) == shown; low++)
+        if (c[low].joint == joint && c[low].is_distance == is_distance) return (int32_t)low;
     return YK_NONE;
 }
 
@@ -106,26 +115,57 @@ static int32_t meeting(const YkTree *tree, int32_t a, int32_t b)
     return a;
 }
 
-// Lists the bodies from the joint's first body up to where both ends' paths meet, and down to its second body.
+static bool is_carriage(const YkMechanism *mech, int32_t body)
+{
+    return mech->model->bodies[body].is_carriage;
+}
+
+// Lists the bodies, without carriages, from the joint's first body up to where both ends' paths meet, and down to its second body.
 size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity)
 {
     const YkJoint *joint = &mech->model->joints[mech->loops[loop].joint];
     const YkTree *tree = &mech->tree;
     int32_t top = meeting(tree, joint->body[0], joint->body[1]);
-    size_t up = (size_t)(tree->depth[joint->body[0]] - tree->depth[top]),
-           down = (size_t)(tree->depth[joint->body[1]] - tree->depth[top]);
-    size_t place = 0;
-    for (int32_t b = joint->body[0]; place <= up; b = tree->parent[b], place++)
-        if (place < capacity) bodies[place] = (size_t)b;
-    place = up + down;
-    for (int32_t b = joint->body[1]; b != top; b = tree->parent[b], place--)
-        if (place < capacity) bodies[place] = (size_t)b;
-    return up + down + 1;
+    size_t count = 0, place;
+    for (int32_t b = joint->body[0];; b = tree->parent[b]) {
+        if (!is_carriage(mech, b) && count++ < capacity) bodies[count - 1] = (size_t)b;
+        if (b == top) break;
+    }
+    for (int32_t b = joint->body[1]; b != top; b = tree->parent[b]) count += !is_carriage(mech, b);
+    place = count;
+    for (int32_t b = joint->body[1]; b != top; b = tree->parent[b])
+        if (!is_carriage(mech, b) && --place < capacity) bodies[place] = (size_t)b;
+    return count;
 }
 
 size_t yk_block_count(const YkMechanism *mech)
 {
     return mech->block_count;
+}
+
+// A member of a block: a joint or a body. One half of a free joint stands for both, and no carriage is told.
+static bool is_told(const YkMechanism *mech, const YkBlock *b, uint32_t k)
+{
+    int32_t member = mech->block_members[k];
+    if (k < b->first_joint || k >= b->first_joint + b->joint_count) return !is_carriage(mech, member);
+    const YkJoint *joint = &mech->model->joints[member];
+    if (!joint->is_free || joint->kind == YK_PIN_SLOT) return true;
+    for (uint32_t i = b->first_joint; i < b->first_joint + b->joint_count; i++)
+        if (mech->block_members[i] == joint->partner) return false;
+    return true;
+}
+
+static size_t count_told(const YkMechanism *mech, const YkBlock *b, uint32_t first, uint32_t count)
+{
+    size_t told = 0;
+    for (uint32_t k = first; k < first + count; k++) told += is_told(mech, b, k);
+    return told;
+}
+
+static int32_t told_at(const YkMechanism *mech, const YkBlock *b, uint32_t first, size_t index)
+{
+    for (uint32_t k = first;; k++)
+        if (is_told(mech, b, k) && index-- == 0) return mech->block_members[k];
 }
 
 YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
@@ -136,18 +176,22 @@ YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
                          .assur_class = b->assur_class,
                          .unknowns = b->column_count,
                          .equations = b->kind == YK_BLOCK_GROUP ? yk_block_rows(b) : 2,
-                         .joint_count = b->joint_count,
-                         .body_count = b->body_count,
+                         .joint_count = count_told(mech, b, b->first_joint, b->joint_count),
+                         .body_count = count_told(mech, b, b->first_body, b->body_count),
                          .relation_count = b->relation_count};
 }
 
 size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
 {
-    return (size_t)mech->block_members[mech->blocks[block].first_joint + index];
+    const YkBlock *b = &mech->blocks[block];
+    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->first_joint + index];
+    return (size_t)shown_joint(mech->model, told_at(mech, b, b->first_joint, index));
 }
 size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index)
 {
-    return (size_t)mech->block_members[mech->blocks[block].first_body + index];
+    const YkBlock *b = &mech->blocks[block];
+    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->first_body + index];
+    return (size_t)told_at(mech, b, b->first_body, index);
 }
 
 const char *yk_block_relation(const YkMechanism *mech, size_t block, size_t index)

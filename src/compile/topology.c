@@ -171,6 +171,18 @@ static void add_coordinate(YkMechanism *mech, int32_t joint, bool is_distance)
     }
 }
 
+// Adds the coordinates of a joint; of a free joint all three with its half in the file's place: x, y, angle.
+static void add_coordinates(YkMechanism *mech, int32_t joint)
+{
+    const YkJoint *j = &mech->model->joints[joint];
+    const YkPart *part = yk_part(j->kind);
+    if (j->is_free && !part->turns) return;
+    if (j->is_free) add_coordinate(mech, j->partner, true);
+    if (j->is_free) add_coordinate(mech, joint, true);
+    if (part->turns) add_coordinate(mech, joint, false);
+    if (part->slides && !j->is_free) add_coordinate(mech, joint, true);
+}
+
 static bool add_loop(YkMechanism *mech, int32_t joint, YkTermList *list)
 {
     const YkJoint *j = &mech->model->joints[joint];
@@ -208,8 +220,7 @@ static bool build_tables(YkMechanism *mech, YkProblems *problems)
         const YkPart *part = yk_part(model->joints[j].kind);
         mech->gruebler -= part->constraints;
         if (in_tree(mech, (int32_t)j)) {
-            if (part->turns) add_coordinate(mech, (int32_t)j, false);
-            if (part->slides) add_coordinate(mech, (int32_t)j, true);
+            add_coordinates(mech, (int32_t)j);
         } else if (is_declared(&model->joints[j])) {
             report_closing_coordinate(mech, (int32_t)j, problems);
             ok = false;

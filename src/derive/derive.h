@@ -94,6 +94,7 @@ struct YkDerivation {
     YkRing *ring;
     int32_t time;        // symbol t, with rate 1
     int32_t *parameters; // symbols, by the model's index
+    int32_t spring[2];   // symbols of the length and the rate of the spring whose force is being read
     YkDeriveCoordinate *coordinates;
     size_t coordinate_count, tree_count;   // all; those of the tree come first and agree with the mechanism's indices
     int32_t *joint_angle, *joint_distance; // per joint: its coordinate here, or YK_NONE

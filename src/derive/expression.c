@@ -67,6 +67,8 @@ static const YkPoisson *number(YkDerivation *d, const YkExpr *expr)
 static const YkPoisson *name(YkDerivation *d, const YkExpr *expr)
 {
     if (strcmp(expr->name, "pi") == 0) return yk_ring_pi(d->ring);
+    int own = yk_model_own_name(expr->name);
+    if (own != YK_NONE) return yk_ring_of(d->ring, d->spring[own]);
     int32_t symbol = yk_derive_find(d, expr->name);
     if (symbol < 0) {
         yk_derive_enter_names(d);

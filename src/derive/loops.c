@@ -129,7 +129,7 @@ static void put_constraints(YkDerivation *d, YkPage *page)
 {
     bool any = false;
     for (size_t j = 0; j < d->model->joint_count; j++) {
-        if (d->joint_distance[j] == YK_NONE) continue;
+        if (d->joint_distance[j] == YK_NONE || d->model->joints[j].is_free) continue;
         if (!any) yk_page_heading(page, 2, "Slides and slots");
         any = true;
         put_constraint(d, page, (int32_t)j);

@@ -37,6 +37,7 @@ static void fill_bodies(YkDerivation *d, const YkState *state, double *values)
     YkMotion *motions = yk_derive_scratch(d, d->model->body_count, sizeof *motions);
     if (!motions) return;
     yk_state_bodies(state, motions);
+    for (size_t b = yk_model_body_count(d->model); b < d->model->body_count; b++) motions[b] = yk_state_body(state, b);
     for (size_t b = 0; b < d->model->body_count; b++) {
         const YkDeriveBody *body = &d->bodies[b];
         if (body->joint == YK_NONE || d->joint_angle[body->joint] == YK_NONE) continue;

@@ -169,6 +169,7 @@ static void name_coordinate(YkDerivation *d, const YkDeriveCoordinate *c)
         {".angle", ".angle.rate", ".angle.accel", ".angle'", ".angle''"},
         {".distance", ".distance.rate", ".distance.accel", ".distance'", ".distance''"}};
     const int32_t symbols[] = {c->position, c->rate, c->acceleration, c->rate, c->acceleration};
+    if (d->model->joints[c->joint].is_free && c->is_distance) return; // it has two
     for (size_t i = 0; i < 5; i++) yk_derive_also(d, symbols[i], joint, endings[c->is_distance][i]);
 }
 
@@ -188,5 +189,5 @@ void yk_derive_enter_names(YkDerivation *d)
     if (d->has_names) return;
     d->has_names = true;
     for (size_t k = 0; k < d->coordinate_count; k++) name_coordinate(d, &d->coordinates[k]);
-    for (size_t b = 0; d->bodies && b < d->model->body_count; b++) name_body(d, &d->bodies[b]);
+    for (size_t b = 0; d->bodies && b < yk_model_body_count(d->model); b++) name_body(d, &d->bodies[b]);
 }

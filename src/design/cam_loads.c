@@ -10,6 +10,7 @@ enum { TIME, LIFT, LIFT_RATE, CAM, CAM_RATE, VARIABLES };
 typedef struct YkCamEffort {
     YkFormula *formula;
     const YkLaw *law; // NULL: the formula is the effort
+    double sign;      // -1: it pulls back, as a spring
 } YkCamEffort;
 
 static int32_t coordinate_of(const YkCamDesign *design, bool is_follower)
@@ -27,6 +28,20 @@ static int variable_of(void *context, int32_t coordinate, bool is_rate)
     return -1;
 }
 
+static void add_effort(YkCamDesign *design, const YkStrength *strength, double sign)
+{
+    const YkModel *model = design->model;
+    YkCamEffort *own = &design->load.efforts[design->load.effort_count];
+    if (!strength->expr) return;
+    own->formula = yk_model_formula(model, strength->expr, variable_of, design, design->arena);
+    own->law = strength->law == YK_NONE ? NULL : model->laws[strength->law].law;
+    own->sign = sign;
+    if (own->formula)
+        design->load.effort_count++;
+    else
+        design->loads.is_partial = true; // it depends on other motions
+}
+
 static void add_springs(YkCamDesign *design)
 {
     const YkModel *model = design->model;
@@ -40,30 +55,17 @@ static void add_springs(YkCamDesign *design)
             design->load.stiffness += spring->stiffness;
             design->load.damping += spring->damping;
             design->loads.preload -= spring->stiffness * spring->length;
+            add_effort(design, &spring->force, -1);
         }
     }
 }
 
-static bool add_efforts(YkCamDesign *design)
+static void add_efforts(YkCamDesign *design)
 {
     const YkModel *model = design->model;
-    YkCamLoad *load = &design->load;
-    load->efforts = YK_NEW(design->arena, YkCamEffort, model->effort_count + 1);
-    if (!load->efforts) return false;
-    for (size_t i = 0; i < model->effort_count; i++) {
-        const YkEffort *effort = &model->efforts[i];
-        bool has_law = effort->law.law != YK_NONE;
-        const YkExpr *expr = has_law ? effort->law.of : effort->expr;
-        if (effort->coordinate != coordinate_of(design, true) || !expr) continue;
-        YkCamEffort *own = &load->efforts[load->effort_count];
-        own->formula = yk_model_formula(model, expr, variable_of, design, design->arena);
-        own->law = has_law ? model->laws[effort->law.law].law : NULL;
-        if (own->formula)
-            load->effort_count++;
-        else
-            design->loads.is_partial = true; // it depends on other motions
-    }
-    return !yk_arena_failed(design->arena);
+    for (size_t i = 0; i < model->effort_count; i++)
+        if (model->efforts[i].coordinate == coordinate_of(design, true))
+            add_effort(design, &model->efforts[i].strength, 1);
 }
 
 // Adds the weight: a constant for a follower that slides, a moment for one that turns. The carrier must stand still.
@@ -126,13 +128,17 @@ bool yk_cam_gather_loads(YkCamDesign *design)
 {
     design->load = (YkCamLoad){0};
     design->loads = (YkCamLoads){.is_partial = has_others(design)};
+    size_t most = design->model->effort_count + design->model->spring_count;
+    design->load.efforts = YK_NEW(design->arena, YkCamEffort, most + 1);
+    if (!design->load.efforts) return false;
     add_inertia(design);
     add_springs(design);
+    add_efforts(design);
     add_weight(design);
     design->loads.inertia = design->load.inertia;
     design->loads.stiffness = design->load.stiffness;
     design->loads.damping = design->load.damping;
-    return add_efforts(design);
+    return !yk_arena_failed(design->arena);
 }
 
 YkCamLoads yk_cam_loads(const YkCamDesign *design)
@@ -155,7 +161,7 @@ static double efforts_at(const YkCamDesign *design, double speed, const YkCamSam
             yk_law_eval(effort->law, value, d);
             value = d[0];
         }
-        sum += value;
+        sum += effort->sign * value;
     }
     return sum;
 }

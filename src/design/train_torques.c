@@ -73,8 +73,9 @@ static bool learn_all(YkTrainBalance *work, YkProblems *problems)
     for (size_t i = 0; i < model->effort_count; i++) {
         const YkEffort *effort = &model->efforts[i];
         YkJet jet;
-        if (!effort->expr || !is_of_train(train, effort->coordinate)) continue;
-        if (yk_model_eval(model, effort->expr, train->options.time, &jet, NULL) != YK_OK) continue;
+        if (effort->strength.law != YK_NONE || !effort->strength.expr || !is_of_train(train, effort->coordinate))
+            continue;
+        if (yk_model_eval(model, effort->strength.expr, train->options.time, &jet, NULL) != YK_OK) continue;
         learn(work, effort->coordinate, jet.d[0]);
     }
     for (size_t i = 0; i < train->options.effort_count; i++)

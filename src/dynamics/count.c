@@ -163,11 +163,11 @@ YkEquationCount yk_dynamics_count(const YkDynamics *d)
     look_at_joints(d, meetings);
     look_at_meshes(model, meetings);
     size_t junctions = count_junctions(model, &c.ran_out);
-    c.force = 2 * (model->body_count - 1 + junctions);
+    c.force = 2 * (model->body_count - model->carriage_count - 1 + junctions);
     c.unknown_reactions = 2 * junctions;
     for (size_t j = 0; j < model->joint_count; j++)
-        c.unknown_reactions += (size_t)yk_part(model->joints[j].kind)->constraints;
-    for (size_t b = 1; b < model->body_count; b++) {
+        if (!model->joints[j].is_free) c.unknown_reactions += (size_t)yk_part(model->joints[j].kind)->constraints;
+    for (size_t b = 1; b < model->body_count - model->carriage_count; b++) {
         if (is_trivial(d, meetings, b))
             c.unknown_reactions--;
         else

@@ -38,8 +38,12 @@ static void take_joint(YkDynamics *d, size_t joint)
     const YkJoint *j = &d->mech->model->joints[joint];
     YkJointForce f = yk_free_bodies_joint(d->bodies, joint);
     YkVec at = joint_point(d, joint);
-    d->joint[joint] = (YkReaction){(size_t)j->body[0], (size_t)j->body[1], {f.force.x, f.force.y},
-                                   f.moment,           {at.x, at.y},       f.is_determinate};
+    size_t by = yk_model_joint_body(d->mech->model, joint, 0), on = yk_model_joint_body(d->mech->model, joint, 1);
+    if (j->is_free) { // it transmits nothing
+        d->joint[joint] = (YkReaction){by, on, {0, 0}, 0, {at.x, at.y}, true};
+        return;
+    }
+    d->joint[joint] = (YkReaction){by, on, {f.force.x, f.force.y}, f.moment, {at.x, at.y}, f.is_determinate};
     push(d, j->body[1], at, f.force, f.moment);
     push(d, j->body[0], at, yk_scale(-1, f.force), -f.moment);
     d->largest_force = fmax(d->largest_force, fmax(yk_norm(f.force), fabs(f.moment) / d->mech->size));

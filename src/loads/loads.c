@@ -5,12 +5,16 @@
 #include "loads/point.h"
 #include "model/formulas.h"
 
+// Returns the variable of a coordinate, or with YK_NONE that of the length of the spring at hand.
 static int variable_of(void *context, int32_t declared, bool is_rate)
 {
     YkLoads *loads = context;
-    const YkCoordinate *c = &loads->mech->model->coordinates[declared];
-    int32_t coordinate = yk_tree_coordinate(loads->mech, c->joint, c->is_distance);
-    if (coordinate == YK_NONE) return -2;
+    int32_t coordinate = YK_NONE;
+    if (declared != YK_NONE) {
+        const YkCoordinate *c = &loads->mech->model->coordinates[declared];
+        coordinate = yk_tree_coordinate(loads->mech, c->joint, c->is_distance);
+        if (coordinate == YK_NONE) return -2;
+    }
     for (size_t k = 1; k < loads->variable_count; k++)
         if (loads->variables[k].coordinate == coordinate && loads->variables[k].is_rate == is_rate) return (int)k;
     if (!YK_ROOM(loads->variables, loads->variable_count, loads->variable_capacity)) {
@@ -21,11 +25,12 @@ static int variable_of(void *context, int32_t declared, bool is_rate)
     return (int)loads->variable_count++;
 }
 
-static YkLoadValue value_of(YkLoads *loads, const YkExpr *expr)
+static YkLoadValue value_of(YkLoads *loads, const YkStrength *strength)
 {
-    YkLoadValue value = {0};
-    if (!expr) return value;
-    const YkFormula *formula = yk_model_formula(loads->mech->model, expr, variable_of, loads, loads->arena);
+    const YkModel *model = loads->mech->model;
+    YkLoadValue value = {.law = strength->law == YK_NONE ? NULL : model->laws[strength->law].law};
+    if (!strength->expr) return (YkLoadValue){0};
+    const YkFormula *formula = yk_model_formula(model, strength->expr, variable_of, loads, loads->arena);
     if (!formula) {
         loads->failed = true;
     } else if (yk_formula_is_constant(formula)) {
@@ -50,12 +55,12 @@ static void act_on(YkLoads *loads, int32_t a, int32_t b)
 
 static YkLoadItem *add_along(YkLoads *loads, YkLoadKind kind, const char *name, int32_t joint, bool is_distance)
 {
-    const YkJoint *j = &loads->mech->model->joints[joint];
+    const YkModel *model = loads->mech->model;
     YkLoadItem *item = add_item(loads, kind, name);
     item->joint = joint;
     item->is_distance = is_distance;
     item->coordinate = yk_tree_coordinate(loads->mech, joint, is_distance);
-    act_on(loads, j->body[0], j->body[1]);
+    act_on(loads, yk_joint_end(model, (size_t)joint, 0)->body[0], yk_joint_end(model, (size_t)joint, 1)->body[1]);
     return item;
 }
 
@@ -66,9 +71,7 @@ static void add_efforts(YkLoads *loads)
         const YkEffort *effort = &model->efforts[k];
         const YkCoordinate *c = &model->coordinates[effort->coordinate];
         YkLoadItem *item = add_along(loads, YK_LOAD_EFFORT, c->name, c->joint, c->is_distance);
-        bool is_law = effort->law.of != NULL;
-        item->value[0] = value_of(loads, is_law ? effort->law.of : effort->expr);
-        if (is_law) item->value[0].law = model->laws[effort->law.law].law;
+        item->value[0] = value_of(loads, &effort->strength);
     }
 }
 
@@ -81,9 +84,9 @@ static void add_forces(YkLoads *loads)
         item->body[0] = force->body;
         item->end[0] = yk_load_end(loads->mech, force->body, force->at);
         item->in_body_axes = force->in_body_axes;
-        item->value[0] = value_of(loads, force->x);
-        item->value[1] = value_of(loads, force->y);
-        item->value[2] = value_of(loads, force->moment);
+        item->value[0] = value_of(loads, &force->x);
+        item->value[1] = value_of(loads, &force->y);
+        item->value[2] = value_of(loads, &force->moment);
         act_on(loads, force->body, force->body);
     }
 }
@@ -108,6 +111,7 @@ static void add_springs(YkLoads *loads)
         item->stiffness = spring->stiffness;
         item->length = spring->length;
         item->damping = spring->damping;
+        item->value[0] = value_of(loads, &spring->force);
     }
 }
 
@@ -164,6 +168,8 @@ YkLoads *yk_loads_new(const YkMechanism *mech)
         add_springs(loads);
         add_friction(loads);
         add_stops(loads);
+        for (size_t k = 1; k < loads->variable_count; k++)
+            if (loads->variables[k].coordinate == YK_NONE) loads->own[loads->variables[k].is_rate] = k;
         loads->value = calloc(loads->variable_count, sizeof *loads->value);
         ok = loads->value && !loads->failed && !yk_arena_failed(loads->arena);
     }

@@ -55,7 +55,7 @@ typedef struct YkLoadItem {
     int32_t body[2];    // FORCE: body[0]; SPRING
     YkLoadEnd end[2];   // likewise
     bool in_body_axes;
-    YkLoadValue value[3]; // EFFORT: [0]; FORCE: x, y, moment
+    YkLoadValue value[3]; // EFFORT: [0]; FORCE: x, y, moment; SPRING, ALONG: [0], the pull by a law of its own
     double stiffness, length, damping;
     double coulomb, radius; // COULOMB
     const YkStop *stop;     // STOP
@@ -74,7 +74,7 @@ typedef struct YkHandle {
 } YkHandle;
 
 typedef struct YkVariable { // a variable of the formulas: [0] is the time
-    int32_t coordinate;     // of the tree; YK_NONE: time
+    int32_t coordinate;     // of the tree; YK_NONE: the length of the spring that is being added
     bool is_rate;
 } YkVariable;
 
@@ -86,6 +86,7 @@ typedef struct YkLoads {
     YkVariable *variables;
     size_t variable_count, variable_capacity;
     double *value;   // values of the variables
+    size_t own[2];   // variables that are the length and the rate of the spring at hand; 0: none
     bool *is_loaded; // per body: whether some item may act on it
     YkHandle *handles;
     size_t handle_count;

@@ -70,18 +70,20 @@ static void push(YkLoad *load, int32_t body, YkVec arm, YkVec force)
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load)
 {
-    const YkJoint *j = &mech->model->joints[joint];
+    const YkJoint *first = yk_joint_end(mech->model, (size_t)joint, 0),
+                  *last = yk_joint_end(mech->model, (size_t)joint, 1);
+    int32_t from = first->body[0], on = last->body[1];
     if (!is_distance) {
-        load[j->body[1]].moment += effort;
-        load[j->body[0]].moment -= effort;
+        load[on].moment += effort;
+        load[from].moment -= effort;
         return;
     }
     Pose p = {.mech = mech, .space = space};
-    YkLoadEnd ends[2] = {yk_load_end(mech, j->body[0], j->at[0]), yk_load_end(mech, j->body[1], j->at[1])};
+    YkLoadEnd ends[2] = {yk_load_end(mech, from, first->at[0]), yk_load_end(mech, on, last->at[1])};
     YkLoadPoint a = point_of(&p, &ends[0]), b = point_of(&p, &ends[1]);
-    YkVec force = yk_scale(effort, in_world(&p, j->body[0], &a, j->along));
-    push(load, j->body[1], b.arm, force);
-    push(load, j->body[0], yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
+    YkVec force = yk_scale(effort, in_world(&p, from, &a, mech->model->joints[joint].along));
+    push(load, on, b.arm, force);
+    push(load, from, yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
 }
 
 static double push_along(const Pose *p, const YkLoadItem *item, double effort)
@@ -104,22 +106,41 @@ static double push_force(const Pose *p, const YkLoadItem *item)
 // Of the machine's size: between ends that a joint holds together only rounding is left, which has no direction.
 static const double NO_LENGTH = 1e-14;
 
-// Pulls the ends of a spring together by stiffness * (length - free length) + damping * d(length)/dt. Returns the
-// damper's power.
+// Returns the pull that has no potential: of the damper, and by a law of the spring's own.
+static double pull_of(const Pose *p, const YkLoadItem *item, double length, double rate)
+{
+    YkLoads *loads = p->loads;
+    if (loads->own[0]) loads->value[loads->own[0]] = length;
+    if (loads->own[1]) loads->value[loads->own[1]] = rate;
+    return item->damping * rate + evaluate(loads, &item->value[0]);
+}
+
+// Pulls the ends of a spring together by stiffness * (length - free length) + damping * d(length)/dt + its own law.
+// Returns the power of the last two.
 static double push_spring(const Pose *p, const YkLoadItem *item)
 {
     YkLoadPoint a = point_of(p, &item->end[0]), b = point_of(p, &item->end[1]);
     YkVec line = yk_sub(b.at, a.at);
-    double length = sqrt(yk_dot(line, line)), rate = 0;
+    double length = sqrt(yk_dot(line, line)), rate = 0, own = 0;
     YkVec pull = yk_scale(item->stiffness, line); // a free length of 0 needs no direction
     if (length > NO_LENGTH * p->mech->size) {
         YkVec along = yk_scale(1 / length, line);
         rate = yk_dot(yk_sub(b.velocity, a.velocity), along);
-        pull = yk_scale(item->stiffness * (length - item->length) + item->damping * rate, along);
+        own = pull_of(p, item, length, rate);
+        pull = yk_scale(item->stiffness * (length - item->length) + own, along);
     }
     push(p->load, item->body[0], a.arm, pull);
     push(p->load, item->body[1], b.arm, yk_scale(-1, pull));
-    return -item->damping * rate * rate;
+    return -own * rate;
+}
+
+// Does the same along a joint's angle or distance.
+static double push_spring_along(const Pose *p, const YkLoadItem *item)
+{
+    YkMotion m = yk_loads_coordinate(p->state, p->space, item->coordinate);
+    double own = pull_of(p, item, m.position, m.velocity);
+    push_along(p, item, -item->stiffness * (m.position - item->length) - own);
+    return -own * m.velocity;
 }
 
 // Returns the power that it delivers.
@@ -144,12 +165,8 @@ static double push_item(const Pose *p, YkLoadItem *item)
         return push_force(p, item);
     case YK_LOAD_SPRING:
         return push_spring(p, item);
-    case YK_LOAD_ALONG: {
-        YkMotion m = yk_loads_coordinate(p->state, p->space, item->coordinate);
-        rate = m.velocity;
-        push_along(p, item, -item->stiffness * (m.position - item->length) - item->damping * rate);
-        return -item->damping * rate * rate;
-    }
+    case YK_LOAD_ALONG:
+        return push_spring_along(p, item);
     case YK_LOAD_VISCOUS:
         rate = yk_joint_rate(p->mech, p->space, item->joint, item->is_distance);
         return push_along(p, item, -item->damping * rate);
@@ -164,6 +181,7 @@ static void read_variables(YkLoads *loads, const YkState *state, const YkSpace *
 {
     loads->value[0] = state->time;
     for (size_t k = 1; k < loads->variable_count; k++) {
+        if (loads->variables[k].coordinate == YK_NONE) continue; // each spring's own
         YkMotion m = yk_loads_coordinate(state, space, loads->variables[k].coordinate);
         loads->value[k] = loads->variables[k].is_rate ? m.velocity : m.position;
     }

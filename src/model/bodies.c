@@ -35,7 +35,7 @@ void yk_load_bodies(YkLoader *loader)
 {
     const YkNode *section = yk_load_section(loader, "bodies");
     YkModel *model = loader->model;
-    size_t room = 1 + (section ? section->count : 0);
+    size_t room = 1 + (section ? section->count : 0) + yk_load_count_free(loader);
     const YkNode **nodes = YK_NEW(loader->arena, const YkNode *, room);
     model->bodies = YK_NEW(loader->arena, YkBody, room);
     if (!model->bodies || !nodes) return;
@@ -46,6 +46,7 @@ void yk_load_bodies(YkLoader *loader)
         yk_problem_hint(loader->problems, "list them as in `bodies: {crank: {points: {A: [0.1, 0]}}}`");
     }
     yk_load_points(loader, section, nodes);
+    yk_load_carriages(loader);
     for (size_t i = 0; i < model->body_count && !yk_arena_failed(loader->arena) && yk_load_goes_on(loader); i++) {
         if (nodes[i]) yk_load_mass(loader, (int32_t)i, nodes[i]);
     }

@@ -56,9 +56,9 @@ static int32_t joint_coordinate(YkLoader *loader, const char *name, YkPlace plac
     int32_t index = joint_name ? yk_names_find(&loader->model->joint_names, joint_name) : YK_NONE;
     if (index == YK_NONE) return YK_NONE;
     YkJoint *joint = &loader->model->joints[index];
-    const YkPart *part = yk_part(joint->kind);
+    const YkPart *part = yk_part(joint->is_free ? YK_FREE : joint->kind);
     if (!part) return YK_REPORTED;
-    if (is_distance ? !part->slides : !part->turns) {
+    if (joint->is_free ? is_distance : is_distance ? !part->slides : !part->turns) {
         yk_problem(loader->problems, YK_CODE_COORDINATE_KIND, place, "a %s has no %s", part->key, dot + 1);
         return YK_REPORTED;
     }
@@ -76,6 +76,14 @@ int32_t yk_load_coordinate(YkLoader *loader, const char *text, YkPlace place, bo
     if (!name) return YK_NONE;
     int32_t found = yk_names_find(&loader->model->coordinate_names, name);
     return found == YK_NONE ? joint_coordinate(loader, name, place) : found;
+}
+
+const char *yk_load_rate_name(YkLoader *loader, const char *coordinate)
+{
+    yk_text_clear(&loader->text);
+    yk_text_format(&loader->text, "%s.rate", coordinate);
+    const char *name = yk_arena_copy(loader->arena, yk_text_get(&loader->text), strlen(coordinate) + 5);
+    return name ? name : "";
 }
 
 int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rate)

@@ -32,6 +32,11 @@ static void check_coordinate(NameCheck *check, const YkExpr *name)
 {
     YkLoader *loader = check->loader;
     bool is_rate = false;
+    int own = yk_model_own_name(name->name);
+    if (own != YK_NONE) {
+        fix_once(loader, name->name, own == 0 ? YK_DIM_LENGTH : YK_DIM_SPEED);
+        return;
+    }
     int32_t index = yk_load_coordinate(loader, name->name, name->place, &is_rate);
     if (index == YK_NONE) {
         yk_problem(loader->problems, YK_CODE_UNKNOWN_NAME, name->place, "there is no parameter or coordinate %q",

@@ -43,10 +43,23 @@ static int resolve_coordinate(const Names *names, const char *name)
     return variable < 0 ? UNKNOWN : variable;
 }
 
+int yk_model_own_name(const char *name)
+{
+    return strcmp(name, YK_OWN_LENGTH) == 0 ? 0 : strcmp(name, YK_OWN_RATE) == 0 ? 1 : YK_NONE;
+}
+
+static int resolve_own(const Names *names, int own)
+{
+    int variable = names->coordinate_variable ? names->coordinate_variable(names->context, YK_NONE, own == 1) : UNKNOWN;
+    return variable < 0 ? UNKNOWN : variable;
+}
+
 static int resolve(void *context, const YkExpr *name, double *value)
 {
     const Names *names = context;
     if (strcmp(name->name, "t") == 0) return TIME;
+    int own = yk_model_own_name(name->name);
+    if (own != YK_NONE) return resolve_own(names, own);
     int32_t parameter = yk_names_find(&names->model->parameter_names, name->name);
     if (parameter == YK_NONE) return resolve_coordinate(names, name->name);
     *value = names->model->parameters[parameter].value;

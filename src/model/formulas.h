@@ -4,7 +4,8 @@
 #include "expr/formula.h"
 #include "model/model.h"
 
-// Returns the variable of a declared coordinate (or its rate): an index above 0; negative if it has none.
+// Returns the variable of a declared coordinate (or its rate), or with YK_NONE of the spring's own length: an index
+// above 0; negative if it has none.
 typedef int (*YkCoordinateVariable)(void *context, int32_t model_coordinate, bool is_rate);
 
 // Compiles an expression of a loaded model. Parameters become constants, `t` is variable 0; coordinate_variable (NULL:

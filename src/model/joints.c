@@ -18,10 +18,10 @@ static const YkNodePair *find_kind(YkLoader *loader, const YkNode *node, const Y
         found = &node->pairs[i];
     }
     if (found) return found;
-    static const char *const kinds[] = {"pin", "slide", "pin-slot", "weld", NULL};
+    static const char *const kinds[] = {"pin", "slide", "pin-slot", "weld", "free", NULL};
     const YkNode *first = node->count ? node->pairs[0].key : name;
     yk_problem(loader->problems, YK_CODE_JOINT_KIND, first->place,
-               "joint %q is not declared as a pin, slide, pin-slot or weld", name->text);
+               "joint %q is not declared as a pin, slide, pin-slot, weld or free", name->text);
     yk_load_hint_nearest_key(loader, first->text, kinds);
     return NULL;
 }
@@ -105,6 +105,17 @@ static void check_keys(YkLoader *loader, const YkJoint *joint, const YkNode *nod
     yk_load_check_keys(loader, node, keys, &(YkSubject){.noun = part->key, .part = joint->name});
 }
 
+// Takes the next carriage for a free joint.
+static void make_free(YkLoader *loader, int32_t index, const YkNode *node)
+{
+    YkModel *model = loader->model;
+    const YkJoint *joint = &model->joints[index];
+    size_t first = model->body_count - model->carriage_count, k = model->joint_count - model->shown_joints;
+    if (joint->body[0] == YK_NONE || joint->body[1] == YK_NONE) loader->has_bad_joint = true;
+    model->joint_count++;
+    yk_load_free_joint(loader, index, (int32_t)(first + k), (int32_t)(model->shown_joints + k), node);
+}
+
 static void read_joint(YkLoader *loader, int32_t index, const YkNodePair *pair)
 {
     YkJoint *joint = &loader->model->joints[index];
@@ -116,6 +127,10 @@ static void read_joint(YkLoader *loader, int32_t index, const YkNodePair *pair)
         joint->kind = yk_part_find(kind->key->text);
         check_keys(loader, joint, node);
         read_bodies(loader, joint, kind->value, kind->key->text);
+        if (joint->kind == YK_FREE) {
+            make_free(loader, index, node);
+            return;
+        }
         read_direction(loader, joint, node);
         if (yk_part(joint->kind)->turns) joint->angle = read_coordinate(loader, index, node, false);
         if (yk_part(joint->kind)->slides) joint->distance = read_coordinate(loader, index, node, true);
@@ -133,9 +148,9 @@ void yk_load_joints(YkLoader *loader)
     const YkNode *section = yk_load_section(loader, "joints");
     YkModel *model = loader->model;
     if (!section || section->count == 0) return;
-    model->joints = YK_NEW(loader->arena, YkJoint, section->count);
+    model->joints = YK_NEW(loader->arena, YkJoint, section->count + model->carriage_count);
     if (!model->joints) return;
-    model->joint_count = section->count;
+    model->joint_count = model->shown_joints = section->count;
     for (size_t i = 0; i < section->count && yk_load_goes_on(loader); i++) {
         const YkNode *key = section->pairs[i].key;
         int32_t existing;

@@ -41,10 +41,16 @@ typedef struct YkSubject {
     const char *axis, *noun, *part, *owner;
 } YkSubject;
 
+// A name that means something else in one value alone: `length` of a spring in its force.
+typedef struct YkOwnName {
+    const char *name, *means;
+} YkOwnName;
+
 typedef struct YkWant {
     YkDimension dimension;
     YkScope scope;
     YkSubject subject;
+    const YkOwnName *own; // [.], the last without a name; or NULL
 } YkWant;
 
 // An expression that waits for its value.
@@ -98,6 +104,8 @@ YkPlace yk_load_text_place(const YkNode *node);
 YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, double *target);
 // Reads [x, y].
 bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target);
+// strengths.c: reads an expression, or {law: NAME, of: expression}; without `want->own` the scope is that of `want`.
+YkStrength yk_load_strength(YkLoader *loader, const YkNode *node, const YkWant *want);
 // Reports a value that is not finite or too large, and returns false for it.
 bool yk_load_in_range(YkLoader *loader, YkPlace place, double value);
 
@@ -136,6 +144,7 @@ int32_t yk_load_declare(YkLoader *loader, const char *name, YkPlace place, int32
 // Returns the coordinate that NAME, NAME.rate, JOINT.angle, JOINT.distance.rate, ... refer to; declares JOINT.angle if
 // it has no name yet. Returns YK_NONE if there is none; YK_REPORTED if the joint has no such freedom (reported).
 int32_t yk_load_coordinate(YkLoader *loader, const char *text, YkPlace place, bool *is_rate);
+const char *yk_load_rate_name(YkLoader *loader, const char *coordinate); // NAME.rate, in the arena
 // Does the same for a key of drives, start, efforts or stops: reports every failure, also `.rate` if is_rate is NULL.
 int32_t yk_load_coordinate_key(YkLoader *loader, const YkNode *key, bool *is_rate);
 // Allocates one byte for every coordinate that exists or that this section may declare.
@@ -155,6 +164,11 @@ void yk_load_joints(YkLoader *loader);
 void yk_load_laws(YkLoader *loader);                       // after the joints, before everything that uses laws
 int32_t yk_load_law(YkLoader *loader, const YkNode *node); // a law by name; YK_NONE, reported
 void yk_load_cams(YkLoader *loader);                       // after the laws
+// free_joints.c: joints that leave all three freedoms.
+size_t yk_load_count_free(YkLoader *loader);
+void yk_load_carriages(YkLoader *loader); // after the bodies of the file, whose room has to suffice
+// Makes joint `index`, whose bodies are read, of itself and the joint `slide` with the carriage between them.
+void yk_load_free_joint(YkLoader *loader, int32_t index, int32_t carriage, int32_t slide, const YkNode *node);
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
 void yk_load_drives(YkLoader *loader);
 void yk_load_starts(YkLoader *loader);

@@ -39,6 +39,7 @@ typedef struct YkBody {
     YkVec center;                                           // of mass, in the body's axes, m
     YkExpr *mass_expr, *inertia_expr, *center_x, *center_y; // NULL if not given
     int32_t rod[2];                                         // points of `rod`, or YK_NONE
+    bool is_carriage; // massless, within a free joint; behind all others, and never shown
 } YkBody;
 
 // Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the rotation, and viscous * rate; in a
@@ -66,6 +67,10 @@ typedef struct YkJoint {
     int32_t angle, distance;          // declared coordinates, or YK_NONE
     bool has_friction;
     YkFriction friction;
+    // One half of a free joint, which is a slide of its first body and a carriage, behind all joints of the file, and a
+    // pin-slot of the carriage and its second body in its own place. A free joint transmits nothing.
+    bool is_free;
+    int32_t partner; // the other half
 } YkJoint;
 
 // A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mentioning `JOINT.angle` or
@@ -102,17 +107,16 @@ typedef struct YkStart {
     double value;
 } YkStart;
 
-// A value that a law gives: value = law(argument), where the argument is a coordinate or the time.
-typedef struct YkLawUse {
-    int32_t law; // index into model->laws, or YK_NONE: no law here
-    YkExpr *of;  // in t, parameters, coordinates, rates
-} YkLawUse;
+// A value that follows the time and the pose: an expression, or a law of it.
+typedef struct YkStrength {
+    YkExpr *expr; // in t, parameters, coordinates, rates; with a law: its argument. NULL: 0
+    int32_t law;  // index into model->laws, or YK_NONE
+} YkStrength;
 
 typedef struct YkEffort {
     int32_t coordinate;
     YkPlace place;
-    YkExpr *expr; // in t, parameters, coordinates, rates; NULL if a law gives it
-    YkLawUse law;
+    YkStrength strength;
 } YkEffort;
 
 typedef struct YkForce { // at a point of a body
@@ -122,7 +126,7 @@ typedef struct YkForce { // at a point of a body
     int32_t point; // YK_NONE: the body's origin
     YkVec at;      // the same in the body's axes, m
     bool in_body_axes;
-    YkExpr *x, *y, *moment; // N, N m; in t, parameters, coordinates, rates; NULL: 0
+    YkStrength x, y, moment; // N, N m
 } YkForce;
 
 // A spring and a damper in parallel: between two points, or along a coordinate (a torsion spring on an angle).
@@ -134,7 +138,13 @@ typedef struct YkSpring {
     YkVec at[2];                                         // in each body's axes, m
     double stiffness, length, damping;                   // length: free length, m, or free angle, rad
     YkExpr *stiffness_expr, *length_expr, *damping_expr; // NULL if not given (0)
+    YkStrength force; // pulls besides, N or N m; between points it may mention YK_OWN_LENGTH and YK_OWN_RATE
 } YkSpring;
+
+// The names of a spring's own length and rate in its `force`, as the loader writes them: no file can.
+#define YK_OWN_LENGTH "length of the spring"
+#define YK_OWN_RATE "rate of the spring"
+int yk_model_own_name(const char *name); // 0: its length, 1: its rate, YK_NONE: another name
 
 // A stop: a coordinate cannot leave [low, high]. Where it hits an end its rate reverses, times `restitution`.
 typedef struct YkStop {
@@ -256,7 +266,9 @@ struct YkModel {
     const char *source_name; // as given to the loader, for messages
     const char *source;      // the file's text, with the values that overrides replaced (builder.h: yk_model_text)
     size_t source_length;
-    size_t held_joints; // of a sketch: so many joints at the end hold what nothing connects to the ground (sketch.h)
+    size_t carriage_count; // so many bodies, and joints, at the end are parts of free joints
+    size_t shown_joints;   // joints before them
+    size_t held_joints;    // of a sketch: so many joints at the end hold what nothing connects to the ground (sketch.h)
     YkUnits units;
     const char *unit_names[YK_QUANTITY_COUNT]; // the file's unit of each quantity: "mm/s"
     YkParameter *parameters;
@@ -305,6 +317,13 @@ struct YkModel {
                  // largest start distance if that is more; 1 if all are zero. The scale for lengths.
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
+
+// Returns the joint that holds one side of a joint: the joint itself; of a free joint the half that has that body.
+static inline const YkJoint *yk_joint_end(const YkModel *model, size_t joint, int side)
+{
+    const YkJoint *j = &model->joints[joint];
+    return !j->is_free || (side == 1) == (j->kind == YK_PIN_SLOT) ? j : &model->joints[j->partner];
+}
 
 // How a text is read, besides as yk_model_parse reads it.
 typedef struct YkReading {

@@ -8,12 +8,12 @@ const char *yk_model_name(const YkModel *model)
 
 size_t yk_model_body_count(const YkModel *model)
 {
-    return model->body_count;
+    return model->body_count - model->carriage_count;
 }
 
 const char *yk_model_body_name(const YkModel *model, size_t body)
 {
-    return body < model->body_count ? model->bodies[body].name : NULL;
+    return body < model->body_count ? model->bodies[body].name : NULL; // of a carriage: its joint's
 }
 
 size_t yk_model_point_count(const YkModel *model)
@@ -33,7 +33,7 @@ size_t yk_model_point_body(const YkModel *model, size_t point)
 
 size_t yk_model_joint_count(const YkModel *model)
 {
-    return model->joint_count;
+    return model->carriage_count > 0 ? model->shown_joints : model->joint_count;
 }
 
 const char *yk_model_joint_name(const YkModel *model, size_t joint)

@@ -3,10 +3,10 @@
 
 const char *yk_model_joint_kind(const YkModel *model, size_t joint)
 {
-    return yk_part(model->joints[joint].kind)->key;
+    return yk_part(model->joints[joint].is_free ? YK_FREE : model->joints[joint].kind)->key;
 }
 
 size_t yk_model_joint_body(const YkModel *model, size_t joint, int side)
 {
-    return (size_t)model->joints[joint].body[side != 0];
+    return (size_t)yk_joint_end(model, joint, side != 0)->body[side != 0];
 }

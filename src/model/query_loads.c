@@ -18,7 +18,7 @@ YkLoadCounts yk_model_loads(const YkModel *model)
     counts.has_gravity = model->has_gravity && (model->gravity.x != 0 || model->gravity.y != 0);
     counts.masses = count_masses(model, &counts.mass);
     for (size_t k = 0; k < model->spring_count; k++) {
-        counts.springs += model->springs[k].stiffness_expr != NULL;
+        counts.springs += model->springs[k].stiffness_expr != NULL || model->springs[k].force.expr != NULL;
         counts.dampers += model->springs[k].damping_expr != NULL;
     }
     for (size_t j = 0; j < model->joint_count; j++) counts.frictions += model->joints[j].has_friction;

@@ -83,10 +83,36 @@ static double plain_value(const YkExpr *expr)
     return expr->kind == YK_EXPR_NEGATE ? -plain_value(expr->a) : expr->number * expr->value_scale;
 }
 
+// What `name` means in one value alone, while its names are replaced.
+typedef struct Meaning {
+    YkLoader *loader;
+    const YkOwnName *own;
+} Meaning;
+
+// Replaces a name. A parameter or another coordinate of that name could be meant as well.
+static void replace_name(void *context, const YkExpr *name)
+{
+    const Meaning *meaning = context;
+    const YkModel *model = meaning->loader->model;
+    const YkOwnName *own = meaning->own;
+    if (strcmp(name->name, own->name) != 0) return;
+    bool is_parameter = yk_names_find(&model->parameter_names, own->name) != YK_NONE;
+    bool is_other = strcmp(own->name, own->means) != 0 && yk_names_find(&model->coordinate_names, own->name) != YK_NONE;
+    if (is_parameter || is_other) {
+        yk_problem(meaning->loader->problems, YK_CODE_REPEATED_NAME, name->place,
+                   "%q is the spring's own here, and also the name of a %s", own->name,
+                   is_parameter ? "parameter" : "coordinate");
+        yk_problem_hint(meaning->loader->problems, "rename the %s", is_parameter ? "parameter" : "coordinate");
+    }
+    ((YkExpr *)name)->name = own->means;
+}
+
 static YkExpr *waiting_expression(YkLoader *loader, const YkNode *node, const YkWant *want, double *target)
 {
     YkExpr *expr = yk_expr_parse(node->text, node->length, yk_load_text_place(node), loader->arena, loader->problems);
     if (!expr) return NULL;
+    for (const YkOwnName *own = want->own; own && own->name; own++)
+        yk_expr_names(expr, replace_name, &(Meaning){loader, own});
     const char *what = yk_load_subject(loader, &want->subject);
     what = yk_arena_copy(loader->arena, what, strlen(what));
     if (!what || !YK_ROOM(loader->uses, loader->use_count, loader->use_capacity)) {

@@ -2,8 +2,11 @@
 #include <string.h>
 #include "part/parts.h"
 
-static const YkPart *const catalogue[YK_PART_COUNT] = {
-    [YK_PIN] = &yk_part_pin, [YK_SLIDE] = &yk_part_slide, [YK_PIN_SLOT] = &yk_part_pin_slot, [YK_WELD] = &yk_part_weld};
+static const YkPart *const catalogue[YK_PART_COUNT] = {[YK_PIN] = &yk_part_pin,
+                                                       [YK_SLIDE] = &yk_part_slide,
+                                                       [YK_PIN_SLOT] = &yk_part_pin_slot,
+                                                       [YK_WELD] = &yk_part_weld,
+                                                       [YK_FREE] = &yk_part_free};
 
 const YkPart *yk_part(YkPartKind kind)
 {

@@ -4,11 +4,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef enum YkPartKind { YK_PIN, YK_SLIDE, YK_PIN_SLOT, YK_WELD, YK_PART_COUNT } YkPartKind;
+typedef enum YkPartKind { YK_PIN, YK_SLIDE, YK_PIN_SLOT, YK_WELD, YK_FREE, YK_PART_COUNT } YkPartKind;
 
 // A joint holds point `at` of body b at a place on body a. What it leaves free:
 typedef struct YkPart {
-    const char *key;         // its key in the model file: "pin", "slide", "pin-slot", "weld"
+    const char *key;         // its key in the model file: "pin", "slide", "pin-slot", "weld", "free"
     bool turns;              // b may turn relative to a (coordinate: angle)
     bool slides;             // b's point may move along a line of a (coordinate: distance)
     const char *const *keys; // further keys it takes, NULL-terminated

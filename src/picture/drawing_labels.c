@@ -20,7 +20,7 @@ static bool add_lines(YkDrawing *drawing, const YkFrame *frames, YkLabels *label
 {
     labels->lines = calloc(drawing->corner_count + 1, sizeof *labels->lines);
     if (!labels->lines) return false;
-    for (size_t b = 1; b < drawing->model->body_count; b++) {
+    for (size_t b = 1; b < yk_model_body_count(drawing->model); b++) {
         YkOutline outline = drawing->outlines[b];
         for (size_t i = 0; i + (outline.count < 3) < outline.count; i++) {
             YkVec a = drawing->corners[outline.first + i],
@@ -38,6 +38,7 @@ static void take_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *lab
     double bar = drawing->bar;
     for (size_t j = 0; j < drawing->model->joint_count && labels->count < YK_LABELS_MAX; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
+        if (joint->is_free) continue;
         YkVec at = yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 1));
         bool on_ground = joint->body[0] == 0 || joint->body[1] == 0;
         YkBox box = yk_box_at(at, bar, bar);
@@ -52,6 +53,7 @@ static void name_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *lab
     const YkFrame *shown = yk_drawing_frames(drawing, drawing->shown);
     for (size_t j = 0; j < drawing->model->joint_count; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
+        if (joint->is_free) continue;
         YkVec at = yk_drawing_joint(drawing, frames, joint, 1);
         double reach = joint->kind == YK_SLIDE ? 1.3 * drawing->bar : 0.6 * drawing->bar;
         yk_drawing_group_name(drawing, 'j', j, at, yk_drawing_joint(drawing, shown, joint, 1));
@@ -73,7 +75,7 @@ YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t 
 static void name_bodies(YkDrawing *drawing, const YkFrame *frames, YkLabels *labels)
 {
     const YkFrame *shown = yk_drawing_frames(drawing, drawing->shown);
-    for (size_t b = 1; b < drawing->model->body_count; b++) {
+    for (size_t b = 1; b < yk_model_body_count(drawing->model); b++) {
         YkText style = {0};
         yk_text_format(&style, "fill=\"%s\" font-style=\"italic\"", yk_drawing_colour(b).edge);
         double reach = drawing->outlines[b].count < 2 ? 1.4 * drawing->bar : 0.7 * drawing->bar;

@@ -37,7 +37,7 @@ static bool make(YkFreeBodyDrawings *p, const YkState *state, YkDynamics *dynami
     YkStatus status = yk_drawing_pose(p->drawing, state);
     p->is_infinite = status < 0 && status != YK_NO_MEMORY;
     if (status < 0) return false;
-    size_t bodies = p->d->model->body_count - 1;
+    size_t bodies = yk_model_body_count(p->d->model) - 1;
     p->count = bodies + p->forces->junction_count;
     p->pictures = YK_NEW(p->arena, YkFreeBodyDrawing, p->count + 1);
     if (!p->pictures || !set_values(p, state, dynamics)) return false;
@@ -175,7 +175,7 @@ static void add_shape(YkFreeBodyDrawings *p, int32_t body)
             for (int side = 0; side < 2; side++) {
                 const YkJoint *joint = &model->joints[j];
                 bool is_under = side == 0 && (joint->kind == YK_SLIDE || joint->kind == YK_PIN_SLOT);
-                if (joint->body[side] == body && is_under == (pass == 0))
+                if (joint->body[side] == body && !joint->is_free && is_under == (pass == 0))
                     yk_drawing_joint_on(drawing, frames, joint, side);
             }
         if (pass == 0) yk_drawing_body(drawing, &frames[body], (size_t)body);

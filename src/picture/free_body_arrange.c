@@ -15,7 +15,8 @@ static size_t add_rods(const YkFreeBodyDrawings *p, int32_t body, YkVec (*lines)
     size_t count = 0;
     for (size_t j = 0; j < p->d->model->joint_count; j++) {
         const YkJoint *joint = &p->d->model->joints[j];
-        if (joint->body[0] != body || (joint->kind != YK_SLIDE && joint->kind != YK_PIN_SLOT)) continue;
+        if (joint->is_free || joint->body[0] != body || (joint->kind != YK_SLIDE && joint->kind != YK_PIN_SLOT))
+            continue;
         for (int side = 0; side < 2; side++)
             lines[count][side] = yk_drawing_pixel(p->drawing, yk_drawing_joint(p->drawing, frames, joint, side));
         count++;

@@ -10,6 +10,7 @@
 typedef struct Reading {
     YkProgram *program;
     const YkMotionRef *motion; // per coordinate of the tree, or NULL
+    const YkRef *own;          // the length and the rate of the spring at hand, or NULL
 } Reading;
 
 static bool cut(char *name, const char *ending)
@@ -40,6 +41,8 @@ static YkRef read_name(const Reading *r, const YkExpr *expr)
     if (parameter != YK_NONE) return p->parameter[parameter];
     if (strcmp(expr->name, "pi") == 0) return yk_graph_number(&p->graph, YK_PI);
     if (strcmp(expr->name, "t") == 0) return p->time;
+    int own = yk_model_own_name(expr->name);
+    if (own != YK_NONE && r->own) return r->own[own];
     char *name = yk_arena_copy(p->arena, expr->name, strlen(expr->name));
     if (!name) return yk_graph_number(&p->graph, 0);
     bool is_rate = cut(name, ".rate");
@@ -78,12 +81,12 @@ static YkRef read(const Reading *r, const YkExpr *expr)
 
 YkRef yk_program_expr(YkProgram *p, const YkExpr *expr)
 {
-    return yk_program_expr_at(p, expr, NULL);
+    return yk_program_expr_of(p, expr, NULL, NULL);
 }
 
-YkRef yk_program_expr_at(YkProgram *p, const YkExpr *expr, const YkMotionRef *motion)
+YkRef yk_program_expr_of(YkProgram *p, const YkExpr *expr, const YkMotionRef *motion, const YkRef *own)
 {
-    return expr ? read(&(Reading){p, motion}, expr) : yk_graph_number(&p->graph, 0);
+    return expr ? read(&(Reading){p, motion, own}, expr) : yk_graph_number(&p->graph, 0);
 }
 
 // --- parameters

@@ -73,23 +73,41 @@ YkRefVec yk_forces_line(YkProgram *p, const YkJoint *joint)
     return in_world(p, joint->body[0], along);
 }
 
+// Returns the way along a joint's line, world axes.
+static YkRefVec way_along(YkProgram *p, const YkJoint *joint)
+{
+    YkRef distance = p->distance[p->mech->joint_distance[joint - p->model->joints]];
+    return yk_graph_vec_scale(&p->graph, distance, yk_forces_line(p, joint));
+}
+
 // Adds an effort along a joint's freedom: on its second body, and its opposite at the same place on the first.
 static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effort)
 {
     YkProgram *p = f->program;
     YkGraph *g = &p->graph;
-    const YkJoint *j = &p->model->joints[joint];
+    const YkJoint *j = &p->model->joints[joint], *first = yk_joint_end(p->model, (size_t)joint, 0),
+                  *last = yk_joint_end(p->model, (size_t)joint, 1);
+    int32_t from = first->body[0], on = last->body[1];
     if (!is_distance) {
-        f->load[j->body[1]].moment = yk_graph_add(g, f->load[j->body[1]].moment, effort);
-        f->load[j->body[0]].moment = yk_graph_subtract(g, f->load[j->body[0]].moment, effort);
+        f->load[on].moment = yk_graph_add(g, f->load[on].moment, effort);
+        f->load[from].moment = yk_graph_subtract(g, f->load[from].moment, effort);
         return;
     }
-    YkRefVec line = yk_forces_line(p, j), force = yk_graph_vec_scale(g, effort, line);
-    YkRefVec arm = yk_forces_arm(p, j->body[0], yk_program_point(p, j->point[0]));
-    YkRefVec out = yk_graph_vec_scale(g, p->distance[p->mech->joint_distance[joint]], line);
-    push(f, j->body[1], yk_forces_arm(p, j->body[1], yk_program_point(p, j->point[1])), force);
-    YkRefVec at = yk_graph_vec_add(g, arm, out);
-    push(f, j->body[0], at, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
+    YkRefVec force = yk_graph_vec_scale(g, effort, yk_forces_line(p, j));
+    YkRefVec arm =
+        yk_graph_vec_add(g, yk_forces_arm(p, from, yk_program_point(p, first->point[0])), way_along(p, first));
+    if (first != last) arm = yk_graph_vec_add(g, arm, way_along(p, last)); // past a free joint's carriage
+    push(f, on, yk_forces_arm(p, on, yk_program_point(p, last->point[1])), force);
+    push(f, from, arm, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
+}
+
+// Returns an expression of the file or a law of it. own: the length and the rate of the spring that it is of, or NULL.
+static YkRef strength_of(YkForces *f, const YkStrength *strength, const YkRef *own)
+{
+    YkProgram *p = f->program;
+    YkRef value = yk_program_expr_of(p, strength->expr, f->motion, own);
+    if (strength->law == YK_NONE) return value;
+    return yk_graph_result(&p->graph, yk_program_call_law(p, strength->law, value), 0);
 }
 
 static void add_efforts(YkForces *f)
@@ -98,9 +116,7 @@ static void add_efforts(YkForces *f)
     for (size_t k = 0; k < p->model->effort_count; k++) {
         const YkEffort *e = &p->model->efforts[k];
         const YkCoordinate *c = &p->model->coordinates[e->coordinate];
-        bool is_law = e->law.of != NULL;
-        YkRef value = yk_program_expr_at(p, is_law ? e->law.of : e->expr, f->motion);
-        if (is_law) value = yk_graph_result(&p->graph, yk_program_call_law(p, e->law.law, value), 0);
+        YkRef value = strength_of(f, &e->strength, NULL);
         push_along(f, c->joint, c->is_distance, value);
         f->given[k] = value;
     }
@@ -112,12 +128,12 @@ static void add_forces(YkForces *f)
     YkGraph *g = &p->graph;
     for (size_t k = 0; k < p->model->force_count; k++) {
         const YkForce *force = &p->model->forces[k];
-        YkRefVec v = {.x = yk_program_expr_at(p, force->x, f->motion)};
-        v.y = yk_program_expr_at(p, force->y, f->motion);
+        YkRefVec v = {.x = strength_of(f, &force->x, NULL)};
+        v.y = strength_of(f, &force->y, NULL);
         if (force->in_body_axes) v = in_world(p, force->body, v);
         push(f, force->body, yk_forces_arm(p, force->body, yk_program_point(p, force->point)), v);
         YkRef *moment = &f->load[force->body].moment;
-        *moment = yk_graph_add(g, *moment, yk_program_expr_at(p, force->moment, f->motion));
+        *moment = yk_graph_add(g, *moment, strength_of(f, &force->moment, NULL));
     }
 }
 
@@ -150,7 +166,8 @@ static void add_spring(YkForces *f, const YkSpring *s)
         int32_t coordinate = yk_tree_coordinate(p->mech, c->joint, c->is_distance);
         YkRef stretch = yk_graph_subtract(g, f->motion[coordinate].position, free);
         YkRef spring = yk_graph_multiply(g, stiffness, stretch);
-        YkRef pull = yk_graph_add(g, spring, yk_graph_multiply(g, damping, f->motion[coordinate].velocity));
+        YkRef damper = yk_graph_multiply(g, damping, f->motion[coordinate].velocity);
+        YkRef pull = yk_graph_add(g, spring, yk_graph_add(g, damper, strength_of(f, &s->force, NULL)));
         store(f, stiffness, stretch);
         push_along(f, c->joint, c->is_distance, yk_graph_minus(g, pull));
         return;
@@ -169,7 +186,8 @@ static void add_spring(YkForces *f, const YkSpring *s)
     YkRef stretch = yk_graph_subtract(g, length, free);
     YkRef speed = yk_graph_multiply(g, yk_graph_dot(g, yk_graph_vec_subtract(g, rate[1], rate[0]), line), per);
     YkRef spring = yk_graph_multiply(g, stiffness, stretch);
-    YkRef pull = yk_graph_add(g, spring, yk_graph_multiply(g, damping, speed));
+    YkRef damper = yk_graph_multiply(g, damping, speed), own[] = {length, speed};
+    YkRef pull = yk_graph_add(g, spring, yk_graph_add(g, damper, strength_of(f, &s->force, own)));
     YkRef joined = yk_graph_subtract(g, length, yk_graph_number(g, no_length(p)));
     YkRefVec force =
         yk_graph_vec_scale(g, yk_graph_choose(g, joined, stiffness, yk_graph_multiply(g, pull, per)), line);

@@ -97,8 +97,9 @@ void yk_program_fix(YkProgram *program);
 // Makes parameters and the bodies' turns.
 void yk_program_constants(YkProgram *program);
 YkRef yk_program_expr(YkProgram *program, const YkExpr *expr); // of parameters and t; NULL: 0
-// Does the same with names of coordinates: `motion[coordinate]` of the tree.
-YkRef yk_program_expr_at(YkProgram *program, const YkExpr *expr, const YkMotionRef *motion);
+// Does the same with names of coordinates, `motion[coordinate]` of the tree, and in a spring's force with its own[2],
+// the length and the rate, or NULL.
+YkRef yk_program_expr_of(YkProgram *program, const YkExpr *expr, const YkMotionRef *motion, const YkRef *own);
 YkRefVec yk_program_point(YkProgram *program, int32_t point); // in the body's axes; YK_NONE: the origin
 YkRefVec yk_program_term(YkProgram *program, size_t term);    // of the mechanism's terms
 YkRefVec yk_program_constant(YkProgram *program, const YkSum *sum);

@@ -78,7 +78,8 @@ static void add_forces(YkReportPage *report)
                              *const axes[] = {".force.x", ".force.y"};
     static const char *const energies[] = {"kinetic", "potential", "energy"};
     static const char *const shaking[] = {"shaking.x", "shaking.y"};
-    size_t efforts = 0, joints = report->model->joint_count < JOINTS_MAX ? report->model->joint_count : JOINTS_MAX;
+    size_t efforts = 0,
+           joints = yk_model_joint_count(report->model) < JOINTS_MAX ? yk_model_joint_count(report->model) : JOINTS_MAX;
     if (!report->dynamics) return;
     for (size_t c = 0; c < yk_coordinate_count(report->mech) && efforts < EFFORTS_MAX; c++) {
         if (!yk_dynamics_has_effort(report->dynamics, c)) continue;

@@ -110,7 +110,7 @@ static void add_readout(const YkReportPage *report, YkJson *json)
 static void add_bodies(const YkReportPage *report, YkJson *json)
 {
     yk_json_list(json, "bodies", YK_JSON_LINES);
-    for (size_t b = 0; b < report->model->body_count; b++) {
+    for (size_t b = 0; b < yk_model_body_count(report->model); b++) {
         YkShift drawn = yk_drawing_shift(report->drawing, b, yk_drawing_reference(report->drawing));
         yk_json_object(json, NULL, YK_JSON_INLINE);
         yk_json_string(json, "name", report->model->bodies[b].name);
@@ -162,7 +162,7 @@ static void add_joints(const YkReportPage *report, YkJson *json)
 {
     const YkFrame *frames = yk_drawing_frames(report->drawing, yk_drawing_reference(report->drawing));
     yk_json_list(json, "joints", YK_JSON_LINES);
-    for (size_t j = 0; j < report->model->joint_count; j++) {
+    for (size_t j = 0; j < yk_model_joint_count(report->model); j++) {
         const YkJoint *joint = &report->model->joints[j];
         yk_json_object(json, NULL, YK_JSON_INLINE);
         yk_json_string(json, "name", joint->name);
@@ -172,7 +172,7 @@ static void add_joints(const YkReportPage *report, YkJson *json)
     }
     yk_json_end(json);
     yk_json_list(json, "middles", YK_JSON_LINES); // of bodies: where their names hang
-    for (size_t b = 0; b < report->model->body_count; b++) {
+    for (size_t b = 0; b < yk_model_body_count(report->model); b++) {
         yk_json_object(json, NULL, YK_JSON_INLINE);
         add_place(report, json, b, yk_drawing_middle(report->drawing, frames, b));
         yk_json_end(json);

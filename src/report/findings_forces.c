@@ -138,7 +138,7 @@ static void find_at_rest(YkReportPage *report, YkText *text)
 {
     double largest = 0;
     size_t joint = 0;
-    for (size_t j = 0; j < report->model->joint_count; j++) {
+    for (size_t j = 0; j < yk_model_joint_count(report->model); j++) {
         YkReaction reaction = yk_dynamics_reaction(report->dynamics, j);
         double size = yk_hypot(reaction.force[0], reaction.force[1]);
         if (!(size > largest)) continue;

@@ -60,9 +60,9 @@ static bool closes_loop(const YkMechanism *mech, size_t joint)
 static void gather(Graph *graph)
 {
     const YkModel *model = graph->model;
-    for (size_t j = 0; j < model->joint_count; j++)
-        link(graph, model->joints[j].body[0], model->joints[j].body[1], model->joints[j].name,
-             closes_loop(graph->mech, j) ? CLOSING : IN_TREE);
+    for (size_t j = 0; j < yk_model_joint_count(model); j++)
+        link(graph, (int32_t)yk_model_joint_body(model, j, 0), (int32_t)yk_model_joint_body(model, j, 1),
+             model->joints[j].name, closes_loop(graph->mech, j) ? CLOSING : IN_TREE);
     for (size_t k = 0; k < model->gear_count; k++)
         link(graph, model->gears[k].body[0], model->gears[k].body[1], model->gears[k].name, MESH);
     for (size_t k = 0; k < model->belt_count; k++)
@@ -198,7 +198,7 @@ bool yk_structure_write(const YkMechanism *mech, YkText *svg)
     if (!graph) return false;
     graph->mech = mech;
     graph->model = model;
-    graph->count = model->body_count;
+    graph->count = yk_model_body_count(model);
     gather(graph);
     measure(graph);
     place(graph);

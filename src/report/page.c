@@ -48,7 +48,7 @@ static void open_page(YkReportPage *report, YkText *html)
 // Writes "5 moving bodies, 7 joints, 2 loops".
 static void add_subtitle(YkReportPage *report, YkText *html)
 {
-    size_t moving = report->model->body_count - 1, joints = report->model->joint_count,
+    size_t moving = yk_model_body_count(report->model) - 1, joints = yk_model_joint_count(report->model),
            loops = yk_loop_count(report->mech);
     yk_text_format(html, "<p>%z moving bod%s, %z joint%s, %z loop%s</p>\n</header>\n", moving,
                    moving == 1 ? "y" : "ies", joints, joints == 1 ? "" : "s", loops, loops == 1 ? "" : "s");

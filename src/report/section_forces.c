@@ -16,7 +16,7 @@ static double shown(const YkReportPage *report, double value, double largest, Yk
 static double largest_reaction(const YkReportPage *report)
 {
     double largest = 0;
-    for (size_t j = 0; j < report->model->joint_count; j++) {
+    for (size_t j = 0; j < yk_model_joint_count(report->model); j++) {
         YkReaction r = yk_dynamics_reaction(report->dynamics, j);
         largest = fmax(largest, yk_hypot(r.force[0], r.force[1]));
     }
@@ -32,7 +32,7 @@ static void add_reactions(const YkReportPage *report, double largest, YkText *ht
     for (int i = 0; i < 3; i++) yk_table_head(table, heads[i], NULL);
     for (int i = 0; i < 3; i++) yk_table_head(table, sizes[i], force);
     yk_table_head(table, "moment", yk_amount_unit(report->model, YK_QUANTITY_TORQUE, NULL));
-    for (size_t j = 0; j < report->model->joint_count && j < ROWS_MAX; j++) {
+    for (size_t j = 0; j < yk_model_joint_count(report->model) && j < ROWS_MAX; j++) {
         YkReaction r = yk_dynamics_reaction(report->dynamics, j);
         yk_table_word(table, report->model->joints[j].name);
         yk_table_word(table, report->model->bodies[r.by].name);
@@ -97,7 +97,7 @@ static void add_balances(const YkReportPage *report, double largest, YkText *htm
     YkTable *table = yk_table_new(10);
     yk_table_head(table, "body", NULL);
     for (int i = 0; i < 9; i++) yk_table_head(table, words[i], i % 3 == 2 ? torque : force);
-    for (size_t b = 1; b < report->model->body_count && b < ROWS_MAX; b++) {
+    for (size_t b = 1; b < yk_model_body_count(report->model) && b < ROWS_MAX; b++) {
         YkBalance balance = yk_dynamics_balance(report->dynamics, b);
         const YkWrench *wrenches[] = {&balance.loads, &balance.reactions, &balance.inertia};
         yk_table_word(table, report->model->bodies[b].name);

@@ -42,7 +42,7 @@ static void add_simulation(const YkReportPage *report, YkText *html)
 static void add_forces(const YkReportPage *report, YkText *html)
 {
     double worst = 0;
-    for (size_t b = 1; b < report->model->body_count; b++)
+    for (size_t b = 1; b < yk_model_body_count(report->model); b++)
         worst = fmax(worst, yk_dynamics_balance(report->dynamics, b).residual);
     yk_text_puts(html, "<li>Forces: equations reduced to the free coordinates; set into the balance of every body, "
                        "Newton's and Euler's "

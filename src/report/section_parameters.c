@@ -102,7 +102,7 @@ static void add_masses(const YkReportPage *report, YkText *html)
     yk_table_head(table, "inertia", "kg*m^2");
     yk_table_head(table, "centre x", unit);
     yk_table_head(table, "centre y", unit);
-    for (size_t b = 1; b < report->model->body_count && b < ROWS_MAX; b++) {
+    for (size_t b = 1; b < yk_model_body_count(report->model) && b < ROWS_MAX; b++) {
         const YkBody *body = &report->model->bodies[b];
         if (!body->has_mass) continue;
         yk_table_word(table, body->name);

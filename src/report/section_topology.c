@@ -65,7 +65,7 @@ static void add_coordinates(const YkReportPage *report, YkText *html)
 
 static void add_loops(YkReportPage *report, YkText *html)
 {
-    size_t loops = yk_loop_count(report->mech), bodies = report->model->body_count;
+    size_t loops = yk_loop_count(report->mech), bodies = yk_model_body_count(report->model);
     size_t *round = YK_NEW(report->arena, size_t, bodies + 1);
     if (!round) html->failed = true;
     if (!round || loops == 0) return;
@@ -91,7 +91,8 @@ void yk_section_topology(YkReportPage *report, YkText *html, YkProblems *problem
     (void)problems;
     if (yk_structure_write(report->mech, &svg)) {
         yk_text_format(&told, "Bodies as boxes and joints as lines between them: %z bodies, %z joints, %z loops",
-                       report->model->body_count, report->model->joint_count, yk_loop_count(report->mech));
+                       yk_model_body_count(report->model), yk_model_joint_count(report->model),
+                       yk_loop_count(report->mech));
         yk_html_picture(
             html, yk_text_get(&svg), yk_text_get(&told),
             "Bodies and joints. Dashed: joints that close a loop. The number beside a body is the step of the "

@@ -131,22 +131,27 @@ static void add_motion(Print *p, const YkModel *m)
     for (size_t k = 0; k < m->law_count; k++) add_law(p, m->laws[k].law);
 }
 
+static void add_strength(Print *p, const YkStrength *strength)
+{
+    INDICES(p, strength->law);
+    add_expr(p, strength->expr);
+}
+
 static void add_forces(Print *p, const YkModel *m)
 {
     add_whole(p, m->effort_count);
     for (size_t k = 0; k < m->effort_count; k++) {
-        INDICES(p, m->efforts[k].coordinate, m->efforts[k].law.law);
-        add_expr(p, m->efforts[k].expr);
-        add_expr(p, m->efforts[k].law.of);
+        INDICES(p, m->efforts[k].coordinate);
+        add_strength(p, &m->efforts[k].strength);
     }
     add_whole(p, m->force_count);
     for (size_t k = 0; k < m->force_count; k++) {
         const YkForce *f = &m->forces[k];
         INDICES(p, f->body, f->in_body_axes);
         add_vector(p, f->at);
-        add_expr(p, f->x);
-        add_expr(p, f->y);
-        add_expr(p, f->moment);
+        add_strength(p, &f->x);
+        add_strength(p, &f->y);
+        add_strength(p, &f->moment);
     }
 }
 
@@ -159,6 +164,7 @@ static void add_loads(Print *p, const YkModel *m)
         const YkSpring *s = &m->springs[k];
         INDICES(p, s->coordinate, s->body[0], s->body[1]);
         NUMBERS(p, s->stiffness, s->length, s->damping);
+        add_strength(p, &s->force);
         for (int end = 0; end < 2; end++) add_vector(p, s->at[end]);
     }
     add_whole(p, m->stop_count);

@@ -82,7 +82,7 @@ const YkMechanism *yk_sketch_mechanism(const YkSketch *sketch)
 
 size_t yk_sketch_joint_count(const YkSketch *sketch)
 {
-    return sketch->model->joint_count - sketch->model->held_joints;
+    return sketch->model->joint_count - sketch->model->carriage_count - sketch->model->held_joints;
 }
 
 int yk_sketch_freedom(const YkSketch *sketch)

@@ -76,12 +76,21 @@ YkMotion yk_state_body(const YkState *s, size_t body)
     return motion_of(s, body, angle);
 }
 
+// Returns the angle of a body whose parents are known; of a carriage's own they are those before it.
+static double angle_after(const YkState *s, int32_t body, const YkMotion *motions)
+{
+    int32_t parent = s->mech->tree.parent[body];
+    if (parent == YK_NONE) return 0;
+    bool is_carried = s->mech->model->bodies[parent].is_carriage;
+    return (is_carried ? angle_after(s, parent, motions) : motions[parent].position) + turn_at(s, body);
+}
+
 void yk_state_bodies(const YkState *s, YkMotion *motions)
 {
     const YkMechanism *mech = s->mech;
     for (size_t k = 0; k < mech->model->body_count; k++) {
-        int32_t b = mech->tree_order[k], parent = mech->tree.parent[b];
-        motions[b] = motion_of(s, (size_t)b, parent == YK_NONE ? 0 : motions[parent].position + turn_at(s, b));
+        int32_t b = mech->tree_order[k];
+        if (!mech->model->bodies[b].is_carriage) motions[b] = motion_of(s, (size_t)b, angle_after(s, b, motions));
     }
 }
 

@@ -178,8 +178,8 @@ static bool give_efforts(YkTreeBatch *b)
         const YkEffort *effort = &model->efforts[k];
         const YkCoordinate *c = &model->coordinates[effort->coordinate];
         int32_t q = yk_tree_coordinate(mech, c->joint, false);
-        if (effort->law.law != YK_NONE || !effort->expr || q == YK_NONE) return false;
-        const YkFormula *formula = yk_redesign_compile(b->variant->redesign, effort->expr);
+        if (effort->strength.law != YK_NONE || !effort->strength.expr || q == YK_NONE) return false;
+        const YkFormula *formula = yk_redesign_compile(b->variant->redesign, effort->strength.expr);
         if (!formula) return false;
         b->effort[mech->coordinates[q].input] = formula;
     }

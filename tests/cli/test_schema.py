@@ -70,7 +70,7 @@ class Schema(Case):
             with open(path, encoding="utf-8") as file:
                 sources += file.read()
         lists = re.findall(r"const char \*const (?:\w*keys|turns|slides)\[\] = \{(.*?)\}", sources, re.S)
-        known = set(re.findall(r'"([\w-]+)"', " ".join(lists))) | {"pin", "slide", "pin-slot", "weld", "roller", "arm", "angle", "span"}
+        known = set(re.findall(r'"([\w-]+)"', " ".join(lists))) | {"pin", "slide", "pin-slot", "weld", "free", "roller", "arm", "angle", "span"}
         self.assertEqual(keys(self.schema, set()), known)
 
 

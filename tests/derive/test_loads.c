@@ -33,7 +33,41 @@
     "  R: {pin-slot: [bar, tip], at: E, from: R, along: x, friction: {coulomb: 0.2, viscous: 1}}\n"                    \
     "stops: {a: [-60 deg, 100 deg]}\nefforts: {a: 2 N*m/s * t}\nstart: {a: 40 deg, a.rate: 1, b: 20 deg}\n"
 
-static const char *const machines[] = {LEVER, SLOT};
+// Springs by laws of their own: polynomials and tables of length, angle and rate; a force by a table.
+#define PULLS                                                                                                          \
+    "parameters: {l: 0.4, k3: 900 N/m^3, L0: 0.5}\ngravity: [0, -9.81]\nlaws:\n"                                       \
+    "  bump: {table: [[0.2, -5], [0.5, 0], [0.7, 4], [1.5, 30]], between: cubic}\n"                                    \
+    "  rubber: {table: [[-1, -3], [0, 0], [2, 5]]}\nbodies:\n"                                                         \
+    "  ground: {points: {P: [0, 1], O: [0, 0]}}\n"                                                                     \
+    "  crank: {points: {P: [0, 0], A: [l, 0]}, mass: 1, inertia: 0.1, center: [l/2, 0]}\n"                             \
+    "  block: {points: {A: [0, 0]}, mass: 0.5, inertia: 0.03}\n"                                                       \
+    "  lever: {points: {O: [0, 0], T: [0.7, 0.1]}, mass: 1, inertia: 0.2, center: [0.3, 0]}\n"                         \
+    "joints:\n  P: {pin: [ground, crank], angle: theta1}\n  A: {pin: [crank, block]}\n"                                \
+    "  O: {pin: [ground, lever], angle: theta2}\n  S: {slide: [lever, block], along: x, distance: d}\n"                \
+    "forces:\n  F1: {body: lever, at: T, value: [{law: bump, of: d}, 2 N * sin(theta1)], "                             \
+    "moment: {law: rubber, of: theta1}}\nsprings:\n"                                                                   \
+    "  s1: {between: [ground.O, crank.A], force: k3*(length - L0)^3 + 2 N*s/m * rate, stiffness: 4}\n"                 \
+    "  s2: {between: [lever.T, crank.A], force: {law: bump, of: length}}\n"                                            \
+    "  s3: {along: theta2, torque: {law: rubber, of: angle}, damping: 0.1}\n"                                          \
+    "  s4: {along: d, force: 30 N/m * (length - 0.2 m) + 1 kg/m * rate*abs(rate)}\n"                                   \
+    "start: {theta1: 0.5, theta1.rate: 1, theta2: 1.3}\n"
+
+// A free joint between bodies that move, with loads along all its coordinates.
+#define FREE                                                                                                           \
+    "gravity: [0.4, -9.81]\nbodies:\n  ground: {points: {O: [0.1, 0.2], P: [0, 1]}}\n"                                 \
+    "  arm: {points: {O: [0, 0], K: [0.5, 0.1]}, mass: 1.1, center: [0.2, 0.05], inertia: 0.07}\n"                     \
+    "  plate: {points: {A: [-0.3, 0.1], B: [0.3, 0.1], C: [0.05, -0.1]}, mass: 2, center: [0.02, 0.03], inertia: "     \
+    "0.1}\n"                                                                                                           \
+    "  bob: {points: {B: [0, 0], E: [0, -0.2]}, mass: 0.5, center: [0, -0.2], inertia: 0.01}\n"                        \
+    "  tip: {points: {E: [0, 0]}, mass: 0.3, center: [0.1, 0.1], inertia: 0.02}\njoints:\n  O: {pin: [ground, arm], "  \
+    "angle: q}\n  F: {free: [arm, plate], at: [x, y, phi], from: K, to: C}\n"                                          \
+    "  B: {pin: [plate, bob], angle: psi}\n  E: {pin: [bob, tip], angle: chi}\n"                                       \
+    "springs:\n  a: {between: [ground.P, plate.A], stiffness: 100, length: 0.2}\n"                                     \
+    "  c: {along: x, stiffness: 30, length: 0.1, damping: 2}\n  d: {along: y, force: 50 N/m^3 * length^3}\n"           \
+    "  e: {along: phi, stiffness: 3, damping: 0.2}\nefforts: {x: 3 N - 1 N*s/m * y.rate, phi: 0.5 N*m * cos(phi)}\n"   \
+    "start: {q: 0.3, q.rate: 0.4, x: 0.5, y: 0.4, phi: 0.2, x.rate: 0.3, y.rate: -0.2, phi.rate: 0.7}\n"
+
+static const char *const machines[] = {LEVER, SLOT, PULLS, FREE};
 
 static void every_line_holds_and_reads_back(void **state)
 {
@@ -68,6 +102,12 @@ static void loads_that_are_no_polynomials_tell_what_they_are(void **state)
     write_section(&m, "lagrange");
     check_says(&m, "tau_theta1 is what the law motor gives, a function of theta1'.");
     check_says(&m, "F_d stands for the file's expression, a function of d'.");
+    machine_end(&m);
+    m = machine_of(PULLS);
+    write_section(&m, "lagrange");
+    check_says(&m, "F_s2 is what the law bump gives, a function of L_s2.");
+    check_says(&m, "tau_s3 is what the law rubber gives, a function of theta2.");
+    check_says(&m, "F_s4 stands for the file's expression, a function of d', d.");
     machine_end(&m);
     m = machine_of(SLOT);
     write_section(&m, "newton-euler");

@@ -156,6 +156,7 @@ static void test_every_call_says_what_a_file_would(void **context)
     yk_builder_body(b, "b");
     yk_builder_rod(b, "b", 1, "P", "Q");
     yk_builder_weld(b, "w", "a", "b", "P");
+    yk_builder_free_joint(b, "f", "ground", "c", NULL, "P", "u", "v", "w1");
     yk_builder_slot(b, "c", "a", "b", "30 deg", "P", "Q", "d", "phi");
     yk_builder_slide(b, "e", "a", "b", "-y", "P", "Q", "f");
     yk_builder_effort(b, "d", "1 N*sin(t)");
@@ -174,6 +175,7 @@ static void test_every_call_says_what_a_file_would(void **context)
                         "  b: {mass: 1, rod: [P, Q]}\n"
                         "joints:\n"
                         "  w: {weld: [a, b], at: P}\n"
+                        "  f: {free: [ground, c], at: [u, v, w1], to: P}\n"
                         "  c: {pin-slot: [a, b], along: 30 deg, from: P, at: Q, distance: d, angle: phi}\n"
                         "  e: {slide: [a, b], along: -y, from: P, to: Q, distance: f}\n"
                         "efforts:\n"

@@ -75,7 +75,8 @@ static void evaluation_faults_are_reported_at_their_place(void **state)
     assert_int_equal(yk_model_eval(model, model->drives[0].expr, 2, &jet, problems), YK_OK);
     CHECK_NEAR(jet.d[0], 0.5, 1e-16);
     assert_int_equal(yk_problems_count(problems), 1);
-    assert_int_equal(yk_model_eval(model, model->efforts[0].expr, 0, &jet, problems), YK_BAD_MODEL); // phi has no value
+    assert_int_equal(yk_model_eval(model, model->efforts[0].strength.expr, 0, &jet, problems),
+                     YK_BAD_MODEL); // phi has no value
     assert_int_equal(yk_problems_count(problems), 2);
     yk_problems_free(problems);
     yk_model_free(model);

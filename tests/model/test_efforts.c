@@ -15,9 +15,9 @@ static void efforts_may_mention_time_coordinates_and_rates(void **state)
     YkModel *model = fixture_load(MACHINE "efforts: {phi: -2 N*m/rad * phi - 3 N*m*s * phi.rate + 1 N*m * sin(w*t),"
                                           " S.distance: -5 N/m * S.distance - 4 N*s * O.angle.rate}\n");
     assert_int_equal(model->effort_count, 2);
-    assert_true(yk_expr_mentions(model->efforts[0].expr, "phi.rate"));
-    assert_int_equal(model->efforts[0].law.law, YK_NONE);
-    assert_null(model->efforts[0].law.of);
+    assert_true(yk_expr_mentions(model->efforts[0].strength.expr, "phi.rate"));
+    assert_int_equal(model->efforts[0].strength.law, YK_NONE);
+
     assert_int_equal(model->coordinate_count, 2);
     yk_model_free(model);
 }
@@ -30,11 +30,11 @@ static void a_law_of_an_expression_gives_an_effort(void **state)
                      "J-2.distance: {law: plain, of: t}}\n");
     assert_int_equal(model->effort_count, 3);
     const YkEffort *effort = model->efforts;
-    assert_null(effort->expr);
-    assert_string_equal(model->laws[effort->law.law].name, "work");
-    assert_true(yk_expr_mentions(effort->law.of, "S.distance"));
-    assert_string_equal(model->laws[model->efforts[1].law.law].name, "brake");
-    assert_int_equal(model->efforts[2].law.law, 2);
+
+    assert_string_equal(model->laws[effort->strength.law].name, "work");
+    assert_true(yk_expr_mentions(effort->strength.expr, "S.distance"));
+    assert_string_equal(model->laws[model->efforts[1].strength.law].name, "brake");
+    assert_int_equal(model->efforts[2].strength.law, 2);
     yk_model_free(model);
 }
 

@@ -21,13 +21,13 @@ static void a_force_acts_at_a_point_in_world_or_body_axes(void **state)
     CHECK_NEAR(first->at.y, -2, 0);
     assert_false(first->in_body_axes);
     YkJet jet;
-    assert_int_equal(yk_model_eval(model, first->x, 0, &jet, NULL), YK_OK);
+    assert_int_equal(yk_model_eval(model, first->x.expr, 0, &jet, NULL), YK_OK);
     CHECK_NEAR(jet.d[0], -100, 0);
-    assert_null(first->moment);
+    assert_null(first->moment.expr);
     assert_int_equal(second->point, YK_NONE);
     CHECK_NEAR(second->at.x, 0, 0);
     assert_true(second->in_body_axes);
-    assert_true(yk_expr_mentions(second->y, "phi"));
+    assert_true(yk_expr_mentions(second->y.expr, "phi"));
     assert_int_equal(fixture_force(model, "F3")->body, 0);
     yk_model_free(model);
 }
@@ -39,7 +39,7 @@ static void values_come_in_the_units_of_the_file(void **state)
         fixture_load("units: {length: mm, force: kN}\n" MACHINE
                      "forces: {F1: {body: ram, value: [3, F], moment: 5}, F2: {body: ram, moment: 2 N*m}}\n");
     const YkForce *force = fixture_force(model, "F1");
-    const YkExpr *exprs[] = {force->x, force->y, force->moment, fixture_force(model, "F2")->moment};
+    const YkExpr *exprs[] = {force->x.expr, force->y.expr, force->moment.expr, fixture_force(model, "F2")->moment.expr};
     const double wanted[] = {3000, 100e3, 5, 2}; // a bare moment is in kN*mm
     for (int k = 0; k < 4; k++) {
         YkJet jet;
@@ -54,9 +54,9 @@ static void a_moment_may_stand_without_a_force(void **state)
     (void)state;
     YkModel *model = fixture_load(MACHINE "forces: {M: {body: ram, moment: -3 N*m*s * phi.rate}}\n");
     const YkForce *force = fixture_force(model, "M");
-    assert_null(force->x);
-    assert_null(force->y);
-    assert_true(yk_expr_mentions(force->moment, "phi.rate"));
+    assert_null(force->x.expr);
+    assert_null(force->y.expr);
+    assert_true(yk_expr_mentions(force->moment.expr, "phi.rate"));
     yk_model_free(model);
 }
 
@@ -131,9 +131,27 @@ static void forces_and_moments_have_their_dimensions(void **state)
     refused("forces: {F1: {body: ram, moment: F, value: [F, 0]}}", YK_CODE_TWO_DIMENSIONS, 34, "`F`");
 }
 
+static void laws_give_components_and_moments(void **state)
+{
+    (void)state;
+    YkModel *model = fixture_load("bodies: {ram: {}}\njoints: {O: {pin: [ground, ram], angle: phi}}\n"
+                                  "laws: {push: {table: [[0, 1], [1, 5]]}, turn: {table: [[0, 2], [3, 4]]}}\n"
+                                  "forces: {F: {body: ram, value: [{law: push, of: t}, 3 N * sin(phi)], "
+                                  "moment: {law: turn, of: phi}}}\n");
+    const YkForce *force = fixture_force(model, "F");
+    assert_string_equal(model->laws[force->x.law].name, "push");
+    assert_string_equal(model->laws[force->moment.law].name, "turn");
+    assert_int_equal(force->y.law, YK_NONE);
+    assert_string_equal(yk_dimension_name(model->laws[0].of), "a time");
+    assert_string_equal(yk_dimension_name(model->laws[0].value), "a force");
+    assert_string_equal(yk_dimension_name(model->laws[1].value), "a torque or energy");
+    yk_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(laws_give_components_and_moments),
         cmocka_unit_test(a_force_acts_at_a_point_in_world_or_body_axes),
         cmocka_unit_test(values_come_in_the_units_of_the_file),
         cmocka_unit_test(a_moment_may_stand_without_a_force),

@@ -25,7 +25,7 @@ static YkFormula *formula_of_effort(const char *effort, YkModel **model, Numberi
     char text[900];
     snprintf(text, sizeof text, MACHINE "efforts: {phi: \"%s\"}\n", effort);
     *model = fixture_load(text);
-    return yk_model_formula(*model, (*model)->efforts[0].expr, number, numbering, (*model)->arena);
+    return yk_model_formula(*model, (*model)->efforts[0].strength.expr, number, numbering, (*model)->arena);
 }
 
 // t, then phi, s and S.angle with their rates.
@@ -65,7 +65,7 @@ static void constants_need_no_variables(void **state)
 {
     (void)state;
     YkModel *model = fixture_load(MACHINE "efforts: {phi: 2*k*pi}\nstart: {s: L/2}\n");
-    const YkFormula *formula = yk_model_formula(model, model->efforts[0].expr, NULL, NULL, model->arena);
+    const YkFormula *formula = yk_model_formula(model, model->efforts[0].strength.expr, NULL, NULL, model->arena);
     assert_true(yk_formula_is_constant(formula));
     CHECK_NEAR(yk_formula_eval(formula, NULL), 6 * YK_PI, 1e-14);
     formula = yk_model_formula(model, model->starts[0].expr, NULL, NULL, model->arena);
@@ -79,7 +79,7 @@ static void a_coordinate_without_variable_gives_no_formula(void **state)
     YkModel *model;
     Numbering numbering = {.hidden = 1};
     assert_null(formula_of_effort("2 N * s", &model, &numbering));
-    assert_null(yk_model_formula(model, model->efforts[0].expr, NULL, NULL, model->arena));
+    assert_null(yk_model_formula(model, model->efforts[0].strength.expr, NULL, NULL, model->arena));
     yk_model_free(model);
 }
 

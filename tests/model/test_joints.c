@@ -106,10 +106,44 @@ static void coordinates_know_their_joint_and_kind(void **state)
     yk_model_free(model);
 }
 
+static void a_free_joint_names_three_coordinates(void **state)
+{
+    (void)state;
+    YkModel *model = load_joint("{free: [ground, b], at: [u, v, w]}");
+    const YkJoint *joint = fixture_joint(model, "J");
+    const YkCoordinate *u = fixture_coordinate(model, "u"), *v = fixture_coordinate(model, "v"),
+                       *w = fixture_coordinate(model, "w");
+    assert_true(u->is_distance && v->is_distance && !w->is_distance);
+    assert_ptr_equal(&model->coordinates[joint->distance], v);
+    assert_ptr_equal(&model->coordinates[joint->angle], w);
+    assert_int_equal(u->joint, joint->partner);
+    assert_int_equal(model->joints[joint->partner].body[0], 0);
+    assert_true(model->bodies[joint->body[0]].is_carriage);
+    assert_int_equal(yk_model_find_body(model, "J"), YK_NOT_FOUND);
+    yk_model_free(model);
+    model = load_joint("{free: [ground, b]}");
+    fixture_coordinate(model, "J.x"), fixture_coordinate(model, "J.y"), fixture_coordinate(model, "J.angle");
+    yk_model_free(model);
+}
+
+static void mistakes_in_a_free_joint_are_refused(void **state)
+{
+    (void)state;
+    refused_joint("{free: [ground, b], at: [u, v]}", YK_CODE_COMPONENTS, 30, "three coordinates");
+    refused_joint("{free: [ground, b], at: u}", YK_CODE_WRONG_KIND, 30, "at of `J`");
+    refused_joint("{free: [ground, b], at: [u, u, w]}", YK_CODE_REPEATED_NAME, 34, "`u`");
+    refused_joint("{free: [ground, b], at: [u, [v], w]}", YK_CODE_WRONG_KIND, 34, "at of `J`");
+    refused_joint("{free: [ground, b], along: x}", YK_CODE_UNKNOWN_KEY, 26, "along");
+    refused_joint("{free: [ground, ground]}", YK_CODE_SELF_JOINT, 13, "`ground` to itself");
+    refused_joint("{free: [ground, c]}", YK_CODE_UNKNOWN_BODY, 22, "`c`");
+    refused_joint("{free: [ground, b], to: Z}", YK_CODE_UNKNOWN_POINT, 30, "`Z`");
+    refused_joint("{free: [ground, b], angle: w}", YK_CODE_UNKNOWN_KEY, 26, "angle");
+}
+
 static void the_kind_of_a_joint_is_exactly_one_of_the_catalogue(void **state)
 {
     (void)state;
-    refused_joint("{hinge: [ground, b]}", YK_CODE_JOINT_KIND, 7, "pin, slide, pin-slot, weld");
+    refused_joint("{hinge: [ground, b]}", YK_CODE_JOINT_KIND, 7, "pin, slide, pin-slot, weld or free");
     refused_joint("{pinn: [ground, b]}", YK_CODE_JOINT_KIND, 7, "did you mean `pin`");
     refused_joint("{}", YK_CODE_JOINT_KIND, 3, "is not declared");
     refused_joint("{pin: [ground, b], slide: [ground, b]}", YK_CODE_JOINT_KIND, 25, "already");
@@ -182,6 +216,8 @@ int main(void)
         cmocka_unit_test(directions_by_name_are_exact),
         cmocka_unit_test(a_direction_may_be_an_angle_and_is_a_unit_vector),
         cmocka_unit_test(coordinates_know_their_joint_and_kind),
+        cmocka_unit_test(a_free_joint_names_three_coordinates),
+        cmocka_unit_test(mistakes_in_a_free_joint_are_refused),
         cmocka_unit_test(the_kind_of_a_joint_is_exactly_one_of_the_catalogue),
         cmocka_unit_test(the_bodies_of_a_joint_are_two_different_ones),
         cmocka_unit_test(the_points_of_a_joint_are_on_both_bodies_or_on_neither),

@@ -108,7 +108,7 @@ static void the_toggle_has_gravity_an_effort_and_a_rate_at_the_start(void **stat
     CHECK_NEAR(model->gravity.y, -9.81, 0);
     assert_int_equal(model->effort_count, 1);
     YkJet jet;
-    assert_int_equal(yk_model_eval(model, model->efforts[0].expr, 0, &jet, NULL), YK_OK);
+    assert_int_equal(yk_model_eval(model, model->efforts[0].strength.expr, 0, &jet, NULL), YK_OK);
     CHECK_NEAR(jet.d[0], 2, 0);
     const YkStart *last = &model->starts[model->start_count - 1];
     assert_true(last->is_rate);

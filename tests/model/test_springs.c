@@ -72,7 +72,7 @@ static void mistakes_in_its_place_are_refused(void **state)
     refused("springs: {k: {along: phi.rate, stiffness: 1}}", YK_CODE_RATE_NOT_HERE, 22, "phi.rate");
     refused("springs: {k: {along: [phi], stiffness: 1}}", YK_CODE_WRONG_KIND, 22, "along of `k`");
     refused("springs: {k: {along: phi, between: [ground.P, ram.C]}}", YK_CODE_RIVAL_KEYS, 27, "coordinate already");
-    refused("springs: {k: {along: phi}}", YK_CODE_MISSING_KEY, 14, "`stiffness` or `damping`");
+    refused("springs: {k: {along: phi}}", YK_CODE_MISSING_KEY, 14, "`stiffness`, `damping` or `torque`");
     refused("springs: {k: 3}", YK_CODE_WRONG_KIND, 14, "spring `k`");
     refused("springs: {k: {along: phi, stifness: 3, damping: 1}}", YK_CODE_UNKNOWN_KEY, 27, "did you mean `stiffness`");
 }
@@ -83,6 +83,54 @@ static void the_free_value_is_named_after_its_kind(void **state)
     refused("springs: {k: {along: phi, stiffness: 1, length: 3}}", YK_CODE_UNKNOWN_KEY, 41, "along an angle");
     refused("springs: {k: {along: s, stiffness: 1, angle: 3}}", YK_CODE_UNKNOWN_KEY, 39, "along a distance");
     refused("springs: {k: {between: [ground.P, ram.C], stiffness: 1, angle: 3}}", YK_CODE_UNKNOWN_KEY, 57, "points");
+}
+
+static void the_force_of_a_spring_depends_on_its_own_length_and_rate(void **state)
+{
+    (void)state;
+    YkModel *model =
+        fixture_load(MACHINE "laws: {air: {table: [[0.2, 5], [0.4, 1]]}, shock: {table: [[-1, -3], [1, 9]]}, "
+                             "rubber: {table: [[-1, -2], [1, 2]]}, buffer: {table: [[0, 0], [1, 7]]}}\n"
+                             "springs: {a: {between: [ground.P, ram.C], force: {law: air, of: length}},\n"
+                             "  b: {between: [ground.P, ram.C], force: 3 N/m * length + 2 N*s/m * rate*sin(phi)},\n"
+                             "  c: {along: phi, torque: {law: rubber, of: angle}, damping: c}, d: {along: s, force: "
+                             "{law: shock, of: rate}},\n"
+                             "  e: {along: s, stiffness: 3, force: {law: buffer, of: length}}}\n");
+    const YkSpring *a = fixture_spring(model, "a"), *b = fixture_spring(model, "b");
+    assert_string_equal(model->laws[a->force.law].name, "air");
+    assert_true(yk_expr_mentions(a->force.expr, YK_OWN_LENGTH));
+    assert_null(a->stiffness_expr);
+    assert_int_equal(b->force.law, YK_NONE);
+    assert_true(yk_expr_mentions(b->force.expr, YK_OWN_RATE) && yk_expr_mentions(b->force.expr, "phi"));
+    assert_string_equal(fixture_spring(model, "c")->force.expr->name, "phi"); // the coordinate itself
+    assert_string_equal(fixture_spring(model, "d")->force.expr->name, "s.rate");
+    assert_string_equal(fixture_spring(model, "e")->force.expr->name, "s");
+    static const char *const names[] = {"air", "shock", "rubber", "buffer"};
+    const YkDimension of[] = {{.length = 1}, {.length = 1, .time = -1}, {.angle = 1}, {.length = 1}};
+    for (size_t k = 0; k < 4; k++) { // bare tables take the dimensions of their use
+        assert_string_equal(model->laws[k].name, names[k]);
+        assert_true(yk_dimension_equal(model->laws[k].of, of[k]) && model->laws[k].of.angle == of[k].angle);
+        assert_string_equal(yk_dimension_name(model->laws[k].value), k == 2 ? "a torque or energy" : "a force");
+    }
+    yk_model_free(model);
+}
+
+static void mistakes_in_the_force_of_a_spring_are_refused(void **state)
+{
+    (void)state;
+    refused("springs: {k: {along: phi, force: 3 N}}", YK_CODE_UNKNOWN_KEY, 27, "it has a `torque`, no `force`");
+    refused("springs: {k: {along: s, torque: 3 N*m}}", YK_CODE_UNKNOWN_KEY, 25, "it has a `force`, no `torque`");
+    refused("springs: {k: {along: s, force: angle * 1 N}}", YK_CODE_UNKNOWN_NAME, 32, "`angle`");
+    refused("springs: {k: {along: s, force: 3 N/m * rate}}", YK_CODE_WRONG_DIMENSION, 32, "force of `k`");
+    refused("springs: {k: {along: s, force: {law: none, of: length}}}", YK_CODE_UNKNOWN_LAW, 38, "`none`");
+    refused("efforts: {phi: 2 N * length}", YK_CODE_UNKNOWN_NAME, 22, "`length`"); // it means something there only
+    refused("springs: {k: {along: s, stiffness: length}}", YK_CODE_UNKNOWN_NAME, 36, "`length`");
+    fixture_refused("parameters: {length: 3}\nbodies: {b: {}}\njoints: {S: {slide: [ground, b], distance: s}}\n"
+                    "springs: {k: {along: s, force: 2 N/m * length}}\n",
+                    YK_CODE_REPEATED_NAME, 4, 40, "rename the parameter");
+    fixture_refused("bodies: {b: {}, c: {}}\njoints: {S: {slide: [ground, b], distance: rate}, \n"
+                    "  T: {slide: [b, c], distance: u}}\nsprings: {k: {along: u, force: 2 N*s/m * rate}}\n",
+                    YK_CODE_REPEATED_NAME, 4, 42, "rename the coordinate");
 }
 
 static void negative_values_are_refused_where_they_stand(void **state)
@@ -114,6 +162,8 @@ int main(void)
         cmocka_unit_test(a_spring_lies_along_a_coordinate_of_either_kind),
         cmocka_unit_test(mistakes_in_its_place_are_refused),
         cmocka_unit_test(the_free_value_is_named_after_its_kind),
+        cmocka_unit_test(the_force_of_a_spring_depends_on_its_own_length_and_rate),
+        cmocka_unit_test(mistakes_in_the_force_of_a_spring_are_refused),
         cmocka_unit_test(negative_values_are_refused_where_they_stand),
         cmocka_unit_test(its_values_are_constants_of_their_dimension),
     };

@@ -46,6 +46,27 @@ static void a_double_pendulum_rests_in_four_places(void **unused)
     yk_model_free(model);
 }
 
+// A plate on two springs: sideways a pendulum of their length, up and down, and about its centre.
+static void a_floating_plate_has_three_small_motions(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of("gravity: [0, -10]\nbodies:\n  ground: {points: {P: [-0.3, 0], Q: [0.3, 0]}}\n"
+                           "  plate: {points: {A: [-0.3, 0], B: [0.3, 0]}, mass: 2, inertia: 0.06}\n"
+                           "joints: {F: {free: [ground, plate], at: [x, y, phi]}}\nsprings:\n"
+                           "  left: {between: [ground.P, plate.A], stiffness: 250, length: 0.21}\n"
+                           "  right: {between: [ground.Q, plate.B], stiffness: 250, length: 0.21}\n"
+                           "start: {x: 0.02, y: -0.2, phi: 0.1}\n",
+                           &model);
+    assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_STABLE);
+    CHECK_NEAR(yk_rest_equilibrium(rest, 0).potential, -20 * 0.25 + 250 * 0.04 * 0.04, 1e-9);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, sqrt(10 / 0.25), 1e-7);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 1).frequency, sqrt(2 * 250 / 2.), 1e-7);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 2).frequency, sqrt(2 * 250 * 0.09 / 0.06), 1e-7);
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
 // A four-bar's rocker drives a rack: the assemblies that are found may differ by whole turns of the mesh, and each keeps
 // its own while others are looked at.
 static void every_equilibrium_keeps_its_mesh(void **unused)
@@ -201,6 +222,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_double_pendulum_rests_in_four_places),
+        cmocka_unit_test(a_floating_plate_has_three_small_motions),
         cmocka_unit_test(every_equilibrium_keeps_its_mesh),
         cmocka_unit_test(a_damped_spring_has_its_roots),
         cmocka_unit_test(a_wheel_is_neutral),

@@ -1,4 +1,5 @@
 // Motion in time against closed forms, laws and published trajectories.
+#include "base/vec.h"
 #include "run.h"
 
 #define PENDULUM                                                                                                       \
@@ -49,6 +50,38 @@ static void energy_stays_for_a_thousand_seconds(void **unused)
         for (int row = 1; row <= 100; row++) assert_int_equal(yk_simulation_advance(run.sim, 10.0 * row), YK_OK);
         assert_true(yk_simulation_summary(run.sim).energy_error <= allowed[k]);
         assert_true(yk_simulation_summary(run.sim).energy_error > 0);
+        run_free(&run);
+    }
+}
+
+// Duffing's oscillator: x = A cn(w t, k) returns after 4 K(k)/w; K by the arithmetic-geometric mean. It passes the
+// middle with the speed that the work of both springs gives.
+static void a_cubic_spring_swings_by_its_elliptic_function(void **unused)
+{
+    (void)unused;
+    static const double amplitude[] = {0.2, 0.1};
+    for (int c = 0; c < 2; c++) {
+        double A = amplitude[c], square = 20 + 1000 * A * A, a = 1, b = sqrt(1 - 1000 * A * A / (2 * square));
+        for (int k = 0; k < 8; k++) {
+            double mean = (a + b) / 2;
+            b = sqrt(a * b), a = mean;
+        }
+        double period = 2 * YK_PI / (a * sqrt(square)), middle = -sqrt(20 * A * A + 500 * pow(A, 4));
+        char text[400];
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {P: [0, -0.3]}}\n  block: {points: {C: [0, 0]}, mass: 1}\njoints:\n"
+                 "  S: {slide: [ground, block], along: y, distance: x}\nsprings:\n"
+                 "  a: {between: [ground.P, block.C], force: 20 N/m * (length - 0.3 m)}\n"
+                 "  b: {along: x, force: 1000 N/m^3 * length^3}\nstart: {x: %.17g}\n",
+                 A);
+        Run run = run_of_text(text, run_options(1e-12));
+        static const double rows[][2] = {{0.25, 0}, {0.5, -1}, {0.75, 0}, {1, 1}, {5, 1}};
+        for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+            assert_int_equal(yk_simulation_advance(run.sim, rows[k][0] * period), YK_OK);
+            CHECK_NEAR(run_value(&run, "x"), rows[k][1] * A, 1e-9);
+            if (rows[k][1] == 0) CHECK_NEAR(fabs(run_value(&run, "x.rate")), -middle, 1e-9);
+        }
+        assert_true(yk_simulation_summary(run.sim).energy_error < 1e-9);
         run_free(&run);
     }
 }
@@ -204,6 +237,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pendulum_follows_its_elliptic_function),
+        cmocka_unit_test(a_cubic_spring_swings_by_its_elliptic_function),
         cmocka_unit_test(energy_is_seen_between_rows),
         cmocka_unit_test(energy_stays_for_a_thousand_seconds),
         cmocka_unit_test(steppers_agree),

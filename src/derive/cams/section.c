@@ -30,8 +30,10 @@ static void fill(void *context, const YkState *state, YkDynamics *dynamics, doub
 // Returns the argument of a law that gives an effort; NULL if there is none.
 static const YkPoisson *effort_argument(YkDerivation *d, size_t index)
 {
-    for (size_t k = 0; k < d->model->effort_count; k++)
-        if (d->model->efforts[k].law.law == (int32_t)index) return yk_derive_given(d, d->model->efforts[k].law.of);
+    for (size_t k = 0; k < d->model->effort_count; k++) {
+        const YkStrength *strength = &d->model->efforts[k].strength;
+        if (strength->law == (int32_t)index) return yk_derive_given(d, strength->expr);
+    }
     return NULL;
 }
 

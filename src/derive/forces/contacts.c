@@ -273,6 +273,10 @@ bool yk_derive_enter_contacts(YkDeriveForces *f)
         return false;
     }
     for (size_t j = 0; j < d->model->joint_count; j++) {
+        if (d->model->joints[j].is_free) {
+            f->joint_force[j] = f->joint_moment[j] = yk_ring_rational(d->ring, 0, 1);
+            continue;
+        }
         if (f->junction_of[j] == YK_NONE) enter_joint(f, (int32_t)j);
         for (int side = 0; side < 2 && f->junction_of[j] != YK_NONE; side++) add_junction_contact(f, (int32_t)j, side);
     }

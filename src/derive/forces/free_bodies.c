@@ -11,7 +11,7 @@ void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *co
 
 const char *yk_derive_load_letter(YkDeriveLoadKind kind)
 {
-    static const char *const letters[] = {"W", "S", "D", "R", "F", "Q", "Q"};
+    static const char *const letters[] = {"W", "S", "D", "P", "R", "F", "Q", "Q"};
     return letters[kind];
 }
 
@@ -35,7 +35,8 @@ const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *lo
 {
     YkDerivation *d = f->d;
     if (load->joint != YK_NONE) {
-        YkDerivePlace place = yk_derive_place(d, load->joint, 1);
+        const YkJoint *end = yk_joint_end(d->model, (size_t)load->joint, 1);
+        YkDerivePlace place = yk_derive_place(d, (int32_t)(end - d->model->joints), 1);
         return yk_derive_point_name(d, place.body, place.point);
     }
     int32_t body = load->push[push].body;
@@ -91,8 +92,8 @@ static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDer
 
 const char *yk_derive_load_word(YkDeriveLoadKind kind)
 {
-    static const char *const words[] = {
-        "weight", "spring", "damper", "friction or stop", "force", "effort", "effort of the drive"};
+    static const char *const words[] = {"weight",           "spring", "damper", "spring by a law",
+                                        "friction or stop", "force",  "effort", "effort of the drive"};
     return words[kind];
 }
 
@@ -174,7 +175,7 @@ bool yk_derive_section_free_bodies(YkDerivation *d, YkPage *page)
     yk_derive_put_angles(d, page);
     yk_derive_put_lengths(f, page);
     yk_derive_put_meshes(f, page);
-    for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
+    for (size_t b = 1; b < yk_model_body_count(d->model); b++) put_body(f, page, (int32_t)b);
     for (size_t k = 0; k < f->junction_count; k++) put_junction(f, page, (int32_t)k);
     return true;
 }

@@ -18,6 +18,7 @@ typedef enum YkDeriveLoadKind {
     YK_DERIVE_GRAVITY,
     YK_DERIVE_SPRING,
     YK_DERIVE_DAMPER, // also viscous friction
+    YK_DERIVE_PULL,   // of a spring, by a law of its own
     YK_DERIVE_DRY,    // dry friction and stops: a symbol, whose size depends on the pose
     YK_DERIVE_FORCE,
     YK_DERIVE_EFFORT, // from `efforts:`
@@ -272,8 +273,8 @@ bool yk_derive_is_nothing(const YkDeriveForces *f, const YkPoisson *a);
 const YkPoisson *yk_derive_arm(YkDeriveForces *f, int32_t body, const YkPoisson *at);
 // Does the same for the place where a joint's force acts; on the first body of a slide it moves along the line.
 const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side);
-// Returns a load's value: an element, or a symbol for it. NULL expression: 0.
-const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
+// Returns a load's value: an element, or a symbol for it, named by both texts.
+const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkStrength *strength, const char *name,
                                       const char *ending);
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
 // Joins three texts; "" with d->failed when out of memory.

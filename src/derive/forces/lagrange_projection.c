@@ -68,7 +68,7 @@ static void put_sum(const YkDeriveForces *f, YkPage *page, size_t coordinate, in
     const char *rate = yk_ring_symbol_name(d->ring, symbol);
     YkLine *line = yk_page_formula(page, d->coordinates[coordinate].name);
     bool first = true;
-    for (size_t b = 1; b < d->model->body_count; b++) {
+    for (size_t b = 1; b < yk_model_body_count(d->model); b++) {
         const YkDeriveMass *m = &f->bodies[b];
         const char *center = yk_derive_center_name(d, (int32_t)b);
         int32_t turn = turning(f, (int32_t)b, coordinate, B);

@@ -47,6 +47,18 @@ static void add_gravity(YkDeriveForces *f)
     }
 }
 
+// Returns the vector from a body's reference to the place where an effort along a joint acts; past a free joint's
+// carriage.
+static const YkPoisson *end_arm(YkDeriveForces *f, int32_t joint, int side)
+{
+    const YkModel *model = f->d->model;
+    int32_t end[] = {(int32_t)(yk_joint_end(model, (size_t)joint, 0) - model->joints),
+                     (int32_t)(yk_joint_end(model, (size_t)joint, 1) - model->joints)};
+    const YkPoisson *arm = yk_derive_joint_arm(f, end[side], side);
+    if (side == 1 || end[0] == end[1]) return arm;
+    return yk_ring_add(f->d->ring, arm, yk_derive_joint_arm(f, end[1], 0));
+}
+
 // Adds an effort along a joint's freedom: on the second body, with its reaction on the first.
 static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const char *name, int32_t joint,
                                bool is_distance, const YkPoisson *effort)
@@ -55,14 +67,15 @@ static YkDeriveLoad *add_along(YkDeriveForces *f, YkDeriveLoadKind kind, const c
     const YkJoint *j = &d->model->joints[joint];
     YkDeriveLoad *load = add_load(f, kind, name);
     load->joint = joint;
+    int32_t body[] = {yk_joint_end(d->model, (size_t)joint, 0)->body[0],
+                      yk_joint_end(d->model, (size_t)joint, 1)->body[1]};
     const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[j->body[0]].unit, yk_derive_along(d, joint));
     for (int side = 1; side >= 0; side--) {
         const YkPoisson *signed_effort = side ? effort : yk_ring_negate(d->ring, effort);
         if (is_distance)
-            push(f, load, j->body[side], yk_derive_joint_arm(f, joint, side),
-                 yk_ring_multiply(d->ring, signed_effort, line), NULL);
+            push(f, load, body[side], end_arm(f, joint, side), yk_ring_multiply(d->ring, signed_effort, line), NULL);
         else
-            push(f, load, j->body[side], NULL, NULL, signed_effort);
+            push(f, load, body[side], NULL, NULL, signed_effort);
     }
     return load;
 }
@@ -89,6 +102,16 @@ static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint,
               yk_ring_negate(f->d->ring, yk_ring_multiply(f->d->ring, c, rate)));
 }
 
+// Adds the pull by a law of its own along a coordinate.
+static void add_pull_along(YkDeriveForces *f, const YkSpring *spring)
+{
+    const YkCoordinate *c = &f->d->model->coordinates[spring->coordinate];
+    if (!spring->force.expr) return;
+    const YkPoisson *pull = yk_derive_load_value(f, &spring->force, c->is_distance ? "F_" : "tau_", spring->name);
+    if (!pull || yk_ring_is_zero(pull)) return;
+    add_along(f, YK_DERIVE_PULL, spring->name, c->joint, c->is_distance, yk_ring_negate(f->d->ring, pull));
+}
+
 static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
 {
     YkRing *ring = f->d->ring;
@@ -102,6 +125,7 @@ static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
         load->energy = yk_ring_scale(ring, yk_ring_product(ring, (const YkPoisson *[]){k, stretch, stretch}, 3), 1, 2);
     }
     add_damper_along(f, spring->name, c->joint, c->is_distance, spring->damping_expr);
+    add_pull_along(f, spring);
 }
 
 // Pulls both ends together by `tension` times the vector from the first to the second.
@@ -140,6 +164,18 @@ static const YkDeriveLength *length_of(YkDeriveForces *f, const YkSpring *spring
     return yk_ring_status(ring) == YK_RING_OK ? length : NULL;
 }
 
+// Adds the pull by a law of its own between points.
+static void add_pull_between(YkDeriveForces *f, const YkSpring *spring, const YkDeriveLength *of, const YkPoisson *line)
+{
+    YkDerivation *d = f->d;
+    if (!spring->force.expr) return;
+    d->spring[0] = of->symbol;
+    d->spring[1] = of->rate_symbol;
+    const YkPoisson *pull = yk_derive_load_value(f, &spring->force, "F_", spring->name);
+    if (!pull || yk_ring_is_zero(pull)) return;
+    add_between(f, YK_DERIVE_PULL, spring, yk_ring_divide(d->ring, pull, yk_ring_of(d->ring, of->symbol)), line);
+}
+
 static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
 {
     YkDerivation *d = f->d;
@@ -152,13 +188,16 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
                     *c = yk_derive_expression(d, spring->damping_expr);
     const YkPoisson *free_length = yk_derive_expression(d, spring->length_expr);
     if (!k || !c || !free_length) return;
-    if (yk_ring_is_zero(free_length) && yk_ring_is_zero(c)) { // needs no direction
+    const YkExpr *own = spring->force.expr;
+    if (yk_ring_is_zero(free_length) && yk_ring_is_zero(c) && !own) { // needs no direction
         YkDeriveLoad *load = add_between(f, YK_DERIVE_SPRING, spring, k, line);
         load->energy = yk_ring_scale(ring, yk_ring_multiply(ring, k, square), 1, 2);
         return;
     }
-    const YkDeriveLength *of = length_of(f, spring, square, !yk_ring_is_zero(c));
+    bool has_rate = !yk_ring_is_zero(c) || yk_expr_mentions(own, YK_OWN_RATE);
+    const YkDeriveLength *of = length_of(f, spring, square, has_rate);
     if (!of) return;
+    add_pull_between(f, spring, of, line);
     const YkPoisson *length = yk_ring_of(ring, of->symbol);
     if (!yk_ring_is_zero(k)) {
         const YkPoisson *stretch = yk_ring_subtract(ring, length, free_length);
@@ -203,9 +242,9 @@ static void add_forces(YkDeriveForces *f)
     for (size_t k = 0; k < d->model->force_count; k++) {
         const YkForce *force = &d->model->forces[k];
         YkDeriveLoad *load = add_load(f, YK_DERIVE_FORCE, force->name);
-        const YkPoisson *x = yk_derive_load_value(f, force->x, NULL, force->name, "x");
-        const YkPoisson *y = yk_derive_load_value(f, force->y, NULL, force->name, "y");
-        const YkPoisson *moment = yk_derive_load_value(f, force->moment, NULL, force->name, "m");
+        const YkPoisson *x = yk_derive_load_value(f, &force->x, force->name, "x");
+        const YkPoisson *y = yk_derive_load_value(f, &force->y, force->name, "y");
+        const YkPoisson *moment = yk_derive_load_value(f, &force->moment, force->name, "m");
         const YkPoisson *vector = yk_ring_add(d->ring, x, yk_ring_multiply(d->ring, yk_ring_i(d->ring), y));
         if (force->in_body_axes) vector = yk_ring_multiply(d->ring, d->bodies[force->body].unit, vector);
         push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->body, force->point)), vector,
@@ -220,10 +259,7 @@ static void add_efforts(YkDeriveForces *f)
     for (size_t k = 0; k < model->effort_count; k++) {
         const YkEffort *effort = &model->efforts[k];
         const YkCoordinate *c = &model->coordinates[effort->coordinate];
-        bool is_law = effort->law.of != NULL;
-        const YkPoisson *value = yk_derive_load_value(f, is_law ? effort->law.of : effort->expr,
-                                                      is_law ? model->laws[effort->law.law].law : NULL,
-                                                      c->is_distance ? "F_" : "tau_", c->name);
+        const YkPoisson *value = yk_derive_load_value(f, &effort->strength, c->is_distance ? "F_" : "tau_", c->name);
         if (value) add_along(f, YK_DERIVE_EFFORT, c->name, c->joint, c->is_distance, value);
     }
 }
@@ -251,11 +287,12 @@ bool yk_derive_enter_loads(YkDeriveForces *f)
     YkDerivation *d = f->d;
     const YkModel *model = d->model;
     size_t most =
-        model->body_count + model->effort_count + model->force_count + 2 * model->spring_count + model->stop_count + 1;
+        model->body_count + model->effort_count + model->force_count + 3 * model->spring_count + model->stop_count + 1;
     for (size_t j = 0; j < model->joint_count; j++) most += model->joints[j].has_friction ? 2 : 0;
     for (size_t k = 0; k < d->tree_count; k++) most += d->coordinates[k].is_input;
     f->loads = YK_NEW(d->arena, YkDeriveLoad, most);
-    f->opaques = YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + 1);
+    f->opaques =
+        YK_NEW(d->arena, YkDeriveOpaque, model->effort_count + 3 * model->force_count + model->spring_count + 1);
     f->lengths = YK_NEW(d->arena, YkDeriveLength, model->spring_count + 2 * d->mech->relation_count + 1);
     f->ratios = YK_NEW(d->arena, YkDeriveRatio, d->mech->relation_count + 1);
     f->efforts = YK_NEW(d->arena, int32_t, d->coordinate_count + 1);

@@ -269,7 +269,7 @@ bool yk_derive_section_newton_euler(YkDerivation *d, YkPage *page)
     if (!f) return false;
     yk_derive_put_angles(d, page);
     yk_derive_put_meshes(f, page);
-    for (size_t b = 1; b < d->model->body_count; b++) put_body(f, page, (int32_t)b);
+    for (size_t b = 1; b < yk_model_body_count(d->model); b++) put_body(f, page, (int32_t)b);
     put_junctions(f, page);
     put_closing(f, page);
     if (!yk_derive_system_size(f, &system)) return false;

@@ -19,8 +19,8 @@ YkEquationCount yk_derive_count(const YkDeriveForces *f, bool all_given)
 {
     YkDerivation *d = f->d;
     YkEquationCount c = {.unknown_reactions = f->reaction_count, .unknown_accelerations = d->tree_count};
-    c.force = 2 * (d->model->body_count - 1 + f->junction_count);
-    for (size_t b = 1; b < d->model->body_count; b++) {
+    c.force = 2 * (d->model->body_count - d->model->carriage_count - 1 + f->junction_count);
+    for (size_t b = 1; b < d->model->body_count - d->model->carriage_count; b++) {
         if (f->bodies[b].is_trivial)
             c.unknown_reactions--;
         else

@@ -67,7 +67,7 @@ const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
-    size_t bodies = d->model->body_count, count = 0, turned = 0;
+    size_t bodies = yk_model_body_count(d->model), count = 0, turned = 0;
     // Virtual work of forces, complex: the real parts count; then of moments.
     const YkPoisson **works = YK_NEW(d->arena, const YkPoisson *, 2 * bodies + f->junction_count + 1);
     const YkPoisson **moments = works ? works + bodies + f->junction_count : NULL;

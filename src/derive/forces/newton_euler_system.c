@@ -55,7 +55,7 @@ static bool add_rows(Rows *rows)
     const YkDeriveForces *f = rows->f;
     YkDerivation *d = f->d;
     int count = yk_derive_closing_rows(f);
-    for (size_t b = 1; b < d->model->body_count; b++) {
+    for (size_t b = 1; b < yk_model_body_count(d->model); b++) {
         add_vector_rows(rows, yk_derive_newton(f, (int32_t)b), d->model->bodies[b].name);
         if (f->bodies[b].is_trivial) continue;
         const YkPoisson *euler = without_trivial(rows, yk_derive_euler(f, (int32_t)b));
@@ -89,7 +89,7 @@ bool yk_derive_system_size(const YkDeriveForces *f, YkDeriveSystem *system)
     if (closing < 0 || yk_arena_failed(d->arena)) return false;
     add_unknowns(f, system);
     system->row_count = 2 * f->junction_count + (size_t)closing;
-    for (size_t b = 1; b < d->model->body_count; b++) system->row_count += f->bodies[b].is_trivial ? 2 : 3;
+    for (size_t b = 1; b < yk_model_body_count(d->model); b++) system->row_count += f->bodies[b].is_trivial ? 2 : 3;
     return true;
 }
 

@@ -7,18 +7,23 @@ typedef struct Variables {
     YkDeriveOpaque *opaque;
 } Variables;
 
+static int entry_of(YkDeriveOpaque *opaque, int32_t symbol)
+{
+    for (size_t k = 1; k < opaque->variable_count; k++)
+        if (opaque->variables[k] == symbol) return (int)k;
+    opaque->variables[opaque->variable_count] = symbol;
+    return (int)opaque->variable_count++;
+}
+
 static int variable_of(void *context, int32_t declared, bool is_rate)
 {
     Variables *v = context;
+    if (declared == YK_NONE) return entry_of(v->opaque, v->d->spring[is_rate]);
     const YkCoordinate *c = &v->d->model->coordinates[declared];
     int32_t index = c->is_distance ? v->d->joint_distance[c->joint] : v->d->joint_angle[c->joint];
     if (index == YK_NONE) return -2;
     const YkDeriveCoordinate *of = &v->d->coordinates[index];
-    int32_t symbol = is_rate ? of->rate : of->position;
-    for (size_t k = 1; k < v->opaque->variable_count; k++)
-        if (v->opaque->variables[k] == symbol) return (int)k;
-    v->opaque->variables[v->opaque->variable_count] = symbol;
-    return (int)v->opaque->variable_count++;
+    return entry_of(v->opaque, is_rate ? of->rate : of->position);
 }
 
 static const YkPoisson *opaque(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name)
@@ -26,7 +31,7 @@ static const YkPoisson *opaque(YkDeriveForces *f, const YkExpr *expr, const YkLa
     YkDerivation *d = f->d;
     YkDeriveOpaque *o = &f->opaques[f->opaque_count++];
     *o = (YkDeriveOpaque){.expr = expr, .law = law, .symbol = yk_derive_symbol(d, name, YK_RING_FORCE)};
-    o->variables = YK_NEW(d->arena, int32_t, 2 * d->coordinate_count + 1);
+    o->variables = YK_NEW(d->arena, int32_t, 2 * d->coordinate_count + 3);
     if (!o->variables || o->symbol < 0) return NULL;
     o->variables[o->variable_count++] = d->time;
     o->formula = yk_model_formula(d->model, expr, variable_of, &(Variables){d, o}, d->arena);
@@ -34,10 +39,12 @@ static const YkPoisson *opaque(YkDeriveForces *f, const YkExpr *expr, const YkLa
     return yk_ring_of(d->ring, o->symbol);
 }
 
-const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkExpr *expr, const YkLaw *law, const char *name,
+const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkStrength *strength, const char *name,
                                       const char *ending)
 {
     YkRing *ring = f->d->ring;
+    const YkExpr *expr = strength->expr;
+    const YkLaw *law = expr && strength->law != YK_NONE ? f->d->model->laws[strength->law].law : NULL;
     const YkPoisson *value = law ? NULL : yk_derive_expression(f->d, expr);
     if (value || (yk_ring_status(ring) != YK_RING_OK && yk_ring_status(ring) != YK_RING_DIVISOR)) return value;
     yk_ring_clear(ring); // no polynomial

@@ -119,6 +119,15 @@ static void fill_constants(const YkDeriveForces *f, double *values)
     }
 }
 
+// Fills the rates of springs' lengths.
+static void fill_rates(const YkDeriveForces *f, double *values)
+{
+    if (f->length_count > 0) yk_ring_complete(f->d->ring, values);
+    for (size_t k = 0; k < f->length_count; k++)
+        if (f->lengths[k].rate_symbol != YK_NONE)
+            values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
+}
+
 // Fills lines of action; for gears as if their unknowns were positive, until a pose says otherwise.
 static void fill_leans(const YkDeriveForces *f, double *values)
 {
@@ -135,15 +144,13 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
     const YkDeriveForces *f = context;
     (void)state;
     fill_constants(f, values);
+    fill_rates(f, values); // the force of a spring may depend on it
     for (size_t k = 0; k < f->opaque_count; k++) fill_opaque(&f->opaques[k], values);
     for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next)
         values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
     yk_ring_complete(f->d->ring, values);
     fill_leans(f, values);
     fill_steps(f, values);
-    for (size_t k = 0; k < f->length_count; k++)
-        if (f->lengths[k].rate_symbol != YK_NONE)
-            values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
     if (!dynamics) return;
     fill_dry(f, dynamics, values);
     for (size_t k = 0; k < f->effort_count; k++)

@@ -137,6 +137,18 @@ void yk_builder_weld(YkBuilder *builder, const char *name, const char *first, co
     put_text(builder, joint(builder, name, "weld", first, second), "at", at);
 }
 
+void yk_builder_free_joint(YkBuilder *builder, const char *name, const char *first, const char *second,
+                           const char *from, const char *to, const char *x, const char *y, const char *angle)
+{
+    YkBranch *map = joint(builder, name, "free", first, second);
+    const char *const names[] = {x, y, angle};
+    YkBranch *at = map && x && y && angle ? yk_branch_new(builder, YK_NODE_LIST) : NULL;
+    for (size_t k = 0; at && k < 3; k++) yk_branch_add(builder, at, yk_branch_scalar(builder, names[k]));
+    if (at) yk_branch_put(builder, map, "at", at);
+    put_text(builder, map, "from", from);
+    put_text(builder, map, "to", to);
+}
+
 void yk_builder_slide(YkBuilder *builder, const char *name, const char *first, const char *second, const char *along,
                       const char *from, const char *to, const char *distance)
 {

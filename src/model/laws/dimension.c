@@ -131,6 +131,24 @@ static bool find_coordinate(const YkModel *model, const char *name, bool *is_dis
     return index != YK_NONE || (ending && (*is_distance || strcmp(ending, ".angle") == 0));
 }
 
+static bool is_of(const YkNode *use, const char *law)
+{
+    const YkNode *name = use->kind == YK_NODE_MAP ? yk_node_get(use, "law") : NULL;
+    return name && name->kind == YK_NODE_SCALAR && strcmp(name->text, law) == 0;
+}
+
+// Looks at the argument in {law: NAME, of: ARGUMENT}.
+static void ask_argument(Search *search, const YkNode *use)
+{
+    const YkNode *of = yk_node_get(use, "of");
+    bool is_distance = false;
+    if (!of || of->kind != YK_NODE_SCALAR) return;
+    if (find_coordinate(search->loader->model, of->text, &is_distance))
+        show(search, OF, is_distance ? YK_DIM_LENGTH : YK_DIM_ANGLE);
+    else if (strcmp(of->text, "t") == 0)
+        show(search, OF, YK_DIM_TIME);
+}
+
 // Looks at the uses in a section of the form COORDINATE: {law: NAME, of: ARGUMENT}.
 static void ask_uses(Search *search, const char *law, const char *section, YkDimension of_angle,
                      YkDimension of_distance)
@@ -138,16 +156,51 @@ static void ask_uses(Search *search, const char *law, const char *section, YkDim
     const YkNode *map = yk_node_get(search->loader->root, section);
     for (size_t i = 0; map && map->kind == YK_NODE_MAP && i < map->count; i++) {
         const YkNodePair *pair = &map->pairs[i];
-        const YkNode *name = yk_node_get(pair->value, "law"), *of = yk_node_get(pair->value, "of");
         bool is_distance = false;
-        if (!name || name->kind != YK_NODE_SCALAR || strcmp(name->text, law) != 0) continue;
+        if (!is_of(pair->value, law)) continue;
         if (find_coordinate(search->loader->model, pair->key->text, &is_distance))
             show(search, VALUE, is_distance ? of_distance : of_angle);
-        if (!of || of->kind != YK_NODE_SCALAR) continue;
-        if (find_coordinate(search->loader->model, of->text, &is_distance))
-            show(search, OF, is_distance ? YK_DIM_LENGTH : YK_DIM_ANGLE);
-        else if (strcmp(of->text, "t") == 0)
-            show(search, OF, YK_DIM_TIME);
+        ask_argument(search, pair->value);
+    }
+}
+
+// Looks at the springs whose force is the law's, with `length`, `angle` and `rate` for their own.
+static void ask_springs(Search *search, const char *law)
+{
+    const struct {
+        const char *key, *of;
+        YkDimension value, position, rate;
+    } kinds[] = {{"force", "length", YK_DIM_FORCE, YK_DIM_LENGTH, YK_DIM_SPEED},
+                 {"torque", "angle", YK_DIM_TORQUE, YK_DIM_ANGLE, YK_DIM_ANGLE_RATE}};
+    const YkNode *map = yk_node_get(search->loader->root, "springs");
+    for (size_t i = 0; map && map->kind == YK_NODE_MAP && i < map->count; i++)
+        for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+            const YkNode *use = yk_node_get(map->pairs[i].value, kinds[k].key), *of;
+            if (!use || !is_of(use, law)) continue;
+            show(search, VALUE, kinds[k].value);
+            of = yk_node_get(use, "of");
+            bool is_name = of && of->kind == YK_NODE_SCALAR;
+            if (is_name && strcmp(of->text, kinds[k].of) == 0) show(search, OF, kinds[k].position);
+            if (is_name && strcmp(of->text, "rate") == 0) show(search, OF, kinds[k].rate);
+            ask_argument(search, use);
+        }
+}
+
+// Looks at the forces whose components or moment are the law's.
+static void ask_forces(Search *search, const char *law)
+{
+    const YkNode *map = yk_node_get(search->loader->root, "forces");
+    for (size_t i = 0; map && map->kind == YK_NODE_MAP && i < map->count; i++) {
+        const YkNode *value = yk_node_get(map->pairs[i].value, "value");
+        const YkNode *moment = yk_node_get(map->pairs[i].value, "moment");
+        for (size_t k = 0; value && value->kind == YK_NODE_LIST && k < value->count; k++) {
+            if (!is_of(value->items[k], law)) continue;
+            show(search, VALUE, YK_DIM_FORCE);
+            ask_argument(search, value->items[k]);
+        }
+        if (!moment || !is_of(moment, law)) continue;
+        show(search, VALUE, YK_DIM_TORQUE);
+        ask_argument(search, moment);
     }
 }
 
@@ -185,6 +238,8 @@ static void find(YkLoader *loader, const YkNode *node, YkModelLaw *law)
     }
     ask_uses(&search, law->name, "drives", YK_DIM_ANGLE, YK_DIM_LENGTH);
     ask_uses(&search, law->name, "efforts", YK_DIM_TORQUE, YK_DIM_FORCE);
+    ask_springs(&search, law->name);
+    ask_forces(&search, law->name);
     ask_cams(&search, law->name);
     show(&search, OF, YK_DIM_ANGLE);
     show(&search, VALUE, YK_DIM_LENGTH);

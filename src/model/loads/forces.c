@@ -1,4 +1,5 @@
-// Reads `forces:` at points of bodies, in world axes or the body's own, and moments on bodies.
+// Reads `forces:` at points of bodies, in world axes or the body's own, and moments on bodies: each component an
+// expression or a law.
 #include <string.h>
 #include "model/load.h"
 
@@ -12,19 +13,32 @@ static void read_axes(YkLoader *loader, YkForce *force, const YkNode *axes)
                axes->text);
 }
 
+// Reads [x, y], each an strength of its own.
+static void read_components(YkLoader *loader, YkForce *force, const YkNode *value, YkWant *want)
+{
+    if (!yk_load_expect(loader, value, YK_NODE_LIST, &want->subject)) return;
+    if (value->count != 2) {
+        yk_problem(loader->problems, YK_CODE_COMPONENTS, value->place, "%s has two components, x and y; here are %z",
+                   yk_load_subject(loader, &want->subject), value->count);
+        return;
+    }
+    want->subject.axis = "x of ";
+    force->x = yk_load_strength(loader, value->items[0], want);
+    want->subject.axis = "y of ";
+    force->y = yk_load_strength(loader, value->items[1], want);
+}
+
 // Reads the force, the moment, or both.
 static void read_value(YkLoader *loader, YkForce *force, const YkNode *node, const YkSubject *subject)
 {
     const YkNode *moment = yk_node_get(node, "moment");
     const YkNode *value = moment ? yk_node_get(node, "value") : yk_load_require(loader, node, "value", subject);
     YkWant want = {.dimension = YK_DIM_FORCE, .scope = YK_SCOPE_STATE, .subject = *subject};
-    YkExpr *expr[2] = {NULL, NULL};
-    if (value) yk_load_pair(loader, value, &want, expr, NULL);
-    force->x = expr[0];
-    force->y = expr[1];
+    force->x = force->y = force->moment = (YkStrength){.law = YK_NONE};
+    if (value) read_components(loader, force, value, &want);
     want.dimension = YK_DIM_TORQUE;
     want.subject = (YkSubject){.noun = "moment", .owner = force->name};
-    if (moment) force->moment = yk_load_value(loader, moment, &want, NULL);
+    if (moment) force->moment = yk_load_strength(loader, moment, &want);
 }
 
 // Returns the body on which it acts: `body:`, or `on:`, which other readers of YAML take for a boolean.

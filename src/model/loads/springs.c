@@ -1,4 +1,4 @@
-// Reads `springs:`, springs with dampers, between two points or along a coordinate.
+// Reads `springs:`, springs with dampers and pulls by laws of their own, between two points or along a coordinate.
 #include "model/load.h"
 
 // Between points, along a distance, or along an angle: this decides the units, and the name of the free value.
@@ -44,19 +44,26 @@ static bool read_place(YkLoader *loader, YkSpring *spring, const YkNode *node, F
     return true;
 }
 
+// Reports the key that belongs to the other kind of spring; returns whether it is there.
+static bool refuse_key(YkLoader *loader, const YkSpring *spring, const YkNode *node, Form form, const char *has,
+                       const char *other)
+{
+    static const char *const forms[] = {"lies between points", "lies along a distance", "lies along an angle"};
+    const YkNode *wrong = yk_load_key(node, other);
+    if (!wrong) return false;
+    yk_problem(loader->problems, YK_CODE_UNKNOWN_KEY, wrong->place, "spring %q %s: it has a %s, no `%s`", spring->name,
+               forms[form], has, other);
+    return true;
+}
+
 // Reads the length or angle at which the spring is free. Refuses the key of the other kind.
 static void read_free(YkLoader *loader, YkSpring *spring, const YkNode *node, Form form)
 {
-    const char *key = form == ALONG_ANGLE ? "angle" : "length", *other = form == ALONG_ANGLE ? "length" : "angle";
-    const YkNode *wrong = yk_load_key(node, other);
-    if (wrong) {
-        yk_problem(loader->problems, YK_CODE_UNKNOWN_KEY, wrong->place, "spring %q %s: it has a free `%s`, no `%s`",
-                   spring->name,
-                   form == BETWEEN       ? "lies between points"
-                   : form == ALONG_ANGLE ? "lies along an angle"
-                                         : "lies along a distance",
-                   key, other);
-    }
+    const char *key = form == ALONG_ANGLE ? "angle" : "length";
+    if (form == ALONG_ANGLE)
+        refuse_key(loader, spring, node, form, "free `angle`", "length");
+    else
+        refuse_key(loader, spring, node, form, "free `length`", "angle");
     YkWant want = {.dimension = form == ALONG_ANGLE ? YK_DIM_ANGLE : YK_DIM_LENGTH,
                    .subject = {.noun = key, .owner = spring->name}};
     spring->length_expr = yk_load_key_value(loader, node, key, &want, &spring->length);
@@ -70,14 +77,35 @@ static void read_rates(YkLoader *loader, YkSpring *spring, const YkNode *node, F
     want.subject.noun = "damping";
     want.dimension = form == ALONG_ANGLE ? YK_DIM_TURN_DAMPING : YK_DIM_DAMPING;
     spring->damping_expr = yk_load_key_value(loader, node, "damping", &want, &spring->damping);
-    if (yk_node_get(node, "stiffness") || yk_node_get(node, "damping")) return;
-    yk_problem(loader->problems, YK_CODE_MISSING_KEY, node->place, "spring %q needs `stiffness` or `damping`",
-               spring->name);
+}
+
+// Reads the pull by a law of its own, `force`, or along an angle `torque`: what `length`, or `angle`, and `rate` mean
+// in it is the spring's own.
+static void read_force(YkLoader *loader, YkSpring *spring, const YkNode *node, Form form)
+{
+    const char *key = form == ALONG_ANGLE ? "torque" : "force";
+    if (form == ALONG_ANGLE ? refuse_key(loader, spring, node, form, "`torque`", "force")
+                            : refuse_key(loader, spring, node, form, "`force`", "torque"))
+        return;
+    const YkNode *force = yk_node_get(node, key);
+    const char *along = form == BETWEEN ? NULL : loader->model->coordinates[spring->coordinate].name;
+    const YkOwnName own[] = {{form == ALONG_ANGLE ? "angle" : "length", along ? along : YK_OWN_LENGTH},
+                             {"rate", along ? yk_load_rate_name(loader, along) : YK_OWN_RATE},
+                             {NULL, NULL}};
+    YkWant want = {.dimension = form == ALONG_ANGLE ? YK_DIM_TORQUE : YK_DIM_FORCE,
+                   .scope = YK_SCOPE_STATE,
+                   .subject = {.noun = key, .owner = spring->name},
+                   .own = own};
+    if (force) spring->force = yk_load_strength(loader, force, &want);
+    if (force || yk_node_get(node, "stiffness") || yk_node_get(node, "damping")) return;
+    yk_problem(loader->problems, YK_CODE_MISSING_KEY, node->place, "spring %q needs `stiffness`, `damping` or `%s`",
+               spring->name, key);
 }
 
 static void read_spring(YkLoader *loader, YkSpring *spring, const YkNode *node)
 {
-    static const char *const keys[] = {"between", "along", "stiffness", "length", "angle", "damping", NULL};
+    static const char *const keys[] = {"between", "along", "stiffness", "length", "angle",
+                                       "damping", "force", "torque",    NULL};
     const YkSubject subject = {.noun = "spring", .part = spring->name};
     Form form;
     if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
@@ -85,6 +113,7 @@ static void read_spring(YkLoader *loader, YkSpring *spring, const YkNode *node)
     if (!read_place(loader, spring, node, &form)) return;
     read_free(loader, spring, node, form);
     read_rates(loader, spring, node, form);
+    read_force(loader, spring, node, form);
 }
 
 void yk_load_springs(YkLoader *loader)
@@ -101,7 +130,8 @@ void yk_load_springs(YkLoader *loader)
                              .place = pair->key->place,
                              .coordinate = YK_NONE,
                              .body = {YK_NONE, YK_NONE},
-                             .point = {YK_NONE, YK_NONE}};
+                             .point = {YK_NONE, YK_NONE},
+                             .force = {.law = YK_NONE}};
         yk_load_name(loader, pair->key, "spring");
         read_spring(loader, spring, pair->value);
     }
