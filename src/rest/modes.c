@@ -5,7 +5,7 @@
 #include "num/eigen.h"
 #include "rest/rest.h"
 
-enum { REDUCE = 200 }; // work of forces and inertia, for each step and each pair of freedoms
+enum { REDUCE = 20 }; // work of forces and inertia, for each step and each pair of freedoms
 
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a)
 {

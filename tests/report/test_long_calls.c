@@ -167,6 +167,7 @@ static bool find_rest(void *self, Watched *w, uint64_t *hash)
     YkProblems *problems = yk_problems_new();
     YkRestOptions options = yk_default_rest_options();
     options.progress = progress_of(w);
+    options.starts = 4000;
     YkRest *rest = yk_rest_find(subject->m.model, &options, problems);
     size_t count = rest ? yk_rest_count(rest) : 0;
     *hash = hash_bytes(*hash, &count, sizeof count);
