@@ -132,7 +132,8 @@ YkRef yk_balance_value(const YkBalanceSystem *w, size_t k)
     return value;
 }
 
-// Couples are unknown over the unit, as the rows of moments are.
+// Couples are unknown over the unit, as the rows of moments are. Free joints transmit nothing: what their halves do is
+// that of efforts on the way past the carriage.
 bool yk_balance_read(YkBalanceSystem *w)
 {
     YkProgram *p = w->f->program;
@@ -142,7 +143,7 @@ bool yk_balance_read(YkBalanceSystem *w)
     for (size_t k = 0; k < 3 * p->model->joint_count; k++) reaction[k] = yk_graph_number(g, 0);
     for (size_t k = 0; k < w->count; k++) {
         const YkUnknown *c = &w->columns[k];
-        if (c->input != YK_NONE || c->relation != YK_NONE) continue;
+        if (c->input != YK_NONE || c->relation != YK_NONE || p->model->joints[c->joint].is_free) continue;
         YkRef value = yk_balance_value(w, k), *out = reaction + 3 * c->joint;
         if (c->is_couple) {
             out[2] = yk_graph_multiply(g, value, yk_graph_number(g, w->unit));
