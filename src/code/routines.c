@@ -163,10 +163,17 @@ static void add_accelerations(YkFile *file)
     routine->checks_results = routine->has_designs = true;
 }
 
+// Returns whether some joint bears: free joints transmit nothing.
+static bool has_bearing(const YkModel *model)
+{
+    return model->joint_count > 2 * model->carriage_count;
+}
+
 static void add_reactions(YkFile *file, const Rates *r)
 {
     YkProgram *p = &file->program;
     YkForces *f = &file->forces;
+    if (!has_bearing(p->model)) return;
     yk_forces_reactions(f, &r->velocities, &r->accelerations);
     if (!f->reaction) {
         if (!f->why_no_reactions) return;

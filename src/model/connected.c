@@ -47,9 +47,10 @@ static void report(YkLoader *loader, const Groups *groups, int32_t group)
 {
     const YkBody *bodies = loader->model->bodies;
     YkText *text = &loader->text;
-    int32_t shown = 0, total = groups->size[group];
+    int32_t shown = 0, total = 0; // without the carriages of free joints, which come last
     yk_text_clear(text);
-    for (int32_t i = groups->first[group]; i != YK_NONE && shown < NAMES_SHOWN; i = groups->next[i]) {
+    for (int32_t i = groups->first[group]; i != YK_NONE; i = groups->next[i]) total += !bodies[i].is_carriage;
+    for (int32_t i = groups->first[group]; shown < total && shown < NAMES_SHOWN; i = groups->next[i]) {
         const char *joiner = shown == 0 ? "" : shown + 1 == total ? " and " : ", ";
         yk_text_format(text, "%s%q", joiner, bodies[i].name);
         shown++;

@@ -11,6 +11,12 @@ static int32_t leader(int32_t *group, int32_t body)
     return body;
 }
 
+// The sketch's own joints, with the slides of free joints; behind them are the welds of what floats.
+static size_t own_joints(const YkModel *model)
+{
+    return model->joint_count - model->held_joints;
+}
+
 // The sketch's own joints unite their bodies; the first body leads each group.
 static bool find_groups(YkSketch *sketch)
 {
@@ -19,7 +25,7 @@ static bool find_groups(YkSketch *sketch)
     sketch->group = group;
     if (!group) return false;
     for (size_t b = 0; b < model->body_count; b++) group[b] = (int32_t)b;
-    for (size_t j = 0; j < yk_sketch_joint_count(sketch); j++) {
+    for (size_t j = 0; j < own_joints(model); j++) {
         int32_t a = leader(group, model->joints[j].body[0]), b = leader(group, model->joints[j].body[1]);
         group[a > b ? a : b] = a > b ? b : a;
     }
@@ -52,7 +58,8 @@ static bool gather(const YkModel *model, PointNames *names)
 static bool are_joined(const YkSketch *sketch, int32_t a, int32_t b)
 {
     for (size_t j = 0; j < yk_sketch_joint_count(sketch); j++) {
-        const int32_t *body = sketch->model->joints[j].body;
+        int32_t body[] = {(int32_t)yk_model_joint_body(sketch->model, j, 0),
+                          (int32_t)yk_model_joint_body(sketch->model, j, 1)};
         if ((body[0] == a && body[1] == b) || (body[0] == b && body[1] == a)) return true;
     }
     return false;
@@ -99,7 +106,7 @@ static void find_group(YkSketch *sketch, const PointNames *names, int32_t first)
     lack->body = (size_t)first;
     for (size_t b = (size_t)first; b < model->body_count; b++) {
         const YkBody *body = &model->bodies[b];
-        if (sketch->group[b] != first) continue;
+        if (sketch->group[b] != first || body->is_carriage) continue;
         lack->body_count++;
         for (int32_t p = body->first_point; other == YK_NONE && p < body->first_point + body->point_count; p++) {
             other = find_partner(sketch, names, p, true);
@@ -120,7 +127,7 @@ void yk_sketch_find_connections(YkSketch *sketch)
     const YkModel *model = sketch->model;
     PointNames names = {0};
     sketch->failed |= !find_groups(sketch) || !gather(model, &names);
-    for (size_t j = yk_sketch_joint_count(sketch); !sketch->failed && j < model->joint_count; j++)
+    for (size_t j = own_joints(model); !sketch->failed && j < model->joint_count; j++)
         find_group(sketch, &names, model->joints[j].body[1]);
     yk_names_free(&names.first);
     free(names.next);

@@ -75,7 +75,7 @@ def random_tree(numbers):
                           count, some(40, 5), some(2, 0.1)),
                       "  P: {between: [b0.P, b%d.P], force: '%s N/m^3 * (length - 0.2 m)^3 + %s N*s/m * rate*cos(1 rad/s * t)'}" % (
                           count, some(40, 5), some(2, 0.1)),
-                      "  A: {along: q1, %s}" % ("torque: 'sin(angle) + 0.3 * angle^3'" if "{pin:" in joints[0] else "force: {law: B, of: length}"),
+                      "  A: {along: q1, %s}" % ("torque: '1 N*m * sin(angle) + 0.3 N*m/rad^3 * angle^3'" if "{pin:" in joints[0] else "force: {law: B, of: length}"),
                       "laws: {B: {table: [[-1, -3], [0, 0], [1, 5]], between: cubic}}",
                       "forces:", "  F: {body: b%d, at: P, value: [%s, %s]}" % (count, some(5), some(5)),
                       "start: {%s}" % ", ".join(starts), ""])

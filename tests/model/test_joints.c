@@ -135,6 +135,8 @@ static void mistakes_in_a_free_joint_are_refused(void **state)
     refused_joint("{free: [ground, b], at: [u, [v], w]}", YK_CODE_WRONG_KIND, 34, "at of `J`");
     refused_joint("{free: [ground, b], along: x}", YK_CODE_UNKNOWN_KEY, 26, "along");
     refused_joint("{free: [ground, ground]}", YK_CODE_SELF_JOINT, 13, "`ground` to itself");
+    fixture_refused("bodies: {b: {}, c: {}}\njoints: {F: {free: [b, c]}}\n", YK_CODE_NOT_CONNECTED, 1, 10,
+                    "`b` and `c` are not connected");
     refused_joint("{free: [ground, c]}", YK_CODE_UNKNOWN_BODY, 22, "`c`");
     refused_joint("{free: [ground, b], to: Z}", YK_CODE_UNKNOWN_POINT, 30, "`Z`");
     refused_joint("{free: [ground, b], angle: w}", YK_CODE_UNKNOWN_KEY, 26, "angle");

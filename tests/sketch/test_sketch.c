@@ -65,6 +65,22 @@ static void groups_are_told_once_with_all_their_bodies(void **state)
     yk_sketch_free(sketch);
 }
 
+// A group that floats with a free joint in it, and a body that only a free joint ties to the ground.
+static void free_joints_count_as_connections(void **state)
+{
+    (void)state;
+    YkSketch *sketch = sketch_of("bodies: {a: {}, b: {}, c: {mass: 1, inertia: 1}, d: {}}\n"
+                                 "joints: {F: {free: [a, b]}, G: {free: [ground, c]}}\n");
+    assert_int_equal(yk_sketch_joint_count(sketch), 2);
+    YkLack lack = yk_sketch_lack(sketch, 0);
+    assert_int_equal(lack.kind, YK_LACK_CONNECTION);
+    assert_int_equal(lack.body_count, 2);
+    assert_string_equal(lack.text, "`a` and 1 more body joined to it are not connected to the ground");
+    assert_string_equal(yk_sketch_lack(sketch, 1).text, "`d` is not connected to the ground by joints");
+    assert_int_equal(yk_sketch_freedom(sketch), 3 + 3 + 3 + 3);
+    yk_sketch_free(sketch);
+}
+
 static void open_ends_name_the_point_they_could_be_pinned_to(void **state)
 {
     (void)state;
@@ -187,6 +203,7 @@ int main(void)
         cmocka_unit_test(nothing_but_the_ground_lacks_a_body),
         cmocka_unit_test(bodies_without_joints_float_with_three_freedoms_each),
         cmocka_unit_test(groups_are_told_once_with_all_their_bodies),
+        cmocka_unit_test(free_joints_count_as_connections),
         cmocka_unit_test(open_ends_name_the_point_they_could_be_pinned_to),
         cmocka_unit_test(an_open_end_of_a_group_that_floats_could_be_pinned_to_the_ground),
         cmocka_unit_test(masses_make_drives_optional),
