@@ -356,15 +356,20 @@ bool yk_session_has_forces(YkSession *session)
                              "the machine has neither masses nor loads, and therefore no forces%s", "");
 }
 
+bool yk_session_has_memory(YkSession *session)
+{
+    (void)yk_words_of_problems(session, session->problems); // they are made now, and told later
+    session->ran_out |= yk_memory_ran_out() || session->out.failed || yk_problems_ran_out(session->problems);
+    return !session->ran_out;
+}
+
 int yk_session_finish(YkSession *session, int exit_code)
 {
     const char *path = session->request->output;
     bool good;
     if (!session->keeps_what_is_done && yk_stop_is_due()) return YK_EXIT_WRONG;
     yk_stop_clear_line();
-    (void)yk_words_of_problems(session, session->problems); // before the answer, which must not stand beside E0100
-    session->ran_out |= yk_memory_ran_out();
-    if (session->out.failed || session->ran_out || yk_problems_ran_out(session->problems)) {
+    if (!yk_session_has_memory(session)) {
         good = run_out(session);
     } else if (path && strcmp(path, "-") != 0) {
         good = yk_file_write(path, yk_text_get(&session->out), session->out.length, session->problems);

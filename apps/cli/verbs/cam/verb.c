@@ -219,7 +219,7 @@ static int write_answer(YkCamAnswer *answer)
         break;
     }
     bool is_undercut = answer->summary.undercut_count > 0 || answer->second.undercut_count > 0;
-    bool has_profile = request->profile && !is_undercut && !session->out.failed;
+    bool has_profile = request->profile && !is_undercut && yk_session_has_memory(session);
     // Before the answer: there is none if memory has no room for the profile.
     if (has_profile && !yk_cam_write_profile(answer, request->profile)) return YK_EXIT_WRONG;
     int exit_code = yk_session_finish(session, YK_EXIT_DONE);
