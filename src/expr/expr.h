@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include "base/memory.h"
 #include "base/problems.h"
-#include "base/units.h"
+#include "base/units/units.h"
 #include "graph/function.h"
 
 typedef enum YkExprKind {

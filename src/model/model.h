@@ -8,7 +8,7 @@
 #include "base/memory.h"
 #include "base/names.h"
 #include "base/problems.h"
-#include "base/units.h"
+#include "base/units/units.h"
 #include "base/vec.h"
 #include "expr/expr.h"
 #include "law/law.h"

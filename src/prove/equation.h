@@ -2,7 +2,7 @@
 #ifndef PROVE_EQUATION_H
 #define PROVE_EQUATION_H
 #include "prove/quantities.h"
-#include "base/units.h"
+#include "base/units/units.h"
 #include "derive/inside.h"
 #include "prove/check.h"
 

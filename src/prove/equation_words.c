@@ -3,7 +3,7 @@
 #include "prove/quantities.h"
 #include "base/names.h"
 #include "base/number.h"
-#include "base/units.h"
+#include "base/units/units.h"
 #include "derive/forces/free_bodies.h"
 #include "prove/equation.h"
 

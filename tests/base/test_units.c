@@ -1,7 +1,7 @@
 // Unit words, dimensions, and bare numbers.
 #include "check.h"
 #include <stdlib.h>
-#include "base/units.h"
+#include "base/units/units.h"
 #include "base/vec.h"
 
 typedef struct Case {

@@ -1,6 +1,6 @@
 // The unit of a bare number: what is written reads back as a unit of the same dimension and size.
 #include "check.h"
-#include "base/units.h"
+#include "base/units/units.h"
 
 static void check(const YkUnits *units, YkDimension dimension, const char *expected)
 {

@@ -1,7 +1,7 @@
 // Variants: bit for bit what the file gives with the same values, for every parameter of every example; lengths that
 // are 0 in the file; what is refused.
 #include "machine.h"
-#include "base/units.h"
+#include "base/units/units.h"
 #include "compile/mechanism.h"
 
 static bool same_bits(double a, double b)

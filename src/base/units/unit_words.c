@@ -1,6 +1,6 @@
 // Reads unit words. Sizes stay a quotient and a power of ten until the end, so that every decimal unit, and every
 // product of decimal units, becomes the double nearest to its true size.
-#include "base/units.h"
+#include "base/units/units.h"
 #include <math.h>
 #include <string.h>
 #include "base/names.h"

@@ -1,6 +1,6 @@
 // Writes the unit of a bare number, as a file would write it.
 #include <string.h>
-#include "base/units.h"
+#include "base/units/units.h"
 
 typedef struct Factor {
     const char *name;

@@ -1,5 +1,5 @@
 // What bare numbers mean in a file.
-#include "base/units.h"
+#include "base/units/units.h"
 #include <math.h>
 
 typedef struct Quotient {
