@@ -41,6 +41,7 @@ typedef struct YkStudyCase {
     const double *const *inputs; // [3 * input + k][pose]: position, velocity, acceleration; a NULL array: the state's
     size_t pose_count;
     bool inputs_per_design; // inputs[...][design * pose_count + pose]: each design has inputs of its own
+    const double *times;    // [pose], s: of loads and the time itself; NULL: the state's
 } YkStudyCase;
 
 // Computes every pose: outputs[channel][design * pose_count + pose] and status[...] (may be NULL). A design made of

@@ -23,8 +23,7 @@ static void fill_constants(YkBatch *b)
         for (size_t k = 0; k < b->lanes; k++) b->constant[i * b->lanes + k] = b->state->input[i];
 }
 
-static YkBatch *new_batch(const YkState *state, const YkVariant *variant, const YkChannel *channels,
-                          size_t channel_count, bool is_along)
+static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_t channel_count, bool is_along)
 {
     bool needs_no_forces;
     YkBatch *b = calloc(1, sizeof *b);
@@ -52,7 +51,7 @@ static YkBatch *new_batch(const YkState *state, const YkVariant *variant, const 
         yk_batch_free(b);
         return NULL;
     }
-    b->forces = yk_pose_forces_new(b->mech, variant, channels, channel_count, b->lanes, &needs_no_forces);
+    b->forces = yk_pose_forces_new(b->mech, channels, channel_count, b->lanes, &needs_no_forces);
     if (!b->forces && !needs_no_forces) {
         yk_batch_free(b);
         return NULL;
@@ -71,13 +70,12 @@ static YkBatch *new_batch(const YkState *state, const YkVariant *variant, const 
 
 YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count)
 {
-    return new_batch(state, NULL, channels, channel_count, false);
+    return new_batch(state, channels, channel_count, false);
 }
 
-YkBatch *yk_batch_new_along(const YkState *state, const YkVariant *variant, const YkChannel *channels,
-                            size_t channel_count)
+YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count)
 {
-    return new_batch(state, variant, channels, channel_count, true);
+    return new_batch(state, channels, channel_count, true);
 }
 
 void yk_batch_restart(YkBatch *b, const YkState *state)
@@ -161,10 +159,23 @@ static size_t clear_lanes(YkBatch *b, YkStatus worst, size_t n)
     return clear;
 }
 
+// On a path, lanes end before the first force that is not finite: there a state must judge. Angles are counted anew up
+// to there.
+static void end_at_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at)
+{
+    size_t finite = yk_batch_finite_lanes(b, outputs, at, b->clear);
+    if (finite == b->clear) return;
+    b->clear = finite;
+    memcpy(b->next, b->state->reference, b->mech->coordinate_count * sizeof *b->next);
+    for (size_t k = 0; k < b->mech->coordinate_count; k++)
+        if (b->forces->position[k]) yk_batch_write_angle(b, run, k, b->forces->position[k], run->lanes);
+}
+
 // Runs one block of lanes from `at`.
 static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs,
-                          signed char *status, const bool *wanted, size_t at)
+                          signed char *status, YkAlong along, size_t at)
 {
+    b->times = along.times ? along.times + at : NULL;
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
         b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
     for (size_t k = 0; k < b->channel_count; k++)
@@ -173,14 +184,12 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     yk_run_steps(run, 0, b->mech->step_count);
     YkStatus here = yk_batch_judge(b, status ? status + at : NULL, run->lanes);
     if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
-    if (b->forces) yk_batch_run_forces(b, run, outputs, at, wanted ? wanted + at : NULL);
+    if (b->forces) yk_batch_run_forces(b, run, outputs, at, along.wanted ? along.wanted + at : NULL);
+    if (b->forces && b->is_along) end_at_forces(b, run, outputs, at);
     for (size_t k = 0; k < b->channel_count; k++) yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
     if (here != YK_OK) yk_batch_write_settled(b, outputs, at, run->lanes);
-    if (!b->forces) return here;
-    if (!b->is_along) return yk_batch_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
-    size_t finite = yk_batch_finite_lanes(b, outputs, at, run->lanes);
-    if (finite < b->clear) b->clear = finite;
-    return here;
+    if (!b->forces || b->is_along) return here;
+    return yk_batch_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
 }
 
 static YkRun run_of(const YkBatch *b)
@@ -197,14 +206,9 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
     YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        worst = yk_batch_worse(worst, run_lanes(b, &run, inputs, outputs, status, NULL, at));
+        worst = yk_batch_worse(worst, run_lanes(b, &run, inputs, outputs, status, (YkAlong){NULL, NULL}, at));
     }
     return worst;
-}
-
-void yk_batch_redesign(YkBatch *b)
-{
-    if (b->forces) yk_pose_forces_redesign(b->forces);
 }
 
 bool yk_batch_has_slow_forces(const YkBatch *b)
@@ -229,12 +233,12 @@ void yk_batch_begin(YkBatch *b, const YkState *state)
 }
 
 size_t yk_batch_run_along(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
-                          const bool *wanted, size_t count)
+                          YkAlong along, size_t count)
 {
     YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        run_lanes(b, &run, inputs, outputs, status, wanted, at);
+        run_lanes(b, &run, inputs, outputs, status, along, at);
         memcpy(b->state->reference, b->next, b->mech->coordinate_count * sizeof *b->next);
         if (b->clear == run.lanes) continue;
         return at + b->clear;

@@ -2,15 +2,10 @@
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 #include <yoke/batch.h>
-#include <yoke/variant.h>
 
 // Makes a batch for a machine of dyads whose poses follow each other along one path of the inputs, at most some degrees
 // apart. It counts angles turn by turn along the path, and tells where the branches may no longer be those of the path.
-// variant (NULL: none): that of the state's mechanism, for forces; after every change of its values, call
-// yk_batch_redesign.
-YkBatch *yk_batch_new_along(const YkState *state, const YkVariant *variant, const YkChannel *channels,
-                            size_t channel_count);
-void yk_batch_redesign(YkBatch *batch);
+YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count);
 // Returns whether its channels of forces cannot be computed in lanes.
 bool yk_batch_has_slow_forces(const YkBatch *batch);
 struct YkPoseForces *yk_batch_forces(YkBatch *batch); // NULL: no channel needs any
@@ -21,9 +16,14 @@ bool yk_batch_can_follow(const YkMechanism *mech, const YkChannel *channels, siz
 void yk_batch_begin(YkBatch *batch, const YkState *state);
 // Continues through `count` poses of the path, like yk_batch_run. Returns how many of them, from the first, are
 // certainly on the path: `count` if none came near a limit or a change point. The others have no answer yet, and the
-// path ends. wanted[pose] (may be NULL): the forces of all other poses are left out, and 0.
+// path ends. wanted[pose] (may be NULL): the forces of all other poses are left out, and 0. times[pose] (may be NULL:
+// the state's): of loads.
+typedef struct YkAlong {
+    const bool *wanted;
+    const double *times;
+} YkAlong;
 size_t yk_batch_run_along(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
-                          const bool *wanted, size_t count);
+                          YkAlong along, size_t count);
 // Gives a state the angles that the path has reached, as its references.
 void yk_batch_refer(const YkBatch *batch, YkState *state);
 

@@ -29,9 +29,10 @@ static void run_some(YkPoseForces *f, YkLanePose *pose, double *const *outputs, 
 void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at, const bool *wanted)
 {
     YkPoseForces *f = b->forces;
+    yk_pose_forces_follow(f);
     for (size_t k = 0; k < b->mech->coordinate_count; k++)
         if (f->position[k]) yk_batch_write_angle(b, run, k, f->position[k], run->lanes);
-    YkLanePose pose = {&b->space, run->inputs, b->state->time, (const double *const *)f->position, NULL};
+    YkLanePose pose = {&b->space, run->inputs, b->state->time, b->times, (const double *const *)f->position, NULL};
     size_t count = wanted ? list_lanes(f, wanted, run->lanes) : run->lanes;
     if (count < run->lanes) {
         run_some(f, &pose, outputs, at, run->lanes, count);

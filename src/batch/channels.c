@@ -174,7 +174,7 @@ static void make_channel(const YkBatch *b, const YkRun *run, size_t k, double *o
     case YK_CHANNEL_TIME:
     case YK_CHANNEL_TRANSMISSION:
     default:
-        for (size_t i = 0; i < n; i++) out[i] = b->state->time;
+        for (size_t i = 0; i < n; i++) out[i] = b->times ? b->times[i] : b->state->time;
         break;
     }
 }

@@ -136,10 +136,18 @@ static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *
 
 // --- making
 
-static bool can_fit(const YkMechanism *mech)
+// Returns whether a joint has dry friction, or may have some in another design.
+static bool may_be_dry(const YkJoint *joint, const YkVariant *variant)
+{
+    if (!joint->has_friction) return false;
+    const YkExpr *expr = joint->friction.coulomb_expr;
+    return joint->friction.coulomb != 0 || (variant && expr && yk_redesign_expression_varies(variant->redesign, expr));
+}
+
+static bool can_fit(const YkMechanism *mech, const YkVariant *variant)
 {
     for (size_t j = 0; j < mech->model->joint_count; j++)
-        if (mech->model->joints[j].has_friction && mech->model->joints[j].friction.coulomb != 0) return false;
+        if (may_be_dry(&mech->model->joints[j], variant)) return false;
     return mech->model->body_count <= BODIES_MAX && mech->redundant_count + mech->redundant_relation_count == 0;
 }
 
@@ -159,7 +167,7 @@ static void evaluate_law(const void *context, int32_t law, double argument, doub
 static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channels, size_t count, bool *fits)
 {
     YkForces forces;
-    YkBalanceSystem balance;
+    YkBalanceSystem balance = {0};
     YkRef *roots = YK_NEW(p->arena, YkRef, count + 1);
     YkRates r = yk_program_new_rates(p), s = yk_program_new_rates(p);
     f->leaves[f->leaf_count] = p->time;
@@ -169,9 +177,10 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     place_pose(f, p, &r, &s);
     forces.velocities = r;
     place_coordinates(f, &forces, &r);
-    bool is_made = yk_forces_loads(&forces) && yk_balance_make(&balance, &forces, &r, &s, 1);
-    *fits = is_made && yk_balance_solve(&balance);
-    if (!*fits || !yk_balance_read(&balance)) return NULL;
+    bool has_loads = yk_forces_loads(&forces);
+    bool is_solved = has_loads && yk_balance_make(&balance, &forces, &r, &s, 1) && yk_balance_solve(&balance);
+    *fits = is_solved || balance.ran_out || p->failed || yk_arena_failed(p->arena); // otherwise the machine is at fault
+    if (!is_solved || !yk_balance_read(&balance)) return NULL;
     for (size_t k = 0; k < count; k++) roots[k] = yk_balance_channel(&balance, channels[k]);
     return roots;
 }
@@ -199,14 +208,14 @@ static void note_needs(YkLaneForces *f)
         if (f->sources[k].kind == SOURCE_COORDINATE && yk_tape_needs(f->tape, k)) f->needs[f->sources[k].index] = true;
 }
 
-YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
-                                 size_t channel_count, size_t lanes, bool *fits)
+YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
+                                 bool *fits)
 {
-    *fits = can_fit(mech);
+    *fits = can_fit(mech, mech->variant);
     YkLaneForces *f = *fits ? calloc(1, sizeof *f) : NULL;
     if (!f) return NULL;
     f->mech = mech;
-    f->variant = variant;
+    f->variant = mech->variant;
     if (!make(f, channels, channel_count, lanes, fits)) {
         yk_lane_forces_free(f);
         return NULL;
@@ -263,6 +272,7 @@ static const double *lanes_of(const Source *s, const YkLanePose *pose)
     }
     if (s->kind == SOURCE_COORDINATE) return pose->positions[s->index];
     if (s->kind == SOURCE_INPUT) return pose->inputs[3 * s->index + s->part];
+    if (s->kind == SOURCE_TIME) return pose->times;
     return space->gain + (size_t)s->index * space->stride;
 }
 
@@ -271,7 +281,7 @@ void yk_lane_forces_run(YkLaneForces *f, const YkLanePose *pose, double *const *
     for (size_t k = 0; k < f->leaf_count; k++) {
         const Source *s = &f->sources[k];
         if (s->kind == SOURCE_PARAMETER || !yk_tape_needs(f->tape, k)) continue;
-        if (s->kind == SOURCE_TIME)
+        if (s->kind == SOURCE_TIME && !pose->times)
             yk_tape_set(f->tape, k, pose->time);
         else if (pose->which)
             yk_tape_pack_lanes(f->tape, k, lanes_of(s, pose), pose->which, n);

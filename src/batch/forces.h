@@ -6,12 +6,11 @@
 
 typedef struct YkLaneForces YkLaneForces;
 
-// Makes what computes these channels, all of forces or energies, with every acceleration given. variant (NULL: none):
-// that of the mechanism, whose parameters may change later. Returns NULL when out of memory, or if they cannot be
-// computed in lanes: *fits is then false. Such machines have dry friction, constraints that repeat others, very many
-// bodies.
-YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
-                                 size_t channel_count, size_t lanes, bool *fits);
+// Makes what computes these channels, all of forces or energies, with every acceleration given. The values of a
+// variant's mechanism may change later. Returns NULL when out of memory, or if they cannot be computed in lanes: *fits
+// is then false. Such machines have dry friction, constraints that repeat others, very many bodies.
+YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
+                                 bool *fits);
 void yk_lane_forces_free(YkLaneForces *forces);
 size_t yk_lane_forces_length(const YkLaneForces *forces); // operations a pose
 // Takes new values of the variant's parameters.
@@ -21,6 +20,7 @@ typedef struct YkLanePose {
     const YkSpace *space;
     const double *const *inputs; // [3 * input + k]: lanes
     double time;
+    const double *times;            // lanes; NULL: `time` in all
     const double *const *positions; // [coordinate]: lanes of those that yk_lane_forces_needs names
     const size_t *which;            // the lanes that are asked for; NULL: the first n
 } YkLanePose;

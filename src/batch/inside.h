@@ -25,6 +25,7 @@ struct YkBatch {
     YkBranchWatch watch;  // where its branches could have met
     double *next;         // [coordinate]: angles at the end of this block of lanes, references of the next
     size_t clear;         // lanes of this block that are certainly on the path
+    const double *times;  // of the lanes of this block; NULL: the state's
     YkPoseForces *forces; // of the channels that need them; NULL if none does
 };
 

@@ -41,18 +41,18 @@ static bool make(YkPoseForces *f, const YkChannel *channels, size_t count, size_
     if (!list_channels(f, channels, count)) return false;
     f->input = calloc(3 * f->mech->input_count + 1, sizeof *f->input);
     if (!f->input || f->count == 0) return f->input != NULL;
-    f->lanes = yk_lane_forces_new(f->mech, f->variant, f->channels, f->count, lanes, &fits);
+    f->lanes = yk_lane_forces_new(f->mech, f->channels, f->count, lanes, &fits);
     return f->lanes ? make_lanes(f, lanes) : !fits;
 }
 
-YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
-                                 size_t channel_count, size_t lanes, bool *none)
+YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
+                                 bool *none)
 {
     YkPoseForces *f = calloc(1, sizeof *f);
     *none = false;
     if (!f) return NULL;
     f->mech = mech;
-    f->variant = variant;
+    f->changes = mech->variant ? mech->variant->changes : 0;
     bool good = make(f, channels, channel_count, lanes);
     *none = good && f->count == 0;
     if (good && !*none) return f;
@@ -76,8 +76,10 @@ void yk_pose_forces_free(YkPoseForces *f)
     free(f);
 }
 
-void yk_pose_forces_redesign(YkPoseForces *f)
+void yk_pose_forces_follow(YkPoseForces *f)
 {
+    if (!f->mech->variant || f->changes == f->mech->variant->changes) return;
+    f->changes = f->mech->variant->changes;
     if (f->lanes) yk_lane_forces_redesign(f->lanes);
     f->is_stale = true;
 }
@@ -91,7 +93,7 @@ static void run_lane(YkPoseForces *f, const YkState *state, double *const *outpu
     for (size_t k = 0; k < f->mech->coordinate_count; k++)
         if (f->position[k]) f->position[k][0] = yk_state_coordinate(state, k).position;
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + pose;
-    YkLanePose at = {&state->space, f->input, state->time, (const double *const *)f->position, NULL};
+    YkLanePose at = {&state->space, f->input, state->time, NULL, (const double *const *)f->position, NULL};
     yk_lane_forces_run(f->lanes, &at, f->out, 1);
 }
 
@@ -124,6 +126,7 @@ static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outp
 YkStatus yk_pose_forces_at(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
 {
     YkStatus status = YK_OK;
+    yk_pose_forces_follow(f);
     if (f->lanes && state->has_rates) {
         run_lane(f, state, outputs, pose);
         if (is_finite(f, outputs, pose)) return YK_OK;

@@ -8,13 +8,13 @@
 
 typedef struct YkPoseForces {
     const YkMechanism *mech;
-    const YkVariant *variant; // NULL: the model keeps its values
-    YkChannel *channels;      // those that need forces,
-    size_t *place;            // and their places among the caller's
+    YkChannel *channels; // those that need forces,
+    size_t *place;       // and their places among the caller's
     size_t count;
     YkLaneForces *lanes;  // NULL: the machine is not for lanes
     YkDynamics *dynamics; // made when a pose needs it
     bool is_stale;        // dynamics is that of another design
+    uint64_t changes;     // of the variant, when its values were taken
     double **position;    // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
     double **out;   // [k]: of the channels that need forces
@@ -26,11 +26,11 @@ typedef struct YkPoseForces {
 
 // Makes the forces for those of the channels that need some; *none is true if no channel does. lanes: how many at a
 // time. Returns NULL when out of memory, or for none.
-YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkVariant *variant, const YkChannel *channels,
-                                 size_t channel_count, size_t lanes, bool *none);
+YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
+                                 bool *none);
 void yk_pose_forces_free(YkPoseForces *forces);
-// Takes the present values of the variant's parameters.
-void yk_pose_forces_redesign(YkPoseForces *forces);
+// Takes the present values of the parameters, if the mechanism is a variant's and they have changed.
+void yk_pose_forces_follow(YkPoseForces *forces);
 // Finds the forces at the pose of a solved state: outputs[channel][pose] of the caller's channels, 0 if the status is
 // not YK_OK. Returns YK_OK; YK_SINGULAR at a dead point; or that of yk_dynamics_solve. The bits are those of a lane.
 YkStatus yk_pose_forces_at(YkPoseForces *forces, YkState *state, double *const *outputs, size_t pose);

@@ -225,7 +225,8 @@ struct YkMechanism {
     YkRelationSource *sources;
     size_t source_count, source_capacity, reference_count;
     int gruebler;
-    struct YkRecipe *recipe; // only while compiling for a variant; otherwise NULL
+    struct YkRecipe *recipe;         // only while compiling for a variant; otherwise NULL
+    const struct YkVariant *variant; // whose mechanism it is, or NULL
 };
 
 // Returns the angle of any joint.

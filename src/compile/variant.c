@@ -181,6 +181,7 @@ static bool make(YkVariant *v, const YkMechanism *mech, const char *const *names
     if (!v->mech && !v->failed && yk_redesign_set(v->redesign, own) == YK_OK) v->mech = compile(v, mech, problems);
     if (v->mech) {
         v->mech->recipe = NULL;
+        v->mech->variant = v;
         list_patches(v);
         list_active(v);
         if (!v->failed) yk_variant_set(v, own);
@@ -266,6 +267,7 @@ static void set_size(YkMechanism *mech, double size)
 
 YkStatus yk_variant_set(YkVariant *v, const double *values)
 {
+    v->changes++;
     YkStatus status = yk_redesign_set(v->redesign, values);
     if (status < 0) return status;
     set_size(v->mech, v->mech->model->size);

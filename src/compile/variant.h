@@ -21,6 +21,7 @@ struct YkVariant {
     // Values beside the file's make another machine: it is compiled at the file's own values, and terms that are 0 or
     // cancel there stay so.
     bool is_of_file;
+    uint64_t changes; // how often values were set
     bool failed;
 };
 

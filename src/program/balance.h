@@ -23,6 +23,7 @@ typedef struct YkBalanceSystem {
     YkRef *system;    // [n][n + sides]
     YkRef *solution;  // [n][sides], once it is solved
     YkRefVec *radial; // [sides]: what a gear's radial force is on its second wheel
+    bool ran_out;     // of memory, where making or solving it failed
 } YkBalanceSystem;
 
 // reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns

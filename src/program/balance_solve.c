@@ -165,7 +165,7 @@ static void solve_two(const Solver *s, const size_t *rows, const size_t *columns
     YkRefVec first = {*entry(s, rows[0], columns[0]), *entry(s, rows[1], columns[0])};
     YkRefVec second = {*entry(s, rows[0], columns[1]), *entry(s, rows[1], columns[1])};
     YkRef determinant = yk_graph_cross(g, first, second), per = yk_graph_inverse(g, determinant);
-    YkRef lengths = yk_graph_multiply(g, length(g, first), length(g, second));
+    YkRef first_length = length(g, first), lengths = yk_graph_multiply(g, first_length, length(g, second));
     for (size_t side = 0; side < s->w->sides; side++) {
         YkRefVec b = {right[2 * side], right[2 * side + 1]};
         YkRef *solution = s->w->solution + side;
@@ -279,10 +279,12 @@ static bool run(Solver *s)
 bool yk_balance_solve(YkBalanceSystem *w)
 {
     YkArena *arena = yk_arena_new();
+    w->ran_out = !arena;
     if (!arena) return false;
     w->f->determinant = 0;
     bool solved =
         run(&(Solver){.w = w, .g = &w->f->program->graph, .arena = arena, .n = w->n, .stride = w->n + w->sides});
+    w->ran_out = yk_arena_failed(arena) || w->f->program->graph.failed || yk_arena_failed(w->f->program->arena);
     yk_arena_free(arena);
     return solved;
 }

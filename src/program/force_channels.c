@@ -68,8 +68,9 @@ static YkRef kinetic(YkBalanceSystem *w)
         if (!p->model->bodies[b].has_mass) continue;
         YkRefVec v = yk_program_at_rate(p, (int32_t)b, yk_forces_center(p, (int32_t)b), &w->velocities);
         YkRef spin = w->velocities.turn[p->mech->bodies[b].orientation], mass = yk_forces_mass(p, (int32_t)b);
-        YkRef turning = yk_graph_multiply(g, yk_forces_inertia(p, (int32_t)b), yk_graph_multiply(g, spin, spin));
-        YkRef moving = yk_graph_multiply(g, mass, yk_graph_dot(g, v, v));
+        YkRef inertia = yk_forces_inertia(p, (int32_t)b), square = yk_graph_multiply(g, spin, spin);
+        YkRef turning = yk_graph_multiply(g, inertia, square),
+              moving = yk_graph_multiply(g, mass, yk_graph_dot(g, v, v));
         twice = yk_graph_add(g, twice, yk_graph_add(g, moving, turning));
     }
     return yk_graph_multiply(g, yk_graph_number(g, 0.5), twice);

@@ -94,8 +94,8 @@ static void push_along(YkForces *f, int32_t joint, bool is_distance, YkRef effor
         return;
     }
     YkRefVec force = yk_graph_vec_scale(g, effort, yk_forces_line(p, j));
-    YkRefVec arm =
-        yk_graph_vec_add(g, yk_forces_arm(p, from, yk_program_point(p, first->point[0])), way_along(p, first));
+    YkRefVec arm = yk_forces_arm(p, from, yk_program_point(p, first->point[0]));
+    arm = yk_graph_vec_add(g, arm, way_along(p, first));
     if (first != last) arm = yk_graph_vec_add(g, arm, way_along(p, last)); // past a free joint's carriage
     push(f, on, yk_forces_arm(p, on, yk_program_point(p, last->point[1])), force);
     push(f, from, arm, yk_graph_vec_scale(g, yk_graph_number(g, -1), force));

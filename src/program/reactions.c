@@ -183,6 +183,7 @@ void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
     YkBalanceSystem w;
     bool made = yk_balance_make(&w, f, r, s, yk_program_size(f->program));
     if (made && !yk_balance_solve(&w)) {
+        f->program->failed |= w.ran_out;
         f->why_no_reactions = "constraints repeat others, so that they are not determined";
         return;
     }

@@ -20,8 +20,9 @@ YkDynamics *yk_simulation_dynamics(YkSimulation *sim)
     if (sim->has_forces) return d;
     for (size_t k = 0; k < sim->free_count; k++)
         d->acceleration[sim->free_input[k]] = sim->state->input[3 * sim->free_input[k] + 2];
-    yk_dynamics_apply(d, sim->state);
+    YkStatus status = yk_dynamics_apply(d, sim->state);
     sim->has_forces = true;
+    sim->forces_are_known = status >= 0 && status != YK_SINGULAR;
     return d;
 }
 
@@ -54,7 +55,8 @@ double yk_simulation_channel(YkSimulation *sim, YkChannel channel)
         return (channel.kind != YK_CHANNEL_POTENTIAL ? e.kinetic : 0) +
                (channel.kind != YK_CHANNEL_KINETIC ? e.potential : 0);
     }
-    return yk_dynamics_channel(yk_simulation_dynamics(sim), sim->state, channel);
+    const YkDynamics *dynamics = yk_simulation_dynamics(sim);
+    return sim->forces_are_known ? yk_dynamics_channel(dynamics, sim->state, channel) : (double)NAN;
 }
 
 size_t yk_simulation_happening_count(const YkSimulation *sim)

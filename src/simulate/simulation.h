@@ -69,6 +69,7 @@ struct YkSimulation {
     double time;
     bool has_drives, is_lean; // lean: an open tree with nothing to watch between rows
     bool has_forces;          // the dynamics' forces are those of `time`
+    bool forces_are_known;    // false at a dead point or change point
     // Singular positions:
     YkNear *near, *near_next, *near_memory;
     size_t near_count;

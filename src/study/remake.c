@@ -187,7 +187,8 @@ static YkStatus make(const YkRemake *r, const double *values, Made *m)
     YkStatus status = make_state(m, r->start, &m->base_mech, &m->base);
     if (status < 0) return status;
     m->mech = compile_as(m, r->state->mech);
-    m->state = m->mech ? yk_state_new(m->mech) : NULL;
+    if (!m->mech) return yk_problems_ran_out(m->problems) ? YK_NO_MEMORY : YK_BAD_MODEL;
+    m->state = yk_state_new(m->mech);
     if (!m->state) return YK_NO_MEMORY;
     return is_alike(m->mech, r->state->mech) ? yk_state_adopt(m->state, m->base) : YK_BAD_MODEL;
 }
@@ -213,7 +214,7 @@ static YkStatus solve(YkWorker *w, const YkJob *job, const Made *m, size_t desig
         .channels = study->channels, .channel_count = study->channel_count, .threads = 1, .progress = m->progress};
     YkStudy *one = yk_study_new(m->state, &options, NULL);
     if (!one) return YK_NO_MEMORY;
-    YkStudyCase asked = {.design_count = 1, .inputs = w->inputs, .pose_count = n};
+    YkStudyCase asked = {.design_count = 1, .inputs = w->inputs, .pose_count = n, .times = w->times};
     YkStatus status;
     if (job->extents) {
         signed char worst = YK_OK;
@@ -244,7 +245,7 @@ YkStatus yk_remake_design(YkWorker *w, const YkJob *job, size_t design)
     bool is_made = status >= 0;
     if (is_made) status = solve(w, job, &m, design);
     if (w->pace.is_stopped) status = YK_STOPPED;
-    if (!is_made || status == YK_STOPPED) leave_out(w, job, design, status);
+    if (!is_made || status == YK_STOPPED || status == YK_NO_MEMORY) leave_out(w, job, design, status);
     for (size_t c = 0; job->extents && c < w->study->channel_count; c++)
         job->extents[c * job->asked->design_count + design] = w->extent[c];
     if (job->extents && job->status) job->status[design] = (signed char)status;

@@ -40,11 +40,11 @@ static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, cons
     if (!make_room(w, options->parameter_count, options->channel_count)) return false;
     if (!yk_worker_start(w, state, options, problems)) return false;
     bool none, is_followed = yk_batch_can_follow(w->mech, options->channels, options->channel_count);
-    if (is_followed) w->batch = yk_batch_new_along(w->home, w->variant, options->channels, options->channel_count);
+    if (is_followed) w->batch = yk_batch_new_along(w->home, options->channels, options->channel_count);
     if (is_followed && (!w->batch || !yk_batch_has_slow_forces(w->batch))) return w->batch != NULL;
     yk_batch_free(w->batch); // every pose needs the state
     w->batch = NULL;
-    w->forces = yk_pose_forces_new(w->mech, w->variant, options->channels, options->channel_count, 1, &none);
+    w->forces = yk_pose_forces_new(w->mech, options->channels, options->channel_count, 1, &none);
     return w->forces || none;
 }
 
@@ -214,8 +214,6 @@ YkStatus yk_worker_set(YkWorker *w, const double *values)
     if (!yk_pace_spend(&w->pace, steps * NUMBERS)) return YK_STOPPED;
     YkStatus status = yk_variant_set(w->variant, values);
     if (status >= 0) status = yk_worker_begin(w, values);
-    if (status >= 0 && w->batch) yk_batch_redesign(w->batch);
-    if (status >= 0 && w->forces) yk_pose_forces_redesign(w->forces);
     return status;
 }
 
@@ -224,6 +222,7 @@ static void point_inputs(YkWorker *w, const YkStudyCase *asked, size_t design, s
     size_t at = from + (asked->inputs_per_design ? design * asked->pose_count : 0);
     for (size_t i = 0; i < 3 * w->mech->input_count; i++)
         w->inputs[i] = asked->inputs && asked->inputs[i] ? asked->inputs[i] + at : NULL;
+    w->times = asked->times ? asked->times + from : NULL;
 }
 
 static void take_values(YkWorker *w, const YkStudyCase *asked, size_t design)

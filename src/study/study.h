@@ -51,7 +51,7 @@ typedef struct YkWorker {
     YkVariant *variant;
     const YkMechanism *mech;
     YkState *home;         // the file's pose
-    YkState *begun;        // the pose in which the design was assembled; valid only with is_placed
+    YkState *begun;        // the pose in which the design was assembled; valid once the design is set
     YkState *state, *kept; // the design's pose; the last one reached
     YkStatus home_status;
     YkBatch *batch; // lanes along the way; NULL: pose by pose
@@ -67,11 +67,13 @@ typedef struct YkWorker {
     double *lane_output;  // [channel][YK_STUDY_BLOCK]: their results,
     ptrdiff_t *lane_pose; // [YK_STUDY_BLOCK]: and the pose of each lane, or -1
     bool lane_is_pose[YK_STUDY_BLOCK];
+    double lane_time[YK_STUDY_BLOCK];
     const double **row;    // [3 * input + k]: what the batch reads,
     double **row_output;   // [channel]: and writes
     double *value;         // [parameter]
     bool is_fine;          // the poses of the job lie close together
     const double **inputs; // [3 * input + k]
+    const double *times;   // [pose], or NULL
     double **outputs;      // [channel]
     YkExtent *extent;      // [channel]
     size_t *count;         // [channel] poses in it

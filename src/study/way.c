@@ -13,6 +13,11 @@ static double input_at(const YkWorker *w, size_t input, size_t pose)
     return w->inputs[input] ? w->inputs[input][pose] : w->home->input[input];
 }
 
+static double time_at(const YkWorker *w, size_t pose)
+{
+    return w->times ? w->times[pose] : w->home->time;
+}
+
 // --- by lanes
 
 // Returns how many lanes it takes from the last lane to a pose.
@@ -48,7 +53,9 @@ static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
     if (!yk_pace_spend(&w->pace, n * lane_work(w))) return false;
     for (size_t i = 0; i < inputs; i++) w->row[i] = w->lane + i * YK_STUDY_BLOCK;
     for (size_t c = 0; c < channels; c++) w->row_output[c] = w->lane_output + c * YK_STUDY_BLOCK;
-    size_t clear = n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, w->lane_is_pose, n) : 0;
+    size_t clear =
+        n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, (YkAlong){w->lane_is_pose, w->lane_time}, n)
+              : 0;
     for (size_t k = 0; k < clear; k++) {
         if (w->lane_pose[k] < 0) continue;
         size_t pose = (size_t)w->lane_pose[k];
@@ -73,6 +80,7 @@ static void put_lane(YkWorker *w, size_t *put, size_t pose, double part)
     }
     w->lane_pose[k] = part == 1 ? (ptrdiff_t)pose : -1;
     w->lane_is_pose[k] = part == 1;
+    w->lane_time[k] = time_at(w, pose);
 }
 
 static bool is_there(const YkWorker *w, const double *from, size_t pose)
@@ -135,8 +143,8 @@ static bool run_slice(YkWorker *w, Answers *a)
     if (!yk_pace_spend(&w->pace, count * lane_work(w))) return false;
     for (size_t i = 0; i < inputs; i++) w->row[i] = w->inputs[i] ? w->inputs[i] + pose : NULL;
     for (size_t c = 0; c < w->study->channel_count; c++) w->row_output[c] = a->outputs[c] + pose;
-    size_t clear =
-        yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL, NULL, count);
+    size_t clear = yk_batch_run_along(w->batch, w->row, w->row_output, a->status ? a->status + pose : NULL,
+                                      (YkAlong){NULL, w->times ? w->times + pose : NULL}, count);
     a->done += clear;
     w->way.lanes += clear;
     if (clear > 0) end_at(w, a->done - 1);
@@ -241,6 +249,7 @@ static YkStatus move(YkWorker *w, size_t pose)
 static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const *outputs)
 {
     YkPoseForces *forces = w->batch ? yk_batch_forces(w->batch) : w->forces;
+    w->state->time = time_at(w, pose);
     for (size_t c = 0; c < w->study->channel_count; c++) {
         YkChannel channel = w->study->channels[c];
         bool has_value = status >= 0 && !yk_channel_needs_forces(channel);

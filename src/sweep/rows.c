@@ -1,4 +1,5 @@
 // The rows: the channels at the requested poses. A row exactly on a change point gets the limits of its rates.
+#include "dynamics/dynamics.h"
 #include "sweep/sweep.h"
 
 static bool wants_forces(const YkSweep *w)
@@ -54,6 +55,14 @@ static size_t drop_singular(YkSweep *w, double at)
     return kept;
 }
 
+// Forces may be without bound at a change point, though efforts are not: then nearer to it they are larger than at all
+// poses from which a limit was made. Returns whether a channel of forces is so.
+static bool is_unbounded(const YkSweep *w, size_t c)
+{
+    double noise = 1e-9 * w->options.dynamics->largest_force;
+    return yk_channel_needs_forces(w->channels[c]) && fabs(w->beside[c]) > 4 * w->largest[c] + noise;
+}
+
 // Fills a row exactly on a change point. J is singular there, but the motion is smooth through it, so the rates are the
 // limits from both sides: interpolated from four poses on each side (Lagrange, error O(h^8)). The touching blocks have
 // the other sign on the near side.
@@ -63,7 +72,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
     YkState *s = w->walk.path.state;
     double at = w->at[row], h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums, *beside = w->beside;
     bool ok = true;
-    for (size_t c = 0; c < w->channel_count; c++) sums[c] = 0;
+    for (size_t c = 0; c < w->channel_count; c++) sums[c] = w->largest[c] = 0;
     for (int side = 1; side >= -1; side -= 2) {
         for (int k = 1; k <= SIDE; k++) {
             double weight = 0.5;
@@ -71,12 +80,19 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
                 if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
             ok = ok && yk_path_probe(&w->walk.path, at + side * k * h, false) >= 0;
             if (ok) yk_sweep_read_channels(w, beside);
-            for (size_t c = 0; ok && c < w->channel_count; c++) sums[c] += weight * beside[c];
+            for (size_t c = 0; ok && c < w->channel_count; c++) {
+                sums[c] += weight * beside[c];
+                w->largest[c] = fmax(w->largest[c], fabs(beside[c]));
+            }
         }
         for (size_t k = 0; k < w->walk.margin_count; k++) // to the near side, and back
             if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN)
                 s->branch[k] = (signed char)-s->branch[k];
     }
+    bool has_nearer = ok && wants_forces(w) && yk_path_probe(&w->walk.path, at + h / 8, false) >= 0;
+    if (has_nearer) yk_sweep_read_channels(w, beside);
+    for (size_t c = 0; has_nearer && c < w->channel_count; c++)
+        if (is_unbounded(w, c)) sums[c] = (double)NAN;
     yk_path_probe(&w->walk.path, at + h, true); // from the side of its present signs
     yk_path_probe(&w->walk.path, at, true);
     if (!ok) return;

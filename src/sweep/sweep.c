@@ -76,8 +76,10 @@ static bool allocate(YkSweep *w)
     w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
     w->sums = calloc(w->channel_count + 1, sizeof *w->sums);
     w->beside = calloc(w->channel_count + 1, sizeof *w->beside);
+    w->largest = calloc(w->channel_count + 1, sizeof *w->largest);
     w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->at && w->values && w->row_status && w->slope && w->slope_at && w->sums && w->beside && w->channels;
+    return w->at && w->values && w->row_status && w->slope && w->slope_at && w->sums && w->beside && w->largest &&
+           w->channels;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -138,6 +140,7 @@ void yk_sweep_free(YkSweep *w)
     free(w->slope_at);
     free(w->sums);
     free(w->beside);
+    free(w->largest);
     free(w->event_values);
     free(w->channels);
     free(w);

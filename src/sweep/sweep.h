@@ -14,6 +14,7 @@ struct YkSweep {
     signed char *row_status;
     double *slope, *slope_at; // per channel: last nonzero derivative along the path, and where
     double *sums, *beside;    // per channel: scratch
+    double *largest;          // [channel]: about a change point
     double *event_values;     // per event and channel
     size_t events_read, event_capacity;
     double worst_residual;

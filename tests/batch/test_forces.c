@@ -118,7 +118,7 @@ static void check_alone(YkBatch *batch, const double *const *in, size_t input_co
 static bool is_for_lanes(const Machine *m)
 {
     bool fits;
-    YkLaneForces *lanes = yk_lane_forces_new(m->mech, NULL, channels, channel_count, 8, &fits);
+    YkLaneForces *lanes = yk_lane_forces_new(m->mech, channels, channel_count, 8, &fits);
     bool is = lanes != NULL;
     yk_lane_forces_free(lanes);
     return is;

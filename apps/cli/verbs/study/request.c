@@ -140,8 +140,10 @@ static bool read_poses(YkStudyAnswer *answer, size_t steps)
     answer->pose_count = n;
     answer->input = calloc(3 * inputs * n + 1, sizeof *answer->input);
     answer->input_row = calloc(3 * inputs + 1, sizeof *answer->input_row);
+    bool is_time = answer->over.name && answer->over.coordinate < 0;
+    if (is_time) answer->times = calloc(n, sizeof *answer->times);
     YkState *state = yk_session_new_state(session, session->mech);
-    bool good = answer->input && answer->input_row && state;
+    bool good = answer->input && answer->input_row && state && (!is_time || answer->times);
     if (!good) {
         yk_state_free(state);
         return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
@@ -149,10 +151,10 @@ static bool read_poses(YkStudyAnswer *answer, size_t steps)
     yk_state_copy(state, session->state);
     yk_session_hold(session, state);
     const YkOver *over = &answer->over;
-    bool is_time = over->name && over->coordinate < 0;
     for (size_t i = 0; i < 3 * inputs; i++) answer->input_row[i] = answer->input + i * n;
     for (size_t k = 0; good && k < n; k++) {
         double at = k == steps ? over->to : over->from + (over->to - over->from) * (double)k / (double)steps;
+        if (is_time) answer->times[k] = at;
         if (k == 0 || is_time) good = yk_state_set_time(state, is_time ? at : session->time, session->problems) >= 0;
         for (size_t i = 0; good && i < inputs; i++) {
             YkMotion m = yk_state_input(state, i);
@@ -228,7 +230,10 @@ static bool make_study(YkStudyAnswer *answer)
                               .threads = answer->threads,
                               .start = answer->start,
                               .progress = yk_stop_progress(session)};
-    if (channels && names && problems) answer->study = yk_study_new(session->state, &options, problems);
+    answer->timed = yk_state_new(session->mech);
+    bool good = channels && names && problems && answer->timed && yk_state_copy(answer->timed, session->state) >= 0 &&
+                yk_state_set_time(answer->timed, session->time, session->problems) >= 0;
+    if (good) answer->study = yk_study_new(answer->timed, &options, problems);
     yk_tell_problems(session, problems);
     session->is_told |= problems && !answer->study;
     yk_problems_free(problems);

@@ -65,9 +65,9 @@ static void add_moments(const YkStudyAnswer *a)
 static void add_sensitivities(const YkStudyAnswer *a, size_t column)
 {
     YkText *out = &a->session->out;
-    const char *unit = yk_unit_of(a->session, a->columns[column].channel.quantity);
-    double size = 1;
-    yk_model_unit(a->session->model, a->columns[column].channel.quantity, &size);
+    YkQuantity quantity = a->columns[column].channel.quantity;
+    const char *unit = yk_unit_of(a->session, quantity);
+    double size = 1 / yk_shown(a->session, 1, quantity); // SI, of the unit that is shown
     YkTable *table = yk_table_new(5);
     yk_table_head(table, "parameter", NULL);
     yk_table_head(table, "derivative", NULL);

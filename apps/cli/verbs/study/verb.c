@@ -55,8 +55,10 @@ static void fill_row(YkStudyAnswer *a, const Chunk *chunk, size_t k, size_t coun
     row[a->axis_count] = status;
     row[a->axis_count + 1] = (double)standing;
     for (size_t c = 0; c < a->column_count; c++) {
-        bool is_rate = a->columns[c].channel.order > 0 || a->columns[c].channel.kind == YK_CHANNEL_POINT_SPEED;
-        bool stands = standing > 0 && !(status == YK_SINGULAR && is_rate && !a->over.name);
+        YkChannel channel = a->columns[c].channel;
+        bool is_lost = // at a dead point
+            channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(channel);
+        bool stands = standing > 0 && !(status == YK_SINGULAR && is_lost && !a->over.name);
         YkExtent e = chunk->extents[c * count + k];
         if (a->over.name) {
             const double value[YK_REDUCTIONS] = {e.least, e.largest, e.mean, e.largest - e.least};
@@ -75,7 +77,7 @@ static YkStatus run_chunk(YkStudyAnswer *a, Chunk *chunk, size_t from, size_t co
         yk_study_parameters(a, from + k, row);
         for (size_t p = 0; p < a->axis_count; p++) ((double *)(uintptr_t)chunk->rows[p])[k] = row[p];
     }
-    YkStudyCase asked = {chunk->rows, count, a->input_row, a->pose_count, false};
+    YkStudyCase asked = {chunk->rows, count, a->input_row, a->pose_count, false, a->times};
     YkStatus worst = a->over.name ? yk_study_reduce(a->study, &asked, chunk->extents, chunk->status, chunk->standing)
                                   : yk_study_run(a->study, &asked, chunk->outputs, chunk->status);
     if (worst == YK_STOPPED) return worst;
@@ -196,6 +198,8 @@ int yk_run_study(YkSession *session)
         exit_code = yk_status_exit(a->start_status);
     yk_study_free(a->study);
     yk_state_free(a->start);
+    yk_state_free(a->timed);
+    free(a->times);
     yk_tolerances_free(a->tolerances);
     free(a->axes);
     free(a->columns);
