@@ -197,6 +197,15 @@ static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bo
     if (*ok) yk_simulation_note(sim, YK_HAPPENING_CROSSING, t, watch->name, watch->level);
 }
 
+// Returns whether drives move the machine now: it then has kinetic energy where its one free coordinate merely turns
+// back.
+static bool is_driven(const YkSimulation *sim)
+{
+    for (size_t i = 0; i < sim->mech->input_count; i++)
+        if (!sim->dynamics->is_free[i] && sim->state->input[3 * i + 1] != 0) return true;
+    return false;
+}
+
 // Takes a machine with one freedom past a dead point of its starting coordinate, where that one reverses while the rest
 // continues. The state is at the end of the last step; returns whether it was moved.
 bool yk_simulation_look_dead(YkSimulation *sim)
@@ -212,7 +221,7 @@ bool yk_simulation_look_dead(YkSimulation *sim)
     e.way = now > 0 ? 1 : -1;
     double t = locate(&e, yk_ode_previous(sim->ode), e.way * last, end, e.way * now, &ok);
     double kinetic = ok && visit(sim, t, false) ? yk_dynamics_energy_at(sim->dynamics, sim->state).kinetic : 0;
-    if (kinetic > 1e-9 * sim->kinetic_high)
+    if (kinetic > 1e-9 * sim->kinetic_high && !is_driven(sim))
         yk_simulation_note(sim, YK_HAPPENING_DEAD_POINT, t, sim->mech->coordinates[sim->first].name, 0);
     return true;
 }
