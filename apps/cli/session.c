@@ -33,9 +33,7 @@ const YkMotion *yk_session_bodies(YkSession *session, const YkState *state)
 
 bool yk_ran_out(const YkProblems *problems)
 {
-    for (size_t k = 0; problems && k < yk_problems_count(problems); k++)
-        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) return true;
-    return !problems || yk_problems_count(problems) == 0;
+    return !problems || yk_problems_count(problems) == 0 || yk_problems_ran_out(problems);
 }
 
 static bool run_out(YkSession *session)

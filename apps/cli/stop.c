@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -66,11 +67,15 @@ double yk_stop_now(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-bool yk_stop_shows_progress(const YkSession *session)
+bool yk_is_at_terminal(void)
 {
     const char *terminal = getenv("TERM");
-    bool is_dumb = terminal && terminal[0] == 'd' && terminal[1] == 'u';
-    return isatty(STDERR_FILENO) && !session->request->quiet && !is_dumb;
+    return isatty(STDERR_FILENO) && !(terminal && strcmp(terminal, "dumb") == 0);
+}
+
+bool yk_stop_shows_progress(const YkSession *session)
+{
+    return !session->request->quiet && yk_is_at_terminal();
 }
 
 void yk_stop_clear_line(void)

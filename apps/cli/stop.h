@@ -20,7 +20,9 @@ int yk_stop_exit(void);
 YkProgress yk_stop_progress(const YkSession *session);
 // Removes the line of progress.
 void yk_stop_clear_line(void);
-// Return whether progress may be shown; and the clock for it, s.
+// Return whether standard error is a terminal that can move its cursor; whether progress may be shown; and the
+// clock for it, s.
+bool yk_is_at_terminal(void);
 bool yk_stop_shows_progress(const YkSession *session);
 double yk_stop_now(void);
 

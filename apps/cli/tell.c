@@ -1,21 +1,19 @@
 // Problems on standard error.
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 #include "stop.h"
 
 // Colours are for people: on a terminal, unless the user asked for none (https://no-color.org).
 static int wants_colour(void)
 {
-    const char *none = getenv("NO_COLOR"), *terminal = getenv("TERM");
-    return isatty(STDERR_FILENO) && !(none && *none) && !(terminal && strcmp(terminal, "dumb") == 0);
+    const char *none = getenv("NO_COLOR");
+    return yk_is_at_terminal() && !(none && *none);
 }
 
 const char *yk_words_of_problems(const YkSession *session, YkProblems *problems)
 {
     bool has_errors = yk_problems_error_count(problems) > 0;
-    if (!session->keeps_what_is_done && yk_stop_is_due()) return ""; // main says so, and there is no more to say
+    if (!session->keeps_what_is_done && yk_stop_is_due()) return ""; // main reports the stop
     yk_stop_clear_line();
     if (yk_problems_count(problems) == 0 || (session->request->quiet && !has_errors)) return "";
     return yk_problems_text(problems, wants_colour());

@@ -25,8 +25,8 @@ YK_API void yk_batch_free(YkBatch *batch);
 // The arrays must not overlap. Returns the worst status. The results have the bits of yk_state_solve; a force has the
 // same bits in any batch, and is that of yk_dynamics_solve up to rounding. Allocates nothing, except for forces of
 // machines with dry friction, redundant constraints or more than 64 bodies, which are solved pose by pose; use one
-// batch per thread. It asks nobody on the way: a pose takes some 10 ns a link, and calls of some thousand poses each
-// give the same bits.
+// batch per thread. It has no progress callback: a pose takes about 10 ns a link, and the poses may be split over several
+// calls without changing a bit.
 YK_API YkStatus yk_batch_run(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
                              size_t count);
 

@@ -17,7 +17,7 @@ typedef struct YkCSourceOptions {
     const char *const *inputs; // coordinates that are inputs, by name, before the file's drives
     size_t input_count;
     const YkState *pose; // gives the configuration in which the machine begins; NULL: assembled as `start:` says
-    YkProgress progress; // watches the printing; {NULL}: nobody
+    YkProgress progress; // watches the printing; {NULL}: not watched
 } YkCSourceOptions;
 YK_API YkCSourceOptions yk_default_c_source_options(void);
 

@@ -16,7 +16,7 @@ typedef struct YkCompileOptions {
     // Coordinates that the caller sets (`--at`, the coordinate of a sweep), by name; they precede the file's drives.
     const char *const *inputs;
     size_t input_count;
-    YkProgress progress; // watches the compilation; {NULL}: nobody
+    YkProgress progress; // watches the compilation; {NULL}: not watched
 } YkCompileOptions;
 
 YK_API YkCompileOptions yk_default_compile_options(void);

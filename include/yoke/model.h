@@ -22,7 +22,7 @@ typedef struct YkLoadOptions {
     const YkOverride *parameters;
     size_t parameter_count;
     const char *lock; // entry of `locks:` that is engaged: holds its bodies and coordinates from the start; NULL: none
-    YkProgress progress; // watches the loading; {NULL}: nobody
+    YkProgress progress; // watches the loading; {NULL}: not watched
 } YkLoadOptions;
 
 YK_API YkLoadOptions yk_default_load_options(void);

@@ -32,8 +32,8 @@ extern "C" {
 
 typedef struct YkProgress {
     // Takes the part of the call that is done, in [0, 1], which never decreases during a call and stays where it is
-    // while nobody knows how much is left. Returns false to end the call. It must not use the objects that the call
-    // works on. NULL: nobody is asked.
+    // while the remaining work is unknown. Returns false to end the call. It must not use the objects that the call
+    // works on. NULL: the call is not watched.
     bool (*goes_on)(void *context, double part);
     void *context;
 } YkProgress;

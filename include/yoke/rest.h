@@ -15,7 +15,7 @@ typedef struct YkRestOptions {
     double time;                     // s, at which drives and loads are evaluated
     const YkState *pose; // where the search starts, of the same machine; must outlive the answer. NULL: assembled
                          // as `start:` says
-    YkProgress progress; // watches yk_rest_find, and yk_rest_reach later on; {NULL}: nobody
+    YkProgress progress; // watches yk_rest_find, and yk_rest_reach later on; {NULL}: not watched
 } YkRestOptions;
 YK_API YkRestOptions yk_default_rest_options(void);
 

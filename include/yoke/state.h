@@ -27,7 +27,7 @@ YK_API const YkMechanism *yk_state_mechanism(const YkState *state);
 YK_API YkStatus yk_state_copy(YkState *to, const YkState *from); // both of the same mechanism; allocates nothing
 // Lets `progress` watch the long calls on this state from now on (<yoke/progress.h>): assembling, visiting all
 // configurations, moves, carrying, sweeps, closing ranges, dragging, reports. One that is stopped returns YK_STOPPED
-// and leaves the state as it stood before the call. A single solution (yk_state_solve) is short and asks nobody. A copy
+// and leaves the state as it stood before the call. A single solution (yk_state_solve) is short and is not watched. A copy
 // of the state is not watched. Returns YK_OK, or YK_NO_MEMORY.
 YK_API YkStatus yk_state_set_progress(YkState *state, YkProgress progress);
 

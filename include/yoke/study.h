@@ -22,7 +22,7 @@ typedef struct YkStudyOptions {
     // compiled with them, at whose inputs each design starts. NULL: the state itself. Its mechanism must outlive the
     // study.
     const YkState *start;
-    // Watches yk_study_new and every later call on the study; {NULL}: nobody. It is asked on the thread that makes the
+    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is asked on the thread that makes the
     // call, whatever the number of threads, with the part of the designs (or parameters) that is done.
     YkProgress progress;
 } YkStudyOptions;
@@ -97,7 +97,7 @@ typedef struct YkMotionCase {
 // Solves accelerations[input][state]. status[state] (may be NULL): YK_OK; YK_BAD_MODEL if the values make no valid
 // machine; YK_SINGULAR if a freedom has no inertia; or that of yk_dynamics_accelerate. Accelerations are 0 if the
 // status is not YK_OK. Returns the worst status; YK_BAD_ARGUMENT for efforts where they cannot be given. The bits are
-// the same for any number of threads. It asks nobody on the way: calls of some thousand states each give the same bits.
+// the same for any number of threads. It has no progress callback; the states may be split over several calls.
 YK_API YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *asked, double *const *accelerations,
                                     signed char *status);
 

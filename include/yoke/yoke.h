@@ -7,7 +7,7 @@
 // - Whoever calls yk_x_new (or _load, _compile, _run) frees the result with yk_x_free, which takes NULL. A `const char
 // *` belongs to the object that it was asked of and lives as long, unless its function says otherwise. - A YkStatus
 // below 0 is a failure. A constructor that fails returns NULL and adds a problem that says why. - Indices are size_t
-// and count from 0. A search by name answers YK_NOT_FOUND where there is no such thing. A member of a struct that may
+// and count from 0. A search by name returns YK_NOT_FOUND if the name is unknown. A member of a struct that may
 // have no index is an int, and then -1.
 // - Options come from yk_default_x_options() and are changed from there; NULL in their place means the defaults.
 // - Enumerators begin with the name of their type; only the statuses (YK_OK, YK_LIMIT, ...) stand alone.

@@ -1,8 +1,8 @@
 // Paces long work: counts it, and asks the caller after every slice whether to go on (<yoke/progress.h>).
 //
-// A pace is made by the call that the user made, on its stack or in the object that it works on, and everything that
-// works for that call counts in it through a pointer; NULL: nobody asks. Once stopped it stays so: whoever is told
-// false gives up, and the call that made the pace answers YK_STOPPED whatever came out.
+// The public call creates the pace, on its stack or in the object it works on. Everything that runs on its behalf counts
+// in it through a pointer, which is NULL if the caller is not watching. A stopped pace stays stopped: code that is told
+// false gives up, and the public call returns YK_STOPPED whatever its parts returned.
 #ifndef BASE_PACE_H
 #define BASE_PACE_H
 #include <stdbool.h>

@@ -146,7 +146,7 @@ static YkStatus run_poses(YkBatch *b, const double *const *inputs, double *const
     for (size_t pose = 0; pose < count; pose++) {
         YkStatus one = run_one(b, inputs, outputs, pose);
         if (status) status[pose] = (signed char)one;
-        worst = yk_batch_worse(worst, one);
+        worst = yk_worse(worst, one);
     }
     return worst;
 }
@@ -189,7 +189,7 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     for (size_t k = 0; k < b->channel_count; k++) yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
     if (here != YK_OK) yk_batch_write_settled(b, outputs, at, run->lanes);
     if (!b->forces || b->is_along) return here;
-    return yk_batch_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
+    return yk_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
 }
 
 static YkRun run_of(const YkBatch *b)
@@ -206,7 +206,7 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
     YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        worst = yk_batch_worse(worst, run_lanes(b, &run, inputs, outputs, status, (YkAlong){NULL, NULL}, at));
+        worst = yk_worse(worst, run_lanes(b, &run, inputs, outputs, status, (YkAlong){NULL, NULL}, at));
     }
     return worst;
 }

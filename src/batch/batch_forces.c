@@ -1,5 +1,4 @@
 // Forces of a batch's lanes.
-#include <math.h>
 #include <string.h>
 #include "batch/inside.h"
 
@@ -42,20 +41,13 @@ void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, s
     yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
 }
 
-static bool is_finite(const YkPoseForces *f, double *const *outputs, size_t at)
-{
-    bool finite = true;
-    for (size_t k = 0; finite && k < f->count; k++) finite = isfinite(outputs[f->place[k]][at]);
-    return finite;
-}
-
 size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     size_t lane = 0;
     bool finite;
     yk_lanes_finite(&finite, b->forces->out, b->forces->count, n);
     if (finite) return n;
-    while (lane < n && is_finite(b->forces, outputs, at + lane)) lane++;
+    while (lane < n && yk_pose_forces_are_finite(b->forces, outputs, at + lane)) lane++;
     return lane;
 }
 
@@ -63,13 +55,13 @@ YkStatus yk_batch_settle_forces(YkBatch *b, double *const *outputs, signed char 
 {
     YkStatus worst = YK_OK;
     for (size_t lane = yk_batch_finite_lanes(b, outputs, at, n); lane < n; lane++) {
-        if (is_finite(b->forces, outputs, at + lane)) continue;
+        if (yk_pose_forces_are_finite(b->forces, outputs, at + lane)) continue;
         YkStatus one = yk_batch_solve_lane(b, lane);
         if (one >= 0) one = yk_pose_forces_at(b->forces, b->state, outputs, at + lane);
         if (one == YK_REDUNDANT) one = YK_OK;
-        for (size_t k = 0; one != YK_OK && k < b->forces->count; k++) outputs[b->forces->place[k]][at + lane] = 0;
+        if (one != YK_OK) yk_pose_forces_clear(b->forces, outputs, at + lane);
         if (status) status[at + lane] = (signed char)one;
-        worst = yk_batch_worse(worst, one);
+        worst = yk_worse(worst, one);
     }
     return worst;
 }

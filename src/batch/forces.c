@@ -22,13 +22,14 @@ typedef enum SourceKind {
 typedef struct Source { // where the lanes of a leaf lie
     SourceKind kind;
     int32_t index, part;
+    size_t leaf; // of the tape
 } Source;
 
 struct YkLaneForces {
     const YkMechanism *mech;
     const YkVariant *variant;
     YkTape *tape;
-    Source *sources; // per leaf
+    Source *sources; // per leaf; once the tape is made, of those it reads
     YkRef *leaves;
     size_t leaf_count, leaf_capacity;
     bool *needs; // per coordinate
@@ -45,7 +46,7 @@ static YkRef leaf(YkLaneForces *f, YkGraph *g, SourceKind kind, size_t index, in
         return 0;
     }
     YkRef ref = yk_graph_leaf(g, leaf_class, yk_graph_text(g, "%d.%d.%d", (int)kind, (int)index, (int)part));
-    f->sources[f->leaf_count] = (Source){kind, (int32_t)index, part};
+    f->sources[f->leaf_count] = (Source){kind, (int32_t)index, part, 0};
     f->leaves[f->leaf_count++] = ref;
     return ref;
 }
@@ -89,7 +90,7 @@ static void find_parameters(YkLaneForces *f, YkProgram *p)
         if (p->graph.values[p->parameter[k]].op != YK_VALUE_LEAF) continue;
         if (f->leaf_count == f->leaf_capacity) f->failed = true;
         if (f->failed) return;
-        f->sources[f->leaf_count] = (Source){SOURCE_PARAMETER, (int32_t)k, 0};
+        f->sources[f->leaf_count] = (Source){SOURCE_PARAMETER, (int32_t)k, 0, 0};
         f->leaves[f->leaf_count++] = p->parameter[k];
     }
 }
@@ -171,7 +172,7 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     YkRef *roots = YK_NEW(p->arena, YkRef, count + 1);
     YkRates r = yk_program_new_rates(p), s = yk_program_new_rates(p);
     f->leaves[f->leaf_count] = p->time;
-    f->sources[f->leaf_count++] = (Source){SOURCE_TIME, 0, 0};
+    f->sources[f->leaf_count++] = (Source){SOURCE_TIME, 0, 0, 0};
     if (!roots || p->failed || !yk_forces_start(&forces, p)) return NULL;
     find_parameters(f, p);
     place_pose(f, p, &r, &s);
@@ -202,10 +203,17 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     return f->tape != NULL;
 }
 
-static void note_needs(YkLaneForces *f)
+// Keeps the sources of the leaves that the tape reads.
+static void keep_needed(YkLaneForces *f)
 {
-    for (size_t k = 0; k < f->leaf_count; k++)
-        if (f->sources[k].kind == SOURCE_COORDINATE && yk_tape_needs(f->tape, k)) f->needs[f->sources[k].index] = true;
+    size_t count = 0;
+    for (size_t k = 0; k < f->leaf_count; k++) {
+        if (!yk_tape_needs(f->tape, k)) continue;
+        if (f->sources[k].kind == SOURCE_COORDINATE) f->needs[f->sources[k].index] = true;
+        f->sources[count] = f->sources[k];
+        f->sources[count++].leaf = k;
+    }
+    f->leaf_count = count;
 }
 
 YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
@@ -220,7 +228,7 @@ YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *chann
         yk_lane_forces_free(f);
         return NULL;
     }
-    note_needs(f);
+    keep_needed(f);
     yk_lane_forces_redesign(f);
     return f;
 }
@@ -251,7 +259,7 @@ void yk_lane_forces_redesign(YkLaneForces *f)
 {
     for (size_t k = 0; k < f->leaf_count; k++)
         if (f->sources[k].kind == SOURCE_PARAMETER)
-            yk_tape_set(f->tape, k, yk_redesign_now(f->variant->redesign, f->sources[k].index));
+            yk_tape_set(f->tape, f->sources[k].leaf, yk_redesign_now(f->variant->redesign, f->sources[k].index));
     yk_tape_prepare(f->tape);
 }
 
@@ -278,15 +286,14 @@ static const double *lanes_of(const Source *s, const YkLanePose *pose)
 
 void yk_lane_forces_run(YkLaneForces *f, const YkLanePose *pose, double *const *out, size_t n)
 {
-    for (size_t k = 0; k < f->leaf_count; k++) {
-        const Source *s = &f->sources[k];
-        if (s->kind == SOURCE_PARAMETER || !yk_tape_needs(f->tape, k)) continue;
+    for (const Source *s = f->sources; s < f->sources + f->leaf_count; s++) {
+        if (s->kind == SOURCE_PARAMETER) continue;
         if (s->kind == SOURCE_TIME && !pose->times)
-            yk_tape_set(f->tape, k, pose->time);
+            yk_tape_set(f->tape, s->leaf, pose->time);
         else if (pose->which)
-            yk_tape_pack_lanes(f->tape, k, lanes_of(s, pose), pose->which, n);
+            yk_tape_pack_lanes(f->tape, s->leaf, lanes_of(s, pose), pose->which, n);
         else
-            yk_tape_set_lanes(f->tape, k, lanes_of(s, pose));
+            yk_tape_set_lanes(f->tape, s->leaf, lanes_of(s, pose));
     }
     yk_tape_run(f->tape, out, n);
 }

@@ -1,6 +1,7 @@
 // The inside of YkBatch.
 #ifndef BATCH_INSIDE_H
 #define BATCH_INSIDE_H
+#include "base/worse.h"
 #include "batch/batch.h"
 #include "batch/pose_forces.h"
 #include "solve/run.h"
@@ -51,10 +52,5 @@ void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *output
 size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.
 YkStatus yk_batch_settle_forces(YkBatch *batch, double *const *outputs, signed char *status, size_t at, size_t n);
-
-static inline YkStatus yk_batch_worse(YkStatus a, YkStatus b)
-{
-    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
-}
 
 #endif

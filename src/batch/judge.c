@@ -60,7 +60,7 @@ YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
     for (size_t k = 0; k < n; k++) {
         YkStatus one = judge_lane(b, k);
         if (status) status[k] = (signed char)one;
-        worst = yk_batch_worse(worst, one);
+        worst = yk_worse(worst, one);
     }
     return worst;
 }

@@ -1,5 +1,6 @@
 // Answers channels of forces at a pose.
 #include "batch/pose_forces.h"
+#include <math.h>
 #include <stdlib.h>
 
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
@@ -39,8 +40,7 @@ static bool make(YkPoseForces *f, const YkChannel *channels, size_t count, size_
 {
     bool fits;
     if (!list_channels(f, channels, count)) return false;
-    f->input = calloc(3 * f->mech->input_count + 1, sizeof *f->input);
-    if (!f->input || f->count == 0) return f->input != NULL;
+    if (f->count == 0) return true;
     f->lanes = yk_lane_forces_new(f->mech, f->channels, f->count, lanes, &fits);
     return f->lanes ? make_lanes(f, lanes) : !fits;
 }
@@ -68,7 +68,6 @@ void yk_pose_forces_free(YkPoseForces *f)
     free(f->channels);
     free(f->place);
     free(f->out);
-    free(f->input);
     free(f->position);
     free(f->position_lanes);
     free(f->which);
@@ -89,19 +88,23 @@ void yk_pose_forces_follow(YkPoseForces *f)
 // Runs one lane: the state's own space.
 static void run_lane(YkPoseForces *f, const YkState *state, double *const *outputs, size_t pose)
 {
-    for (size_t i = 0; i < 3 * f->mech->input_count; i++) f->input[i] = &state->input[i];
     for (size_t k = 0; k < f->mech->coordinate_count; k++)
         if (f->position[k]) f->position[k][0] = yk_state_coordinate(state, k).position;
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + pose;
-    YkLanePose at = {&state->space, f->input, state->time, NULL, (const double *const *)f->position, NULL};
+    YkLanePose at = {&state->space, state->input_lanes, state->time, NULL, (const double *const *)f->position, NULL};
     yk_lane_forces_run(f->lanes, &at, f->out, 1);
 }
 
-static bool is_finite(const YkPoseForces *f, double *const *outputs, size_t pose)
+bool yk_pose_forces_are_finite(const YkPoseForces *f, double *const *outputs, size_t pose)
 {
-    double sum = 0;
-    for (size_t k = 0; k < f->count; k++) sum += 0 * outputs[f->place[k]][pose];
-    return sum == 0;
+    bool finite = true;
+    for (size_t k = 0; finite && k < f->count; k++) finite = isfinite(outputs[f->place[k]][pose]);
+    return finite;
+}
+
+void yk_pose_forces_clear(const YkPoseForces *f, double *const *outputs, size_t pose)
+{
+    for (size_t k = 0; k < f->count; k++) outputs[f->place[k]][pose] = 0;
 }
 
 static bool make_dynamics(YkPoseForces *f)
@@ -118,21 +121,19 @@ static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outp
 {
     YkStatus status = make_dynamics(f) ? yk_dynamics_solve(f->dynamics, state, YK_METHOD_REDUCED) : YK_NO_MEMORY;
     if (status == YK_REDUNDANT) status = YK_OK;
-    for (size_t k = 0; k < f->count; k++)
-        outputs[f->place[k]][pose] = status == YK_OK ? yk_dynamics_channel(f->dynamics, state, f->channels[k]) : 0;
+    for (size_t k = 0; status == YK_OK && k < f->count; k++)
+        outputs[f->place[k]][pose] = yk_dynamics_channel(f->dynamics, state, f->channels[k]);
+    if (status == YK_OK && !yk_pose_forces_are_finite(f, outputs, pose)) status = YK_SINGULAR; // an effort not single
+    if (status != YK_OK) yk_pose_forces_clear(f, outputs, pose);
     return status;
 }
 
 YkStatus yk_pose_forces_at(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
 {
-    YkStatus status = YK_OK;
     yk_pose_forces_follow(f);
     if (f->lanes && state->has_rates) {
         run_lane(f, state, outputs, pose);
-        if (is_finite(f, outputs, pose)) return YK_OK;
+        if (yk_pose_forces_are_finite(f, outputs, pose)) return YK_OK;
     }
-    status = by_dynamics(f, state, outputs, pose);
-    if (status == YK_OK && !is_finite(f, outputs, pose)) status = YK_SINGULAR; // of an effort that is not single
-    for (size_t k = 0; status != YK_OK && k < f->count; k++) outputs[f->place[k]][pose] = 0;
-    return status;
+    return by_dynamics(f, state, outputs, pose);
 }

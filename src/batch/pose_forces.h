@@ -21,7 +21,6 @@ typedef struct YkPoseForces {
     size_t *which;  // the lanes asked for, when they are not all,
     double *packed; // [k][lanes]: and their forces
     size_t lane_count;
-    const double **input; // [3 * input + k]: of a state
 } YkPoseForces;
 
 // Makes the forces for those of the channels that need some; *none is true if no channel does. lanes: how many at a
@@ -31,6 +30,9 @@ YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkChannel *chann
 void yk_pose_forces_free(YkPoseForces *forces);
 // Takes the present values of the parameters, if the mechanism is a variant's and they have changed.
 void yk_pose_forces_follow(YkPoseForces *forces);
+// Returns whether the forces of a pose are all finite; makes them 0.
+bool yk_pose_forces_are_finite(const YkPoseForces *forces, double *const *outputs, size_t pose);
+void yk_pose_forces_clear(const YkPoseForces *forces, double *const *outputs, size_t pose);
 // Finds the forces at the pose of a solved state: outputs[channel][pose] of the caller's channels, 0 if the status is
 // not YK_OK. Returns YK_OK; YK_SINGULAR at a dead point; or that of yk_dynamics_solve. The bits are those of a lane.
 YkStatus yk_pose_forces_at(YkPoseForces *forces, YkState *state, double *const *outputs, size_t pose);

@@ -153,6 +153,7 @@ YkRefVec yk_graph_vec_multiply(YkGraph *graph, YkRefVec a, YkRefVec b); // turn 
 YkRefVec yk_graph_vec_conjugate(YkGraph *graph, YkRefVec a);
 YkRefVec yk_graph_vec_quarter(YkGraph *graph, YkRefVec a);
 YkRef yk_graph_dot(YkGraph *graph, YkRefVec a, YkRefVec b);
+YkRef yk_graph_vec_length(YkGraph *graph, YkRefVec a);
 YkRef yk_graph_cross(YkGraph *graph, YkRefVec a, YkRefVec b);
 
 #endif

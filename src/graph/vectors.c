@@ -62,3 +62,8 @@ bool yk_graph_is_zero_vec(const YkGraph *g, YkRefVec v)
 {
     return yk_graph_is_number(g, v.x, 0) && yk_graph_is_number(g, v.y, 0);
 }
+
+YkRef yk_graph_vec_length(YkGraph *g, YkRefVec a)
+{
+    return yk_graph_function(g, YK_SQRT, yk_graph_dot(g, a, a), YK_NONE);
+}

@@ -95,23 +95,9 @@ static double *moved(const YkRedesign *r, const double *target)
 
 // --- dependences
 
-typedef struct Look {
-    const YkRedesign *r;
-    bool varies;
-} Look;
-
-static void look(void *context, const YkExpr *name)
-{
-    Look *l = context;
-    int32_t index = yk_names_find(&l->r->original->parameter_names, name->name);
-    if (index != YK_NONE && l->r->varies[index]) l->varies = true;
-}
-
 bool yk_redesign_expression_varies(const YkRedesign *r, const YkExpr *expr)
 {
-    Look l = {.r = r};
-    yk_expr_names(expr, look, &l);
-    return l.varies;
+    return yk_model_depends(r->original, r->varies, expr);
 }
 
 static int resolve(void *context, const YkExpr *name, double *value)
@@ -164,13 +150,7 @@ static void order_derived(YkRedesign *r)
     bool *is_ready = YK_NEW(r->arena, bool, n + 1);
     r->derived = YK_NEW(r->arena, Derived, n + 1);
     if (yk_arena_failed(r->arena)) return;
-    for (bool more = true; more;) {
-        more = false;
-        for (size_t i = 0; i < n; i++) {
-            if (r->varies[i] || !yk_redesign_expression_varies(r, model->parameters[i].expr)) continue;
-            r->varies[i] = more = true;
-        }
-    }
+    yk_model_mark_dependents(model, r->varies);
     for (size_t k = 0; k < r->chosen_count; k++) is_ready[r->chosen[k]] = true;
     for (bool more = true; more;) {
         more = false;

@@ -10,6 +10,11 @@
 
 typedef struct YkRedesign YkRedesign;
 
+// dependents.c: returns whether an expression (may be NULL) depends on parameters that vary; marks the parameters that
+// depend on some which do. varies[parameter].
+bool yk_model_depends(const YkModel *model, const bool *varies, const YkExpr *expr);
+void yk_model_mark_dependents(const YkModel *model, bool *varies);
+
 // Makes a copy for names[count], parameters of the model, which must outlive the copy. Returns NULL with problems
 // added: an unknown name, one that enters something that cannot follow, a name given twice, out of memory.
 YkRedesign *yk_redesign_new(const YkModel *model, const char *const *names, size_t count, YkProblems *problems);

@@ -153,11 +153,6 @@ static void note_determinant(const Solver *s, YkRef determinant)
         f->determinant == 0 ? determinant : yk_graph_binary(s->g, YK_VALUE_LEAST, f->determinant, determinant);
 }
 
-static YkRef length(YkGraph *g, YkRefVec v)
-{
-    return yk_graph_function(g, YK_SQRT, yk_graph_dot(g, v, v), YK_NONE);
-}
-
 // Solves [a b; c d] by Cramer's rule, for two unknowns as exact as elimination with pivots (Higham 2002, 1.10.1).
 static void solve_two(const Solver *s, const size_t *rows, const size_t *columns, const YkRef *right)
 {
@@ -165,7 +160,8 @@ static void solve_two(const Solver *s, const size_t *rows, const size_t *columns
     YkRefVec first = {*entry(s, rows[0], columns[0]), *entry(s, rows[1], columns[0])};
     YkRefVec second = {*entry(s, rows[0], columns[1]), *entry(s, rows[1], columns[1])};
     YkRef determinant = yk_graph_cross(g, first, second), per = yk_graph_inverse(g, determinant);
-    YkRef first_length = length(g, first), lengths = yk_graph_multiply(g, first_length, length(g, second));
+    YkRef first_length = yk_graph_vec_length(g, first),
+          lengths = yk_graph_multiply(g, first_length, yk_graph_vec_length(g, second));
     for (size_t side = 0; side < s->w->sides; side++) {
         YkRefVec b = {right[2 * side], right[2 * side + 1]};
         YkRef *solution = s->w->solution + side;

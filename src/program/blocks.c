@@ -52,7 +52,7 @@ static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)
     YkGraph *g = &p->graph;
     const YkBlock *b = &p->mech->blocks[index];
     YkRefVec K = placed->known;
-    YkRef length = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, K, K), -1);
+    YkRef length = yk_graph_vec_length(g, K);
     if (b->kind == YK_BLOCK_CHECK) {
         yk_program_keep_gap(p, length);
     } else if (b->column[0].is_distance) { // GUIDE
@@ -61,8 +61,8 @@ static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)
         yk_program_keep_gap(p, yk_graph_unary(g, YK_VALUE_SIZE, yk_graph_cross(g, K, placed->e[0])));
     } else { // LINK
         YkRefVec U = yk_program_sum(p, &b->arm[0]), z = yk_graph_vec_multiply(g, K, yk_graph_vec_conjugate(g, U));
-        YkRef per = yk_graph_minus(g, yk_graph_inverse(g, yk_graph_function(g, YK_SQRT, yk_graph_dot(g, z, z), -1)));
-        YkRef arm = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, U, U), -1);
+        YkRef per = yk_graph_minus(g, yk_graph_inverse(g, yk_graph_vec_length(g, z)));
+        YkRef arm = yk_graph_vec_length(g, U);
         placed->e[0] = yk_graph_vec_scale(g, per, z);
         yk_block_set_unit(p, b->column[0].index, placed->e[0]);
         placed->p = yk_graph_vec_multiply(g, U, placed->e[0]);

@@ -45,7 +45,7 @@ static YkRef with_share(YkProgram *p, YkRef margin, YkRef share)
 
 static YkRefVec of_length_one(YkGraph *g, YkRefVec e)
 {
-    YkRef per = yk_graph_inverse(g, yk_graph_function(g, YK_SQRT, yk_graph_dot(g, e, e), -1));
+    YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, e));
     return yk_graph_vec_scale(g, per, e);
 }
 

@@ -1,11 +1,6 @@
 // Channels of forces and energies as values, from the solved balance of all bodies.
 #include "program/balance.h"
 
-static YkRef length(YkGraph *g, YkRefVec v)
-{
-    return yk_graph_function(g, YK_SQRT, yk_graph_dot(g, v, v), YK_NONE);
-}
-
 static size_t unknown_of_relation(const YkBalanceSystem *w, int32_t relation)
 {
     size_t k = 0;
@@ -36,7 +31,9 @@ static YkRef transmitted(YkBalanceSystem *w, YkChannel c)
     if (c.kind == YK_CHANNEL_MOMENT)
         return is_joint ? r[2] : yk_graph_multiply(g, yk_balance_value(w, k), w->columns[k].moment);
     YkRefVec force = is_joint ? (YkRefVec){r[0], r[1]} : contact_force(w, k);
-    return c.kind == YK_CHANNEL_FORCE_X ? force.x : c.kind == YK_CHANNEL_FORCE_Y ? force.y : length(g, force);
+    return c.kind == YK_CHANNEL_FORCE_X   ? force.x
+           : c.kind == YK_CHANNEL_FORCE_Y ? force.y
+                                          : yk_graph_vec_length(g, force);
 }
 
 // Returns the effort that an input needs, or what `efforts:` gives along another coordinate.

@@ -180,7 +180,7 @@ static void add_spring(YkForces *f, const YkSpring *s)
         arm[k] = yk_forces_arm(p, s->body[k], point);
     }
     YkRefVec line = yk_graph_vec_subtract(g, at[1], at[0]);
-    YkRef length = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, line, line), -1);
+    YkRef length = yk_graph_vec_length(g, line);
     yk_graph_name(g, length, "%s_length", s->name);
     YkRef per = yk_graph_inverse(g, yk_graph_unary(g, YK_VALUE_NONZERO, length));
     YkRef stretch = yk_graph_subtract(g, length, free);

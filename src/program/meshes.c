@@ -68,7 +68,7 @@ static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
     YkRefVec A = center_of(p, gear->body[0]), line = yk_graph_vec_subtract(g, center_of(p, gear->body[1]), A);
     YkRefVec out = yk_graph_vec_scale(g, yk_graph_number(g, a / (a + b)), line); // internal: beyond A
     YkRefVec pitch = yk_graph_vec_add(g, A, out);
-    YkRef per = yk_graph_inverse(g, yk_graph_function(g, YK_SQRT, yk_graph_dot(g, line, line), -1));
+    YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, line));
     YkRefVec unit = yk_graph_vec_scale(g, per, line);
     yk_meshes_force(w, column, gear->body, pitch, yk_graph_vec_quarter(g, unit));
     if (w->columns[column].radial == 0) return;

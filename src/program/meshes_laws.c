@@ -74,7 +74,7 @@ static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, co
     }
     YkRefVec out = yk_graph_vec_quarter(g, yk_graph_vec_subtract(g, at, pose->center));
     YkRefVec against = yk_graph_vec_subtract(g, velocity, yk_graph_vec_scale(g, yk_graph_number(g, pose->turn), out));
-    YkRef speed = yk_graph_function(g, YK_SQRT, yk_graph_dot(g, against, against), -1);
+    YkRef speed = yk_graph_vec_length(g, against);
     YkRef per = yk_graph_inverse(g, speed);
     YkRefVec force = yk_graph_vec_scale(g, per, yk_graph_vec_quarter(g, against));
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, force);

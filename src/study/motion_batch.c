@@ -5,6 +5,7 @@
 #include <string.h>
 #include <yoke/dynamics.h>
 #include "base/problems.h"
+#include "base/worse.h"
 #include "solve/state.h"
 #include "study/start.h"
 #include "study/tree_batch.h"
@@ -134,11 +135,6 @@ static YkStatus run_one(Worker *w, const YkMotionCase *asked, size_t k)
     return status == YK_REDUNDANT ? YK_OK : status;
 }
 
-static YkStatus worse(YkStatus a, YkStatus b)
-{
-    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
-}
-
 static void run_singly(Worker *w, size_t from, size_t to)
 {
     YkMotionBatch *batch = w->batch;
@@ -147,7 +143,7 @@ static void run_singly(Worker *w, size_t from, size_t to)
         for (size_t i = 0; i < batch->input_count; i++)
             batch->accelerations[i][k] = status == YK_OK ? w->acceleration[i] : 0;
         if (batch->status) batch->status[k] = (signed char)status;
-        w->worst = worse(w->worst, status);
+        w->worst = yk_worse(w->worst, status);
     }
 }
 
@@ -163,8 +159,8 @@ static void *work(void *context)
         if (from >= count) return NULL;
         size_t to = count - from < CHUNK ? count : from + CHUNK;
         if (w->tree)
-            w->worst = worse(w->worst,
-                             yk_tree_batch_run(w->tree, batch->asked, from, to, batch->accelerations, batch->status));
+            w->worst = yk_worse(
+                w->worst, yk_tree_batch_run(w->tree, batch->asked, from, to, batch->accelerations, batch->status));
         else
             run_singly(w, from, to);
     }
@@ -186,7 +182,7 @@ YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *asked, do
     YkStatus worst = batch->worker[0].worst;
     for (size_t t = 0; t < started; t++) {
         pthread_join(batch->thread[t], NULL);
-        worst = worse(worst, batch->worker[t + 1].worst);
+        worst = yk_worse(worst, batch->worker[t + 1].worst);
     }
     return worst;
 }

@@ -16,46 +16,6 @@ struct YkRemake {
     size_t count;
 };
 
-// --- what it must not enter
-
-static void mark_dependents(const YkModel *model, bool *varies)
-{
-    for (bool more = true; more;) {
-        more = false;
-        for (size_t i = 0; i < model->parameter_count; i++)
-            for (size_t k = 0; !varies[i] && k < model->parameter_count; k++) {
-                if (!varies[k] || !model->parameters[i].expr) continue;
-                varies[i] = yk_expr_mentions(model->parameters[i].expr, model->parameters[k].name);
-                more = more || varies[i];
-            }
-    }
-}
-
-static bool enters(const YkModel *model, const bool *varies, const YkExpr *expr)
-{
-    for (size_t k = 0; expr && k < model->parameter_count; k++)
-        if (varies[k] && yk_expr_mentions(expr, model->parameters[k].name)) return true;
-    return false;
-}
-
-static bool inputs_stay(const YkStudyOptions *options, const YkState *state, YkProblems *problems)
-{
-    const YkModel *model = state->mech->model;
-    bool *varies = calloc(model->parameter_count + 1, sizeof *varies), good = true;
-    if (!varies) return false;
-    for (size_t k = 0; k < options->parameter_count; k++)
-        varies[yk_names_find(&model->parameter_names, options->parameters[k])] = true;
-    mark_dependents(model, varies);
-    for (size_t i = 0; i < state->mech->input_count; i++) {
-        const YkExpr *expr = yk_study_input_expr(state, i);
-        if (!enters(model, varies, expr)) continue;
-        yk_study_refuse_input(state, i, expr, problems);
-        good = false;
-    }
-    free(varies);
-    return good;
-}
-
 // --- starting
 
 static char *copy_text(const char *text)
@@ -64,7 +24,7 @@ static char *copy_text(const char *text)
     return copy ? strcpy(copy, text) : NULL;
 }
 
-bool yk_remake_start(YkStudy *study, const YkState *state, const YkStudyOptions *options, YkProblems *problems)
+bool yk_remake_start(YkStudy *study, const YkState *state, const YkStudyOptions *options)
 {
     YkRemake *r = study->remake = calloc(1, sizeof *r);
     if (!r) return false;
@@ -79,7 +39,7 @@ bool yk_remake_start(YkStudy *study, const YkState *state, const YkStudyOptions 
         r->units[r->count] = yk_model_parameter_unit(state->mech->model, name);
         if (!r->names[r->count]) return false;
     }
-    return inputs_stay(options, state, problems) && (!r->start || inputs_stay(options, r->start, problems));
+    return true;
 }
 
 void yk_remake_end(YkStudy *study)

@@ -4,9 +4,8 @@
 #define STUDY_REMAKE_H
 #include "study/study.h"
 
-// Takes what is needed to make the designs of a study. Returns false with problems added: a parameter enters a drive or
-// the start of an input; or out of memory.
-bool yk_remake_start(YkStudy *study, const YkState *state, const YkStudyOptions *options, YkProblems *problems);
+// Takes what is needed to make the designs of a study. Returns false when out of memory.
+bool yk_remake_start(YkStudy *study, const YkState *state, const YkStudyOptions *options);
 void yk_remake_end(YkStudy *study);
 // Solves a design with the worker's values and inputs: every pose, or their extents if the job asks for these.
 YkStatus yk_remake_design(YkWorker *worker, const YkJob *job, size_t design);

@@ -77,7 +77,10 @@ static void end_worker(YkWorker *w)
     free((void *)w->row_output);
 }
 
-const YkExpr *yk_study_input_expr(const YkState *state, size_t input)
+// --- inputs
+
+// Returns the expression of an input's drive or, if it is held, of its start; NULL if it has none.
+static const YkExpr *input_expr(const YkState *state, size_t input)
 {
     const YkModel *model = state->mech->model;
     const YkTreeCoordinate *q = &state->mech->coordinates[state->mech->inputs[input]];
@@ -89,25 +92,33 @@ const YkExpr *yk_study_input_expr(const YkState *state, size_t input)
     return NULL;
 }
 
-void yk_study_refuse_input(const YkState *state, size_t input, const YkExpr *expr, YkProblems *problems)
-{
-    yk_problem(problems, YK_CODE_CANNOT_VARY, expr->place,
-               "a parameter that varies enters the drive or start of %q here",
-               state->mech->coordinates[state->mech->inputs[input]].name);
-    yk_problem_hint(problems, "sweep the coordinate itself, with --over");
-}
-
 // Returns false if a drive varies, or the start value of a held input: the state's inputs would not follow.
-static bool inputs_follow(const YkStudy *study, const YkState *state, YkProblems *problems)
+static bool inputs_stay(const YkState *state, const bool *varies, YkProblems *problems)
 {
-    const YkRedesign *redesign = study->worker[0].variant->redesign;
     bool good = true;
     for (size_t i = 0; i < state->mech->input_count; i++) {
-        const YkExpr *expr = yk_study_input_expr(state, i);
-        if (!expr || !yk_redesign_expression_varies(redesign, expr)) continue;
-        yk_study_refuse_input(state, i, expr, problems);
+        const YkExpr *expr = input_expr(state, i);
+        if (!yk_model_depends(state->mech->model, varies, expr)) continue;
+        yk_problem(problems, YK_CODE_CANNOT_VARY, expr->place,
+                   "a parameter that varies enters the drive or start of %q here",
+                   state->mech->coordinates[state->mech->inputs[i]].name);
+        yk_problem_hint(problems, "sweep the coordinate itself, with --over");
         good = false;
     }
+    return good;
+}
+
+static bool check_inputs(const YkState *state, const YkStudyOptions *options, YkProblems *problems)
+{
+    const YkModel *model = state->mech->model;
+    bool *varies = calloc(model->parameter_count + 1, sizeof *varies);
+    if (!varies) return false;
+    for (size_t k = 0; k < options->parameter_count; k++)
+        varies[yk_names_find(&model->parameter_names, options->parameters[k])] = true;
+    yk_model_mark_dependents(model, varies);
+    bool good = inputs_stay(state, varies, problems);
+    if (good && options->start) good = inputs_stay(options->start, varies, problems);
+    free(varies);
     return good;
 }
 
@@ -137,7 +148,8 @@ static bool choose_way(YkStudy *study, const YkState *state, const YkStudyOption
     study->thread_count = variant ? 1 : 0;
     if (!is_remade) yk_problems_pass_on(problems, found, NULL);
     yk_problems_free(found);
-    return is_remade ? yk_remake_start(study, state, options, problems) : variant != NULL;
+    if (is_remade ? !yk_remake_start(study, state, options) : !variant) return false;
+    return check_inputs(state, options, problems);
 }
 
 static bool start_remaking(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options)
@@ -156,9 +168,6 @@ static bool start_workers(YkStudy *study, const YkState *state, const YkStudyOpt
         study->thread_count = t + 1;
         good = study->remake ? start_remaking(study, &study->worker[t], state, options)
                              : start_worker(study, &study->worker[t], state, options, t == 0 ? problems : NULL);
-        if (!good || t > 0 || study->remake) continue;
-        good = inputs_follow(study, state, problems) &&
-               (!options->start || inputs_follow(study, options->start, problems));
     }
     return good;
 }

@@ -6,6 +6,7 @@
 #include <yoke/move.h>
 #include <yoke/study.h>
 #include "base/pace.h"
+#include "base/worse.h"
 #include "compile/mechanism.h"
 #include "batch/batch.h"
 #include "batch/pose_forces.h"
@@ -104,10 +105,6 @@ YkStatus yk_study_go(YkStudy *study, YkJob *job);
 YkStatus yk_worker_set(YkWorker *worker, const double *values);
 YkStatus yk_worker_go(YkWorker *worker, double *const *outputs, signed char *status, size_t count);
 
-// Returns the expression of an input's drive or, if it is held, of its start; NULL if it has none.
-const YkExpr *yk_study_input_expr(const YkState *state, size_t input);
-void yk_study_refuse_input(const YkState *state, size_t input, const YkExpr *expr, YkProblems *problems);
-
 // Creates the worker's states for assembling designs (start.c). Returns false with problems added, or out of memory.
 bool yk_worker_start(YkWorker *worker, const YkState *state, const YkStudyOptions *options, YkProblems *problems);
 // Carries the file's assembly to the values that the variant already has.
@@ -117,9 +114,5 @@ YkStatus yk_worker_stand(YkWorker *worker);
 
 // Returns whether poses [from, to) lie close enough together to be lanes of one way.
 bool yk_poses_are_fine(const YkMechanism *mech, const double *const *inputs, size_t from, size_t to);
-static inline YkStatus yk_worse(YkStatus a, YkStatus b)
-{
-    return a < 0 || b < 0 ? (a < b ? a : b) : (a > b ? a : b);
-}
 
 #endif

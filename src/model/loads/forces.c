@@ -13,7 +13,7 @@ static void read_axes(YkLoader *loader, YkForce *force, const YkNode *axes)
                axes->text);
 }
 
-// Reads [x, y], each an strength of its own.
+// Reads [x, y], each a strength of its own.
 static void read_components(YkLoader *loader, YkForce *force, const YkNode *value, YkWant *want)
 {
     if (!yk_load_expect(loader, value, YK_NODE_LIST, &want->subject)) return;

@@ -57,7 +57,7 @@ static void add_difference(Checking *checking, YkText *text, const YkCheckShown 
     yk_text_puts(text, "\n");
 }
 
-// Limits the verdict to what was tested: how many poses, of which machines.
+// Says what the verdict covers: how many poses, of which machines.
 static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
 {
     YkText *out = &checking->session->out;
