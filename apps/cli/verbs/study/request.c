@@ -209,8 +209,7 @@ static bool check_request(YkStudyAnswer *answer)
     if (request->vary.count == 0 && !request->sample)
         return missing(session, "--vary or --sample", "as in --vary l2=0.9m:1.1m:200, or --sample tolerance.yaml");
     if (request->vary.count > 0 && request->sample)
-        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "--vary and --sample are two studies: give one%s",
-                                 "");
+        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "give either --vary or --sample, not both%s", "");
     if (!request->of || !*request->of) return missing(session, "--of", "as in --of theta4,coupler.P.y");
     return read_format(answer);
 }
