@@ -173,7 +173,8 @@ static const SegmentKind *kind_of(YkLawReader *reader, const YkNode *node)
     reader->source->is_bad = true;
     if (count == 0 && strange > 0) return NULL; // a misspelt key, which is reported
     yk_problem(reader->loader->problems, YK_CODE_LAW_SEGMENT, node->place,
-               count ? "a segment of law %q has two kinds" : "a segment of law %q has no kind", reader->law->name);
+               count ? "a segment of law %q has two kinds" : "a segment of law %q does not say which kind it is",
+               reader->law->name);
     yk_problem_hint(
         reader->loader->problems,
         "a segment is one of polynomial, spline, dwell, rise, fall, constant-velocity, each between its own "

@@ -32,7 +32,7 @@ static bool read_place(YkLoader *loader, YkSpring *spring, const YkNode *node, F
     *form = BETWEEN;
     if (along && between) {
         yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, yk_load_key(node, "between")->place,
-                   "spring %q acts along a coordinate, so it cannot act between points as well", spring->name);
+                   "spring %q acts along a coordinate already; it cannot act between points as well", spring->name);
         return false;
     }
     if (!along) between = yk_load_require(loader, node, "between", &subject);
