@@ -24,6 +24,8 @@ const YkOption yk_options[] = {
      "take another configuration on purpose: by its label, the one nearest to start:, or line K of solve --all"},
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
      "every assembly configuration at the asked pose, not only the machine's own"},
+    {"within", 0, YK_OPTION_WORD, FIELD(within), "TIME", " solve ",
+     "--all: stop looking after this time, and tell what is proved by then"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
      "a machine that need not be finished: what it lacks to move, and what would mend it"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},

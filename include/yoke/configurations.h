@@ -42,6 +42,9 @@ typedef struct YkConfigurationsOptions {
     // Visits what yk_state_each visits first, in its order, and then the others. It costs that search, at every pose.
     // Otherwise the solutions of a group are sorted by its unknowns.
     bool in_search_order;
+    // Asked as <yoke/progress.h> says while groups are solved. Once it returns false no more paths are followed: what is
+    // proved so far is visited, and the report is not complete. (What watches the state ends the whole call.)
+    YkProgress enough;
 } YkConfigurationsOptions;
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 

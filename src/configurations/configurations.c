@@ -25,14 +25,15 @@ struct YkConfigurations {
     YkConfigurationsOptions options;
     YkConfigurationsReport report;
     size_t lacking; // solutions that the group of the report lacks
-    bool out_of_memory;
+    bool out_of_memory, is_running, is_cut_short;
+    YkPace enough;
     bool (*visit)(void *, YkState *);
     void *context;
 };
 
 YkConfigurationsOptions yk_default_configurations_options(void)
 {
-    return (YkConfigurationsOptions){false};
+    return (YkConfigurationsOptions){.in_search_order = false};
 }
 
 const char *yk_complete_reason_name(YkCompleteReason reason)
@@ -169,10 +170,14 @@ static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *
     Member *m = &all->members[index];
     const YkBlock *block = &all->mech->blocks[index];
     size_t count = 0;
-    YkGroupStatus status = yk_group_solve_all(&m->kept, run, index, all->state->pace, &m->solutions);
+    YkPace *pace = all->enough.progress.goes_on ? &all->enough : all->state->pace;
+    if (pace == &all->enough && yk_pace_is_stopped(all->state->pace)) return 0;
+    YkGroupStatus status = yk_group_solve_all(&m->kept, run, index, pace, &m->solutions);
+    all->is_cut_short |= status == YK_GROUP_STOPPED;
     all->out_of_memory |= status == YK_GROUP_NO_MEMORY;
     note(all, index, m, status);
-    if (all->options.in_search_order || status == YK_GROUP_OUTSIDE || !m->solutions.is_complete) {
+    bool is_searched = all->options.in_search_order || !m->solutions.is_complete;
+    if (status == YK_GROUP_OUTSIDE || (is_searched && !yk_pace_is_stopped(pace))) {
         size_t found = yk_group_search(run, index);
         count = add_options(all, m, block, 0, run->groups->solutions, found);
     }
@@ -195,7 +200,7 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
 {
     YkConfigurationsReport *r = &all->report;
     YkText text = {0};
-    r->complete = whole && all->lacking == 0 && lost == 0;
+    r->complete = whole && all->lacking == 0 && lost == 0 && !all->is_cut_short;
     r->reason = !r->complete ? YK_INCOMPLETE : r->block < 0 ? YK_COMPLETE_BY_CLOSED_FORM : YK_COMPLETE_BY_COUNT;
     const char *label = r->block < 0 ? "" : all->mech->blocks[r->block].label;
     if (r->complete && r->block < 0)
@@ -204,6 +209,9 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
         yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved", r->expected, label);
     else if (!whole)
         yk_text_puts(&text, "not all combinations of branches were visited");
+    else if (all->is_cut_short)
+        yk_text_format(&text, "stopped before all paths were followed; %z complex solutions of the group of joint `%s` are proved",
+                       r->proved, label);
     else if (all->lacking == SIZE_MAX)
         yk_text_format(&text, "the group of joint `%s` was searched, not enumerated: %s", label,
                        reason_outside(all->members[r->block].kept.outside));
@@ -226,17 +234,20 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
                                 bool (*visit)(void *, YkState *), void *context, YkConfigurationsReport *report)
 {
     if (report) *report = (YkConfigurationsReport){.block = -1};
-    if (!all || !state || state->mech != all->mech) return YK_BAD_ARGUMENT;
+    if (!all || !state || state->mech != all->mech || all->is_running) return YK_BAD_ARGUMENT;
     YkLister lister = {list, all, 0};
     bool whole = false;
     all->state = state;
     all->options = options ? *options : yk_default_configurations_options();
     all->report = (YkConfigurationsReport){.block = -1};
     all->lacking = 0;
-    all->out_of_memory = false;
+    all->out_of_memory = all->is_cut_short = false;
+    all->is_running = true;
+    yk_pace_begin(&all->enough, all->options.enough);
     all->visit = visit;
     all->context = context;
     YkStatus status = yk_search_each(state, &lister, show, all, &whole);
+    all->is_running = false;
     if (all->out_of_memory && status != YK_STOPPED) status = YK_NO_MEMORY;
     tell(all, whole && status != YK_STOPPED && status != YK_NO_MEMORY, lister.lost);
     if (report) *report = all->report;

@@ -12,13 +12,14 @@ enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX, DETOURS = 3, COEFFICIENTS_MAX = 2 * YK_S
 void yk_group_kept_end(YkGroupKept *kept)
 {
     yk_matroid_free(&kept->matroid);
-    yk_generic_free(&kept->start);
+    yk_generic_free(&kept->generic);
 }
 
 void yk_group_solutions_end(YkGroupSolutions *solutions)
 {
     free(solutions->proved);
     free(solutions->real);
+    free(solutions->pose);
     *solutions = (YkGroupSolutions){0};
 }
 
@@ -53,14 +54,14 @@ static YkGroupStatus count(YkGroupKept *kept, const YkVec *coefficients, YkPace 
     return status == YK_MATROID_MADE ? count_matroid(kept, pace) : YK_GROUP_SOLVED;
 }
 
-// Makes the start if there is none, or one for another number of solutions.
+// Makes the generic system if there is none, or one for another number of solutions.
 static YkGroupStatus prepare(YkGroupKept *kept, const YkVec *coefficients, YkPace *pace)
 {
     size_t wanted = kept->is_counted ? kept->expected : 0;
-    if (kept->start.coefficients && (!kept->is_counted || kept->start.count == wanted)) return YK_GROUP_SOLVED;
-    yk_generic_free(&kept->start);
+    if (kept->generic.coefficients && (!kept->is_counted || kept->generic.count == wanted)) return YK_GROUP_SOLVED;
+    yk_generic_free(&kept->generic);
     if (kept->is_counted && wanted == 0) return YK_GROUP_SOLVED;
-    YkGenericStatus status = yk_generic_make(&kept->start, &kept->shape, coefficients, wanted, pace);
+    YkGenericStatus status = yk_generic_make(&kept->generic, &kept->shape, coefficients, wanted, pace);
     if (status == YK_GENERIC_STOPPED) return YK_GROUP_STOPPED;
     return status == YK_GENERIC_NO_MEMORY ? YK_GROUP_NO_MEMORY : YK_GROUP_SOLVED;
 }
@@ -82,15 +83,15 @@ static bool prove(const YkShape *shape, const YkVec *coefficients, const YkVec *
     return true;
 }
 
-// Follows all paths from the start to the pose, over `between` unless it is NULL.
+// Follows all paths from the generic system to the pose, over `between` unless it is NULL.
 static YkGroupStatus follow_all(const YkGroupKept *kept, const YkVec *between, const YkVec *pose, YkPace *pace,
                                 YkGroupSolutions *out)
 {
     const YkShape *shape = &kept->shape;
-    const YkVec *from = kept->start.coefficients;
+    const YkVec *from = kept->generic.coefficients;
     YkVec x[N_MAX];
-    for (size_t s = 0; s < kept->start.count; s++) {
-        memcpy(x, kept->start.solutions + s * shape->unknowns, shape->unknowns * sizeof *x);
+    for (size_t s = 0; s < kept->generic.count; s++) {
+        memcpy(x, kept->generic.solutions + s * shape->unknowns, shape->unknowns * sizeof *x);
         bool arrived = !between || yk_path_follow(shape, from, between, x, pace);
         arrived = arrived && yk_path_follow(shape, between ? between : from, pose, x, pace);
         if (yk_pace_is_stopped(pace)) return YK_GROUP_STOPPED;
@@ -159,23 +160,38 @@ static bool write_real(const YkShape *shape, double size, YkGroupSolutions *out)
     return true;
 }
 
+static YkGroupStatus solve_at(YkGroupKept *kept, const YkVec *pose, YkPace *pace, YkGroupSolutions *out)
+{
+    YkVec between[COEFFICIENTS_MAX];
+    const YkShape *shape = &kept->shape;
+    uint64_t seed = 1;
+    YkGroupStatus status = count(kept, pose, pace);
+    if (status == YK_GROUP_SOLVED) status = prepare(kept, pose, pace);
+    for (int detour = 0; status == YK_GROUP_SOLVED && detour <= DETOURS && kept->generic.count > 0; detour++) {
+        if (detour > 0) make_detour(shape, pose, &seed, between);
+        status = follow_all(kept, detour > 0 ? between : NULL, pose, pace, out);
+        if (out->proved_count >= (kept->is_counted ? kept->expected : kept->generic.count)) break;
+    }
+    return status;
+}
+
 YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace,
                                  YkGroupSolutions *out)
 {
-    YkVec pose[COEFFICIENTS_MAX], between[COEFFICIENTS_MAX];
+    YkVec pose[COEFFICIENTS_MAX];
     const YkShape *shape = &kept->shape;
-    uint64_t seed = 1;
-    out->proved_count = out->real_count = 0;
-    out->is_complete = out->is_counted = false;
     if (kept->outside != YK_OUTSIDE_NOT) return YK_GROUP_OUTSIDE;
+    size_t bytes = 2 * yk_coefficient_count(shape) * sizeof *pose;
+    if (!out->pose) out->pose = malloc(bytes);
+    if (!out->pose) return YK_GROUP_NO_MEMORY;
     yk_coefficients_read(shape, run, index, pose);
-    YkGroupStatus status = count(kept, pose, pace);
-    if (status == YK_GROUP_SOLVED) status = prepare(kept, pose, pace);
-    for (int detour = 0; status == YK_GROUP_SOLVED && detour <= DETOURS && kept->start.count > 0; detour++) {
-        if (detour > 0) make_detour(shape, pose, &seed, between);
-        status = follow_all(kept, detour > 0 ? between : NULL, pose, pace, out);
-        if (out->proved_count >= (kept->is_counted ? kept->expected : kept->start.count)) break;
-    }
+    if (out->has_pose && memcmp(pose, out->pose, bytes) == 0 && (out->is_complete || yk_pace_is_stopped(pace)))
+        return YK_GROUP_SOLVED;
+    memcpy(out->pose, pose, bytes);
+    out->has_pose = true;
+    out->proved_count = 0;
+    out->is_complete = false;
+    YkGroupStatus status = solve_at(kept, pose, pace, out);
     sort_proved(shape, out);
     if (!write_real(shape, run->mech->size, out)) return YK_GROUP_NO_MEMORY;
     out->is_counted = kept->is_counted;

@@ -12,7 +12,7 @@ typedef struct YkGroupKept {
     YkMatroid matroid; // of the pose for which `expected` was counted
     bool is_counted;
     size_t expected;
-    YkGeneric start;
+    YkGeneric generic;
 } YkGroupKept;
 
 typedef struct YkProved { // a complex solution
@@ -30,6 +30,8 @@ typedef struct YkGroupSolutions {
     size_t expected;
     bool is_complete;  // all complex solutions are proved, and it is known of each whether it is real
     size_t unclear;    // how many are proved of which that is not known
+    YkVec *pose;       // the coefficients of this pose, once it is solved; what is solved again is not followed again
+    bool has_pose;
 } YkGroupSolutions;
 
 typedef enum YkGroupStatus { YK_GROUP_SOLVED, YK_GROUP_OUTSIDE, YK_GROUP_STOPPED, YK_GROUP_NO_MEMORY } YkGroupStatus;

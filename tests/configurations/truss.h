@@ -35,7 +35,7 @@ static inline Machine truss_machine(const Truss *truss)
         if (link > 0) yk_builder_body(b, names[link]);
         for (; *c && *c != ' '; c++) {
             char pin[2] = {*c, 0}, name[8];
-            size_t k = (size_t)(*c - 'a');
+            size_t k = (size_t)(*c >= 'a' ? *c - 'a' : *c - 'A' + 26);
             yk_builder_point(b, names[link], pin, truss->x[k], truss->y[k]);
             snprintf(name, sizeof name, "%s%zu", pin, joint++);
             if (first[k])
