@@ -23,6 +23,15 @@ static inline void truss_scatter(Truss *truss, uint64_t seed)
     }
 }
 
+// Makes the platform def of a triad similar to the ground's abc: turned, smaller, and elsewhere.
+static inline void truss_make_similar(Truss *t)
+{
+    for (int k = 0; k < 3; k++) {
+        t->x[3 + k] = 0.3 + 0.5 * t->x[k] - 0.25 * t->y[k];
+        t->y[3 + k] = -0.2 + 0.5 * t->y[k] + 0.25 * t->x[k];
+    }
+}
+
 static inline Machine truss_machine(const Truss *truss)
 {
     YkBuilder *b = yk_builder_new("truss");
