@@ -223,6 +223,7 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
     else
         yk_text_format(&text, "%z of %z complex solutions of the group of joint `%s` are proved", r->proved, r->expected,
                        label);
+    all->out_of_memory |= text.failed;
     const char *words = text.failed ? "" : yk_text_get(&text);
     size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;
     memcpy(r->message, words, length);
@@ -248,8 +249,12 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
     all->context = context;
     YkStatus status = yk_search_each(state, &lister, show, all, &whole);
     all->is_running = false;
-    if (all->out_of_memory && status != YK_STOPPED) status = YK_NO_MEMORY;
-    tell(all, whole && status != YK_STOPPED && status != YK_NO_MEMORY, lister.lost);
+    tell(all, whole && status != YK_STOPPED && !all->out_of_memory, lister.lost);
+    if (all->out_of_memory && status != YK_STOPPED) {
+        status = YK_NO_MEMORY;
+        all->report.complete = false;
+        all->report.reason = YK_INCOMPLETE;
+    }
     if (report) *report = all->report;
     return status;
 }
