@@ -57,14 +57,16 @@ static bool is_within(void *context, double part)
     return yk_stop_now() < rolls->deadline && !yk_stop_is_asked();
 }
 
-// Reads --within: seconds from now. Returns false for a bad value, which is told.
-static bool start_clock(YkSession *session)
+bool yk_roll_within(YkSession *session, double *seconds)
 {
-    double seconds = 0;
-    if (!session->request->within) return true;
-    if (!yk_session_value(session, "--within", "", session->request->within, YK_QUANTITY_TIME, &seconds)) return false;
-    session->rolls->deadline = yk_stop_now() + fmax(0, seconds);
-    return true;
+    const char *within = session->request->within;
+    *seconds = 0;
+    if (!within) return true;
+    if (!session->request->all)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--within %s needs --all", within);
+    if (!yk_session_value(session, "--within", "", within, YK_QUANTITY_TIME, seconds)) return false;
+    if (*seconds > 0) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--within %s: a time above 0 is needed", within);
 }
 
 static bool make_rolls(YkSession *session)
@@ -72,9 +74,14 @@ static bool make_rolls(YkSession *session)
     if (session->rolls) return true;
     session->rolls = calloc(1, sizeof *session->rolls);
     if (session->rolls) session->rolls->configurations = yk_configurations_new(session->mech);
-    if (session->rolls && session->rolls->configurations) return start_clock(session);
-    yk_session_run_out(session);
-    return false;
+    if (!session->rolls || !session->rolls->configurations) {
+        yk_roll_end(session);
+        yk_session_run_out(session);
+        return false;
+    }
+    double seconds;
+    if (yk_roll_within(session, &seconds) && seconds > 0) session->rolls->deadline = yk_stop_now() + seconds;
+    return true;
 }
 
 static YkStatus each(YkSession *session, YkState *state, bool (*visit)(void *, YkState *), void *context,

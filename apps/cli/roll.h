@@ -8,6 +8,8 @@
 // order of yk_state_each; report may be NULL. Names (yk_configuration_name) may be asked for while it visits.
 YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void *context, YkState *state),
                          void *context, YkConfigurationsReport *report);
+// Reads --within, s; 0 without it. Returns false, with the reason told, for a bad value or without --all.
+bool yk_roll_within(YkSession *session, double *seconds);
 // Frees what the session keeps of configurations.
 void yk_roll_end(YkSession *session);
 

@@ -186,7 +186,7 @@ YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t ind
     if (!out->pose) return YK_GROUP_NO_MEMORY;
     yk_coefficients_read(shape, run, index, pose);
     if (out->has_pose && memcmp(pose, out->pose, bytes) == 0 && (out->is_complete || yk_pace_is_stopped(pace)))
-        return YK_GROUP_SOLVED;
+        return out->is_complete ? YK_GROUP_SOLVED : YK_GROUP_STOPPED;
     memcpy(out->pose, pose, bytes);
     out->has_pose = true;
     out->proved_count = 0;

@@ -192,7 +192,8 @@ int yk_run_solve(YkSession *session)
     if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
         return YK_EXIT_WRONG;
-    bool good = read_columns(session, &columns);
+    double seconds;
+    bool good = yk_roll_within(session, &seconds) && read_columns(session, &columns);
     writer.dynamics = session->dynamics;
     writer.scratch = yk_session_new_state(session, session->mech);
     int exit_code = YK_EXIT_WRONG;
