@@ -52,6 +52,7 @@ typedef struct YkRequest {
     YkFormat format;
     bool sensitivities, fresh; // study
     const char *prefix;        // code
+    const char *within;        // solve --all
     bool single, kinematics;   // code
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
@@ -93,6 +94,7 @@ struct YkSession {
     YkProblems *file_problems; // then; otherwise NULL
     YkText out;                // for standard output; written once, at the end
     YkScale scale;             // what is noise in the text
+    struct YkRolls *rolls;     // configurations that were enumerated (roll.h); or NULL
 };
 
 struct YkVerb {

@@ -24,6 +24,8 @@ const YkOption yk_options[] = {
      "take another configuration: by its label, the one nearest to start:, or line K of solve --all"},
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
      "every assembly configuration at the requested pose, not only the machine's own"},
+    {"within", 0, YK_OPTION_WORD, FIELD(within), "TIME", " solve ",
+     "--all: stop looking after this time, and tell what is proved by then"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
      "say what the machine still needs before it can move; the file need not be finished"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},

@@ -1,9 +1,10 @@
-// Configurations by name: --assembly LABEL, nearest or K; and which of several is the machine's own.
+// Takes configurations by name: --assembly LABEL, nearest or K; and tells which of several is the machine's own.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
 #include "reach.h"
+#include "roll.h"
 #include "stop.h"
 
 static const double full_turn = 6.28318530717958647692, same = 1e-6; // rad, or lengths over the size
@@ -18,80 +19,6 @@ bool yk_same_configuration(const YkState *a, const YkState *b)
         if (!(fabs(off) < same)) return false;
     }
     return true;
-}
-
-// --- names
-
-// The configurations with one label at a pose: how many there are, and which of them is wanted.
-typedef struct Namesakes {
-    const YkState *sought;
-    YkText label;
-    size_t count, place; // from 1; 0: not among them
-    bool failed;
-} Namesakes;
-
-static bool count_namesake(void *context, YkState *state)
-{
-    Namesakes *n = context;
-    YkText label = yk_label_of(state);
-    n->failed |= label.failed || n->label.failed;
-    if (strcmp(yk_text_get(&label), yk_text_get(&n->label)) == 0) {
-        n->count++;
-        if (yk_same_configuration(state, n->sought)) n->place = n->count;
-    }
-    yk_text_free(&label);
-    return true;
-}
-
-static Namesakes namesakes(YkState *at, const YkState *sought)
-{
-    Namesakes n = {.sought = sought, .label = yk_label_of(sought)};
-    if (yk_state_each(at, count_namesake, &n, NULL) == YK_NO_MEMORY) yk_text_fail(&n.label);
-    return n;
-}
-
-// Moves a configuration back to where the machine was assembled. Returns its number there within its label, or 0.
-static size_t number_at_start(YkSession *session, const YkState *state)
-{
-    YkState *back = yk_session_new_state(session, session->mech), *start = yk_session_new_state(session, session->mech);
-    size_t count = yk_input_count(session->mech), number = 0;
-    YkMotion *goal = calloc(count + 1, sizeof *goal);
-    if (!back || !start || !goal) yk_session_run_out(session);
-    if (back && start && goal && yk_state_copy(back, state) >= 0 && yk_state_set_time(start, 0, NULL) >= 0) {
-        for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(start, i);
-        YkStatus status = yk_state_move_to(back, goal, NULL, NULL);
-        if (status == YK_NO_MEMORY) yk_session_run_out(session);
-        if (status >= 0) {
-            Namesakes there = namesakes(start, back);
-            number = there.place;
-            if (there.failed) yk_session_run_out(session);
-            yk_text_free(&there.label);
-        }
-    }
-    free(goal);
-    yk_state_free(start);
-    yk_state_free(back);
-    return number;
-}
-
-YkText yk_configuration_name(YkSession *session, const YkState *state)
-{
-    YkState *here = yk_session_new_state(session, session->mech);
-    YkText name = yk_label_of(state);
-    if (!here || name.failed || yk_state_copy(here, state) < 0) {
-        yk_session_run_out(session);
-        yk_state_free(here);
-        return name;
-    }
-    Namesakes n = namesakes(here, state);
-    if (n.failed) yk_session_run_out(session);
-    if (n.count > 1) {
-        size_t number = number_at_start(session, state);
-        yk_text_format(&name, number > 0 ? ".%z" : ".x%z", number > 0 ? number : n.place);
-    }
-    yk_text_free(&n.label);
-    yk_state_free(here);
-    return name;
 }
 
 // --- choosing
@@ -154,7 +81,7 @@ static YkStatus choose_by_name(YkSession *session, const char *word)
         yk_session_run_out(session);
         return YK_NO_MEMORY;
     }
-    YkStatus status = yk_state_each(session->state, look, &c, NULL);
+    YkStatus status = yk_session_each(session, session->state, look, &c, NULL);
     if (status >= 0 && c.has_found) {
         status = yk_state_copy(session->state, c.found);
         yk_session_hold(session, session->state);

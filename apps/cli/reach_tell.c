@@ -4,6 +4,7 @@
 #include <string.h>
 #include "answer.h"
 #include "reach.h"
+#include "roll.h"
 #include "stop.h"
 
 enum { RANGES_MAX = 32, INPUTS_MAX = 3 };
@@ -126,7 +127,7 @@ size_t yk_reach_count(YkSession *session)
     size_t count = 0;
     YkState *state = asked_state(session);
     session->ran_out |= !state;
-    if (state) yk_note_status(session, yk_state_each(state, count_one, &count, NULL));
+    if (state) yk_note_status(session, yk_session_each(session, state, count_one, &count, NULL));
     yk_state_free(state);
     return count;
 }

@@ -1,4 +1,5 @@
 // A run's steps that the verbs share.
+#include "roll.h"
 #include "session.h"
 #include "stop.h"
 #include <math.h>
@@ -391,6 +392,7 @@ int yk_session_finish(YkSession *session, int exit_code)
 
 void yk_session_free(YkSession *session)
 {
+    yk_roll_end(session);
     yk_dynamics_free(session->dynamics);
     yk_state_free(session->state);
     yk_mechanism_free(session->mech);

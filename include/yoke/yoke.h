@@ -26,6 +26,7 @@
 #include <yoke/sketch.h>
 #include <yoke/variant.h>
 #include <yoke/state.h>
+#include <yoke/configurations.h>
 #include <yoke/move.h>
 #include <yoke/drag.h>
 #include <yoke/sweep.h>

@@ -90,13 +90,11 @@ static bool share_options(YkSearch *search, const YkMechanism *mech)
     for (size_t l = 0; l < search->level_count; l++) total += options_max(mech, &search->levels[l]);
     double *solutions = search->solutions = calloc(mech->column_count * YK_GROUP_SOLUTIONS_MAX + 1, sizeof *solutions);
     double *costs = search->costs = calloc(total + 1, sizeof *costs);
-    unsigned char *orders = search->orders = calloc(total + 1, 1);
+    uint16_t *orders = search->orders = calloc(total + 1, sizeof *orders);
     if (!solutions || !costs || !orders) return false;
     for (size_t l = 0; l < search->level_count; l++) {
         YkLevel *level = &search->levels[l];
-        level->solutions = solutions;
-        level->cost = costs;
-        level->order = orders;
+        level->own = level->room = (YkOptionRoom){solutions, costs, orders};
         costs += options_max(mech, level);
         orders += options_max(mech, level);
         if (mech->blocks[level->block].kind == YK_BLOCK_GROUP)
@@ -173,7 +171,7 @@ static void choose(YkState *s, const YkLevel *level, size_t option)
         s->branch[level->block] = option == 0 ? 1 : -1;
         return;
     }
-    memcpy(s->groups.x + b->first_column, level->solutions + option * b->column_count,
+    memcpy(s->groups.x + b->first_column, level->room.solutions + option * b->column_count,
            b->column_count * sizeof(double));
     s->branch[level->block] = 0; // its sign is taken once it is solved
 }
@@ -227,11 +225,17 @@ static void count_options(YkState *s, YkLevel *level)
 {
     const YkBlock *b = &s->mech->blocks[level->block];
     level->options = 2;
+    level->room = level->own;
     if (b->kind != YK_BLOCK_GROUP) return;
     YkRun run = yk_state_run(s, &s->spare);
+    YkLister *lister = s->search->lister;
+    if (lister) {
+        level->options = (uint32_t)lister->list(lister->context, &run, (size_t)level->block, &level->room);
+        return;
+    }
     level->options = (uint32_t)yk_group_search(&run, (size_t)level->block);
     if (level->options == 0) s->search->gave_up_at = level->block; // searched, not enumerated
-    memcpy(level->solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
+    memcpy(level->room.solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
 static bool is_singular_twin(const YkState *s)
@@ -243,17 +247,22 @@ static bool is_singular_twin(const YkState *s)
 static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
 {
     size_t closing = 0, options;
+    YkLister *lister = s->mech->blocks[level->block].kind == YK_BLOCK_GROUP ? s->search->lister : NULL;
     level->before = before;
     level->tried = 0;
     count_options(s, level);
     options = level->options;
+    double *costs = level->room.cost;
+    uint16_t *order = level->room.order;
     for (size_t o = 0; o < options; o++) {
-        level->cost[o] = run_option(s, level, o);
-        if (!(level->cost[o] < INFINITY)) continue;
+        costs[o] = run_option(s, level, o);
+        if (!(costs[o] < INFINITY)) {
+            if (lister && !(s->spare.block_margin[level->block] >= YK_LIMIT_MARGIN)) lister->lost++;
+            continue;
+        }
         size_t place = closing++;
-        for (; nearest && place > 0 && level->cost[level->order[place - 1]] > level->cost[o]; place--)
-            level->order[place] = level->order[place - 1];
-        level->order[place] = (unsigned char)o;
+        for (; nearest && place > 0 && costs[order[place - 1]] > costs[o]; place--) order[place] = order[place - 1];
+        order[place] = (uint16_t)o;
         // At a dead point both branches are one pose.
         if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s))
             break;
@@ -281,13 +290,13 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
     while (!yk_state_is_stopped(s)) {
         YkLevel *level = &q->levels[depth];
         size_t next = level->tried;
-        double cost = next < level->options ? level->before + level->cost[level->order[next]] : INFINITY;
+        double cost = next < level->options ? level->before + level->room.cost[level->room.order[next]] : INFINITY;
         if (next >= level->options || (bound && cost >= *bound)) {
             if (depth-- == 0) return true;
             continue;
         }
         level->tried++;
-        run_option(s, level, level->order[next]);
+        run_option(s, level, level->room.order[next]);
         if (yk_state_is_stopped(s)) return false; // it was not run
         if (depth + 1 < q->level_count) {
             if (++opened > q->level_count + (leaves > 0 ? OPENED_AFTER : OPENED_BEFORE)) {
@@ -425,7 +434,7 @@ static bool show(void *context, YkState *s, double cost)
     return !each->stopped;
 }
 
-YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *context, bool *complete)
+YkStatus yk_search_each(YkState *s, YkLister *lister, bool (*visit)(void *, YkState *), void *context, bool *all)
 {
     Each each = {visit, context, 0, false};
     bool is_own = yk_state_begin(s);
@@ -434,10 +443,20 @@ YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *conte
     memcpy(s->valid_input, s->input, inputs);
     memcpy(s->search->best_branch, s->branch, s->mech->block_count);
     if (bytes > 0) memcpy(s->search->best_x, s->groups.x, bytes);
+    s->search->lister = lister;
     bool whole = search(s, false, NULL, show, &each, EACH_MAX);
+    s->search->lister = NULL;
     memcpy(s->branch, s->search->best_branch, s->mech->block_count);
     memcpy(s->valid_input, s->search->wanted, inputs);
     if (bytes > 0) memcpy(s->groups.x, s->search->best_x, bytes);
-    if (complete) *complete = (whole || each.stopped) && !s->mech->has_groups;
+    if (all) *all = whole || each.stopped;
     return yk_state_end(s, is_own, each.count > 0 ? YK_OK : YK_NO_ASSEMBLY);
+}
+
+YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *context, bool *complete)
+{
+    bool all;
+    YkStatus status = yk_search_each(s, NULL, visit, context, &all);
+    if (complete) *complete = all && !s->mech->has_groups;
+    return status;
 }

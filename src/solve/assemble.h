@@ -3,16 +3,30 @@
 #define SOLVE_ASSEMBLE_H
 #include "solve/state.h"
 
+// Room for the options of a level: their unknowns if it is a group ([option][column]), their costs, and those that
+// close, nearest first.
+typedef struct YkOptionRoom {
+    double *solutions, *cost;
+    uint16_t *order;
+} YkOptionRoom;
+
 typedef struct YkLevel { // a block with branches, in the order of solution
     int32_t block;
     size_t from, to;                             // steps from its own to the next level's
     uint32_t first_coordinate, coordinate_count; // coordinates that become known in these steps
     uint32_t options, tried;
-    double before;        // cost of all previous levels
-    double *cost;         // of each option
-    unsigned char *order; // options that close, nearest first
-    double *solutions;    // groups: [option][column]
+    double before;    // cost of all previous levels
+    YkOptionRoom own; // for what a search finds
+    YkOptionRoom room;
 } YkLevel;
+
+// Lists all solutions of a group in place of the search: block `index` at the pose of `run`, in which earlier blocks are
+// solved. Returns their number, with room for them that lasts until the next call for this block.
+typedef struct YkLister {
+    size_t (*list)(void *context, const YkRun *run, size_t index, YkOptionRoom *room);
+    void *context;
+    size_t lost; // solutions listed that do not close in the steps that solve a group
+} YkLister;
 
 typedef struct YkSearch {
     YkLevel *levels;
@@ -24,11 +38,14 @@ typedef struct YkSearch {
     double *best_x, *kept_x, *kept_reference, *path, *wanted;
     double *variables;         // scratch: the unknowns of the closure from the guesses
     double *solutions, *costs; // those of the levels, in one block each
-    unsigned char *orders;
+    uint16_t *orders;
+    YkLister *lister; // or NULL
     YkSpace kept;
 } YkSearch;
 
 YkSearch *yk_search_new(const YkMechanism *mech);
 void yk_search_free(YkSearch *search);
+// As yk_state_each, with the groups' solutions from a lister (or NULL). *whole: all combinations were visited.
+YkStatus yk_search_each(YkState *state, YkLister *lister, bool (*visit)(void *, YkState *), void *context, bool *whole);
 
 #endif

@@ -1,6 +1,8 @@
 // yoke solve: one pose, or every one that the inputs allow.
+#include <math.h>
 #include "columns.h"
 #include "reach.h"
+#include "roll.h"
 #include "stop.h"
 #include "verbs/solve/solve.h"
 
@@ -78,7 +80,7 @@ static bool visit(void *context, YkState *state)
 }
 
 // Writes the valid poses; a failure leaves the list empty.
-static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
+static YkStatus write_all(Writer *writer, YkStatus status, YkConfigurationsReport *report)
 {
     YkSession *session = writer->session;
     if (!session->request->all) {
@@ -90,7 +92,7 @@ static YkStatus write_all(Writer *writer, YkStatus status, bool *is_complete)
         session->state = NULL;
     }
     YkStatus each =
-        yk_reach_ask(session) < 0 ? YK_NO_MEMORY : yk_state_each(session->state, visit, writer, is_complete);
+        yk_reach_ask(session) < 0 ? YK_NO_MEMORY : yk_session_each(session, session->state, visit, writer, report);
     yk_note_status(session, each);
     yk_state_free(writer->own);
     return each;
@@ -112,25 +114,41 @@ static void begin(Writer *writer, YkStatus status, const char *message)
     }
 }
 
-static void end(Writer *writer, bool is_complete)
+// Writes whether there are others, and why.
+static void write_report(Writer *writer, const YkConfigurationsReport *report)
+{
+    YkJson *json = &writer->json;
+    bool is_known = report->reason != YK_INCOMPLETE;
+    yk_json_bool(json, "complete", report->complete);
+    yk_json_string(json, "reason", is_known ? yk_complete_reason_name(report->reason) : NULL);
+    yk_json_string(json, "because", report->message);
+    if (report->block < 0) return;
+    yk_json_object(json, "complex", YK_JSON_INLINE);
+    yk_json_number(json, "proved", (double)report->proved);
+    yk_json_number(json, "counted", report->expected > 0 || is_known ? (double)report->expected : (double)NAN);
+    yk_json_end(json);
+}
+
+static void end(Writer *writer, const YkConfigurationsReport *report)
 {
     YkSession *session = writer->session;
     bool all = session->request->all;
     if (session->request->format == YK_FORMAT_JSON) {
         yk_json_end(&writer->json);
-        if (all) yk_json_bool(&writer->json, "complete", is_complete);
+        if (all) write_report(writer, report);
         yk_json_end(&writer->json);
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
-        yk_text_format(&session->out, "\n%z configuration%s%s\n", writer->count, writer->count == 1 ? "" : "s",
-                       is_complete ? "; there are no others"
-                                   : "; there may be others: a larger group was searched, not enumerated");
+        bool is_told = report->reason != YK_COMPLETE_BY_CLOSED_FORM;
+        yk_text_format(&session->out, "\n%z configuration%s; there %s%s%s\n", writer->count,
+                       writer->count == 1 ? "" : "s", report->complete ? "are no others" : "may be others",
+                       is_told ? ": " : "", is_told ? report->message : "");
     }
 }
 
 static int solve(Writer *writer)
 {
     YkSession *session = writer->session;
-    bool is_complete = true;
+    YkConfigurationsReport all = {.block = -1};
     YkStatus pose = yk_session_reach(session, NULL);
     YkReport report = *yk_state_report(session->state);
     YkStatus forces = pose < 0 ? YK_OK : find_forces(writer, session->state);
@@ -153,8 +171,8 @@ static int solve(Writer *writer)
     begin(writer, status, message);
     if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics, NULL);
     yk_solve_of_warn(session);
-    YkStatus written = write_all(writer, pose, &is_complete);
-    end(writer, is_complete);
+    YkStatus written = write_all(writer, pose, &all);
+    end(writer, &all);
     return yk_session_finish(session, yk_status_exit(status < 0 ? status : written));
 }
 
@@ -174,7 +192,8 @@ int yk_run_solve(YkSession *session)
     if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
         return YK_EXIT_WRONG;
-    bool good = read_columns(session, &columns);
+    double seconds;
+    bool good = yk_roll_within(session, &seconds) && read_columns(session, &columns);
     writer.dynamics = session->dynamics;
     writer.scratch = yk_session_new_state(session, session->mech);
     int exit_code = YK_EXIT_WRONG;

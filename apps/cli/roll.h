@@ -1,0 +1,16 @@
+// The roll of configurations at a pose: which there are, what they are called, and whether there are others.
+#ifndef CLI_ROLL_H
+#define CLI_ROLL_H
+#include <yoke/configurations.h>
+#include "session.h"
+
+// Visits every configuration at the inputs of `state`, a state of session->mech, as yk_configurations_each does in the
+// order of yk_state_each; report may be NULL. Names (yk_configuration_name) may be asked for while it visits.
+YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void *context, YkState *state),
+                         void *context, YkConfigurationsReport *report);
+// Reads --within, s; 0 without it. Returns false, with the reason told, for a bad value or without --all.
+bool yk_roll_within(YkSession *session, double *seconds);
+// Frees what the session keeps of configurations.
+void yk_roll_end(YkSession *session);
+
+#endif

@@ -1,0 +1,260 @@
+// Visits every configuration of a machine, and tells whether there are others.
+#include <yoke/configurations.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/text.h"
+#include "configurations/group.h"
+#include "solve/assemble.h"
+#include "solve/state.h"
+
+// The group of one block: what is kept of it, its solutions at this pose, and room for the options of its level.
+typedef struct Member {
+    YkGroupKept kept;
+    YkGroupSolutions solutions;
+    double *options, *costs;
+    uint16_t *order;
+    size_t capacity;
+} Member;
+
+struct YkConfigurations {
+    const YkMechanism *mech;
+    Member *members; // [block]
+    // of the present call:
+    YkState *state;
+    YkConfigurationsOptions options;
+    YkConfigurationsReport report;
+    size_t lacking; // solutions that the group of the report lacks
+    bool out_of_memory, is_running, is_cut_short;
+    YkPace enough;
+    bool (*visit)(void *, YkState *);
+    void *context;
+};
+
+YkConfigurationsOptions yk_default_configurations_options(void)
+{
+    return (YkConfigurationsOptions){.in_search_order = false};
+}
+
+const char *yk_complete_reason_name(YkCompleteReason reason)
+{
+    static const char *const names[] = {"none", "closed form", "counted"};
+    return (unsigned)reason < sizeof names / sizeof *names ? names[reason] : "?";
+}
+
+YkConfigurations *yk_configurations_new(const YkMechanism *mech)
+{
+    YkConfigurations *all = mech ? calloc(1, sizeof *all) : NULL;
+    if (!all) return NULL;
+    all->mech = mech;
+    all->members = calloc(mech->block_count + 1, sizeof *all->members);
+    if (!all->members) {
+        free(all);
+        return NULL;
+    }
+    for (size_t b = 0; b < mech->block_count; b++) {
+        YkGroupKept *kept = &all->members[b].kept;
+        if (mech->blocks[b].kind == YK_BLOCK_GROUP) kept->outside = yk_shape_read(&kept->shape, mech, b);
+    }
+    return all;
+}
+
+void yk_configurations_free(YkConfigurations *all)
+{
+    if (!all) return;
+    for (size_t b = 0; b < all->mech->block_count; b++) {
+        Member *m = &all->members[b];
+        yk_group_kept_end(&m->kept);
+        yk_group_solutions_end(&m->solutions);
+        free(m->options);
+        free(m->costs);
+        free(m->order);
+    }
+    free(all->members);
+    free(all);
+}
+
+// --- the options of a group
+
+static bool make_room(Member *m, size_t count, size_t columns)
+{
+    if (count <= m->capacity) return true;
+    size_t capacity = count + 32;
+    double *options = malloc(capacity * columns * sizeof *options), *costs = malloc(capacity * sizeof *costs);
+    uint16_t *order = malloc(capacity * sizeof *order);
+    if (!options || !costs || !order) {
+        free(options);
+        free(costs);
+        free(order);
+        return false;
+    }
+    if (m->capacity > 0) memcpy(options, m->options, m->capacity * columns * sizeof *options);
+    free(m->options);
+    free(m->costs);
+    free(m->order);
+    m->options = options;
+    m->costs = costs;
+    m->order = order;
+    m->capacity = capacity;
+    return true;
+}
+
+static bool is_listed(const YkConfigurations *all, const YkBlock *block, const double *options, size_t count,
+                      const double *x)
+{
+    const double same = 1e-7;
+    size_t n = block->column_count;
+    for (size_t s = 0; s < count; s++) {
+        double off = 0;
+        for (size_t k = 0; k < n; k++) {
+            bool is_distance = all->mech->group_columns[block->first_column + k].is_distance;
+            double d = x[k] - options[s * n + k];
+            off = fmax(off, is_distance ? fabs(d) / all->mech->size : fabs(yk_nearest_turn(d, 0)));
+        }
+        if (off < same) return true;
+    }
+    return false;
+}
+
+// Adds options that are not yet listed; proved solutions that a search found are the same. Returns the number listed.
+static size_t add_options(YkConfigurations *all, Member *m, const YkBlock *block, size_t count, const double *from,
+                          size_t from_count)
+{
+    size_t n = block->column_count;
+    if (!make_room(m, count + from_count, n)) {
+        all->out_of_memory = true;
+        return count;
+    }
+    size_t before = count;
+    for (size_t s = 0; s < from_count; s++)
+        if (!is_listed(all, block, m->options, before, from + s * n))
+            memcpy(m->options + count++ * n, from + s * n, n * sizeof *from);
+    return count;
+}
+
+static const char *reason_outside(YkOutside outside)
+{
+    switch (outside) {
+    case YK_OUTSIDE_RELATIONS:
+        return "gears, belts, cams or laws are solved together with its loops";
+    case YK_OUTSIDE_REDUNDANT:
+        return "its equations are not as many as its unknowns";
+    case YK_OUTSIDE_LARGE:
+        return "it has more than seven loops";
+    default:
+        return "a distance runs along more than one line";
+    }
+}
+
+// Notes a group at a pose; the report keeps the one that lacks most, or else the one with most solutions.
+static void note(YkConfigurations *all, size_t index, const Member *m, YkGroupStatus status)
+{
+    YkConfigurationsReport *r = &all->report;
+    const YkGroupSolutions *s = &m->solutions;
+    size_t lacking = s->is_complete                ? 0
+                     : status == YK_GROUP_OUTSIDE  ? SIZE_MAX
+                     : !s->is_counted              ? SIZE_MAX - 1
+                     : s->expected > s->proved_count ? s->expected - s->proved_count
+                                                     : 1;
+    bool is_first = r->block < 0, is_worse = lacking > all->lacking;
+    if (!is_first && !is_worse && !(lacking == all->lacking && s->proved_count > r->proved)) return;
+    all->lacking = lacking;
+    r->block = (int)index;
+    r->proved = status == YK_GROUP_OUTSIDE ? 0 : s->proved_count;
+    r->expected = s->is_counted ? s->expected : 0;
+}
+
+static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *room)
+{
+    YkConfigurations *all = context;
+    Member *m = &all->members[index];
+    const YkBlock *block = &all->mech->blocks[index];
+    size_t count = 0;
+    YkPace *pace = all->enough.progress.goes_on ? &all->enough : all->state->pace;
+    if (pace == &all->enough && yk_pace_is_stopped(all->state->pace)) return 0;
+    YkGroupStatus status = yk_group_solve_all(&m->kept, run, index, pace, &m->solutions);
+    all->is_cut_short |= status == YK_GROUP_STOPPED;
+    all->out_of_memory |= status == YK_GROUP_NO_MEMORY;
+    note(all, index, m, status);
+    bool is_searched = all->options.in_search_order || !m->solutions.is_complete;
+    if (status == YK_GROUP_OUTSIDE || (is_searched && !yk_pace_is_stopped(pace))) {
+        size_t found = yk_group_search(run, index);
+        count = add_options(all, m, block, 0, run->groups->solutions, found);
+    }
+    if (status != YK_GROUP_OUTSIDE)
+        count = add_options(all, m, block, count, m->solutions.real, m->solutions.real_count);
+    *room = (YkOptionRoom){m->options, m->costs, m->order};
+    return count;
+}
+
+// --- the whole machine
+
+static bool show(void *context, YkState *state)
+{
+    YkConfigurations *all = context;
+    all->report.count++;
+    return !all->visit || all->visit(all->context, state);
+}
+
+static void tell(YkConfigurations *all, bool whole, size_t lost)
+{
+    YkConfigurationsReport *r = &all->report;
+    YkText text = {0};
+    r->complete = whole && all->lacking == 0 && lost == 0 && !all->is_cut_short;
+    r->reason = !r->complete ? YK_INCOMPLETE : r->block < 0 ? YK_COMPLETE_BY_CLOSED_FORM : YK_COMPLETE_BY_COUNT;
+    const char *label = r->block < 0 ? "" : all->mech->blocks[r->block].label;
+    if (r->complete && r->block < 0)
+        yk_text_puts(&text, "every dyad is solved in closed form");
+    else if (r->complete)
+        yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved", r->expected, label);
+    else if (!whole)
+        yk_text_puts(&text, "not all combinations of branches were visited");
+    else if (all->is_cut_short)
+        yk_text_format(&text, "stopped before all paths were followed; %z complex solutions of the group of joint `%s` are proved",
+                       r->proved, label);
+    else if (all->lacking == SIZE_MAX)
+        yk_text_format(&text, "the group of joint `%s` was searched, not enumerated: %s", label,
+                       reason_outside(all->members[r->block].kept.outside));
+    else if (all->lacking == SIZE_MAX - 1)
+        yk_text_format(&text, "the group of joint `%s` was enumerated, but not counted: %z complex solutions are proved",
+                       label, r->proved);
+    else if (all->lacking == 0)
+        yk_text_format(&text, "%z proved solutions do not close in the machine's own steps", lost);
+    else
+        yk_text_format(&text, "%z of %z complex solutions of the group of joint `%s` are proved", r->proved, r->expected,
+                       label);
+    all->out_of_memory |= text.failed;
+    const char *words = text.failed ? "" : yk_text_get(&text);
+    size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;
+    memcpy(r->message, words, length);
+    r->message[length] = 0;
+    yk_text_free(&text);
+}
+
+YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkConfigurationsOptions *options,
+                                bool (*visit)(void *, YkState *), void *context, YkConfigurationsReport *report)
+{
+    if (report) *report = (YkConfigurationsReport){.block = -1};
+    if (!all || !state || state->mech != all->mech || all->is_running) return YK_BAD_ARGUMENT;
+    YkLister lister = {list, all, 0};
+    bool whole = false;
+    all->state = state;
+    all->options = options ? *options : yk_default_configurations_options();
+    all->report = (YkConfigurationsReport){.block = -1};
+    all->lacking = 0;
+    all->out_of_memory = all->is_cut_short = false;
+    all->is_running = true;
+    yk_pace_begin(&all->enough, all->options.enough);
+    all->visit = visit;
+    all->context = context;
+    YkStatus status = yk_search_each(state, &lister, show, all, &whole);
+    all->is_running = false;
+    tell(all, whole && status != YK_STOPPED && !all->out_of_memory, lister.lost);
+    if (all->out_of_memory && status != YK_STOPPED) {
+        status = YK_NO_MEMORY;
+        all->report.complete = false;
+        all->report.reason = YK_INCOMPLETE;
+    }
+    if (report) *report = all->report;
+    return status;
+}
