@@ -261,6 +261,14 @@ class Poses(Case):
         self.assertLess(abs(float(first[1]) - math.sin(1e9)), 1e-6)
         self.assertEqual(Run("report", file).code, 0)
 
+    def test_a_start_at_which_a_drive_has_no_rate_is_told(self):
+        """The square root has a value at 0 and no derivative: every message has its reason."""
+        file = self.write("root.yaml", ARM.replace("sin(1e9 rad/s * t)", "sqrt(t/1s)"))
+        run = Run("solve", file, "--time", "1s")
+        self.assertEqual(run.code, 2)
+        self.assertNotRegex(run.err, r", +\[E")
+        self.assertIn("a drive has no value, rate or acceleration", run.err)
+
     def test_rest_starts_from_the_configuration_that_is_chosen(self):
         """A pendulum's rocking four-bar: which equilibria it reaches depends on how it was put together."""
         file = os.path.join(ROOT, "examples", "rocking-four-bar.yaml")
