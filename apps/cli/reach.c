@@ -199,7 +199,9 @@ static YkStatus enter(YkSession *session, const YkState *start)
 static YkStatus stand(YkSession *session, const YkState *start, YkStatus status)
 {
     if (status >= 0) return enter(session, start);
-    yk_text_format(&session->reach_message, "at the pose of `start:`, %s", yk_state_report(start)->message);
+    const char *why = yk_state_report(start)->message; // empty where a drive has no value, which its problem tells
+    yk_text_format(&session->reach_message, "at the pose of `start:`, %s",
+                   *why ? why : "a drive has no value, rate or acceleration");
     return status;
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/names.h"
+#include "base/number.h"
 #include "write/file.h"
 
 static const YkPlace nowhere = {0};
@@ -264,6 +265,20 @@ static bool find_input(YkSession *session, const char *name, size_t *input, bool
     return true;
 }
 
+// Warns of an angle so large that a number rounds off more of it than a pose may be wrong by.
+static void look_at_digits(YkSession *session, const char *name, double angle)
+{
+    double rounding = fabs(angle) * 0x1p-53; // of its last place, at most half
+    if (rounding < 1e-9) return;
+    char number[YK_NUMBER_SIZE];
+    yk_number_write_digits(rounding, 2, number);
+    yk_problem(session->problems, YK_CODE_DRIVE_UNSURE, nowhere,
+               "--at %s: after so many turns an angle is known only to %s rad", name, number);
+    yk_problem_hint(session->problems,
+                    "leave out whole turns: the configuration is the same after each of them, unless "
+                    "gears or change points are passed");
+}
+
 // Reads the values at which coordinates' order-th derivatives are held.
 static bool read_holds(YkSession *session, const char *option, const YkAssignments *pairs, int order)
 {
@@ -275,6 +290,7 @@ static bool read_holds(YkSession *session, const char *option, const YkAssignmen
         if (!yk_session_value(session, option, pair->name, pair->value, yk_quantity_of(is_distance, order),
                               &hold.value))
             return false;
+        if (order == 0 && !is_distance) look_at_digits(session, pair->name, hold.value);
         session->holds[session->hold_count++] = hold;
     }
     return true;

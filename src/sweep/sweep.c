@@ -27,8 +27,10 @@ static bool approach(YkSweep *w)
     double here = walk->path.input < 0 ? s->time : s->valid_input[3 * walk->path.input], from = w->options.from;
     walk->from = here;
     yk_path_probe(&walk->path, here, true);
-    if (yk_walk_refuses(walk, here, from) || yk_walk_refuses(walk, from, w->options.to)) return false;
-    bool ok = here == from || yk_walk_go(walk, here, from);
+    if (yk_walk_refuses(walk, from, w->options.to)) return false;
+    bool is_chain = s->mech->block_count == 0; // without loops nothing can fail to close on the way
+    bool ok = here == from || (is_chain && yk_path_probe(&walk->path, from, true) >= 0) ||
+              (!yk_walk_refuses(walk, here, from) && yk_walk_go(walk, here, from));
     if (ok) walk->event_count = walk->more_events = 0;
     walk->from = from;
     // The sweep may pass it again immediately.

@@ -266,7 +266,7 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
 {
     YkState *s = w->path.state;
     double cost = 10 + (double)s->mech->step_count; // of a step
-    if (s->mech->block_count == 0 || yk_path_length(&w->path, a, b) / w->turn_max * cost <= COST_MAX) return false;
+    if (yk_path_length(&w->path, a, b) / w->turn_max * cost <= COST_MAX) return false;
     w->status = yk_state_refuse(s, YK_STOPPED,
                                 "the way is too long to be followed pose by pose: the inputs turn too often on it; ask "
                                 "for a shorter one");

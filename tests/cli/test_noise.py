@@ -118,5 +118,18 @@ class Noise(Case):
         self.assertEqual(rows[6][0], "0")
 
 
+class Turns(Case):
+    def test_lost_digits_of_an_angle_that_is_set_are_told(self):
+        """10^6 and 10^18 degrees are both 280 beyond whole turns, but a number holds only the first of them."""
+        file = self.write("fast.yaml", FAST % ("x", 1))
+        near = self.good("solve", file, "--at", "theta=280deg", "--format", "json").json()["configurations"][0]
+        s = near["coordinates"]["s"]["position"]
+        for degrees, is_told in (("1e6", False), ("1e15", True), ("1e18", True)):
+            run = self.good("solve", file, "--at", "theta=%sdeg" % degrees, "--format", "json")
+            self.assertEqual("[W0641]" in run.err, is_told, run.err)
+            off = abs(run.json()["configurations"][0]["coordinates"]["s"]["position"] - s)
+            self.assertEqual(off > 1e-10, is_told, off)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -18,6 +18,15 @@ TURN = 2 * math.pi
 STEPS = 15  # 72 degrees each: three turns
 
 
+# An arm on a pin: no loop, and a drive that swings 1.6e8 times a second.
+ARM = """\
+bodies:
+  ground: {points: {O: [0, 0]}}
+  arm:    {points: {O: [0, 0]}, mass: 1, center: [1, 0]}
+joints: {O: {pin: [ground, arm], angle: theta}}
+drives: {theta: sin(1e9 rad/s * t)}
+"""
+
 NEAR = """\
 parameters: {a: 1}
 bodies:
@@ -239,6 +248,26 @@ class Poses(Case):
             self.assertIn("too long", run.err)
         self.assertEqual(Run("solve", file, "--time", "1us").code, 0)
         self.assertEqual(Run("sweep", file, "--over", "t=0:1us", "--steps", "3").code, 0)
+
+    def test_a_sweep_without_loops_is_refused_where_it_is_too_long(self):
+        """An arm that swings 1.6e8 times; far from there, but over a short range, it is answered."""
+        file = self.write("arm.yaml", ARM)
+        run = Run("sweep", file, "--over", "t=0:1s", "--steps", "4")
+        self.assertEqual(run.code, 1)
+        self.assertIn("too long", run.err)
+        run = Run("sweep", file, "--over", "t=1s:1.00000001s", "--steps", "2", "--of", "theta", "--format", "csv")
+        self.assertEqual(run.code, 0, run.err)
+        first = run.out.splitlines()[1].split(",")
+        self.assertLess(abs(float(first[1]) - math.sin(1e9)), 1e-6)
+        self.assertEqual(Run("report", file).code, 0)
+
+    def test_a_start_at_which_a_drive_has_no_rate_is_told(self):
+        """The square root has a value at 0 and no derivative: every message has its reason."""
+        file = self.write("root.yaml", ARM.replace("sin(1e9 rad/s * t)", "sqrt(t/1s)"))
+        run = Run("solve", file, "--time", "1s")
+        self.assertEqual(run.code, 2)
+        self.assertNotRegex(run.err, r", +\[E")
+        self.assertIn("a drive has no value, rate or acceleration", run.err)
 
     def test_rest_starts_from_the_configuration_that_is_chosen(self):
         """A pendulum's rocking four-bar: which equilibria it reaches depends on how it was put together."""
