@@ -51,6 +51,8 @@ typedef struct YkRequest {
     const char *sample, *designs, *seed, *threads;                         // study
     YkFormat format;
     bool sensitivities, fresh; // study
+    const char *within, *task; // synthesize, new
+    bool defects;              // synthesize
     const char *prefix;        // code
     bool single, kinematics;   // code
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
@@ -120,6 +122,7 @@ int yk_run_derive(YkSession *session);
 int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
+int yk_run_synthesize(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
 // if the linker cannot tell.

@@ -7,7 +7,7 @@
 
 static const char *const names[YK_FUNCTION_COUNT] = {"sin",   "cos",  "tan",  "asin", "acos", "atan",
                                                      "atan2", "sinh", "cosh", "tanh", "sqrt", "exp",
-                                                     "log",   "abs",  "sign", "min",  "max"};
+                                                     "log",   "log10", "abs", "sign", "min",  "max"};
 
 const char *yk_function_name(YkFunction function)
 {
@@ -31,7 +31,7 @@ bool yk_function_find(const char *name, YkFunction *function)
 
 const char *yk_function_nearest(const char *name)
 {
-    static const char *const others[][2] = {{"ln", "log"},      {"arcsin", "asin"},   {"arccos", "acos"},
+    static const char *const others[][2] = {{"ln", "log"},      {"lg", "log10"},      {"arcsin", "asin"},   {"arccos", "acos"},
                                             {"arctan", "atan"}, {"arctan2", "atan2"}, {"tg", "tan"},
                                             {"sgn", "sign"},    {"root", "sqrt"},     {"fabs", "abs"},
                                             {"sh", "sinh"},     {"ch", "cosh"},       {"th", "tanh"}};
@@ -69,6 +69,8 @@ double yk_function_value(YkFunction function, double a, double b)
         return yk_exp(a);
     case YK_LOG:
         return yk_log(a);
+    case YK_LOG10:
+        return yk_log10(a);
     case YK_ABS:
         return fabs(a);
     case YK_SIGN:
