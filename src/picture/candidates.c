@@ -128,14 +128,16 @@ static void add_caption(const YkSynthesis *s, const YkFound *found, size_t rank,
     char digits[YK_NUMBER_SIZE];
     yk_number_write_digits(found->transmission[0] * 180 / YK_PI, 3, digits);
     yk_text_format(&text, "%z  %s", rank, yk_design_type(&found->design));
-    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 8), yk_text_get(&text), "font-size=\"13\" fill=\"#212f3c\"");
+    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 8), yk_text_get(&text),
+                "font-size=\"13\" fill=\"#212f3c\"");
     yk_text_clear(&text);
     yk_text_format(&text, "transmission from %s deg", digits);
     if (s->task->kind == YK_TASK_FUNCTION && s->task->function.of) {
         yk_number_write_digits(found->worst * 180 / YK_PI, 3, digits);
         yk_text_format(&text, ", error up to %s deg", digits);
     }
-    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 24), yk_text_get(&text), "font-size=\"11\" fill=\"#5d6d7e\"");
+    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 24), yk_text_get(&text),
+                "font-size=\"11\" fill=\"#5d6d7e\"");
     if (text.failed) yk_text_fail(svg);
     yk_text_free(&text);
 }

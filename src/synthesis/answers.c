@@ -90,11 +90,15 @@ const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_
         const char *name;
         double value;
         bool is_there;
-    } all[YK_PARAMETERS_MAX] = {{"x1", d->pivot[0].x, true},  {"y1", d->pivot[0].y, true},
-                                {"x2", d->pivot[1].x, true},  {"y2", d->pivot[1].y, true},
-                                {"a", d->length[1], true},    {"b", d->length[2], true},
+    } all[YK_PARAMETERS_MAX] = {{"x1", d->pivot[0].x, true},
+                                {"y1", d->pivot[0].y, true},
+                                {"x2", d->pivot[1].x, true},
+                                {"y2", d->pivot[1].y, true},
+                                {"a", d->length[1], true},
+                                {"b", d->length[2], true},
                                 {"c", d->length[3], d->kind == YK_DESIGN_FOUR_BAR},
-                                {"px", d->point.x, d->has_point}, {"py", d->point.y, d->has_point}};
+                                {"px", d->point.x, d->has_point},
+                                {"py", d->point.y, d->has_point}};
     for (size_t k = 0; k < YK_PARAMETERS_MAX; k++) {
         if (!all[k].is_there || index-- > 0) continue;
         if (value) *value = all[k].value;

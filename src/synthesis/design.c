@@ -135,9 +135,11 @@ YkDefect yk_design_bounds(const YkDesign *design, const YkTask *task)
         most = fmax(most, design->length[k]);
     }
     for (size_t i = 0; i < links / 2; i++)
-        good = good && is_within(&task->pivots[0], design->pivot[i].x) && is_within(&task->pivots[1], design->pivot[i].y);
+        good =
+            good && is_within(&task->pivots[0], design->pivot[i].x) && is_within(&task->pivots[1], design->pivot[i].y);
     if (design->has_point)
-        good = good && is_within(&task->coupler_point, design->point.x) && is_within(&task->coupler_point, design->point.y);
+        good = good && is_within(&task->coupler_point, design->point.x) &&
+               is_within(&task->coupler_point, design->point.y);
     if (!good) return YK_DEFECT_BOUNDS;
     return task->size_ratio.is_given && most > task->size_ratio.value * least ? YK_DEFECT_SIZE : YK_DEFECT_NONE;
 }

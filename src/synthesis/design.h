@@ -11,9 +11,10 @@ typedef struct YkDesign {
     double along;          // slider-crank: the line's direction, rad
     double length[4];      // ground, input, coupler, output; slider-crank: ground and output are 0
     bool has_point;
-    YkVec point;     // in the coupler's axes: x along the coupler from the input side, m
-    double turn;     // angle of the task's body less that of the coupler, rad
-    double angle[3]; // input, coupler, output at the first position, to the ground, rad; slider-crank: [2] is a distance
+    YkVec point; // in the coupler's axes: x along the coupler from the input side, m
+    double turn; // angle of the task's body less that of the coupler, rad
+    double
+        angle[3]; // input, coupler, output at the first position, to the ground, rad; slider-crank: [2] is a distance
     int dyad[YK_SIDES];
 } YkDesign;
 
@@ -22,8 +23,8 @@ typedef struct YkJourney {
     const YkTask *task;
     double *input; // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
-    bool turns;          // goes round as a whole
-    const YkPose *pose;  // [count] of the body, or NULL
+    bool turns;           // goes round as a whole
+    const YkPose *pose;   // [count] of the body, or NULL
     const double *output; // [count] absolute angles of the output, rad (NaN: any), or NULL
     bool exact;           // poses and outputs are met exactly; otherwise only near
 } YkJourney;

@@ -35,8 +35,7 @@ static void add_head(const Writer *w, const YkDesign *design, const YkTask *task
     bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
     YkText name = {0};
     yk_text_format(&name, "%s, %s", yk_task_name(task), is_four_bar ? "four-bar" : "slider-crank");
-    if (design->dyad[0] >= 0)
-        yk_text_format(&name, " of dyads %d and %d", design->dyad[0] + 1, design->dyad[1] + 1);
+    if (design->dyad[0] >= 0) yk_text_format(&name, " of dyads %d and %d", design->dyad[0] + 1, design->dyad[1] + 1);
     YkNode scalar = {.kind = YK_NODE_SCALAR, .text = yk_text_get(&name), .length = name.length};
     yk_text_format(w->text, "# Found by `yoke synthesize` for a task of the kind %s. Lengths are parameters.\nname: ",
                    yk_task_kind(task));

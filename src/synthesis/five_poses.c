@@ -141,6 +141,5 @@ void yk_five_poses(const YkPose pose[5], YkFivePoses *found)
     add_product(&cross, pencil, 2, 3, 1);
     size_t count = yk_conics_meet(&dot, &cross, point);
     found->is_special = count > 4;
-    for (size_t k = 0; k < count && count <= 4; k++)
-        take_point(pose, &rows, pencil, point[k], found);
+    for (size_t k = 0; k < count && count <= 4; k++) take_point(pose, &rows, pencil, point[k], found);
 }

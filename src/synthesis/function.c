@@ -52,11 +52,11 @@ static double structural_error(const YkTask *task, const YkDesign *design, YkVer
 {
     const YkFunctionTask *f = &task->function;
     double at_start = 0, at_end = 1, worst = 0;
-    yk_task_function(task, f->from, &at_start);
-    yk_task_function(task, f->to, &at_end);
+    yk_task_function(task, f->range.low, &at_start);
+    yk_task_function(task, f->range.high, &at_end);
     for (size_t r = 0; r < verdict->rows; r++) {
         double *row = &verdict->curve[2 * r], turned = row[0] - design->angle[0], value = NAN;
-        yk_task_function(task, f->from + turned / f->input * (f->to - f->from), &value);
+        yk_task_function(task, f->range.low + turned / f->input * (f->range.high - f->range.low), &value);
         double wanted = (value - at_start) / (at_end - at_start) * f->output;
         row[0] = turned;
         row[1] = yk_remainder(row[1] - design->angle[2] - wanted, 2 * YK_PI);
@@ -186,9 +186,11 @@ static void take_phases(YkSynthesis *s, double phi, double psi)
     if (fabs(K[0]) < 1e-6 || fabs(K[1]) < 1e-6) return; // a link without end
     double a = 1 / K[0], c = 1 / K[1], b2 = a * a + c * c + 1 - 2 * a * c * K[2];
     bool is_turned = (f->phase[0].is_given && a < 0) || (f->phase[1].is_given && c < 0);
-    if (is_turned || !(b2 > 1e-12)) return; // a negative length is a link half a turn ahead
-    YkDesign design = make(f, yk_scale(a, yk_unit(phi)), yk_scale(c, yk_unit(psi)), sqrt(b2));
-    take(s, &design);
+    YkDesign design = make(f, yk_scale(a, yk_unit(phi)), yk_scale(c, yk_unit(psi)), sqrt(fmax(b2, 0)));
+    if (is_turned || !(b2 > 1e-12)) // a negative length is a link half a turn ahead
+        yk_synthesis_leave(s, &design, YK_DEFECT_ASSEMBLY, &(YkVerdict){.defect = YK_DEFECT_ASSEMBLY});
+    else
+        take(s, &design);
 }
 
 static void take_three(YkSynthesis *s)

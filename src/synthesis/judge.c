@@ -87,6 +87,27 @@ static void take_extreme(YkVerdict *verdict, const YkEvent *event)
     }
 }
 
+// The transmission angle, from that of coupler and output or slider.
+static double transmission_of(const YkDesign *design, double angle)
+{
+    double shift = design->kind == YK_DESIGN_FOUR_BAR ? 0 : design->along + YK_PI / 2;
+    return yk_asin(fmin(fabs(yk_sin(angle + shift)), 1));
+}
+
+static void take_transmission(const Trial *t, double angle)
+{
+    double *range = t->verdict->transmission, folded = transmission_of(t->design, angle);
+    range[0] = fmin(range[0], folded);
+    range[1] = fmax(range[1], folded);
+}
+
+// Returns which quarter turns lie between: where it changes, the transmission angle passes 0 or a right angle.
+static double side_of(const Trial *t, double angle)
+{
+    double shift = t->design->kind == YK_DESIGN_FOUR_BAR ? 0 : t->design->along + YK_PI / 2;
+    return floor((angle + shift) / YK_PI - 0.5);
+}
+
 static void take_rows(Trial *t, const YkSweep *sweep)
 {
     YkVerdict *verdict = t->verdict;
@@ -97,8 +118,9 @@ static void take_rows(Trial *t, const YkSweep *sweep)
     verdict->high = -INFINITY;
     for (size_t r = 0; r < rows; r++) {
         double angle = yk_sweep_value(sweep, r, 0);
-        verdict->transmission[0] = fmin(verdict->transmission[0], angle);
-        verdict->transmission[1] = fmax(verdict->transmission[1], angle);
+        take_transmission(t, angle);
+        if (r > 0 && side_of(t, angle) != side_of(t, yk_sweep_value(sweep, r - 1, 0)))
+            verdict->transmission[1] = YK_PI / 2;
         if (r >= YK_CURVE_ROWS) continue;
         verdict->curve[2 * r] = yk_sweep_value(sweep, r, 1);
         verdict->curve[2 * r + 1] = yk_sweep_value(sweep, r, 2);
@@ -107,9 +129,7 @@ static void take_rows(Trial *t, const YkSweep *sweep)
     for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
         YkEvent event = yk_sweep_event(sweep, k);
         if (event.kind == YK_EVENT_EXTREME && event.channel == 2) take_extreme(verdict, &event);
-        if (event.kind != YK_EVENT_EXTREME || event.channel != 0) continue;
-        verdict->transmission[0] = fmin(verdict->transmission[0], event.value);
-        verdict->transmission[1] = fmax(verdict->transmission[1], event.value);
+        if (event.kind == YK_EVENT_EXTREME && event.channel == 0) take_transmission(t, event.value);
     }
 }
 
@@ -119,8 +139,8 @@ static YkStatus follow(Trial *t)
     const YkJourney *journey = t->journey;
     YkChannel channels[3];
     YkSweepOptions options = yk_default_sweep_options();
-    const char *names[] = {"B.transmission", t->design->has_point ? "coupler.P.x" : "theta",
-                           t->design->has_point                          ? "coupler.P.y"
+    const char *names[] = {"B.angle", t->design->has_point ? "coupler.P.x" : "theta",
+                           t->design->has_point                        ? "coupler.P.y"
                            : t->design->kind == YK_DESIGN_SLIDER_CRANK ? "s"
                                                                        : "psi"};
     double low = journey->input[0], high = low;
@@ -133,7 +153,9 @@ static YkStatus follow(Trial *t)
     bool is_backward = journey->input[journey->count - 1] < journey->input[0];
     options.coordinate = (int)t->input_coordinate;
     options.from = journey->turns ? journey->input[0] : is_backward ? high : low;
-    options.to = journey->turns ? journey->input[0] + (is_backward ? -turn_and_more : turn_and_more) * YK_PI : is_backward ? low : high;
+    options.to = journey->turns ? journey->input[0] + (is_backward ? -turn_and_more : turn_and_more) * YK_PI
+                 : is_backward  ? low
+                                : high;
     options.steps = YK_CURVE_ROWS - 1;
     YkMotion start = {.position = options.from};
     YkStatus status = yk_state_move_to(t->first, &start, NULL, NULL);

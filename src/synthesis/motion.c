@@ -83,12 +83,14 @@ static void add_few(YkSynthesis *s)
     for (unsigned side = 0; side < YK_SIDES; side++) {
         size_t choices = motion->count == 2 ? PIVOTS : 1;
         for (size_t k = 0; k < choices && motion->pivot[side].is_given; k++)
-            if (yk_pose_pivot(motion->pose, motion->count, motion->pivot[side].at, 4 * filled(from[2], k, 2) - 2, &dyad))
+            if (yk_pose_pivot(motion->pose, motion->count, motion->pivot[side].at, 4 * filled(from[2], k, 2) - 2,
+                              &dyad))
                 yk_synthesis_add_dyad(s, &dyad, 1u << side);
     }
     unsigned open = (motion->pivot[0].is_given ? 0u : 1u) | (motion->pivot[1].is_given ? 0u : 2u);
     for (size_t k = 0; k < PIVOTS && !has_both; k++) {
-        YkVec F = yk_vec(low.x + (high.x - low.x) * filled(from[0], k, 0), low.y + (high.y - low.y) * filled(from[1], k, 1));
+        YkVec F =
+            yk_vec(low.x + (high.x - low.x) * filled(from[0], k, 0), low.y + (high.y - low.y) * filled(from[1], k, 1));
         if (yk_pose_pivot(motion->pose, motion->count, F, 4 * filled(from[2], k, 2) - 2, &dyad))
             yk_synthesis_add_dyad(s, &dyad, open);
     }

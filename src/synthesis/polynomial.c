@@ -67,7 +67,8 @@ static Quadratic quadratic_of(const YkConic *conic)
     for (size_t i = 0; i < 3; i++)
         for (size_t k = i; k < 3; k++)
             for (size_t m = 0; m < 3; m++)
-                for (size_t n = 0; n < 3; n++) t[m < n ? m : n][m < n ? n : m] += conic->q[i][k] * turn[i][m] * turn[k][n];
+                for (size_t n = 0; n < 3; n++)
+                    t[m < n ? m : n][m < n ? n : m] += conic->q[i][k] * turn[i][m] * turn[k][n];
     return (Quadratic){{t[1][1]}, {t[1][2], t[0][1]}, {t[2][2], t[0][2], t[0][0]}};
 }
 

@@ -19,8 +19,7 @@ static void find_scale(const YkPose *pose, size_t count, YkPoseRows *rows)
     rows->middle = yk_vec(0, 0);
     for (size_t k = 0; k < count; k++) rows->middle = yk_add(rows->middle, yk_scale(1 / (double)count, pose[k].at));
     rows->scale = 0;
-    for (size_t k = 0; k < count; k++)
-        rows->scale = fmax(rows->scale, yk_norm(yk_sub(pose[k].at, rows->middle)));
+    for (size_t k = 0; k < count; k++) rows->scale = fmax(rows->scale, yk_norm(yk_sub(pose[k].at, rows->middle)));
     if (!(rows->scale > 0)) rows->scale = 1;
 }
 

@@ -28,9 +28,9 @@ static void place_line(const YkPose *first, YkDyad *dyad)
 {
     YkVec along = yk_unit(dyad->direction);
     bool is_pr = dyad->kind == YK_DYAD_PR;
-    YkVec through = is_pr ? yk_pose_apply(*first, yk_vec(dyad->moving[0], dyad->moving[1]))
-                          : yk_mul(yk_conj(yk_unit(first->angle)),
-                                   yk_sub(yk_vec(dyad->fixed[0], dyad->fixed[1]), first->at));
+    YkVec through =
+        is_pr ? yk_pose_apply(*first, yk_vec(dyad->moving[0], dyad->moving[1]))
+              : yk_mul(yk_conj(yk_unit(first->angle)), yk_sub(yk_vec(dyad->fixed[0], dyad->fixed[1]), first->at));
     YkVec foot = yk_sub(through, yk_scale(yk_dot(through, along), along));
     double *out = is_pr ? dyad->fixed : dyad->moving;
     out[0] = foot.x;

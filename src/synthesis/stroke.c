@@ -9,11 +9,15 @@
 
 enum { SAMPLES = 1440, NARROWED = 60 };
 
+static const double longest =
+    20; // over the shortest, unless the task says otherwise: some families are best without a crank
+
 typedef struct Family {
     const YkStrokeTask *task;
     YkVec B[2];    // ends of the coupler's path; B0 is the origin for a rocker, the line y = 0 for a slider
     YkVec center;  // of the circle of A0, or a point of its line
     double radius; // 0: a line
+    double ratio;  // largest of two lengths
     double alpha;
 } Family;
 
@@ -37,11 +41,11 @@ static bool design_at(const Family *family, double u, YkDesign *design)
     design->length[1] = a;
     design->length[2] = b;
     design->angle[0] = design->angle[1] = yk_atan2(extended.y, extended.x);
-    if (!(a > 1e-6) || !(b > 1e-6)) return false;
+    if (!(a > 1e-6) || b > family->ratio * a) return false;
     if (family->task->is_slider) {
         design->kind = YK_DESIGN_SLIDER_CRANK;
         design->angle[2] = B.x;
-        return yk_design_turns(design);
+        return p.x * q.x > 0 && yk_design_turns(design); // both ends on one side of A0, or there are two assemblies
     }
     design->length[0] = yk_norm(A0);
     design->length[3] = 1;
@@ -110,7 +114,8 @@ static void place(const YkStrokeTask *task, YkDesign *design)
 // Compares what the engine measured with what was asked.
 static YkDefect compare(const YkStrokeTask *task, YkVerdict *verdict)
 {
-    double swept = verdict->high - verdict->low, between = fabs(yk_remainder(verdict->high_at - verdict->low_at, 2 * YK_PI));
+    double swept = verdict->high - verdict->low,
+           between = fabs(yk_remainder(verdict->high_at - verdict->low_at, 2 * YK_PI));
     double ratio = (2 * YK_PI - between) / between;
     double off = fabs(swept - task->stroke), scale = task->is_slider ? task->stroke : 1;
     verdict->worst = off;
@@ -152,10 +157,13 @@ static bool take_family(YkSynthesis *s, const Family *family)
     return true;
 }
 
-static Family family_of(const YkStrokeTask *task, int side)
+static Family family_of(const YkTask *all, int side)
 {
-    Family f = {.task = task, .alpha = YK_PI * (task->ratio - 1) / (task->ratio + 1)};
-    double half = task->is_slider ? 0.5 : yk_sin(task->stroke / 2), height = task->is_slider ? 0 : yk_cos(task->stroke / 2);
+    const YkStrokeTask *task = &all->stroke;
+    Family f = {.task = task, .ratio = all->size_ratio.is_given ? all->size_ratio.value : longest};
+    f.alpha = YK_PI * (task->ratio - 1) / (task->ratio + 1);
+    double half = task->is_slider ? 0.5 : yk_sin(task->stroke / 2),
+           height = task->is_slider ? 0 : yk_cos(task->stroke / 2);
     f.B[0] = yk_vec(-half, height);
     f.B[1] = yk_vec(half, height);
     f.center = yk_vec(0, height);
@@ -180,7 +188,8 @@ static bool take_central(YkSynthesis *s, YkProblems *problems)
         return false;
     }
     double a = 0.5, b = fmax(lengths->high / task->stroke, 0);
-    YkDesign design = {.kind = YK_DESIGN_SLIDER_CRANK, .length = {0, a, b, 0}, .angle = {0, 0, a + b}, .dyad = {-1, -1}};
+    YkDesign design = {
+        .kind = YK_DESIGN_SLIDER_CRANK, .length = {0, a, b, 0}, .angle = {0, 0, a + b}, .dyad = {-1, -1}};
     if (b > a) take(s, &design);
     return true;
 }
@@ -191,7 +200,7 @@ bool yk_synthesise_stroke(YkSynthesis *s, YkProblems *problems)
     s->is_complete = true;
     if (task->is_slider && task->ratio == 1) return take_central(s, problems);
     for (int side = -1; side <= 1; side += 2) {
-        Family family = family_of(task, side);
+        Family family = family_of(s->task, side);
         take_family(s, &family);
         if (family.radius == 0 || task->is_slider) break; // the two circles of a slider are mirror images
     }

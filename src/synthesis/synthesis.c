@@ -90,6 +90,32 @@ static int by_merit(const void *a, const void *b)
     return p->order < q->order ? -1 : p->order > q->order;
 }
 
+// Returns whether two machines are nearly the same: all lengths within 15 %, the pivots within 15 % of the size.
+static bool is_alike(const YkDesign *a, const YkDesign *b)
+{
+    static const double near_to = 0.15;
+    double size = 0;
+    for (size_t k = 0; k < 4; k++) {
+        size = fmax(size, b->length[k]);
+        if (fabs(a->length[k] - b->length[k]) > near_to * b->length[k]) return false;
+    }
+    for (size_t i = 0; i < YK_SIDES; i++)
+        if (yk_norm(yk_sub(a->pivot[i], b->pivot[i])) > near_to * size) return false;
+    return a->kind == b->kind;
+}
+
+// Where a choice was sampled, keeps the best of machines that are alike.
+static void keep_different(YkFoundList *list, size_t most)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < list->count && kept < most; k++) {
+        bool is_new = true;
+        for (size_t i = 0; i < kept && is_new; i++) is_new = !is_alike(&list->items[k].design, &list->items[i].design);
+        if (is_new) list->items[kept++] = list->items[k];
+    }
+    list->count = kept;
+}
+
 // Sorts the candidates, keeps the best, and gives their files names.
 static void rank(YkSynthesis *s)
 {
@@ -97,6 +123,7 @@ static void rank(YkSynthesis *s)
     YkText name = {0};
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
     if (list->count > 0) qsort(list->items, list->count, sizeof *list->items, by_merit);
+    if (!s->is_complete) keep_different(list, best);
     if (list->count > best) list->count = best;
     for (size_t k = 0; k < list->count; k++) {
         yk_text_clear(&name);

@@ -11,8 +11,8 @@ typedef struct YkFound {
     YkDesign design;
     YkDefect defect;
     double error, worst, transmission[2];
-    double merit;       // larger is better
-    size_t order;       // in which it was found, to break ties
+    double merit; // larger is better
+    size_t order; // in which it was found, to break ties
     const char *model, *file;
     const double *curve; // [2 * rows]
     size_t rows;

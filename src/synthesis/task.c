@@ -26,8 +26,9 @@ const char *yk_task_kind(const YkTask *task)
 
 static void hint_kinds(YkProblems *problems)
 {
-    yk_problem_hint(problems, "yoke solves motion (a body through positions), function (an angle of another) and stroke "
-                              "(a swing or stroke with its time ratio)");
+    yk_problem_hint(problems,
+                    "yoke solves motion (a body through positions), function (an angle of another) and stroke "
+                    "(a swing or stroke with its time ratio)");
 }
 
 // Finds the kind that `synthesis:` names; reports a kind that is planned, and any other word.
@@ -47,7 +48,8 @@ static bool find_kind(YkTaskReader *reader)
     }
     bool is_planned = strcmp(node->text, planned[0]) == 0 || strcmp(node->text, planned[1]) == 0;
     yk_problem(loader->problems, YK_CODE_TASK_KIND, node->place,
-               is_planned ? "this version cannot solve tasks of the kind %q" : "there is no kind of task %q", node->text);
+               is_planned ? "this version cannot solve tasks of the kind %q" : "there is no kind of task %q",
+               node->text);
     hint_kinds(loader->problems);
     return false;
 }
@@ -95,7 +97,8 @@ static void read_bounds(YkTaskReader *reader)
         }
         for (size_t i = 0; i < 2; i++) {
             task->pivots[i].is_given = true;
-            yk_load_value(reader->loader, corner->items[i], &want, end == 0 ? &task->pivots[i].low : &task->pivots[i].high);
+            yk_load_value(reader->loader, corner->items[i], &want,
+                          end == 0 ? &task->pivots[i].low : &task->pivots[i].high);
         }
     }
 }
@@ -121,10 +124,12 @@ static void read_mechanisms(YkTaskReader *reader)
 {
     YkLoader *loader = reader->loader;
     const YkNode *list = yk_node_get(loader->root, "mechanisms");
-    if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "mechanisms"})) return;
+    if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "mechanisms"}))
+        return;
     for (size_t k = 0; k < list->count; k++) {
         const YkNode *item = list->items[k];
-        if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"})) continue;
+        if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"}))
+            continue;
         if (strcmp(item->text, "four-bar") == 0) continue;
         yk_problem(loader->problems, YK_CODE_WRONG_WORD, item->place,
                    "this version finds four-bars for this task, no %q", item->text);

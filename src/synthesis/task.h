@@ -34,19 +34,19 @@ typedef struct YkMotionTask {
 
 // `synthesis: function`
 typedef struct YkFunctionTask {
-    const YkExpr *of; // in YK_OWN_ARGUMENT; NULL: pairs
-    double from, to;  // of x
-    double input, output;                     // the ranges of the angles, rad
-    double pair[YK_PAIRS_MAX][2];             // input and output angle from the start, rad, ascending inputs
+    const YkExpr *of;             // in YK_OWN_ARGUMENT; NULL: pairs
+    YkBound range;                // of x
+    double input, output;         // the ranges of the angles, rad
+    double pair[YK_PAIRS_MAX][2]; // input and output angle from the start, rad, ascending inputs
     size_t count;
-    YkGiven phase[YK_SIDES], ground;          // rad, m
+    YkGiven phase[YK_SIDES], ground; // rad, m
     YkPlace place;
 } YkFunctionTask;
 
 // `synthesis: stroke`
 typedef struct YkStrokeTask {
     bool is_slider;
-    double stroke, ratio; // rad or m; time ratio >= 1
+    double stroke, ratio;                   // rad or m; time ratio >= 1
     YkGiven ground, input, coupler, output; // lengths, at most one of them, m
     YkPlace place;
 } YkStrokeTask;

@@ -9,23 +9,12 @@ static void read_formula(YkTaskReader *reader, const YkNode *of)
     YkLoader *loader = reader->loader;
     YkFunctionTask *function = &reader->task->function;
     YkWant want = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "function", .part = "of"}, .own = own};
-    YkBound range;
+    YkBound *range = &function->range;
     function->place = of->place;
     function->of = yk_load_value(loader, of, &want, NULL);
     const YkNode *x = yk_load_require(loader, loader->root, "x", &(YkSubject){.noun = "the function"});
-    function->from = function->to = NAN;
-    if (x) {
-        YkWant end = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "end", .owner = "x"}};
-        yk_task_bound(reader, NULL, "x", YK_DIM_NUMBER, &range);
-        if (!yk_load_expect(loader, x, YK_NODE_LIST, &(YkSubject){.noun = "range", .part = "x"})) return;
-        if (x->count != 2) {
-            yk_problem(loader->problems, YK_CODE_COMPONENTS, x->place,
-                       "range `x` has two ends, [from, to]; here are %z", x->count);
-            return;
-        }
-        yk_load_value(loader, x->items[0], &end, &function->from);
-        yk_load_value(loader, x->items[1], &end, &function->to);
-    }
+    range->low = range->high = NAN;
+    if (x) yk_task_bound(reader, x, "x", YK_DIM_NUMBER, range);
     yk_task_need(reader, loader->root, "input", YK_DIM_ANGLE, &function->input);
     yk_task_need(reader, loader->root, "output", YK_DIM_ANGLE, &function->output);
 }
@@ -71,7 +60,8 @@ void yk_task_read_function(YkTaskReader *reader)
     if (samples) yk_load_value(loader, samples, &want, &reader->samples);
     if (of && pairs) {
         const YkNode *key = yk_load_key(loader->root, "pairs");
-        yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, key->place, "the function is given twice: by `of` and by `pairs`");
+        yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, key->place,
+                   "the function is given twice: by `of` and by `pairs`");
     } else if (of) {
         read_formula(reader, of);
     } else if (pairs) {
@@ -131,7 +121,7 @@ static void take_samples(YkTaskReader *reader)
     YkModel *sheet = reader->loader->model;
     double at_start, at_end, value;
     task->sheet = sheet;
-    bool good = yk_task_function(task, f->from, &at_start) && yk_task_function(task, f->to, &at_end);
+    bool good = yk_task_function(task, f->range.low, &at_start) && yk_task_function(task, f->range.high, &at_end);
     if (good && !(fabs(at_end - at_start) > 1e-12 * (fabs(at_end) + fabs(at_start)))) {
         yk_problem(reader->loader->problems, YK_CODE_TASK_FUNCTION, f->place,
                    "the function has the same value at both ends of `x`, which gives the output no range");
@@ -139,18 +129,20 @@ static void take_samples(YkTaskReader *reader)
     }
     for (size_t k = 0; good && k < f->count; k++) {
         double part = (spaced(k, f->count) + 1) / 2;
-        good = yk_task_function(task, f->from + part * (f->to - f->from), &value);
+        good = yk_task_function(task, f->range.low + part * (f->range.high - f->range.low), &value);
         f->pair[k][0] = part * f->input;
         f->pair[k][1] = good ? (value - at_start) / (at_end - at_start) * f->output : NAN;
     }
-    if (!good) yk_problem(reader->loader->problems, YK_CODE_TASK_FUNCTION, f->place, "the function has no value in its range");
+    if (!good)
+        yk_problem(reader->loader->problems, YK_CODE_TASK_FUNCTION, f->place, "the function has no value in its range");
 }
 
 static void check_ranges(YkTaskReader *reader)
 {
     YkFunctionTask *f = &reader->task->function;
     YkProblems *problems = reader->loader->problems;
-    if (f->from == f->to) yk_problem(problems, YK_CODE_TASK_FUNCTION, f->place, "the range of `x` has no length");
+    if (f->range.low == f->range.high)
+        yk_problem(problems, YK_CODE_TASK_FUNCTION, f->place, "the range of `x` has no length");
     for (size_t i = 0; i < 2; i++) {
         double range = i == 0 ? f->input : f->output;
         const char *name = i == 0 ? "input" : "output";

@@ -29,7 +29,8 @@ void yk_task_read_motion(YkTaskReader *reader)
     yk_task_point(reader, fix, own[0], &motion->pivot[0]);
     yk_task_point(reader, fix, own[1], &motion->pivot[1]);
     const YkNode *list = yk_load_require(loader, loader->root, "positions", &(YkSubject){.noun = "a motion task"});
-    if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "section", .part = "positions"})) return;
+    if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "section", .part = "positions"}))
+        return;
     if (list->count < 2 || list->count > YK_POSES_MAX) {
         yk_problem(loader->problems, YK_CODE_TASK_POSITIONS, list->place,
                    "a four-bar takes a body exactly through two to five positions; here are %z", list->count);
@@ -82,8 +83,9 @@ static void check_turned(YkTaskReader *reader)
     if (turn > 1e-6 || motion->count == 0) return;
     yk_problem(reader->loader->problems, YK_CODE_TASK_SPECIAL, motion->place[0],
                "the body does not turn between these positions");
-    yk_problem_hint(reader->loader->problems,
-                    "a slide or a parallelogram moves a body so; a four-bar takes it through positions that differ in angle");
+    yk_problem_hint(
+        reader->loader->problems,
+        "a slide or a parallelogram moves a body so; a four-bar takes it through positions that differ in angle");
 }
 
 void yk_task_check_motion(YkTaskReader *reader)
@@ -95,6 +97,7 @@ void yk_task_check_motion(YkTaskReader *reader)
     if (motion->count < 4 || (!motion->pivot[0].is_given && !motion->pivot[1].is_given)) return;
     yk_problem(reader->loader->problems, YK_CODE_TASK_POSITIONS, fix->place,
                "with %z positions no pivot can be chosen freely: the positions determine them", motion->count);
-    yk_problem_hint(reader->loader->problems, "leave `fix` out, bound the pivots by `bounds: {pivots: [[x, y], [x, y]]}`, or give "
-                                              "three positions");
+    yk_problem_hint(reader->loader->problems,
+                    "leave `fix` out, bound the pivots by `bounds: {pivots: [[x, y], [x, y]]}`, or give "
+                    "three positions");
 }

@@ -23,7 +23,7 @@ void yk_task_bound(YkTaskReader *reader, const YkNode *node, const char *key, Yk
 {
     YkSubject subject = {.noun = "range", .part = key};
     YkWant want = {.dimension = dimension, .subject = subject};
-    *bound = (YkBound){-INFINITY, INFINITY, node != NULL};
+    *bound = node ? (YkBound){NAN, NAN, true} : (YkBound){-INFINITY, INFINITY, false};
     if (!node || !yk_load_expect(reader->loader, node, YK_NODE_LIST, &subject)) return;
     if (node->count != 2) {
         yk_problem(reader->loader->problems, YK_CODE_COMPONENTS, node->place,

@@ -32,7 +32,8 @@ void yk_task_check_stroke(YkTaskReader *reader)
 {
     YkStrokeTask *task = &reader->task->stroke;
     YkProblems *problems = reader->loader->problems;
-    const YkNode *ratio = yk_node_get(reader->loader->root, "time_ratio"), *fix = yk_node_get(reader->loader->root, "fix");
+    const YkNode *ratio = yk_node_get(reader->loader->root, "time_ratio"),
+                 *fix = yk_node_get(reader->loader->root, "fix");
     const YkGiven *lengths[] = {&task->ground, &task->input, &task->coupler, &task->output};
     size_t given = 0;
     if (ratio && !isnan(task->ratio) && !(task->ratio >= 1 && task->ratio < 3))
@@ -40,7 +41,8 @@ void yk_task_check_stroke(YkTaskReader *reader)
     double most = task->is_slider ? INFINITY : YK_PI;
     if (!isnan(task->stroke) && !(task->stroke > 0 && task->stroke < most))
         yk_problem(problems, YK_CODE_TASK_FUNCTION, task->place,
-                   task->is_slider ? "a stroke is longer than 0" : "a rocker swings by more than 0 and less than half a turn");
+                   task->is_slider ? "a stroke is longer than 0"
+                                   : "a rocker swings by more than 0 and less than half a turn");
     for (size_t i = 0; i < 4; i++) {
         given += lengths[i]->is_given;
         if (lengths[i]->is_given && lengths[i]->value <= 0)
@@ -49,7 +51,9 @@ void yk_task_check_stroke(YkTaskReader *reader)
     if (given > 1 || (given == 1 && task->is_slider)) {
         yk_problem(problems, YK_CODE_TASK_BOUNDS, fix->place,
                    task->is_slider ? "the stroke settles the size of a slider-crank: no length can be given"
-                                   : "one length settles the size of the machine; here are %z", given);
-        yk_problem_hint(problems, "the other lengths follow from the swing, the time ratio and the best transmission angle");
+                                   : "one length settles the size of the machine; here are %z",
+                   given);
+        yk_problem_hint(problems,
+                        "the other lengths follow from the swing, the time ratio and the best transmission angle");
     }
 }

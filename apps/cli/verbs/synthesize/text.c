@@ -60,10 +60,11 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
     size_t count = yk_synthesis_count(synthesis);
     if (count == 0) return;
     YkTable *table = yk_table_new(10);
-    static const char *const heads[] = {"rank", "type",  "worst",   "transmission from", "to",
-                                        "ground", "input", "coupler", "output", "circuits"};
-    const char *units[] = {NULL,      NULL,      is_angle ? u->angle : u->length, u->angle, u->angle,
-                           u->length, u->length, u->length, u->length, NULL};
+    static const char *const heads[] = {"rank",  "type",    "worst",  "transmission from", "to", "ground",
+                                        "input", "coupler", "output", "circuits"};
+    const char *units[] = {
+        NULL,      NULL, is_angle ? u->angle : u->length, u->angle, u->angle, u->length, u->length, u->length,
+        u->length, NULL};
     for (size_t k = 0; k < 10; k++) yk_table_head(table, heads[k], units[k]);
     for (size_t k = 0; k < count; k++) {
         YkCandidate c = yk_synthesis_candidate(synthesis, k);
@@ -126,13 +127,14 @@ void yk_synthesis_text(const YkSynthesisAnswer *answer)
     u.angle = yk_task_unit(answer->task, YK_QUANTITY_ANGLE, &u.angle_size);
     yk_text_format(out, "%s: %s, %z machine%s\n", yk_task_name(answer->task), kind, count, count == 1 ? "" : "s");
     if (yk_synthesis_solutions(synthesis, &complex_count, &real_count))
-        yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count, real_count);
+        yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count,
+                       real_count);
     else if (!yk_synthesis_is_complete(synthesis))
         yk_text_puts(out, "The task leaves a choice: samples of it were tried, and the best are shown.\n");
-    if (word[0] == 't' || word[0] == 'i')
-        yk_text_puts(out, "The search was ended early: these are the best so far.\n");
+    if (word[0] == 't' || word[0] == 'i') yk_text_puts(out, "The search was ended early: these are the best so far.\n");
     add_dyads(out, synthesis, &u);
-    add_candidates(out, synthesis, &u, kind[0] == 'f' || (kind[0] == 's' && yk_synthesis_candidate(synthesis, 0).lengths[3] > 0));
+    add_candidates(out, synthesis, &u,
+                   kind[0] == 'f' || (kind[0] == 's' && yk_synthesis_candidate(synthesis, 0).lengths[3] > 0));
     add_left_out(out, synthesis);
     if (answer->session->request->defects) add_defects(out, synthesis, &u);
 }

@@ -23,10 +23,12 @@ static bool read_span(YkSession *session, const char *text, double *seconds)
     YkDimension dimension = {.time = 1};
     double size = 1;
     bool good = digits > 0 && *seconds > 0 && isfinite(*seconds);
-    if (good && digits < length) good = yk_unit_read(text + digits, length - digits, &size, &dimension, &bad, &bad_length);
+    if (good && digits < length)
+        good = yk_unit_read(text + digits, length - digits, &size, &dimension, &bad, &bad_length);
     good = good && dimension.time == 1 && dimension.length == 0 && dimension.mass == 0 && dimension.angle == 0;
     *seconds *= size;
-    return good || yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--within takes a time span as in 60s, not %q", text);
+    return good ||
+           yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--within takes a time span as in 60s, not %q", text);
 }
 
 static bool goes_on(void *context, double part)
@@ -67,10 +69,12 @@ static void tell_none(const YkSynthesisAnswer *answer)
     YkText reasons = {0};
     for (int k = 1; k < YK_DEFECT_COUNT; k++) {
         size_t count = yk_synthesis_left_out(answer->synthesis, (YkDefect)k);
-        if (count > 0) yk_text_format(&reasons, "%s%z %s", reasons.length > 0 ? ", " : "", count, yk_defect_name((YkDefect)k));
+        if (count > 0)
+            yk_text_format(&reasons, "%s%z %s", reasons.length > 0 ? ", " : "", count, yk_defect_name((YkDefect)k));
     }
     yk_problem(answer->session->problems, YK_CODE_NO_MACHINE, (YkPlace){0},
-               reasons.length > 0 ? "no machine does what the task asks; left out: %s" : "no machine does what the task asks%s",
+               reasons.length > 0 ? "no machine does what the task asks; left out: %s"
+                                  : "no machine does what the task asks%s",
                yk_text_get(&reasons));
     yk_problem_hint(answer->session->problems, "`--defects` shows those that were left out");
     yk_text_free(&reasons);
