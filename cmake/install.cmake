@@ -33,7 +33,7 @@ install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pk
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples COMPONENT doc FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
   PATTERN "*.c" PATTERN "*.cpp"
   PATTERN "expected" EXCLUDE)
-install(FILES schema/yoke.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke COMPONENT runtime)
+install(FILES schema/yoke.schema.json schema/task.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc FILES_MATCHING PATTERN "*.md")
 install(FILES completions/yoke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME yoke COMPONENT runtime OPTIONAL)
 install(FILES completions/_yoke DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT runtime OPTIONAL)

@@ -20,6 +20,10 @@ _yoke() {
         COMPREPLY=($(compgen -W "$words" -- "$word"))
         return
         ;;
+    --task)
+        COMPREPLY=($(compgen -W "motion function stroke" -- "$word"))
+        return
+        ;;
     --what)
         COMPREPLY=($(compgen -W "all loops jacobian velocity acceleration points free-bodies newton-euler energy lagrange gears cam" -- "$word"))
         return

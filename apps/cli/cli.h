@@ -51,6 +51,8 @@ typedef struct YkRequest {
     const char *sample, *designs, *seed, *threads;                         // study
     YkFormat format;
     bool sensitivities, fresh; // study
+    const char *within, *task; // synthesize, new
+    bool defects;              // synthesize
     const char *prefix;        // code
     const char *within;        // solve --all
     bool single, kinematics;   // code
@@ -122,6 +124,7 @@ int yk_run_derive(YkSession *session);
 int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
+int yk_run_synthesize(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
 // if the linker cannot tell.

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "options.h"
 
-enum { VERB_COLUMN = 10, OPTION_COLUMN = 28, WIDTH = 100 };
+enum { VERB_COLUMN = 12, OPTION_COLUMN = 28, WIDTH = 100 };
 
 // What an option takes and means for certain verbs, where that differs from its entry in the table of options.
 typedef struct Special {
@@ -21,6 +21,9 @@ static const Special specials[] = {
     {"steps", " draw ", "N", "the number of steps of --animate (default: 20 poses a second; .mp4 and .webm 30)"},
     {"steps", " report ", "N", "the number of steps (default: as many as the machine needs)"},
     {"method", " simulate ", "NAME", "dop853 (default), sdirk4 for stiff machines, rk4 with a fixed step"},
+    {"output", " synthesize ", "DIR", "write the machines' files, a picture and task.json into this new folder"},
+    {"format", " synthesize ", "text|json", "text for people; json in SI and radians"},
+    {"seed", " synthesize ", "N", "the seed of the samples where a task leaves a choice (default 1)"},
     {"lock", " gears ", "NAME", "engage one of locks: (default: a table of all)"},
 };
 

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "base/names.h"
 
-enum { OPTIONS_MAX = 64, WORDS_IN_LIST = 3 };
+enum { OPTIONS_MAX = 100, WORDS_IN_LIST = 3 };
 static const YkPlace nowhere = {0};
 
 // The command line as it is read.

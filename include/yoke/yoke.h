@@ -35,6 +35,7 @@
 #include <yoke/simulation.h>
 #include <yoke/rest.h>
 #include <yoke/design.h>
+#include <yoke/synthesis.h>
 #include <yoke/derive.h>
 #include <yoke/train.h>
 #include <yoke/cam.h>

@@ -19,7 +19,7 @@ typedef enum YkExprKind {
     YK_EXPR_MULTIPLY,
     YK_EXPR_DIVIDE,
     YK_EXPR_POWER,
-    YK_EXPR_CALL // sin cos tan asin acos atan atan2 sinh cosh tanh sqrt exp log abs sign min max
+    YK_EXPR_CALL // sin cos tan asin acos atan atan2 sinh cosh tanh sqrt exp log log10 abs sign min max
 } YkExprKind;
 
 typedef struct YkExpr YkExpr;

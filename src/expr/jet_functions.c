@@ -66,6 +66,16 @@ static const char *logarithm(const YkSeries *x, YkSeries *result)
     return NULL;
 }
 
+// log10 x = log x / log 10; the value itself is computed directly, so that powers of ten are exact.
+static const char *decimal_logarithm(const YkSeries *x, YkSeries *result)
+{
+    const char *why = logarithm(x, result);
+    if (why) return why;
+    *result = yk_series_scaled(result, 0.43429448190325182765);
+    result->c[0] = yk_log10(x->c[0]);
+    return NULL;
+}
+
 static const char *square_root(const YkSeries *x, YkSeries *result)
 {
     *result = yk_series_constant(sqrt(x->c[0]));
@@ -223,6 +233,8 @@ const char *yk_series_function(YkFunction function, const YkSeries *a, const YkS
         return NULL;
     case YK_LOG:
         return logarithm(a, result);
+    case YK_LOG10:
+        return decimal_logarithm(a, result);
     case YK_ABS:
         *result = yk_series_scaled(a, yk_series_sign_after(a));
         return NULL;

@@ -110,6 +110,8 @@ static YkRef of_function(Work *w, YkValue v)
         return yk_graph_multiply(g, da, self);
     case YK_LOG:
         return yk_graph_divide(g, da, a);
+    case YK_LOG10:
+        return yk_graph_divide(g, yk_graph_multiply(g, yk_graph_number(g, 0.43429448190325182765), da), a);
     case YK_ABS:
         return yk_graph_choose(g, a, yk_graph_minus(g, da), da);
     case YK_MIN:

@@ -5,9 +5,9 @@
 #include "base/names.h"
 #include "elementary/elementary.h"
 
-static const char *const names[YK_FUNCTION_COUNT] = {"sin",   "cos",  "tan",  "asin", "acos", "atan",
-                                                     "atan2", "sinh", "cosh", "tanh", "sqrt", "exp",
-                                                     "log",   "abs",  "sign", "min",  "max"};
+static const char *const names[YK_FUNCTION_COUNT] = {"sin",   "cos",   "tan",  "asin", "acos", "atan",
+                                                     "atan2", "sinh",  "cosh", "tanh", "sqrt", "exp",
+                                                     "log",   "log10", "abs",  "sign", "min",  "max"};
 
 const char *yk_function_name(YkFunction function)
 {
@@ -31,10 +31,10 @@ bool yk_function_find(const char *name, YkFunction *function)
 
 const char *yk_function_nearest(const char *name)
 {
-    static const char *const others[][2] = {{"ln", "log"},      {"arcsin", "asin"},   {"arccos", "acos"},
-                                            {"arctan", "atan"}, {"arctan2", "atan2"}, {"tg", "tan"},
-                                            {"sgn", "sign"},    {"root", "sqrt"},     {"fabs", "abs"},
-                                            {"sh", "sinh"},     {"ch", "cosh"},       {"th", "tanh"}};
+    static const char *const others[][2] = {
+        {"ln", "log"},        {"lg", "log10"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"},
+        {"arctan2", "atan2"}, {"tg", "tan"},   {"sgn", "sign"},    {"root", "sqrt"},   {"fabs", "abs"},
+        {"sh", "sinh"},       {"ch", "cosh"},  {"th", "tanh"}};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (strcmp(others[i][0], name) == 0) return others[i][1];
     return yk_nearest(name, names, YK_FUNCTION_COUNT);
@@ -69,6 +69,8 @@ double yk_function_value(YkFunction function, double a, double b)
         return yk_exp(a);
     case YK_LOG:
         return yk_log(a);
+    case YK_LOG10:
+        return yk_log10(a);
     case YK_ABS:
         return fabs(a);
     case YK_SIGN:

@@ -17,6 +17,7 @@ typedef enum YkFunction {
     YK_SQRT,
     YK_EXP,
     YK_LOG,
+    YK_LOG10,
     YK_ABS,
     YK_SIGN,
     YK_MIN,

@@ -32,6 +32,10 @@ static void check_coordinate(NameCheck *check, const YkExpr *name)
 {
     YkLoader *loader = check->loader;
     bool is_rate = false;
+    if (strcmp(name->name, YK_OWN_ARGUMENT) == 0) {
+        fix_once(loader, name->name, YK_DIM_NUMBER);
+        return;
+    }
     int own = yk_model_own_name(name->name);
     if (own != YK_NONE) {
         fix_once(loader, name->name, own == 0 ? YK_DIM_LENGTH : YK_DIM_SPEED);

@@ -73,11 +73,30 @@ static bool is_out_of_memory(const YkLoader *loader)
     return loader->failed || loader->text.failed || yk_arena_failed(loader->arena);
 }
 
-static void load(YkLoader *loader)
+// The sections of a document that is not a machine, with the steps that every value needs.
+static void load_sheet(YkLoader *loader, const YkSheet *sheet)
+{
+    static const Step values[] = {yk_load_check_uses, yk_load_infer, yk_load_eval_parameters, yk_load_check_overrides,
+                                  yk_load_eval_uses};
+    yk_load_check_keys(loader, loader->root, sheet->keys, &(YkSubject){.noun = sheet->noun});
+    run(loader, (const Step[]){read_name, yk_load_units, yk_load_parameters, yk_load_overrides}, 4);
+    sheet->read(loader, sheet->context);
+    if (is_out_of_memory(loader)) return;
+    loader->dimensions = yk_dimensions_new(loader->arena, &loader->model->units);
+    if (!loader->dimensions) return;
+    run(loader, values, sizeof values / sizeof *values);
+    sheet->finish(loader, sheet->context);
+}
+
+static void load(YkLoader *loader, const YkSheet *sheet)
 {
     if (loader->root->kind != YK_NODE_MAP) {
-        yk_problem(loader->problems, YK_CODE_MODEL_NOT_MAP, loader->root->place,
-                   "a model file is a map of keys, this is %s", yk_node_kind_name(loader->root));
+        yk_problem(loader->problems, YK_CODE_MODEL_NOT_MAP, loader->root->place, "%s is a map of keys, this is %s",
+                   sheet ? sheet->noun : "a model file", yk_node_kind_name(loader->root));
+        return;
+    }
+    if (sheet) {
+        load_sheet(loader, sheet);
         return;
     }
     read_sections(loader);
@@ -122,13 +141,13 @@ static bool fill(YkModel *model, const char *text, size_t length, const YkReadin
     loader.root = yk_doc_parse(text, length, model->source_name, model->arena, problems);
     yk_pace_stage(model->arena->pace, PARSED, 1);
     if (how->name_place) yk_problems_name_places(problems, how->name_place);
-    if (loader.root) load(&loader);
+    if (loader.root) load(&loader, how->sheet);
     bool done = loader.root && !has_new_errors(problems, errors);
     if (done) yk_load_keep_source(&loader, text, length);
     if (yk_pace_is_stopped(model->arena->pace)) {
         yk_pace_tell(problems);
         done = false;
-    } else if (is_out_of_memory(&loader) || (done && !yk_load_size(model))) {
+    } else if (is_out_of_memory(&loader) || (done && !how->sheet && !yk_load_size(model))) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");
         done = false;
     }

@@ -93,6 +93,16 @@ static inline bool yk_load_goes_on(const YkLoader *loader)
 // source.c: keeps the text, with the values that overrides replaced.
 void yk_load_keep_source(YkLoader *loader, const char *source, size_t length);
 
+// A document that is not a machine but has units, parameters and values as a machine's file has them, such as a task.
+// yk_model_read then gives a model that holds these and nothing else.
+typedef struct YkSheet {
+    const char *noun;        // "a task file"
+    const char *const *keys; // all top-level keys, `units` and `parameters` among them; NULL-terminated
+    void (*read)(YkLoader *loader, void *context);   // the first pass: reads the sections
+    void (*finish)(YkLoader *loader, void *context); // checks that need values; NaN: reported already
+    void *context;
+} YkSheet;
+
 // values.c: single values, pairs of values, and kinds of nodes.
 const char *yk_load_subject(YkLoader *loader, const YkSubject *subject); // in scratch
 bool yk_load_is_empty(const YkNode *node);                               // nothing, `~` or `null`

@@ -145,6 +145,8 @@ typedef struct YkSpring {
 #define YK_OWN_LENGTH "length of the spring"
 #define YK_OWN_RATE "rate of the spring"
 int yk_model_own_name(const char *name); // 0: its length, 1: its rate, YK_NONE: another name
+// The argument `x` of a task's function, as the loader writes it: a plain number.
+#define YK_OWN_ARGUMENT "argument of the function"
 
 // A stop: a coordinate cannot leave [low, high]. Where it hits an end its rate reverses, times `restitution`.
 typedef struct YkStop {
@@ -329,6 +331,7 @@ static inline const YkJoint *yk_joint_end(const YkModel *model, size_t joint, in
 typedef struct YkReading {
     const YkLoadOptions *options; // NULL: defaults
     YkNamePlace name_place;       // what problems are about, in place of lines of a file; NULL: lines
+    const struct YkSheet *sheet;  // the document is no machine, but this (model/load.h); NULL: a machine
     bool is_sketch;               // parts may be missing: groups of bodies that float are welded to the ground
 } YkReading;
 YkModel *yk_model_read(const char *text, size_t length, const char *name, const YkReading *how, YkProblems *problems);

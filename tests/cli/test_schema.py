@@ -74,5 +74,30 @@ class Schema(Case):
         self.assertEqual(keys(self.schema, set()), known)
 
 
+class TaskSchema(Case):
+    def test_every_task_passes_and_mistakes_are_marked(self):
+        with open(os.path.join(ROOT, "schema", "task.schema.json"), encoding="utf-8") as file:
+            schema = json.load(file)
+        jsonschema.Draft7Validator.check_schema(schema)
+        validator = jsonschema.Draft7Validator(schema)
+        paths = glob.glob(os.path.join(ROOT, "examples", "tasks", "*.yaml"))
+        self.assertGreater(len(paths), 6)
+        for path in paths:
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual([fault.message for fault in validator.iter_errors(yaml.load(file, Reader))], [], path)
+        for kind in ("motion", "function", "stroke"):
+            text = self.good("new", "--task", kind).out
+            self.assertEqual([fault.message for fault in validator.iter_errors(yaml.load(text, Reader))], [], kind)
+        for wrong in ("name: x", "synthesis: dance", "synthesis: stroke\ncolour: red"):
+            self.assertNotEqual(list(validator.iter_errors(yaml.load(wrong, Reader))), [])
+
+    def test_its_keys_are_those_of_the_program(self):
+        with open(os.path.join(ROOT, "schema", "task.schema.json"), encoding="utf-8") as file:
+            schema = json.load(file)
+        with open(os.path.join(ROOT, "src", "synthesis", "task.c"), encoding="utf-8") as file:
+            keys = re.search(r"const char \*const keys\[\] = \{(.*?)\}", file.read(), re.S).group(1)
+        self.assertEqual(set(schema["properties"]), set(re.findall(r'"(\w+)"', keys)))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,7 @@
 #include "base/names.h"
 #include "session.h"
 #include "verbs/new/gallery.h"
+#include "verbs/new/tasks.h"
 
 static void list_gallery(YkText *text)
 {
@@ -44,8 +45,21 @@ static int refuse(YkSession *session, const char *name)
     return YK_EXIT_WRONG;
 }
 
+// Writes a task file of a kind; refuses kinds that are not there.
+static int new_task(YkSession *session, const char *kind)
+{
+    for (size_t k = 0; k < yk_task_example_count; k++) {
+        if (strcmp(yk_task_examples[k].kind, kind) != 0) continue;
+        yk_text_puts(&session->out, yk_task_examples[k].text);
+        return yk_session_finish(session, YK_EXIT_DONE);
+    }
+    yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--task takes motion, function or stroke, not %q", kind);
+    return YK_EXIT_WRONG;
+}
+
 int yk_run_new(YkSession *session)
 {
+    if (session->request->task) return new_task(session, session->request->task);
     const char *name = session->request->file;
     const YkExample *example = name ? find(name) : NULL;
     if (name && !example) return refuse(session, name);

@@ -1,0 +1,37 @@
+// Task files to begin with, one of each kind.
+#include "verbs/new/tasks.h"
+
+const YkTaskExample yk_task_examples[] = {
+    {"motion",
+     "# A body through positions. Two to five are met exactly; `yoke synthesize` finds four-bars that do it.\n"
+     "name: my motion\n"
+     "synthesis: motion\n"
+     "positions:                                # of the body's own axes: origin and angle\n"
+     "  - {at: [0, 0], angle: 0 deg}\n"
+     "  - {at: [50, 100], angle: 20 deg}\n"
+     "  - {at: [150, 150], angle: 35 deg}\n"
+     "fix: {input_pivot: [190, -70], output_pivot: [-190, -130]}   # with three positions; leave it out to have pivots "
+     "found\n"
+     "bounds: {lengths: [20, 1000]}             # also pivots: [[x, y], [x, y]], coupler_point: [from, to]\n"
+     "require: {transmission: 15 deg}           # also input: turns, order: false, size_ratio: 6\n"
+     "best: 10\n"
+     "units: {length: mm, angle: deg}\n"},
+    {"function", "# An output angle that follows an input angle: three, four or five points are met exactly.\n"
+                 "name: my function\n"
+                 "synthesis: function\n"
+                 "of: log10(x)                              # or pairs: [[0, 0], [20 deg, 12 deg], [50 deg, 30 deg]]\n"
+                 "x: [1, 2]\n"
+                 "input: 60 deg                             # the range of the input while x goes through its own\n"
+                 "output: 90 deg\n"
+                 "samples: 4                                # 3, 4 or 5, in Chebyshev's spacing\n"
+                 "require: {transmission: 30 deg}\n"
+                 "units: {angle: deg}\n"},
+    {"stroke", "# A rocker's swing with its time ratio, and the best transmission angle.\n"
+               "name: my stroke\n"
+               "synthesis: stroke\n"
+               "swing: 40 deg                             # or stroke: 100 mm, of a slider\n"
+               "time_ratio: 1.2\n"
+               "fix: {output: 80 mm}                      # one length settles the size of a crank-rocker\n"
+               "units: {length: mm, angle: deg}\n"},
+};
+const size_t yk_task_example_count = sizeof yk_task_examples / sizeof *yk_task_examples;

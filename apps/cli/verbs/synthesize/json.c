@@ -1,0 +1,116 @@
+// `yoke synthesize` for programs.
+#include "verbs/synthesize/synthesize.h"
+#include "write/json.h"
+
+static void add_two(YkJson *json, const char *key, const double v[2])
+{
+    yk_json_list(json, key, YK_JSON_INLINE);
+    yk_json_number(json, NULL, v[0]);
+    yk_json_number(json, NULL, v[1]);
+    yk_json_end(json);
+}
+
+static void add_dyad(YkJson *json, YkDyad dyad)
+{
+    static const char *const kinds[] = {"RR", "PR", "RP"};
+    yk_json_object(json, NULL, YK_JSON_INLINE);
+    yk_json_string(json, "kind", kinds[dyad.kind]);
+    add_two(json, "fixed", dyad.fixed);
+    add_two(json, "moving", dyad.moving);
+    if (dyad.kind == YK_DYAD_RR)
+        yk_json_number(json, "length", dyad.length);
+    else
+        yk_json_number(json, "direction", dyad.direction);
+    yk_json_end(json);
+}
+
+static void add_dimensions(YkJson *json, const YkCandidate *c)
+{
+    static const char *const names[] = {"ground", "input", "coupler", "output"};
+    bool is_slider = c->mechanism[0] == 's';
+    yk_json_list(json, "pivots", YK_JSON_INLINE);
+    add_two(json, NULL, c->pivots[0]);
+    if (!is_slider) add_two(json, NULL, c->pivots[1]);
+    yk_json_end(json);
+    yk_json_object(json, "lengths", YK_JSON_INLINE);
+    for (size_t k = is_slider ? 1 : 0; k < (is_slider ? 3u : 4u); k++) yk_json_number(json, names[k], c->lengths[k]);
+    yk_json_end(json);
+    add_two(json, "point", c->point);
+    if (c->dyads[0] < 0) return;
+    yk_json_list(json, "dyads", YK_JSON_INLINE);
+    for (size_t k = 0; k < 2; k++) yk_json_integer(json, NULL, c->dyads[k]);
+    yk_json_end(json);
+}
+
+static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t index)
+{
+    YkCandidate c = yk_synthesis_candidate(synthesis, index);
+    const char *name;
+    double value = 0;
+    yk_json_object(json, NULL, YK_JSON_LINES);
+    yk_json_integer(json, "rank", (long long)index + 1);
+    yk_json_string(json, "file", c.file);
+    yk_json_string(json, "model", c.model);
+    yk_json_string(json, "mechanism", c.mechanism);
+    yk_json_number(json, "error", c.error);
+    yk_json_number(json, "worst", c.worst);
+    add_two(json, "transmission", c.transmission);
+    yk_json_number(json, "size", c.size);
+    yk_json_integer(json, "circuits", (long long)c.circuits);
+    yk_json_string(json, "type", c.type);
+    yk_json_object(json, "parameters", YK_JSON_INLINE);
+    for (size_t k = 0; (name = yk_synthesis_parameter(synthesis, index, k, &value)) != NULL; k++)
+        yk_json_number(json, name, value);
+    yk_json_end(json);
+    add_dimensions(json, &c);
+    yk_json_end(json);
+}
+
+static void add_defects(YkJson *json, const YkSynthesis *synthesis)
+{
+    yk_json_list(json, "defects", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_synthesis_defect_count(synthesis); k++) {
+        YkCandidate c = yk_synthesis_defect(synthesis, k);
+        yk_json_object(json, NULL, YK_JSON_LINES);
+        yk_json_string(json, "defect", yk_defect_name(c.defect));
+        yk_json_string(json, "mechanism", c.mechanism);
+        yk_json_string(json, "type", c.type);
+        add_dimensions(json, &c);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
+void yk_synthesis_json(const YkSynthesisAnswer *answer, YkText *text)
+{
+    const YkSynthesis *synthesis = answer->synthesis;
+    YkJson json = {.text = text};
+    size_t complex_count, real_count;
+    yk_json_object(&json, NULL, YK_JSON_LINES);
+    yk_json_string(&json, "task", yk_task_name(answer->task));
+    yk_json_string(&json, "synthesis", yk_task_kind(answer->task));
+    yk_json_string(&json, "status", yk_synthesis_word(answer));
+    yk_json_bool(&json, "complete", yk_synthesis_is_complete(synthesis));
+    yk_json_bool(&json, "reproducible", !yk_synthesis_was_stopped(synthesis));
+    if (yk_synthesis_solutions(synthesis, &complex_count, &real_count)) {
+        yk_json_object(&json, "solutions", YK_JSON_INLINE);
+        yk_json_integer(&json, "complex", (long long)complex_count);
+        yk_json_integer(&json, "real", (long long)real_count);
+        yk_json_end(&json);
+    }
+    yk_json_object(&json, "left_out", YK_JSON_INLINE);
+    for (int k = 1; k < YK_DEFECT_COUNT; k++) {
+        size_t count = yk_synthesis_left_out(synthesis, (YkDefect)k);
+        if (count > 0) yk_json_integer(&json, yk_defect_name((YkDefect)k), (long long)count);
+    }
+    yk_json_end(&json);
+    yk_json_integer(&json, "seed", (long long)answer->seed);
+    yk_json_list(&json, "dyads", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_synthesis_dyad_count(synthesis); k++) add_dyad(&json, yk_synthesis_dyad(synthesis, k));
+    yk_json_end(&json);
+    yk_json_list(&json, "candidates", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_synthesis_count(synthesis); k++) add_candidate(&json, synthesis, k);
+    yk_json_end(&json);
+    if (answer->session->request->defects) add_defects(&json, synthesis);
+    yk_json_end(&json);
+}

@@ -1,0 +1,140 @@
+// `yoke synthesize` for people.
+#include "session.h"
+#include "verbs/synthesize/synthesize.h"
+#include "write/table.h"
+
+enum { DIGITS = 6, DYADS_SHOWN = 12, DEFECTS_SHOWN = 200 };
+
+typedef struct Units {
+    const char *length, *angle;
+    double length_size, angle_size;
+} Units;
+
+static void end_table(YkText *out, YkTable *table)
+{
+    yk_text_puts(out, "\n");
+    yk_table_write(table, 2, out);
+    yk_table_free(table);
+}
+
+static void add_number_word(YkTable *table, size_t number)
+{
+    YkText word = {0};
+    yk_text_format(&word, "%z", number);
+    yk_table_word(table, yk_text_get(&word));
+    yk_text_free(&word);
+}
+
+static void add_dyads(YkText *out, const YkSynthesis *synthesis, const Units *u)
+{
+    static const char *const kinds[] = {"RR", "PR", "RP"};
+    size_t count = yk_synthesis_dyad_count(synthesis);
+    if (count == 0) return;
+    if (count > DYADS_SHOWN) {
+        yk_text_format(out, "%z dyads were taken from those that reach the positions; the JSON lists them.\n", count);
+        return;
+    }
+    YkTable *table = yk_table_new(8);
+    static const char *const heads[] = {"dyad", "kind", "fixed x", "y", "moving x", "y", "length"};
+    for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 2 ? NULL : u->length);
+    yk_table_head(table, "line", u->angle);
+    for (size_t k = 0; k < count; k++) {
+        YkDyad d = yk_synthesis_dyad(synthesis, k);
+        const double lengths[] = {d.fixed[0], d.fixed[1], d.moving[0], d.moving[1]};
+        add_number_word(table, k + 1);
+        yk_table_word(table, kinds[d.kind]);
+        for (size_t i = 0; i < 4; i++) yk_table_number(table, lengths[i] / u->length_size, DIGITS);
+        if (d.kind == YK_DYAD_RR) {
+            yk_table_number(table, d.length / u->length_size, DIGITS);
+            yk_table_word(table, "-");
+        } else {
+            yk_table_word(table, "-");
+            yk_table_number(table, d.direction / u->angle_size, DIGITS);
+        }
+    }
+    end_table(out, table);
+}
+
+static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Units *u, bool is_angle)
+{
+    size_t count = yk_synthesis_count(synthesis);
+    if (count == 0) return;
+    YkTable *table = yk_table_new(10);
+    static const char *const heads[] = {"rank",  "type",    "worst",  "transmission from", "to", "ground",
+                                        "input", "coupler", "output", "circuits"};
+    const char *units[] = {
+        NULL,      NULL, is_angle ? u->angle : u->length, u->angle, u->angle, u->length, u->length, u->length,
+        u->length, NULL};
+    for (size_t k = 0; k < 10; k++) yk_table_head(table, heads[k], units[k]);
+    for (size_t k = 0; k < count; k++) {
+        YkCandidate c = yk_synthesis_candidate(synthesis, k);
+        double noise = is_angle ? 1e-9 : 1e-9 * c.size;
+        add_number_word(table, k + 1);
+        yk_table_word(table, c.type);
+        yk_table_number(table, c.worst < noise ? 0 : c.worst / (is_angle ? u->angle_size : u->length_size), DIGITS);
+        for (size_t i = 0; i < 2; i++) yk_table_number(table, c.transmission[i] / u->angle_size, DIGITS);
+        for (size_t i = 0; i < 4; i++) {
+            if (c.lengths[i] > 0)
+                yk_table_number(table, c.lengths[i] / u->length_size, DIGITS);
+            else
+                yk_table_word(table, "-");
+        }
+        add_number_word(table, c.circuits);
+    }
+    end_table(out, table);
+}
+
+static void add_left_out(YkText *out, const YkSynthesis *synthesis)
+{
+    size_t kinds = 0;
+    for (int k = 1; k < YK_DEFECT_COUNT; k++) {
+        size_t count = yk_synthesis_left_out(synthesis, (YkDefect)k);
+        if (count == 0) continue;
+        yk_text_format(out, "%s%z %s", kinds++ == 0 ? "\nleft out: " : ", ", count, yk_defect_name((YkDefect)k));
+    }
+    if (kinds > 0) yk_text_puts(out, "\n");
+}
+
+static void add_defects(YkText *out, const YkSynthesis *synthesis, const Units *u)
+{
+    size_t count = yk_synthesis_defect_count(synthesis);
+    if (count == 0) return;
+    YkTable *table = yk_table_new(7);
+    static const char *const heads[] = {"left out for", "dyads", "type", "ground", "input", "coupler", "output"};
+    for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 3 ? NULL : u->length);
+    for (size_t k = 0; k < count && k < DEFECTS_SHOWN; k++) {
+        YkCandidate c = yk_synthesis_defect(synthesis, k);
+        YkText pair = {0};
+        if (c.dyads[0] >= 0) yk_text_format(&pair, "%d, %d", c.dyads[0] + 1, c.dyads[1] + 1);
+        yk_table_word(table, yk_defect_name(c.defect));
+        yk_table_word(table, yk_text_get(&pair));
+        yk_table_word(table, c.type);
+        for (size_t i = 0; i < 4; i++) yk_table_number(table, c.lengths[i] / u->length_size, DIGITS);
+        yk_text_free(&pair);
+    }
+    end_table(out, table);
+    if (count > DEFECTS_SHOWN) yk_text_format(out, "and %z more\n", count - DEFECTS_SHOWN);
+}
+
+void yk_synthesis_text(const YkSynthesisAnswer *answer)
+{
+    YkText *out = &answer->session->out;
+    const YkSynthesis *synthesis = answer->synthesis;
+    const char *word = yk_synthesis_word(answer), *kind = yk_task_kind(answer->task);
+    size_t count = yk_synthesis_count(synthesis), complex_count, real_count;
+    Units u;
+    u.length = yk_task_unit(answer->task, YK_QUANTITY_LENGTH, &u.length_size);
+    u.angle = yk_task_unit(answer->task, YK_QUANTITY_ANGLE, &u.angle_size);
+    yk_text_format(out, "%s: %s, %z machine%s\n", yk_task_name(answer->task), kind, count, count == 1 ? "" : "s");
+    if (yk_synthesis_solutions(synthesis, &complex_count, &real_count))
+        yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count,
+                       real_count);
+    else if (!yk_synthesis_is_complete(synthesis))
+        yk_text_puts(out, "The task leaves a choice: samples of it were tried, and the best are shown.\n");
+    if (word[0] == 't' || word[0] == 'i') yk_text_puts(out, "The search was ended early: these are the best so far.\n");
+    add_dyads(out, synthesis, &u);
+    add_candidates(out, synthesis, &u,
+                   kind[0] == 'f' || (kind[0] == 's' && yk_synthesis_candidate(synthesis, 0).lengths[3] > 0));
+    add_left_out(out, synthesis);
+    if (answer->session->request->defects) add_defects(out, synthesis, &u);
+}

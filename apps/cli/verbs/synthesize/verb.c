@@ -1,0 +1,121 @@
+// yoke synthesize: from what a machine must do to machines that do it.
+#include "verbs/synthesize/synthesize.h"
+#include <math.h>
+#include <string.h>
+#include "base/number.h"
+#include "base/units/units.h"
+#include "session.h"
+#include "stop.h"
+#include "write/folder.h"
+
+const char *yk_synthesis_word(const YkSynthesisAnswer *answer)
+{
+    if (answer->is_late) return "time";
+    if (yk_synthesis_was_stopped(answer->synthesis)) return "interrupted";
+    return yk_synthesis_count(answer->synthesis) > 0 ? "ok" : "none";
+}
+
+// Reads a time span: a number with a unit of time, or in seconds.
+static bool read_span(YkSession *session, const char *text, double *seconds)
+{
+    size_t length = strlen(text), digits = yk_number_read(text, length, seconds), bad_length;
+    const char *bad;
+    YkDimension dimension = {.time = 1};
+    double size = 1;
+    bool good = digits > 0 && *seconds > 0 && isfinite(*seconds);
+    if (good && digits < length)
+        good = yk_unit_read(text + digits, length - digits, &size, &dimension, &bad, &bad_length);
+    good = good && dimension.time == 1 && dimension.length == 0 && dimension.mass == 0 && dimension.angle == 0;
+    *seconds *= size;
+    return good ||
+           yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--within takes a time span as in 60s, not %q", text);
+}
+
+static bool goes_on(void *context, double part)
+{
+    YkSynthesisAnswer *answer = context;
+    YkProgress stop = yk_stop_progress(answer->session);
+    if (answer->deadline > 0 && yk_stop_now() > answer->deadline) answer->is_late = true;
+    return stop.goes_on(stop.context, part) && !answer->is_late;
+}
+
+static bool find(YkSynthesisAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const YkRequest *request = session->request;
+    YkSynthesisOptions options = yk_default_synthesis_options();
+    size_t seed = 1, errors;
+    double within = 0;
+    YkProblems *problems = yk_problems_new();
+    if (!problems) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    answer->task = yk_task_load(request->file, problems);
+    if (answer->task && yk_session_count(session, "--seed", request->seed, 1000000000, 1, &seed) &&
+        (!request->within || read_span(session, request->within, &within))) {
+        options.seed = answer->seed = seed;
+        options.progress = (YkProgress){goes_on, answer};
+        if (within > 0) answer->deadline = yk_stop_now() + within;
+        answer->synthesis = yk_synthesis_run(answer->task, &options, problems);
+    }
+    yk_tell_problems(session, problems);
+    errors = yk_problems_error_count(problems);
+    yk_problems_free(problems);
+    (void)errors;
+    return answer->synthesis != NULL;
+}
+
+// Says on standard error why there is none: how many were left out for which reason.
+static void tell_none(const YkSynthesisAnswer *answer)
+{
+    YkText reasons = {0};
+    for (int k = 1; k < YK_DEFECT_COUNT; k++) {
+        size_t count = yk_synthesis_left_out(answer->synthesis, (YkDefect)k);
+        if (count > 0)
+            yk_text_format(&reasons, "%s%z %s", reasons.length > 0 ? ", " : "", count, yk_defect_name((YkDefect)k));
+    }
+    yk_problem(answer->session->problems, YK_CODE_NO_MACHINE, (YkPlace){0},
+               reasons.length > 0 ? "no machine does what the task asks; left out: %s"
+                                  : "no machine does what the task asks%s",
+               yk_text_get(&reasons));
+    yk_problem_hint(answer->session->problems, "`--defects` shows those that were left out");
+    yk_text_free(&reasons);
+}
+
+static int finish(YkSynthesisAnswer *answer)
+{
+    YkSession *session = answer->session;
+    const char *folder = session->request->output;
+    YkRequest own = *session->request;
+    bool has_some = yk_synthesis_count(answer->synthesis) > 0;
+    if (folder && !yk_synthesis_files(answer, folder)) return YK_EXIT_WRONG;
+    if (!has_some) tell_none(answer);
+    if (session->request->format == YK_FORMAT_JSON)
+        yk_synthesis_json(answer, &session->out);
+    else
+        yk_synthesis_text(answer);
+    own.output = NULL; // it named the folder
+    session->request = &own;
+    return yk_session_finish(session, has_some ? YK_EXIT_DONE : YK_EXIT_NO_ANSWER);
+}
+
+int yk_run_synthesize(YkSession *session)
+{
+    YkSynthesisAnswer answer = {.session = session, .seed = 1};
+    const YkRequest *request = session->request;
+    int exit_code = YK_EXIT_WRONG;
+    session->keeps_what_is_done = true;
+    if (request->format == YK_FORMAT_CSV) {
+        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+        return YK_EXIT_WRONG;
+    }
+    if (!request->file) {
+        yk_session_refuse(session, YK_CODE_FILE_MISSING, "`yoke %s` needs a task file", "synthesize");
+        yk_problem_hint(session->problems, "`yoke new --task motion > task.yaml` writes one to begin with");
+        return YK_EXIT_WRONG;
+    }
+    if (request->output && !yk_folder_is_free(request->output, session->problems)) return YK_EXIT_WRONG;
+    if (find(&answer)) exit_code = finish(&answer);
+    session->request = request;
+    yk_synthesis_free(answer.synthesis);
+    yk_task_free(answer.task);
+    return exit_code;
+}

@@ -1,0 +1,116 @@
+// Synthesis: from what a machine must do to machines that do it.
+//
+// A task says what is wanted: positions of a body, a function between two angles, a stroke. Every machine that the
+// methods find is written as a model file, and the file is judged by the ordinary engine: assembled once, driven through
+// the whole task without changing branch or circuit, in order. Only what passes is a candidate; what does not is
+// counted by its reason, and kept.
+#ifndef YOKE_SYNTHESIS_H
+#define YOKE_SYNTHESIS_H
+
+#include <yoke/design.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct YkTask YkTask;
+
+// Reads and validates a task file (man yoke-task). Adds every problem of the file to `problems`, also when it loads.
+// Returns NULL if there was an error. Cost: linear in the size of the file.
+YK_API YkTask *yk_task_load(const char *path, YkProblems *problems);
+// Does the same for text in memory; `name` stands for the file's name in messages.
+YK_API YkTask *yk_task_parse(const char *text, size_t length, const char *name, YkProblems *problems);
+YK_API void yk_task_free(YkTask *task);
+YK_API const char *yk_task_name(const YkTask *task);
+YK_API const char *yk_task_kind(const YkTask *task); // "motion", "function", "stroke"
+// Returns the unit in which the file gives lengths or angles: its name ("mm"), and its size in SI.
+YK_API const char *yk_task_unit(const YkTask *task, YkQuantity quantity, double *size);
+
+typedef struct YkSynthesisOptions {
+    uint64_t seed; // of samples, where a task leaves a choice; default 1
+    size_t best;   // how many candidates are kept; 0: as the task says, or 10
+    // Watches the search; {NULL}: not watched. Where it ends the search, the candidates found so far are the answer.
+    YkProgress progress;
+} YkSynthesisOptions;
+YK_API YkSynthesisOptions yk_default_synthesis_options(void);
+
+typedef struct YkSynthesis YkSynthesis;
+// Finds machines for a task, which must outlive the result. Returns NULL with problems added when out of memory or when
+// the task has no exact solution that could be sought. Cost: some 0.5 ms for every pair of dyads, most of it the
+// engine's judgement.
+YK_API YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
+YK_API void yk_synthesis_free(YkSynthesis *synthesis);
+YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
+// Returns whether everything that there is was sought: false where a task leaves a choice, which is sampled.
+YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
+// The number of solutions of the equations, where they are finite: false otherwise.
+YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
+
+// A dyad: a link between the ground and the moving body. World and body coordinates, m.
+typedef enum YkDyadKind {
+    YK_DYAD_RR, // two pins: the moving pivot is on a circle about the fixed one
+    YK_DYAD_PR, // a slide on the ground: the moving pivot is on a line
+    YK_DYAD_RP  // a slide on the body: a line of the body goes through the fixed pivot
+} YkDyadKind;
+typedef struct YkDyad {
+    YkDyadKind kind;
+    double fixed[2];  // pivot in the ground; PR: the foot of the line, nearest to the origin
+    double moving[2]; // pivot in the body's axes; RP: the foot of the line, nearest to the body's origin
+    double length;    // of the link; 0 with a slide
+    double direction; // of the line, rad: PR in the ground, RP in the body; otherwise 0
+} YkDyad;
+YK_API size_t yk_synthesis_dyad_count(const YkSynthesis *synthesis);
+YK_API YkDyad yk_synthesis_dyad(const YkSynthesis *synthesis, size_t index);
+
+// Why a machine was left out.
+typedef enum YkDefect {
+    YK_DEFECT_NONE,
+    YK_DEFECT_ASSEMBLY,     // the written file does not stand where it should
+    YK_DEFECT_CIRCUIT,      // some positions can only be reached by taking the machine apart
+    YK_DEFECT_BRANCH,       // a dead point of the input lies between the positions
+    YK_DEFECT_ORDER,        // the positions are not passed in their order
+    YK_DEFECT_INPUT,        // the input does not turn through
+    YK_DEFECT_TRANSMISSION, // its angle falls below the one required
+    YK_DEFECT_BOUNDS,       // a length, pivot or coupler point lies outside its bounds
+    YK_DEFECT_SIZE,         // the longest link over the shortest is more than allowed
+    YK_DEFECT_COUNT
+} YkDefect;
+YK_API const char *yk_defect_name(YkDefect defect); // "branch"
+
+// A machine that was found. Texts belong to the synthesis.
+typedef struct YkCandidate {
+    const char *file;       // "01-four-bar.yaml"; NULL for one that was left out
+    const char *model;      // the model file
+    const char *mechanism;  // "four-bar", "slider-crank"
+    const char *type;       // "crank-rocker", ...: as driven
+    double error;           // sum of squares: of distances (m^2), angles (rad^2), or both by weight (motion)
+    double worst;           // largest single deviation: m, or rad of a function
+    double transmission[2]; // least and largest transmission angle over the motion, rad
+    double size;            // length of the longest link, m; of functions: over the ground's
+    size_t circuits;
+    double pivots[2][2]; // of the ground: input's, output's, m
+    double lengths[4];   // ground, input, coupler, output, m
+    double point[2];     // coupler point in the coupler's axes: x along the coupler from the input side, m
+    int dyads[2];        // those of the input and of the output side; -1: none
+    YkDefect defect;     // why it was left out; NONE for candidates
+} YkCandidate;
+YK_API size_t yk_synthesis_count(const YkSynthesis *synthesis);
+YK_API YkCandidate yk_synthesis_candidate(const YkSynthesis *synthesis, size_t index); // best first
+// What was left out: how many for a reason, and each of them (at most 10,000 are kept).
+YK_API size_t yk_synthesis_left_out(const YkSynthesis *synthesis, YkDefect reason);
+YK_API size_t yk_synthesis_defect_count(const YkSynthesis *synthesis);
+YK_API YkCandidate yk_synthesis_defect(const YkSynthesis *synthesis, size_t index);
+// Parameters of a candidate's file by name and SI value; NULL past the last.
+YK_API const char *yk_synthesis_parameter(const YkSynthesis *synthesis, size_t candidate, size_t index, double *value);
+// The path of the coupler point over the motion, xy[2 * count] in m; functions: input angle and error, rad. Returns
+// the count; the array belongs to the synthesis.
+YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate, const double **xy);
+// All candidates side by side with the task and their curves, as SVG. The text belongs to the synthesis. NULL when out
+// of memory.
+YK_API const char *yk_synthesis_picture(YkSynthesis *synthesis);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,176 @@
+// The candidates of a synthesis side by side: each at its first position, with the task and its curve.
+#include <math.h>
+#include "picture/svg.h"
+#include "synthesis/synthesis.h"
+#include "base/number.h"
+
+enum { COLUMNS = 3, CELL = 270, CAPTION = 40, MARGIN = 22, SHOWN_MAX = 60 };
+
+// A cell of the picture: metres to pixels.
+typedef struct Cell {
+    YkText *svg;
+    YkVec middle, origin; // m; px
+    double scale;         // px per m
+} Cell;
+
+static YkVec pixel(const Cell *cell, YkVec at)
+{
+    YkVec off = yk_scale(cell->scale, yk_sub(at, cell->middle));
+    return yk_vec(cell->origin.x + off.x, cell->origin.y - off.y);
+}
+
+static void line(const Cell *cell, YkVec a, YkVec b, const char *style)
+{
+    yk_svg_line(cell->svg, pixel(cell, a), pixel(cell, b), style);
+}
+
+typedef struct Box {
+    YkVec low, high;
+} Box;
+
+static void include(Box *box, YkVec at)
+{
+    box->low = yk_vec(fmin(box->low.x, at.x), fmin(box->low.y, at.y));
+    box->high = yk_vec(fmax(box->high.x, at.x), fmax(box->high.y, at.y));
+}
+
+// The joints A, B and the coupler point at the first position.
+static void place(const YkDesign *d, YkVec at[3])
+{
+    YkVec along = yk_unit(d->angle[1]);
+    at[0] = yk_add(d->pivot[0], yk_scale(d->length[1], yk_unit(d->angle[0])));
+    at[1] = yk_add(at[0], yk_scale(d->length[2], along));
+    at[2] = d->has_point ? yk_add(at[0], yk_mul(along, d->point)) : at[1];
+}
+
+static Cell fit(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
+{
+    YkVec at[3];
+    const YkDesign *d = &found->design;
+    const YkMotionTask *motion = &s->task->motion;
+    place(d, at);
+    Box box = {d->pivot[0], d->pivot[0]};
+    include(&box, d->pivot[1]);
+    for (size_t k = 0; k < 3; k++) include(&box, at[k]);
+    for (size_t k = 0; k < motion->count; k++) include(&box, motion->pose[k].at);
+    for (size_t r = 0; r < found->rows && d->has_point; r++)
+        include(&box, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
+    double size = fmax(fmax(box.high.x - box.low.x, box.high.y - box.low.y), 1e-12);
+    YkVec middle = yk_scale(0.5, yk_add(box.low, box.high)), origin = yk_vec(CELL / 2.0, CELL / 2.0);
+    return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
+}
+
+// The task's positions: an origin and the body's x axis.
+static void draw_positions(const Cell *cell, const YkMotionTask *motion)
+{
+    for (size_t k = 0; k < motion->count; k++) {
+        YkVec at = motion->pose[k].at, along = yk_scale(22 / cell->scale, yk_unit(motion->pose[k].angle));
+        line(cell, at, yk_add(at, along), "stroke=\"#c0392b\" stroke-width=\"2\"");
+        line(cell, at, yk_add(at, yk_scale(0.5, yk_quarter(along))), "stroke=\"#c0392b\" stroke-width=\"1\"");
+        YkVec name = yk_add(pixel(cell, at), yk_vec(-4, 13));
+        char digit[2] = {(char)('1' + k), '\0'};
+        yk_svg_word(cell->svg, name, digit, "fill=\"#c0392b\" font-size=\"10\"");
+    }
+}
+
+static void draw_curve(const Cell *cell, const YkFound *found)
+{
+    YkVec points[YK_CURVE_ROWS];
+    for (size_t r = 0; r < found->rows; r++)
+        points[r] = pixel(cell, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
+    yk_svg_polyline(cell->svg, points, found->rows, "fill=\"none\" stroke=\"#2471a3\" stroke-width=\"1.3\"");
+}
+
+static void draw_links(const Cell *cell, const YkDesign *d)
+{
+    static const char *const bar = "stroke=\"#34495e\" stroke-width=\"3\" stroke-linecap=\"round\"";
+    YkVec at[3];
+    place(d, at);
+    if (d->has_point) {
+        YkVec corners[3] = {pixel(cell, at[0]), pixel(cell, at[1]), pixel(cell, at[2])};
+        yk_svg_polygon(cell->svg, corners, 3, "fill=\"#aed6f1\" fill-opacity=\"0.5\" stroke=\"#5d6d7e\"");
+    }
+    line(cell, d->pivot[0], at[0], bar);
+    line(cell, at[0], at[1], "stroke=\"#5d6d7e\" stroke-width=\"2\"");
+    if (d->kind == YK_DESIGN_FOUR_BAR) {
+        line(cell, d->pivot[1], at[1], bar);
+    } else {
+        YkVec along = yk_scale(18 / cell->scale, yk_unit(d->along));
+        line(cell, yk_sub(at[1], along), yk_add(at[1], along), "stroke=\"#7f8c8d\" stroke-dasharray=\"4 2\"");
+    }
+    for (size_t k = 0; k < (d->kind == YK_DESIGN_FOUR_BAR ? 2u : 1u); k++) {
+        YkVec p = pixel(cell, d->pivot[k]);
+        YkVec foot[3] = {p, {p.x - 7, p.y + 11}, {p.x + 7, p.y + 11}};
+        yk_svg_polygon(cell->svg, foot, 3, "fill=\"#d5d8dc\" stroke=\"#34495e\"");
+        yk_svg_circle(cell->svg, p, 3, "fill=\"#fff\" stroke=\"#34495e\"");
+    }
+    for (size_t k = 0; k < 2; k++) yk_svg_circle(cell->svg, pixel(cell, at[k]), 3, "fill=\"#fff\" stroke=\"#34495e\"");
+}
+
+// The error of a function over its range, in the lower part of the cell.
+static void draw_error(YkText *svg, const YkFound *found, YkVec corner)
+{
+    YkVec points[YK_CURVE_ROWS];
+    double most = 1e-12, width = CELL - 2 * MARGIN, base = corner.y + CELL - 26;
+    double range = found->curve[2 * (found->rows - 1)] - found->curve[0];
+    for (size_t r = 0; r < found->rows; r++) most = fmax(most, fabs(found->curve[2 * r + 1]));
+    for (size_t r = 0; r < found->rows; r++) {
+        double part = range != 0 ? (found->curve[2 * r] - found->curve[0]) / range : 0;
+        points[r] = yk_vec(corner.x + MARGIN + part * width, base - 18 * found->curve[2 * r + 1] / most);
+    }
+    yk_svg_line(svg, yk_vec(corner.x + MARGIN, base), yk_vec(corner.x + MARGIN + width, base), "stroke=\"#bdc3c7\"");
+    yk_svg_polyline(svg, points, found->rows, "fill=\"none\" stroke=\"#c0392b\" stroke-width=\"1.2\"");
+}
+
+static void add_caption(const YkSynthesis *s, const YkFound *found, size_t rank, YkVec corner, YkText *svg)
+{
+    YkText text = {0};
+    char digits[YK_NUMBER_SIZE];
+    yk_number_write_digits(found->transmission[0] * 180 / YK_PI, 3, digits);
+    yk_text_format(&text, "%z  %s", rank, yk_design_type(&found->design));
+    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 8), yk_text_get(&text),
+                "font-size=\"13\" fill=\"#212f3c\"");
+    yk_text_clear(&text);
+    yk_text_format(&text, "transmission from %s deg", digits);
+    if (s->task->kind == YK_TASK_FUNCTION && s->task->function.of) {
+        yk_number_write_digits(found->worst * 180 / YK_PI, 3, digits);
+        yk_text_format(&text, ", error up to %s deg", digits);
+    }
+    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 24), yk_text_get(&text),
+                "font-size=\"11\" fill=\"#5d6d7e\"");
+    if (text.failed) yk_text_fail(svg);
+    yk_text_free(&text);
+}
+
+static void draw_cell(const YkSynthesis *s, size_t index, YkText *svg)
+{
+    const YkFound *found = &s->candidates.items[index];
+    YkVec corner = yk_vec((double)(index % COLUMNS) * CELL, (double)(index / COLUMNS) * (CELL + CAPTION));
+    Cell cell = fit(svg, s, found, corner);
+    bool has_error = s->task->kind == YK_TASK_FUNCTION && s->task->function.of && found->rows > 0;
+    yk_text_format(svg, "<g class=\"candidate\">\n");
+    if (found->design.has_point && found->rows > 0) draw_curve(&cell, found);
+    draw_links(&cell, &found->design);
+    draw_positions(&cell, &s->task->motion);
+    if (has_error) draw_error(svg, found, corner);
+    add_caption(s, found, index + 1, corner, svg);
+    yk_text_puts(svg, "</g>\n");
+}
+
+const char *yk_synthesis_picture(YkSynthesis *s)
+{
+    if (!s) return NULL;
+    YkText *svg = &s->picture;
+    size_t count = s->candidates.count < SHOWN_MAX ? s->candidates.count : SHOWN_MAX;
+    size_t columns = count < COLUMNS ? (count > 0 ? count : 1) : COLUMNS, rows = (count + COLUMNS - 1) / COLUMNS;
+    size_t width = columns * CELL, height = (rows > 0 ? rows : 1) * (CELL + CAPTION);
+    yk_text_clear(svg);
+    yk_text_format(svg,
+                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%z\" height=\"%z\" viewBox=\"0 0 %z %z\" "
+                   "font-family=\"sans-serif\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
+                   width, height, width, height);
+    for (size_t k = 0; k < count; k++) draw_cell(s, k, svg);
+    if (count == 0) yk_svg_word(svg, yk_vec(MARGIN, CELL / 2.0), "no machine was found", "font-size=\"14\"");
+    yk_text_puts(svg, "</svg>\n");
+    return svg->failed ? NULL : yk_text_get(svg);
+}

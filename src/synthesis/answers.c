@@ -1,0 +1,115 @@
+// What a synthesis answers to its caller.
+#include <math.h>
+#include <string.h>
+#include "synthesis/synthesis.h"
+
+bool yk_synthesis_was_stopped(const YkSynthesis *s)
+{
+    return s && s->was_stopped;
+}
+
+bool yk_synthesis_is_complete(const YkSynthesis *s)
+{
+    return s && s->is_complete;
+}
+
+bool yk_synthesis_solutions(const YkSynthesis *s, size_t *complex_count, size_t *real_count)
+{
+    if (!s || !s->has_solutions) return false;
+    if (complex_count) *complex_count = s->complex_count;
+    if (real_count) *real_count = s->real_count;
+    return true;
+}
+
+size_t yk_synthesis_dyad_count(const YkSynthesis *s)
+{
+    return s ? s->dyad_count : 0;
+}
+
+YkDyad yk_synthesis_dyad(const YkSynthesis *s, size_t index)
+{
+    return s && index < s->dyad_count ? s->dyads[index] : (YkDyad){.length = NAN};
+}
+
+static YkCandidate candidate_of(const YkFound *found)
+{
+    const YkDesign *design = &found->design;
+    YkCandidate c = {.file = found->file, .model = found->model, .defect = found->defect};
+    bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
+    c.mechanism = is_four_bar ? "four-bar" : "slider-crank";
+    c.type = yk_design_type(design);
+    c.error = found->error;
+    c.worst = found->worst;
+    bool has_circuits = is_four_bar ? yk_design_is_grashof(design) : yk_design_turns(design);
+    c.circuits = has_circuits && yk_design_class(design) != YK_FOUR_BAR_CHANGE_POINT ? 2 : 1;
+    for (size_t i = 0; i < 2; i++) {
+        c.transmission[i] = found->transmission[i];
+        c.pivots[i][0] = design->pivot[i].x;
+        c.pivots[i][1] = design->pivot[i].y;
+        c.dyads[i] = design->dyad[i];
+    }
+    for (size_t i = 0; i < 4; i++) {
+        c.lengths[i] = design->length[i];
+        c.size = fmax(c.size, design->length[i]);
+    }
+    c.point[0] = design->point.x;
+    c.point[1] = design->point.y;
+    return c;
+}
+
+size_t yk_synthesis_count(const YkSynthesis *s)
+{
+    return s ? s->candidates.count : 0;
+}
+
+YkCandidate yk_synthesis_candidate(const YkSynthesis *s, size_t index)
+{
+    return index < yk_synthesis_count(s) ? candidate_of(&s->candidates.items[index]) : (YkCandidate){.file = NULL};
+}
+
+size_t yk_synthesis_left_out(const YkSynthesis *s, YkDefect reason)
+{
+    return s && (size_t)reason < YK_DEFECT_COUNT ? s->left_out[reason] : 0;
+}
+
+size_t yk_synthesis_defect_count(const YkSynthesis *s)
+{
+    return s ? s->defects.count : 0;
+}
+
+YkCandidate yk_synthesis_defect(const YkSynthesis *s, size_t index)
+{
+    return index < yk_synthesis_defect_count(s) ? candidate_of(&s->defects.items[index]) : (YkCandidate){.file = NULL};
+}
+
+const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_t index, double *value)
+{
+    if (candidate >= yk_synthesis_count(s)) return NULL;
+    const YkDesign *d = &s->candidates.items[candidate].design;
+    const struct {
+        const char *name;
+        double value;
+        bool is_there;
+    } all[YK_PARAMETERS_MAX] = {{"x1", d->pivot[0].x, true},
+                                {"y1", d->pivot[0].y, true},
+                                {"x2", d->pivot[1].x, true},
+                                {"y2", d->pivot[1].y, true},
+                                {"a", d->length[1], true},
+                                {"b", d->length[2], true},
+                                {"c", d->length[3], d->kind == YK_DESIGN_FOUR_BAR},
+                                {"px", d->point.x, d->has_point},
+                                {"py", d->point.y, d->has_point}};
+    for (size_t k = 0; k < YK_PARAMETERS_MAX; k++) {
+        if (!all[k].is_there || index-- > 0) continue;
+        if (value) *value = all[k].value;
+        return all[k].name;
+    }
+    return NULL;
+}
+
+size_t yk_synthesis_curve(const YkSynthesis *s, size_t candidate, const double **xy)
+{
+    if (candidate >= yk_synthesis_count(s)) return 0;
+    if (xy) *xy = s->candidates.items[candidate].curve;
+    return s->candidates.items[candidate].rows;
+}

@@ -1,0 +1,145 @@
+// Dimensions, type and defects of a four-bar from two dyads.
+#include "synthesis/design.h"
+#include <math.h>
+
+static YkVec vector(const double v[2])
+{
+    return yk_vec(v[0], v[1]);
+}
+
+static double argument(YkVec v)
+{
+    return yk_atan2(v.y, v.x);
+}
+
+bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design)
+{
+    YkVec z = vector(input->moving), across = yk_sub(vector(output->moving), z);
+    YkVec ground = yk_sub(vector(output->fixed), vector(input->fixed));
+    double coupler = yk_norm(across), size = input->length + output->length + coupler + yk_norm(ground);
+    *design = (YkDesign){.kind = YK_DESIGN_FOUR_BAR, .has_point = true};
+    design->pivot[0] = vector(input->fixed);
+    design->pivot[1] = vector(output->fixed);
+    design->length[0] = yk_norm(ground);
+    design->length[1] = input->length;
+    design->length[2] = coupler;
+    design->length[3] = output->length;
+    for (size_t k = 0; k < 4; k++)
+        if (!(design->length[k] > 1e-7 * size)) return false;
+    design->turn = -argument(across);
+    design->point = yk_mul(yk_unit(design->turn), yk_scale(-1, z));
+    yk_design_angles(design, *first, design->angle);
+    return true;
+}
+
+// The classes of design/four_bar.c, of lengths in the same order.
+YkFourBarClass yk_design_class(const YkDesign *design)
+{
+    static const YkFourBarClass inversions[] = {YK_FOUR_BAR_DRAG_LINK, YK_FOUR_BAR_CRANK_ROCKER,
+                                                YK_FOUR_BAR_DOUBLE_ROCKER, YK_FOUR_BAR_ROCKER_CRANK};
+    size_t shortest = 0, longest = 0;
+    double sum = 0;
+    for (size_t k = 0; k < 4; k++) {
+        sum += design->length[k];
+        if (design->length[k] < design->length[shortest]) shortest = k;
+        if (design->length[k] > design->length[longest]) longest = k;
+    }
+    double excess = 2 * (design->length[shortest] + design->length[longest]) - sum;
+    if (fabs(excess) <= 1e-9 * sum) return YK_FOUR_BAR_CHANGE_POINT;
+    return excess > 0 ? YK_FOUR_BAR_TRIPLE_ROCKER : inversions[shortest];
+}
+
+const char *yk_design_type(const YkDesign *design)
+{
+    static const char *const names[] = {"crank-rocker",  "rocker-crank", "drag-link",
+                                        "double-rocker", "change-point", "triple-rocker"};
+    return design->kind == YK_DESIGN_FOUR_BAR ? names[yk_design_class(design)] : "slider-crank";
+}
+
+bool yk_design_is_grashof(const YkDesign *design)
+{
+    return yk_design_class(design) != YK_FOUR_BAR_TRIPLE_ROCKER;
+}
+
+bool yk_design_turns(const YkDesign *design)
+{
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) {
+        double offset = yk_cross(yk_unit(design->along), yk_sub(design->pivot[0], design->pivot[1]));
+        return design->length[1] + fabs(offset) < design->length[2];
+    }
+    YkFourBarClass kind = yk_design_class(design);
+    return kind == YK_FOUR_BAR_CRANK_ROCKER || kind == YK_FOUR_BAR_DRAG_LINK;
+}
+
+void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3])
+{
+    angle[1] = pose.angle - design->turn;
+    YkVec along = yk_unit(angle[1]), A = yk_sub(pose.at, yk_mul(along, design->point));
+    YkVec B = yk_add(A, yk_scale(design->length[2], along));
+    angle[0] = argument(yk_sub(A, design->pivot[0]));
+    angle[2] = argument(yk_sub(B, design->pivot[1]));
+}
+
+static int sign(double x)
+{
+    return (x > 0) - (x < 0);
+}
+
+// The joint whose sense tells the circuit: one that does not touch the shortest link, whose two links never line up.
+static double circuit_sense(const YkDesign *design, const double angle[3])
+{
+    size_t shortest = 0;
+    for (size_t k = 1; k < 4; k++)
+        if (design->length[k] < design->length[shortest]) shortest = k;
+    YkVec ground = yk_sub(design->pivot[1], design->pivot[0]);
+    switch (shortest) {
+    case 1: // the input: coupler against output
+        return yk_sin(angle[2] - angle[1]);
+    case 2: // the coupler: input against ground
+        return yk_cross(yk_unit(angle[0]), ground);
+    default: // ground or output: input against coupler
+        return yk_sin(angle[1] - angle[0]);
+    }
+}
+
+YkDefect yk_design_signs(const YkDesign *design, double (*angle)[3], size_t count)
+{
+    bool has_circuits = yk_design_is_grashof(design) && yk_design_class(design) != YK_FOUR_BAR_CHANGE_POINT;
+    YkDefect defect = YK_DEFECT_NONE;
+    int circuit = 0, branch = 0;
+    for (size_t k = 0; k < count; k++) {
+        int own_circuit = has_circuits ? sign(circuit_sense(design, angle[k])) : 0;
+        int own = sign(yk_sin(angle[k][2] - angle[k][1]));
+        if (k > 0 && own_circuit != circuit) return YK_DEFECT_CIRCUIT;
+        if (k > 0 && own != branch) defect = YK_DEFECT_BRANCH;
+        circuit = own_circuit;
+        branch = own;
+    }
+    return defect;
+}
+
+static bool is_within(const YkBound *bound, double value)
+{
+    double room = 1e-9 * fabs(value);
+    return !bound->is_given || (value >= bound->low - room && value <= bound->high + room);
+}
+
+YkDefect yk_design_bounds(const YkDesign *design, const YkTask *task)
+{
+    double least = INFINITY, most = 0;
+    size_t links = design->kind == YK_DESIGN_FOUR_BAR ? 4 : 3;
+    bool good = true;
+    for (size_t k = design->kind == YK_DESIGN_FOUR_BAR ? 0 : 1; k < links; k++) {
+        good = good && is_within(&task->lengths, design->length[k]);
+        least = fmin(least, design->length[k]);
+        most = fmax(most, design->length[k]);
+    }
+    for (size_t i = 0; i < links / 2; i++)
+        good =
+            good && is_within(&task->pivots[0], design->pivot[i].x) && is_within(&task->pivots[1], design->pivot[i].y);
+    if (design->has_point)
+        good = good && is_within(&task->coupler_point, design->point.x) &&
+               is_within(&task->coupler_point, design->point.y);
+    if (!good) return YK_DEFECT_BOUNDS;
+    return task->size_ratio.is_given && most > task->size_ratio.value * least ? YK_DEFECT_SIZE : YK_DEFECT_NONE;
+}

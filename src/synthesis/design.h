@@ -1,0 +1,61 @@
+// A machine that synthesis proposes: its dimensions, its model file, and what the engine says of it.
+#ifndef SYNTHESIS_DESIGN_H
+#define SYNTHESIS_DESIGN_H
+#include "synthesis/task.h"
+
+typedef enum YkDesignKind { YK_DESIGN_FOUR_BAR, YK_DESIGN_SLIDER_CRANK } YkDesignKind;
+
+typedef struct YkDesign {
+    YkDesignKind kind;
+    YkVec pivot[YK_SIDES]; // slider-crank: [1] is a point of the slider's line
+    double along;          // slider-crank: the line's direction, rad
+    double length[4];      // ground, input, coupler, output; slider-crank: ground and output are 0
+    bool has_point;
+    YkVec point; // in the coupler's axes: x along the coupler from the input side, m
+    double turn; // angle of the task's body less that of the coupler, rad
+    double
+        angle[3]; // input, coupler, output at the first position, to the ground, rad; slider-crank: [2] is a distance
+    int dyad[YK_SIDES];
+} YkDesign;
+
+// What a design has to do, in terms of its input.
+typedef struct YkJourney {
+    const YkTask *task;
+    double *input; // [count] absolute angles, each reached from the one before by moving straight, rad
+    size_t count;
+    bool turns;           // goes round as a whole
+    const YkPose *pose;   // [count] of the body, or NULL
+    const double *output; // [count] absolute angles of the output, rad (NaN: any), or NULL
+    bool exact;           // poses and outputs are met exactly; otherwise only near
+} YkJourney;
+
+enum { YK_CURVE_ROWS = 181 };
+
+// What the engine found.
+typedef struct YkVerdict {
+    YkDefect defect;
+    double error, worst, transmission[2];
+    double curve[2 * YK_CURVE_ROWS]; // coupler point (m), or input angle and error (rad)
+    size_t rows;
+    double low, high, low_at, high_at; // extremes of the output (with a point: of its y), and the input there, rad
+} YkVerdict;
+
+// design.c
+bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
+YkFourBarClass yk_design_class(const YkDesign *design);
+const char *yk_design_type(const YkDesign *design); // "crank-rocker", ...
+bool yk_design_is_grashof(const YkDesign *design);  // four-bars; change points count as Grashof
+bool yk_design_turns(const YkDesign *design);       // the input turns through
+// Finds the angles of input, coupler and output where the body is at a pose.
+void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3]);
+// Judges by the signs of its angles whether positions lie on one circuit and between dead points of the input. Source: Chase & Mirth 1993.
+YkDefect yk_design_signs(const YkDesign *design, double (*angle)[3], size_t count);
+// Checks the task's bounds, lengths and sizes.
+YkDefect yk_design_bounds(const YkDesign *design, const YkTask *task);
+
+// design_text.c: adds the model file.
+void yk_design_write(const YkDesign *design, const YkJourney *journey, YkText *text);
+// judge.c: reads the model file back and drives the machine through the journey.
+YkStatus yk_design_judge(const char *text, const YkDesign *design, const YkJourney *journey, YkVerdict *verdict);
+
+#endif

@@ -1,0 +1,187 @@
+// Judges a design by its model file: the ordinary loader reads it, the ordinary engine assembles and drives it.
+#include <math.h>
+#include "synthesis/design.h"
+#include <yoke/move.h>
+
+typedef struct Trial {
+    const YkDesign *design;
+    const YkJourney *journey;
+    YkModel *model;
+    YkMechanism *mech;
+    YkState *state, *first; // as it moves; at the first position
+    size_t point, coupler, output, input_coordinate;
+    double scale; // of lengths, m
+    YkVerdict *verdict;
+} Trial;
+
+// A little more than a turn, so that an extreme at its very start is passed.
+static const double turn_and_more = 2 + 1.0 / 90;
+static const double met = 1e-6; // what a file of 12 digits may be off, near dead points, over the scale
+
+static YkStatus stand(Trial *t, const char *text)
+{
+    t->model = yk_model_parse(text, strlen(text), "candidate", NULL, NULL);
+    t->mech = t->model ? yk_mechanism_compile(t->model, NULL, NULL) : NULL;
+    t->state = t->mech ? yk_state_new(t->mech) : NULL;
+    t->first = t->mech ? yk_state_new(t->mech) : NULL;
+    if (!t->state || !t->first || yk_input_count(t->mech) != 1) return YK_NO_MEMORY;
+    t->point = t->design->has_point ? yk_model_find_point(t->model, "coupler.P") : 0;
+    t->coupler = yk_model_find_body(t->model, "coupler");
+    t->output = yk_coordinate_find(t->mech, t->design->kind == YK_DESIGN_FOUR_BAR ? "psi" : "s");
+    t->input_coordinate = yk_input_coordinate(t->mech, 0);
+    t->scale = yk_mechanism_size(t->mech);
+    yk_state_set_time(t->state, 0, NULL);
+    YkStatus status = yk_state_assemble(t->state);
+    if (status == YK_NO_MEMORY) return status;
+    if (status < 0) t->verdict->defect = YK_DEFECT_ASSEMBLY;
+    return yk_state_copy(t->first, t->state);
+}
+
+// Adds how far the machine is from position k. Returns whether it is there.
+static bool meets(Trial *t, size_t k)
+{
+    const YkJourney *journey = t->journey;
+    double off = 0;
+    if (journey->pose) {
+        YkPointMotion p = yk_state_point(t->state, t->point);
+        YkVec miss = yk_sub(yk_vec(p.position[0], p.position[1]), journey->pose[k].at);
+        double angle = yk_state_body(t->state, t->coupler).position + t->design->turn - journey->pose[k].angle;
+        double turned = t->scale * fabs(yk_remainder(angle, 2 * YK_PI));
+        t->verdict->error += yk_dot(miss, miss) + turned * turned;
+        t->verdict->worst = fmax(t->verdict->worst, yk_norm(miss));
+        off = fmax(yk_norm(miss), turned) / t->scale;
+    } else if (journey->output && !isnan(journey->output[k])) {
+        double angle = yk_state_coordinate(t->state, t->output).position - journey->output[k];
+        off = fabs(yk_remainder(angle, 2 * YK_PI));
+        t->verdict->error += off * off;
+        t->verdict->worst = fmax(t->verdict->worst, off);
+    }
+    return off <= met;
+}
+
+// Drives the machine from position to position.
+static YkStatus travel(Trial *t)
+{
+    const YkJourney *journey = t->journey;
+    YkVerdict *verdict = t->verdict;
+    for (size_t k = 0; k < journey->count; k++) {
+        YkMotion goal = {.position = journey->input[k]};
+        YkStatus status = yk_state_move_to(t->state, &goal, NULL, NULL);
+        if (status == YK_NO_MEMORY) return status;
+        if (status < 0 || status == YK_SINGULAR || (!meets(t, k) && journey->exact)) {
+            verdict->defect = k == 0 ? YK_DEFECT_ASSEMBLY : YK_DEFECT_BRANCH;
+            return YK_OK;
+        }
+    }
+    return YK_OK;
+}
+
+static void take_extreme(YkVerdict *verdict, const YkEvent *event)
+{
+    if (event->is_maximum && event->value > verdict->high) {
+        verdict->high = event->value;
+        verdict->high_at = event->at;
+    } else if (!event->is_maximum && event->value < verdict->low) {
+        verdict->low = event->value;
+        verdict->low_at = event->at;
+    }
+}
+
+// The transmission angle, from that of coupler and output or slider.
+static double transmission_of(const YkDesign *design, double angle)
+{
+    double shift = design->kind == YK_DESIGN_FOUR_BAR ? 0 : design->along + YK_PI / 2;
+    return yk_asin(fmin(fabs(yk_sin(angle + shift)), 1));
+}
+
+static void take_transmission(const Trial *t, double angle)
+{
+    double *range = t->verdict->transmission, folded = transmission_of(t->design, angle);
+    range[0] = fmin(range[0], folded);
+    range[1] = fmax(range[1], folded);
+}
+
+// Returns which quarter turns lie between: where it changes, the transmission angle passes 0 or a right angle.
+static double side_of(const Trial *t, double angle)
+{
+    double shift = t->design->kind == YK_DESIGN_FOUR_BAR ? 0 : t->design->along + YK_PI / 2;
+    return floor((angle + shift) / YK_PI - 0.5);
+}
+
+static void take_rows(Trial *t, const YkSweep *sweep)
+{
+    YkVerdict *verdict = t->verdict;
+    size_t rows = yk_sweep_row_count(sweep);
+    verdict->transmission[0] = INFINITY;
+    verdict->transmission[1] = 0;
+    verdict->low = INFINITY;
+    verdict->high = -INFINITY;
+    for (size_t r = 0; r < rows; r++) {
+        double angle = yk_sweep_value(sweep, r, 0);
+        take_transmission(t, angle);
+        if (r > 0 && side_of(t, angle) != side_of(t, yk_sweep_value(sweep, r - 1, 0)))
+            verdict->transmission[1] = YK_PI / 2;
+        if (r >= YK_CURVE_ROWS) continue;
+        verdict->curve[2 * r] = yk_sweep_value(sweep, r, 1);
+        verdict->curve[2 * r + 1] = yk_sweep_value(sweep, r, 2);
+        verdict->rows = r + 1;
+    }
+    for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+        YkEvent event = yk_sweep_event(sweep, k);
+        if (event.kind == YK_EVENT_EXTREME && event.channel == 2) take_extreme(verdict, &event);
+        if (event.kind == YK_EVENT_EXTREME && event.channel == 0) take_transmission(t, event.value);
+    }
+}
+
+// Sweeps the whole motion for the transmission angle and the curve.
+static YkStatus follow(Trial *t)
+{
+    const YkJourney *journey = t->journey;
+    YkChannel channels[3];
+    YkSweepOptions options = yk_default_sweep_options();
+    const char *names[] = {"B.angle", t->design->has_point ? "coupler.P.x" : "theta",
+                           t->design->has_point                        ? "coupler.P.y"
+                           : t->design->kind == YK_DESIGN_SLIDER_CRANK ? "s"
+                                                                       : "psi"};
+    double low = journey->input[0], high = low;
+    for (size_t k = 0; k < 3; k++)
+        if (yk_channel_parse(t->mech, names[k], &channels[k], NULL) != YK_OK) return YK_NO_MEMORY;
+    for (size_t k = 0; k < journey->count; k++) {
+        low = fmin(low, journey->input[k]);
+        high = fmax(high, journey->input[k]);
+    }
+    bool is_backward = journey->input[journey->count - 1] < journey->input[0];
+    options.coordinate = (int)t->input_coordinate;
+    options.from = journey->turns ? journey->input[0] : is_backward ? high : low;
+    options.to = journey->turns ? journey->input[0] + (is_backward ? -turn_and_more : turn_and_more) * YK_PI
+                 : is_backward  ? low
+                                : high;
+    options.steps = YK_CURVE_ROWS - 1;
+    YkMotion start = {.position = options.from};
+    YkStatus status = yk_state_move_to(t->first, &start, NULL, NULL);
+    YkSweep *sweep = status >= 0 ? yk_sweep_run(t->first, &options, channels, 3, NULL) : NULL;
+    if (!sweep) return status < 0 && status != YK_NO_MEMORY ? YK_OK : YK_NO_MEMORY;
+    if (yk_sweep_status(sweep) < 0) t->verdict->defect = journey->turns ? YK_DEFECT_INPUT : YK_DEFECT_BRANCH;
+    take_rows(t, sweep);
+    yk_sweep_free(sweep);
+    return YK_OK;
+}
+
+YkStatus yk_design_judge(const char *text, const YkDesign *design, const YkJourney *journey, YkVerdict *verdict)
+{
+    Trial trial = {.design = design, .journey = journey, .verdict = verdict};
+    const YkGiven *transmission = &journey->task->transmission;
+    verdict->defect = YK_DEFECT_NONE;
+    verdict->error = verdict->worst = verdict->transmission[0] = verdict->transmission[1] = 0;
+    verdict->rows = 0;
+    YkStatus status = stand(&trial, text);
+    if (status >= 0 && verdict->defect == YK_DEFECT_NONE) status = travel(&trial);
+    if (status >= 0 && verdict->defect == YK_DEFECT_NONE) status = follow(&trial);
+    if (verdict->defect == YK_DEFECT_NONE && transmission->is_given && verdict->transmission[0] < transmission->value)
+        verdict->defect = YK_DEFECT_TRANSMISSION;
+    yk_state_free(trial.state);
+    yk_state_free(trial.first);
+    yk_mechanism_free(trial.mech);
+    yk_model_free(trial.model);
+    return status < 0 ? YK_NO_MEMORY : YK_OK;
+}

@@ -1,0 +1,209 @@
+// A body through positions: all dyads that reach them, and every pair of these as a four-bar.
+#include <math.h>
+#include "base/mix.h"
+#include "synthesis/synthesis.h"
+
+enum { RAYS = 48, PIVOTS = 48, TRY_MICROSECONDS = 600 };
+
+// --- dyads
+
+static bool add_five(YkSynthesis *s, YkProblems *problems)
+{
+    const YkMotionTask *motion = &s->task->motion;
+    YkFivePoses five;
+    yk_five_poses(motion->pose, &five);
+    if (five.is_special) {
+        yk_problem(problems, YK_CODE_TASK_SPECIAL, motion->place[0],
+                   "these five positions are special: infinitely many dyads reach all of them");
+        yk_problem_hint(problems, "change one of them a little, or leave one out");
+        return false;
+    }
+    for (size_t k = 0; k < five.count; k++) yk_synthesis_add_dyad(s, &five.dyad[k], 3);
+    s->has_solutions = s->is_complete = true;
+    s->complex_count = five.complex_count;
+    for (size_t k = 0; k < five.count; k++) s->real_count += five.dyad[k].kind == YK_DYAD_RR;
+    return true;
+}
+
+// Rays through the circle-point curve, evenly spaced from an angle that the seed gives.
+static void add_four(YkSynthesis *s)
+{
+    uint64_t seed = s->options.seed;
+    double from = yk_mix_unit(&seed);
+    YkFourPoses four;
+    YkDyad dyad[2];
+    yk_four_poses(s->task->motion.pose, &four);
+    for (size_t k = 0; k < RAYS; k++) {
+        size_t count = yk_four_poses_ray(&four, YK_PI * ((double)k + from) / RAYS, dyad);
+        for (size_t i = 0; i < count; i++) yk_synthesis_add_dyad(s, &dyad[i], 3);
+    }
+    size_t slides = yk_four_poses_slides(s->task->motion.pose, dyad);
+    for (size_t i = 0; i < slides; i++) yk_synthesis_add_dyad(s, &dyad[i], 3);
+}
+
+// The region in which free pivots are sought: the task's, or the positions with their extent around them.
+static void find_region(const YkTask *task, YkVec *low, YkVec *high)
+{
+    const YkMotionTask *motion = &task->motion;
+    *low = *high = motion->pose[0].at;
+    for (size_t k = 1; k < motion->count; k++) {
+        YkVec at = motion->pose[k].at;
+        *low = yk_vec(fmin(low->x, at.x), fmin(low->y, at.y));
+        *high = yk_vec(fmax(high->x, at.x), fmax(high->y, at.y));
+    }
+    double reach = yk_norm(yk_sub(*high, *low));
+    if (!(reach > 0)) reach = 1;
+    *low = yk_sub(*low, yk_vec(reach, reach));
+    *high = yk_add(*high, yk_vec(reach, reach));
+    if (task->pivots[0].is_given) {
+        *low = yk_vec(task->pivots[0].low, task->pivots[1].low);
+        *high = yk_vec(task->pivots[0].high, task->pivots[1].high);
+    }
+}
+
+// Returns number k of a sequence that fills the unit cube evenly. Source: Roberts 2018, the generalised golden ratio.
+static double filled(double from, size_t k, int dimension)
+{
+    static const double step[3] = {0.8191725133961644, 0.6710436067037893, 0.5497004779019702};
+    double x = from + step[dimension] * (double)(k + 1);
+    return x - floor(x);
+}
+
+// Two or three positions leave the fixed pivots free, two also the moving pivots on a line.
+static void add_few(YkSynthesis *s)
+{
+    const YkMotionTask *motion = &s->task->motion;
+    uint64_t seed = s->options.seed;
+    double from[3];
+    YkVec low, high;
+    YkDyad dyad;
+    for (size_t i = 0; i < 3; i++) from[i] = yk_mix_unit(&seed);
+    find_region(s->task, &low, &high);
+    bool has_both = motion->pivot[0].is_given && motion->pivot[1].is_given;
+    for (unsigned side = 0; side < YK_SIDES; side++) {
+        size_t choices = motion->count == 2 ? PIVOTS : 1;
+        for (size_t k = 0; k < choices && motion->pivot[side].is_given; k++)
+            if (yk_pose_pivot(motion->pose, motion->count, motion->pivot[side].at, 4 * filled(from[2], k, 2) - 2,
+                              &dyad))
+                yk_synthesis_add_dyad(s, &dyad, 1u << side);
+    }
+    unsigned open = (motion->pivot[0].is_given ? 0u : 1u) | (motion->pivot[1].is_given ? 0u : 2u);
+    for (size_t k = 0; k < PIVOTS && !has_both; k++) {
+        YkVec F =
+            yk_vec(low.x + (high.x - low.x) * filled(from[0], k, 0), low.y + (high.y - low.y) * filled(from[1], k, 1));
+        if (yk_pose_pivot(motion->pose, motion->count, F, 4 * filled(from[2], k, 2) - 2, &dyad))
+            yk_synthesis_add_dyad(s, &dyad, open);
+    }
+    s->is_complete = has_both && motion->count == 3;
+}
+
+// --- pairs
+
+// Fills the input's angles at the positions: on and on in one sense (+1, -1), or each the nearest way (0). Returns
+// false if going on and on takes more than a turn.
+static bool fill_inputs(const YkDesign *design, const YkMotionTask *motion, int sense, double *input)
+{
+    for (size_t k = 0; k < motion->count; k++) {
+        double angle[3];
+        yk_design_angles(design, motion->pose[k], angle);
+        input[k] = angle[0];
+        if (k == 0) continue;
+        double step = yk_remainder(angle[0] - input[k - 1], 2 * YK_PI);
+        if (sense != 0 && step * sense < 0) step += sense * 2 * YK_PI;
+        input[k] = input[k - 1] + step;
+    }
+    return sense == 0 || fabs(input[motion->count - 1] - input[0]) < 2 * YK_PI;
+}
+
+typedef struct Attempt {
+    YkDefect defect;
+    YkDesign design;
+    YkVerdict verdict;
+    YkText text;
+} Attempt;
+
+// Tries one machine with one side driven, in each sense.
+static void attempt(YkSynthesis *s, const YkDesign *design, Attempt *trial)
+{
+    const YkMotionTask *motion = &s->task->motion;
+    double input[YK_POSES_MAX], angle[YK_POSES_MAX][3];
+    YkJourney journey = {.task = s->task, .input = input, .count = motion->count, .turns = s->task->turns};
+    journey.pose = motion->pose;
+    journey.exact = true;
+    trial->design = *design;
+    trial->defect = yk_design_bounds(design, s->task);
+    for (size_t k = 0; k < motion->count; k++) yk_design_angles(design, motion->pose[k], angle[k]);
+    if (trial->defect == YK_DEFECT_NONE) trial->defect = yk_design_signs(design, angle, motion->count);
+    if (trial->defect == YK_DEFECT_NONE && s->task->turns && !yk_design_turns(design)) trial->defect = YK_DEFECT_INPUT;
+    if (trial->defect != YK_DEFECT_NONE) return;
+    static const int in_order[] = {1, -1}, anyhow[] = {0, 1, -1};
+    size_t senses = s->task->any_order ? 3 : 2;
+    YkDefect best = YK_DEFECT_ORDER;
+    for (size_t k = 0; k < senses; k++) {
+        if (!fill_inputs(design, motion, s->task->any_order ? anyhow[k] : in_order[k], input)) continue;
+        best = yk_synthesis_try(s, design, &journey, &trial->text, &trial->verdict);
+        if (best == YK_DEFECT_NONE || best > YK_DEFECT_ORDER || s->failed) break;
+    }
+    // Between dead points and on one circuit: if it can pass the positions somehow, only their order is wrong.
+    if (best == YK_DEFECT_BRANCH && !s->task->any_order && fill_inputs(design, motion, 0, input)) {
+        YkVerdict verdict;
+        if (yk_synthesis_try(s, design, &journey, &trial->text, &verdict) != YK_DEFECT_BRANCH) best = YK_DEFECT_ORDER;
+    }
+    trial->defect = best;
+}
+
+// Takes a pair of dyads as a four-bar, driven from either side that may be the input.
+static void take_pair(YkSynthesis *s, size_t i, size_t k)
+{
+    Attempt trial[YK_SIDES] = {{.defect = YK_DEFECT_NONE}};
+    const YkDyad *dyad[YK_SIDES] = {&s->dyads[i], &s->dyads[k]};
+    int best = -1;
+    for (int side = 0; side < YK_SIDES; side++) {
+        size_t input = side == 0 ? i : k, output = side == 0 ? k : i;
+        YkDesign design;
+        if (!(s->sides[input] & 1) || !(s->sides[output] & 2)) continue;
+        if (yk_design_of_dyads(&s->task->motion.pose[0], dyad[side], dyad[1 - side], &design)) {
+            design.dyad[0] = (int)input;
+            design.dyad[1] = (int)output;
+            attempt(s, &design, &trial[side]);
+        } else {
+            design.dyad[0] = (int)input;
+            design.dyad[1] = (int)output;
+            trial[side].design = design;
+            trial[side].defect = YK_DEFECT_ASSEMBLY;
+        }
+        if (best < 0) {
+            best = side;
+            continue;
+        }
+        bool old_good = trial[best].defect == YK_DEFECT_NONE, good = trial[side].defect == YK_DEFECT_NONE;
+        if (old_good && good) // both sides may drive it: the one with the better transmission does
+            best = trial[side].verdict.transmission[0] > trial[best].verdict.transmission[0] ? side : best;
+        else if (good || (!old_good && trial[side].defect > trial[best].defect))
+            best = side;
+    }
+    if (best >= 0 && trial[best].defect == YK_DEFECT_NONE)
+        yk_synthesis_keep(s, &trial[best].design, &trial[best].text, &trial[best].verdict,
+                          trial[best].verdict.transmission[0]);
+    else if (best >= 0)
+        yk_synthesis_leave(s, &trial[best].design, trial[best].defect, &trial[best].verdict);
+    for (int side = 0; side < YK_SIDES; side++) yk_text_free(&trial[side].text);
+}
+
+bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems)
+{
+    size_t count = s->task->motion.count;
+    if (count == 5 && !add_five(s, problems)) return false;
+    if (count == 4) add_four(s);
+    if (count < 4) add_few(s);
+    size_t dyads = s->dyad_count;
+    for (size_t i = 0; i < dyads; i++) {
+        yk_pace_reach(&s->pace, (double)i * (2 * (double)dyads - (double)i) / ((double)dyads * (double)dyads + 1));
+        for (size_t k = i + 1; k < dyads; k++) {
+            if (s->dyads[i].kind != YK_DYAD_RR || s->dyads[k].kind != YK_DYAD_RR) continue;
+            if (!yk_synthesis_goes_on(s, 1)) return true;
+            take_pair(s, i, k);
+        }
+    }
+    return true;
+}

@@ -1,0 +1,83 @@
+// The rows of conditions that positions put on a dyad's pivots.
+#include "synthesis/poses.h"
+#include <math.h>
+
+static void fill_row(YkPose pose, double row[YK_MONOMIALS])
+{
+    YkVec u = yk_unit(pose.angle), d = pose.at, own = yk_mul(yk_conj(u), d); // the origin's place in turned axes
+    row[0] = yk_dot(d, d) / 2;
+    row[1] = own.x;
+    row[2] = own.y;
+    row[3] = -d.x;
+    row[4] = -d.y;
+    row[5] = -u.x;
+    row[6] = -u.y;
+}
+
+static void find_scale(const YkPose *pose, size_t count, YkPoseRows *rows)
+{
+    rows->middle = yk_vec(0, 0);
+    for (size_t k = 0; k < count; k++) rows->middle = yk_add(rows->middle, yk_scale(1 / (double)count, pose[k].at));
+    rows->scale = 0;
+    for (size_t k = 0; k < count; k++) rows->scale = fmax(rows->scale, yk_norm(yk_sub(pose[k].at, rows->middle)));
+    if (!(rows->scale > 0)) rows->scale = 1;
+}
+
+void yk_pose_rows(const YkPose *pose, size_t count, YkPoseRows *rows)
+{
+    double first[YK_MONOMIALS];
+    find_scale(pose, count, rows);
+    rows->count = count - 1;
+    for (size_t k = 0; k < count; k++) {
+        YkPose own = {yk_scale(1 / rows->scale, yk_sub(pose[k].at, rows->middle)), pose[k].angle};
+        fill_row(own, k == 0 ? first : rows->row[k - 1]);
+    }
+    for (size_t k = 0; k < rows->count; k++)
+        for (size_t i = 0; i < YK_MONOMIALS; i++) rows->row[k][i] -= first[i];
+}
+
+double yk_pose_row(const YkPoseRows *rows, size_t k, YkVec z, YkVec F)
+{
+    const double *r = rows->row[k];
+    return r[0] + r[1] * z.x + r[2] * z.y + r[3] * F.x + r[4] * F.y + r[5] * yk_dot(z, F) + r[6] * yk_cross(z, F);
+}
+
+YkDyad yk_pose_dyad(const YkPoseRows *rows, const YkPose *first, YkVec z, YkVec F)
+{
+    YkVec moving = yk_scale(rows->scale, z), fixed = yk_add(rows->middle, yk_scale(rows->scale, F));
+    double length = yk_norm(yk_sub(yk_pose_apply(*first, moving), fixed));
+    return (YkDyad){YK_DYAD_RR, {fixed.x, fixed.y}, {moving.x, moving.y}, length, 0};
+}
+
+// The conditions are linear in z once F is given: rows (a, b | c) with a z_x + b z_y + c = 0.
+static void row_in_moving(const double *r, YkVec F, double out[3])
+{
+    out[0] = r[1] + r[5] * F.x + r[6] * F.y;
+    out[1] = r[2] + r[5] * F.y - r[6] * F.x;
+    out[2] = r[0] + r[3] * F.x + r[4] * F.y;
+}
+
+bool yk_pose_pivot(const YkPose *pose, size_t count, YkVec fixed, double along, YkDyad *dyad)
+{
+    static const double flat = 1e-10;
+    YkPoseRows rows;
+    double p[3], q[3];
+    yk_pose_rows(pose, count, &rows);
+    YkVec F = yk_scale(1 / rows.scale, yk_sub(fixed, rows.middle)), z;
+    row_in_moving(rows.row[0], F, p);
+    YkVec a = yk_vec(p[0], p[1]);
+    if (count == 2) {
+        double length2 = yk_dot(a, a);
+        if (!(length2 > flat * flat)) return false; // the fixed pivot is the pole
+        YkVec foot = yk_scale(-p[2] / length2, a), along_line = yk_scale(1 / sqrt(length2), yk_quarter(a));
+        z = yk_add(foot, yk_scale(along, along_line));
+    } else {
+        row_in_moving(rows.row[1], F, q);
+        YkVec b = yk_vec(q[0], q[1]);
+        double determinant = yk_cross(a, b);
+        if (!(fabs(determinant) > flat * yk_norm(a) * yk_norm(b))) return false; // the moving pivot is at infinity
+        z = yk_vec((p[1] * q[2] - q[1] * p[2]) / determinant, (q[0] * p[2] - p[0] * q[2]) / determinant);
+    }
+    *dyad = yk_pose_dyad(&rows, &pose[0], z, F);
+    return dyad->length > flat * rows.scale;
+}

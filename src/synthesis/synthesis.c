@@ -1,0 +1,184 @@
+// Runs a synthesis, and keeps what it finds.
+#include "synthesis/synthesis.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+YkSynthesisOptions yk_default_synthesis_options(void)
+{
+    return (YkSynthesisOptions){.seed = 1};
+}
+
+const char *yk_defect_name(YkDefect defect)
+{
+    static const char *const names[YK_DEFECT_COUNT] = {"none",  "assembly",     "circuit", "branch", "order",
+                                                       "input", "transmission", "bounds",  "size"};
+    return (size_t)defect < YK_DEFECT_COUNT ? names[defect] : NULL;
+}
+
+void yk_synthesis_add_dyad(YkSynthesis *s, const YkDyad *dyad, unsigned sides)
+{
+    size_t capacity = s->dyad_capacity;
+    bool good = YK_ROOM(s->dyads, s->dyad_count, capacity);
+    if (good && capacity != s->dyad_capacity) { // both arrays grow together
+        unsigned char *more = realloc(s->sides, capacity);
+        good = more != NULL;
+        if (more) s->sides = more;
+        if (good) s->dyad_capacity = capacity;
+    }
+    s->failed |= !good;
+    if (!good) return;
+    s->sides[s->dyad_count] = (unsigned char)sides;
+    s->dyads[s->dyad_count++] = *dyad;
+}
+
+YkDefect yk_synthesis_try(YkSynthesis *s, const YkDesign *design, const YkJourney *journey, YkText *text,
+                          YkVerdict *verdict)
+{
+    enum { MICROSECONDS = 600 };
+    *verdict = (YkVerdict){.defect = YK_DEFECT_ASSEMBLY};
+    if (!yk_synthesis_goes_on(s, MICROSECONDS)) return YK_DEFECT_ASSEMBLY;
+    yk_text_clear(text);
+    yk_design_write(design, journey, text);
+    if (text->failed || yk_design_judge(yk_text_get(text), design, journey, verdict) != YK_OK) s->failed = true;
+    return verdict->defect;
+}
+
+static YkFound *add(YkSynthesis *s, YkFoundList *list, const YkDesign *design, const YkVerdict *verdict)
+{
+    if (!YK_ROOM(list->items, list->count, list->capacity)) {
+        s->failed = true;
+        return NULL;
+    }
+    YkFound *found = &list->items[list->count];
+    *found = (YkFound){.design = *design, .defect = verdict->defect, .order = list->count++};
+    found->error = verdict->error;
+    found->worst = verdict->worst;
+    memcpy(found->transmission, verdict->transmission, sizeof found->transmission);
+    return found;
+}
+
+void yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
+                       double merit)
+{
+    if (yk_pace_is_stopped(&s->pace)) return;
+    YkFound *found = add(s, &s->candidates, design, verdict);
+    double *curve = YK_NEW(s->arena, double, 2 * verdict->rows + 1);
+    if (!found || !curve) return;
+    memcpy(curve, verdict->curve, 2 * verdict->rows * sizeof *curve);
+    found->model = yk_arena_copy(s->arena, yk_text_get(text), text->length);
+    found->curve = curve;
+    found->rows = verdict->rows;
+    found->merit = merit;
+}
+
+void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict)
+{
+    if (yk_pace_is_stopped(&s->pace)) return;
+    s->left_out[defect]++;
+    if (s->defects.count >= YK_DEFECTS_KEPT) return;
+    YkFound *found = add(s, &s->defects, design, verdict);
+    if (found) found->defect = defect;
+}
+
+// --- the answer
+
+static int by_merit(const void *a, const void *b)
+{
+    const YkFound *p = a, *q = b;
+    if (p->merit != q->merit) return p->merit > q->merit ? -1 : 1;
+    return p->order < q->order ? -1 : p->order > q->order;
+}
+
+// Returns whether two machines are nearly the same: all lengths within 15 %, the pivots within 15 % of the size.
+static bool is_alike(const YkDesign *a, const YkDesign *b)
+{
+    static const double near_to = 0.15;
+    double size = 0;
+    for (size_t k = 0; k < 4; k++) {
+        size = fmax(size, b->length[k]);
+        if (fabs(a->length[k] - b->length[k]) > near_to * b->length[k]) return false;
+    }
+    for (size_t i = 0; i < YK_SIDES; i++)
+        if (yk_norm(yk_sub(a->pivot[i], b->pivot[i])) > near_to * size) return false;
+    return a->kind == b->kind;
+}
+
+// Where a choice was sampled, keeps the best of machines that are alike.
+static void keep_different(YkFoundList *list, size_t most)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < list->count && kept < most; k++) {
+        bool is_new = true;
+        for (size_t i = 0; i < kept && is_new; i++) is_new = !is_alike(&list->items[k].design, &list->items[i].design);
+        if (is_new) list->items[kept++] = list->items[k];
+    }
+    list->count = kept;
+}
+
+// Sorts the candidates, keeps the best, and gives their files names.
+static void rank(YkSynthesis *s)
+{
+    YkFoundList *list = &s->candidates;
+    YkText name = {0};
+    size_t best = s->options.best > 0 ? s->options.best : s->task->best;
+    if (list->count > 0) qsort(list->items, list->count, sizeof *list->items, by_merit);
+    if (!s->is_complete) keep_different(list, best);
+    if (list->count > best) list->count = best;
+    for (size_t k = 0; k < list->count; k++) {
+        yk_text_clear(&name);
+        yk_text_format(&name, "%s%z-%s.yaml", k < 9 ? "0" : "", k + 1,
+                       list->items[k].design.kind == YK_DESIGN_FOUR_BAR ? "four-bar" : "slider-crank");
+        list->items[k].file = yk_arena_copy(s->arena, yk_text_get(&name), name.length);
+    }
+    yk_text_free(&name);
+}
+
+static bool search(YkSynthesis *s, YkProblems *problems)
+{
+    switch (s->task->kind) {
+    case YK_TASK_MOTION:
+        return yk_synthesise_motion(s, problems);
+    case YK_TASK_FUNCTION:
+        return yk_synthesise_function(s, problems);
+    case YK_TASK_STROKE:
+        return yk_synthesise_stroke(s, problems);
+    default:
+        return false;
+    }
+}
+
+YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems)
+{
+    YkSynthesis *s = task ? calloc(1, sizeof *s) : NULL;
+    if (s) s->arena = yk_arena_new();
+    if (!s || !s->arena) {
+        if (task) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory during the synthesis");
+        free(s);
+        return NULL;
+    }
+    s->task = task;
+    s->options = options ? *options : yk_default_synthesis_options();
+    bool found = yk_pace_begin(&s->pace, s->options.progress) ? search(s, problems) : true;
+    s->was_stopped = yk_pace_is_stopped(&s->pace);
+    if (s->was_stopped) s->is_complete = false;
+    if (found && !s->failed) rank(s);
+    if (!found || s->failed || yk_arena_failed(s->arena)) {
+        if (found) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory during the synthesis");
+        yk_synthesis_free(s);
+        return NULL;
+    }
+    return s;
+}
+
+void yk_synthesis_free(YkSynthesis *s)
+{
+    if (!s) return;
+    yk_text_free(&s->picture);
+    free(s->dyads);
+    free(s->sides);
+    free(s->candidates.items);
+    free(s->defects.items);
+    yk_arena_free(s->arena);
+    free(s);
+}

@@ -1,0 +1,62 @@
+// The inside of a synthesis: what was found, best first, and what was left out.
+#ifndef SYNTHESIS_SYNTHESIS_H
+#define SYNTHESIS_SYNTHESIS_H
+#include "base/pace.h"
+#include "synthesis/design.h"
+
+enum { YK_DEFECTS_KEPT = 10000, YK_PARAMETERS_MAX = 9 };
+
+// A machine that passed, or was left out.
+typedef struct YkFound {
+    YkDesign design;
+    YkDefect defect;
+    double error, worst, transmission[2];
+    double merit; // larger is better
+    size_t order; // in which it was found, to break ties
+    const char *model, *file;
+    const double *curve; // [2 * rows]
+    size_t rows;
+} YkFound;
+
+typedef struct YkFoundList {
+    YkFound *items;
+    size_t count, capacity;
+} YkFoundList;
+
+struct YkSynthesis {
+    YkArena *arena;
+    const YkTask *task;
+    YkSynthesisOptions options;
+    YkPace pace;
+    YkDyad *dyads;
+    unsigned char *sides; // per dyad: 1: may be the input's, 2: the output's
+    size_t dyad_count, dyad_capacity;
+    YkFoundList candidates, defects;
+    size_t left_out[YK_DEFECT_COUNT];
+    bool is_complete, has_solutions, was_stopped, failed;
+    size_t complex_count, real_count;
+    YkText picture;
+};
+
+// Adds a dyad that may stand on these sides.
+void yk_synthesis_add_dyad(YkSynthesis *s, const YkDyad *dyad, unsigned sides);
+// Counts work of some microseconds; returns whether to go on.
+static inline bool yk_synthesis_goes_on(YkSynthesis *s, size_t microseconds)
+{
+    return !s->failed && yk_pace_spend(&s->pace, 1000 * (uint64_t)microseconds);
+}
+// Writes a design, judges it, and returns what became of it; its file's text is in `text`.
+YkDefect yk_synthesis_try(YkSynthesis *s, const YkDesign *design, const YkJourney *journey, YkText *text,
+                          YkVerdict *verdict);
+// Keeps a machine that passed, with its text and verdict.
+void yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
+                       double merit);
+// Counts one that did not.
+void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict);
+
+// The kinds of tasks, one file each. They return false with a problem where nothing can be sought.
+bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems);
+bool yk_synthesise_function(YkSynthesis *s, YkProblems *problems);
+bool yk_synthesise_stroke(YkSynthesis *s, YkProblems *problems);
+
+#endif

@@ -1,0 +1,93 @@
+// The inside of a task: what its file says, in SI.
+#ifndef SYNTHESIS_TASK_H
+#define SYNTHESIS_TASK_H
+#include "model/load.h"
+#include "synthesis/poses.h"
+
+typedef enum YkTaskKind { YK_TASK_MOTION, YK_TASK_FUNCTION, YK_TASK_STROKE, YK_TASK_KINDS } YkTaskKind;
+
+// A range; is_given false: unbounded.
+typedef struct YkBound {
+    double low, high;
+    bool is_given;
+} YkBound;
+
+typedef struct YkGiven { // a value that may be left out
+    double value;
+    bool is_given;
+} YkGiven;
+
+typedef struct YkGivenPoint {
+    YkVec at;
+    bool is_given;
+} YkGivenPoint;
+
+enum { YK_SIDES = 2, YK_PAIRS_MAX = 5 }; // input and output
+
+// `synthesis: motion`
+typedef struct YkMotionTask {
+    YkPose *pose; // [count]
+    YkPlace *place;
+    size_t count;
+    YkGivenPoint pivot[YK_SIDES];
+} YkMotionTask;
+
+// `synthesis: function`
+typedef struct YkFunctionTask {
+    const YkExpr *of;             // in YK_OWN_ARGUMENT; NULL: pairs
+    YkBound range;                // of x
+    double input, output;         // the ranges of the angles, rad
+    double pair[YK_PAIRS_MAX][2]; // input and output angle from the start, rad, ascending inputs
+    size_t count;
+    YkGiven phase[YK_SIDES], ground; // rad, m
+    YkPlace place;
+} YkFunctionTask;
+
+// `synthesis: stroke`
+typedef struct YkStrokeTask {
+    bool is_slider;
+    double stroke, ratio;                   // rad or m; time ratio >= 1
+    YkGiven ground, input, coupler, output; // lengths, at most one of them, m
+    YkPlace place;
+} YkStrokeTask;
+
+struct YkTask {
+    YkModel *sheet; // units, parameters, name, memory
+    YkTaskKind kind;
+    YkBound lengths, coupler_point, pivots[2]; // of x and y
+    YkGiven transmission, size_ratio;
+    bool turns, moves, any_order;
+    size_t best;
+    YkMotionTask motion;
+    YkFunctionTask function;
+    YkStrokeTask stroke;
+    YkPlace kind_place;
+};
+
+// A task while its file is read.
+typedef struct YkTaskReader {
+    YkTask *task;
+    YkLoader *loader;
+    double best, samples; // as read
+} YkTaskReader;
+
+// task_read.c: values, each reported with its place if it is wrong.
+void yk_task_value(YkTaskReader *reader, const YkNode *map, const char *key, YkDimension dimension, YkGiven *given);
+void yk_task_need(YkTaskReader *reader, const YkNode *map, const char *key, YkDimension dimension, double *value);
+void yk_task_bound(YkTaskReader *reader, const YkNode *node, const char *key, YkDimension dimension, YkBound *bound);
+void yk_task_point(YkTaskReader *reader, const YkNode *map, const char *key, YkGivenPoint *point);
+bool yk_task_word(YkTaskReader *reader, const YkNode *map, const char *key, const char *const *words, size_t *found);
+bool yk_task_yes(YkTaskReader *reader, const YkNode *map, const char *key, bool otherwise);
+
+// The kinds, one file each: the first pass, and the checks of values.
+void yk_task_read_motion(YkTaskReader *reader);
+void yk_task_check_motion(YkTaskReader *reader);
+void yk_task_read_function(YkTaskReader *reader);
+void yk_task_check_function(YkTaskReader *reader);
+void yk_task_read_stroke(YkTaskReader *reader);
+void yk_task_check_stroke(YkTaskReader *reader);
+
+// Evaluates the function of the task at x. Returns false if it has no value there.
+bool yk_task_function(const YkTask *task, double x, double *value);
+
+#endif

@@ -1,0 +1,107 @@
+"""yoke synthesize: every example task, the shape of the JSON, folders of files, tasks that are wrong. YOKE=path/of/yoke python3 ..."""
+import glob
+import json
+import math
+import os
+import unittest
+
+from harness import Case, ROOT, Run
+
+TASKS = sorted(glob.glob(os.path.join(ROOT, "examples", "tasks", "*.yaml")))
+FIVE = os.path.join(ROOT, "examples", "tasks", "five-positions.yaml")
+KEYS = {"rank", "file", "model", "mechanism", "error", "worst", "transmission", "size", "circuits", "type", "parameters", "pivots", "lengths", "point"}
+
+
+class Synthesis(Case):
+    def test_every_example_has_machines_that_other_verbs_take(self):
+        self.assertGreater(len(TASKS), 6)
+        for path in TASKS:
+            answer = self.good("synthesize", path, "--format", "json").json()
+            self.assertEqual(answer["status"], "ok", path)
+            self.assertGreater(len(answer["candidates"]), 0)
+            for candidate in answer["candidates"]:
+                self.assertLessEqual(KEYS, set(candidate))
+                file = self.write("candidate.yaml", candidate["model"])
+                self.good("check", file)
+                solved = self.good("solve", file, "--format", "json").json()
+                self.assertEqual(solved["status"], "ok")
+                self.assertLess(candidate["error"], 1e-12)
+
+    def test_the_published_positions(self):
+        answer = self.good("synthesize", FIVE, "--format", "json", "--defects").json()
+        self.assertEqual((answer["complete"], answer["reproducible"], answer["solutions"]), (True, True, {"complex": 4, "real": 4}))
+        self.assertEqual(len(answer["candidates"]) + sum(answer["left_out"].values()), 6)
+        self.assertEqual(len(answer["defects"]), sum(answer["left_out"].values()))
+        for candidate in answer["candidates"]:
+            (ax, ay), (bx, by) = candidate["pivots"]
+            self.assertAlmostEqual(math.hypot(bx - ax, by - ay), candidate["lengths"]["ground"], 12)
+            first, second = (answer["dyads"][k] for k in candidate["dyads"])
+            self.assertEqual(first["fixed"], candidate["pivots"][0])
+            self.assertEqual(second["fixed"], candidate["pivots"][1])
+
+    def test_a_folder_holds_the_machines_the_picture_and_the_answer(self):
+        folder = self.path("machines")
+        run = self.good("synthesize", FIVE, "-o", folder)
+        self.assertIn("crank-rocker", run.out)
+        names = sorted(os.listdir(folder))
+        self.assertEqual(names, ["01-four-bar.yaml", "02-four-bar.yaml", "03-four-bar.yaml", "candidates.svg", "task.json"])
+        with open(os.path.join(folder, "task.json"), encoding="utf-8") as file:
+            answer = json.load(file)
+        for candidate in answer["candidates"]:
+            with open(os.path.join(folder, candidate["file"]), encoding="utf-8") as file:
+                self.assertEqual(file.read(), candidate["model"])
+        with open(os.path.join(folder, "candidates.svg"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count('class="candidate"'), 3)
+
+    def test_a_folder_that_holds_other_files_is_refused(self):
+        folder = self.path("taken")
+        os.mkdir(folder)
+        with open(os.path.join(folder, "mine.txt"), "w", encoding="utf-8") as file:
+            file.write("keep")
+        self.wrong(846, "synthesize", FIVE, "-o", folder)
+        self.assertEqual(os.listdir(folder), ["mine.txt"])
+        self.wrong(846, "synthesize", FIVE, "-o", FIVE)
+
+    def test_no_machine_is_an_answer_with_its_reasons(self):
+        path = self.write("none.yaml", self.read_example().replace("name:", "require: {transmission: 89 deg}\nname:"))
+        run = Run("synthesize", path, "--format", "json")
+        self.assertEqual(run.code, 1)
+        answer = json.loads(run.out)
+        self.assertEqual((answer["status"], answer["candidates"]), ("none", []))
+        self.assertEqual(sum(answer["left_out"].values()), 6)
+        self.assertIn("transmission", run.err)
+
+    def read_example(self):
+        with open(FIVE, encoding="utf-8") as file:
+            return file.read()
+
+    def test_the_same_seed_gives_the_same_answer(self):
+        path = os.path.join(ROOT, "examples", "tasks", "four-positions.yaml")
+        first, second, other = (self.good("synthesize", path, "--format", "json", "--seed", seed).out for seed in "112")
+        self.assertEqual(first, second)
+        self.assertNotEqual(first, other)
+
+    def test_a_cut_by_time_says_so(self):
+        path = os.path.join(ROOT, "examples", "tasks", "four-positions.yaml")
+        run = Run("synthesize", path, "--format", "json", "--within", "0.001ms")
+        answer = json.loads(run.out)
+        self.assertEqual((answer["status"], answer["complete"], answer["reproducible"]), ("time", False, False))
+
+    def test_wrong_values_and_files(self):
+        self.wrong(806, "synthesize", FIVE, "--within", "fast")
+        self.wrong(806, "synthesize", FIVE, "--within", "3mm")
+        self.wrong(806, "synthesize", FIVE, "--format", "csv")
+        self.wrong(806, "synthesize", FIVE, "--seed", "x")
+        self.wrong(808, "synthesize")
+        self.wrong(130, "synthesize", self.path("missing.yaml"))
+        self.wrong(840, "synthesize", self.write("path.yaml", "synthesis: path\n"))
+        self.wrong(806, "new", "--task", "dance")
+
+    def test_new_writes_tasks_that_work(self):
+        for kind in ("motion", "function", "stroke"):
+            path = self.write(kind + ".yaml", self.good("new", "--task", kind).out)
+            self.assertEqual(self.good("synthesize", path, "--format", "json").json()["synthesis"], kind)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,261 @@
+// Four-bars through positions: the published six, machines found again, and every candidate driven in another way.
+#include "synthesis/answer.h"
+#include "synthesis/synthesis.h"
+
+static const char five[] =
+    "synthesis: motion\n"
+    "positions: [{at: [0, 0], angle: 0}, {at: [.5, 1], angle: 20 deg}, {at: [1.5, 1.5], angle: 35 deg},\n"
+    "  {at: [2.5, 1.25], angle: 40 deg}, {at: [3, .5], angle: 30 deg}]\n";
+
+// Follows the file's own drive in small steps of time. Every position must be met, in order, within a second (a swing's
+// way, a crank's turn); between steps the machine cannot go to another branch without a jump.
+static void check_passes(const char *model, const YkPose *pose, size_t count, bool in_order)
+{
+    enum { STEPS = 1500 };
+    Standing s = standing(model);
+    size_t P = yk_model_find_point(s.model, "coupler.P"), Q = yk_model_find_point(s.model, "coupler.Q");
+    double nearest[8], at[8], last_x = 0, last_y = 0, size = yk_mechanism_size(s.mech), step = 0;
+    for (size_t k = 0; k < count; k++) nearest[k] = INFINITY;
+    for (int i = 0; i <= STEPS; i++) {
+        double t = (double)i / STEPS;
+        assert_int_equal(yk_state_set_time(s.state, t, NULL), YK_OK);
+        if (yk_state_solve(s.state) < 0) break; // past the last position a crank may meet what it likes
+        YkPointMotion p = yk_state_point(s.state, P), q = yk_state_point(s.state, Q);
+        double x = p.position[0], y = p.position[1];
+        if (i > 0) step = hypot(x - last_x, y - last_y);
+        last_x = x;
+        last_y = y;
+        double angle = atan2(q.position[1] - y, q.position[0] - x);
+        for (size_t k = 0; k < count; k++) {
+            double off =
+                hypot(x - pose[k].at.x, y - pose[k].at.y) + size * fabs(remainder(angle - pose[k].angle, 2 * YK_PI));
+            if (off + 1e-6 * size >= nearest[k]) continue;
+            nearest[k] = off;
+            at[k] = t;
+        }
+        assert_true(step < 0.1 * size);
+    }
+    for (size_t k = 0; k < count; k++) {
+        CHECK_NEAR(nearest[k], 0, 0.05 * size);
+        if (k > 0 && in_order) assert_true(at[k] > at[k - 1]);
+    }
+    standing_free(&s);
+}
+
+static void the_published_positions_have_six_four_bars_and_three_pass(void **state)
+{
+    (void)state;
+    static const YkPose pose[5] = {{{0, 0}, 0},
+                                   {{.5, 1}, 20 * YK_PI / 180},
+                                   {{1.5, 1.5}, 35 * YK_PI / 180},
+                                   {{2.5, 1.25}, 40 * YK_PI / 180},
+                                   {{3, .5}, 30 * YK_PI / 180}};
+    Answer a = answer_to(five);
+    size_t complex_count, real_count;
+    assert_true(yk_synthesis_solutions(a.synthesis, &complex_count, &real_count));
+    assert_int_equal(complex_count, 4);
+    assert_int_equal(real_count, 4);
+    assert_true(yk_synthesis_is_complete(a.synthesis));
+    assert_int_equal(yk_synthesis_count(a.synthesis) + yk_synthesis_defect_count(a.synthesis), 6);
+    assert_int_equal(yk_synthesis_count(a.synthesis), 3);
+    assert_int_equal(yk_synthesis_left_out(a.synthesis, YK_DEFECT_BRANCH), 3);
+    for (size_t k = 0; k < 3; k++) {
+        YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+        assert_true(c.error < 1e-18 && c.worst < 1e-9);
+        check_passes(c.model, pose, 5, true);
+    }
+    answer_free(&a);
+}
+
+static void write_task(char *text, size_t size, const YkPose *pose, size_t count)
+{
+    size_t at = (size_t)snprintf(text, size, "synthesis: motion\nbest: 1000\npositions:\n");
+    for (size_t k = 0; k < count; k++)
+        at += (size_t)snprintf(text + at, size - at, "  - {at: [%.17g, %.17g], angle: %.17g}\n", pose[k].at.x,
+                               pose[k].at.y, pose[k].angle);
+}
+
+// Positions of a crank-rocker's coupler on its way.
+static void crank_rocker_poses(YkPose *pose, size_t count, double lengths[4], uint64_t *seed)
+{
+    double a = check_uniform(seed, .2, .5), g = 2, b = check_uniform(seed, 1.6, 2.2), c = check_uniform(seed, 1.2, 1.8);
+    if (g + a > b + c || a + b > g + c || a + c > g + b) c = b = 2; // not Grashof
+    YkVec P = yk_vec(check_uniform(seed, -1, 2), check_uniform(seed, -1, 1));
+    double from = check_uniform(seed, -3, 3), step = check_uniform(seed, .3, 1);
+    for (size_t k = 0; k < count; k++) {
+        YkVec A = yk_scale(a, yk_unit(from + step * (double)k)), AF = yk_sub(yk_vec(g, 0), A);
+        double f = yk_norm(AF), angle = yk_atan2(AF.y, AF.x) + yk_acos((b * b + f * f - c * c) / (2 * b * f));
+        pose[k].angle = angle + .3;
+        pose[k].at = yk_add(A, yk_mul(yk_unit(angle), P));
+    }
+    memcpy(lengths, (double[]){g, a, b, c}, 4 * sizeof *lengths);
+}
+
+static void a_crank_rocker_is_found_again_among_the_candidates(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    for (int round = 0; round < 20; round++) {
+        YkPose pose[5];
+        double lengths[4], nearest = INFINITY;
+        char text[2000];
+        crank_rocker_poses(pose, 5, lengths, &seed);
+        write_task(text, sizeof text, pose, 5);
+        Answer a = answer_to(text);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            double off = fabs(c.lengths[0] - lengths[0]) + fabs(c.lengths[2] - lengths[2]);
+            off += fmin(fabs(c.lengths[1] - lengths[1]) + fabs(c.lengths[3] - lengths[3]),
+                        fabs(c.lengths[3] - lengths[1]) + fabs(c.lengths[1] - lengths[3]));
+            nearest = fmin(nearest, off);
+            check_passes(c.model, pose, 5, true);
+        }
+        if (!(nearest < 1e-4)) print_error("round %d\n%s", round, text);
+        CHECK_NEAR(nearest, 0, 1e-4);
+        answer_free(&a);
+    }
+}
+
+// What the signs leave out for branch or circuit, the engine cannot drive either, whichever way it goes.
+static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    size_t tried = 0;
+    for (int round = 0; round < 40; round++) {
+        YkPose pose[5];
+        char text[2000];
+        for (size_t k = 0; k < 5; k++) {
+            pose[k].at = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
+            pose[k].angle = check_uniform(&seed, -1, 1);
+        }
+        write_task(text, sizeof text, pose, 5);
+        Answer a = answer_to(text);
+        for (size_t k = 0; k < a.synthesis->defects.count; k++) {
+            const YkFound *found = &a.synthesis->defects.items[k];
+            if (found->defect != YK_DEFECT_BRANCH && found->defect != YK_DEFECT_CIRCUIT) continue;
+            for (int sense = -1; sense <= 1; sense++) {
+                double input[5], angle[3];
+                YkVerdict verdict;
+                YkText model = {0};
+                YkJourney journey = {.task = a.task, .input = input, .count = 5, .pose = pose, .exact = true};
+                for (size_t i = 0; i < 5; i++) {
+                    yk_design_angles(&found->design, pose[i], angle);
+                    input[i] = i == 0 ? angle[0] : input[i - 1] + yk_remainder(angle[0] - input[i - 1], 2 * YK_PI);
+                    if (i > 0 && sense * (input[i] - input[i - 1]) < 0) input[i] += sense * 2 * YK_PI;
+                }
+                yk_design_write(&found->design, &journey, &model);
+                assert_int_equal(yk_design_judge(yk_text_get(&model), &found->design, &journey, &verdict), YK_OK);
+                assert_int_not_equal(verdict.defect, YK_DEFECT_NONE);
+                yk_text_free(&model);
+                tried++;
+            }
+        }
+        answer_free(&a);
+    }
+    assert_true(tried > 100);
+}
+
+static void three_positions_with_pivots_have_one_machine_or_a_reason(void **state)
+{
+    (void)state;
+    static const YkPose pose[3] = {{{0, 0}, 0}, {{.5, 1}, 20 * YK_PI / 180}, {{1.5, 1.5}, 35 * YK_PI / 180}};
+    Answer a = answer_to(
+        "synthesis: motion\nfix: {input_pivot: [0, -1], output_pivot: [2, 0]}\npositions:\n"
+        "  - {at: [0, 0], angle: 0}\n  - {at: [.5, 1], angle: 20 deg}\n  - {at: [1.5, 1.5], angle: 35 deg}\n");
+    assert_int_equal(yk_synthesis_count(a.synthesis), 1);
+    assert_true(yk_synthesis_is_complete(a.synthesis));
+    YkCandidate c = yk_synthesis_candidate(a.synthesis, 0);
+    CHECK_NEAR(c.pivots[0][1], -1, 1e-12);
+    CHECK_NEAR(c.pivots[1][0], 2, 1e-12);
+    check_passes(c.model, pose, 3, true);
+    answer_free(&a);
+}
+
+static void two_and_four_positions_are_sampled_and_every_candidate_passes(void **state)
+{
+    (void)state;
+    uint64_t seed = 13;
+    for (size_t count = 2; count <= 4; count += 2) {
+        YkPose pose[5];
+        double lengths[4];
+        char text[2000];
+        crank_rocker_poses(pose, count, lengths, &seed);
+        write_task(text, sizeof text, pose, count);
+        YkSynthesisOptions options = yk_default_synthesis_options();
+        options.best = 12;
+        Answer a = answer_with(text, &options), b = answer_with(text, &options);
+        assert_false(yk_synthesis_is_complete(a.synthesis));
+        assert_true(yk_synthesis_count(a.synthesis) >= 3);
+        assert_int_equal(yk_synthesis_count(a.synthesis), yk_synthesis_count(b.synthesis));
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            check_passes(c.model, pose, count, true);
+            assert_string_equal(c.model,
+                                yk_synthesis_candidate(b.synthesis, k).model); // the same seed, the same answer
+            if (k > 0) assert_true(c.transmission[0] <= yk_synthesis_candidate(a.synthesis, k - 1).transmission[0]);
+        }
+        answer_free(&a);
+        answer_free(&b);
+    }
+}
+
+static void bounds_and_requirements_leave_out_what_breaks_them(void **state)
+{
+    (void)state;
+    char text[2000];
+    snprintf(text, sizeof text, "%srequire: {transmission: 50 deg}\n", five);
+    Answer a = answer_to(text);
+    assert_int_equal(yk_synthesis_count(a.synthesis), 1);
+    assert_int_equal(yk_synthesis_left_out(a.synthesis, YK_DEFECT_TRANSMISSION), 2);
+    answer_free(&a);
+    snprintf(text, sizeof text, "%srequire: {input: turns}\n", five);
+    a = answer_to(text);
+    assert_int_equal(yk_synthesis_count(a.synthesis), 2);
+    for (size_t k = 0; k < 2; k++) assert_string_equal(yk_synthesis_candidate(a.synthesis, k).type, "crank-rocker");
+    assert_true(yk_synthesis_left_out(a.synthesis, YK_DEFECT_INPUT) >= 1);
+    answer_free(&a);
+    snprintf(text, sizeof text, "%sbounds: {lengths: [1, 5]}\n", five);
+    a = answer_to(text);
+    assert_int_equal(yk_synthesis_count(a.synthesis), 1);
+    answer_free(&a);
+    snprintf(text, sizeof text, "%srequire: {size_ratio: 2}\n", five);
+    a = answer_to(text);
+    assert_int_equal(yk_synthesis_count(a.synthesis), 0);
+    assert_true(yk_synthesis_left_out(a.synthesis, YK_DEFECT_SIZE) > 0);
+    assert_null(yk_synthesis_candidate(a.synthesis, 0).model);
+    answer_free(&a);
+}
+
+static bool stop_at_once(void *context, double part)
+{
+    (void)part;
+    return ++*(int *)context < 3;
+}
+
+static void a_search_that_is_stopped_keeps_what_it_has(void **state)
+{
+    (void)state;
+    int asked = 0;
+    YkSynthesisOptions options = yk_default_synthesis_options();
+    options.progress = (YkProgress){stop_at_once, &asked};
+    Answer a =
+        answer_with("synthesis: motion\npositions: [{at: [0, 0], angle: 0}, {at: [1, 0], angle: 50 deg}]\n", &options);
+    assert_true(yk_synthesis_was_stopped(a.synthesis));
+    assert_false(yk_synthesis_is_complete(a.synthesis));
+    answer_free(&a);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_published_positions_have_six_four_bars_and_three_pass),
+        cmocka_unit_test(a_crank_rocker_is_found_again_among_the_candidates),
+        cmocka_unit_test(what_the_signs_leave_out_the_engine_cannot_drive),
+        cmocka_unit_test(three_positions_with_pivots_have_one_machine_or_a_reason),
+        cmocka_unit_test(two_and_four_positions_are_sampled_and_every_candidate_passes),
+        cmocka_unit_test(bounds_and_requirements_leave_out_what_breaks_them),
+        cmocka_unit_test(a_search_that_is_stopped_keeps_what_it_has),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
