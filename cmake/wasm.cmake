@@ -37,11 +37,27 @@ set_property(SOURCE ${with_posix} DIRECTORY apps/cli APPEND PROPERTY COMPILE_OPT
 target_link_libraries(yoke PRIVATE wasi-emulated-getpid wasi-emulated-signal)
 set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
-# What a page needs to draw and to move: flat functions and no imports.
+# What a page needs to draw and to move: flat functions and no imports. Memory has an end, so that running out is told.
 file(GLOB core CONFIGURE_DEPENDS web/core/*.c)
 add_executable(core ${core})
 target_include_directories(core PRIVATE web/core)
 target_link_libraries(core PRIVATE yoke_core)
-target_link_options(core PRIVATE -mexec-model=reactor)
+target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
 set_target_properties(core PROPERTIES SUFFIX .wasm)
 yoke_warnings(core)
+
+# What tests in Node use of the page's side, bundled by the esbuild that bundled the report's script.
+if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)
+  set(scripts ${CMAKE_BINARY_DIR}/js)
+  file(GLOB typescript CONFIGURE_DEPENDS web/core/*.ts)
+  set(esbuild ${YOKE_WEB_DIR}/node_modules/.bin/esbuild)
+  add_custom_command(OUTPUT ${scripts}/node.mjs ${scripts}/worker.js
+    COMMAND sh -c "test ! -x $0 || { $0 $1/node.ts --bundle --format=esm --platform=neutral --target=es2022 --log-level=warning --outfile=$2/node.mjs && $0 $1/worker.ts --bundle --minify --format=iife --target=es2022 --log-level=warning --outfile=$2/worker.js; }"
+      ${esbuild} ${CMAKE_SOURCE_DIR}/web/core ${scripts}
+    COMMAND ${CMAKE_COMMAND} -E touch ${scripts}/node.mjs ${scripts}/worker.js
+    DEPENDS ${typescript} ${YOKE_WEB_DIR}/report.js COMMENT "Bundling the page's side" VERBATIM)
+  add_custom_target(core_scripts ALL DEPENDS ${scripts}/node.mjs ${scripts}/worker.js)
+  if(BUILD_TESTING)
+    include(tests/wasm/tests.cmake)
+  endif()
+endif()

@@ -53,6 +53,8 @@ typedef struct YkRequest {
     bool sensitivities, fresh; // study
     const char *prefix;        // code
     bool single, kinematics;   // code
+    const char *port;          // studio
+    bool no_browser;           // studio
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
@@ -120,6 +122,7 @@ int yk_run_derive(YkSession *session);
 int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
+int yk_run_studio(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
 // if the linker cannot tell.

@@ -83,6 +83,12 @@ const YkVerb yk_verbs[] = {
      "is\n"
      "compiled with -DPREFIX_TEST.",
      "yoke code examples/quick-return.yaml -o quick_return.c", yk_run_code},
+    {"studio", "draw the machine, move it and read it, in the browser", "[FILE] [options]",
+     "Opens Studio, a page on which a machine is drawn, moved and read, for this file: it saves into the file and\n"
+     "follows changes by other programs. The page comes from a small server on this computer alone, at an address\n"
+     "with a secret word in it; Ctrl-C ends it. With -o, writes the page with the machine in it as one HTML file\n"
+     "that opens from disk and needs no server.",
+     "yoke studio examples/four-bar.yaml -o four-bar.html", yk_run_studio},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };
 

@@ -6,12 +6,6 @@
 #include "base/text.h"
 #include "picture/drawing.h"
 
-#if defined(__wasm__)
-#define YK_DOOR(name) __attribute__((export_name(#name)))
-#else
-#define YK_DOOR(name)
-#endif
-
 enum { YK_GHOSTS = 16, YK_OVERRIDES = 64 };
 
 // A value that a slider set, until the text is opened again.
@@ -50,12 +44,12 @@ double *yk_core_room(size_t count);
 // Lets everything go that holds on to the present state or mechanism: a drag, ghosts, a simulation.
 void yk_core_settle(void);
 void yk_core_close(void); // the machine
+void yk_core_forget_sliders(void);
 // Writes the present pose: numbers x, y, angle of each body, then each coordinate; text: the scene's parts. Says
 // `message`, or why the state has the status.
 int yk_core_tell(const YkState *state, YkStatus status, const char *message);
 // Returns the state that is shown: the simulation's, or the present one.
 const YkState *yk_core_shown(void);
-int ys_pose(void); // writes the pose that is shown
 // Makes `names` inputs of the machine; the pose stays. Adds to problems (may be NULL).
 YkStatus yk_core_use_inputs(const char *const *names, size_t count, YkProblems *problems);
 // Makes the machine of the source and of the sliders; `from` (or NULL) is the machine before, whose assembly it takes.

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "core.h"
+#include "exports.h"
 
 enum { STEPS_MAX = 100000, CHANNELS_MAX = 256 };
 
@@ -110,6 +111,7 @@ static void end(Curves *c)
 // Says why there is no curve, or not all of it.
 static int word(const Curves *c, YkStatus status)
 {
+    yk_text_clear(&yk_core.text);
     yk_text_clear(&yk_core.message);
     if (c->problems && yk_problems_count(c->problems) > 0)
         yk_text_puts(&yk_core.message, yk_problems_get(c->problems, 0)->message);
@@ -133,7 +135,6 @@ static YkStatus write_rows(const Curves *c, const YkSweep *sweep)
 
 // Sweeps `over` (a coordinate, or t) as the command does: in the input, its name and those of the channels, each behind
 // a NUL. The numbers are the swept values and then those of each channel; a row without a value is NaN.
-int ys_curves(double from, double to, size_t steps);
 YK_DOOR(ys_curves) int ys_curves(double from, double to, size_t steps)
 {
     Curves c = {0};
@@ -159,7 +160,6 @@ static void note_place(void *context, const YkState *state)
 }
 
 // Traces a point of a body, in its axes: the numbers are x and y of every row.
-int ys_trace(size_t body, double x, double y, double from, double to, size_t steps);
 YK_DOOR(ys_trace) int ys_trace(size_t body, double x, double y, double from, double to, size_t steps)
 {
     Curves c = {.body = body, .place = {x, y}};

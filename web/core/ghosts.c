@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "core.h"
+#include "exports.h"
 
 static bool is_same(const YkState *a, const YkState *b)
 {
@@ -26,7 +27,6 @@ static bool keep(void *context, YkState *state)
 }
 
 // Finds the other assemblies, the first 16 of them. Returns how many; each is told by ys_ghost.
-int ys_ghosts(void);
 YK_DOOR(ys_ghosts) int ys_ghosts(void)
 {
     if (!yk_core.state || !yk_state_has_pose(yk_core.state)) return 0;
@@ -40,7 +40,6 @@ YK_DOOR(ys_ghosts) int ys_ghosts(void)
     return (int)yk_core.ghost_count;
 }
 
-int ys_ghost(size_t index);
 YK_DOOR(ys_ghost) int ys_ghost(size_t index)
 {
     if (index >= yk_core.ghost_count) return yk_core_tell(yk_core.state, YK_BAD_ARGUMENT, "there is no such assembly");
@@ -48,7 +47,6 @@ YK_DOOR(ys_ghost) int ys_ghost(size_t index)
 }
 
 // Takes one of them in place of the present one.
-int ys_choose(size_t index);
 YK_DOOR(ys_choose) int ys_choose(size_t index)
 {
     if (index >= yk_core.ghost_count) return ys_ghost(index);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "core.h"
+#include "exports.h"
 
 const YkState *yk_core_shown(void)
 {
@@ -49,7 +50,6 @@ YK_DOOR(ys_pose) int ys_pose(void)
     return yk_core_tell(state, yk_state_report(state)->status, NULL);
 }
 
-double ys_time(void);
 YK_DOOR(ys_time) double ys_time(void)
 {
     if (yk_core.simulation) return yk_simulation_time(yk_core.simulation);
@@ -137,7 +137,6 @@ static int move_inputs(const char *const *names, const double *values, size_t co
 }
 
 // Moves there: `count` names in the input, their values among the numbers.
-int ys_at(size_t count);
 YK_DOOR(ys_at) int ys_at(size_t count)
 {
     if (!yk_core.state) return ys_pose();
@@ -173,7 +172,6 @@ static YkStatus go_back_to_drives(double time)
     return status;
 }
 
-int ys_move_time(double time);
 YK_DOOR(ys_move_time) int ys_move_time(double time)
 {
     if (!yk_core.state) return ys_pose();
@@ -205,7 +203,6 @@ static bool holds(size_t body, double x, double y)
 }
 
 // Drags a point of a body, in its axes, towards a place in the world.
-int ys_drag(size_t body, double x, double y, double to_x, double to_y);
 YK_DOOR(ys_drag) int ys_drag(size_t body, double x, double y, double to_x, double to_y)
 {
     YkDragged dragged;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "core.h"
+#include "exports.h"
 
 void yk_core_settle(void)
 {
@@ -28,7 +29,7 @@ void yk_core_release(YkCore *core)
     core->sketch = NULL;
 }
 
-static void forget_sliders(void)
+void yk_core_forget_sliders(void)
 {
     for (size_t k = 0; k < yk_core.slider_count; k++) {
         free(yk_core.sliders[k].name);
@@ -58,13 +59,12 @@ static void take(const YkCore *made)
 
 // Takes the text before the input's first NUL as the machine, and what follows as the name of its file. Returns 1 if
 // there is a machine, 0 if there is none, -1 when out of memory. The text then says all that there is to tell.
-int ys_open(size_t length);
 YK_DOOR(ys_open) int ys_open(size_t length)
 {
     YkCore made = {0};
     YkProblems *problems = yk_problems_new();
     if (!problems || length > yk_core.input.length) return -1;
-    forget_sliders();
+    yk_core_forget_sliders();
     yk_text_clear(&yk_core.source);
     yk_text_clear(&yk_core.name);
     yk_text_add(&yk_core.source, yk_core.input.data, length);
@@ -92,7 +92,6 @@ static YkSlider *slider_of(const char *name)
 
 // Sets the parameter named by the input to a value, SI; the assembly is carried over. Returns as ys_open. A value that
 // makes no valid machine, or one that cannot be put together, leaves the machine as it was, and the problems say why.
-int ys_parameter(double value);
 YK_DOOR(ys_parameter) int ys_parameter(double value)
 {
     YkProblems *problems = yk_problems_new();

@@ -1,6 +1,7 @@
 // Lets go: simulates from the present pose under loads, with a spring by which the hand pulls.
 #include <math.h>
 #include "core.h"
+#include "exports.h"
 
 enum { STEPS_AT_ONCE = 3000 }; // of the integrator, a call: then it tells how far it came
 
@@ -20,7 +21,6 @@ static int refuse(const YkProblems *problems)
     return yk_core_tell(yk_core.state, YK_BAD_MODEL, why);
 }
 
-int ys_release(void);
 YK_DOOR(ys_release) int ys_release(void)
 {
     if (!yk_core.state || !yk_state_has_pose(yk_core.state)) return ys_pose();
@@ -39,7 +39,6 @@ YK_DOOR(ys_release) int ys_release(void)
 
 // Sets the spring between a point of a body, in its axes, and a place in the world; stiffness 0 lets go. The damping is
 // that of the mass that it pulls, if that alone hung on it.
-int ys_pull(size_t body, double x, double y, double to_x, double to_y, double stiffness);
 YK_DOOR(ys_pull) int ys_pull(size_t body, double x, double y, double to_x, double to_y, double stiffness)
 {
     if (!yk_core.simulation || body >= yk_model_body_count(yk_core.model)) return YK_BAD_ARGUMENT;
@@ -49,7 +48,6 @@ YK_DOOR(ys_pull) int ys_pull(size_t body, double x, double y, double to_x, doubl
 }
 
 // Goes on by a span of time, s. A motion that needs very many steps stops on the way: ys_time tells where.
-int ys_step(double seconds);
 YK_DOOR(ys_step) int ys_step(double seconds)
 {
     if (!yk_core.simulation) return yk_core_tell(yk_core.state, YK_BAD_ARGUMENT, "the machine was not let go");
@@ -60,7 +58,6 @@ YK_DOOR(ys_step) int ys_step(double seconds)
 }
 
 // Ends the simulation; the machine stays where it came to.
-int ys_hold(void);
 YK_DOOR(ys_hold) int ys_hold(void)
 {
     if (!yk_core.simulation) return ys_pose();

@@ -1,6 +1,7 @@
 // Writes what opening tells: problems, what is missing, the machine.
 #include "base/problems.h"
 #include "core.h"
+#include "exports.h"
 #include "write/amount.h"
 #include "write/json.h"
 
@@ -8,8 +9,8 @@ static void add_problem(YkJson *json, const YkProblem *problem)
 {
     static const char *const severities[] = {"note", "warning", "error"};
     YkText code = {0};
-    yk_text_format(&code, "E%c%c%c%c", '0' + problem->code / 1000 % 10, '0' + problem->code / 100 % 10,
-                   '0' + problem->code / 10 % 10, '0' + problem->code % 10);
+    yk_text_format(&code, "%c", "NWE"[problem->severity]);
+    for (int digit = 1000; digit > 0; digit /= 10) yk_text_format(&code, "%c", '0' + problem->code / digit % 10);
     yk_json_object(json, NULL, YK_JSON_INLINE);
     yk_json_string(json, "code", yk_text_get(&code));
     yk_json_string(json, "severity", severities[problem->severity]);
@@ -168,7 +169,6 @@ void yk_core_write(const YkCore *core, YkProblems *problems)
 }
 
 // Writes the scene. Returns 1, 0 if there is none (no machine, or none that can be put together), -1 when out of memory.
-int ys_scene(void);
 YK_DOOR(ys_scene) int ys_scene(void)
 {
     yk_text_clear(&yk_core.text);
