@@ -131,7 +131,7 @@ class Server(Folder):
         os.symlink(self.folder, os.path.join(self.folder, "page", ".up"))
         with self.serve() as server:
             for path in ["/../secret.txt", "/..%2fsecret.txt", "/%2e%2e/secret.txt", "/gallery/../../secret.txt", "//etc/passwd", "/etc/passwd",
-                         "/.up/secret.txt", "/index.html/", "/four-bar.yaml", "/" + "a" * 3000, "/index.html%00.txt", "/\\..\\secret.txt",
+                         "/.up/secret.txt", "/index.html/", "/four-bar.yaml", "/" + "a" * 3000, "/four-bar.yaml%00.js", "/\\..\\secret.txt",
                          "/gallery", "/gallery/"]:
                 reply = server.ask(path)
                 self.assertIn(reply.status, (400, 404, 414), path)
@@ -260,9 +260,8 @@ class Server(Folder):
     def test_ends_with_a_signal(self):
         for how in (signal.SIGINT, signal.SIGTERM):
             with self.serve() as server:
-                waiting = socket.create_connection(("127.0.0.1", server.port))
-                self.assertEqual(server.end(how), 0)
-                waiting.close()
+                with socket.create_connection(("127.0.0.1", server.port)):
+                    self.assertEqual(server.end(how), 0)
 
     def test_what_is_wrong_is_said_before(self):
         page = {"YOKE_STUDIO": os.path.join(self.folder, "page")}

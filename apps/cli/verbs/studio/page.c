@@ -113,8 +113,12 @@ static const char *between(const char *line, size_t size, const char *before, co
     return NULL;
 }
 
-static const YkAsset *find_named(const YkAssets *assets, const char *name, size_t length)
+// Returns the file that a line names between `before` and `after`; NULL if it names none.
+static const YkAsset *find_named(const YkAssets *assets, const char *line, size_t size, const char *before,
+                                 const char *after)
 {
+    size_t length = 0;
+    const char *name = between(line, size, before, after, &length);
     for (size_t k = 0; name && k < assets->count; k++)
         if (strlen(assets->items[k].path) == length && memcmp(assets->items[k].path, name, length) == 0)
             return &assets->items[k];
@@ -131,12 +135,9 @@ typedef struct Page {
 // Puts what a line refers to in the place of the line.
 static void add_line(Page *page, const char *line, size_t size)
 {
-    size_t length;
-    const YkAsset *style =
-        find_named(page->assets, between(line, size, "<link rel=\"stylesheet\" href=\"", "\">", &length), length);
-    const YkAsset *script =
-        style ? NULL
-              : find_named(page->assets, between(line, size, "<script src=\"", "\" defer></script>", &length), length);
+    size_t length = 0;
+    const YkAsset *style = find_named(page->assets, line, size, "<link rel=\"stylesheet\" href=\"", "\">");
+    const YkAsset *script = find_named(page->assets, line, size, "<script src=\"", "\" defer></script>");
     if (between(line, size, "http-equiv=\"Content-Security-Policy\" content=\"", "\">", &length)) {
         yk_text_format(
             page->html,

@@ -251,6 +251,7 @@ int yk_studio_serve(YkSession *session, const YkAssets *assets, YkServed *served
     printf("Ctrl-C ends it.\n");
     fflush(stdout);
     if (!session->request->no_browser && !address.failed) open_browser(address.data);
+    session->keeps_what_is_done = true; // Ctrl-C is how it ends
     wait_for_stop();
     MHD_stop_daemon(daemon);
     yk_text_free(&address);
