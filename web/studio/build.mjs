@@ -1,0 +1,11 @@
+// Bundles Studio into a folder: node build.mjs FOLDER. The build puts the core's modules and the gallery beside it.
+import { build } from "esbuild";
+import { cpSync, mkdirSync } from "node:fs";
+import { join } from "node:path";
+
+const folder = process.argv[2] ?? "dist";
+mkdirSync(folder, { recursive: true });
+const common = { bundle: true, minify: true, target: "es2022", legalComments: "eof", logLevel: "warning", outdir: folder };
+await build({ ...common, entryPoints: { studio: "src/main.ts" }, format: "iife" });
+await build({ ...common, entryPoints: { worker: "../core/worker.ts" }, format: "iife" });
+for (const name of ["index.html", "sw.js"]) cpSync(name, join(folder, name));
