@@ -87,6 +87,7 @@ function build(): void {
   hand.onTool = (tool) => {
     for (const one of TOOLS) byId(`tool-${one.id}`).setAttribute("aria-pressed", String(one === tool));
     canvas.root.dataset.tool = tool.id;
+    invite();
     session.emit("said", words.tools[tool.id][1]);
   };
   nameField.addEventListener("change", () => { session.name = nameField.value.trim() || words.untitled; nameField.value = session.name; });
@@ -94,6 +95,7 @@ function build(): void {
 
 const zoom = (factor: number): void => {
   canvas.view.zoom(factor, [canvas.view.width / 2, canvas.view.height / 2]);
+  canvas.onView();
   canvas.redraw();
 };
 
@@ -149,12 +151,12 @@ function listen(): void {
 // An empty canvas invites.
 let isInviting = false;
 function invite(): void {
-  const isEmpty = session.text.trim() === "", box = byId("invite");
+  const isEmpty = session.text.trim() === "" && hand.tool.id === "select", box = byId("invite");
   box.hidden = !isEmpty;
   if (!isEmpty || isInviting) return;
   isInviting = true;
   const cards = el("div", { class: "cards" });
-  fill(box, el("h1", {}, words.canvas.invite), el("p", {}, words.canvas.inviteHow), el("div", { class: "row" }, el("button", { class: "strong", onclick: () => { hand.choose("bar"); box.hidden = true; canvas.root.focus(); } }, words.canvas.drawBar),
+  fill(box, el("h1", {}, words.canvas.invite), el("p", {}, words.canvas.inviteHow), el("div", { class: "row" }, el("button", { class: "strong", onclick: () => { hand.choose("bar"); canvas.root.focus(); } }, words.canvas.drawBar),
     el("button", { class: "text", onclick: () => void showGallery(load) }, words.menu.examples), el("button", { class: "text", onclick: () => void files.open() }, words.menu.open)), cards);
   void loadExamples().then((all) => fill(cards, ...FEATURED.map((id) => all.find((one) => one.id === id)).filter((one) => one !== undefined).map((one) => card(one, () => load(one.text, one.id)))));
 }

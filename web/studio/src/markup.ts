@@ -11,7 +11,7 @@ const TAGS: Record<string, Set<string>> = {
 };
 const ATTRIBUTES = new Set(("x y x1 y1 x2 y2 cx cy r rx ry dx dy d points width height viewbox transform fill stroke stroke-width stroke-linejoin " +
   "stroke-linecap stroke-dasharray stroke-opacity fill-opacity opacity paint-order font-family font-size font-weight font-style text-anchor " +
-  "dominant-baseline vector-effect class id data-body data-joint data-point data-part display xmlns mathvariant stretchy fence separator lspace " +
+  "dominant-baseline vector-effect class id data-body data-joint data-point data-part data-scale data-origin display xmlns mathvariant stretchy fence separator lspace " +
   "rspace columnalign rowalign columnspacing rowspacing columnlines rowlines frame accent accentunder displaystyle scriptlevel notation colspan rowspan " +
   "clip-path marker-end marker-start marker-mid orient refx refy markerwidth markerheight markerunits offset stop-color visibility clip-rule fill-rule")
   .split(" "));

@@ -12,6 +12,7 @@ interface Events {
   text: string; // the text changed
   opened: Opened; // the core read it
   pose: Pose;
+  scene: null; // it was drawn again, for another view
   selection: Selection;
   said: string; // a sentence for the person
   lost: string; // the core died and was started anew
@@ -101,6 +102,16 @@ export class Session {
     this.pose = pose;
     this.emit("pose", pose);
     this.emit("said", pose.message);
+  }
+
+  // Has the scene drawn for a view of so many pixels to the metre.
+  async look(scale: number): Promise<void> {
+    const edition = this.edition, looked = await this.ask(() => this.core.look(scale));
+    if (!looked || edition !== this.edition || !this.isCurrent) return;
+    this.scene = looked.scene;
+    this.emit("scene", null);
+    this.pose = looked.pose;
+    this.emit("pose", looked.pose);
   }
 
   async toStart(): Promise<void> {

@@ -20,8 +20,9 @@ export class Canvas {
   readonly shown: Shown = { hover: null, crosshair: null, sketching: null, pull: null, tool: "select" };
   units: Units = { length: "mm", metre: 1e-3, angle: "deg" };
   insets: Insets = { left: 40, top: 60, right: 40, bottom: 90 };
-  onView: () => void = () => {};
   private isFitted = false;
+  private looked = 0; // the scale for which the scene was drawn
+  private timer = 0;
   readonly redraw = eachFrame(() => this.draw());
 
   constructor(readonly root: SVGSVGElement, private session: Session) {
@@ -34,10 +35,11 @@ export class Canvas {
       if (!this.isFitted || isFirst) this.fit();
       this.redraw();
     }).observe(root);
+    session.on("scene", () => { this.scene.mount(); this.redraw(); });
     session.on("opened", () => {
       if (session.text.trim() !== "") this.units = unitsOf(new Source(session.text));
       this.scene.mount();
-      if (!this.isFitted && session.machine) this.fit();
+      if (!this.isFitted && (session.machine || session.text.trim() === "")) this.fit();
       this.redraw();
     });
     session.on("pose", () => this.redraw());
@@ -62,9 +64,22 @@ export class Canvas {
     if (box && this.view.width > 1) {
       this.view.fit(box, this.insets);
       this.isFitted = true;
-    } else if (!this.session.machine) this.view.fit({ left: -0.05, bottom: -0.04, right: 0.25, top: 0.16 }, this.insets);
+    } else if (!this.session.machine && this.view.width > 1) {
+      this.view.fit({ left: -0.05, bottom: -0.04, right: 0.25, top: 0.16 }, this.insets);
+      this.isFitted = true; // what is drawn from here on does not move the view
+    }
     this.redraw();
     this.onView();
+  }
+
+  // After a zoom the core draws the scene anew, so that lines and names have the width of the screen.
+  onView(): void {
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      if (Math.abs(this.view.scale / this.looked - 1) < 0.01) return;
+      this.looked = this.view.scale;
+      void this.session.look(this.view.scale);
+    }, 120);
   }
 
   private box(): Box | null {

@@ -16,6 +16,7 @@ export class Keys {
   constructor(private canvas: Canvas, private hand: Hand, private session: Session) {
     canvas.root.parentElement!.append(this.input);
     canvas.root.addEventListener("keydown", (event) => this.key(event));
+    canvas.root.addEventListener("pointerdown", () => { this.world = null; });
     this.input.addEventListener("keydown", (event) => {
       if (event.key === "Enter") void this.take();
       else if (event.key === "Escape") this.close();
@@ -73,7 +74,7 @@ export class Keys {
   private async click(): Promise<void> {
     if (!this.world) return this.step([0, 0], 0);
     if (this.hand.tool.id === "select") this.hand.select(this.spot());
-    else await this.hand.click(this.spot());
+    else await this.hand.later(() => this.hand.click(this.spot()));
     this.canvas.shown.crosshair = this.spot();
     this.canvas.redraw();
   }
@@ -104,6 +105,6 @@ export class Keys {
     this.close();
     this.world = world;
     const spot = snap(this.session, this.canvas.view, world, { reach: 1, grid: this.canvas.step, isFree: true, client: null });
-    await this.hand.click(spot);
+    await this.hand.later(() => this.hand.click(spot));
   }
 }

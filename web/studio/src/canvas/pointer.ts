@@ -25,7 +25,8 @@ export class Hand {
   private drag: Drag | null = null;
   private pressed: [number, number] = [0, 0];
   private hasMoved = false;
-  private isBusy = false;
+  private waiting = 0;
+  private line: Promise<void> = Promise.resolve();
   private isFresh = false; // this press began the gesture
 
   constructor(private canvas: Canvas, private session: Session) {
@@ -88,7 +89,7 @@ export class Hand {
     else if (this.tool.id === "shape") this.drag = spot.all.length ? { kind: "shape", spot } : { kind: "pan" };
     else {
       this.drag = { kind: "tool" };
-      this.isFresh = this.tool.places === 2 && this.spots.length === 0;
+      this.isFresh = this.tool.places === 2 && this.spots.length === 0 && this.waiting === 0;
       if (this.isFresh) this.spots = [spot];
       this.preview(spot);
     }
@@ -168,7 +169,7 @@ export class Hand {
     }
     this.drag = null;
     this.endPull();
-    if (drag?.kind === "tool") await this.release(this.spot(at, event), this.hasMoved && distance(at, this.pressed) > 12);
+    if (drag?.kind === "tool") await this.release(() => this.spot(at, event), this.hasMoved && distance(at, this.pressed) > 12);
     else if (drag?.kind === "shape" && this.hasMoved) await this.reshape(drag.spot, this.target(at, event));
     else if (!this.hasMoved && drag && drag.kind !== "pinch") this.select(this.spot(at, event));
     this.canvas.redraw();
@@ -190,15 +191,22 @@ export class Hand {
   }
 
   // A gesture of two places is two clicks, or one drag.
-  private async release(spot: Spot, isDragged: boolean): Promise<void> {
+  private async release(spot: () => Spot, isDragged: boolean): Promise<void> {
     if (this.isFresh && !isDragged) this.isFresh = false;
-    else await this.click(spot, isDragged);
+    else await this.later(() => this.click(spot(), isDragged));
+  }
+
+  // Clicks that come while the core still reads the last gesture wait for it.
+  later(click: () => Promise<void>): Promise<void> {
+    this.waiting++;
+    this.line = this.line.then(click).finally(() => { this.waiting--; });
+    return this.line;
   }
 
   // One click of a tool: begins its gesture, ends it, or at the place where it began ends a chain.
   async click(spot: Spot, isDragged = false): Promise<void> {
     const { tool } = this, first = this.spots[0];
-    if (!tool.finish || this.isBusy) return;
+    if (!tool.finish) return;
     if (tool.places === 2 && !first) {
       this.spots = [spot];
       return this.preview(spot);
@@ -207,9 +215,7 @@ export class Hand {
       this.cancel();
       return;
     }
-    this.isBusy = true;
     const answer = await tool.finish(this.session, tool.places === 2 ? [first, spot] : [spot], this.canvas.resolution);
-    this.isBusy = false;
     this.cancel();
     if (typeof answer === "string") this.session.emit("said", answer);
     else if (answer && tool.chain && !isDragged && this.tool === tool) this.goOn(answer);

@@ -27,7 +27,7 @@ export class Editor {
   constructor(parent: HTMLElement, private session: Session) {
     this.view = new EditorView({ parent, state: this.stateOf("") });
     session.write = (text) => this.replace(text);
-    session.on("opened", ({ problems }) => this.view.dispatch(setDiagnostics(this.view.state, diagnosticsOf(problems, this.view, session))));
+    session.on("opened", ({ problems }) => this.view.dispatch(setDiagnostics(this.view.state, session.text.trim() ? diagnosticsOf(problems, this.view, session) : [])));
   }
 
   private stateOf(doc: string): EditorState {

@@ -11,7 +11,7 @@ export class Plot {
   private plot: uPlot;
 
   constructor(readonly box: HTMLElement, curves: Curves, isDark: boolean, moved: (x: number) => void) {
-    const style = getComputedStyle(document.documentElement), ink = style.getPropertyValue("--ink-soft").trim(), line = style.getPropertyValue("--line").trim();
+    const [ink, line] = isDark ? ["#a3abb6", "#30353d"] : ["#5a6069", "#e3e4e2"];
     const colours = isDark ? COLOURS.dark : COLOURS.light, font = "12px system-ui, sans-serif";
     const axis = (label: string, size: number): uPlot.Axis => ({ label, stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1, size: 4 }, labelSize: 20, size, font, labelFont: font, gap: 4 });
     const bracket = (name: string, unit: string) => (unit ? `${name} [${unit}]` : name);
