@@ -10,6 +10,7 @@ import { TOOLS } from "./canvas/tools";
 import { byId, el, fill, isTyping } from "./dom";
 import { Editor } from "./editor/editor";
 import { icon } from "./icons";
+import { inline } from "./inline";
 import { unpack } from "./keep/address";
 import { Autosave } from "./keep/autosave";
 import { Files } from "./keep/files";
@@ -28,9 +29,6 @@ import { words } from "./words";
 
 const FEATURED = ["four-bar", "quick-return", "jansen", "gas-engine", "double-pendulum", "epicyclic"];
 
-// A page in one file brings its modules and its worker with it (`yoke studio FILE -o page.html`).
-declare const yokeInline: { worker: string; small: Uint8Array<ArrayBuffer>; whole: Uint8Array<ArrayBuffer> } | undefined;
-const inline = typeof yokeInline === "undefined" ? null : yokeInline;
 const session: Session = new Session(startCore({
   worker: () => new Worker(inline?.worker ?? "worker.js") as unknown as WorkerLike, small: inline?.small ?? "core.wasm", whole: inline?.whole ?? "yoke.wasm",
   onRestart: () => session.emit("lost", words.coreLost),
@@ -181,13 +179,9 @@ async function fromServer(): Promise<boolean> {
   return true;
 }
 
-// A page made by `yoke studio FILE -o page.html` has its machine in it.
 function fromPage(): boolean {
-  const data = document.getElementById("machine")?.textContent;
-  if (!data) return false;
-  const { name, text } = JSON.parse(data) as { name: string; text: string };
-  load(text, name.replace(/\.ya?ml$/, ""));
-  return true;
+  if (inline?.machine) load(inline.machine.text, inline.machine.name.replace(/\.ya?ml$/, ""));
+  return Boolean(inline?.machine);
 }
 
 async function begin(): Promise<void> {

@@ -87,8 +87,8 @@ export const words = {
     drive: "Drive", slider: (name: string) => `Slider of ${name}`, of: (key: string, name: string) => `${key} of ${name}`, list: "Bodies and joints", rename: "Name",
   },
   diagrams: {
-    label: "Diagram", of: "Show", over: "over", from: "from", to: "to", time: "time", draw: "Draw", hint: "Names as in a table: a coordinate, body.angle, body.P.x, A.force; with .rate or .accel",
-    none: "Draw a machine that moves, and its diagrams stand here.", position: "Positions", velocity: "Velocities", acceleration: "Accelerations", effort: "Drive effort", custom: "Own choice",
+    label: "Diagram", of: "Show", over: "over", from: "from", to: "to", time: "time", draw: "Draw", hint: "Names as in a table: a coordinate, body.angle, body.P.x, A.force; with .rate or .accel", example: "coupler.P.y, A.force",
+    noPlots: "The diagrams could not be loaded.", none: "Draw a machine that moves, and its diagrams stand here.", position: "Positions", velocity: "Velocities", acceleration: "Accelerations", effort: "Drive effort", custom: "Own choice",
     limit: "The curve ends where the machine does: ",
   },
   equations: {

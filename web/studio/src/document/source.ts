@@ -108,7 +108,8 @@ export class Source {
       if (column + entry.length < LONGEST_LINE) return this.splice(end, end, `, ${entry}`);
       return this.splice(end, end, `,\n${" ".repeat(this.column(keyRange(map.items[0])[0]))}${entry}`);
     }
-    const indent = this.column(keyRange(map.items[0])[0]), end = this.lineEnd(pairEnd(last));
+    const first = keyRange(map.items[0])[0], indent = this.column(first), end = this.lineEnd(pairEnd(last));
+    if (key === "ground") return this.splice(first, first, `${this.padded(map, key)}${inner}\n${" ".repeat(indent)}`); // first, as people write it
     return this.splice(end, end, `\n${" ".repeat(indent)}${this.padded(map, key)}${inner}`);
   }
 

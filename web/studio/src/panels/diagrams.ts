@@ -6,16 +6,31 @@ import { Source } from "../document/source";
 import type { Motion } from "../motion";
 import type { Session } from "../session";
 import { words } from "../words";
-import { Plot } from "./plot";
-import type { Curves } from "./plot";
+import type { Curves, Plot } from "./plot";
 
 const STEPS = 180;
+type PlotMaker = typeof Plot;
+// Loads the script that plots; a page in one file has it already.
+let maker: Promise<PlotMaker> | null = null;
+function plots(): Promise<PlotMaker> {
+  const made = () => (globalThis as { yokePlot?: PlotMaker }).yokePlot;
+  maker ??= new Promise((resolve, reject) => {
+    const ready = made();
+    if (ready) return resolve(ready);
+    const script = el("script", { src: "plot.js" });
+    script.onload = () => resolve(made()!);
+    script.onerror = () => { maker = null; reject(new Error(words.diagrams.noPlots)); };
+    document.head.append(script);
+  });
+  return maker;
+}
+
 interface Channel { name: string; unit: string; factor: number }
 interface Chart { title: string; channels: Channel[] }
 
 export class Diagrams {
   private over = el("select", { "aria-label": words.diagrams.over });
-  private own = el("input", { type: "text", placeholder: words.diagrams.hint, title: words.diagrams.hint, "aria-label": words.diagrams.custom, spellcheck: "false", autocomplete: "off" });
+  private own = el("input", { type: "text", placeholder: words.diagrams.example, title: words.diagrams.hint, "aria-label": words.diagrams.custom, spellcheck: "false", autocomplete: "off" });
   private plots = el("div", { class: "plots" });
   private note = el("p", { class: "hint", role: "status" });
   private charts: { plot: Plot; toAxis: number }[] = [];
@@ -77,7 +92,8 @@ export class Diagrams {
     const charts = this.chartsOf(machine), channels = charts.flatMap((chart) => chart.channels), over = this.over.value || "t";
     const from = over === "t" ? 0 : this.startOf(over), to = over === "t" ? this.motion.period : from + 2 * Math.PI;
     const answer = await session.ask(() => session.core.curves(over, from, to, STEPS, channels.map((one) => one.name)));
-    if (!answer || ask !== this.asked) return;
+    const Maker = await session.ask(plots);
+    if (!answer || !Maker || ask !== this.asked) return;
     this.note.textContent = answer.status === "ok" ? "" : answer.message;
     const toAxis = over === "t" ? 1 : 180 / Math.PI, x = answer.x.map((value) => value * toAxis), kept = this.charts.length === charts.length;
     let at = 0;
@@ -87,18 +103,18 @@ export class Diagrams {
     }));
     const key = JSON.stringify([curves.map((one) => [one.names, one.unit, one.axis]), isDark()]);
     if (kept && key === this.kept) this.charts.forEach(({ plot }, k) => plot.update(curves[k]));
-    else this.rebuild(charts, curves, toAxis);
+    else this.rebuild(Maker, charts, curves, toAxis);
     this.kept = key;
     this.mark();
   }
   private kept = "";
 
-  private rebuild(charts: Chart[], curves: Curves[], toAxis: number): void {
+  private rebuild(Maker: PlotMaker, charts: Chart[], curves: Curves[], toAxis: number): void {
     this.clear();
     this.charts = curves.map((one, k) => {
       const box = el("div", { class: "plot", role: "img", "aria-label": `${words.diagrams.label}: ${one.names.join(", ")}` });
       this.plots.append(el("h3", {}, charts[k].title), box);
-      return { plot: new Plot(box, one, isDark(), (x) => this.go(x / toAxis)), toAxis };
+      return { plot: new Maker(box, one, isDark(), (x) => this.go(x / toAxis)), toAxis };
     });
   }
 

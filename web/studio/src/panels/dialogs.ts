@@ -1,5 +1,6 @@
 // The dialogs: gallery of examples, export, share, help.
 import { el, fill } from "../dom";
+import { inline } from "../inline";
 import { picture } from "../markup";
 import { download } from "../keep/files";
 import { isTooLong, pack } from "../keep/address";
@@ -12,7 +13,8 @@ export interface Example { id: string; name: string; about: string; text: string
 let examples: Promise<Example[]> | null = null;
 // Loads the examples once; a page without them (opened from disk) has none.
 export function loadExamples(): Promise<Example[]> {
-  examples ??= fetch("gallery.json").then((reply) => (reply.ok ? reply.json() : [])).catch(() => { examples = null; return []; });
+  const kept = inline?.files["gallery.json"];
+  examples ??= kept ? Promise.resolve(JSON.parse(kept) as Example[]) : fetch("gallery.json").then((reply) => (reply.ok ? reply.json() : [])).catch(() => { examples = null; return []; });
   return examples;
 }
 

@@ -1,4 +1,5 @@
-// One plot: curves over an axis, with a mark at the pose that the machine has. Pointing at it moves the machine there.
+// One plot: curves over an axis, with a mark at the pose that the machine has. Pointing at it moves the machine there. A
+// script of its own, loaded when the first diagram is shown.
 import uPlot from "uplot";
 import { el } from "../dom";
 
@@ -55,3 +56,5 @@ export class Plot {
   }
   destroy(): void { this.plot.destroy(); }
 }
+
+(globalThis as { yokePlot?: typeof Plot }).yokePlot = Plot;
