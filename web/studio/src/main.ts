@@ -154,7 +154,7 @@ function invite(): void {
   if (!isEmpty || isInviting) return;
   isInviting = true;
   const cards = el("div", { class: "cards" });
-  fill(box, el("h1", {}, words.canvas.invite), el("p", {}, words.canvas.inviteHow), el("div", { class: "row" }, el("button", { class: "strong", onclick: () => { hand.choose("bar"); canvas.root.focus(); } }, words.canvas.drawBar),
+  fill(box, el("h2", {}, words.canvas.invite), el("p", {}, words.canvas.inviteHow), el("div", { class: "row" }, el("button", { class: "strong", onclick: () => { hand.choose("bar"); canvas.root.focus(); } }, words.canvas.drawBar),
     el("button", { class: "text", onclick: () => void showGallery(load) }, words.menu.examples), el("button", { class: "text", onclick: () => void files.open() }, words.menu.open)), cards);
   void loadExamples().then((all) => fill(cards, ...FEATURED.map((id) => all.find((one) => one.id === id)).filter((one) => one !== undefined).map((one) => card(one, () => load(one.text, one.id)))));
 }
@@ -194,4 +194,4 @@ async function begin(): Promise<void> {
   else load("", words.untitled);
 }
 void begin();
-if ("serviceWorker" in navigator && location.protocol === "https:" && !new URLSearchParams(location.search).has("token")) void navigator.serviceWorker.register("sw.js").catch(() => undefined);
+if ("serviceWorker" in navigator && isSecureContext && location.protocol !== "file:" && !new URLSearchParams(location.search).has("token")) void navigator.serviceWorker.register("sw.js").catch(() => undefined);

@@ -60,7 +60,8 @@ export class Canvas {
   }
 
   fit(): void {
-    const box = this.box();
+    const box = this.box(), isNarrow = this.view.width < 600;
+    this.insets = isNarrow ? { left: 14, top: 20, right: 14, bottom: 58 } : { left: 40, top: 60, right: 60, bottom: 80 };
     if (box && this.view.width > 1) {
       this.view.fit(box, this.insets);
       this.isFitted = true;
@@ -88,7 +89,7 @@ export class Canvas {
     if (!places.length) return null;
     const xs = places.map((place) => place[0]), ys = places.map((place) => place[1]);
     const box = { left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys) };
-    const size = Math.max(box.right - box.left, box.top - box.bottom) || 0.1, room = 0.08 * size;
+    const size = Math.max(box.right - box.left, box.top - box.bottom) || 0.1, room = drawn ? 0 : 0.08 * size;
     return { left: box.left - room, right: box.right + room, bottom: box.bottom - room, top: box.top + room };
   }
 

@@ -7,6 +7,7 @@ import type { Session } from "../session";
 import type { Box, View } from "./view";
 
 const DEGREES = 180 / Math.PI;
+const BORDER = 44; // px round the machine in the drawing that need not be seen
 
 export class Scene {
   private bodies = svg("g", { id: "scene" });
@@ -54,8 +55,8 @@ export class Scene {
   // Returns where the drawing of the machine lies, m.
   get box(): Box | null {
     if (!this.shown || !this.groups.length) return null;
-    const [x, y] = this.origin, [wide, high] = this.size, k = this.perMetre;
-    return { left: -x / k, right: (wide - x) / k, top: y / k, bottom: (y - high) / k };
+    const [x, y] = this.origin, [wide, high] = this.size, k = this.perMetre, border = Math.min(BORDER, wide / 3, high / 3);
+    return { left: (border - x) / k, right: (wide - border - x) / k, top: (y - border) / k, bottom: (y - high + border) / k };
   }
 
   draw(view: View): void {

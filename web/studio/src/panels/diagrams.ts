@@ -113,7 +113,7 @@ export class Diagrams {
     this.clear();
     this.charts = curves.map((one, k) => {
       const box = el("div", { class: "plot", role: "img", "aria-label": `${words.diagrams.label}: ${one.names.join(", ")}` });
-      this.plots.append(el("h3", {}, charts[k].title), box);
+      this.plots.append(el("h2", {}, charts[k].title), box);
       return { plot: new Maker(box, one, isDark(), (x) => this.go(x / toAxis)), toAxis };
     });
   }

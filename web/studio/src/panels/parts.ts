@@ -40,7 +40,7 @@ export class Parts {
   private form(kind: string, name: string, source: Source, path: Path, more: Path[]): void {
     const keys = source.keys(path).filter((key) => key !== "points"), fields = keys.length ? keys.map((key) => [...path, key]) : source.has(path) && path.length > 2 ? [path] : [];
     const place = source.place(path);
-    fill(this.chosen, el("header", {}, el("span", { class: "kind" }, kind), el("h3", {}, name)),
+    fill(this.chosen, el("header", {}, el("span", { class: "kind" }, kind), el("h2", {}, name)),
       ...fields.map((field) => this.field(source, field, name)), ...more.map((field) => this.field(source, field, name, field[0] === "drives" ? words.parts.drive : undefined)),
       el("div", { class: "row" }, place && el("button", { class: "quiet", onclick: () => this.editor.select(place.from, place.to) }, words.parts.show),
         name !== "ground" && el("button", { class: "quiet danger", onclick: () => void this.remove() }, words.parts.remove)));
@@ -72,7 +72,7 @@ export class Parts {
     const parameters = this.session.machine?.parameters ?? [], kept = JSON.stringify(parameters.map(({ name, text }) => [name, text]));
     if (this.isSliding || (kept === this.kept && this.sliders.childElementCount)) return;
     this.kept = kept;
-    fill(this.sliders, el("h3", {}, words.parts.parameters), !parameters.length && el("p", { class: "hint" }, words.parts.noParameters),
+    fill(this.sliders, el("h2", {}, words.parts.parameters), !parameters.length && el("p", { class: "hint" }, words.parts.noParameters),
       ...parameters.map((one) => this.slider(one)), this.session.machine && this.adder());
   }
 
@@ -116,7 +116,7 @@ export class Parts {
     if (!machine) return fill(this.list);
     const entry = (label: string, detail: string, chosen: boolean, select: () => void) =>
       el("li", {}, el("button", { class: "part", "aria-pressed": String(chosen), onclick: select }, el("b", {}, label), el("span", {}, detail)));
-    fill(this.list, el("h3", {}, words.parts.list), el("p", { class: "hint" }, `${words.parts.counts(machine.bodies.filter((body) => !body.ground).length, machine.joints.length)}, ${words.parts.freedom(machine.freedom)}`),
+    fill(this.list, el("h2", {}, words.parts.list), el("p", { class: "hint" }, `${words.parts.counts(machine.bodies.filter((body) => !body.ground).length, machine.joints.length)}, ${words.parts.freedom(machine.freedom)}`),
       el("ul", {}, ...machine.bodies.map((body) => entry(body.name, body.points.map((point) => point.name).join(" "), selection?.kind === "body" && selection.body === body.name, () => this.session.select({ kind: "body", body: body.name }))),
         ...machine.joints.map((joint) => entry(joint.name, `${joint.kind}  ${joint.bodies.join(" – ")}`, selection?.kind === "joint" && selection.joint === joint.name, () => this.session.select({ kind: "joint", joint: joint.name })))));
   }
