@@ -79,7 +79,7 @@ export const words = {
     problems: (n: number) => (n === 1 ? "1 problem" : `${n} problems`),
     key: "key", body: "body", parameter: "parameter", coordinate: "coordinate", point: "point",
   },
-  lacks: { label: "What the machine lacks", mend: "Do it", moves: "It moves", more: (n: number) => `${n} more`, fewer: "Fewer" },
+  lacks: { label: "What the machine lacks", mend: "Do it", suggestions: (n: number) => (n === 1 ? "1 suggestion" : `${n} suggestions`), more: (n: number) => `${n} more`, fewer: "Fewer" },
   parts: {
     parameters: "Parameters", noParameters: "Name a length or a speed to move it with a slider.", add: "Add a parameter", name: "Name", value: "Value", addIt: "Add",
     nothing: "Click a part of the drawing to read and change it.", body: "Body", joint: "Joint", point: "Point", points: "Points", remove: "Delete", show: "Show in the file",

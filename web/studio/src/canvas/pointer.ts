@@ -83,6 +83,7 @@ export class Hand {
     if (this.fingers.size > 2) return;
     this.pressed = at;
     this.hasMoved = false;
+    this.canvas.shown.hover = null;
     const spot = this.spot(at, event);
     if (event.button === 1 || event.button === 2) this.drag = { kind: "pan" };
     else if (this.tool.id === "select") this.grab(spot);

@@ -20,7 +20,7 @@ export class Lacks {
     this.list.hidden = all.length === 0 || isEmpty;
     fill(this.list, ...shown.map((lack) => this.line(lack)),
       (hidden > 0 || this.isOpen) && el("button", { class: "quiet", "aria-expanded": String(this.isOpen), onclick: () => { this.isOpen = !this.isOpen; this.draw(); } },
-        this.isOpen ? words.lacks.fewer : words.lacks.more(hidden)));
+        this.isOpen ? words.lacks.fewer : (shown.length ? words.lacks.more : words.lacks.suggestions)(hidden)));
   }
 
   private line(lack: Lack): HTMLElement {
