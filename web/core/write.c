@@ -181,7 +181,6 @@ YK_DOOR(ys_scene) int ys_scene(void)
 
 // Writes the scene for a view of so many pixels to the metre, and so all scenes after it: lines, pins and names keep their
 // width. Returns as ys_scene.
-int ys_look(double scale);
 YK_DOOR(ys_look) int ys_look(double scale)
 {
     yk_core.scale = scale > 1e-6 && scale < 1e12 ? scale : 0;
