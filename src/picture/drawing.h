@@ -39,7 +39,14 @@ struct YkDrawing {
     double bar;                  // width of a bar, px
     size_t shown;                // moving: the pose to which the groups are taken
     bool is_scene;               // moving, and each group is in its body's own axes (drawing_scene.c)
+    double fixed_scale;          // px per metre, for whoever shows it; 0: as large as the page allows
 };
+
+// Tells whether a joint is not drawn: a free joint, which holds nothing, and what holds a sketch's loose bodies.
+static inline bool yk_drawing_omits(const YkModel *model, const YkJoint *joint)
+{
+    return joint->is_free || (size_t)(joint - model->joints) >= model->joint_count - model->held_joints;
+}
 
 static inline YkVec yk_frame_apply(YkFrame frame, YkVec at)
 {

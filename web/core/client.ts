@@ -153,6 +153,7 @@ export function startCore(options: CoreOptions): Core & { close(): void } {
   return {
     open: (text, name) => client.ask("open", text, name),
     parameter: (name, value) => client.ask("parameter", name, value),
+    look: (scale) => client.ask("look", scale),
     at: (inputs) => client.ask("at", inputs),
     time: (t) => client.ask("time", t),
     drag: (body, point, to) => client.ask("drag", body, point, to),

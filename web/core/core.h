@@ -28,6 +28,7 @@ typedef struct YkCore {
     YkMechanism *other;      // the same machine with other inputs
     YkState *start, *state;  // as assembled; now. Of `mech`
     YkDrawing *drawing;      // at two poses: the one shown, and the scene's
+    double scale;            // of the scene, px per metre; 0: as large as a page
     bool is_scheduled;       // the drives brought the state where it is
     YkDrag *drag;
     size_t drag_body;

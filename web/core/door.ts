@@ -16,6 +16,7 @@ export interface Reply { exit: number; out: string; err: string; files: Record<s
 export interface Core {
   open(text: string, name: string): Promise<Opened>;                      // reads as a sketch; never rejects because of the text
   parameter(name: string, value: number): Promise<Opened>;                // a slider: without parsing the text again where the engine can
+  look(pixelsPerMetre: number): Promise<{ scene: string | null; pose: Pose }>; // draws the scene for this view, and all scenes after it: lines and names keep their width
   at(inputs: Record<string, number>): Promise<Pose>;                      // moves there (yk_state_move_to); a limit: last valid pose + message
   time(t: number): Promise<Pose>;
   drag(body: string, point: [number, number], to: [number, number]): Promise<Pose>;   // yk_state_drag; point in the body's axes, `to` in the ground's

@@ -21,6 +21,7 @@ interface Exports {
   ys_at(count: number): number;
   ys_move_time(time: number): number;
   ys_drag(body: number, x: number, y: number, toX: number, toY: number): number;
+  ys_look(scale: number): number;
   ys_ghosts(): number;
   ys_ghost(index: number): number;
   ys_choose(index: number): number;
@@ -113,6 +114,12 @@ export class Engine {
     const whole = text.replaceAll("\0", "\ufffd"), length = encoder.encode(whole).length;
     this.put(whole + "\0" + name);
     return this.opened(this.call.ys_open(length));
+  }
+
+  look(scale: number): { scene: string | null; pose: Pose } {
+    const drawn = this.call.ys_look(scale);
+    if (drawn < 0) throw new OutOfMemory("out of memory");
+    return { scene: drawn > 0 ? this.text() : null, pose: this.pose(this.call.ys_pose()) };
   }
 
   parameter(name: string, value: number): Opened {

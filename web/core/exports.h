@@ -27,6 +27,7 @@ double ys_time(void);
 int ys_at(size_t count);
 int ys_move_time(double time);
 int ys_drag(size_t body, double x, double y, double to_x, double to_y);
+int ys_look(double scale);
 int ys_open(size_t length);
 int ys_parameter(double value);
 int ys_release(void);

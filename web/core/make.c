@@ -55,6 +55,7 @@ static bool make_drawing(YkCore *made)
     made->drawing = yk_drawing_new(made->mech, &options);
     if (!made->drawing) return false;
     made->drawing->keeps_followers = true;
+    made->drawing->fixed_scale = yk_core.scale;
     tour(made->drawing, made->state);
     for (int k = 0; k < 2; k++) {
         YkStatus status = yk_drawing_pose(made->drawing, made->state);

@@ -178,3 +178,12 @@ YK_DOOR(ys_scene) int ys_scene(void)
     yk_text_puts(&yk_core.text, svg);
     return yk_core.text.failed ? -1 : 1;
 }
+
+// Writes the scene for a view of so many pixels to the metre, and so all scenes after it: lines, pins and names keep their
+// width. Returns as ys_scene.
+YK_DOOR(ys_look) int ys_look(double scale)
+{
+    yk_core.scale = scale > 1e-6 && scale < 1e12 ? scale : 0;
+    if (yk_core.drawing) yk_core.drawing->fixed_scale = yk_core.scale;
+    return ys_scene();
+}
