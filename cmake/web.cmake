@@ -18,7 +18,8 @@ endfunction()
 file(GLOB YOKE_WEB_FILES CONFIGURE_DEPENDS ${YOKE_WEB_SOURCE}/*.json ${YOKE_WEB_SOURCE}/src/*)
 if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)
   add_custom_command(OUTPUT ${YOKE_WEB_DIR}/report.js
-    COMMAND sh ${CMAKE_SOURCE_DIR}/tools/bundle-web ${YOKE_WEB_DIR} ${YOKE_NPM} $<IF:$<BOOL:${YOKE_REQUIRE_WEB}>,require,try>
+    COMMAND sh ${CMAKE_SOURCE_DIR}/tools/bundle-web ${YOKE_WEB_SOURCE} ${YOKE_WEB_DIR} ${YOKE_NPM} $<IF:$<BOOL:${YOKE_REQUIRE_WEB}>,require,try>
+      report.js
     DEPENDS ${YOKE_WEB_FILES} ${CMAKE_SOURCE_DIR}/tools/bundle-web COMMENT "Bundling the report's script" VERBATIM)
 elseif(YOKE_REQUIRE_WEB)
   message(FATAL_ERROR "node and npm are needed to bundle the report's script")

@@ -51,11 +51,13 @@ typedef struct YkRequest {
     const char *sample, *designs, *seed, *threads;                         // study
     YkFormat format;
     bool sensitivities, fresh; // study
-    const char *within, *task; // synthesize, new
+    const char *within;        // solve --all, synthesize
+    const char *task;          // new
     bool defects;              // synthesize
     const char *prefix;        // code
-    const char *within;        // solve --all
     bool single, kinematics;   // code
+    const char *port;          // studio
+    bool no_browser;           // studio
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
@@ -125,6 +127,7 @@ int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
 int yk_run_synthesize(YkSession *session);
+int yk_run_studio(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
 // if the linker cannot tell.

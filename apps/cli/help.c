@@ -24,6 +24,10 @@ static const Special specials[] = {
     {"output", " synthesize ", "DIR", "write the machines' files, a picture and task.json into this new folder"},
     {"format", " synthesize ", "text|json", "text for people; json in SI and radians"},
     {"seed", " synthesize ", "N", "the seed of the samples where a task leaves a choice (default 1)"},
+    {"output", " synthesize ", "FOLDER", "write the machines' files into this new folder"},
+    {"output", " studio ", "FILE", "write the page with the machine in it as one HTML file"},
+    {"within", " synthesize ", "TIME", "end the search after this time with the best so far, as in 60s"},
+    {"seed", " synthesize ", "N", "the seed of the samples of free choices (default 1)"},
     {"lock", " gears ", "NAME", "engage one of locks: (default: a table of all)"},
 };
 

@@ -206,24 +206,44 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
     return good;
 }
 
-bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
-                      size_t *count)
+// Writes a whole number; text[21]. Returns where it begins.
+static const char *write_whole(uint64_t value, char *text)
 {
-    *count = fallback;
+    char *at = text + 20;
+    *at = '\0';
+    do *--at = (char)('0' + value % 10);
+    while (value /= 10);
+    return at;
+}
+
+bool yk_session_whole(YkSession *session, const char *option, const char *text, uint64_t most, uint64_t fallback,
+                      uint64_t *whole)
+{
+    *whole = fallback;
     if (!text) return true;
-    size_t value = 0;
+    uint64_t value = 0;
     bool good = *text != '\0';
     for (const char *c = text; good && *c; c++) {
         good = *c >= '0' && *c <= '9' && value <= most;
-        value = 10 * value + (size_t)(*c - '0');
+        value = 10 * value + (uint64_t)(*c - '0');
     }
     if (!good || value < 1 || value > most) {
-        yk_problem(session->problems, YK_CODE_OPTION_VALUE, nowhere, "%s takes a whole number from 1 to %z, not %q",
-                   option, most, text);
+        char digits[21];
+        yk_problem(session->problems, YK_CODE_OPTION_VALUE, nowhere, "%s takes a whole number from 1 to %s, not %q",
+                   option, write_whole(most, digits), text);
         return false;
     }
-    *count = value;
+    *whole = value;
     return true;
+}
+
+bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
+                      size_t *count)
+{
+    uint64_t whole;
+    bool good = yk_session_whole(session, option, text, most, fallback, &whole);
+    *count = (size_t)whole;
+    return good;
 }
 
 static void hint_coordinate(YkSession *session, const char *name)

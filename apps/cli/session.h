@@ -38,6 +38,9 @@ bool yk_session_has_file(YkSession *session);
 // Reads a count between 1 and `most`; `fallback` if text is NULL.
 bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
                       size_t *count);
+// Does the same for a number that may be larger than a count can be.
+bool yk_session_whole(YkSession *session, const char *option, const char *text, uint64_t most, uint64_t fallback,
+                      uint64_t *whole);
 // Finds points by name, BODY.POINT; points[names->count]. Returns false for an unknown name.
 bool yk_session_points(YkSession *session, const YkWords *names, size_t *points);
 // Returns the quantity of a coordinate's order-th derivative.

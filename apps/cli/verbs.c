@@ -88,6 +88,12 @@ const YkVerb yk_verbs[] = {
      "ordinary engine: without changing branch or circuit, in order. What fails is counted by its reason. -o DIR\n"
      "writes the files, one picture of all, and task.json.",
      "yoke synthesize examples/tasks/five-positions.yaml -o machines", yk_run_synthesize},
+    {"studio", "draw the machine, move it and read it, in the browser", "[FILE] [options]",
+     "Opens Studio, a page on which a machine is drawn, moved and read, for this file: it saves into the file and\n"
+     "follows changes by other programs. The page comes from a small server on this computer alone, at an address\n"
+     "with a secret word in it; Ctrl-C ends it. With -o, writes the page with the machine in it as one HTML file\n"
+     "that opens from disk and needs no server.",
+     "yoke studio examples/four-bar.yaml -o four-bar.html", yk_run_studio},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };
 

@@ -5,14 +5,20 @@
 typedef struct Entry {
     int number;
     YkSeverity severity;
-    const char *explanation;
 } Entry;
 
 #define N YK_SEVERITY_NOTE
 #define W YK_SEVERITY_WARNING
 #define E YK_SEVERITY_ERROR
-#define X(name, number, severity, explanation) {number, severity, explanation},
+#define X(name, number, severity, explanation) {number, severity},
 static const Entry entries[] = {
+#include "base/codes.def"
+};
+#undef X
+
+// Apart from the entries, so that a program that explains nothing does not carry the texts.
+#define X(name, number, severity, explanation) explanation,
+static const char *const explanations[] = {
 #include "base/codes.def"
 };
 #undef X
@@ -39,7 +45,7 @@ static const Entry *find(int code)
 const char *yk_code_explain(int code)
 {
     const Entry *entry = find(code);
-    return entry ? entry->explanation : NULL;
+    return entry ? explanations[entry - entries] : NULL;
 }
 
 size_t yk_code_count(void)

@@ -38,7 +38,15 @@ struct YkDrawing {
     YkVec low, high;             // what is drawn lies within, m
     double bar;                  // width of a bar, px
     size_t shown;                // moving: the pose to which the groups are taken
+    bool is_scene;               // moving, and each group is in its body's own axes (drawing_scene.c)
+    double fixed_scale;          // px per metre, for whoever shows it; 0: as large as the page allows
 };
+
+// Tells whether a joint is not drawn: a free joint, which holds nothing, and what holds a sketch's loose bodies.
+static inline bool yk_drawing_omits(const YkModel *model, const YkJoint *joint)
+{
+    return joint->is_free || (size_t)(joint - model->joints) >= model->joint_count - model->held_joints;
+}
 
 static inline YkVec yk_frame_apply(YkFrame frame, YkVec at)
 {
@@ -73,6 +81,16 @@ typedef struct YkShift {
     YkVec center; // about which it turns: where its origin is in the reference pose, px
 } YkShift;
 YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose);
+
+// Returns a drawing of which only the bodies move from pose to pose, made with options.moving, in the last of its poses;
+// all poses together say how large it is. What belongs to a body stands in groups <g data-body="NAME"> in the body's
+// own axes, m, y up, whose transform "translate(X Y) rotate(DEGREES)" is the body's pose. Names are left out. NULL when
+// out of memory.
+const char *yk_drawing_scene(YkDrawing *drawing);
+// Returns what goes with that drawing at another pose and is not fixed to one body, in pixels of the drawing: springs and
+// names. Empty if there is nothing. NULL when out of memory.
+const char *yk_drawing_parts(YkDrawing *drawing, const YkState *state);
+void yk_drawing_scene_group(YkDrawing *drawing, size_t body); // opens a body's group; three are to be closed
 // Returns where the name of a joint or a body is attached, m.
 YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body);
 // Writes keyframes of all bodies and names over the poses.

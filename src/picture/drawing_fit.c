@@ -22,7 +22,7 @@ static void include_pose(YkDrawing *drawing, const YkFrame *frames)
     for (size_t b = 0; b < model->body_count; b++)
         for (size_t c = 0; c < drawing->outlines[b].count; c++)
             include(drawing, yk_frame_apply(frames[b], drawing->corners[drawing->outlines[b].first + c]));
-    for (size_t j = 0; j < model->joint_count; j++)
+    for (size_t j = 0; j < model->joint_count - model->held_joints; j++)
         for (int side = 0; side < 2; side++)
             include(drawing, yk_drawing_joint(drawing, frames, &model->joints[j], side));
     for (size_t k = 0; k < model->cam_count; k++) {
@@ -64,7 +64,8 @@ void yk_drawing_fit(YkDrawing *drawing)
     double across = (page - 2 * margin) / extent.x, up = (tallest - 2 * margin) / extent.y;
     drawing->scale = fmin(across, up);
     if (!isfinite(drawing->scale)) drawing->scale = 1;
-    drawing->width = page;
+    if (drawing->fixed_scale > 0) drawing->scale = drawing->fixed_scale;
+    drawing->width = drawing->fixed_scale > 0 ? extent.x * drawing->scale + 2 * margin : page;
     drawing->height = extent.y * drawing->scale + 2 * margin + head + foot;
     double bar = 0.085 * mean_link(drawing) * drawing->scale;
     drawing->bar = fmin(fmax(bar > 0 ? bar : 10, 0.8), 12);

@@ -66,7 +66,7 @@ void yk_drawing_guides(YkDrawing *drawing)
     for (size_t j = 0; j < model->joint_count; j++) {
         const YkJoint *joint = &model->joints[j];
         bool first = joint->body[0] == 0, on_ground = first || joint->body[1] == 0;
-        if (!on_ground || joint->is_free) continue;
+        if (!on_ground || yk_drawing_omits(model, joint)) continue;
         if (joint->kind == YK_PIN) {
             add_pedestal(drawing, yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, first ? 0 : 1)));
         } else if (first && (joint->kind == YK_SLIDE || joint->kind == YK_PIN_SLOT)) {

@@ -38,7 +38,7 @@ static void take_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *lab
     double bar = drawing->bar;
     for (size_t j = 0; j < drawing->model->joint_count && labels->count < YK_LABELS_MAX; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
-        if (joint->is_free) continue;
+        if (yk_drawing_omits(drawing->model, joint)) continue;
         YkVec at = yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 1));
         bool on_ground = joint->body[0] == 0 || joint->body[1] == 0;
         YkBox box = yk_box_at(at, bar, bar);
@@ -53,7 +53,7 @@ static void name_joints(YkDrawing *drawing, const YkFrame *frames, YkLabels *lab
     const YkFrame *shown = yk_drawing_frames(drawing, drawing->shown);
     for (size_t j = 0; j < drawing->model->joint_count; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
-        if (joint->is_free) continue;
+        if (yk_drawing_omits(drawing->model, joint)) continue;
         YkVec at = yk_drawing_joint(drawing, frames, joint, 1);
         double reach = joint->kind == YK_SLIDE ? 1.3 * drawing->bar : 0.6 * drawing->bar;
         yk_drawing_group_name(drawing, 'j', j, at, yk_drawing_joint(drawing, shown, joint, 1));

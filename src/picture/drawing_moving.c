@@ -45,7 +45,10 @@ static void open_group(YkDrawing *drawing, char kind, size_t index, YkShift shif
 
 void yk_drawing_group(YkDrawing *drawing, size_t body)
 {
-    if (drawing->options.moving) open_group(drawing, 'b', body, yk_drawing_shift(drawing, body, drawing->shown));
+    if (drawing->is_scene)
+        yk_drawing_scene_group(drawing, body);
+    else if (drawing->options.moving)
+        open_group(drawing, 'b', body, yk_drawing_shift(drawing, body, drawing->shown));
 }
 
 void yk_drawing_group_name(YkDrawing *drawing, char kind, size_t index, YkVec from, YkVec to)
@@ -57,7 +60,7 @@ void yk_drawing_group_name(YkDrawing *drawing, char kind, size_t index, YkVec fr
 
 void yk_drawing_ungroup(YkDrawing *drawing)
 {
-    if (drawing->options.moving) yk_text_puts(&drawing->svg, "</g>\n");
+    if (drawing->options.moving) yk_text_puts(&drawing->svg, drawing->is_scene ? "</g></g></g>\n" : "</g>\n");
 }
 
 // --- Keyframes

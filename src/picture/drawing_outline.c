@@ -24,7 +24,7 @@ static size_t gather(const YkModel *model, Spot *spots)
         if (model->points[i].body > 0) spots[count++] = (Spot){(size_t)model->points[i].body, model->points[i].at};
     for (size_t j = 0; j < model->joint_count; j++)
         for (int side = 0; side < 2; side++)
-            if (model->joints[j].body[side] > 0 && !model->joints[j].is_free)
+            if (model->joints[j].body[side] > 0 && !yk_drawing_omits(model, &model->joints[j]))
                 spots[count++] = (Spot){(size_t)model->joints[j].body[side], model->joints[j].at[side]};
     return count;
 }

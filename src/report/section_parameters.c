@@ -6,25 +6,6 @@
 
 enum { DIGITS = 8, ROWS_MAX = 300 };
 
-// Returns the quantity that shows a dimension in the file's units; NUMBER if there is none.
-static YkQuantity quantity_of(YkDimension dimension)
-{
-    static const struct {
-        YkDimension dimension;
-        YkQuantity quantity;
-    } known[] = {
-        {{0, 0, 0, 1}, YK_QUANTITY_ANGLE},  {{1, 0, 0, 0}, YK_QUANTITY_LENGTH},
-        {{0, 0, 1, 0}, YK_QUANTITY_TIME},   {{0, 0, -1, 1}, YK_QUANTITY_ANGLE_RATE},
-        {{1, 0, -1, 0}, YK_QUANTITY_SPEED}, {{1, 0, -2, 0}, YK_QUANTITY_ACCELERATION},
-        {{1, 1, -2, 0}, YK_QUANTITY_FORCE}, {{2, 1, -2, 0}, YK_QUANTITY_TORQUE},
-    };
-    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-        if (yk_dimension_equal(known[k].dimension, dimension) &&
-            (known[k].dimension.angle == 0) == (dimension.angle == 0))
-            return known[k].quantity;
-    return YK_QUANTITY_NUMBER;
-}
-
 static void add_power(YkText *unit, const char *name, int power, bool *is_first)
 {
     if (power <= 0) return;
@@ -59,7 +40,7 @@ static void add_parameters(const YkReportPage *report, YkText *html)
     for (int i = 0; i < 4; i++) yk_table_head(table, heads[i], NULL);
     for (size_t k = 0; k < report->model->parameter_count && k < ROWS_MAX; k++) {
         const YkParameter *parameter = &report->model->parameters[k];
-        YkQuantity quantity = quantity_of(parameter->dimension);
+        YkQuantity quantity = yk_amount_quantity(parameter->dimension);
         yk_text_clear(&unit);
         if (quantity == YK_QUANTITY_NUMBER)
             add_si(&unit, parameter->dimension);

@@ -70,3 +70,21 @@ void yk_amount_between(YkText *text, double low, double high, int digits)
     yk_text_puts(text, " to ");
     add_number(text, high, digits);
 }
+
+YkQuantity yk_amount_quantity(YkDimension dimension)
+{
+    static const struct {
+        YkDimension dimension;
+        YkQuantity quantity;
+    } known[] = {
+        {{0, 0, 0, 1}, YK_QUANTITY_ANGLE},  {{1, 0, 0, 0}, YK_QUANTITY_LENGTH},
+        {{0, 0, 1, 0}, YK_QUANTITY_TIME},   {{0, 0, -1, 1}, YK_QUANTITY_ANGLE_RATE},
+        {{1, 0, -1, 0}, YK_QUANTITY_SPEED}, {{1, 0, -2, 0}, YK_QUANTITY_ACCELERATION},
+        {{1, 1, -2, 0}, YK_QUANTITY_FORCE}, {{2, 1, -2, 0}, YK_QUANTITY_TORQUE},
+    };
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (yk_dimension_equal(known[k].dimension, dimension) &&
+            (known[k].dimension.angle == 0) == (dimension.angle == 0))
+            return known[k].quantity;
+    return YK_QUANTITY_NUMBER;
+}

@@ -6,6 +6,8 @@ Usage: tests/bits/golden.py YOKE              says which answers differ; ends wi
                                               commit
        tests/bits/golden.py YOKE --show WORD  prints the answers whose line has this word, to compare two builds
 
+       tests/bits/golden.py YOKE --sample N   tries one line of N, all of them with YOKE_FULL=1
+
 A line is the first 16 digits of the SHA-256 of exit code, standard output and standard error, then the command. With YOKE_FEW=1 one
 line of eight is tried. The script of the report's page is left out: other tools make it.
 """
@@ -75,8 +77,10 @@ def main():
     with open(GOLDEN, encoding="utf-8") as file:
         golden = dict(reversed(line.rstrip("\n").split(" ", 1)) for line in file)
     wrong = sorted(set(golden) ^ set(lines))
+    every = int(sys.argv[sys.argv.index("--sample") + 1]) if "--sample" in sys.argv else 1
     if os.environ.get("YOKE_FEW"):
-        lines = lines[::8]
+        every = 8
+    lines = lines[::1 if os.environ.get("YOKE_FULL") else every]
     wrong += [line for line, value in hashed(yoke, lines).items() if golden.get(line, value) != value]
     for line in wrong:
         print("differs: yoke %s" % line)

@@ -133,10 +133,10 @@ static bool read_block(YkStudyAnswer *answer, bool *is_damaged)
     if (answer->done == answer->design_count || fread(&head, sizeof head, 1, partial.file) != 1) return false;
     *is_damaged = head.rows == 0 || head.rows > answer->design_count - answer->done;
     if (*is_damaged) return false;
-    size_t count = head.rows * answer->width;
+    size_t rows = (size_t)head.rows, count = rows * answer->width;
     if (fread(yk_study_row(answer, answer->done), sizeof(double), count, partial.file) != count) return false;
-    *is_damaged = head.checksum != checksum_of(answer, answer->done, head.rows);
-    if (!*is_damaged) answer->done += head.rows;
+    *is_damaged = head.checksum != checksum_of(answer, answer->done, rows);
+    if (!*is_damaged) answer->done += rows;
     return !*is_damaged;
 }
 

@@ -76,7 +76,8 @@ static bool read_sample(YkStudyAnswer *answer)
     yk_problems_free(problems);
     session->is_told |= !answer->tolerances;
     if (!answer->tolerances) return false;
-    size_t designs = DESIGNS, seed = 0;
+    size_t designs = DESIGNS;
+    uint64_t seed = 0;
     if (yk_tolerances_designs(answer->tolerances) > 0) designs = (size_t)yk_tolerances_designs(answer->tolerances);
     if (!yk_session_count(session, "--designs", request->designs, DESIGNS_MAX, designs, &answer->design_count))
         return false;
@@ -84,7 +85,7 @@ static bool read_sample(YkStudyAnswer *answer)
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q: a study has at most 10 million designs",
                                  request->sample);
     answer->seed = yk_tolerances_seed(answer->tolerances);
-    if (!yk_session_count(session, "--seed", request->seed, (size_t)1 << 53, 0, &seed)) return false;
+    if (!yk_session_whole(session, "--seed", request->seed, (uint64_t)1 << 53, 0, &seed)) return false;
     if (request->seed) answer->seed = seed;
     answer->axis_count = yk_tolerances_count(answer->tolerances);
     answer->axes = calloc(answer->axis_count + 1, sizeof *answer->axes);

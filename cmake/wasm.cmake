@@ -1,0 +1,64 @@
+# The core for browsers (preset `wasm`, cmake/wasi.toolchain.cmake): core.wasm for the page's drawing and moving, without imports, and
+# yoke.wasm, the whole command. See web/core/README.md.
+set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
+set(YOKE_WASI ${CMAKE_SOURCE_DIR}/web/core/wasi)
+set(YOKE_LIBYAML ${CMAKE_BINARY_DIR}/third-party CACHE PATH "Folder with libyaml's sources, or where tools/get-libyaml shall put them")
+execute_process(COMMAND sh ${CMAKE_SOURCE_DIR}/tools/get-libyaml ${YOKE_LIBYAML} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "The sources of libyaml could not be fetched; see tools/get-libyaml")
+endif()
+set(yaml ${YOKE_LIBYAML}/libyaml)
+file(STRINGS ${yaml}/configure.ac line REGEX "^m4_define\\(\\[YAML_(MAJOR|MINOR|PATCH)\\]")
+string(REGEX REPLACE "[^0-9;]" "" version "${line}")
+list(GET version 0 major)
+list(GET version 1 minor)
+list(GET version 2 patch)
+add_library(yaml STATIC ${yaml}/src/api.c ${yaml}/src/parser.c ${yaml}/src/reader.c ${yaml}/src/scanner.c)
+target_include_directories(yaml PUBLIC ${yaml}/include)
+target_compile_definitions(yaml PRIVATE YAML_VERSION_MAJOR=${major} YAML_VERSION_MINOR=${minor} YAML_VERSION_PATCH=${patch}
+  YAML_VERSION_STRING="${major}.${minor}.${patch}")
+target_compile_options(yaml PRIVATE -w)
+
+file(GLOB YOKE_SOURCES CONFIGURE_DEPENDS src/*/*.c src/*/*/*.c)
+list(REMOVE_ITEM YOKE_SOURCES ${CMAKE_SOURCE_DIR}/src/write/process.c)
+add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c)
+target_include_directories(yoke_core PUBLIC ${YOKE_WASI} include src)
+target_compile_definitions(yoke_core PUBLIC _POSIX_C_SOURCE=200809L _WASI_EMULATED_GETPID _WASI_EMULATED_SIGNAL)
+target_link_libraries(yoke_core PUBLIC yaml)
+yoke_warnings(yoke_core)
+include(cmake/kernels.cmake)
+include(cmake/web.cmake)
+file(GLOB with_posix src/write/*.c src/doc/file.c apps/cli/stop.c apps/cli/verbs/simulate/verb.c)
+set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
+
+# The whole command.
+add_subdirectory(apps/cli)
+set_property(SOURCE ${with_posix} DIRECTORY apps/cli APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
+target_link_libraries(yoke PRIVATE wasi-emulated-getpid wasi-emulated-signal)
+set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+
+# What a page needs to draw and to move: flat functions and no imports. Memory has an end, so that running out is told.
+file(GLOB core CONFIGURE_DEPENDS web/core/*.c)
+add_executable(core ${core})
+target_include_directories(core PRIVATE web/core)
+target_link_libraries(core PRIVATE yoke_core)
+target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
+set_target_properties(core PROPERTIES SUFFIX .wasm)
+yoke_warnings(core)
+
+# What tests in Node use of the page's side, bundled by the esbuild that bundled the report's script.
+if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)
+  set(scripts ${CMAKE_BINARY_DIR}/js)
+  file(GLOB typescript CONFIGURE_DEPENDS web/core/*.ts)
+  set(esbuild ${YOKE_WEB_DIR}/node_modules/.bin/esbuild)
+  add_custom_command(OUTPUT ${scripts}/node.mjs ${scripts}/worker.js
+    COMMAND sh -c "test ! -x $0 || { $0 $1/node.ts --bundle --format=esm --platform=neutral --target=es2022 --log-level=warning --outfile=$2/node.mjs && $0 $1/worker.ts --bundle --minify --format=iife --target=es2022 --log-level=warning --outfile=$2/worker.js; }"
+      ${esbuild} ${CMAKE_SOURCE_DIR}/web/core ${scripts}
+    COMMAND ${CMAKE_COMMAND} -E touch ${scripts}/node.mjs ${scripts}/worker.js
+    DEPENDS ${typescript} ${YOKE_WEB_DIR}/report.js COMMENT "Bundling the page's side" VERBATIM)
+  add_custom_target(core_scripts ALL DEPENDS ${scripts}/node.mjs ${scripts}/worker.js)
+  if(BUILD_TESTING)
+    include(tests/wasm/tests.cmake)
+  endif()
+endif()
+include(cmake/studio.cmake)

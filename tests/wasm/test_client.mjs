@@ -1,0 +1,139 @@
+// The page's side: requests overtake each other, a core that dies or runs out of memory is started anew with the last text.
+// node test_client.mjs NODE.mjs WORKER.js CORE.wasm YOKE.wasm EXAMPLES
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { Worker } from "node:worker_threads";
+
+const [, , library, script, small, whole, examples] = process.argv;
+const { startCore, Overtaken, CoreLost } = await import(pathToFileURL(resolve(library)).href);
+const bytes = (path) => new Uint8Array(readFileSync(path));
+const machine = (name) => readFileSync(join(examples, name + ".yaml"), "utf8");
+
+// A worker of Node that looks like one of a browser.
+const shim = `const { parentPort } = require("node:worker_threads");
+globalThis.self = { postMessage: (answer) => parentPort.postMessage(answer), onmessage: null };
+parentPort.on("message", (data) => data === "die" ? process.exit(3) : globalThis.self.onmessage({ data }));\n`;
+const source = shim + readFileSync(script, "utf8");
+let workers = [];
+function worker() {
+  const inner = new Worker(source, { eval: true, stdout: false });
+  const outer = {
+    postMessage: (request) => inner.postMessage(request), terminate: () => inner.terminate(), onmessage: null, onerror: null, inner,
+  };
+  inner.on("message", (data) => outer.onmessage?.({ data }));
+  inner.on("error", (problem) => outer.onerror?.(problem));
+  inner.on("exit", (code) => code !== 0 && outer.onerror?.(code));
+  workers.push(outer);
+  return outer;
+}
+const start = (more = {}) => startCore({ worker, small: bytes(small), whole: bytes(whole), ...more });
+const outcome = (promise) => promise.then((value) => value, (problem) => problem.name);
+
+// Returns the module with a smaller limit on its memory, in pages of 64 KiB.
+function limited(pages) {
+  const module = bytes(small), varint = (at) => {
+    let value = 0, shift = 0, byte;
+    do { byte = module[at++]; value |= (byte & 127) << shift; shift += 7; } while (byte & 128);
+    return [value, at];
+  };
+  for (let at = 8; at < module.length;) {
+    const [size, body] = varint(at + 1);
+    if (module[at] !== 5) { at = body + size; continue; }
+    assert.deepEqual([module[body], module[body + 1]], [1, 1], "one memory, with a limit");
+    const [, limit] = varint(body + 2), [, end] = varint(limit);
+    for (let k = limit; k < end; k++, pages = Math.floor(pages / 128)) module[k] = (pages & 127) | (k + 1 < end ? 128 : 0);
+    assert.equal(pages, 0);
+    return module;
+  }
+}
+
+const tests = {
+  async "opens, moves, and runs the command"() {
+    const core = start(), { machine: told, pose, scene } = await core.open(machine("four-bar"), "four-bar.yaml");
+    assert.equal(told.name, "Four-bar linkage");
+    assert.equal(pose.status, "ok");
+    assert.match(scene, /<g data-body="coupler" transform="translate\(/);
+    const there = await core.at({ theta2: 1 });
+    assert.equal(there.coordinates[0], 1);
+    const reply = await core.run(["solve", "m.yaml", "-o", "out.txt"], { "m.yaml": machine("four-bar") });
+    assert.deepEqual([reply.exit, reply.out, Object.keys(reply.files)], [0, "", ["out.txt"]]);
+    assert.match(new TextDecoder().decode(reply.files["out.txt"]), /^Four-bar linkage/);
+    core.close();
+  },
+  async "a newer request overtakes one that waits, never one that works"() {
+    const core = start();
+    await core.open(machine("four-bar"), "four-bar.yaml");
+    const asked = [0.7, 0.8, 0.9, 1].map((theta2) => outcome(core.at({ theta2 }))), time = outcome(core.time(0.5));
+    const [first, second, third, last] = await Promise.all(asked);
+    assert.equal(first.coordinates[0], 0.7);
+    assert.deepEqual([second, third], ["Overtaken", "Overtaken"]);
+    assert.equal(last.coordinates[0], 1);
+    assert.equal((await time).time, 0.5);
+    const runs = await Promise.all(["check", "solve"].map((verb) => core.run([verb, "m.yaml"], { "m.yaml": machine("four-bar") })));
+    assert.deepEqual(runs.map(({ exit }) => exit), [0, 0]);
+    core.close();
+  },
+  async "a core that dies is started anew with the last text"() {
+    let opened = null;
+    const core = start({ onRestart: (told) => { opened = told; } });
+    await core.open(machine("slider-crank"), "slider-crank.yaml");
+    const lost = outcome(core.run(["study", "m.yaml"], { "m.yaml": machine("four-bar") })), waiting = outcome(core.at({ theta: 1 }));
+    workers.at(-1).inner.postMessage("die");
+    assert.equal(await lost, "CoreLost");
+    assert.equal((await waiting).status, "ok");
+    assert.match(opened.machine.name, /lider/);
+    core.close();
+  },
+  async "a long request is given up when a newer one of its kind waits"() {
+    const core = start({ patience: 50 }), text = machine("four-bar");
+    await core.open(text, "four-bar.yaml");
+    const long = ["study", "m.yaml", "--vary", "b=110mm:130mm:3000", "--over", "theta2=0:360deg", "--of", "coupler.P.y", "--quiet"];
+    const first = outcome(core.run(long, { "m.yaml": text })), second = outcome(core.run(["study", "--help"], {}));
+    assert.equal(await first, "Overtaken");
+    assert.equal((await second).exit, 0);
+    assert.equal((await core.at({ theta2: 1 })).status, "ok");
+    core.close();
+  },
+  async "memory that runs out is told, and the next text opens"() {
+    const core = start({ small: limited(96) }), link = (k) => `  b${k}: {points: {A: [0, 0], B: [1, 0]}}\n`;
+    let huge = "bodies:\n  ground: {points: {A: [0, 0]}}\n";
+    for (let k = 0; k < 30000; k++) huge += link(k);
+    const told = await outcome(core.open(huge, "huge.yaml"));
+    assert.ok(told === "CoreLost" || (told.machine === null && told.problems.some(({ code }) => code === "E0100")), JSON.stringify(told).slice(0, 200));
+    const { pose } = await core.open(machine("four-bar"), "four-bar.yaml");
+    assert.equal(pose.status, "ok");
+    core.close();
+  },
+  async "a core that cannot start says so, and so does the next request"() {
+    const core = start({ small: new Uint8Array([1, 2, 3]) });
+    assert.match(await outcome(core.open("", "x.yaml")), /Error|CoreLost/);
+    core.close();
+  },
+  async "nothing in a text or a name breaks the door"() {
+    const core = start();
+    for (const text of ["", "\0", "a: \0", "{", "bodies: {}", "\ufeff", "# only a comment", "name: <script>alert(1)</script>\nbodies: {a: {points: {\"<\": [0, 0]}}}"]) {
+      const { machine: told, scene } = await core.open(text, "x\0y.yaml");
+      assert.ok(told === null || told.bodies.length > 0);
+      assert.ok(!scene?.includes("<script"));
+    }
+    assert.equal((await core.drag("nobody", [0, 0], [1, 1])).status, "bad-argument");
+    assert.equal((await core.drag("ground", [NaN, 0], [1, 1])).status.length > 0, true);
+    assert.match((await core.curves("nobody", 0, 1, 3, ["x"])).status, /bad/);
+    core.close();
+  },
+};
+
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  try {
+    await test();
+    console.log("ok      " + name);
+  } catch (problem) {
+    failed++;
+    console.log(`FAILED  ${name}\n${problem.stack}`);
+  }
+}
+await Promise.all(workers.map(({ inner }) => inner.terminate()));
+process.exit(failed > 0 ? 1 : 0);

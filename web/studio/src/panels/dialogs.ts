@@ -1,0 +1,90 @@
+// The dialogs: gallery of examples, export, share, help.
+import { el, fill } from "../dom";
+import { inline } from "../inline";
+import { picture } from "../markup";
+import { download } from "../keep/files";
+import { isTooLong, pack } from "../keep/address";
+import type { Session } from "../session";
+import { words } from "../words";
+
+const FILE = "machine.yaml";
+export interface Example { id: string; name: string; about: string; text: string; picture: string }
+
+let examples: Promise<Example[]> | null = null;
+// Loads the examples once; a page without them (opened from disk) has none.
+export function loadExamples(): Promise<Example[]> {
+  const kept = inline?.files["gallery.json"];
+  examples ??= kept ? Promise.resolve(JSON.parse(kept) as Example[]) : fetch("gallery.json").then((reply) => (reply.ok ? reply.json() : [])).catch(() => { examples = null; return []; });
+  return examples;
+}
+
+function open(title: string, ...content: (Node | string | null)[]): HTMLDialogElement {
+  const dialog = el("dialog", { "aria-label": title, closedby: "any" }, el("header", {}, el("h2", {}, title), el("button", { class: "quiet", "aria-label": words.menu.close, onclick: () => dialog.close() }, "✕")), ...content);
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
+  document.body.append(dialog);
+  dialog.showModal();
+  return dialog;
+}
+
+export function card(example: Example, choose: () => void): HTMLElement {
+  const drawing = picture(example.picture);
+  drawing?.querySelectorAll(":scope > rect, :scope > title").forEach((one) => one.remove());
+  drawing?.setAttribute("aria-hidden", "true");
+  return el("button", { class: "card", onclick: choose, "data-example": example.id }, el("span", { class: "card-picture" }, drawing), el("b", {}, example.name), el("span", { class: "about" }, example.about));
+}
+
+export async function showGallery(load: (text: string, name: string) => void): Promise<void> {
+  const search = el("input", { type: "search", placeholder: words.gallery.search, "aria-label": words.gallery.search }), list = el("div", { class: "cards" });
+  const dialog = open(words.gallery.title, search, list);
+  dialog.classList.add("wide");
+  const all = await loadExamples();
+  if (!all.length) return fill(list, el("p", {}, words.say.noPictures));
+  const cards = all.map((one) => ({ element: card(one, () => { dialog.close(); load(one.text, one.id); }), words: `${one.id} ${one.name} ${one.about}`.toLowerCase() }));
+  fill(list, ...cards.map((one) => one.element));
+  search.addEventListener("input", () => {
+    for (const one of cards) one.element.hidden = !one.words.includes(search.value.trim().toLowerCase());
+  });
+}
+
+export async function share(session: Session): Promise<void> {
+  const hash = await pack(session.name, session.text), address = `${location.origin === "null" ? location.href.split("#")[0] : location.origin + location.pathname}${hash}`;
+  if (isTooLong(hash)) return session.emit("said", words.say.linkTooLong(String(Math.ceil(hash.length / 1024))));
+  const link = el("input", { type: "text", readonly: true, value: address, "aria-label": words.menu.share, class: "link", onfocus: () => link.select() });
+  const note = el("p", { class: "hint", role: "status" }, words.say.linkShown);
+  open(words.menu.share, note, link);
+  link.select();
+  try {
+    await navigator.clipboard.writeText(address);
+    note.textContent = words.say.copied;
+  } catch { /* the link is there to be copied by hand */ }
+}
+
+// Each export is the command's own answer: its words, and the name of the file it writes or prints.
+const EXPORTS: [string, string[], string][] = [
+  ["report", ["report", FILE, "-o", "report.html"], "report.html"], ["svg", ["draw", FILE, "-o", "drawing.svg"], "drawing.svg"],
+  ["movie", ["draw", FILE, "--animate", "moving.svg"], "moving.svg"], ["csv", ["sweep", FILE, "--over", "t=0:PERIODs", "--steps", "180", "--format", "csv"], "table.csv"],
+  ["c", ["code", FILE], "machine.c"], ["latex", ["derive", FILE, "--format", "latex"], "equations.tex"], ["page", ["derive", FILE, "--format", "mathml"], "equations.html"],
+];
+
+export function showExports(session: Session, period: number): void {
+  const note = el("pre", { class: "hint", role: "status" });
+  const line = (id: string, action: () => void) => {
+    const [name, about] = words.exports[id] as string[];
+    return el("button", { class: "part", "data-export": id, onclick: action }, el("b", {}, name), el("span", {}, about));
+  };
+  const run = async (list: string[], file: string) => {
+    note.textContent = words.command.wait;
+    const reply = await session.ask(() => session.core.run(list.map((word) => word.replace("PERIOD", String(period))), { [FILE]: session.text }));
+    if (!reply) return;
+    const made = reply.files[file], text = made ?? reply.out;
+    note.textContent = reply.err.trim();
+    if (made || (reply.out && reply.exit === 0)) download(`${session.name}-${file}`, text);
+    else if (!note.textContent) note.textContent = words.say.noAnswer;
+  };
+  open(words.exports.title as string, el("div", { class: "exports" }, line("yaml", () => download(`${session.name}.yaml`, session.text)), ...EXPORTS.map(([id, list, file]) => line(id, () => void run(list, file)))), note);
+}
+
+export function showHelp(): void {
+  open(words.help.title, el("dl", { class: "keys" }, ...words.help.keys.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)])));
+}

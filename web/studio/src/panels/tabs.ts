@@ -1,0 +1,46 @@
+// The tabs of the panel beside the canvas, and its width.
+import { byId, el, fill } from "../dom";
+import { words } from "../words";
+
+const IDS = ["text", "parts", "diagrams", "equations", "command"] as const;
+type Id = (typeof IDS)[number];
+
+export class Tabs {
+  constructor(private changed: (id: Id) => void) {
+    fill(byId("tabs"), ...IDS.map((id) => el("button", { id: `tab-${id}`, role: "tab", "aria-controls": `panel-${id}`, onclick: () => this.show(id) }, words.tabs[id])));
+    byId("tabs").addEventListener("keydown", (event) => {
+      const now = IDS.findIndex((id) => byId(`tab-${id}`) === event.target), way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      if (way === undefined || now < 0) return;
+      const next = IDS[(now + way + IDS.length) % IDS.length];
+      this.show(next);
+      byId(`tab-${next}`).focus();
+      event.preventDefault();
+    });
+    this.widen(byId("divider"));
+  }
+
+  show(shown: Id): void {
+    for (const id of IDS) {
+      const tab = byId(`tab-${id}`), isShown = id === shown;
+      tab.setAttribute("aria-selected", String(isShown));
+      tab.tabIndex = isShown ? 0 : -1;
+      byId(`panel-${id}`).hidden = !isShown;
+    }
+    this.changed(shown);
+  }
+
+  // The divider is dragged, or moved by the arrow keys.
+  private widen(divider: HTMLElement): void {
+    const set = (width: number) => {
+      const most = Math.max(320, innerWidth - 420), now = Math.min(most, Math.max(280, width));
+      document.documentElement.style.setProperty("--panel", `${now}px`);
+      divider.setAttribute("aria-valuenow", String(Math.round((100 * now) / innerWidth)));
+    };
+    divider.addEventListener("pointerdown", (event) => { divider.setPointerCapture(event.pointerId); event.preventDefault(); });
+    divider.addEventListener("pointermove", (event) => { if (divider.hasPointerCapture(event.pointerId)) set(innerWidth - event.clientX); });
+    divider.addEventListener("keydown", (event) => {
+      const way = { ArrowLeft: 24, ArrowRight: -24 }[event.key];
+      if (way) set(byId("panel").getBoundingClientRect().width + way);
+    });
+  }
+}
