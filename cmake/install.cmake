@@ -30,6 +30,8 @@ endif()
 configure_file(cmake/yoke.pc.in ${CMAKE_BINARY_DIR}/yoke.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/yoke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
+# The page of Studio, if the preset `wasm` has built it.
+install(DIRECTORY ${YOKE_STUDIO_BUILT}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/studio COMPONENT runtime OPTIONAL)
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples COMPONENT doc FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
   PATTERN "*.c" PATTERN "*.cpp"
   PATTERN "expected" EXCLUDE)

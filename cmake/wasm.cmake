@@ -31,6 +31,9 @@ include(cmake/web.cmake)
 file(GLOB with_posix src/write/*.c src/doc/file.c apps/cli/stop.c apps/cli/verbs/simulate/verb.c)
 set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
 
+# Binaryen takes some more bytes off, where it is installed. It changes no arithmetic.
+find_program(YOKE_WASM_OPT wasm-opt)
+
 # The whole command.
 add_subdirectory(apps/cli)
 set_property(SOURCE ${with_posix} DIRECTORY apps/cli APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
@@ -45,6 +48,10 @@ target_link_libraries(core PRIVATE yoke_core)
 target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
 set_target_properties(core PROPERTIES SUFFIX .wasm)
 yoke_warnings(core)
+
+if(YOKE_WASM_OPT)
+  add_custom_command(TARGET core POST_BUILD COMMAND ${YOKE_WASM_OPT} -Oz $<TARGET_FILE:core> -o $<TARGET_FILE:core> VERBATIM)
+endif()
 
 # What tests in Node use of the page's side, bundled by the esbuild that bundled the report's script.
 if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)

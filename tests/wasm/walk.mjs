@@ -1,4 +1,4 @@
-// Goes through a machine by all calls of the page's door, as door.c does, and hashes every number, status and text.
+// Goes through a machine by all calls of the page's door, as door.c does, and hashes every number, status and picture.
 // Returns eight hexadecimal digits.
 const encoder = new TextEncoder();
 
@@ -7,14 +7,12 @@ export function walk(engine, text) {
   let hash = 2166136261;
   const memory = (at, size) => new Uint8Array(call.memory.buffer, at, size);
   const add = (bytes) => { for (const byte of bytes) hash = Math.imul(hash ^ byte, 16777619); };
-  const string = (at) => memory(at, new Uint8Array(call.memory.buffer).indexOf(0, at) - at);
   const numbers = () => new Float64Array(call.memory.buffer, call.ys_numbers(), call.ys_number_count());
   const addText = () => add(memory(call.ys_text(), call.ys_text_length()));
   const addAll = (status) => {
     add(new Uint8Array(new Float64Array([status]).buffer));
     add(memory(call.ys_numbers(), 8 * call.ys_number_count()));
     addText();
-    add(string(call.ys_message()));
   };
   const put = (words) => {
     const bytes = encoder.encode(words);
@@ -24,7 +22,6 @@ export function walk(engine, text) {
   const length = encoder.encode(text).length;
   put(text + "\0machine.yaml");
   const opened = call.ys_open(length), told = JSON.parse(Buffer.from(memory(call.ys_text(), call.ys_text_length())).toString());
-  addText();
   if (opened === 1 && call.ys_scene() === 1) addText();
   if (opened === 1) addAll(call.ys_pose());
   if (opened === 1 && call.ys_number_count() > 0) {
