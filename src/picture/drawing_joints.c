@@ -89,7 +89,8 @@ static void add_each(YkDrawing *drawing, const YkFrame *frames, YkPartKind kind,
 {
     for (size_t j = 0; j < drawing->model->joint_count; j++) {
         const YkJoint *joint = &drawing->model->joints[j];
-        if (yk_drawing_omits(drawing->model, joint) || joint->kind != kind || !(ground_too || joint->body[0] != 0)) continue;
+        if (yk_drawing_omits(drawing->model, joint) || joint->kind != kind || !(ground_too || joint->body[0] != 0))
+            continue;
         yk_drawing_group(drawing, (size_t)joint->body[side]);
         add(drawing, frames, joint, style);
         yk_drawing_ungroup(drawing);
