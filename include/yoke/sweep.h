@@ -45,6 +45,9 @@ YK_API YkStatus yk_sweep_status(const YkSweep *sweep);
 YK_API size_t yk_sweep_row_count(const YkSweep *sweep);
 YK_API double yk_sweep_at(const YkSweep *sweep, size_t row); // the swept variable
 YK_API double yk_sweep_value(const YkSweep *sweep, size_t row, size_t channel);
+// Returns all rows at once, which belong to the sweep: rows[row * (1 + channels)] is the swept variable, and the
+// channels follow it.
+YK_API const double *yk_sweep_rows(const YkSweep *sweep);
 YK_API YkStatus yk_sweep_row_status(const YkSweep *sweep,
                                     size_t row); // OK, SINGULAR (rates are 0 and must not be shown), CHANGE_POINT
 YK_API size_t yk_sweep_event_count(const YkSweep *sweep);

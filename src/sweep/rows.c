@@ -31,13 +31,13 @@ bool yk_sweep_record(YkSweep *w, double at)
     YkStatus status = yk_path_probe(&w->walk.path, at, false);
     if (status < 0) {
         w->walk.limit_block = s->report.block;
-        yk_walk_end_at(&w->walk, w->row_count > 0 ? w->at[w->row_count - 1] : at, at);
+        yk_walk_end_at(&w->walk, w->row_count > 0 ? *yk_sweep_row(w, w->row_count - 1) : at, at);
         return false;
     }
     size_t row = w->row_count++;
-    w->at[row] = at;
+    *yk_sweep_row(w, row) = at;
     w->row_status[row] = (signed char)status;
-    yk_sweep_read_channels(w, w->values + row * w->channel_count);
+    yk_sweep_read_channels(w, yk_sweep_row(w, row) + 1);
     if (w->options.visit) w->options.visit(w->options.context, s);
     w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
     if (status == YK_SINGULAR)
@@ -70,7 +70,8 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
 {
     enum { SIDE = 4 };
     YkState *s = w->walk.path.state;
-    double at = w->at[row], h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums, *beside = w->beside;
+    double at = *yk_sweep_row(w, row), h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums,
+           *beside = w->beside;
     bool ok = true;
     for (size_t c = 0; c < w->channel_count; c++) sums[c] = w->largest[c] = 0;
     for (int side = 1; side >= -1; side -= 2) {
@@ -99,7 +100,7 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
         if (w->channels[c].order > 0 || w->channels[c].kind >= YK_CHANNEL_POINT_SPEED)
-            w->values[row * w->channel_count + c] = sums[c];
+            yk_sweep_row(w, row)[1 + c] = sums[c];
 }
 
 // Returns the first block that touches, or -1.
@@ -128,17 +129,18 @@ void yk_sweep_try_change_row(YkSweep *w)
     bool is_passed = passes(w, row, way);
     yk_walk_read_margins(&w->walk, margins);
     if (row == 0 && is_passed) w->walk.from = NAN;
-    if (is_passed) yk_walk_flip_at(&w->walk, w->at[row], margins);
+    if (is_passed) yk_walk_flip_at(&w->walk, *yk_sweep_row(w, row), margins);
     fill_change_row(w, row, margins, way);
     if (w->row_status[row] == YK_CHANGE_POINT) {
-        w->walk.event_count = drop_singular(w, w->at[row]);
-        YkEvent touched = {.kind = YK_EVENT_CHANGE_POINT, .at = w->at[row], .block = touching_block(w, margins)};
+        w->walk.event_count = drop_singular(w, *yk_sweep_row(w, row));
+        YkEvent touched = {
+            .kind = YK_EVENT_CHANGE_POINT, .at = *yk_sweep_row(w, row), .block = touching_block(w, margins)};
         if (!is_passed) yk_walk_note(&w->walk, touched);
         return;
     }
-    if (row == 0) w->walk.from = w->at[row];
+    if (row == 0) w->walk.from = *yk_sweep_row(w, row);
     for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: restores the signs
-        if (yk_walk_was_flipped_near(&w->walk, k, w->at[row])) {
+        if (yk_walk_was_flipped_near(&w->walk, k, *yk_sweep_row(w, row))) {
             s->branch[k] = (signed char)-s->branch[k];
             w->walk.flipped_at[k] = NAN;
             w->walk.event_count--;

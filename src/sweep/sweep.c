@@ -69,8 +69,7 @@ static void run(YkSweep *w)
 static bool allocate(YkSweep *w)
 {
     size_t rows = w->options.steps + 1;
-    w->at = calloc(rows, sizeof *w->at);
-    w->values = calloc(rows * w->channel_count + 1, sizeof *w->values);
+    w->rows = calloc(rows * (1 + w->channel_count), sizeof *w->rows);
     w->row_status = calloc(rows, 1);
     w->slope = calloc(w->channel_count + 1, sizeof *w->slope);
     w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
@@ -78,8 +77,7 @@ static bool allocate(YkSweep *w)
     w->beside = calloc(w->channel_count + 1, sizeof *w->beside);
     w->largest = calloc(w->channel_count + 1, sizeof *w->largest);
     w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->at && w->values && w->row_status && w->slope && w->slope_at && w->sums && w->beside && w->largest &&
-           w->channels;
+    return w->rows && w->row_status && w->slope && w->slope_at && w->sums && w->beside && w->largest && w->channels;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -133,8 +131,7 @@ void yk_sweep_free(YkSweep *w)
 {
     if (!w) return;
     yk_walk_end(&w->walk);
-    free(w->at);
-    free(w->values);
+    free(w->rows);
     free(w->row_status);
     free(w->slope);
     free(w->slope_at);
@@ -156,11 +153,15 @@ size_t yk_sweep_row_count(const YkSweep *w)
 }
 double yk_sweep_at(const YkSweep *w, size_t row)
 {
-    return w->at[row];
+    return *yk_sweep_row(w, row);
 }
 double yk_sweep_value(const YkSweep *w, size_t row, size_t channel)
 {
-    return w->values[row * w->channel_count + channel];
+    return yk_sweep_row(w, row)[1 + channel];
+}
+const double *yk_sweep_rows(const YkSweep *w)
+{
+    return w->rows;
 }
 YkStatus yk_sweep_row_status(const YkSweep *w, size_t row)
 {

@@ -10,7 +10,7 @@ struct YkSweep {
     YkSweepOptions options;
     YkChannel *channels;
     size_t channel_count, row_count;
-    double *at, *values;
+    double *rows; // [row][1 + channel]: the swept variable, then the channels
     signed char *row_status;
     double *slope, *slope_at; // per channel: last nonzero derivative along the path, and where
     double *sums, *beside;    // per channel: scratch
@@ -19,6 +19,12 @@ struct YkSweep {
     size_t events_read, event_capacity;
     double worst_residual;
 };
+
+// Returns a row: the swept variable, then the channels.
+static inline double *yk_sweep_row(const YkSweep *sweep, size_t row)
+{
+    return sweep->rows + row * (1 + sweep->channel_count);
+}
 
 // Solves at a place that the sweep has passed, on the branch that it had there. along: with rates along the path,
 // otherwise with the motion's own.

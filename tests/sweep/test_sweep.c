@@ -326,9 +326,27 @@ static void test_extremes_at_a_change_point_are_those_of_the_motion(void **unuse
     }
 }
 
+static void test_all_rows_at_once_are_the_rows_one_by_one(void **unused)
+{
+    (void)unused;
+    FourBar f = {0.1, 0.25, 0.3, 0.28};
+    Machine m = four_bar_machine(f, 1, 1);
+    YkSweep *sweep = machine_sweep(&m, "theta2", 1, 4, 7, names, 4);
+    const double *rows = yk_sweep_rows(sweep);
+    assert_int_equal(yk_sweep_row_count(sweep), 8);
+    for (size_t row = 0; row < 8; row++) {
+        assert_true(rows[row * 5] == yk_sweep_at(sweep, row));
+        for (size_t c = 0; c < 4; c++) assert_true(rows[row * 5 + 1 + c] == yk_sweep_value(sweep, row, c));
+    }
+    assert_true(rows[7 * 5] == 4 && rows[5] != rows[1]);
+    yk_sweep_free(sweep);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_rows_at_once_are_the_rows_one_by_one),
         cmocka_unit_test(test_a_limit_is_found_to_1e_8_rad_both_ways),
         cmocka_unit_test(test_links_keep_their_length_at_a_limit_with_a_short_base),
         cmocka_unit_test(test_the_quick_return_stops_where_its_coupler_is_stretched),
