@@ -1,4 +1,5 @@
-# Debian packages by component: `cpack` in the build folder gives yoke, libyoke-dev and yoke-doc.
+# Debian packages by component: `cpack` in the build folder gives yoke, libyoke-dev, yoke-doc and, where the Python package is built,
+# python3-yoke.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME yoke)
 set(CPACK_PACKAGE_CONTACT "The Yoke developers <yoke@localhost>")
@@ -6,6 +7,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL runtime dev doc)
+if(TARGET yoke_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 
@@ -28,4 +32,11 @@ set(CPACK_DEBIAN_DOC_PACKAGE_NAME yoke-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_DOC_DESCRIPTION "The guide, the mathematics with its sources, and the gallery of machines.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-yoke)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-cffi-backend, python3-numpy, yoke (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-tqdm, python3-matplotlib")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Yoke in Python: planar machines in programs and notebooks, with NumPy.")
 include(CPack)

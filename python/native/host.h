@@ -1,0 +1,54 @@
+// Loops over the library's calls that would be slow in Python, and the ways from C back into Python.
+// cffi reads this file too: only declarations that it knows.
+#include <yoke/yoke.h>
+
+// Asks Python whether a long call may go on, at most every 20 ms: Ctrl-C, a progress bar.
+bool yk_host_goes_on(void *context, double part);
+YkProgress yk_host_progress(void);
+
+typedef struct YkHostHold {
+    size_t input;
+    int order;
+    double value;
+} YkHostHold;
+// Puts `state` where the machine was assembled (`entry`), holds the inputs and moves it to `time`, as the command does:
+// straight in all inputs at once, then along the drives. goal: room for all inputs. Returns the status of the way.
+YkStatus yk_host_reach(YkState *state, const YkState *entry, const YkHostHold *holds, size_t count, double time,
+                       YkMotion *goal, YkMove *move, YkProblems *problems);
+
+// Writes NaN over the rates of rows at dead points, where they are undefined.
+void yk_host_blank_rates(YkSweep *sweep, const YkChannel *channels, size_t count);
+// Reads channels of a state; rates that are undefined are NaN, accelerations too without has_accelerations. Forces come
+// from `dynamics`; without it they are NaN.
+void yk_host_read(const YkState *state, const YkDynamics *dynamics, const YkChannel *channels, size_t count,
+                  bool has_accelerations, double *values);
+
+typedef struct YkHostRows {
+    double from, to, every; // s; every 0: `steps` equal spans
+    size_t steps;
+    const YkChannel *channels;
+    size_t channel_count;
+    double *rows; // [steps + 1][1 + channels]: the time, then the channels
+    size_t done;  // rows written
+} YkHostRows;
+// Advances a simulation from row to row. Returns the status of the last advance; YK_STOPPED where it was told to end.
+YkStatus yk_host_simulate(YkSimulation *simulation, YkHostRows *rows);
+// Asks Python as yk_host_goes_on does; context: a double[2], the span of time.
+bool yk_host_goes_on_in_time(void *context, double time);
+
+typedef struct YkHostMany {
+    YkSimulation **simulations;
+    const size_t *coordinates; // whose efforts are set before the step
+    size_t coordinate_count;
+    const double *efforts; // [simulation][coordinate]; NULL: they stay
+    double span;           // s; 0: only reads
+    const YkChannel *channels;
+    size_t channel_count;
+    double *values;      // [simulation][channel]
+    signed char *status; // [simulation]: below 0, the simulation stood still
+} YkHostMany;
+// Acts on the simulations from `begin` to `end`, steps and reads them. Those whose status is below 0 are left out.
+YkStatus yk_host_step_many(const YkHostMany *many, size_t begin, size_t end);
+
+// Draws the values of designs 0 to count - 1 of one parameter.
+void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t parameter, double *values, size_t count);

@@ -1,0 +1,32 @@
+"""Arrays from outside: checked once, copied only where they are not contiguous doubles."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+from ._problems import RequestError, refusal
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "NDArray[np.float64]":
+    """Returns an array of finite doubles, contiguous; refuses other types, shapes and NaN, naming the first.
+
+    Arrays of other real numbers, and those that are not contiguous, are copied.
+    """
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise refusal(RequestError, "E0806", f"`{name}` takes an array of real numbers, not of {array.dtype}")
+    if shape is not None and array.shape != shape:
+        if array.ndim == 0 and shape:
+            array = np.full(shape, array)
+        else:
+            raise refusal(RequestError, "E0806", f"`{name}` takes an array of shape {shape}, not {array.shape}")
+    result = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(result).all():
+        first = int(np.flatnonzero(~np.isfinite(result.ravel()))[0])
+        where = tuple(int(k) for k in np.unravel_index(first, result.shape))
+        raise refusal(RequestError, "E0806", f"`{name}` takes finite numbers; {list(where)} is {result[where]}")
+    return result

@@ -1,0 +1,197 @@
+"""The builder: a machine made by calls, which say what a model file says."""
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional, Sequence, TypeVar, Union
+
+from ._guard import Guarded
+from ._native import ffi, lib
+from ._problems import Problems, RequestError, refusal, text_of
+from ._values import CData, Value, encoded, number, words
+
+Self = TypeVar("Self", bound="Builder")
+Point = Union[Sequence[Value], "tuple[Value, Value]"]
+
+
+def scalar(value: Any, name: str) -> str:
+    """Returns a value as a model file writes it: SI numbers, expressions with units, lists, maps."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str) and not isinstance(value[0], str):
+        return words(value, name)
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{k}: {scalar(v, name)}" for k, v in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(scalar(v, name) for v in value) + "]"
+    return repr(number(value, name))
+
+
+class Builder(Guarded):
+    """What a machine is made of. Every call returns the machine, so that calls can be chained.
+
+    Numbers are in the machine's own units, SI and radians unless `units` says otherwise; texts are expressions of
+    parameters with units, as in a model file: "30 deg", "l1 + l2", "20 rpm * t".
+    """
+
+    __slots__ = ("_builder",)
+
+    def __init__(self, name: Optional[str]) -> None:
+        super().__init__()
+        self._builder: CData = ffi.NULL
+        if name is not None:
+            c = lib.yk_builder_new(encoded(name, "name") if name else ffi.NULL)
+            if c == ffi.NULL:
+                raise MemoryError("out of memory")
+            self._builder = ffi.gc(c, lib.yk_builder_free)
+
+    def _changed(self) -> None:
+        """Forgets what was computed from the machine as it was."""
+        raise NotImplementedError
+
+    def set(self: Self, path: str, value: Any) -> Self:
+        """Sets a key by its path, as set("springs/k/damping", "5 N*s/m"); everything the format has can be said so."""
+        with self._lock:
+            if self._gone:
+                self._refuse()
+            if self._builder == ffi.NULL:
+                raise refusal(RequestError, "E0806", "a machine that was loaded is not changed by calls",
+                              "yoke.load and replace take parameters; yoke.Machine() begins an empty machine")  # fmt: skip
+            self._changed()
+            is_number = not isinstance(value, (bool, str)) and hasattr(value, "__float__")
+            if is_number:
+                lib.yk_builder_set_number(self._builder, encoded(path), number(value, path))
+            else:
+                lib.yk_builder_set(self._builder, encoded(path), encoded(scalar(value, path)))
+        return self
+
+    def remove(self: Self, path: str) -> Self:
+        """Removes a key with all that is in it; nothing where it is not."""
+        with self._lock:
+            self.set(path, "0")  # is it a machine that can be changed?
+            lib.yk_builder_remove(self._builder, encoded(path))
+        return self
+
+    def _set_all(self: Self, path: str, values: Mapping[str, Any]) -> Self:
+        for key, value in values.items():
+            if value is not None:
+                self.set(f"{path}/{key}", value)
+        return self
+
+    def units(self: Self, **units: str) -> Self:
+        """Says what bare numbers mean, as units(length="mm", angle="deg")."""
+        return self._set_all("units", units)
+
+    def parameter(self: Self, name: str, value: Value) -> Self:
+        """Gives a parameter its value."""
+        return self.set(f"parameters/{name}", value)
+
+    def gravity(self: Self, x: Value, y: Value) -> Self:
+        """Sets the acceleration of gravity in world axes."""
+        return self.set("gravity", [x, y])
+
+    def body(self: Self, name: str, points: Optional[Mapping[str, Point]] = None, *, mass: Optional[Value] = None,
+             center: Optional[Point] = None, inertia: Optional[Value] = None,
+             rod: Optional[Sequence[str]] = None) -> Self:  # fmt: skip
+        """Adds a body, or more to one: points in its axes, mass, and centre with inertia or a uniform rod."""
+        with self._lock:
+            self.set(f"bodies/{name}", "{}") if not self._has(name) and name != "ground" else None
+            for point, place in (points or {}).items():
+                self.point(name, point, *place)
+            return self._set_all(f"bodies/{name}", {"mass": mass, "center": center, "inertia": inertia, "rod": rod})
+
+    def _has(self, body: str) -> bool:
+        return body in self._bodies_said()
+
+    def _bodies_said(self) -> "set[str]":
+        raise NotImplementedError
+
+    def point(self: Self, body: str, name: str, x: Value, y: Value) -> Self:
+        """Adds a point to a body, in its axes."""
+        return self.set(f"bodies/{body}/points/{name}", [x, y])
+
+    def _joint(self: Self, name: str, kind: str, first: str, second: str, **keys: Any) -> Self:
+        keys = {"from" if key == "from_" else key: value for key, value in keys.items() if value is not None}
+        return self.set(f"joints/{name}", {kind: [first, second], **keys})
+
+    def pin(self: Self, name: str, first: str, second: str, *, at: Optional[str] = None,
+            angle: Optional[str] = None) -> Self:  # fmt: skip
+        """Pins two bodies at the point `at` of both, or at the points of the joint's own name."""
+        return self._joint(name, "pin", first, second, at=at, angle=angle)
+
+    def weld(self: Self, name: str, first: str, second: str, *, at: Optional[str] = None,
+             turned: Optional[Value] = None) -> Self:  # fmt: skip
+        """Fixes two bodies to each other."""
+        return self._joint(name, "weld", first, second, at=at, turned=turned)
+
+    def slide(self: Self, name: str, first: str, second: str, along: Value, *, from_: Optional[str] = None,
+              to: Optional[str] = None, distance: Optional[str] = None, turned: Optional[Value] = None) -> Self:  # fmt: skip
+        """Lets the second body move along a line of the first: along "x", "y" or an angle, through `from_`."""
+        return self._joint(name, "slide", first, second, along=along, from_=from_, to=to, distance=distance,
+                           turned=turned)  # fmt: skip
+
+    def slot(self: Self, name: str, first: str, second: str, along: Value, *, from_: Optional[str] = None,
+             at: Optional[str] = None, distance: Optional[str] = None, angle: Optional[str] = None) -> Self:  # fmt: skip
+        """Lets the point `at` of the second body move along a line of the first, free to turn."""
+        return self._joint(name, "pin-slot", first, second, along=along, from_=from_, at=at, distance=distance,
+                           angle=angle)  # fmt: skip
+
+    def free(self: Self, name: str, first: str, second: str, *, from_: Optional[str] = None, to: Optional[str] = None,
+             x: Optional[str] = None, y: Optional[str] = None, angle: Optional[str] = None) -> Self:  # fmt: skip
+        """Leaves everything free between two bodies; names the coordinates."""
+        return self._joint(name, "free", first, second, from_=from_, to=to, x=x, y=y, angle=angle)
+
+    def drive(self: Self, coordinate: str, value: Value) -> Self:
+        """Drives a coordinate by an expression of time, as "20 rpm * t"."""
+        return self.set(f"drives/{coordinate}", value)
+
+    def start(self: Self, coordinate: str, value: Value) -> Self:
+        """Says where the machine was put together; "theta.rate" gives a rate."""
+        return self.set(f"start/{coordinate}", value)
+
+    def effort(self: Self, coordinate: str, value: Value) -> Self:
+        """Lets an effort act along a coordinate: an expression of time, coordinates and rates."""
+        return self.set(f"efforts/{coordinate}", value)
+
+    def force(self: Self, name: str, body: str, x: Value, y: Value, *, at: Optional[str] = None) -> Self:
+        """Lets a force act on a body's point, or its origin, in world axes."""
+        keys = {"at": at} if at else {}
+        return self.set(f"forces/{name}", {"body": body, **keys, "value": [x, y]})
+
+    def spring(self: Self, name: str, first: str, second: Optional[str] = None, *, stiffness: Optional[Value] = None,
+               length: Optional[Value] = None, damping: Optional[Value] = None, **more: Any) -> Self:  # fmt: skip
+        """Adds a spring and damper between two points "body.point", or along one coordinate."""
+        where: Any = {"along": first} if second is None else {"between": [first, second]}
+        keys = {"stiffness": stiffness, "length": length, "damping": damping, **more}
+        return self.set(f"springs/{name}", {**where, **{k: v for k, v in keys.items() if v is not None}})
+
+    def stop(self: Self, coordinate: str, low: Value, high: Value) -> Self:
+        """Stops a coordinate at both ends of a range."""
+        return self.set(f"stops/{coordinate}", [low, high])
+
+    def gear(self: Self, name: str, first: str, second: str, teeth: Sequence[Value], **more: Any) -> Self:
+        """Meshes two gears; more keys as in a file: module, pressure_angle, carrier, internal."""
+        return self.set(f"gears/{name}", {"mesh": [first, second], "teeth": [*teeth], **more})
+
+    def rack(self: Self, name: str, pinion: str, rack: str, radius: Value, **more: Any) -> Self:
+        """Meshes a pinion with a rack."""
+        return self.set(f"racks/{name}", {"pinion": pinion, "rack": rack, "radius": radius, **more})
+
+    def belt(self: Self, name: str, first: str, second: str, radii: Sequence[Value], **more: Any) -> Self:
+        """Lays a belt round two pulleys."""
+        return self.set(f"belts/{name}", {"between": [first, second], "radii": [*radii], **more})
+
+    def _said(self) -> str:
+        """Returns what was said so far as a model file."""
+        text = lib.yk_builder_text(self._builder)
+        if text == ffi.NULL:
+            raise MemoryError("out of memory")
+        return text_of(text)
+
+    def _check_builder(self) -> Problems:
+        """Returns problems of what was said, with `where` naming bodies and joints; raises nothing."""
+        problems = Problems()
+        model = lib.yk_builder_model(self._builder, ffi.NULL, problems.c)
+        if model != ffi.NULL:
+            lib.yk_model_free(model)
+        return problems

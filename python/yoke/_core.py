@@ -1,0 +1,176 @@
+"""The handles of one machine: its model, and its mechanisms with the pose from which every request begins."""
+from __future__ import annotations
+
+from typing import Any, Iterable, NamedTuple, Optional, Sequence
+
+from . import _reach
+from ._native import ffi, lib
+from ._problems import ModelError, Problems, RequestError, UnknownName, refusal, text_of
+from ._values import ANGLE, LENGTH, CData, Value, encoded, number, words
+from ._watch import progress_of_host
+
+
+class Coordinate(NamedTuple):
+    """A coordinate of the machine: second body relative to first."""
+
+    name: str
+    index: int
+    is_distance: bool
+    is_declared: bool
+    has_drive: bool
+    has_start: bool
+    input: int  # its number among the inputs, or -1
+
+    def quantity(self, order: int) -> int:
+        """Returns the library's quantity of its value, rate or acceleration."""
+        return int((LENGTH if self.is_distance else ANGLE)[order])
+
+
+def nearest(name: str, names: Iterable[str]) -> Optional[str]:
+    """Returns the name that was probably meant."""
+    from difflib import get_close_matches
+
+    found = get_close_matches(name, list(names), 1, 0.6)
+    return found[0] if found else None
+
+
+def parse(text: str, name: str, overrides: Sequence[tuple[str, str]], lock: Optional[str], problems: Problems) -> CData:
+    """Reads a model file's text. Returns the model, or None with problems added."""
+    options = ffi.new("YkLoadOptions *")
+    options[0] = lib.yk_default_load_options()
+    kept = [(ffi.new("char[]", encoded(n)), ffi.new("char[]", encoded(v))) for n, v in overrides]
+    options.parameters = parameters = ffi.new("YkOverride[]", len(kept) + 1)
+    for k, (n, v) in enumerate(kept):
+        parameters[k].name, parameters[k].value = n, v
+    options.parameter_count = len(kept)
+    options.lock = locked = ffi.NULL if lock is None else ffi.new("char[]", encoded(lock))
+    options.progress = progress_of_host
+    data = encoded(text)
+    model = lib.yk_model_parse(data, len(data), encoded(name), options, problems.c)
+    del kept, parameters, locked
+    return None if model == ffi.NULL else ffi.gc(model, lib.yk_model_free)
+
+
+def exact_words(own: CData, name: str, value: Value) -> str:
+    """Returns a parameter's value as a text; a number is in SI, and is read back as the same number."""
+    if isinstance(value, (str, tuple)):
+        return words(value, name)
+    wanted = number(value, name)
+    size = lib.yk_model_parameter_unit(own, encoded(name)) if own else 1.0
+    first = wanted / size
+    read = ffi.new("double *")
+    import math
+
+    for candidate in (first, math.nextafter(first, math.inf), math.nextafter(first, -math.inf)):
+        text = repr(candidate)
+        good = own and lib.yk_model_parameter_read(own, encoded(name), text.encode(), read, Problems().c) >= 0
+        if good and read[0] == wanted:
+            return text
+    return repr(first)
+
+
+class Core:
+    """A model with what was computed from it once. It belongs to one thread at a time, by the machine's lock."""
+
+    def __init__(
+        self, text: str, name: str, parameters: dict[str, Value], lock: Optional[str], problems: Problems
+    ) -> None:
+        self.text, self.name, self.parameters, self.lock = text, name, parameters, lock
+        self.own: CData = None  # the file's own machine, where parameters replace its values
+        overrides: list[tuple[str, str]] = []
+        if parameters:
+            quiet = Problems()
+            self.own = parse(text, name, [], lock, quiet)
+            if self.own is None and any(not isinstance(v, (str, tuple)) for v in parameters.values()):
+                raise quiet.fail(ModelError)
+            overrides = [(n, exact_words(self.own, n, v)) for n, v in parameters.items()]
+        self.model = parse(text, name, overrides, lock, problems)
+        if self.model is None:
+            raise problems.fail(ModelError)
+        self.plans: dict[Any, _reach.Plan] = {}
+        self.base = self.compile(self.model, (), problems)
+        if self.base is None:
+            raise problems.fail(ModelError)
+        self.coordinates = self.coordinates_of(self.base)
+        self.bodies = [text_of(lib.yk_model_body_name(self.model, k)) for k in
+                       range(lib.yk_model_body_count(self.model))]  # fmt: skip
+        self.joints = [text_of(lib.yk_model_joint_name(self.model, k)) for k in
+                       range(lib.yk_model_joint_count(self.model))]  # fmt: skip
+        self.points = {
+            f"{self.bodies[lib.yk_model_point_body(self.model, k)]}.{text_of(lib.yk_model_point_name(self.model, k))}": k
+            for k in range(lib.yk_model_point_count(self.model))
+        }
+        self.start = _reach.Start(self)
+
+    def compile(self, model: CData, inputs: Sequence[str], problems: Problems) -> CData:
+        """Compiles a model with these coordinates as its first inputs. Returns None with problems added."""
+        names = [ffi.new("char[]", encoded(name)) for name in inputs]
+        options = ffi.new("YkCompileOptions *")
+        options.inputs = array = ffi.new("char *[]", names or [ffi.NULL])
+        options.input_count = len(names)
+        options.progress = progress_of_host
+        mech = lib.yk_mechanism_compile(model, options, problems.c)
+        del array
+        if mech == ffi.NULL:
+            return None
+
+        def free(c: CData, keep: CData = model) -> None:
+            lib.yk_mechanism_free(c)
+
+        return ffi.gc(mech, free)
+
+    @staticmethod
+    def coordinates_of(mech: CData) -> dict[str, Coordinate]:
+        """Returns the coordinates of a mechanism by name, in their order."""
+        result = {}
+        for k in range(lib.yk_coordinate_count(mech)):
+            c = lib.yk_coordinate_info(mech, k)
+            name = text_of(c.name)
+            result[name] = Coordinate(name, k, c.is_distance, c.is_declared, c.has_drive, c.has_start, c.input)
+        return result
+
+    def coordinate(self, name: str) -> Coordinate:
+        """Finds a coordinate; refuses an unknown name and suggests the nearest."""
+        found = self.coordinates.get(name)
+        if found is None:
+            near = nearest(str(name), self.coordinates)
+            raise refusal(UnknownName, "E0814", f"the machine has no coordinate `{name}`",
+                          f"did you mean `{near}`?" if near else f"there are {', '.join(self.coordinates)}")  # fmt: skip
+        return found
+
+    def plan(self, at: Sequence[str], rate: Sequence[str] = (), accel: Sequence[str] = (), swept: Optional[str] = None,
+             imposed: bool = False) -> "_reach.Plan":  # fmt: skip
+        """Returns the plan of requests that set these coordinates. imposed: all inputs move as prescribed."""
+        key = (tuple(at), tuple(rate), tuple(accel), swept, imposed)
+        found = self.plans.get(key)
+        if found is None:
+            if len(self.plans) >= 64:  # a program that asks for ever new combinations keeps the latest
+                self.plans.pop(next(iter(self.plans)))
+            found = self.plans[key] = _reach.Plan(self, *key)
+        return found
+
+
+def channels_of(mech: CData, names: Sequence[str]) -> CData:
+    """Reads channels' names; refuses all unknown ones at once."""
+    problems = Problems()
+    channels = ffi.new("YkChannel[]", len(names) + 1)
+    good = True
+    for k, name in enumerate(names):
+        good &= lib.yk_channel_parse(mech, encoded(name, "of"), channels + k, problems.c) == lib.YK_OK
+    if not good:
+        raise problems.fail(UnknownName)
+    return channels
+
+
+def names_of(of: Any) -> list[str]:
+    """Returns `of` as a list of names: a list, or "s,s.rate" as the command takes it."""
+    if isinstance(of, str):
+        return [name for name in of.split(",") if name]
+    names = list(of)
+    for name in names:
+        if not isinstance(name, str):
+            raise refusal(RequestError, "E0806", f"`of` takes names of columns, not {name!r}")
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise refusal(RequestError, "E0806", f"`of` names {', '.join(twice)} twice")
+    return names

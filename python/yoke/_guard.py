@@ -1,0 +1,40 @@
+"""Objects that belong to one thread at a time: their lock, their end, and what a fork leaves of them."""
+from __future__ import annotations
+
+import os
+from _thread import RLock
+from weakref import WeakSet
+
+from ._problems import ClosedError
+
+
+class Guarded:
+    """An object with a lock. A second thread waits for the first; after `close` every use is refused."""
+
+    __slots__ = ("_lock", "_gone", "__weakref__")
+
+    def __init__(self) -> None:
+        self._lock = RLock()
+        self._gone = ""  # why it can no longer be used
+        _all.add(self)
+
+    def _refuse(self) -> None:
+        raise ClosedError(f"this {type(self).__name__.lower()} {self._gone}")
+
+
+_all: "WeakSet[Guarded]" = WeakSet()
+
+
+def _after_fork() -> None:
+    """In the child: what another thread was using when the process forked may be half changed, and is given up."""
+    for one in list(_all):
+        if one._lock.acquire(blocking=False):
+            one._lock.release()
+        else:
+            one._lock = RLock()
+            one._gone = "was in use by another thread when the process forked"
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
+
