@@ -27,7 +27,8 @@ class Columns(Mapping[str, Any]):
         self._rows = dict(zip(names, values))
 
     def __getitem__(self, name: str) -> "NDArray[np.float64]":
-        return self._rows[name]
+        result: NDArray[np.float64] = self._rows[name]
+        return result
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._rows)
@@ -42,7 +43,7 @@ class Columns(Mapping[str, Any]):
 
     def to_pandas(self) -> Any:
         """Returns the columns as a pandas.DataFrame; needs pandas."""
-        import pandas
+        import pandas  # type: ignore[import]
 
         return pandas.DataFrame({**self._rows, "status": self.status})
 
@@ -105,7 +106,8 @@ def _room(out: Any, columns: int, poses: int, inputs: list[Any]) -> "NDArray[np.
         raise refusal(RequestError, "E0806", f"out takes a contiguous array of doubles of shape {(columns, poses)}")
     if any(np.may_share_memory(out, array) for array in inputs):
         raise refusal(RequestError, "E0806", "out shares memory with an input")
-    return out
+    result: NDArray[np.float64] = out
+    return result
 
 
 def _solve(plan: Plan, batch: Any, arrays: Mapping[tuple[int, int], Any], values: Any, status: Any) -> None:

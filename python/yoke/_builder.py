@@ -19,7 +19,7 @@ def scalar(value: Any, name: str) -> str:
     if isinstance(value, str):
         return value
     if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str) and not isinstance(value[0], str):
-        return words(value, name)
+        return words((value[0], value[1]), name)
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{k}: {scalar(v, name)}" for k, v in value.items()) + "}"
     if isinstance(value, (list, tuple)):
@@ -49,27 +49,30 @@ class Builder(Guarded):
         """Forgets what was computed from the machine as it was."""
         raise NotImplementedError
 
+    def _edit(self) -> CData:
+        """Returns the builder of a machine that calls can change."""
+        if self._gone:
+            self._refuse()
+        if self._builder == ffi.NULL:
+            raise refusal(RequestError, "E0806", "a machine that was loaded is not changed by calls",
+                          "yoke.load and replace take parameters; yoke.Machine() begins an empty machine")  # fmt: skip
+        self._changed()
+        return self._builder
+
     def set(self: Self, path: str, value: Any) -> Self:
         """Sets a key by its path, as set("springs/k/damping", "5 N*s/m"); everything the format has can be said so."""
         with self._lock:
-            if self._gone:
-                self._refuse()
-            if self._builder == ffi.NULL:
-                raise refusal(RequestError, "E0806", "a machine that was loaded is not changed by calls",
-                              "yoke.load and replace take parameters; yoke.Machine() begins an empty machine")  # fmt: skip
-            self._changed()
-            is_number = not isinstance(value, (bool, str)) and hasattr(value, "__float__")
-            if is_number:
-                lib.yk_builder_set_number(self._builder, encoded(path), number(value, path))
+            builder = self._edit()
+            if not isinstance(value, (bool, str)) and hasattr(value, "__float__"):
+                lib.yk_builder_set_number(builder, encoded(path, "path"), number(value, path))
             else:
-                lib.yk_builder_set(self._builder, encoded(path), encoded(scalar(value, path)))
+                lib.yk_builder_set(builder, encoded(path, "path"), encoded(scalar(value, path)))
         return self
 
     def remove(self: Self, path: str) -> Self:
         """Removes a key with all that is in it; nothing where it is not."""
         with self._lock:
-            self.set(path, "0")  # is it a machine that can be changed?
-            lib.yk_builder_remove(self._builder, encoded(path))
+            lib.yk_builder_remove(self._edit(), encoded(path, "path"))
         return self
 
     def _set_all(self: Self, path: str, values: Mapping[str, Any]) -> Self:
@@ -95,16 +98,10 @@ class Builder(Guarded):
              rod: Optional[Sequence[str]] = None) -> Self:  # fmt: skip
         """Adds a body, or more to one: points in its axes, mass, and centre with inertia or a uniform rod."""
         with self._lock:
-            self.set(f"bodies/{name}", "{}") if not self._has(name) and name != "ground" else None
+            lib.yk_builder_body(self._edit(), encoded(name))
             for point, place in (points or {}).items():
                 self.point(name, point, *place)
             return self._set_all(f"bodies/{name}", {"mass": mass, "center": center, "inertia": inertia, "rod": rod})
-
-    def _has(self, body: str) -> bool:
-        return body in self._bodies_said()
-
-    def _bodies_said(self) -> "set[str]":
-        raise NotImplementedError
 
     def point(self: Self, body: str, name: str, x: Value, y: Value) -> Self:
         """Adds a point to a body, in its axes."""

@@ -62,7 +62,7 @@ def same(plan: Plan, one: CData, other: CData) -> bool:
     """Tells whether two poses are the same configuration, up to whole turns."""
     size = lib.yk_mechanism_size(plan.mech)
     for c in plan.coordinates.values():
-        off = lib.yk_state_coordinate(one, c.index).position - lib.yk_state_coordinate(other, c.index).position
+        off = lib.yk_state_coordinate(one, c.number).position - lib.yk_state_coordinate(other, c.number).position
         off = off / size if c.is_distance else math.remainder(off, 2 * math.pi)
         if not abs(off) < 1e-6:
             return False

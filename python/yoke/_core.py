@@ -14,7 +14,7 @@ class Coordinate(NamedTuple):
     """A coordinate of the machine: second body relative to first."""
 
     name: str
-    index: int
+    number: int
     is_distance: bool
     is_declared: bool
     has_drive: bool
@@ -51,22 +51,23 @@ def parse(text: str, name: str, overrides: Sequence[tuple[str, str]], lock: Opti
     return None if model == ffi.NULL else ffi.gc(model, lib.yk_model_free)
 
 
+_SI_UNITS = ("m", "rad", "kg", "s", "N", "N*m", "kg*m^2", "m/s", "rad/s", "m/s^2", "rad/s^2", "N/m", "N*s/m", "N*m/rad",
+             "N*m*s/rad", "J", "m^2", "1/s")  # fmt: skip
+
+
 def exact_words(own: CData, name: str, value: Value) -> str:
     """Returns a parameter's value as a text; a number is in SI, and is read back as the same number."""
     if isinstance(value, (str, tuple)):
         return words(value, name)
     wanted = number(value, name)
-    size = lib.yk_model_parameter_unit(own, encoded(name)) if own else 1.0
-    first = wanted / size
+    if own is None or lib.yk_model_parameter_unit(own, encoded(name)) == 1:
+        return repr(wanted)
     read = ffi.new("double *")
-    import math
-
-    for candidate in (first, math.nextafter(first, math.inf), math.nextafter(first, -math.inf)):
-        text = repr(candidate)
-        good = own and lib.yk_model_parameter_read(own, encoded(name), text.encode(), read, Problems().c) >= 0
-        if good and read[0] == wanted:
+    for unit in _SI_UNITS:  # one of them has the parameter's dimension
+        text = f"{wanted!r} {unit}"
+        if lib.yk_model_parameter_read(own, encoded(name), text.encode(), read, Problems().c) >= 0 and read[0] == wanted:
             return text
-    return repr(first)
+    return repr(wanted / lib.yk_model_parameter_unit(own, encoded(name)))
 
 
 class Core:

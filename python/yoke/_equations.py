@@ -147,8 +147,8 @@ def verdict_on(machine: "Machine", equation: str, pose: Any) -> Verdict:
     shown = v.shown
     differs = v.kind == lib.YK_CHECK_FALSE or v.is_false_there
     there = {} if shown.positions == ffi.NULL or not differs else {
-        c.name: (shown.positions[c.index].position, shown.positions[c.index].velocity,
-                 shown.positions[c.index].acceleration) for c in pose._plan.coordinates.values()}  # fmt: skip
+        c.name: (shown.positions[c.number].position, shown.positions[c.number].velocity,
+                 shown.positions[c.number].acceleration) for c in pose._plan.coordinates.values()}  # fmt: skip
     return Verdict(
         equation, text_of(lib.yk_check_kind_name(v.kind)), v.is_identity, v.poses, v.machines,
         shown.left if differs else None, shown.right if differs else None, there,

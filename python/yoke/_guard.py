@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from _thread import RLock
+from threading import RLock
 from weakref import WeakSet
 
 from ._problems import ClosedError

@@ -35,19 +35,18 @@ class Machine(Builder):
     0.25
     """
 
-    __slots__ = ("_kept", "_source", "_names")
+    __slots__ = ("_kept", "_source")
 
     def __init__(self, name: str = "") -> None:
         super().__init__(name)
         self._kept: Optional[Core] = None
-        self._source: Any = None
-        self._names: set[str] = set()
+        self._source: Optional[tuple[str, str, dict[str, Value], Optional[str]]] = None
 
     @classmethod
     def _loaded(cls, text: str, name: str, parameters: Mapping[str, Value], lock: Optional[str]) -> "Machine":
         machine = cls.__new__(cls)
         Builder.__init__(machine, None)
-        machine._source, machine._kept, machine._names = (text, name, dict(parameters), lock), None, set()
+        machine._source, machine._kept = (text, name, dict(parameters), lock), None
         machine._ready()
         return machine
 
@@ -55,15 +54,6 @@ class Machine(Builder):
 
     def _changed(self) -> None:
         self._kept = None
-
-    def _bodies_said(self) -> "set[str]":
-        return self._names
-
-    def set(self, path: str, value: Any) -> "Machine":
-        super().set(path, value)
-        if path.startswith("bodies/"):
-            self._names.add(path.split("/")[1])
-        return self
 
     def _ready(self) -> Core:
         """Returns what was computed from the machine; loads it where that is not done. The lock is held."""
@@ -78,7 +68,8 @@ class Machine(Builder):
                 raise said.fail(ModelError)
             core = Core(self._said(), "machine", {}, None, problems)
         else:
-            core = Core(*self._source, problems)
+            text, name, parameters, lock = self._source
+            core = Core(text, name, parameters, lock, problems)
         check()
         problems.warn(4)
         self._kept = core
@@ -101,7 +92,7 @@ class Machine(Builder):
                 return Machine._loaded, self._source
             if self._gone:
                 self._refuse()
-            return _built, (self._said(), self._names)
+            return _built, (self._said(),)
 
     # --- what it is
 
@@ -353,7 +344,7 @@ class Machine(Builder):
         """Begins a simulation that the caller steps and acts on."""
         with self._lock:
             core = self._ready()
-            kept = {"start": start, "at": {**(at or {}), **coordinates}, "rate": dict(rate or {}),
+            kept: dict[str, Any] = {"start": start, "at": {**(at or {}), **coordinates}, "rate": dict(rate or {}),
                     "effort": dict(effort or {}), "method": method, "tolerance": tolerance, "step": step}  # fmt: skip
             request = _motion.Request(core, start=start, at=kept["at"], rate=kept["rate"], effort=kept["effort"],
                                       method=method, tolerance=tolerance, step=step)  # fmt: skip
@@ -420,7 +411,7 @@ class Machine(Builder):
             return f"<yoke.Machine, not yet whole: {str(error).splitlines()[0]}>"
 
 
-def _built(text: str, names: "set[str]") -> Machine:
+def _built(text: str) -> Machine:
     """Makes a machine from what a builder said, after pickling."""
     return Machine._loaded(text, "machine", {}, None)
 

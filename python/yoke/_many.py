@@ -63,7 +63,7 @@ class Simulations(Guarded):
         self._restart(range(self.count), self._at, self._rate)
         plan = self._core.plan(list(self._at))
         self._channels = channels_of(plan.mech, self.of)
-        self._coordinates = ffi.new("size_t[]", [self._core.coordinate(n).index for n in self.efforts] or 1)
+        self._coordinates = ffi.new("size_t[]", [self._core.coordinate(n).number for n in self.efforts] or 1)
         self._many = ffi.new("YkHostMany *")
         many = self._many
         many.simulations, many.coordinates, many.coordinate_count = self._array, self._coordinates, len(self.efforts)

@@ -137,9 +137,9 @@ class Efforts(MutableMapping[str, float]):
             c = sim._request._free(name)
             quantity = lib.YK_QUANTITY_FORCE if c.is_distance else lib.YK_QUANTITY_TORQUE
             effort = si(sim._core.model, value, quantity, name)
-            status = lib.yk_simulation_act_effort(sim.c, c.index, effort)
+            status = lib.yk_simulation_act_effort(sim._use(), c.number, effort)
             if status == lib.YK_BAD_ARGUMENT:
-                status = lib.yk_simulation_set_effort(sim.c, encoded(name), effort)
+                status = lib.yk_simulation_set_effort(sim._use(), encoded(name), effort)
             if status < 0:
                 raise refusal(RequestError, "E0806", f"no effort along `{name}` was there when the simulation began",
                               f"machine.simulation(effort={{{name!r}: 0.0}}) begins with one")  # fmt: skip
@@ -172,12 +172,12 @@ class Simulation(Guarded):
     continue with the same bits. A simulation is a context manager and belongs to one thread at a time.
     """
 
-    __slots__ = ("machine", "effort", "c", "_request", "_core", "_channels", "_control", "_kept")
+    __slots__ = ("machine", "effort", "_c", "_request", "_core", "_channels", "_control", "_kept")
 
     def __init__(self, machine: "Machine", request: Request, kept: Any, c: Optional[CData] = None) -> None:
         super().__init__()
         self.machine, self._request, self._core, self._kept = machine, request, request.core, kept
-        self.c = request.new() if c is None else c
+        self._c: CData = request.new() if c is None else c
         self.effort: Efforts = Efforts(self)
         self.effort._set.update({n: next(iter(x.values())) for n, x in request.effort.items()})
         self._channels: dict[Any, Any] = {}
@@ -192,12 +192,12 @@ class Simulation(Guarded):
     def close(self) -> None:
         """Frees the simulation; every later use raises ClosedError."""
         with self._lock:
-            self._gone, self.c, self._control = "was closed", ffi.NULL, None
+            self._gone, self._c, self._control = "was closed", ffi.NULL, None
 
     def _use(self) -> CData:
         if self._gone:
             self._refuse()
-        return self.c
+        return self._c
 
     @property
     def time(self) -> float:
@@ -209,28 +209,28 @@ class Simulation(Guarded):
         """Advances by a span of time; a number is in seconds. Returns the time reached."""
         with self._lock:
             c = self._use()
-            return self._end(lib.yk_simulation_step(c, si(self._core.model, span, TIME, "span")))
+            return self._end(c, lib.yk_simulation_step(c, si(self._core.model, span, TIME, "span")))
 
     def advance(self, to: Value) -> float:
         """Advances to a time. Returns the time reached, which is earlier only where a control ended it."""
         with self._lock:
             c = self._use()
-            return self._end(lib.yk_simulation_advance(c, si(self._core.model, to, TIME, "to")))
+            return self._end(c, lib.yk_simulation_advance(c, si(self._core.model, to, TIME, "to")))
 
-    def _end(self, status: int) -> float:
+    def _end(self, c: CData, status: int) -> float:
         check()
-        time: float = lib.yk_simulation_time(self.c)
+        time: float = lib.yk_simulation_time(c)
         if status < 0:
-            raise self._failure(status)
+            raise self._failure(c, status)
         return time
 
-    def _failure(self, status: int) -> Exception:
+    def _failure(self, c: CData, status: int) -> Exception:
         if status == lib.YK_BAD_ARGUMENT:
             return refusal(RequestError, "E0806", "a simulation advances to a finite time that is not past")
         if status == lib.YK_NO_MEMORY:
             return MemoryError("out of memory")
-        why = text_of(lib.yk_simulation_report(self.c).message)
-        at = shown(self._core.model, lib.yk_simulation_time(self.c), TIME, 10)
+        why = text_of(lib.yk_simulation_report(c).message)
+        at = shown(self._core.model, lib.yk_simulation_time(c), TIME, 10)
         return refusal(PoseError, "E0820", f"the motion ends at t = {at}: {why}", status=status_name(status))
 
     def _found(self, names: Any) -> CData:
@@ -257,7 +257,7 @@ class Simulation(Guarded):
         with self._lock:
             c, info = self._use(), self._core.coordinate(coordinate)
             value = si(self._core.model, acceleration, info.quantity(2), coordinate)
-            if lib.yk_simulation_act_drive(c, info.index, value) < 0:
+            if lib.yk_simulation_act_drive(c, info.number, value) < 0:
                 raise refusal(RequestError, "E0806", f"`{coordinate}` is not driven")
 
     def watch(self, name: str, channel: str, value: Value = 0.0, direction: int = 0) -> None:
@@ -382,14 +382,15 @@ def _rows(sim: Simulation, start: float, to: float, every: Optional[Value], step
     request.rows = ffi.from_buffer("double[]", data)
     request.channels, request.channel_count = channels, len(names)
     sim._request.span[0], sim._request.span[1] = start, to
-    status = lib.yk_host_simulate(sim.c, request)
+    c = sim._use()
+    status = lib.yk_host_simulate(c, request)
     check()
     heads = [Column("t", *unit_of(core.model, TIME)), *_sweep.columns(core.model, channels, names)]
     result = table(data[: request.done], heads, f"{text_of(lib.yk_model_name(core.model))}: motion in time")
     result.events, result.summary = sim.events, sim.summary
     if status < 0:
         result.status = status_name(status)
-        result.message = "" if status == lib.YK_STOPPED else str(sim._failure(status))
+        result.message = "" if status == lib.YK_STOPPED else str(sim._failure(c, status))
     return result
 
 

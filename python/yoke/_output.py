@@ -44,7 +44,7 @@ def _state(core: "Core", swept: Optional[str]) -> tuple[Any, CData]:
     state = new_state(plan.mech)
     if swept is not None and plan.entry is not None:
         coordinate = plan.coordinates[swept]
-        plan.holds[0].value = lib.yk_state_coordinate(plan.entry, coordinate.index).position
+        plan.holds[0].value = lib.yk_state_coordinate(plan.entry, coordinate.number).position
     try:
         plan.reach(state, 0.0)
     except PoseError as error:
@@ -64,7 +64,7 @@ def _page(core: "Core", over: Optional[Mapping[str, Any]], steps: Optional[int],
     if swept is not None:
         quantity = TIME if is_time else plan.coordinates[swept].quantity(0)
         low, high = _sweep.ends(core.model, value, quantity, swept)
-        options.has_range, options.coordinate = True, -1 if is_time else plan.coordinates[swept].index
+        options.has_range, options.coordinate = True, -1 if is_time else plan.coordinates[swept].number
         setattr(options, "from", low)
         options.to = high
     name = ffi.new("char[]", encoded(swept or ""))

@@ -136,7 +136,7 @@ class Pose:
         """Motions of all coordinates, m or rad."""
         state = self._slot.state
         return Named(self._plan.coordinates,
-                     lambda c: self._motion(lib.yk_state_coordinate(state, c.index)), "coordinate", self)  # fmt: skip
+                     lambda c: self._motion(lib.yk_state_coordinate(state, c.number)), "coordinate", self)  # fmt: skip
 
     @property
     def bodies(self) -> Named[Motion]:
@@ -210,8 +210,8 @@ class Pose:
         """Efforts of the drives, and of `efforts:`; empty without forces."""
         dynamics = self._slot.dynamics
         names = {
-            name: c.index for name, c in self._plan.coordinates.items()
-            if self._forces and lib.yk_dynamics_has_effort(dynamics, c.index)
+            name: c.number for name, c in self._plan.coordinates.items()
+            if self._forces and lib.yk_dynamics_has_effort(dynamics, c.number)
         }  # fmt: skip
 
         def read(k: int) -> Effort:
@@ -285,5 +285,6 @@ class Pose:
 def _again(machine: "Machine", request: Any, index: Optional[int]) -> Pose:
     """Makes a pose anew from its machine and the request, after pickling."""
     if index is not None:
-        return machine.configurations(**request)[index]
+        found: Pose = machine.configurations(**request)[index]
+        return found
     return machine.solve(**request)

@@ -68,7 +68,8 @@ class YokeWarning(UserWarning):
 
 def text_of(value: Any) -> str:
     """Returns a C string as text; "" for NULL."""
-    return "" if value == ffi.NULL else ffi.string(value).decode("utf-8", "replace")
+    result: str = "" if value == ffi.NULL else ffi.string(value).decode("utf-8", "replace")
+    return result
 
 
 def status_name(status: int) -> str:

@@ -9,7 +9,7 @@ from ._values import CData, shown
 from ._watch import check, progress_of_host
 
 if TYPE_CHECKING:
-    from ._core import Core
+    from ._core import Coordinate, Core
 
 _CODES = {
     lib.YK_REDUNDANT: "E0605", lib.YK_CHANGE_POINT: "E0604", lib.YK_SINGULAR: "E0603", lib.YK_LIMIT: "E0602",
@@ -72,7 +72,8 @@ class Start:
     """The machine where the file assembles it, with the file's own choice of inputs, at t = 0."""
 
     def __init__(self, core: "Core") -> None:
-        self.core, self.mech = core, core.base
+        self.core = core
+        self.mech: CData = core.base
         self.state = new_state(self.mech)
         self.own_state: CData = None
         own = self._own()
@@ -142,8 +143,8 @@ class Slot:
     __slots__ = ("state", "dynamics", "is_shared")
 
     def __init__(self, plan: "Plan", is_shared: bool = True) -> None:
-        self.state = new_state(plan.mech)
-        self.dynamics = plan.new_dynamics()
+        self.state: CData = new_state(plan.mech)
+        self.dynamics: CData = plan.new_dynamics()
         self.is_shared = is_shared  # goes back to the pool; not with efforts of its own
 
 
@@ -157,13 +158,13 @@ class Plan:
         names = list(dict.fromkeys(([swept] if swept else []) + [*at, *rate, *accel]))
         for name in names:
             core.coordinate(name)
-        self.mech = core.base
+        self.mech: CData = core.base
         if any(core.coordinates[name].input < 0 for name in names):
             problems = Problems()
             self.mech = core.compile(core.model, names, problems)
             if self.mech is None:
                 raise problems.fail(RequestError)
-        self.coordinates = core.coordinates_of(self.mech)
+        self.coordinates: dict[str, Coordinate] = core.coordinates_of(self.mech)
         order = [(name, 0) for name in at] + [(name, 1) for name in rate] + [(name, 2) for name in accel]
         order += [(swept, 0)] if swept else []
         self.holds = ffi.new("YkHostHold[]", len(order) + 1)
@@ -264,7 +265,7 @@ class Plan:
 
     def _value(self, k: int, value: float, count: int) -> str:
         coordinate = lib.yk_input_coordinate(self.mech, k)
-        info = next(c for c in self.coordinates.values() if c.index == coordinate)
+        info = next(c for c in self.coordinates.values() if c.number == coordinate)
         return f"{info.name} = {shown(self.core.model, value, info.quantity(0), count)}"
 
     def _word_stop(self, state: CData) -> str:
@@ -287,7 +288,7 @@ class Plan:
         ranges = ffi.new("YkRange[]", 32)
         count = lib.yk_closing_ranges(state, coordinate, ranges, 32)
         check()
-        info = next(c for c in self.coordinates.values() if c.index == coordinate)
+        info = next(c for c in self.coordinates.values() if c.number == coordinate)
         for k in range(min(count, 32) if count != lib.YK_NOT_FOUND else 0):
             if getattr(ranges[k], "from") - 1e-6 <= here <= ranges[k].to + 1e-6:
                 low, high = (shown(self.core.model, x, info.quantity(0))

@@ -18,14 +18,16 @@ class Scale:
     """The largest rate and acceleration of a pose, in angles or in lengths over the machine's size."""
 
     def __init__(self, plan: "Plan", slot: "Slot") -> None:
-        state, mech, model = slot.state, plan.mech, plan.core.model
+        state: CData = slot.state
+        mech: CData = plan.mech
+        model: CData = plan.core.model
         self.size = lib.yk_mechanism_size(mech)
         self.of_angles = _NOISE_OF_SUMS if lib.yk_loop_count(mech) == 0 else _NOISE
         self.rate = self.acceleration = 0.0
         if not lib.yk_state_has_rates(state):
             return
         for c in plan.coordinates.values():
-            m, size = lib.yk_state_coordinate(state, c.index), self.size if c.is_distance else 1.0
+            m, size = lib.yk_state_coordinate(state, c.number), self.size if c.is_distance else 1.0
             self._raise(m.velocity / size, m.acceleration / size)
         for k in range(1, lib.yk_model_body_count(model)):
             m = lib.yk_state_body(state, k)

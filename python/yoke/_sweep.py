@@ -103,7 +103,7 @@ def run(core: "Core", coordinates: Mapping[str, Any], of: Any, steps: Any, hold:
     options = ffi.new("YkSweepOptions *")
     options[0] = lib.yk_default_sweep_options()
     setattr(options, "from", low)
-    options.coordinate, options.to, options.steps = -1 if is_time else plan.coordinates[swept].index, high, step_count
+    options.coordinate, options.to, options.steps = -1 if is_time else plan.coordinates[swept].number, high, step_count
     options.method = method
     if turn_max is not None:
         options.turn_max = si(core.model, turn_max, lib.YK_QUANTITY_ANGLE, "turn_max")
@@ -172,7 +172,7 @@ class Holding:
         for name, value in self.effort.items():
             c = self.core.coordinate(name)
             quantity = lib.YK_QUANTITY_FORCE if c.is_distance else lib.YK_QUANTITY_TORQUE
-            result[c.index] = si(self.core.model, value, quantity, name)
+            result[c.number] = si(self.core.model, value, quantity, name)
         return result
 
     def dynamics(self, plan: Plan) -> Any:

@@ -62,7 +62,7 @@ class Table(np.ndarray):  # type: ignore[type-arg]
         return remake, args, (state, own)
 
     def __setstate__(self, state: Any) -> None:
-        super().__setstate__(state[0])  # type: ignore[misc]
+        super().__setstate__(state[0])
         self.columns, self.events, self.status, self.message, self.caption, self.summary = state[1]
 
     def _shown(self) -> list[Column]:
@@ -91,7 +91,7 @@ class Table(np.ndarray):  # type: ignore[type-arg]
 
     def to_pandas(self, index: Optional[str] = None) -> Any:
         """Returns the rows as a pandas.DataFrame; needs pandas."""
-        import pandas
+        import pandas  # type: ignore[import]
 
         frame = pandas.DataFrame({name: self[name] for name in self.dtype.names or ()})
         return frame.set_index(index) if index else frame

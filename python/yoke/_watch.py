@@ -36,7 +36,7 @@ def check() -> None:
 
 def _bar(title: str) -> tuple[Optional[Callable[[float], object]], Callable[[], object]]:
     try:
-        from tqdm.auto import tqdm
+        from tqdm.auto import tqdm  # type: ignore[import]
     except ImportError:
         return None, lambda: None
     bar = tqdm(total=1.0, desc=title, bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
