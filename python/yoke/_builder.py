@@ -135,8 +135,11 @@ class Builder(Guarded):
 
     def free(self: Self, name: str, first: str, second: str, *, from_: Optional[str] = None, to: Optional[str] = None,
              x: Optional[str] = None, y: Optional[str] = None, angle: Optional[str] = None) -> Self:  # fmt: skip
-        """Leaves everything free between two bodies; names the coordinates."""
-        return self._joint(name, "free", first, second, from_=from_, to=to, x=x, y=y, angle=angle)
+        """Leaves everything free between two bodies; names all three coordinates, or none."""
+        names = [x, y, angle]
+        if any(names) and not all(names):
+            raise refusal(RequestError, "E0806", f"free joint `{name}`: x, y and angle are named together, or not at all")
+        return self._joint(name, "free", first, second, at=names if any(names) else None, from_=from_, to=to)
 
     def drive(self: Self, coordinate: str, value: Value) -> Self:
         """Drives a coordinate by an expression of time, as "20 rpm * t"."""

@@ -18,6 +18,10 @@ class Guarded:
         self._gone = ""  # why it can no longer be used
         _all.add(self)
 
+    def _give_up(self, why: str) -> None:
+        """Ends the object without touching what it holds."""
+        self._lock, self._gone = RLock(), why
+
     def _refuse(self) -> None:
         raise ClosedError(f"this {type(self).__name__.lower()} {self._gone}")
 
@@ -31,8 +35,7 @@ def _after_fork() -> None:
         if one._lock.acquire(blocking=False):
             one._lock.release()
         else:
-            one._lock = RLock()
-            one._gone = "was in use by another thread when the process forked"
+            one._give_up("was in use by another thread when the process forked")
 
 
 if hasattr(os, "register_at_fork"):

@@ -22,6 +22,9 @@ METHODS = {"reduced": lib.YK_METHOD_REDUCED, "newton-euler": lib.YK_METHOD_NEWTO
 _NONE: Mapping[str, Any] = {}
 
 
+_given_up: "list[Optional[Core]]" = []
+
+
 class Machine(Builder):
     """A planar machine: loaded by `yoke.load`, or made by calls.
 
@@ -51,6 +54,11 @@ class Machine(Builder):
         return machine
 
     # --- its life
+
+    def _give_up(self, why: str) -> None:
+        super()._give_up(why)
+        _given_up.append(self._kept)  # half changed: never used, never freed
+        self._kept = None
 
     def _changed(self) -> None:
         self._kept = None
