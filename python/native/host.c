@@ -159,3 +159,17 @@ void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t pa
 {
     for (size_t k = 0; k < count; k++) values[k] = yk_distribution_draw(distribution, seed, k, parameter);
 }
+
+void yk_host_time_solve(YkState *state, const YkState *entry, YkHostHold *holds, YkMotion *goal, YkMove *move,
+                        const double *values, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        holds[0].value = values[k];
+        yk_host_reach(state, entry, holds, 1, 0, goal, move, NULL);
+    }
+}
+
+void yk_host_time_steps(YkSimulation *simulation, double span, size_t count)
+{
+    for (size_t k = 0; k < count; k++) yk_simulation_step(simulation, span);
+}

@@ -52,3 +52,8 @@ YkStatus yk_host_step_many(const YkHostMany *many, size_t begin, size_t end);
 
 // Draws the values of designs 0 to count - 1 of one parameter.
 void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t parameter, double *values, size_t count);
+
+// For the bench: the library's own part of `count` calls of solve, and of step.
+void yk_host_time_solve(YkState *state, const YkState *entry, YkHostHold *holds, YkMotion *goal, YkMove *move,
+                        const double *values, size_t count);
+void yk_host_time_steps(YkSimulation *simulation, double span, size_t count);
