@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-import tempfile
+
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
@@ -22,6 +22,8 @@ def finish(text: str, path: Union[str, "os.PathLike[str]", None]) -> Union[str, 
     if path is None:
         return text
     target = Path(path)
+    import tempfile
+
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
