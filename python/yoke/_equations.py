@@ -43,7 +43,10 @@ class Equations:
         for name in names:
             if name not in known:
                 raise refusal(UnknownName, "E0806", f"there is no section `{name}`", f"there are {', '.join(known)}")
+        if pose is not None and pose.machine is not machine:
+            raise refusal(RequestError, "E0806", "the pose is one of another machine")
         self.machine, self.names, self._pose = machine, names, pose
+        self._core = machine._ready() if pose is None else pose._plan.core
         self._pages: dict[str, str] = {}
         self._page("text")  # derives now, so that what cannot be derived is told now
 
@@ -54,7 +57,7 @@ class Equations:
         return self._pages[format_]
 
     def _print(self, format_: str) -> str:
-        core = self.machine._ready()
+        core = self._core
         mech = core.base if self._pose is None else self._pose._plan.mech
         derivation = new_derivation(core.model, mech)
         options = ffi.new("YkPageOptions *")
@@ -136,7 +139,7 @@ class Verdict(NamedTuple):
 
 def verdict_on(machine: "Machine", equation: str, pose: Any) -> Verdict:
     """Decides about an equation, from a pose whose state changes."""
-    core, slot, mech = machine._ready(), pose._slot, pose._plan.mech
+    core, slot, mech = pose._plan.core, pose._slot, pose._plan.mech
     derivation = new_derivation(core.model, mech)
     problems = Problems()
     dynamics = slot.dynamics if slot.dynamics is not None else ffi.NULL

@@ -213,7 +213,9 @@ class Machine(Builder):
             slot = plan.take()
             status = plan.reach(slot.state, seconds)
             request = {"time": seconds, "at": coordinates} if coordinates or seconds else _NONE
-            return self._posed(plan, slot, request, status, METHODS.get(method), True)
+            pose = self._posed(plan, slot, request, status, METHODS.get(method), True)
+            pose.notes = plan.notes
+            return pose
 
     def _posed(self, plan: Plan, slot: Slot, request: Any, status: int, method: Any, is_start: bool) -> Pose:
         """Finds the forces of a pose that was reached."""
@@ -242,7 +244,9 @@ class Machine(Builder):
                    "effort": hold.effort, "assembly": assembly, "method": method}  # fmt: skip
         if assembly is None:
             status = plan.reach(slot.state, hold.time)
-            return self._posed(plan, slot, request, status, METHODS.get(method), True)
+            pose = self._posed(plan, slot, request, status, METHODS.get(method), True)
+            pose.notes = plan.notes
+            return pose
         status = _configurations.choose(plan, slot.state, hold.time, assembly)
         is_start = _configurations.is_own(plan, slot.state, hold.time)
         return self._posed(plan, slot, request, status, METHODS.get(method), is_start)

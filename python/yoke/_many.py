@@ -91,6 +91,10 @@ class Simulations(Guarded):
     def _restart(self, which: Any, at: Mapping[str, Any], rate: Mapping[str, Any]) -> None:
         """Begins simulations anew; arrays hold a value for each of `which`."""
         which = list(which)
+        with self.machine._lock:  # starts are found with what the machine keeps
+            self._begin(which, at, rate)
+
+    def _begin(self, which: "list[int]", at: Mapping[str, Any], rate: Mapping[str, Any]) -> None:
         same_at, each_at = spread(at, len(which))
         same_rate, each_rate = spread(rate, len(which))
         first: Optional[Request] = None

@@ -305,7 +305,8 @@ class Simulation(Guarded):
 
     def clone(self) -> "Simulation":
         """Returns a second simulation in the same condition, without the control; it goes on with the same bits."""
-        other = Simulation(self.machine, self._request, self._kept)
+        with self.machine._lock:  # a start is found with what the machine keeps
+            other = Simulation(self.machine, self._request, self._kept)
         other.restore(self.save())
         other.effort._set.update(self.effort._set)
         return other

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Callable, Generic, Iterator, Mapping, Nam
 from . import _grid, _scale
 from ._core import channels_of, nearest
 from ._native import ffi, lib
-from ._problems import UnknownName, refusal, status_name, text_of
+from ._problems import Problem, UnknownName, refusal, status_name, text_of
 from ._reach import Plan, Slot, label_of
 from ._values import CData, unit_of
 
@@ -96,14 +96,15 @@ class Pose:
     It belongs to one thread at a time, as the machine does.
     """
 
-    __slots__ = ("machine", "_plan", "_slot", "_request", "status", "is_start", "index", "message", "_forces",
-                 "__weakref__")  # fmt: skip
+    __slots__ = ("machine", "_plan", "_slot", "_request", "status", "is_start", "index", "message", "notes",
+                 "_forces", "__weakref__")  # fmt: skip
 
     def __init__(self, machine: "Machine", plan: Plan, slot: Slot, request: Any, status: int, is_start: bool) -> None:
         self.machine, self._plan, self._slot, self._request = machine, plan, slot, request
         self.is_start = is_start  # the configuration that the machine itself gets to
         self.index: Optional[int] = None  # among `configurations`
         self.message = ""  # why there are no forces, where there are none
+        self.notes: tuple[Problem, ...] = ()  # what the machine passed on its way here
         self._forces = slot.dynamics is not None
         self.status = "ok" if status == 0 else status_name(status)
 

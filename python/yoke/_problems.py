@@ -17,7 +17,7 @@ class Problem(NamedTuple):
     """
 
     severity: str  # "note", "warning" or "error"
-    code: str  # "E0123", which `yoke.explain` explains
+    code: str  # "E0123", "W0123" or "N0123", which `yoke.explain` explains
     message: str
     line: int = 0
     column: int = 0
@@ -79,7 +79,7 @@ def status_name(status: int) -> str:
 
 def _problem(p: Any) -> Problem:
     return Problem(
-        _SEVERITIES[p.severity], f"E{p.code:04d}", text_of(p.message), p.place.line, p.place.column,
+        _SEVERITIES[p.severity], f"{'NWE'[p.severity]}{p.code:04d}", text_of(p.message), p.place.line, p.place.column,
         p.place.length, text_of(p.hint) or None, text_of(p.where) or None,
     )  # fmt: skip
 
@@ -132,7 +132,7 @@ def explain(code: str) -> str:
     >>> explain("E0814").splitlines()[0]
     'The machine has no coordinate of this name. `yoke check` lists the coordinates.'
     """
-    digits = code.upper().lstrip("E")
+    digits = code.upper().lstrip("ENW")
     found = lib.yk_code_explain(int(digits)) if digits.isdigit() and len(digits) < 9 else ffi.NULL
     if found == ffi.NULL:
         raise refusal(UnknownName, "E0806", f"there is no code `{code}`")

@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 from ._native import ffi, lib
-from ._problems import ModelError, PoseError, Problems, RequestError, refusal, status_name, text_of
+from ._problems import ModelError, PoseError, Problem, Problems, RequestError, refusal, status_name, text_of
 from ._values import CData, shown
 from ._watch import check, progress_of_host
 
@@ -178,6 +178,7 @@ class Plan:
         self.move = ffi.new("YkMove *")
         self.has_free = False
         self.pool: list[Slot] = []
+        self.notes: tuple[Problem, ...] = ()
         self.entry: CData = None
         self.entry_status = 0
         self.channels: dict[str, Any] = {}
@@ -231,7 +232,27 @@ class Plan:
                                         problems)  # fmt: skip
         if status < 0:
             raise pose_error(status, self._word_stop(state), self._hint(state, status, time))
+        move = self.move
+        self.notes = ()
+        if move.pass_count or move.is_detour or self.entry_status == lib.YK_SINGULAR:
+            self.notes = self._note_way()
         return status
+
+    def _note_way(self) -> tuple[Problem, ...]:
+        """Tells change points and detours on the way, and a start at which two configurations meet."""
+        move, notes = self.move, []
+        if self.entry_status == lib.YK_SINGULAR and self.hold_count > 0:
+            notes.append(Problem("warning", "W0615", "the pose of `start:` is one where two configurations meet; the "
+                                 f"machine is taken to leave it as {label_of(self.entry)}"))  # fmt: skip
+        if move.is_detour:
+            notes.append(Problem("note", "N0611", "a limit blocks the straight way from `start:`; the machine got here "
+                                 "by a detour, through its several inputs"))  # fmt: skip
+        if move.pass_count:
+            label = text_of(lib.yk_block_info(self.mech, move.passes[0].block).label)
+            notes.append(Problem("note", "N0610", f"the machine passed {move.pass_count} change point"
+                                 f"{'' if move.pass_count == 1 else 's'} on its way from `start:`, the first of them at "
+                                 f"joint `{label}`"))  # fmt: skip
+        return tuple(notes)
 
     def ask(self, state: CData, time: float) -> None:
         """Sets a fresh state's inputs to those that are asked, without a pose."""
@@ -260,7 +281,7 @@ class Plan:
         from ._problems import YokeWarning
 
         warnings.warn("the file does not say where the machine was assembled; the configuration nearest to its "
-                      "guesses at this pose was taken [E0612]", YokeWarning, stacklevel=4)  # fmt: skip
+                      "guesses at this pose was taken [W0612]", YokeWarning, stacklevel=4)  # fmt: skip
         return status
 
     def _value(self, k: int, value: float, count: int) -> str:

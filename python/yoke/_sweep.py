@@ -73,11 +73,17 @@ def _event(e: CData, mech: CData, names: Sequence[str]) -> Event:
     return Event(_EVENTS[e.kind], e.at, where, float("nan"))
 
 
-def _words_of_limit(core: "Core", plan: Plan, events: Sequence[Event], swept: str, quantity: int, state: CData) -> str:
-    for e in reversed(events):
-        if e.kind == "limit":
-            beyond = f": beyond, joint `{e.name}` does not close" if e.name else ""
-            return f"{swept} goes no further than {shown(core.model, e.at, quantity, 12)}{beyond}"
+def _words_of_limit(plan: Plan, sweep: CData, swept: str, quantity: int, state: CData) -> str:
+    for k in reversed(range(lib.yk_sweep_event_count(sweep))):
+        e = lib.yk_sweep_event(sweep, k)
+        if e.kind != lib.YK_EVENT_LIMIT:
+            continue
+        text = f"{swept} goes no further than {shown(plan.core.model, e.at, quantity, 12)}"
+        if e.block < 0:
+            return text
+        block = lib.yk_block_info(plan.mech, e.block)
+        kind = text_of(lib.yk_block_kind_name(block.kind))
+        return f"{text}: beyond, joint `{text_of(block.label)}` ({kind}) does not close"
     return message_of(state)
 
 
@@ -129,7 +135,7 @@ def run(core: "Core", coordinates: Mapping[str, Any], of: Any, steps: Any, hold:
                           for k in range(lib.yk_sweep_event_count(sweep)))  # fmt: skip
     result.status = "ok" if status == lib.YK_OK else status_name(status)
     if status == lib.YK_LIMIT:
-        result.message = _words_of_limit(core, plan, result.events, swept, quantity, state)
+        result.message = _words_of_limit(plan, sweep, swept, quantity, state)
     elif status != lib.YK_OK:
         result.message = message_of(state)
     return result

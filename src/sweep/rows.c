@@ -115,7 +115,7 @@ static int touching_block(const YkSweep *w, const double *margins)
 // with.
 static bool passes(const YkSweep *w, size_t row, double way)
 {
-    return row > 0 ? !yk_path_turns_back(&w->walk.path, w->at[row]) : w->walk.path.way == way;
+    return row > 0 ? !yk_path_turns_back(&w->walk.path, *yk_sweep_row(w, row)) : w->walk.path.way == way;
 }
 
 void yk_sweep_try_change_row(YkSweep *w)

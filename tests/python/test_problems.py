@@ -175,5 +175,35 @@ def test_output_appears_whole_or_not_at_all(crank, tmp_path):
 
 def test_a_warning_of_a_file_is_a_python_warning():
     text = "units: {length: mm}\ngravity: [0, -9.81]\nbodies: {b: {mass: 1}}\njoints: {J: {pin: [ground, b], angle: q}}\n"
-    with pytest.warns(yoke.YokeWarning, match="E0431"):
+    with pytest.warns(yoke.YokeWarning, match="W0431"):
         yoke.parse(text)
+
+
+def test_a_limit_of_a_sweep_is_told_in_the_words_of_the_command():
+    run = command("sweep", example("quick-return"), "--over", "theta1=30:-90deg", "--steps", "24", "--of", "d5")
+    t = yoke.load(example("quick-return")).sweep(theta1=(30, -90, "deg"), steps=24, of=["d5"])
+    assert t.status == "limit" and t.message in run.stderr and len(t) < 25 and t.events[-1].kind == "limit"
+
+
+def test_what_the_machine_passed_on_its_way_is_noted():
+    told = 0
+    for name, at in (("parallelogram", "theta2"), ("change-point-four-bar", "theta2"), ("kite", "theta2"), ("five-bar", None)):
+        m = yoke.load(example(name))
+        coordinate = at if at in m.coordinates else m.inputs[0]
+        value = m.solve()[coordinate] + 4.0
+        run = command("solve", example(name), "--at", f"{coordinate}={value!r}rad")
+        try:
+            pose = m.solve(at={coordinate: value})
+        except yoke.PoseError:
+            assert run.returncode == 1
+            continue
+        for note in pose.notes:
+            assert note.message in run.stderr and note.code in run.stderr
+        told += len(pose.notes)
+        assert ("N0610" in run.stderr) == any(note.code == "N0610" for note in pose.notes)
+    assert told > 0
+
+
+def test_a_pose_of_another_machine_has_no_place_in_equations(crank):
+    refused(yoke.RequestError, lambda: crank.derive("loops", pose=yoke.load(example("four-bar")).solve()))
+    assert "0.2" in str(crank.derive("loops", pose=crank.solve(theta=0.0)))
