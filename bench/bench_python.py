@@ -32,7 +32,7 @@ def import_time() -> float:
     """Returns what `import yoke` takes after NumPy's import, s; the least of some fresh processes."""
     program = "import numpy, time; t = time.process_time(); import yoke; print(time.process_time() - t)"
     return min(float(subprocess.run([sys.executable, "-c", program], capture_output=True, text=True).stdout)
-               for _ in range(9))  # fmt: skip
+               for _ in range(9))
 
 
 def solve_cost() -> tuple[float, float]:
@@ -95,7 +95,7 @@ def cart_pole(count: int, threads: Any = None) -> float:
     """Returns how many steps a second an environment of cart-poles takes."""
     m = yoke.load(EXAMPLES / "cart-pendulum.yaml")
     e = yoke.Environment(m, count, act=["x"], observe=["x", "theta", "x.rate", "theta.rate"], span=0.02, most=10**9,
-                         start={"theta": (math.pi - 0.05, math.pi + 0.05)}, threads=threads)  # fmt: skip
+                         start={"theta": (math.pi - 0.05, math.pi + 0.05)}, threads=threads)
     force = np.zeros((count, 1))
     return count * 20 / best(lambda: [e.step(force) for _ in range(20)], 3)
 
@@ -142,9 +142,10 @@ def main() -> None:
     print(f"import yoke, beyond NumPy       {1e3 * import_time():8.1f} ms    (asked: at most 80)")
     for name, (whole, core) in (("m.solve(theta=x)", solve_cost()), ("sim.step(1e-3)", step_cost())):
         print(f"{name:24s}        {1e6 * whole:8.2f} us    library {1e6 * core:.2f} us, "
-              f"Python {1e6 * (whole - core):.2f} us (asked: at most 3)")  # fmt: skip
+              f"Python {1e6 * (whole - core):.2f} us (asked: at most 3)")
     whole, core = batch_cost()
-    print(f"batch of 1e6 quick-return poses {1e3 * whole:8.1f} ms    C {1e3 * core:.1f} ms, {whole / core:.3f} x (asked: 1.1)")
+    print(f"batch of 1e6 quick-return poses {1e3 * whole:8.1f} ms    C {1e3 * core:.1f} ms, "
+          f"{whole / core:.3f} x (asked: 1.1)")
     print(f"4096 cart-poles, Yoke           {cart_pole(4096, 1):8.3g} steps/s on one thread")
     print(f"4096 cart-poles, NumPy          {numpy_cart_pole(4096):8.3g} steps/s")
     other = mujoco_cart_pole()

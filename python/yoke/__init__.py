@@ -9,30 +9,32 @@ All answers are in SI and radians.
 """
 from __future__ import annotations
 
+from ._answers import Effort, Energy, Motion, PointMotion, Reaction
 from ._batch import Columns
 from ._configurations import Configurations
+from ._designs import Distribution, normal, tolerance, triangular, uniform
 from ._equations import Equations, Verdict, sections
 from ._machine import Machine, load, parse
 from ._many import Simulations
-from ._motion import Simulation, Summary
 from ._native import ffi as _ffi
 from ._native import lib as _lib
-from ._pose import Effort, Energy, Motion, PointMotion, Pose, Reaction
+from ._pose import Pose
 from ._problems import (
     ClosedError, Error, ModelError, PoseError, Problem, RequestError, UnknownName, YokeWarning, explain,
-)  # fmt: skip
-from ._study import Distribution, Sensitivities, normal, tolerance, triangular, uniform
+)
+from ._simulation import Simulation, Summary
+from ._study import Sensitivities
 from ._table import Column, Event, Table
 from .environment import Environment
 
 __version__: str = _ffi.string(_lib.yk_version()).decode()
 if __version__ != _ffi.string(_lib.YOKE_VERSION_STRING).decode():
     raise ImportError(f"yoke was built for libyoke {_ffi.string(_lib.YOKE_VERSION_STRING).decode()}, "
-                      f"and {__version__} is installed: build it again")  # fmt: skip
+                      f"and {__version__} is installed: build it again")
 
 __all__ = [
     "ClosedError", "Column", "Columns", "Configurations", "Distribution", "Effort", "Energy", "Environment",
     "Equations", "Error", "Event", "Machine", "ModelError", "Motion", "PointMotion", "Pose", "PoseError", "Problem",
     "Reaction", "RequestError", "Sensitivities", "Simulation", "Simulations", "Summary", "Table", "UnknownName",
     "Verdict", "YokeWarning", "explain", "load", "normal", "parse", "sections", "tolerance", "triangular", "uniform",
-]  # fmt: skip
+]

@@ -9,7 +9,8 @@ from ._arrays import doubles
 from ._core import channels_of, names_of
 from ._native import ffi, lib
 from ._problems import RequestError, refusal
-from ._reach import Plan, new_state, pose_error
+from ._reach import Plan
+from ._start import new_state, pose_error
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -79,16 +80,16 @@ def _batch_of(plan: Plan, names: list[str]) -> Any:
 
 
 def run(core: "Core", coordinates: Mapping[str, Any], rate: Mapping[str, Any], accel: Mapping[str, Any], of: Any,
-        out: Optional[Any]) -> Columns:  # fmt: skip
+        out: Optional[Any]) -> Columns:
     """Solves all poses; arrays of input values are in SI."""
     names = names_of(of)
     plan = core.plan(list(coordinates), list(rate), list(accel), imposed=True)
     given = [(name, order, value) for order, values in enumerate((coordinates, rate, accel))
-             for name, value in values.items()]  # fmt: skip
+             for name, value in values.items()]
     lengths = {name: np.shape(value)[0] for name, _, value in given if np.ndim(value) == 1}
     if len(set(lengths.values())) != 1:
         raise refusal(RequestError, "E0806", "a batch takes arrays of one length, as theta=numpy.linspace(0, 6, 100)"
-                      + (f", not of {lengths}" if lengths else ""))  # fmt: skip
+                      + (f", not of {lengths}" if lengths else ""))
     poses = next(iter(lengths.values()))
     arrays = {(plan.coordinates[name].input, order): doubles(value, name, (poses,)) for name, order, value in given}
     values = _room(out, len(names), poses, list(arrays.values()))

@@ -55,7 +55,7 @@ class Builder(Guarded):
             self._refuse()
         if self._builder == ffi.NULL:
             raise refusal(RequestError, "E0806", "a machine that was loaded is not changed by calls",
-                          "yoke.load and replace take parameters; yoke.Machine() begins an empty machine")  # fmt: skip
+                          "yoke.load and replace take parameters; yoke.Machine() begins an empty machine")
         self._changed()
         return self._builder
 
@@ -95,7 +95,7 @@ class Builder(Guarded):
 
     def body(self: Self, name: str, points: Optional[Mapping[str, Point]] = None, *, mass: Optional[Value] = None,
              center: Optional[Point] = None, inertia: Optional[Value] = None,
-             rod: Optional[Sequence[str]] = None) -> Self:  # fmt: skip
+             rod: Optional[Sequence[str]] = None) -> Self:
         """Adds a body, or more to one: points in its axes, mass, and centre with inertia or a uniform rod."""
         with self._lock:
             lib.yk_builder_body(self._edit(), encoded(name))
@@ -112,33 +112,33 @@ class Builder(Guarded):
         return self.set(f"joints/{name}", {kind: [first, second], **keys})
 
     def pin(self: Self, name: str, first: str, second: str, *, at: Optional[str] = None,
-            angle: Optional[str] = None) -> Self:  # fmt: skip
+            angle: Optional[str] = None) -> Self:
         """Pins two bodies at the point `at` of both, or at the points of the joint's own name."""
         return self._joint(name, "pin", first, second, at=at, angle=angle)
 
     def weld(self: Self, name: str, first: str, second: str, *, at: Optional[str] = None,
-             turned: Optional[Value] = None) -> Self:  # fmt: skip
+             turned: Optional[Value] = None) -> Self:
         """Fixes two bodies to each other."""
         return self._joint(name, "weld", first, second, at=at, turned=turned)
 
     def slide(self: Self, name: str, first: str, second: str, along: Value, *, from_: Optional[str] = None,
-              to: Optional[str] = None, distance: Optional[str] = None, turned: Optional[Value] = None) -> Self:  # fmt: skip
+              to: Optional[str] = None, distance: Optional[str] = None, turned: Optional[Value] = None) -> Self:
         """Lets the second body move along a line of the first: along "x", "y" or an angle, through `from_`."""
         return self._joint(name, "slide", first, second, along=along, from_=from_, to=to, distance=distance,
-                           turned=turned)  # fmt: skip
+                           turned=turned)
 
     def slot(self: Self, name: str, first: str, second: str, along: Value, *, from_: Optional[str] = None,
-             at: Optional[str] = None, distance: Optional[str] = None, angle: Optional[str] = None) -> Self:  # fmt: skip
+             at: Optional[str] = None, distance: Optional[str] = None, angle: Optional[str] = None) -> Self:
         """Lets the point `at` of the second body move along a line of the first, free to turn."""
         return self._joint(name, "pin-slot", first, second, along=along, from_=from_, at=at, distance=distance,
-                           angle=angle)  # fmt: skip
+                           angle=angle)
 
     def free(self: Self, name: str, first: str, second: str, *, from_: Optional[str] = None, to: Optional[str] = None,
-             x: Optional[str] = None, y: Optional[str] = None, angle: Optional[str] = None) -> Self:  # fmt: skip
+             x: Optional[str] = None, y: Optional[str] = None, angle: Optional[str] = None) -> Self:
         """Leaves everything free between two bodies; names all three coordinates, or none."""
         names = [x, y, angle]
         if any(names) and not all(names):
-            raise refusal(RequestError, "E0806", f"free joint `{name}`: x, y and angle are named together, or not at all")
+            raise refusal(RequestError, "E0806", f"free joint `{name}`: x, y and angle are named together or not at all")
         return self._joint(name, "free", first, second, at=names if any(names) else None, from_=from_, to=to)
 
     def drive(self: Self, coordinate: str, value: Value) -> Self:
@@ -159,7 +159,7 @@ class Builder(Guarded):
         return self.set(f"forces/{name}", {"body": body, **keys, "value": [x, y]})
 
     def spring(self: Self, name: str, first: str, second: Optional[str] = None, *, stiffness: Optional[Value] = None,
-               length: Optional[Value] = None, damping: Optional[Value] = None, **more: Any) -> Self:  # fmt: skip
+               length: Optional[Value] = None, damping: Optional[Value] = None, **more: Any) -> Self:
         """Adds a spring and damper between two points "body.point", or along one coordinate."""
         where: Any = {"along": first} if second is None else {"between": [first, second]}
         keys = {"stiffness": stiffness, "length": length, "damping": damping, **more}

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from ._native import ffi, lib
 from ._pose import Pose
 from ._problems import PoseError, refusal
-from ._reach import Plan, Slot, label_of, message_of, new_state, pose_error
+from ._reach import Plan, Slot
+from ._start import label_of, message_of, new_state, pose_error
 from ._values import CData
 from ._watch import check, keep
 
@@ -119,7 +120,7 @@ def choose(plan: Plan, state: CData, time: float, word: Union[str, int]) -> int:
     if len(chosen) != 1:
         many = "several configurations are" if chosen else "no configuration is"
         raise refusal(PoseError, "E0609", f"{many} called `{word}` at the requested pose",
-                      f"there are {there}" if found else "nothing closes there", "no-assembly")  # fmt: skip
+                      f"there are {there}" if found else "nothing closes there", "no-assembly")
     if lib.yk_state_copy(state, found[chosen[0]]) < 0:
         raise MemoryError("out of memory")
     plan.ask(state, time)

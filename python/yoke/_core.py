@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any, Iterable, NamedTuple, Optional, Sequence
 
-from . import _reach
+from . import _reach, _start
 from ._native import ffi, lib
 from ._problems import ModelError, Problems, RequestError, UnknownName, refusal, text_of
 from ._values import ANGLE, LENGTH, CData, Value, encoded, number, words
@@ -52,7 +52,7 @@ def parse(text: str, name: str, overrides: Sequence[tuple[str, str]], lock: Opti
 
 
 _SI_UNITS = ("m", "rad", "kg", "s", "N", "N*m", "kg*m^2", "m/s", "rad/s", "m/s^2", "rad/s^2", "N/m", "N*s/m", "N*m/rad",
-             "N*m*s/rad", "J", "m^2", "1/s")  # fmt: skip
+             "N*m*s/rad", "J", "m^2", "1/s")
 
 
 def exact_words(own: CData, name: str, value: Value) -> str:
@@ -65,7 +65,8 @@ def exact_words(own: CData, name: str, value: Value) -> str:
     read = ffi.new("double *")
     for unit in _SI_UNITS:  # one of them has the parameter's dimension
         text = f"{wanted!r} {unit}"
-        if lib.yk_model_parameter_read(own, encoded(name), text.encode(), read, Problems().c) >= 0 and read[0] == wanted:
+        status = lib.yk_model_parameter_read(own, encoded(name), text.encode(), read, Problems().c)
+        if status >= 0 and read[0] == wanted:
             return text
     return repr(wanted / lib.yk_model_parameter_unit(own, encoded(name)))
 
@@ -94,14 +95,14 @@ class Core:
             raise problems.fail(ModelError)
         self.coordinates = self.coordinates_of(self.base)
         self.bodies = [text_of(lib.yk_model_body_name(self.model, k)) for k in
-                       range(lib.yk_model_body_count(self.model))]  # fmt: skip
+                       range(lib.yk_model_body_count(self.model))]
         self.joints = [text_of(lib.yk_model_joint_name(self.model, k)) for k in
-                       range(lib.yk_model_joint_count(self.model))]  # fmt: skip
+                       range(lib.yk_model_joint_count(self.model))]
         self.points = {
-            f"{self.bodies[lib.yk_model_point_body(self.model, k)]}.{text_of(lib.yk_model_point_name(self.model, k))}": k
+            self.bodies[lib.yk_model_point_body(self.model, k)] + "." + text_of(lib.yk_model_point_name(self.model, k)): k
             for k in range(lib.yk_model_point_count(self.model))
         }
-        self.start = _reach.Start(self)
+        self.start = _start.Start(self)
 
     def compile(self, model: CData, inputs: Sequence[str], problems: Problems) -> CData:
         """Compiles a model with these coordinates as its first inputs. Returns None with problems added."""
@@ -136,11 +137,11 @@ class Core:
         if found is None:
             near = nearest(str(name), self.coordinates)
             raise refusal(UnknownName, "E0814", f"the machine has no coordinate `{name}`",
-                          f"did you mean `{near}`?" if near else f"there are {', '.join(self.coordinates)}")  # fmt: skip
+                          f"did you mean `{near}`?" if near else f"there are {', '.join(self.coordinates)}")
         return found
 
     def plan(self, at: Sequence[str], rate: Sequence[str] = (), accel: Sequence[str] = (), swept: Optional[str] = None,
-             imposed: bool = False) -> "_reach.Plan":  # fmt: skip
+             imposed: bool = False) -> "_reach.Plan":
         """Returns the plan of requests that set these coordinates. imposed: all inputs move as prescribed."""
         key = (tuple(at), tuple(rate), tuple(accel), swept, imposed)
         found = self.plans.get(key)

@@ -151,9 +151,9 @@ def verdict_on(machine: "Machine", equation: str, pose: Any) -> Verdict:
     differs = v.kind == lib.YK_CHECK_FALSE or v.is_false_there
     there = {} if shown.positions == ffi.NULL or not differs else {
         c.name: (shown.positions[c.number].position, shown.positions[c.number].velocity,
-                 shown.positions[c.number].acceleration) for c in pose._plan.coordinates.values()}  # fmt: skip
+                 shown.positions[c.number].acceleration) for c in pose._plan.coordinates.values()}
     return Verdict(
         equation, text_of(lib.yk_check_kind_name(v.kind)), v.is_identity, v.poses, v.machines,
         shown.left if differs else None, shown.right if differs else None, there,
         text_of(shown.machine) or None if differs else None, text_of(v.slip) or None,
-    )  # fmt: skip
+    )

@@ -10,9 +10,10 @@ from . import _sweep
 from ._arrays import doubles
 from ._core import channels_of, names_of
 from ._guard import Guarded
-from ._motion import Request, usual_columns
+from ._motion import usual_columns
 from ._native import ffi, lib
 from ._problems import RequestError, refusal
+from ._request import Request
 from ._values import TIME, Value, si
 from ._watch import check
 
@@ -42,20 +43,21 @@ class Simulations(Guarded):
     """
 
     __slots__ = ("machine", "count", "of", "efforts", "values", "status", "_core", "_options", "_at", "_rate", "_held",
-                 "_array", "_many", "_channels", "_coordinates", "_threads", "_pool")  # fmt: skip
+                 "_array", "_many", "_channels", "_coordinates", "_threads", "_pool")
 
     def __init__(self, machine: "Machine", count: int, *, of: Any, effort: Sequence[str], at: Mapping[str, Any],
                  rate: Mapping[str, Any], method: str, tolerance: Optional[float], step: Optional[Value],
-                 threads: Optional[int]) -> None:  # fmt: skip
+                 threads: Optional[int]) -> None:
         super().__init__()
         self.machine, self._core = machine, machine._ready()
         self.count = _sweep.count(count, "count")
         self.efforts = tuple(names_of(effort))
         self._options: dict[str, Any] = {"method": method, "tolerance": tolerance, "step": step,
-                                         "effort": {name: 0.0 for name in self.efforts}}  # fmt: skip
+                                         "effort": {name: 0.0 for name in self.efforts}}
         self._at, self._rate = dict(at), dict(rate)
         self.of = tuple(names_of(of) if of is not None else usual_columns(self._core))
-        self._threads = min(os.cpu_count() or 1 if threads is None else _sweep.count(threads, "threads", 1024), self.count)
+        most = os.cpu_count() or 1 if threads is None else _sweep.count(threads, "threads", 1024)
+        self._threads = min(most, self.count)
         self._pool: Any = None
         self._held: list[Any] = [None] * self.count
         self._array = ffi.new("YkSimulation *[]", self.count)
@@ -68,7 +70,8 @@ class Simulations(Guarded):
         many = self._many
         many.simulations, many.coordinates, many.coordinate_count = self._array, self._coordinates, len(self.efforts)
         many.channels, many.channel_count = self._channels, len(self.of)
-        many.values, many.status = ffi.from_buffer("double[]", self.values), ffi.from_buffer("signed char[]", self.status)
+        many.values = ffi.from_buffer("double[]", self.values)
+        many.status = ffi.from_buffer("signed char[]", self.status)
         self._run(0.0, None)
 
     def __enter__(self) -> "Simulations":
@@ -104,7 +107,7 @@ class Simulations(Guarded):
                 own_at = {**same_at, **{n: float(a[k]) for n, a in each_at.items()}}
                 own_rate = {**same_rate, **{n: float(a[k]) for n, a in each_rate.items()}}
                 first = Request(self._core, at={n: own_at[n] for n in at}, rate={n: own_rate[n] for n in rate},
-                                **self._options)  # fmt: skip
+                                **self._options)
                 c = first.new()
                 saved = c
             else:
@@ -120,7 +123,7 @@ class Simulations(Guarded):
             check()
 
     def restart(self, which: Any = None, *, at: Optional[Mapping[str, Any]] = None,
-                rate: Optional[Mapping[str, Any]] = None) -> None:  # fmt: skip
+                rate: Optional[Mapping[str, Any]] = None) -> None:
         """Begins some simulations, or all, anew, from start values of their own: arrays with one for each of them.
 
         which  indices, or a mask [count]; None: all
@@ -136,10 +139,11 @@ class Simulations(Guarded):
                 raise refusal(RequestError, "E0806", "restart takes indices of simulations, or a mask")
             if indices.size and not (0 <= indices.min() and indices.max() < self.count):
                 raise refusal(RequestError, "E0806", f"restart takes indices from 0 to {self.count - 1}")
-            given_at, given_rate = {**self._scalars(self._at), **(at or {})}, {**self._scalars(self._rate), **(rate or {})}
+            given_at = {**self._scalars(self._at), **(at or {})}
+            given_rate = {**self._scalars(self._rate), **(rate or {})}
             if list(given_at) != list(self._at):
                 raise refusal(RequestError, "E0806", f"restart sets the coordinates that `simulations` set: "
-                              f"{', '.join(self._at) or 'none'}")  # fmt: skip
+                              f"{', '.join(self._at) or 'none'}")
             self._restart(indices.tolist(), given_at, given_rate)
             self.status[indices] = 0
             self._many.span = 0.0
@@ -185,7 +189,8 @@ class Simulations(Guarded):
                 from concurrent.futures import ThreadPoolExecutor
 
                 self._pool = ThreadPoolExecutor(self._threads - 1, "yoke")
-            waiting = [self._pool.submit(lib.yk_host_step_many, self._many, a, b) for a, b in zip(bounds[1:], bounds[2:])]
+            parts = zip(bounds[1:], bounds[2:])
+            waiting = [self._pool.submit(lib.yk_host_step_many, self._many, a, b) for a, b in parts]
             lib.yk_host_step_many(self._many, 0, bounds[1])
             for one in waiting:
                 one.result()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 from . import _sweep
 from ._native import ffi, lib
 from ._problems import ModelError, PoseError, Problems, RequestError, UnknownName, refusal, text_of
-from ._reach import message_of, new_state, pose_error
+from ._start import message_of, new_state, pose_error
 from ._values import TIME, CData, Value, encoded, si
 from ._watch import progress_of_host
 
@@ -57,7 +57,7 @@ def _state(core: "Core", swept: Optional[str]) -> tuple[Any, CData]:
 
 
 def _page(core: "Core", over: Optional[Mapping[str, Any]], steps: Optional[int], to: Optional[Value],
-          trace: Sequence[str], plain: bool, pose_rate: float) -> CData:  # fmt: skip
+          trace: Sequence[str], plain: bool, pose_rate: float) -> CData:
     swept, value = next(iter(over.items())) if over else (None, None)
     is_time = swept == "t" and "t" not in core.coordinates
     plan, state = _state(core, None if is_time else swept)
@@ -79,7 +79,7 @@ def _page(core: "Core", over: Optional[Mapping[str, Any]], steps: Optional[int],
     unknown = [point for point in trace if point not in core.points]
     if unknown:
         raise refusal(UnknownName, "E0815", f"the machine has no point `{unknown[0]}`",
-                      "a point is written body.point, as in `coupler.P`")  # fmt: skip
+                      "a point is written body.point, as in `coupler.P`")
     points = ffi.new("size_t[]", [core.points[point] for point in trace] or 1)
     options.traced_points, options.traced_count = points, len(trace)
     options.is_plain, options.pose_rate = plain, pose_rate
@@ -95,7 +95,7 @@ def _page(core: "Core", over: Optional[Mapping[str, Any]], steps: Optional[int],
 
 
 def report(core: "Core", *, over: Optional[Mapping[str, Any]] = None, steps: Optional[int] = None,
-           to: Optional[Value] = None, trace: Sequence[str] = (), plain: bool = False) -> str:  # fmt: skip
+           to: Optional[Value] = None, trace: Sequence[str] = (), plain: bool = False) -> str:
     """Returns the report as an HTML document."""
     page = _page(core, over, steps, to, trace, plain, 0.0)
     problems = Problems()
@@ -112,7 +112,7 @@ def animation(core: "Core", seconds: Optional[float], rate: float) -> str:
     if drawing == ffi.NULL:
         raise pose_error(lib.YK_NO_ASSEMBLY, "the motion cannot be drawn")
     svg = lib.yk_drawing_animation(drawing, lib.yk_report_seconds(page) if seconds is None else seconds,
-                                   lib.yk_report_goes_back(page))  # fmt: skip
+                                   lib.yk_report_goes_back(page))
     if svg == ffi.NULL:
         raise MemoryError("out of memory")
     return text_of(svg)
@@ -120,7 +120,8 @@ def animation(core: "Core", seconds: Optional[float], rate: float) -> str:
 
 def code(core: "Core", prefix: Optional[str], single: bool, kinematics: bool) -> str:
     """Returns C11 for the machine."""
-    if prefix is not None and not (prefix.isascii() and prefix.isidentifier() and prefix[0] != "_" and len(prefix) <= 60):
+    is_name = prefix is None or prefix.isascii() and prefix.isidentifier() and prefix[0] != "_" and len(prefix) <= 60
+    if not is_name:
         raise refusal(RequestError, "E0806", f"prefix takes a C name that begins with a letter, not `{prefix}`")
     options, problems = ffi.new("YkCSourceOptions *"), Problems()
     options[0] = lib.yk_default_c_source_options()

@@ -1,93 +1,21 @@
 """A pose: positions, velocities, accelerations and forces of a machine as it stands."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Generic, Iterator, Mapping, NamedTuple, Optional, Sequence, TypeVar
+from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 from . import _grid, _scale
-from ._core import channels_of, nearest
+from ._answers import Effort, Energy, Motion, Named, PointMotion, Reaction
+from ._core import channels_of
 from ._native import ffi, lib
-from ._problems import Problem, UnknownName, refusal, status_name, text_of
-from ._reach import Plan, Slot, label_of
+from ._problems import Problem, status_name, text_of
+from ._reach import Plan, Slot
+from ._start import label_of
 from ._values import CData, unit_of
 
 if TYPE_CHECKING:
     from ._machine import Machine
 
-T = TypeVar("T")
 NAN = float("nan")
-Pair = "tuple[float, float]"
-
-
-class Motion(NamedTuple):
-    """Motion of a coordinate or of a body's angle, m or rad; rates are NaN where they are undefined."""
-
-    position: float
-    velocity: float
-    acceleration: float
-
-
-class PointMotion(NamedTuple):
-    """Motion of a point in world axes, m."""
-
-    position: tuple[float, float]
-    velocity: tuple[float, float]
-    acceleration: tuple[float, float]
-
-
-class Reaction(NamedTuple):
-    """What a joint's first body exerts on its second, in world axes, N and N m."""
-
-    by: str
-    on: str
-    force: tuple[float, float]
-    moment: float
-    is_determinate: bool
-
-
-class Effort(NamedTuple):
-    """The effort along a coordinate, N m or N; `low` and `high` differ where dry friction at rest leaves it open."""
-
-    value: float
-    low: float
-    high: float
-
-
-class Energy(NamedTuple):
-    """Energies, J."""
-
-    kinetic: float
-    potential: float
-
-
-class Named(Mapping[str, T], Generic[T]):
-    """Answers by name, each read when it is asked for."""
-
-    __slots__ = ("_names", "_read", "_kind", "_keep")
-
-    def __init__(self, names: Mapping[str, Any], read: Callable[[Any], T], kind: str, keep: object) -> None:
-        self._names, self._read, self._kind = names, read, kind
-        self._keep = keep  # the pose, whose memory is used again once it is gone
-
-    def __getitem__(self, name: str) -> T:
-        try:
-            key = self._names[name]
-        except (KeyError, TypeError):
-            near = nearest(str(name), self._names)
-            raise refusal(UnknownName, "E0814", f"the machine has no {self._kind} `{name}`",
-                          f"did you mean `{near}`?" if near else None) from None  # fmt: skip
-        return self._read(key)
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._names
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._names)
-
-    def __len__(self) -> int:
-        return len(self._names)
-
-    def __repr__(self) -> str:
-        return "{" + ", ".join(f"{name!r}: {self[name]!r}" for name in self) + "}"
 
 
 class Pose:
@@ -97,7 +25,7 @@ class Pose:
     """
 
     __slots__ = ("machine", "_plan", "_slot", "_request", "status", "is_start", "index", "message", "notes",
-                 "_forces", "__weakref__")  # fmt: skip
+                 "_forces", "__weakref__")
 
     def __init__(self, machine: "Machine", plan: Plan, slot: Slot, request: Any, status: int, is_start: bool) -> None:
         self.machine, self._plan, self._slot, self._request = machine, plan, slot, request
@@ -137,7 +65,7 @@ class Pose:
         """Motions of all coordinates, m or rad."""
         state = self._slot.state
         return Named(self._plan.coordinates,
-                     lambda c: self._motion(lib.yk_state_coordinate(state, c.number)), "coordinate", self)  # fmt: skip
+                     lambda c: self._motion(lib.yk_state_coordinate(state, c.number)), "coordinate", self)
 
     @property
     def bodies(self) -> Named[Motion]:
@@ -173,7 +101,7 @@ class Pose:
         return float(lib.yk_state_time(self._slot.state))
 
     def __getitem__(self, channel: str) -> float:
-        """Returns a channel by its name, as `--of` takes it: "s.rate", "A.force.x", "energy"; NaN if it is undefined."""
+        """Returns a channel by its name, as `--of` takes it: "s.rate", "A.force.x", "energy"; NaN where undefined."""
         plan = self._plan
         found = plan.channels.get(channel)
         if found is None:
@@ -181,7 +109,7 @@ class Pose:
         value = ffi.new("double *")
         dynamics = self._slot.dynamics if self._forces else None
         lib.yk_host_read(self._slot.state, ffi.NULL if dynamics is None else dynamics, found, 1,
-                         not self._lacks_accelerations, value)  # fmt: skip
+                         not self._lacks_accelerations, value)
         return float(value[0])
 
     # --- forces
@@ -213,7 +141,7 @@ class Pose:
         names = {
             name: c.number for name, c in self._plan.coordinates.items()
             if self._forces and lib.yk_dynamics_has_effort(dynamics, c.number)
-        }  # fmt: skip
+        }
 
         def read(k: int) -> Effort:
             r = lib.yk_dynamics_effort_range(dynamics, k)
@@ -245,7 +173,7 @@ class Pose:
                 continue
             own = [chosen.get(mine[0].quantity(k)) or unit_of(model, mine[0].quantity(k)) for k in range(3)]
             heads = [subject] + [f"{word} [{unit}]" if unit else word
-                                 for word, (unit, _) in zip(("position", "velocity", "acceleration"), own)]  # fmt: skip
+                                 for word, (unit, _) in zip(("position", "velocity", "acceleration"), own)]
             rows: list[list[_grid.Cell]] = []
             for c in mine:
                 motion = self.coordinates[c.name]

@@ -81,7 +81,7 @@ def _problem(p: Any) -> Problem:
     return Problem(
         _SEVERITIES[p.severity], f"{'NWE'[p.severity]}{p.code:04d}", text_of(p.message), p.place.line, p.place.column,
         p.place.length, text_of(p.hint) or None, text_of(p.where) or None,
-    )  # fmt: skip
+    )
 
 
 class Problems:

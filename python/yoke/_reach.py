@@ -1,141 +1,16 @@
-"""How a machine gets to a requested pose: from where `start:` says that it was assembled, as the command moves it."""
+"""How a machine gets to a requested pose, moved there from its start as the command moves it."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 from ._native import ffi, lib
-from ._problems import ModelError, PoseError, Problem, Problems, RequestError, refusal, status_name, text_of
+from ._problems import Problem, Problems, RequestError, refusal, text_of
+from ._start import Start, label_of, message_of, new_dynamics, new_state, pose_error
 from ._values import CData, shown
-from ._watch import check, progress_of_host
+from ._watch import check
 
 if TYPE_CHECKING:
     from ._core import Coordinate, Core
-
-_CODES = {
-    lib.YK_REDUNDANT: "E0605", lib.YK_CHANGE_POINT: "E0604", lib.YK_SINGULAR: "E0603", lib.YK_LIMIT: "E0602",
-    lib.YK_NO_ASSEMBLY: "E0601", lib.YK_NOT_CONVERGED: "E0606", lib.YK_STOPPED: "E0608",
-}  # fmt: skip
-
-
-def new_state(mech: CData) -> CData:
-    """Returns a state of a mechanism, which its long calls can be stopped on."""
-    state = lib.yk_state_new(mech)
-    if state == ffi.NULL:
-        raise MemoryError("out of memory")
-
-    def free(c: CData, keep: CData = mech) -> None:
-        lib.yk_state_free(c)
-
-    state = ffi.gc(state, free)
-    if lib.yk_state_set_progress(state, progress_of_host) < 0:
-        raise MemoryError("out of memory")
-    return state
-
-
-def new_dynamics(mech: CData) -> CData:
-    """Returns the dynamics of a mechanism, or None if it has neither masses nor loads."""
-    problems = Problems()
-    dynamics = lib.yk_dynamics_new(mech, problems.c)
-    if dynamics == ffi.NULL:
-        raise problems.fail(ModelError)
-
-    def free(c: CData, keep: CData = mech) -> None:
-        lib.yk_dynamics_free(c)
-
-    dynamics = ffi.gc(dynamics, free)
-    return dynamics if lib.yk_dynamics_has_loads(dynamics) else None
-
-
-def message_of(state: CData) -> str:
-    """Returns what a state's report says."""
-    return text_of(lib.yk_state_report(state).message)
-
-
-def label_of(state: CData) -> str:
-    """Returns the label of a state's configuration, as "A+ C-"."""
-    length = lib.yk_state_label(state, ffi.NULL, 0)
-    text = ffi.new("char[]", length + 1)
-    lib.yk_state_label(state, text, length + 1)
-    return text_of(text)
-
-
-def pose_error(status: int, message: str, hint: Optional[str] = None) -> Exception:
-    """Returns the exception for a pose that is not reached; raises what ended the call from outside."""
-    check()
-    if status == lib.YK_NO_MEMORY:
-        return MemoryError("out of memory")
-    name = status_name(status)
-    return refusal(PoseError, _CODES.get(status, "E0806"), f"{name}: {message or name}", hint, name)
-
-
-class Start:
-    """The machine where the file assembles it, with the file's own choice of inputs, at t = 0."""
-
-    def __init__(self, core: "Core") -> None:
-        self.core = core
-        self.mech: CData = core.base
-        self.state = new_state(self.mech)
-        self.own_state: CData = None
-        own = self._own()
-        self.status = self._assemble(self.state) if own is None else self._take(own)
-        check()
-
-    @staticmethod
-    def _assemble(state: CData) -> int:
-        status = lib.yk_state_set_time(state, 0.0, ffi.NULL)
-        return int(lib.yk_state_assemble(state) if status >= 0 else status)
-
-    def _own(self) -> CData:
-        """Assembles the file's own machine where parameters replace its values; None if it cannot be."""
-        core = self.core
-        mech = core.compile(core.own, (), Problems()) if core.own is not None else None
-        state = new_state(mech) if mech is not None else None
-        return state if state is not None and self._assemble(state) >= 0 else None
-
-    def _take(self, own: CData) -> int:
-        """Takes the configuration that the file has at its own parameters."""
-        status = lib.yk_state_set_time(self.state, 0.0, ffi.NULL)
-        if status < 0:
-            return int(status)
-        if lib.yk_state_take_labels(self.state, own) == lib.YK_OK:
-            status = lib.yk_state_solve(self.state)
-        else:
-            carried = self._carry(own)
-            if carried is None:
-                status = lib.yk_state_guess(self.state, own)
-                carried = lib.yk_state_assemble(self.state) if status >= 0 else status
-            status = carried
-        return int(lib.YK_NO_ASSEMBLY if status == lib.YK_LIMIT else status)
-
-    def _carry(self, own: CData) -> Optional[int]:
-        """Moves all parameters at once from the file's to the asked ones; None if they do not vary continuously."""
-        core, names = self.core, list(self.core.parameters)
-        mech = lib.yk_state_mechanism(own)
-        inputs = lib.yk_input_count(self.mech)
-        if lib.yk_input_count(mech) != inputs:
-            return None
-        kept = [ffi.new("char[]", name.encode()) for name in names]
-        before = ffi.new("double[]", [lib.yk_model_parameter(core.own, name) for name in kept])
-        after = ffi.new("double[]", [lib.yk_model_parameter(core.model, name) for name in kept])
-        goal = ffi.new("YkMotion[]", [lib.yk_state_input(self.state, k) for k in range(inputs)])
-        variant = lib.yk_variant_new(mech, ffi.new("char *[]", kept), len(kept), Problems().c)
-        if variant == ffi.NULL:
-            return None
-        variant = ffi.gc(variant, lib.yk_variant_free)
-        moving = new_state(lib.yk_variant_mechanism(variant))
-        result = None
-        if lib.yk_state_adopt(moving, own) >= 0:
-            result = lib.yk_state_carry(moving, variant, before, after, len(kept), goal)
-            if result >= 0:
-                result = lib.yk_state_adopt(self.state, moving)
-        del moving  # before its variant
-        return result
-
-    def is_told(self) -> bool:
-        """Tells whether a drive or `start:` gives every input a value."""
-        inputs = [c for c in self.core.coordinates.values() if c.input >= 0]
-        return all(c.has_drive or c.has_start for c in inputs)
-
 
 class Slot:
     """A state with its dynamics, lent to one pose at a time."""
@@ -152,7 +27,7 @@ class Plan:
     """Requests that set the same coordinates: their mechanism, and the pose from which they all begin."""
 
     def __init__(self, core: "Core", at: Sequence[str], rate: Sequence[str], accel: Sequence[str],
-                 swept: Optional[str], imposed: bool) -> None:  # fmt: skip
+                 swept: Optional[str], imposed: bool) -> None:
         self.core, self.imposed = core, imposed
         self.start: Optional[Start] = core.start
         names = list(dict.fromkeys(([swept] if swept else []) + [*at, *rate, *accel]))
@@ -224,12 +99,12 @@ class Plan:
             return Slot(self)
 
     def reach(self, state: CData, time: float) -> int:
-        """Brings a state to the pose that `holds` and `time` ask for. Returns the status; raises if it is not reached."""
+        """Brings a state to the pose that `holds` and `time` ask for. Returns the status, or raises."""
         if self.entry is None or self.entry_status == lib.YK_SINGULAR and self.mech is not self.core.base:
             return self._reach_otherwise(state, time)
         problems = Problems().c if time else ffi.NULL
         status: int = lib.yk_host_reach(state, self.entry, self.holds, self.hold_count, time, self.goal, self.move,
-                                        problems)  # fmt: skip
+                                        problems)
         if status < 0:
             raise pose_error(status, self._word_stop(state), self._hint(state, status, time))
         move = self.move
@@ -243,15 +118,15 @@ class Plan:
         move, notes = self.move, []
         if self.entry_status == lib.YK_SINGULAR and self.hold_count > 0:
             notes.append(Problem("warning", "W0615", "the pose of `start:` is one where two configurations meet; the "
-                                 f"machine is taken to leave it as {label_of(self.entry)}"))  # fmt: skip
+                                 f"machine is taken to leave it as {label_of(self.entry)}"))
         if move.is_detour:
             notes.append(Problem("note", "N0611", "a limit blocks the straight way from `start:`; the machine got here "
-                                 "by a detour, through its several inputs"))  # fmt: skip
+                                 "by a detour, through its several inputs"))
         if move.pass_count:
             label = text_of(lib.yk_block_info(self.mech, move.passes[0].block).label)
             notes.append(Problem("note", "N0610", f"the machine passed {move.pass_count} change point"
-                                 f"{'' if move.pass_count == 1 else 's'} on its way from `start:`, the first of them at "
-                                 f"joint `{label}`"))  # fmt: skip
+                                 f"{'' if move.pass_count == 1 else 's'} on its way from `start:`, the first of them "
+                                 f"at joint `{label}`"))
         return tuple(notes)
 
     def ask(self, state: CData, time: float) -> None:
@@ -271,7 +146,7 @@ class Plan:
         if start.status >= 0:
             raise pose_error(lib.YK_LIMIT if self.entry_status >= 0 else self.entry_status,
                              "with these inputs the pose of `start:` is a dead point, from which two branches part, "
-                             "and the file does not say which is meant")  # fmt: skip
+                             "and the file does not say which is meant")
         self.ask(state, time)
         status: int = lib.yk_state_assemble(state)
         if status < 0:
@@ -281,7 +156,7 @@ class Plan:
         from ._problems import YokeWarning
 
         warnings.warn("the file does not say where the machine was assembled; the configuration nearest to its "
-                      "guesses at this pose was taken [W0612]", YokeWarning, stacklevel=4)  # fmt: skip
+                      "guesses at this pose was taken [W0612]", YokeWarning, stacklevel=4)
         return status
 
     def _value(self, k: int, value: float, count: int) -> str:
@@ -294,7 +169,7 @@ class Plan:
         if move.status != lib.YK_LIMIT or move.block < 0:
             return message_of(state)
         here = [lib.yk_state_coordinate(state, lib.yk_input_coordinate(self.mech, k)).position
-                for k in range(min(self.inputs, 3))]  # fmt: skip
+                for k in range(min(self.inputs, 3))]
         at = ", ".join(self._value(k, value, 10) for k, value in enumerate(here)) + (", ..." if self.inputs > 3 else "")
         block = lib.yk_block_info(self.mech, move.block)
         kind = text_of(lib.yk_block_kind_name(block.kind))
@@ -313,6 +188,6 @@ class Plan:
         for k in range(min(count, 32) if count != lib.YK_NOT_FOUND else 0):
             if getattr(ranges[k], "from") - 1e-6 <= here <= ranges[k].to + 1e-6:
                 low, high = (shown(self.core.model, x, info.quantity(0))
-                             for x in (getattr(ranges[k], "from"), ranges[k].to))  # fmt: skip
+                             for x in (getattr(ranges[k], "from"), ranges[k].to))
                 return f"this configuration ({label_of(state)}) closes for {info.name} from {low} to {high}"
         return None

@@ -54,7 +54,7 @@ class Scale:
         acceleration = max(self.acceleration, self.rate * self.rate)
         noise = dict(zip(ANGLE, (self.of_angles, self.of_angles * self.rate, self.of_angles * acceleration)))
         noise.update(zip(LENGTH, (_NOISE * self.size, _NOISE * self.rate * self.size,
-                                  _NOISE * acceleration * self.size)))  # fmt: skip
+                                  _NOISE * acceleration * self.size)))
         return 0.0 if abs(value) <= noise.get(quantity, 0.0) else value
 
 

@@ -10,132 +10,23 @@ from . import _sweep
 from ._arrays import doubles
 from ._core import channels_of, names_of
 from ._native import ffi, lib
-from ._problems import ModelError, Problems, RequestError, UnknownName, refusal, text_of
-from ._reach import new_state, pose_error
+from ._problems import Problems, RequestError, refusal, text_of
+from ._start import new_state, pose_error
 from ._table import Column, Table, table
-from ._values import TIME, CData, Value, encoded, si, words
+from ._values import TIME, CData, encoded
 from ._watch import check, progress_of_host
 
 if TYPE_CHECKING:
     from ._core import Core
 
-INF = float("inf")
 REDUCED = ("min", "max", "mean", "range")
-
-
-class Distribution(NamedTuple):
-    """A distribution of a parameter; make it with `uniform`, `normal`, `triangular` or `tolerance`."""
-
-    kind: str
-    values: tuple[Value, ...]
-    within: Optional[tuple[Value, Value]] = None
-
-
-def uniform(low: Value, high: Value) -> Distribution:
-    """Returns a uniform distribution between two values."""
-    return Distribution("uniform", (low, high))
-
-
-def normal(mean: Value, deviation: Value, within: Optional[tuple[Value, Value]] = None) -> Distribution:
-    """Returns a normal distribution, cut off at the ends of `within` if they are given."""
-    return Distribution("normal", (mean, deviation), within)
-
-
-def triangular(low: Value, mode: Value, high: Value) -> Distribution:
-    """Returns a triangular distribution."""
-    return Distribution("triangular", (low, mode, high))
-
-
-def tolerance(value: Value) -> Distribution:
-    """Returns a uniform distribution within a tolerance of the machine's own value."""
-    return Distribution("tolerance", (value,))
-
-
-def parameter(model: CData, name: str, value: Value) -> float:
-    """Returns a parameter's value in SI."""
-    own = lib.yk_model_parameter(model, encoded(name))
-    if own != own:
-        raise refusal(UnknownName, "E0806", f"the machine has no parameter `{name}`")
-    if not isinstance(value, (str, tuple)):
-        return si(model, value, lib.YK_QUANTITY_NUMBER, name)
-    problems, result = Problems(), ffi.new("double *")
-    if lib.yk_model_parameter_read(model, encoded(name), encoded(words(value, name)), result, problems.c) < 0:
-        raise problems.fail(RequestError)
-    return float(result[0])
-
-
-def _drawn(model: CData, name: str, asked: Distribution, seed: int, count: int, number: int) -> Any:
-    own = parameter(model, name, lib.yk_model_parameter(model, encoded(name)))
-    v = [parameter(model, name, x) for x in asked.values]
-    d = ffi.new("YkDistribution *")
-    d.low, d.high = -INF, INF
-    if asked.kind == "uniform":
-        d.kind, d.low, d.high = lib.YK_DISTRIBUTION_UNIFORM, v[0], v[1]
-    elif asked.kind == "tolerance":
-        d.kind, d.low, d.high = lib.YK_DISTRIBUTION_UNIFORM, own - v[0], own + v[0]
-    elif asked.kind == "triangular":
-        d.kind, d.low, d.center, d.high = lib.YK_DISTRIBUTION_TRIANGULAR, v[0], v[1], v[2]
-    else:
-        d.kind, d.center, d.spread = lib.YK_DISTRIBUTION_NORMAL, v[0], v[1]
-        if asked.within is not None:
-            d.low, d.high = (parameter(model, name, x) for x in asked.within)
-    if not lib.yk_distribution_is_valid(d):
-        raise refusal(RequestError, "E0806", f"`{name}`: {asked} is not a distribution")
-    result = np.empty(count)
-    lib.yk_host_draw(d, seed, number, ffi.from_buffer("double[]", result), count)
-    return result
-
-
-def grid(model: CData, vary: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the designs of a grid, (from, to, count) a parameter; the last one varies fastest."""
-    axes = []
-    for name, given in vary.items():
-        if not isinstance(given, (tuple, list)) or len(given) not in (3, 4):
-            raise refusal(RequestError, "E0806", f"vary takes (from, to, count) for `{name}`, not {given!r}",
-                          'as in vary={"r": ("40 mm", "60 mm", 100)}')  # fmt: skip
-        low, high, count = given[0], given[1], _sweep.count(given[2], name)
-        if len(given) == 4:
-            low, high = (given[0], given[3]), (given[1], given[3])
-        first, last = parameter(model, name, low), parameter(model, name, high)
-        axis = [first + (last - first) * k / (count - 1) if count > 1 else first for k in range(count)]
-        axis[-1] = last if count > 1 else first
-        axes.append(np.array(axis))
-    if int(np.prod([len(a) for a in axes])) > 10_000_000:
-        raise refusal(RequestError, "E0806", "vary: the grid has more than 10 million designs")
-    return {n: a.ravel() for n, a in zip(vary, np.meshgrid(*axes, indexing="ij"))} if axes else {}
-
-
-def sampled(core: "Core", sample: Any, designs: Optional[int], seed: Optional[int]) -> dict[str, Any]:
-    """Returns designs drawn from distributions, given here or in a file."""
-    if isinstance(sample, Mapping):
-        count = _sweep.count(1000 if designs is None else designs, "designs")
-        for name, d in sample.items():
-            if not isinstance(d, Distribution):
-                raise refusal(RequestError, "E0806", f"sample takes a distribution for `{name}`, not {d!r}",
-                              "as in yoke.normal(\"60 mm\", \"0.1 mm\")")  # fmt: skip
-        return {n: _drawn(core.model, n, d, 1 if seed is None else seed, count, k)
-                for k, (n, d) in enumerate(sample.items())}  # fmt: skip
-    problems = Problems()
-    c = lib.yk_tolerances_load(encoded(os.fspath(sample)), core.model, problems.c)
-    if c == ffi.NULL:
-        raise problems.fail(ModelError)
-    c = ffi.gc(c, lib.yk_tolerances_free)
-    count = _sweep.count(designs or int(lib.yk_tolerances_designs(c)) or 1000, "designs")
-    result = {}
-    for k in range(lib.yk_tolerances_count(c)):
-        values = np.empty(count)
-        d = ffi.new("YkDistribution *", lib.yk_tolerances_at(c, k))
-        lib.yk_host_draw(d, lib.yk_tolerances_seed(c) if seed is None else seed, k,
-                         ffi.from_buffer("double[]", values), count)  # fmt: skip
-        result[text_of(lib.yk_tolerances_name(c, k))] = values
-    return result
 
 
 class Study:
     """A study's request: its machine, poses and columns."""
 
     def __init__(self, core: "Core", names: Sequence[str], of: Any, over: Any, steps: Any, at: Mapping[str, Any],
-                 hold: _sweep.Holding, threads: Optional[int]) -> None:  # fmt: skip
+                 hold: _sweep.Holding, threads: Optional[int]) -> None:
         self.core, self.names, self.hold, self.at = core, list(names), hold, at
         self.swept: Optional[str] = None
         self.range = (0.0, 0.0)
@@ -145,7 +36,7 @@ class Study:
         self.is_time = self.swept == "t" and "t" not in core.coordinates
         self.steps = _sweep.count(steps, "steps", 1_000_000) if over is not None else 0
         self.plan = core.plan(list(at), list(hold.rate), list(hold.accel), None if self.is_time else self.swept,
-                              imposed=True)  # fmt: skip
+                              imposed=True)
         hold.fill(self.plan, at)
         if self.swept is not None:
             quantity = TIME if self.is_time else self.plan.coordinates[self.swept].quantity(0)
@@ -203,7 +94,7 @@ class Study:
         self.inputs = np.empty((3 * plan.inputs, count))
         low, high = self.range
         at = [high if k == self.steps else low + (high - low) * k / self.steps for k in range(count)] \
-            if self.swept is not None else [0.0]  # fmt: skip
+            if self.swept is not None else [0.0]
         self.times = np.array(at) if self.is_time else None
         state, problems = new_state(plan.mech), Problems()
         lib.yk_state_copy(state, self.state)
@@ -237,7 +128,7 @@ def _one(over: Any) -> tuple[str, Any]:
         name, value = next(iter(over.items()))
         return str(name), value
     raise refusal(RequestError, "E0810", f"over takes one range by name, not {over!r}",
-                  'as in over={"theta": (0, 360, "deg")} or over={"t": (0, 2, "s")}')  # fmt: skip
+                  'as in over={"theta": (0, 360, "deg")} or over={"t": (0, 2, "s")}')
 
 
 def run(study: Study, designs: Mapping[str, Any], every_pose: bool) -> Table:
@@ -250,7 +141,7 @@ def run(study: Study, designs: Mapping[str, Any], every_pose: bool) -> Table:
     shape: tuple[int, ...] = (poses,) if every_pose else ()
     answers = [f"{n}.{kind}" for n in names for kind in REDUCED] if reduced else names
     kind = np.dtype([(n, np.float64) for n in designs] + [("status", np.int8, shape), ("poses", np.int64)]
-                    + [(n, np.float64, shape) for n in answers])  # fmt: skip
+                    + [(n, np.float64, shape) for n in answers])
     data = np.empty(count, kind)
     for name, array in zip(designs, arrays):
         data[name] = array
@@ -277,7 +168,7 @@ def _reduce(study: Study, case: Any, data: Any) -> None:
     extents = np.empty((len(study.columns), count, 3))
     status, valid = np.empty(count, np.int8), np.empty(count, np.uint64)
     _end(lib.yk_study_reduce(study.c, case, ffi.from_buffer("YkExtent[]", extents),
-                             ffi.from_buffer("signed char[]", status), ffi.from_buffer("size_t[]", valid)))  # fmt: skip
+                             ffi.from_buffer("signed char[]", status), ffi.from_buffer("size_t[]", valid)))
     data["status"], data["poses"] = status, valid
     extents[:, valid == 0] = np.nan
     for k, name in enumerate(study.columns):
@@ -292,13 +183,14 @@ def _run(study: Study, case: Any, data: Any) -> None:
     status = np.empty((count, poses), np.int8)
     rows = [ffi.from_buffer("double[]", v) for v in values]
     _end(lib.yk_study_run(study.c, case, ffi.new("double *[]", rows or [ffi.NULL]),
-                          ffi.from_buffer("signed char[]", status)))  # fmt: skip
+                          ffi.from_buffer("signed char[]", status)))
     data["status"] = status.reshape(data["status"].shape)
     data["poses"] = (status >= 0).sum(axis=1)
     for k, name in enumerate(study.columns):
         channel = study.channels[k]
-        is_rate = channel.order > 0 or channel.kind == lib.YK_CHANNEL_POINT_SPEED or channel.kind >= lib.YK_CHANNEL_FORCE_X
-        values[k][(status < 0) | ((status == lib.YK_SINGULAR) & bool(is_rate))] = np.nan
+        is_rate = channel.order > 0 or channel.kind == lib.YK_CHANNEL_POINT_SPEED
+        is_lost = is_rate or channel.kind >= lib.YK_CHANNEL_FORCE_X  # at a dead point
+        values[k][(status < 0) | ((status == lib.YK_SINGULAR) & bool(is_lost))] = np.nan
         data[name] = values[k].reshape(data[name].shape)
 
 
@@ -317,7 +209,7 @@ def sensitivities(study: Study) -> Sensitivities:
     first, second = np.empty(shape), np.empty(shape)
     _, (_, _, _, inputs, _) = keep = study.case([])
     status = lib.yk_study_sensitivities(study.c, inputs, ffi.from_buffer("double[]", first),
-                                        ffi.from_buffer("double[]", second))  # fmt: skip
+                                        ffi.from_buffer("double[]", second))
     del keep
     check()
     if status < 0:

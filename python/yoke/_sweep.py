@@ -8,7 +8,8 @@ import numpy as np
 from ._core import channels_of, names_of
 from ._native import ffi, lib
 from ._problems import Problems, RequestError, refusal, status_name, text_of
-from ._reach import Plan, message_of, new_state
+from ._reach import Plan
+from ._start import message_of, new_state
 from ._table import Column, Event, Table, row_type, table
 from ._values import TIME, CData, Value, shown, si, unit_of, words
 from ._watch import check
@@ -30,7 +31,7 @@ def ends(model: CData, value: Any, quantity: int, name: str) -> tuple[float, flo
     """Returns both ends of a range in SI; a unit after them holds for both."""
     if not is_range(value):
         raise refusal(RequestError, "E0810", f"`{name}` takes a range as (0, 360, \"deg\") or (\"0 mm\", \"60 mm\"), "
-                      f"not {value!r}")  # fmt: skip
+                      f"not {value!r}")
     if len(value) == 3:
         first, second = (f"{words(x, name)} {value[2]}" for x in value[:2])
         return si(model, first, quantity, name), si(model, second, quantity, name)
@@ -58,7 +59,7 @@ def split(coordinates: Mapping[str, Any]) -> tuple[str, Any, dict[str, Any]]:
     ranges = {name: value for name, value in coordinates.items() if is_range(value)}
     if len(ranges) != 1:
         raise refusal(RequestError, "E0804", "a sweep takes one range, as theta=(0, 360, \"deg\") or t=(0, 2, \"s\"), "
-                      f"not {len(ranges)}", f"the machine has {', '.join(coordinates)}" if coordinates else None)  # fmt: skip
+                      f"not {len(ranges)}", f"the machine has {', '.join(coordinates)}" if coordinates else None)
     name, value = next(iter(ranges.items()))
     return name, value, {n: v for n, v in coordinates.items() if n != name}
 
@@ -88,7 +89,7 @@ def _words_of_limit(plan: Plan, sweep: CData, swept: str, quantity: int, state: 
 
 
 def run(core: "Core", coordinates: Mapping[str, Any], of: Any, steps: Any, hold: "Holding", method: int,
-        turn_max: Optional[Value]) -> Table:  # fmt: skip
+        turn_max: Optional[Value]) -> Table:
     """Sweeps and returns the rows; at a limit those before it."""
     swept, value, at = split(coordinates)
     step_count = count(steps, "steps")
@@ -129,10 +130,10 @@ def run(core: "Core", coordinates: Mapping[str, Any], of: Any, steps: Any, hold:
     lib.yk_host_blank_rates(sweep, channels, len(names))
     head = Column(swept, *unit_of(core.model, quantity))
     result = _view(sweep, [swept, *names], [head, *columns(core.model, channels, names)],
-                   f"{text_of(lib.yk_model_name(core.model))}: sweep over {swept}")  # fmt: skip
+                   f"{text_of(lib.yk_model_name(core.model))}: sweep over {swept}")
     status = lib.yk_sweep_status(sweep)
     result.events = tuple(_event(lib.yk_sweep_event(sweep, k), plan.mech, names)
-                          for k in range(lib.yk_sweep_event_count(sweep)))  # fmt: skip
+                          for k in range(lib.yk_sweep_event_count(sweep)))
     result.status = "ok" if status == lib.YK_OK else status_name(status)
     if status == lib.YK_LIMIT:
         result.message = _words_of_limit(plan, sweep, swept, quantity, state)
@@ -159,7 +160,7 @@ class Holding:
     """What a request holds beside its coordinates: rates, accelerations, efforts, and the time."""
 
     def __init__(self, core: "Core", time: Value, rate: Optional[Mapping[str, Value]],
-                 accel: Optional[Mapping[str, Value]], effort: Optional[Mapping[str, Value]]) -> None:  # fmt: skip
+                 accel: Optional[Mapping[str, Value]], effort: Optional[Mapping[str, Value]]) -> None:
         self.core = core
         self.rate, self.accel, self.effort = dict(rate or {}), dict(accel or {}), dict(effort or {})
         self.time = si(core.model, time, TIME, "time")

@@ -75,11 +75,12 @@ class Table(np.ndarray):  # type: ignore[type-arg]
 
     def _cells(self, most: int) -> list[Sequence[_grid.Cell]]:
         flat = np.atleast_1d(self)
-        picked = range(len(flat)) if len(flat) <= most else [*range(most // 2), *range(len(flat) - most // 2, len(flat))]
+        rows = len(flat)
+        picked = range(rows) if rows <= most else [*range(most // 2), *range(rows - most // 2, rows)]
         sizes = [c.size for c in self._shown()]
         noise = [1e-14 * max((abs(x) for x in flat[c.name].tolist() if x == x), default=0.0) for c in self._shown()]
         return [[0.0 if abs(x) < n else float(x) / size for x, size, n in zip(flat[k].tolist(), sizes, noise)]
-                for k in picked]  # fmt: skip
+                for k in picked]
 
     def text(self, most: int = 1000) -> str:
         """Returns the rows as a table in the file's units; the first and last ones if there are more than `most`."""

@@ -20,7 +20,7 @@ def number(value: Any, name: str) -> float:
     """Returns a finite number; refuses everything else."""
     if isinstance(value, bool) or not hasattr(value, "__float__") or getattr(value, "ndim", 0) > 0:
         raise refusal(RequestError, "E0806", f"`{name}` takes a number, a text with a unit or (number, unit), "
-                      f"not {value!r}")  # fmt: skip
+                      f"not {value!r}")
     result = float(value)
     if not math.isfinite(result):
         raise refusal(RequestError, "E0806", f"`{name}` takes a finite number, not {result}")

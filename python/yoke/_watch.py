@@ -44,7 +44,7 @@ def _bar(title: str) -> tuple[Optional[Callable[[float], object]], Callable[[], 
 
 
 class Watch:
-    """Follows the long calls of a block: `progress` True (tqdm, if it is there), a function of the part done, or None."""
+    """Follows the long calls of a block: `progress` is True (tqdm, if it is there), a function, or None."""
 
     __slots__ = ("progress", "title", "before", "close")
 

@@ -35,7 +35,7 @@ class Environment:
     def __init__(self, machine: "Machine", count: int, *, act: Sequence[str], observe: Sequence[str], span: Value,
                  start: Optional[Mapping[str, tuple[float, float]]] = None, reward: Optional[Reward] = None,
                  ended: Optional[Callable[["NDArray[np.float64]"], Any]] = None, most: int = 500,
-                 method: str = "rk4", step: Optional[Value] = None, threads: Optional[int] = None) -> None:  # fmt: skip
+                 method: str = "rk4", step: Optional[Value] = None, threads: Optional[int] = None) -> None:
         self.machine, self.count, self.act, self.observe = machine, count, tuple(act), tuple(observe)
         self._ranges = {name: (float(low), float(high)) for name, (low, high) in (start or {}).items()}
         self._reward, self._ended, self.most = reward, ended, most
@@ -45,7 +45,7 @@ class Environment:
         rate = {n[:-5]: np.zeros(count) for n in self._ranges if n.endswith(".rate")}
         self.simulations = machine.simulations(count, of=self.observe, effort=self.act, at=at, rate=rate, method=method,
                                                step=span if method == "rk4" and step is None else step,
-                                               threads=threads)  # fmt: skip
+                                               threads=threads)
         self.steps = np.zeros(count, np.int64)
         self._over = np.zeros(count, bool)
         self._random: list[np.random.Generator] = []
@@ -56,7 +56,7 @@ class Environment:
         if seed is not None or not self._random:
             root = np.random.SeedSequence(seed)
             self._random = [np.random.default_rng(np.random.SeedSequence(root.entropy, spawn_key=(k,)))
-                            for k in range(self.count)]  # fmt: skip
+                            for k in range(self.count)]
         self._restart(np.arange(self.count))
         return self.simulations.values.copy(), {}
 

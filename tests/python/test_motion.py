@@ -157,7 +157,7 @@ def cart_pole(count, **more):
     m = yoke.load(example("cart-pendulum"))
     return yoke.Environment(m, count, act=["x"], observe=["x", "theta", "x.rate", "theta.rate"], span=0.02,
                             start={"theta": (math.pi - 0.05, math.pi + 0.05), "x": (-0.05, 0.05)},
-                            ended=lambda o: abs(o[:, 1] - math.pi) > 0.2, **more)  # fmt: skip
+                            ended=lambda o: abs(o[:, 1] - math.pi) > 0.2, **more)
 
 
 def test_an_environment_gives_each_copy_its_own_numbers():

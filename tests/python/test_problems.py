@@ -42,7 +42,7 @@ def test_an_error_has_its_place_and_hint():
 def refused(kind, call, *words):
     with pytest.raises(kind) as caught:
         call()
-    assert isinstance(caught.value, yoke.Error) and isinstance(caught.value, (ValueError, LookupError, yoke.Error))
+    assert isinstance(caught.value, yoke.Error)
     for word in words:
         assert word in str(caught.value)
     return caught.value
@@ -84,7 +84,7 @@ def test_wrong_values_are_refused(crank):
 
 def test_numpy_scalars_are_numbers(crank):
     one = crank.solve(theta=1.0)["s"]
-    assert crank.solve(theta=np.float64(1))["s"] == crank.solve(theta=np.int32(1))["s"] == crank.solve(theta=1)["s"] == one
+    assert all(crank.solve(theta=number)["s"] == one for number in (np.float64(1), np.float32(1), np.int32(1), 1))
 
 
 def test_wrong_arrays_are_refused_and_others_copied(crank):
@@ -122,8 +122,8 @@ start: {"the-angle": 0}
         m = yoke.parse(text)
     except yoke.ModelError as error:
         assert error.problems[0].line > 0  # the format itself refuses such names
-        m = yoke.parse(text.replace("the-angle", "angle_").replace("crank-length", "class").replace("my body", "my_body"),
-                       parameters={"class": "2 m"})  # fmt: skip
+        text = text.replace("the-angle", "angle_").replace("crank-length", "class").replace("my body", "my_body")
+        m = yoke.parse(text, parameters={"class": "2 m"})
     name = m.coordinates[0]
     assert m.solve(at={name: 0.5}).coordinates[name].position == 0.5
 
@@ -142,14 +142,14 @@ def test_a_closed_object_is_refused(crank):
     before = pose.coordinates["s"].position
     crank.close()
     for call in (crank.solve, lambda: crank.name, lambda: crank.text, lambda: crank.sweep(theta=(0, 1)), crank.svg,
-                 lambda: crank.set("name", "x"), lambda: crank.simulate(to=1), lambda: crank.derive(), crank.report):  # fmt: skip
+                 lambda: crank.set("name", "x"), lambda: crank.simulate(to=1), lambda: crank.derive(), crank.report):
         refused(yoke.ClosedError, call, "closed")
     assert "closed" in repr(crank)
     assert pose.coordinates["s"].position == before and simulation.step(1e-3) > 0 and many.step(1e-3) is not None
     simulation.close()
     many.close()
     for call in (lambda: simulation.step(1), simulation.save, lambda: simulation["s"], simulation.reset,
-                 lambda: simulation.effort.__setitem__("theta", 1.0), lambda: many.step(1e-3), many.restart):  # fmt: skip
+                 lambda: simulation.effort.__setitem__("theta", 1.0), lambda: many.step(1e-3), many.restart):
         refused(yoke.ClosedError, call, "closed")
     with yoke.Machine() as other:
         pass
@@ -174,7 +174,8 @@ def test_output_appears_whole_or_not_at_all(crank, tmp_path):
 
 
 def test_a_warning_of_a_file_is_a_python_warning():
-    text = "units: {length: mm}\ngravity: [0, -9.81]\nbodies: {b: {mass: 1}}\njoints: {J: {pin: [ground, b], angle: q}}\n"
+    text = "units: {length: mm}\ngravity: [0, -9.81]\nbodies: {b: {mass: 1}}\n"
+    text += "joints: {J: {pin: [ground, b], angle: q}}\n"
     with pytest.warns(yoke.YokeWarning, match="W0431"):
         yoke.parse(text)
 
@@ -187,9 +188,9 @@ def test_a_limit_of_a_sweep_is_told_in_the_words_of_the_command():
 
 def test_what_the_machine_passed_on_its_way_is_noted():
     told = 0
-    for name, at in (("parallelogram", "theta2"), ("change-point-four-bar", "theta2"), ("kite", "theta2"), ("five-bar", None)):
+    for name in ("parallelogram", "change-point-four-bar", "kite", "five-bar"):
         m = yoke.load(example(name))
-        coordinate = at if at in m.coordinates else m.inputs[0]
+        coordinate = m.inputs[0]
         value = m.solve()[coordinate] + 4.0
         run = command("solve", example(name), "--at", f"{coordinate}={value!r}rad")
         try:

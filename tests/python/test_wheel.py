@@ -20,9 +20,10 @@ def run(*words, **more):
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
     work = tmp_path_factory.mktemp("wheel")
-    shutil.copytree(ROOT / "python", work / "python", ignore=shutil.ignore_patterns("*.so", "build", "*.egg-info", "dist"))
+    leave = shutil.ignore_patterns("*.so", "build", "*.egg-info", "dist")
+    shutil.copytree(ROOT / "python", work / "python", ignore=leave)
     environment = {**os.environ, "YOKE_INCLUDE": str(ROOT / "include"), "YOKE_LIBRARY": os.environ["YOKE_ARCHIVE"],
-                   "CFLAGS": "-O1", "PIP_NO_INDEX": "1", "no_proxy": "*"}  # fmt: skip
+                   "CFLAGS": "-O1", "PIP_NO_INDEX": "1", "no_proxy": "*"}
     environment.pop("PYTHONPATH")
     run("-m", "build", "--wheel", "--no-isolation", "--outdir", work, work / "python", env=environment)
     return next(work.glob("*.whl"))
@@ -48,11 +49,12 @@ def test_mypy_finds_nothing(tmp_path):
     run("-m", "mypy", "--strict", "--cache-dir", tmp_path, ROOT / "python" / "yoke")
     user = tmp_path / "user.py"
     user.write_text("import yoke\nx: float = yoke.load('a').solve(theta='30 deg').coordinates['s'].position\n"
-                    "b: bool = bool(yoke.load('a').check('a = b'))\n")  # fmt: skip
+                    "b: bool = bool(yoke.load('a').check('a = b'))\n")
     run("-m", "mypy", "--strict", "--cache-dir", tmp_path, user, env={**os.environ, "MYPYPATH": str(ROOT / "python")})
 
 
 def test_the_import_takes_no_more_modules_than_it_needs():
     heavy = {"matplotlib", "pandas", "tqdm", "IPython", "concurrent.futures.thread", "difflib", "cffi"}
-    loaded = run("-c", "import sys, numpy; before = set(sys.modules); import yoke; print(*sorted(set(sys.modules) - before))")
+    program = "import sys, numpy; old = set(sys.modules); import yoke; print(*sorted(set(sys.modules) - old))"
+    loaded = run("-c", program)
     assert not heavy & set(loaded.split())
