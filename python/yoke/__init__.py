@@ -18,7 +18,7 @@ from ._machine import Machine, load, parse
 from ._many import Simulations
 from ._native import ffi as _ffi
 from ._native import lib as _lib
-from ._pose import Pose
+from ._pose import Pose, Svg
 from ._problems import (
     ClosedError, Error, ModelError, PoseError, Problem, RequestError, UnknownName, YokeWarning, explain,
 )
@@ -35,6 +35,6 @@ if __version__ != _ffi.string(_lib.YOKE_VERSION_STRING).decode():
 __all__ = [
     "ClosedError", "Column", "Columns", "Configurations", "Distribution", "Effort", "Energy", "Environment",
     "Equations", "Error", "Event", "Machine", "ModelError", "Motion", "PointMotion", "Pose", "PoseError", "Problem",
-    "Reaction", "RequestError", "Sensitivities", "Simulation", "Simulations", "Summary", "Table", "UnknownName",
+    "Reaction", "RequestError", "Sensitivities", "Simulation", "Simulations", "Summary", "Svg", "Table", "UnknownName",
     "Verdict", "YokeWarning", "explain", "load", "normal", "parse", "sections", "tolerance", "triangular", "uniform",
 ]

@@ -11,11 +11,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+def dimensions(value: Any, name: str) -> int:
+    """Returns the number of dimensions of what may be an array."""
+    try:
+        return int(np.ndim(value))
+    except ValueError:
+        raise refusal(RequestError, "E0806", f"`{name}` takes numbers or an array, not {value!r}") from None
+
+
 def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "NDArray[np.float64]":
     """Returns an array of finite doubles, contiguous; refuses other types, shapes and NaN, naming the first.
 
     Arrays of other real numbers, and those that are not contiguous, are copied.
     """
+    dimensions(value, name)
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise refusal(RequestError, "E0806", f"`{name}` takes an array of real numbers, not of {array.dtype}")

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 import numpy as np
 
-from ._arrays import doubles
+from ._arrays import dimensions, doubles
 from ._core import channels_of, names_of
 from ._native import ffi, lib
 from ._problems import RequestError, refusal
@@ -86,7 +86,7 @@ def run(core: "Core", coordinates: Mapping[str, Any], rate: Mapping[str, Any], a
     plan = core.plan(list(coordinates), list(rate), list(accel), imposed=True)
     given = [(name, order, value) for order, values in enumerate((coordinates, rate, accel))
              for name, value in values.items()]
-    lengths = {name: np.shape(value)[0] for name, _, value in given if np.ndim(value) == 1}
+    lengths = {name: np.shape(value)[0] for name, _, value in given if dimensions(value, name) == 1}
     if len(set(lengths.values())) != 1:
         raise refusal(RequestError, "E0806", "a batch takes arrays of one length, as theta=numpy.linspace(0, 6, 100)"
                       + (f", not of {lengths}" if lengths else ""))

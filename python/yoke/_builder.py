@@ -6,7 +6,7 @@ from typing import Any, Mapping, Optional, Sequence, TypeVar, Union
 from ._guard import Guarded
 from ._native import ffi, lib
 from ._problems import Problems, RequestError, refusal, text_of
-from ._values import CData, Value, encoded, number, words
+from ._values import CData, Value, encoded, named, number, words
 
 Self = TypeVar("Self", bound="Builder")
 Point = Union[Sequence[Value], "tuple[Value, Value]"]
@@ -99,7 +99,9 @@ class Builder(Guarded):
         """Adds a body, or more to one: points in its axes, mass, and centre with inertia or a uniform rod."""
         with self._lock:
             lib.yk_builder_body(self._edit(), encoded(name))
-            for point, place in (points or {}).items():
+            for point, place in named(points, "points").items():
+                if not hasattr(place, "__len__") or len(place) != 2:
+                    raise refusal(RequestError, "E0806", f"point `{point}` takes (x, y), not {place!r}")
                 self.point(name, point, *place)
             return self._set_all(f"bodies/{name}", {"mass": mass, "center": center, "inertia": inertia, "rod": rod})
 
@@ -137,9 +139,10 @@ class Builder(Guarded):
              x: Optional[str] = None, y: Optional[str] = None, angle: Optional[str] = None) -> Self:
         """Leaves everything free between two bodies; names all three coordinates, or none."""
         names = [x, y, angle]
-        if any(names) and not all(names):
-            raise refusal(RequestError, "E0806", f"free joint `{name}`: x, y and angle are named together or not at all")
-        return self._joint(name, "free", first, second, at=names if any(names) else None, from_=from_, to=to)
+        given = [one is not None for one in names]
+        if any(given) and not all(given):
+            raise refusal(RequestError, "E0806", f"free joint `{name}`: name x, y and angle together, or none")
+        return self._joint(name, "free", first, second, at=names if any(given) else None, from_=from_, to=to)
 
     def drive(self: Self, coordinate: str, value: Value) -> Self:
         """Drives a coordinate by an expression of time, as "20 rpm * t"."""

@@ -98,9 +98,10 @@ class Core:
                        range(lib.yk_model_body_count(self.model))]
         self.joints = [text_of(lib.yk_model_joint_name(self.model, k)) for k in
                        range(lib.yk_model_joint_count(self.model))]
+        model = self.model
         self.points = {
-            self.bodies[lib.yk_model_point_body(self.model, k)] + "." + text_of(lib.yk_model_point_name(self.model, k)): k
-            for k in range(lib.yk_model_point_count(self.model))
+            f"{self.bodies[lib.yk_model_point_body(model, k)]}.{text_of(lib.yk_model_point_name(model, k))}": k
+            for k in range(lib.yk_model_point_count(model))
         }
         self.start = _start.Start(self)
 
@@ -171,8 +172,8 @@ def names_of(of: Any) -> list[str]:
     names = list(of)
     for name in names:
         if not isinstance(name, str):
-            raise refusal(RequestError, "E0806", f"`of` takes names of columns, not {name!r}")
+            raise refusal(RequestError, "E0806", f"a list of names takes texts, not {name!r}")
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
-        raise refusal(RequestError, "E0806", f"`of` names {', '.join(twice)} twice")
+        raise refusal(RequestError, "E0806", f"{', '.join(twice)} is named twice")
     return names

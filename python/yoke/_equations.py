@@ -4,6 +4,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union
 
+from ._core import names_of
 from ._native import ffi, lib
 from ._problems import ModelError, Problems, RequestError, UnknownName, refusal, text_of
 from ._values import CData, encoded
@@ -39,11 +40,11 @@ class Equations:
 
     def __init__(self, machine: "Machine", what: Union[str, Sequence[str], None], pose: Any = None) -> None:
         known = sections()
-        names = [] if what in (None, "all") else what.split(",") if isinstance(what, str) else list(what or ())
+        names = [] if what is None or isinstance(what, str) and what == "all" else names_of(what)
         for name in names:
             if name not in known:
                 raise refusal(UnknownName, "E0806", f"there is no section `{name}`", f"there are {', '.join(known)}")
-        if pose is not None and pose.machine is not machine:
+        if pose is not None and getattr(pose, "machine", None) is not machine:
             raise refusal(RequestError, "E0806", "the pose is one of another machine")
         self.machine, self.names, self._pose = machine, names, pose
         self._core = machine._ready() if pose is None else pose._plan.core

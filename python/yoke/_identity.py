@@ -10,7 +10,7 @@ from ._builder import Builder
 from ._core import Core
 from ._native import ffi, lib
 from ._problems import ModelError, Problems, RequestError, refusal, text_of
-from ._values import Value, encoded, si
+from ._values import Value, encoded, named, si
 from ._watch import check
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -156,15 +156,15 @@ class Identity(Builder):
 
     def value(self, text: str, kind: str = "length") -> float:
         """Returns a value with a unit in SI, as value("30 deg", "angle"); other kinds are "length", "time", "force"."""
-        quantity = getattr(lib, f"YK_QUANTITY_{kind.upper().replace('-', '_')}", None)
+        quantity = getattr(lib, f"YK_QUANTITY_{str(kind).upper().replace('-', '_')}", None)
         if quantity is None:
             raise refusal(RequestError, "E0806", f"there is no kind of value `{kind}`")
         with self._lock:
             return si(self._ready().model, text, quantity, "text")
 
-    def replace(self: Self, parameters: Values = None, **named: Value) -> Self:
+    def replace(self: Self, parameters: Values = None, **values: Value) -> Self:
         """Returns the machine with other values of its parameters, in the configuration that it was put together in."""
-        more = {**(parameters or {}), **named}
+        more = named(parameters, "parameters", values)
         with self._lock:
             self._ready()
             if self._source is None:

@@ -9,13 +9,13 @@ from . import _batch, _configurations, _designs, _equations, _many, _output, _st
 from ._core import Core
 from ._identity import Identity, PathLike, Values
 from ._native import lib
-from ._pose import Pose
+from ._pose import Pose, Svg
 from ._problems import RequestError, refusal, text_of
 from ._reach import Plan, Slot
 from ._request import Request
 from ._simulation import Simulation
 from ._table import Table
-from ._values import TIME, Value, si
+from ._values import TIME, Value, named, si
 from ._watch import Progress, Watch
 
 METHODS = {"reduced": lib.YK_METHOD_REDUCED, "newton-euler": lib.YK_METHOD_NEWTON_EULER}
@@ -51,9 +51,9 @@ class Machine(Identity):
         """
         with self._lock:
             core = self._kept if self._kept is not None else self._ready()
-            if at:
-                coordinates = {**at, **coordinates}
-            if rate or accel or effort or assembly is not None:
+            if at is not None:
+                coordinates = named(at, "at", coordinates)
+            if rate is not None or accel is not None or effort is not None or assembly is not None:
                 return self._solve_more(core, time, coordinates, rate, accel, effort, assembly, method)
             plan = core.plans.get((tuple(coordinates), (), (), None, False)) or core.plan(list(coordinates))
             k, model, holds, quantities = 0, core.model, plan.holds, plan.quantities
@@ -104,10 +104,10 @@ class Machine(Identity):
 
     def configurations(self, *, time: Value = 0.0, at: Values = None, progress: Progress = None,
                        **coordinates: Value) -> "_configurations.Configurations":
-        """Returns every configuration that closes at a pose; the list's `complete` tells whether there are no others."""
+        """Returns every configuration that closes at a pose; `complete` of the list tells whether these are all."""
         with self._lock, Watch(progress, "configurations"):
             core = self._ready()
-            coordinates = {**(at or {}), **coordinates}
+            coordinates = named(at, "at", coordinates)
             hold = _sweep.Holding(core, time, None, None, None)
             plan = core.plan(list(coordinates))
             hold.fill(plan, coordinates)
@@ -129,7 +129,7 @@ class Machine(Identity):
             if method not in METHODS:
                 raise refusal(RequestError, "E0806", f"method takes reduced or newton-euler here, not `{method}`")
             hold = _sweep.Holding(core, time, rate, accel, effort)
-            return _sweep.run(core, {**(at or {}), **coordinates}, of, steps, hold, METHODS[method], turn_max)
+            return _sweep.run(core, named(at, "at", coordinates), of, steps, hold, METHODS[method], turn_max)
 
     def batch(self, of: Any, *, at: Optional[Mapping[str, Any]] = None, rate: Optional[Mapping[str, Any]] = None,
               accel: Optional[Mapping[str, Any]] = None, out: Any = None, **coordinates: Any) -> _batch.Columns:
@@ -139,7 +139,8 @@ class Machine(Identity):
         and others are 0. `out`, an array [column, pose], takes the answers in place of a new one.
         """
         with self._lock:
-            return _batch.run(self._ready(), {**(at or {}), **coordinates}, rate or {}, accel or {}, of, out)
+            positions, rates, accelerations = named(at, "at", coordinates), named(rate, "rate"), named(accel, "accel")
+            return _batch.run(self._ready(), positions, rates, accelerations, of, out)
 
     def study(self, *, vary: Optional[Mapping[str, Any]] = None, sample: Any = None,
               designs: Union[Mapping[str, Any], int, None] = None, of: Any, over: _study.Over = None, steps: int = 36,
@@ -161,13 +162,13 @@ class Machine(Identity):
             if sum(x is not None for x in (vary, sample, given)) != 1:
                 raise refusal(RequestError, "E0804", "a study takes one of vary, sample and designs")
             if vary is not None:
-                values = _designs.grid(core.model, vary)
+                values = _designs.grid(core.model, named(vary, "vary"))
             elif given is not None:
                 values = dict(given)
             else:
                 values = _designs.sampled(core, sample, designs if isinstance(designs, int) else None, seed)
             hold = _sweep.Holding(core, time, rate, accel, effort)
-            study = _study.Study(core, list(values), of, over, steps, at or {}, hold, threads)
+            study = _study.Study(core, list(values), of, over, steps, named(at, "at"), hold, threads)
             return _study.run(study, values, every_pose)
 
     def sensitivities(self, parameters: Sequence[str], of: Any, *, time: Value = 0.0, at: Values = None,
@@ -176,7 +177,7 @@ class Machine(Identity):
         with self._lock:
             core = self._ready()
             hold = _sweep.Holding(core, time, None, None, None)
-            study = _study.Study(core, parameters, of, None, 1, {**(at or {}), **coordinates}, hold, 1)
+            study = _study.Study(core, parameters, of, None, 1, named(at, "at", coordinates), hold, 1)
             return _study.sensitivities(study)
 
     # --- motion in time
@@ -194,10 +195,10 @@ class Machine(Identity):
         with self._lock, Watch(progress, "simulate"):
             core = self._ready()
             end = si(core.model, to, TIME, "to")
-            request = Request(core, start=start, to=end, at={**(at or {}), **coordinates}, rate=rate or {},
-                                      effort=effort or {}, method=method, tolerance=tolerance, step=step)
+            request = Request(core, start=start, to=end, at=named(at, "at", coordinates), rate=named(rate, "rate"),
+                                      effort=named(effort, "effort"), method=method, tolerance=tolerance, step=step)
             with Simulation(self, request, None) as simulation:
-                for name, value in (events or {}).items():
+                for name, value in named(events, "events").items():
                     simulation.watch(f"{name}={value}", name, value)
                 return simulation.rows(end, every=every, steps=steps, of=of)
 
@@ -207,20 +208,21 @@ class Machine(Identity):
         """Begins a simulation that the caller steps and acts on."""
         with self._lock:
             core = self._ready()
-            kept: dict[str, Any] = {"start": start, "at": {**(at or {}), **coordinates}, "rate": dict(rate or {}),
-                    "effort": dict(effort or {}), "method": method, "tolerance": tolerance, "step": step}
+            kept: dict[str, Any] = {"start": start, "at": named(at, "at", coordinates), "rate": named(rate, "rate"),
+                    "effort": named(effort, "effort"), "method": method, "tolerance": tolerance, "step": step}
             request = Request(core, start=start, at=kept["at"], rate=kept["rate"], effort=kept["effort"],
                                       method=method, tolerance=tolerance, step=step)
             return Simulation(self, request, kept)
 
     def simulations(self, count: int, *, of: Any = None, effort: Sequence[str] = (),
-                    at: Optional[Mapping[str, Any]] = None, rate: Optional[Mapping[str, Any]] = None, method: str = "dop853",
+                    at: Optional[Mapping[str, Any]] = None, rate: Optional[Mapping[str, Any]] = None,
+                    method: str = "dop853",
                     tolerance: Optional[float] = None, step: Optional[Value] = None,
                     threads: Optional[int] = None) -> _many.Simulations:
         """Begins many simulations that are stepped together: arrays of efforts in, arrays of channels out."""
         with self._lock:
-            return _many.Simulations(self, count, of=of, effort=effort, at=at or {}, rate=rate or {}, method=method,
-                                     tolerance=tolerance, step=step, threads=threads)
+            return _many.Simulations(self, count, of=of, effort=effort, at=named(at, "at"), rate=named(rate, "rate"),
+                                     method=method, tolerance=tolerance, step=step, threads=threads)
 
     # --- equations and pages
 
@@ -252,20 +254,20 @@ class Machine(Identity):
         with self._lock:
             return _output.finish(_output.code(self._ready(), prefix, single, kinematics), path)
 
-    def svg(self, width: float = 800, labels: bool = True) -> str:
+    def svg(self, width: float = 800, labels: bool = True) -> Svg:
         """Returns a drawing of the machine at its start."""
         return self.solve().svg(width, labels)
 
-    def animation(self, seconds: Optional[float] = None, rate: float = 25.0) -> str:
+    def animation(self, seconds: Optional[float] = None, rate: float = 25.0) -> Svg:
         """Returns the machine moving, as an SVG document that is animated by CSS alone."""
         with self._lock:
-            return _output.animation(self._ready(), seconds, rate)
+            return Svg(_output.animation(self._ready(), seconds, rate))
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
 
-def load(path: PathLike, parameters: Values = None, *, lock: Optional[str] = None, **named: Value) -> Machine:
+def load(path: PathLike, parameters: Values = None, *, lock: Optional[str] = None, **values: Value) -> Machine:
     """Loads a machine from its file, with other values of its parameters: load("crank.yaml", r="60 mm").
 
     Raises ModelError with every problem of the file, each with line, column and hint. `lock` engages an entry of
@@ -273,12 +275,12 @@ def load(path: PathLike, parameters: Values = None, *, lock: Optional[str] = Non
     """
     with open(path, encoding="utf-8", errors="surrogateescape", newline="") as file:
         text = file.read()
-    return Machine._loaded(text, os.fspath(path), {**(parameters or {}), **named}, lock)
+    return Machine._loaded(text, os.fspath(path), named(parameters, "parameters", values), lock)
 
 
 def parse(text: str, name: str = "machine.yaml", parameters: Values = None, *, lock: Optional[str] = None,
-          **named: Value) -> Machine:
+          **values: Value) -> Machine:
     """Reads a machine from the text of a model file; `name` stands for the file's name in messages."""
-    return Machine._loaded(text, name, {**(parameters or {}), **named}, lock)
+    return Machine._loaded(text, name, named(parameters, "parameters", values), lock)
 
 

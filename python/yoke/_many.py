@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 import numpy as np
 
 from . import _sweep
-from ._arrays import doubles
+from ._arrays import dimensions, doubles
 from ._core import channels_of, names_of
 from ._guard import Guarded
 from ._motion import usual_columns
 from ._native import ffi, lib
 from ._problems import RequestError, refusal
 from ._request import Request
-from ._values import TIME, Value, si
+from ._values import TIME, Value, named, si
 from ._watch import check
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 def spread(values: Mapping[str, Any], count: int) -> tuple[dict[str, float], dict[str, "NDArray[np.float64]"]]:
     """Parts start values that all simulations share from arrays with one for each."""
-    arrays = {name: doubles(v, name, (count,)) for name, v in values.items() if np.ndim(v) > 0 and not _is_pair(v)}
+    arrays = {name: doubles(v, name, (count,)) for name, v in values.items() if not _is_pair(v) and dimensions(v, name) > 0}
     return {name: v for name, v in values.items() if name not in arrays}, arrays
 
 
@@ -130,17 +130,22 @@ class Simulations(Guarded):
         """
         with self._lock:
             self._use()
-            indices = np.arange(self.count) if which is None else np.asarray(which)
+            try:
+                indices = np.arange(self.count) if which is None else np.asarray(which)
+            except ValueError:
+                indices = np.array(None)
+            if indices.size == 0 and indices.ndim == 1:
+                indices = indices.astype(np.int64)
             if indices.dtype == bool:
                 if indices.shape != (self.count,):
                     raise refusal(RequestError, "E0806", f"a mask has the shape {(self.count,)}, not {indices.shape}")
                 indices = np.flatnonzero(indices)
-            if indices.dtype.kind not in "iu" and indices.size or indices.ndim != 1:
+            if indices.dtype.kind not in "iu" or indices.ndim != 1:
                 raise refusal(RequestError, "E0806", "restart takes indices of simulations, or a mask")
             if indices.size and not (0 <= indices.min() and indices.max() < self.count):
                 raise refusal(RequestError, "E0806", f"restart takes indices from 0 to {self.count - 1}")
-            given_at = {**self._scalars(self._at), **(at or {})}
-            given_rate = {**self._scalars(self._rate), **(rate or {})}
+            given_at = {**self._scalars(self._at), **named(at, "at")}
+            given_rate = {**self._scalars(self._rate), **named(rate, "rate")}
             if list(given_at) != list(self._at):
                 raise refusal(RequestError, "E0806", f"restart sets the coordinates that `simulations` set: "
                               f"{', '.join(self._at) or 'none'}")
@@ -154,7 +159,7 @@ class Simulations(Guarded):
 
     @staticmethod
     def _scalars(values: Mapping[str, Any]) -> dict[str, Any]:
-        return {name: 0.0 if np.ndim(v) > 0 and not _is_pair(v) else v for name, v in values.items()}
+        return {name: 0.0 if not _is_pair(v) and dimensions(v, name) > 0 else v for name, v in values.items()}
 
     def _use(self) -> None:
         if self._gone:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
@@ -120,13 +120,12 @@ def animation(core: "Core", seconds: Optional[float], rate: float) -> str:
 
 def code(core: "Core", prefix: Optional[str], single: bool, kinematics: bool) -> str:
     """Returns C11 for the machine."""
-    is_name = prefix is None or prefix.isascii() and prefix.isidentifier() and prefix[0] != "_" and len(prefix) <= 60
-    if not is_name:
+    if prefix is not None and not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,59}", str(prefix)):
         raise refusal(RequestError, "E0806", f"prefix takes a C name that begins with a letter, not `{prefix}`")
     options, problems = ffi.new("YkCSourceOptions *"), Problems()
     options[0] = lib.yk_default_c_source_options()
-    name = ffi.NULL if prefix is None else ffi.new("char[]", prefix.encode())
-    options.prefix, options.single, options.kinematics = name, single, kinematics
+    name = ffi.NULL if prefix is None else ffi.new("char[]", str(prefix).encode())
+    options.prefix, options.single, options.kinematics = name, single is True, kinematics is True
     options.progress = progress_of_host
     if core.parameters:
         if core.start.status < 0:

@@ -10,12 +10,19 @@ from ._native import ffi, lib
 from ._problems import Problem, status_name, text_of
 from ._reach import Plan, Slot
 from ._start import label_of
-from ._values import CData, unit_of
+from ._values import CData, number, unit_of
 
 if TYPE_CHECKING:
     from ._machine import Machine
 
 NAN = float("nan")
+
+
+class Svg(str):
+    """A drawing as an SVG document, which a notebook shows."""
+
+    def _repr_svg_(self) -> str:
+        return str(self)
 
 
 class Pose:
@@ -182,18 +189,18 @@ class Pose:
             result.append((heads, rows))
         return result
 
-    def svg(self, width: float = 800, labels: bool = True) -> str:
+    def svg(self, width: float = 800, labels: bool = True) -> Svg:
         """Returns a drawing of the machine at this pose, as an SVG document."""
         options = ffi.new("YkDrawOptions *")
         options[0] = lib.yk_default_draw_options()
-        options.width, options.labels = width, labels
+        options.width, options.labels = number(width, "width"), labels is not False
         drawing = ffi.gc(lib.yk_drawing_new(self._plan.mech, options), lib.yk_drawing_free)
         if drawing == ffi.NULL or lib.yk_drawing_pose(drawing, self._slot.state) < 0:
             raise MemoryError("out of memory")
         svg = lib.yk_drawing_svg(drawing)
         if svg == ffi.NULL:
             raise MemoryError("out of memory")
-        return text_of(svg)
+        return Svg(text_of(svg))
 
     def _repr_svg_(self) -> str:
         return self.svg()

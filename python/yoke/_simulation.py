@@ -185,8 +185,8 @@ class Simulation(Guarded):
         """Calls function(simulation, time) now and after every period, exactly then; False ends the advance there."""
         with self._lock:
             c = self._use()
-            handle = ffi.new_handle((self, function)) if function else ffi.NULL
-            call = lib.yk_host_control if function else ffi.NULL
+            handle = ffi.new_handle((self, function)) if callable(function) else ffi.NULL
+            call = lib.yk_host_control if callable(function) else ffi.NULL
             if lib.yk_simulation_set_control(c, si(self._core.model, period, TIME, "period"), call, handle) < 0:
                 raise refusal(RequestError, "E0806", f"a control's period is greater than 0, not {period!r}")
             self._control = handle

@@ -11,7 +11,7 @@ from ._problems import Problems, RequestError, refusal, status_name, text_of
 from ._reach import Plan
 from ._start import message_of, new_state
 from ._table import Column, Event, Table, row_type, table
-from ._values import TIME, CData, Value, shown, si, unit_of, words
+from ._values import TIME, CData, Value, named, shown, si, unit_of, words
 from ._watch import check
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ class Holding:
     def __init__(self, core: "Core", time: Value, rate: Optional[Mapping[str, Value]],
                  accel: Optional[Mapping[str, Value]], effort: Optional[Mapping[str, Value]]) -> None:
         self.core = core
-        self.rate, self.accel, self.effort = dict(rate or {}), dict(accel or {}), dict(effort or {})
+        self.rate, self.accel, self.effort = named(rate, "rate"), named(accel, "accel"), named(effort, "effort")
         self.time = si(core.model, time, TIME, "time")
 
     def fill(self, plan: Plan, at: Mapping[str, Value]) -> None:

@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Tuple, Union
+from types import MappingProxyType
+from typing import Any, Mapping, Tuple, Union
 
 from ._native import ffi, lib
 from ._problems import Problems, RequestError, refusal, text_of
@@ -25,6 +26,15 @@ def number(value: Any, name: str) -> float:
     if not math.isfinite(result):
         raise refusal(RequestError, "E0806", f"`{name}` takes a finite number, not {result}")
     return result
+
+
+def named(values: Any, name: str, more: Mapping[str, Any] = MappingProxyType({})) -> dict[str, Any]:
+    """Returns values by name; refuses what is not a mapping from names."""
+    if values is None:
+        return dict(more)
+    if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
+        raise refusal(RequestError, "E0806", f"`{name}` takes values by name, as {{'theta': 1.0}}, not {values!r}")
+    return {**values, **more}
 
 
 def words(value: Value, name: str) -> str:

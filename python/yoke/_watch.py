@@ -58,7 +58,7 @@ class Watch:
         report: Optional[Callable[[float], object]] = None
         if callable(self.progress):
             report = self.progress
-        elif self.progress:
+        elif self.progress is True:
             report, self.close = _bar(self.title)
         if report is not None:
             _reports[me] = report

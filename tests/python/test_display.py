@@ -23,6 +23,7 @@ def test_tables_take_units(crank):
 
 
 def test_drawings_are_svg(crank):
+    assert crank.animation()._repr_svg_() == crank.animation()
     for svg in (crank._repr_svg_(), crank.solve(theta=1.0).svg(width=300, labels=False), crank.animation()):
         assert ElementTree.fromstring(svg).tag.endswith("svg")
 
@@ -38,7 +39,8 @@ def test_rows_and_poses_are_html(crank):
 def test_formulas_are_latex():
     page = yoke.load(example("double-pendulum")).derive("lagrange")
     assert page._repr_latex_().startswith("$$") and page._repr_latex_().count("$$") == 2 * len(page.formulas())
-    assert sum(formula in page.latex() for formula in page.formulas()) > len(page.formulas()) / 2  # long ones are broken
+    # long formulas are broken over lines in the document
+    assert sum(formula in page.latex() for formula in page.formulas()) > len(page.formulas()) / 2
     assert page.text() == str(page) and page.json()["sections"][0]["name"] == "lagrange"
     assert page.mathml().startswith("<!DOCTYPE html>") and "double" in page.c()
 

@@ -59,9 +59,10 @@ def test_a_sample_has_the_bits_of_the_command(tmp_path, crank_file):
     assert run.returncode == 0, run.stderr
     theirs = np.load(path)
     m = yoke.load(crank_file)
+    said = {"r": yoke.normal("50 mm", "0.1 mm", ("49.8 mm", "50.2 mm")),
+            "l": yoke.triangular("179 mm", "180 mm", "182 mm")}
     for mine in (m.study(sample=tolerances, designs=200, of="s,s.rate"),
-                 m.study(sample={"r": yoke.normal("50 mm", "0.1 mm", ("49.8 mm", "50.2 mm")),
-                                 "l": yoke.triangular("179 mm", "180 mm", "182 mm")}, seed=5, designs=200, of="s,s.rate")):
+                 m.study(sample=said, seed=5, designs=200, of="s,s.rate")):
         assert mine.dtype.names == theirs.dtype.names
         for name in theirs.dtype.names:
             assert np.array_equal(mine[name].astype(float), theirs[name]), name
