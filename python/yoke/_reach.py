@@ -99,9 +99,10 @@ class Plan:
 
     def reach(self, state: CData, time: float) -> int:
         """Brings a state to the pose that `holds` and `time` ask for. Returns the status, or raises."""
-        is_dead = self.entry_status == lib.YK_SINGULAR and self.mech is not self.core.base
-        if self.entry is None or self.entry_status < 0 or is_dead:
-            return self._reach_otherwise(state, time)
+        if self.entry is None or self.entry_status != 0:
+            is_dead = self.entry_status == lib.YK_SINGULAR and self.mech is not self.core.base
+            if self.entry is None or self.entry_status < 0 or is_dead:
+                return self._reach_otherwise(state, time)
         problems = Problems().c if time else ffi.NULL
         status: int = lib.yk_host_reach(state, self.entry, self.holds, self.hold_count, time, self.goal, self.move,
                                         problems)
@@ -146,8 +147,8 @@ class Plan:
         if self.entry_status < 0:
             raise pose_error(self.entry_status, message_of(self.entry))
         if start.status >= 0:
-            raise pose_error(lib.YK_LIMIT, "with these inputs the pose of `start:` is a dead point, from which two branches part, "
-                             "and the file does not say which is meant")
+            raise pose_error(lib.YK_LIMIT, "with these inputs the pose of `start:` is a dead point, from which two "
+                             "branches part, and the file does not say which is meant")
         self.ask(state, time)
         status: int = lib.yk_state_assemble(state)
         if status < 0:
