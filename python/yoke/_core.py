@@ -71,8 +71,12 @@ def exact_words(own: CData, name: str, value: Value) -> str:
     return repr(wanted / lib.yk_model_parameter_unit(own, encoded(name)))
 
 
-class Core:
-    """A model with what was computed from it once. It belongs to one thread at a time, by the machine's lock."""
+class Facts:
+    """A model with what was computed from it once.
+
+    It points to nothing that points back to it, here and wherever handles of the library are kept: they are then freed
+    by their counts, in order, and never by the collector of cycles, which has none.
+    """
 
     def __init__(
         self, text: str, name: str, parameters: dict[str, Value], lock: Optional[str], problems: Problems
@@ -89,7 +93,6 @@ class Core:
         self.model = parse(text, name, overrides, lock, problems)
         if self.model is None:
             raise problems.fail(ModelError)
-        self.plans: dict[Any, _reach.Plan] = {}
         self.base = self.compile(self.model, (), problems)
         if self.base is None:
             raise problems.fail(ModelError)
@@ -141,6 +144,19 @@ class Core:
                           f"did you mean `{near}`?" if near else f"there are {', '.join(self.coordinates)}")
         return found
 
+
+class Core(Facts):
+    """The facts with the plans of requests that were made before. The machine's lock guards it."""
+
+    def __init__(
+        self, text: str, name: str, parameters: dict[str, Value], lock: Optional[str], problems: Problems
+    ) -> None:
+        super().__init__(text, name, parameters, lock, problems)
+        facts = Facts.__new__(Facts)
+        facts.__dict__.update(self.__dict__)
+        self.facts = facts
+        self.plans: dict[Any, _reach.Plan] = {}
+
     def plan(self, at: Sequence[str], rate: Sequence[str] = (), accel: Sequence[str] = (), swept: Optional[str] = None,
              imposed: bool = False) -> "_reach.Plan":
         """Returns the plan of requests that set these coordinates. imposed: all inputs move as prescribed."""
@@ -149,7 +165,7 @@ class Core:
         if found is None:
             if len(self.plans) >= 64:  # a program that asks for ever new combinations keeps the latest
                 self.plans.pop(next(iter(self.plans)))
-            found = self.plans[key] = _reach.Plan(self, *key)
+            found = self.plans[key] = _reach.Plan(self.facts, *key)
         return found
 
 

@@ -78,7 +78,7 @@ class Machine(Identity):
         pose = Pose(self, plan, slot, request, forces or status, is_start)
         if forces not in (lib.YK_OK, lib.YK_REDUNDANT):
             pose.message, pose._forces = text_of(lib.yk_dynamics_report(slot.dynamics).message), False
-        elif not lib.yk_state_has_rates(slot.state):
+        elif pose._forces and not lib.yk_state_has_rates(slot.state):
             pose._forces = False
         return pose
 

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 def spread(values: Mapping[str, Any], count: int) -> tuple[dict[str, float], dict[str, "NDArray[np.float64]"]]:
     """Parts start values that all simulations share from arrays with one for each."""
-    arrays = {name: doubles(v, name, (count,)) for name, v in values.items() if not _is_pair(v) and dimensions(v, name) > 0}
+    several = {name: v for name, v in values.items() if not _is_pair(v) and dimensions(v, name) > 0}
+    arrays = {name: doubles(v, name, (count,)) for name, v in several.items()}
     return {name: v for name, v in values.items() if name not in arrays}, arrays
 
 

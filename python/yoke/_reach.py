@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 from ._native import ffi, lib
 from ._problems import Problem, Problems, RequestError, refusal, text_of
-from ._start import Start, label_of, message_of, new_dynamics, new_state, pose_error
+from ._start import label_of, message_of, new_dynamics, new_state, pose_error
 from ._values import CData, shown
 from ._watch import check
 
 if TYPE_CHECKING:
-    from ._core import Coordinate, Core
+    from ._core import Coordinate, Facts
 
 class Slot:
     """A state with its dynamics, lent to one pose at a time."""
@@ -26,10 +26,9 @@ class Slot:
 class Plan:
     """Requests that set the same coordinates: their mechanism, and the pose from which they all begin."""
 
-    def __init__(self, core: "Core", at: Sequence[str], rate: Sequence[str], accel: Sequence[str],
+    def __init__(self, core: "Facts", at: Sequence[str], rate: Sequence[str], accel: Sequence[str],
                  swept: Optional[str], imposed: bool) -> None:
         self.core, self.imposed = core, imposed
-        self.start: Optional[Start] = core.start
         names = list(dict.fromkeys(([swept] if swept else []) + [*at, *rate, *accel]))
         for name in names:
             core.coordinate(name)
@@ -79,7 +78,7 @@ class Plan:
         """Puts `entry` where the machine was assembled, with this plan's inputs."""
         start = self.core.start
         self.untold = (
-            start.status in (lib.YK_NO_ASSEMBLY, lib.YK_LIMIT) and self.hold_count > 0 and not start.is_told()
+            start.status in (lib.YK_NO_ASSEMBLY, lib.YK_LIMIT) and self.hold_count > 0 and not start.is_told
         )
         if start.status < 0:
             return
@@ -100,8 +99,10 @@ class Plan:
 
     def reach(self, state: CData, time: float) -> int:
         """Brings a state to the pose that `holds` and `time` ask for. Returns the status, or raises."""
-        if self.entry is None or self.entry_status == lib.YK_SINGULAR and self.mech is not self.core.base:
-            return self._reach_otherwise(state, time)
+        if self.entry is None or self.entry_status != 0:
+            is_dead = self.entry_status == lib.YK_SINGULAR and self.mech is not self.core.base
+            if self.entry is None or self.entry_status < 0 or is_dead:
+                return self._reach_otherwise(state, time)
         problems = Problems().c if time else ffi.NULL
         status: int = lib.yk_host_reach(state, self.entry, self.holds, self.hold_count, time, self.goal, self.move,
                                         problems)
@@ -143,10 +144,11 @@ class Plan:
         start = self.core.start
         if start.status < 0 and not self.untold:
             raise pose_error(start.status, f"at the pose of `start:`, {message_of(start.state)}")
+        if self.entry_status < 0:
+            raise pose_error(self.entry_status, message_of(self.entry))
         if start.status >= 0:
-            raise pose_error(lib.YK_LIMIT if self.entry_status >= 0 else self.entry_status,
-                             "with these inputs the pose of `start:` is a dead point, from which two branches part, "
-                             "and the file does not say which is meant")
+            raise pose_error(lib.YK_LIMIT, "with these inputs the pose of `start:` is a dead point, from which two "
+                             "branches part, and the file does not say which is meant")
         self.ask(state, time)
         status: int = lib.yk_state_assemble(state)
         if status < 0:

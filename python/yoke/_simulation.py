@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Callable, Iterator, MutableMapping, NamedTuple, Optional, Sequence
+from weakref import ref
 
 import numpy as np
 
@@ -41,8 +42,10 @@ class Summary(NamedTuple):
 class Efforts(MutableMapping[str, float]):
     """Efforts that act along coordinates, N m or N: set one, and it holds until it is set again."""
 
+    __slots__ = ("_simulation", "_set")
+
     def __init__(self, simulation: "Simulation") -> None:
-        self._simulation, self._set = simulation, dict[str, float]()
+        self._simulation, self._set = simulation, simulation._efforts
 
     def __setitem__(self, name: str, value: Value) -> None:
         sim = self._simulation
@@ -75,7 +78,7 @@ class Efforts(MutableMapping[str, float]):
 def yk_host_control(context: CData, _simulation: CData, time: float) -> bool:
     """Calls a simulation's control."""
     simulation, function = ffi.from_handle(context)
-    return function(simulation, time) is not False
+    return function(simulation(), time) is not False
 
 
 class Simulation(Guarded):
@@ -85,16 +88,20 @@ class Simulation(Guarded):
     continue with the same bits. A simulation is a context manager and belongs to one thread at a time.
     """
 
-    __slots__ = ("machine", "effort", "_c", "_request", "_core", "_channels", "_control", "_kept")
+    __slots__ = ("machine", "_efforts", "_c", "_request", "_core", "_channels", "_control", "_kept")
 
     def __init__(self, machine: "Machine", request: Request, kept: Any, c: Optional[CData] = None) -> None:
         super().__init__()
         self.machine, self._request, self._core, self._kept = machine, request, request.core, kept
         self._c: CData = request.new() if c is None else c
-        self.effort: Efforts = Efforts(self)
-        self.effort._set.update({n: next(iter(x.values())) for n, x in request.effort.items()})
+        self._efforts: dict[str, float] = {n: next(iter(x.values())) for n, x in request.effort.items()}
         self._channels: dict[Any, Any] = {}
         self._control: Any = None
+
+    @property
+    def effort(self) -> Efforts:
+        """The efforts that act: sim.effort["theta"] = 2.0."""
+        return Efforts(self)
 
     def __enter__(self) -> "Simulation":
         return self
@@ -185,7 +192,7 @@ class Simulation(Guarded):
         """Calls function(simulation, time) now and after every period, exactly then; False ends the advance there."""
         with self._lock:
             c = self._use()
-            handle = ffi.new_handle((self, function)) if callable(function) else ffi.NULL
+            handle = ffi.new_handle((ref(self), function)) if callable(function) else ffi.NULL
             call = lib.yk_host_control if callable(function) else ffi.NULL
             if lib.yk_simulation_set_control(c, si(self._core.model, period, TIME, "period"), call, handle) < 0:
                 raise refusal(RequestError, "E0806", f"a control's period is greater than 0, not {period!r}")
@@ -221,11 +228,11 @@ class Simulation(Guarded):
         with self.machine._lock:  # a start is found with what the machine keeps
             other = Simulation(self.machine, self._request, self._kept)
         other.restore(self.save())
-        other.effort._set.update(self.effort._set)
+        other._efforts.update(self._efforts)
         return other
 
     def __reduce__(self) -> Any:
-        return _again, (self.machine, self._kept, self.save(), dict(self.effort._set))
+        return _again, (self.machine, self._kept, self.save(), dict(self._efforts))
 
     @property
     def events(self) -> tuple[Event, ...]:
@@ -264,5 +271,5 @@ class Simulation(Guarded):
 def _again(machine: "Machine", kept: Any, saved: bytes, efforts: dict[str, float]) -> Simulation:
     simulation: Simulation = machine.simulation(**kept)
     simulation.restore(saved)
-    simulation.effort._set.update(efforts)
+    simulation._efforts.update(efforts)
     return simulation

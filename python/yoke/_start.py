@@ -9,7 +9,7 @@ from ._values import CData
 from ._watch import check, progress_of_host
 
 if TYPE_CHECKING:
-    from ._core import Core
+    from ._core import Facts
 
 _CODES = {
     lib.YK_REDUNDANT: "E0605", lib.YK_CHANGE_POINT: "E0604", lib.YK_SINGULAR: "E0603", lib.YK_LIMIT: "E0602",
@@ -71,13 +71,13 @@ def pose_error(status: int, message: str, hint: Optional[str] = None) -> Excepti
 class Start:
     """The machine where the file assembles it, with the file's own choice of inputs, at t = 0."""
 
-    def __init__(self, core: "Core") -> None:
-        self.core = core
+    def __init__(self, core: "Facts") -> None:
         self.mech: CData = core.base
         self.state = new_state(self.mech)
-        self.own_state: CData = None
-        own = self._own()
-        self.status = self._assemble(self.state) if own is None else self._take(own)
+        own = self._own(core)
+        self.status = self._assemble(self.state) if own is None else self._take(core, own)
+        # does a drive or `start:` give every input a value?
+        self.is_told = all(c.has_drive or c.has_start for c in core.coordinates.values() if c.input >= 0)
         check()
 
     @staticmethod
@@ -85,14 +85,13 @@ class Start:
         status = lib.yk_state_set_time(state, 0.0, ffi.NULL)
         return int(lib.yk_state_assemble(state) if status >= 0 else status)
 
-    def _own(self) -> CData:
+    def _own(self, core: "Facts") -> CData:
         """Assembles the file's own machine where parameters replace its values; None if it cannot be."""
-        core = self.core
         mech = core.compile(core.own, (), Problems()) if core.own is not None else None
         state = new_state(mech) if mech is not None else None
         return state if state is not None and self._assemble(state) >= 0 else None
 
-    def _take(self, own: CData) -> int:
+    def _take(self, core: "Facts", own: CData) -> int:
         """Takes the configuration that the file has at its own parameters."""
         status = lib.yk_state_set_time(self.state, 0.0, ffi.NULL)
         if status < 0:
@@ -100,16 +99,16 @@ class Start:
         if lib.yk_state_take_labels(self.state, own) == lib.YK_OK:
             status = lib.yk_state_solve(self.state)
         else:
-            carried = self._carry(own)
+            carried = self._carry(core, own)
             if carried is None:
                 status = lib.yk_state_guess(self.state, own)
                 carried = lib.yk_state_assemble(self.state) if status >= 0 else status
             status = carried
         return int(lib.YK_NO_ASSEMBLY if status == lib.YK_LIMIT else status)
 
-    def _carry(self, own: CData) -> Optional[int]:
+    def _carry(self, core: "Facts", own: CData) -> Optional[int]:
         """Moves all parameters at once from the file's to the asked ones; None if they do not vary continuously."""
-        core, names = self.core, list(self.core.parameters)
+        names = list(core.parameters)
         mech = lib.yk_state_mechanism(own)
         inputs = lib.yk_input_count(self.mech)
         if lib.yk_input_count(mech) != inputs:
@@ -130,8 +129,3 @@ class Start:
                 result = lib.yk_state_adopt(self.state, moving)
         del moving  # before its variant
         return result
-
-    def is_told(self) -> bool:
-        """Tells whether a drive or `start:` gives every input a value."""
-        inputs = [c for c in self.core.coordinates.values() if c.input >= 0]
-        return all(c.has_drive or c.has_start for c in inputs)

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -195,6 +196,24 @@ def test_memory_is_given_back(crank):
     for _ in range(5):
         use()
     assert pages() - before < 2000  # 8 MB, where a leak of every simulation would be far more
+
+
+def test_nothing_waits_for_the_collector_of_cycles(crank_file):
+    gc.collect()
+    gc.disable()
+    try:
+        m = yoke.load(crank_file, r="60 mm")
+        pose, table = m.solve(theta=1.0), m.sweep(theta=(0, 1), steps=3, of=["s"])
+        sim, many = m.simulation(effort={"theta": 0.0}), m.simulations(3)
+        sim.control(0.1, lambda s, t: None)
+        sim.effort["theta"] = 1.0
+        sim.step(0.3)
+        m.check("s = s"), m.derive("loops"), m.batch(["s"], theta=[1.0, 2.0]), m.configurations()
+        alive = [weakref.ref(one) for one in (m._kept, m._kept.facts, m._kept.start, sim, many, pose, m)]
+        del m, pose, table, sim, many
+        assert [one() for one in alive] == [None] * len(alive)
+    finally:
+        gc.enable()
 
 
 def test_answers_outlive_what_made_them():
