@@ -3,7 +3,26 @@
 #include <string.h>
 #include "options.h"
 
-enum { VERB_COLUMN = 10, OPTION_COLUMN = 26 };
+enum { VERB_COLUMN = 10, OPTION_COLUMN = 28, WIDTH = 100 };
+
+// What an option takes and means for certain verbs, where that differs from its entry in the table of options.
+typedef struct Special {
+    const char *option, *verbs, *value, *help;
+} Special;
+
+static const Special specials[] = {
+    {"format", " derive ", "NAME", "text, latex, mathml, json or c; with --check text or json"},
+    {"format", " code ", "text|json", "json: the code as a string"},
+    {"format", " report ", "html|pdf", "default: what the ending of the file says"},
+    {"format", " study ", "NAME", "text for people; json, csv or npy in SI and radians"},
+    {"at", " simulate ", "NAME=VALUE", "start a coordinate at this value, in place of what start: says; repeatable"},
+    {"steps", " simulate ", "N", "the number of steps of the table, one less than the rows (default 100)"},
+    {"steps", " cam ", "N", "the number of steps of the table, one less than the rows (default 72; in text no table)"},
+    {"steps", " draw ", "N", "the number of steps of --animate (default: 20 poses a second; .mp4 and .webm 30)"},
+    {"steps", " report ", "N", "the number of steps (default: as many as the machine needs)"},
+    {"method", " simulate ", "NAME", "dop853 (default), sdirk4 for stiff machines, rk4 with a fixed step"},
+    {"lock", " gears ", "NAME", "engage one of locks: (default: a table of all)"},
+};
 
 static void add_padded(YkText *text, const char *word, size_t length, size_t width)
 {
@@ -11,20 +30,41 @@ static void add_padded(YkText *text, const char *word, size_t length, size_t wid
     yk_text_repeat(text, ' ', width > length ? width - length : 1);
 }
 
+// Adds words from column `at` on, lines at most WIDTH wide; further lines begin at column `indent`.
+static void add_wrapped(YkText *text, const char *words, size_t at, size_t indent)
+{
+    size_t column = at;
+    while (*words) {
+        size_t length = strcspn(words, " \n");
+        if (column > indent && column + 1 + length > WIDTH) {
+            yk_text_puts(text, "\n");
+            yk_text_repeat(text, ' ', indent);
+            column = indent;
+        } else if (column > at || column > indent) {
+            yk_text_puts(text, " ");
+            column++;
+        }
+        yk_text_add(text, words, length);
+        column += length;
+        words += length + (words[length] != '\0');
+    }
+    yk_text_puts(text, "\n");
+}
+
 void yk_help_tour(YkText *text)
 {
     yk_text_format(text,
-                   "yoke %s: the workbench for planar machines. One file describes a machine; each verb asks one "
-                   "question of it.\n\n",
+                   "yoke %s: the workbench for planar machines. One file describes a machine; each verb answers one "
+                   "question about it.\n\n",
                    yk_version());
     yk_text_puts(text,
                  "Start here:\n"
-                 "  yoke new four-bar > machine.yaml                  a machine to begin with; `yoke new` lists more\n"
+                 "  yoke new four-bar > machine.yaml                  get a first machine; `yoke new` lists more\n"
                  "  yoke check machine.yaml                           what machine is it? can it move?\n"
-                 "  yoke solve machine.yaml --at theta2=30deg         where is everything, how fast?\n"
+                 "  yoke solve machine.yaml --at theta2=30deg         where is everything, and how fast?\n"
                  "  yoke sweep machine.yaml --over theta2=0:360deg    how does it move?\n"
                  "  yoke draw machine.yaml -o machine.svg             what does it look like?\n"
-                 "  yoke derive machine.yaml                          by which equations?\n\n"
+                 "  yoke derive machine.yaml                          which equations govern it?\n\n"
                  "Verbs:\n");
     for (const YkVerb *verb = yk_verbs; verb->name; verb++) {
         yk_text_puts(text, "  ");
@@ -32,29 +72,41 @@ void yk_help_tour(YkText *text)
         yk_text_format(text, "%s\n", verb->summary);
     }
     yk_text_puts(text,
-                 "\n`yoke VERB --help` tells what a verb takes, `man yoke-model` what a machine file may hold.\n");
+                 "\n`yoke VERB --help` lists the options of a verb; `man yoke-model` describes the model file.\n");
 }
 
-static void add_option(YkText *text, const YkOption *option)
+static const Special *find_special(const YkOption *option, const char *verb)
 {
+    for (size_t i = 0; i < sizeof specials / sizeof *specials; i++)
+        if (strcmp(specials[i].option, option->name) == 0 && yk_option_lists(specials[i].verbs, verb))
+            return &specials[i];
+    return NULL;
+}
+
+static void add_option(YkText *text, const YkOption *option, const char *verb)
+{
+    const Special *special = find_special(option, verb);
+    const char *value = special ? special->value : option->value;
     YkText form = {0};
     if (option->letter) yk_text_format(&form, "-%c, ", option->letter);
-    yk_text_format(&form, "--%s%s%s", option->name, option->value ? " " : "", option->value ? option->value : "");
+    yk_text_format(&form, "--%s%s%s", option->name, value ? " " : "", value ? value : "");
     yk_text_puts(text, "  ");
     add_padded(text, yk_text_get(&form), form.length, OPTION_COLUMN);
-    yk_text_format(text, "%s\n", option->help);
+    const size_t column = 2 + OPTION_COLUMN;
+    const size_t at = form.length < OPTION_COLUMN ? column : 2 + form.length + 1;
     yk_text_free(&form);
+    add_wrapped(text, special ? special->help : option->help, at, column);
 }
 
 void yk_help_verb(YkText *text, const YkVerb *verb)
 {
-    yk_text_format(text, "yoke %s %s\n", verb->name, verb->usage);
-    yk_text_format(text, "\n%s\n\nOptions:\n", verb->about);
+    yk_text_format(text, "yoke %s %s\n\n", verb->name, verb->usage);
+    add_wrapped(text, verb->about, 0, 0);
+    yk_text_puts(text, "\nOptions:\n");
     for (const YkOption *option = yk_options; option->name; option++)
-        if (yk_option_is_for(option, verb->name)) add_option(text, option);
+        if (yk_option_is_for(option, verb->name)) add_option(text, option, verb->name);
     yk_text_format(text,
-                   "\nExit code: 0 done, 1 the machine has no answer (the message says why), 2 the file or the options "
-                   "are wrong; 130 stopped by Ctrl-C.\n"
-                   "FILE may be - for standard input.\n\nExample:\n  %s\n",
+                   "\nExit status: 0 done; 1 the machine has no answer (the message says why); 2 the file or the "
+                   "options are wrong;\n130 stopped by Ctrl-C. FILE may be - for standard input.\n\nExample:\n  %s\n",
                    verb->example);
 }

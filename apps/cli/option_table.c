@@ -11,30 +11,32 @@
 
 const YkOption yk_options[] = {
     {"at", 0, YK_OPTION_PAIRS, FIELD(at), "NAME=VALUE", START,
-     "set a coordinate, in place of its drive's value (simulate: at the start); repeatable"},
+     "set a coordinate, in place of its drive's value; repeatable"},
     {"rate", 0, YK_OPTION_PAIRS, FIELD(rate), "NAME=VALUE", START, "set a coordinate's rate; repeatable"},
     {"accel", 0, YK_OPTION_PAIRS, FIELD(accel), "NAME=VALUE", POSE, "set a coordinate's acceleration; repeatable"},
     {"time", 0, YK_OPTION_WORD, FIELD(time), "VALUE", POSE "gears rest ",
      "evaluate the drives at this time (default 0)"},
     {"param", 0, YK_OPTION_PAIRS, FIELD(param), "NAME=VALUE", MODEL, "change a parameter; repeatable"},
     {"effort", 0, YK_OPTION_PAIRS, FIELD(effort), "NAME=VALUE", FORCES,
-     "the effort along a coordinate, in place of what efforts: says; repeatable"},
+     "set the effort along a coordinate, in place of what efforts: says; repeatable"},
     {"assembly", 0, YK_OPTION_WORD, FIELD(assembly), "LABEL|nearest|K",
      " solve sweep draw simulate derive report study rest ",
-     "take another configuration on purpose: by its label, the one nearest to start:, or line K of solve --all"},
+     "take another configuration: by its label, the one nearest to start:, or line K of solve --all"},
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
-     "every assembly configuration at the asked pose, not only the machine's own"},
+     "every assembly configuration at the requested pose, not only the machine's own"},
     {"within", 0, YK_OPTION_WORD, FIELD(within), "TIME", " solve ",
-     "--all: stop looking after this time, and tell what is proved by then"},
+     "--all: stop looking after this time, and say what is proved by then"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
-     "a machine that need not be finished: what it lacks to move, and what would mend it"},
+     "say what the machine still needs before it can move; the file need not be finished"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},
     {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report study ",
-     "the coordinate, or t, that goes through a range"},
+     "the coordinate, or t for the time, that moves through a range"},
     {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report study ",
-     "the number of steps, one less than the rows (default 36; simulate: 100; cam: 72, in text none)"},
+     "the number of steps, one less than the rows (default 36)"},
     {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " solve sweep simulate study ",
-     "columns: d5,d5.rate,lever.angle,ram.C.x,A.force.x,theta1.effort,energy,..."},
+     "columns, separated by commas: coordinates, bodies, points, forces, each with .rate or .accel where it has one, "
+     "as "
+     "in d5,d5.rate,ram.C.x,A.force.x,theta1.effort"},
     {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam ",
      "draw the columns: FILE.svg, .pdf or .png (needs gnuplot)"},
     {"poses", 0, YK_OPTION_WORD, FIELD(poses), "N", " draw ", "with --over: N poses, faint, as a stroboscope"},
@@ -42,28 +44,26 @@ const YkOption yk_options[] = {
     {"animate", 0, YK_OPTION_WORD, FIELD(animate), "FILE", " draw ",
      "the motion as FILE.svg, .gif, .mp4 or .webm (the last three need rsvg-convert and ffmpeg)"},
     {"plain", 0, YK_OPTION_SWITCH, FIELD(plain), NULL, " report ",
-     "a page that stands still: no script, diagrams as pictures (needs gnuplot)"},
+     "a page without motion: no script, diagrams as pictures (needs gnuplot)"},
     {"no-labels", 0, YK_OPTION_SWITCH, FIELD(no_labels), NULL, " draw ", "without names and scale"},
     {"output", 'o', YK_OPTION_WORD, FIELD(output), "FILE", MODEL "new ",
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
      " check solve sweep simulate gears rest cam derive code report study ",
-     "text for people; json and csv in SI and radians (derive: text, latex, mathml, json, c; code: text, json; report: "
-     "html, pdf; study: npy too)"},
-    {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at its start (default 0)"},
-    {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at its end, as in 10s"},
+     "text for people; json and csv in SI and radians"},
+    {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at the start (default 0)"},
+    {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at the end, as in 10s"},
     {"every", 0, YK_OPTION_WORD, FIELD(every), "TIME", " simulate ",
      "the time between two rows (default: --steps 100)"},
     {"tol", 0, YK_OPTION_WORD, FIELD(tolerance), "NUMBER", " simulate ", "error allowed per step (default 1e-9)"},
     {"method", 0, YK_OPTION_WORD, FIELD(method), "NAME", " solve sweep simulate ",
-     "solve, sweep: reduced, newton-euler; simulate: dop853, sdirk4 (stiff), rk4 (fixed step)"},
-    {"step", 0, YK_OPTION_WORD, FIELD(step), "TIME", " simulate ", "rk4: its step (default 1 ms)"},
+     "how forces are found: reduced (default) or newton-euler"},
+    {"step", 0, YK_OPTION_WORD, FIELD(step), "TIME", " simulate ", "the step of rk4 (default 1 ms)"},
     {"starts", 0, YK_OPTION_WORD, FIELD(starts), "N", " rest ",
      "how many random poses the search begins from (default 100)"},
     {"event", 0, YK_OPTION_PAIRS, FIELD(event), "CHANNEL=VALUE", " simulate ",
      "report when a column passes a value; repeatable"},
-    {"lock", 0, YK_OPTION_WORD, FIELD(lock), "NAME", LOCKS,
-     "engage one of locks: (default: none; gears: a table of all)"},
+    {"lock", 0, YK_OPTION_WORD, FIELD(lock), "NAME", LOCKS, "engage one of locks: (default: none)"},
     {"in", 0, YK_OPTION_WORD, FIELD(in), "BODY", " gears ", "input of the ratio (default: the driven body)"},
     {"out", 0, YK_OPTION_WORD, FIELD(out), "BODY", " gears ", "output of the ratio; it takes the load"},
     {"efficiency", 0, YK_OPTION_WORD, FIELD(efficiency), "NUMBER", " gears ",
@@ -72,33 +72,34 @@ const YkOption yk_options[] = {
     {"profile", 0, YK_OPTION_WORD, FIELD(profile), "FILE", " cam ",
      "write the outline to scale: FILE.svg, .dxf (in mm) or .csv (in m)"},
     {"tolerance", 0, YK_OPTION_WORD, FIELD(chord), "LENGTH", " cam ",
-     "--profile: how far a chord may lie off the curve (default 0.01 mm)"},
+     "how far a chord of --profile may lie off the curve (default 0.01 mm)"},
     {"cutter", 0, YK_OPTION_WORD, FIELD(cutter), "LENGTH", " cam ", "also the path of a cutter of this radius"},
     {"compare", 0, YK_OPTION_WORD, FIELD(compare), "LIST", " cam ",
-     "other laws in place of the file's: cycloidal,modified-sine,3-4-5,..."},
+     "other laws in place of the file's, separated by commas: cycloidal,modified-sine,3-4-5"},
     {"limits", 0, YK_OPTION_WORD, FIELD(limits), "LIST", " cam ",
      "for the smallest base circle: pressure=30deg,curvature=5mm"},
     {"speed", 0, YK_OPTION_WORD, FIELD(speed), "VALUE", " cam ",
      "the cam's speed, as in 600rpm (default: its drive's)"},
     {"what", 0, YK_OPTION_WORD, FIELD(what), "LIST", " derive ",
-     "loops,jacobian,velocity,acceleration,points,free-bodies,newton-euler,energy,lagrange,gears,cam or all (default)"},
+     "parts, separated by commas: loops, jacobian, velocity, acceleration, points, free-bodies, newton-euler, energy, "
+     "lagrange, gears, cam, or all (default)"},
     {"svg", 0, YK_OPTION_WORD, FIELD(svg), "DIR", " derive ",
-     "also draw the free bodies, one file BODY.svg each, into this folder"},
+     "also draw the free bodies, one SVG file for each, into this folder"},
     {"numbers", 0, YK_OPTION_SWITCH, FIELD(numbers), NULL, " derive ", "put the values of a pose beside the symbols"},
     {"check", 0, YK_OPTION_WORDS, FIELD(checks), "EQUATION", " derive ",
-     "tells whether it is true for this machine; - reads equations from standard input, one a line; repeatable"},
+     "say whether it is true for this machine; - reads equations from standard input, one a line; repeatable"},
     {"vary", 0, YK_OPTION_WORDS, FIELD(vary), "NAME=FROM:TO:N", " study ",
      "N values of a parameter, ends included; several span a grid; repeatable"},
     {"sample", 0, YK_OPTION_WORD, FIELD(sample), "FILE", " study ",
      "draw the parameters from the distributions of a file"},
     {"designs", 0, YK_OPTION_WORD, FIELD(designs), "N", " study ",
-     "--sample: how many (default: the file's designs:, or 1000)"},
+     "how many random designs --sample makes (default: the file's designs:, or 1000)"},
     {"seed", 0, YK_OPTION_WORD, FIELD(seed), "N", " study ",
-     "--sample: the seed of the random numbers (default: the file's, or 1)"},
+     "the seed of the random numbers of --sample (default: the file's, or 1)"},
     {"sensitivities", 0, YK_OPTION_SWITCH, FIELD(sensitivities), NULL, " study ",
-     "derivatives by each parameter, by two ways, and the worst case"},
+     "derivatives by each parameter, computed in two ways, and the worst case"},
     {"threads", 0, YK_OPTION_WORD, FIELD(threads), "N", " study ",
-     "how many at once (default: as many as there are processors); the results are the same"},
+     "how many threads (default: as many as there are processors); the results do not depend on it"},
     {"fresh", 0, YK_OPTION_SWITCH, FIELD(fresh), NULL, " study ",
      "start again instead of continuing an interrupted study"},
     {"prefix", 0, YK_OPTION_WORD, FIELD(prefix), "NAME", " code ",
@@ -111,11 +112,16 @@ const YkOption yk_options[] = {
     {NULL, 0, YK_OPTION_SWITCH, 0, NULL, NULL, NULL},
 };
 
-bool yk_option_is_for(const YkOption *option, const char *verb)
+bool yk_option_lists(const char *verbs, const char *verb)
 {
-    if (*option->verbs == '*') return true;
+    if (*verbs == '*') return true;
     size_t length = strlen(verb);
-    for (const char *at = strstr(option->verbs, verb); at; at = strstr(at + 1, verb))
+    for (const char *at = strstr(verbs, verb); at; at = strstr(at + 1, verb))
         if (at[-1] == ' ' && at[length] == ' ') return true;
     return false;
+}
+
+bool yk_option_is_for(const YkOption *option, const char *verb)
+{
+    return yk_option_lists(option->verbs, verb);
 }

@@ -17,6 +17,7 @@ typedef struct YkOption {
 
 extern const YkOption yk_options[]; // ends at name NULL
 bool yk_option_is_for(const YkOption *option, const char *verb);
+bool yk_option_lists(const char *verbs, const char *verb); // whether `verbs`, written as in YkOption, contains the verb
 
 // Reads a command line, and adds all its errors to `problems`.
 void yk_options_read(int argc, char **argv, YkRequest *request, YkProblems *problems);

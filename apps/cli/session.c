@@ -72,6 +72,15 @@ static void add_name(const char **names, size_t *count, const char *name)
 }
 
 // Compiles with the coordinates that are set as inputs: the swept one, then in the given order.
+YkProblems *yk_session_file_problems(const YkSession *session)
+{
+    YkProblems *problems = yk_problems_new();
+    const char *text = yk_model_text(session->model);
+    const char *name = strcmp(session->request->file, "-") == 0 ? "standard input" : session->request->file;
+    yk_problems_set_source(problems, name, text, text ? strlen(text) : 0);
+    return problems;
+}
+
 static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *problems)
 {
     const YkRequest *request = session->request;

@@ -15,6 +15,8 @@ bool yk_session_inputs(YkSession *session);
 bool yk_session_load_options(const YkSession *session, bool with_params, YkLoadOptions *options);
 // Loads the model with the parameters of --param or, with_params false, with the file's own.
 YkModel *yk_session_load_model(YkSession *session, bool with_params, YkProblems *problems);
+// Makes a list of problems that quotes the model file. Returns NULL when out of memory.
+YkProblems *yk_session_file_problems(const YkSession *session);
 // Holds the inputs of a state as --at, --rate and --accel say.
 void yk_session_hold(const YkSession *session, YkState *state);
 // Makes the dynamics, with --effort; inputs set by --accel are prescribed, or all are (an imposed motion). Returns

@@ -7,81 +7,80 @@ const YkVerb yk_verbs[] = {
      "Prints a model file of the gallery with a comment on what it shows; without a name, lists them all.",
      "yoke new four-bar > my.yaml", yk_run_new},
     {"check", "what the machine is: freedom, loops, order of solution", "FILE [options]",
-     "Reads a model file and describes the machine: bodies, joints, coordinates; its degrees of\n"
-     "freedom, by Gruebler's count and by the rank of the loop equations; its loops; the order in which it is\n"
-     "solved, block by block; constraints that repeat others; the Grashof class of its four-bars. --sketch tells what "
-     "an unfinished\n"
-     "machine lacks to move.",
+     "Reads a model file and describes the machine: its bodies, joints and coordinates; its degrees of freedom, by "
+     "Gruebler's count and by the rank of the loop equations; its loops; the order of solution, block by block; "
+     "redundant constraints; the Grashof class of its four-bars. --sketch says what an unfinished machine still needs "
+     "before it can move.",
      "yoke check examples/quick-return.yaml", yk_run_check},
     {"solve", "one pose: positions, velocities, accelerations, forces", "FILE [options]",
-     "Solves one pose: by default that of `start:` at t = 0. Values take units and parameters: 30deg, a1/2.\n"
-     "--at keeps the rate and acceleration of the coordinate's drive unless they are given too. --of tells any\n"
+     "Solves one pose: by default that of `start:` at t = 0. Values take units and parameters: 30deg, a1/2. "
+     "--at keeps the rate and acceleration of the coordinate's drive unless they are given too. --of prints any "
      "quantity by its name: S.distance, rod.B.speed, theta1.effort.",
      "yoke solve examples/quick-return.yaml --at theta1=30deg", yk_run_solve},
     {"sweep", "many poses: a table or a plot over a coordinate or time", "FILE --over NAME=FROM:TO [options]",
-     "Moves a coordinate, or time (t), through a range and tabulates what --of names: coordinates (theta2,\n"
-     "theta2.rate, theta2.accel), bodies (lever.angle), points (ram.C.x, ram.C.speed), transmission angles\n"
-     "(C.transmission). Finds limits, dead points, change points and extremes. At a limit it\n"
+     "Moves a coordinate, or time (t), through a range and tabulates what --of names: coordinates (theta2, "
+     "theta2.rate, theta2.accel), bodies (lever.angle), points (ram.C.x, ram.C.speed), transmission angles "
+     "(C.transmission). Finds limits, dead points, change points and extremes. At a limit it "
      "gives the rows so far and every range in which this configuration closes, and exits with 1.",
      "yoke sweep examples/quick-return.yaml --over theta1=0:180deg --of d5,d5.rate --plot ram.svg", yk_run_sweep},
     {"simulate", "motion in time under loads", "FILE --to TIME [options]",
-     "Lets the machine move from `start:` under its masses, gravity, efforts, forces, springs, friction and\n"
-     "stops, and prints the columns of --of row by row; then the events on the way, the work of each load, and\n"
+     "Lets the machine move from `start:` with its masses, gravity, efforts, forces, springs, friction and "
+     "stops, and prints the columns of --of row by row; then the events on the way, the work of each load, and "
      "how well energy was conserved and the loops stayed closed.",
      "yoke simulate examples/double-pendulum.yaml --to 10s --every 0.5s --of theta1,theta2,energy", yk_run_simulate},
     {"rest", "equilibria, and small vibrations about them", "FILE [options]",
-     "Finds where the machine stands still under its loads, by a search from `start:` and from many random poses.\n"
-     "Tells whether each equilibrium is stable, and the natural frequencies, damping and shapes of the small motions\n"
-     "about it; with --modes also the matrices M, C, K. Drives are held; stops and dry friction are ignored.",
+     "Finds the poses in which the machine stands still under its loads, by a search from `start:` and from many "
+     "random poses. Says whether each equilibrium is stable, and gives the natural frequencies, damping and shapes of "
+     "the small motions about it; with --modes also the matrices M, C, K. Drives are held; stops and dry friction are "
+     "ignored.",
      "yoke rest examples/rocking-four-bar.yaml --modes", yk_run_rest},
     {"study", "many designs: grids, tolerances, sensitivities", "FILE --vary NAME=FROM:TO:N | --sample FILE [options]",
-     "Computes what --of names for many values of the file's parameters: a grid (--vary) or random designs\n"
-     "(--sample, with uniform, normal and triangular distributions), at one pose or, with --over, through a whole\n"
-     "cycle, with the least, largest and mean value and the range of each design. --sensitivities adds the\n"
-     "derivatives by every parameter and the worst case. A design that does not close is a row with its status.\n"
+     "Computes the columns of --of for many values of the file's parameters: a grid (--vary) or random designs "
+     "(--sample, with uniform, normal and triangular distributions), at one pose or, with --over, through a whole "
+     "cycle, with the least, largest and mean value and the range of each design. --sensitivities adds the "
+     "derivatives by every parameter and the worst case. A design that does not close is a row with its status. "
      "With -o, repeat the command to continue an interrupted study.",
      "yoke study examples/four-bar.yaml --vary b=110mm:130mm:5 --over theta2=0:360deg --of theta4,coupler.P.y",
      yk_run_study},
     {"draw", "the machine as a picture: SVG, PDF, PNG", "FILE [options]",
-     "Draws the machine at one pose, as SVG on standard output or as a file in the format of its ending.\n"
-     "--over with --poses draws a stroboscope; --trace draws the paths of points.",
+     "Draws the machine at one pose, as SVG on standard output or as a file in the format of its ending. "
+     "--over with --poses draws many poses in one picture, --trace the paths of points.",
      "yoke draw examples/quick-return.yaml --over theta1=0:180deg --poses 9 --trace ram.C -o ram.svg", yk_run_draw},
     {"cam", "motion program, profile and forces of a cam", "FILE [options]",
-     "Analyses a cam: its motion program (segments, conditions, peak factors, peak values at the drive's speed),\n"
-     "pressure angle, radii of curvature, undercut, the smallest base circle within limits, and with masses and\n"
-     "springs the contact force, the camshaft's torque and the speed above which the follower jumps. --compare\n"
+     "Analyses a cam: its motion program (segments, conditions, peak factors, peak values at the drive's speed), "
+     "pressure angle, radii of curvature, undercut, the smallest base circle within limits, and with masses and "
+     "springs the contact force, the camshaft's torque and the speed above which the follower lifts off. --compare "
      "puts other laws beside the file's own; --profile writes the outline to scale.",
      "yoke cam examples/cep-cam.yaml --plot svaj.svg --profile cam.dxf --tolerance 0.005mm", yk_run_cam},
     {"explain", "what a message's code means", "[CODE]",
      "Explains the code of a message, such as E0401; without a code, lists them all.", "yoke explain E0602",
      yk_run_explain},
     {"derive", "the equations, in symbols", "FILE [options]",
-     "Derives what an engineer would write by hand: loop equations as vector sums and in x and y, the Jacobian\n"
-     "with its blocks and their determinants, velocities and accelerations block by block, points; free bodies,\n"
-     "Newton's and Euler's equations, energies, Lagrange's equations. --numbers puts the values of a pose beside\n"
-     "the symbols; --svg DIR draws the free bodies. --check 'EQUATION' tells whether an equation in the file's\n"
-     "names is true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians, or with a\n"
-     "unit): exit 0 true, 1 false.",
+     "Derives the equations that an engineer would write by hand: loop equations as vector sums and in x and y, the "
+     "Jacobian with its blocks and their determinants, velocities and accelerations block by block, points; free "
+     "bodies, Newton's and Euler's equations, energies, Lagrange's equations. --numbers puts the values of a pose "
+     "beside the symbols; --svg DIR draws the free bodies. --check 'EQUATION' says whether an equation in the file's "
+     "names is true for this machine (rates: theta1' or theta1.rate; numbers in SI and radians, or with a unit); the "
+     "exit status is 0 if it is true and 1 if it is false.",
      "yoke derive examples/quick-return.yaml --check 'l1*cos(theta1) - d3*cos(theta2) = 0'", yk_run_derive},
     {"gears", "ratios, torques and power flow of a gear train", "FILE [options]",
-     "Speeds of all wheels and carriers of a gear train, exactly: fractions of the inputs, and formulas in tooth\n"
-     "numbers; Willis' equation of every mesh and the tabular method; degrees of freedom; what is locked or open.\n"
-     "If the file has locks:, prints a shift table, or with --lock one of its gears. efforts: or --effort add the\n"
-     "torques on all members and the power flow; --efficiency counts losses.",
+     "Computes the speeds of all wheels and carriers of a gear train exactly, as fractions of the inputs and as "
+     "formulas in numbers of teeth; shows Willis' equation of every mesh, the tabular method and the degrees of "
+     "freedom, and says what is locked or undetermined. If the file has locks:, prints a shift table, or with --lock "
+     "one of its gears. efforts: or --effort add the torques on all members and the power flow; --efficiency counts "
+     "losses.",
      "yoke gears examples/gearbox-8hp70.yaml --in input --out output", yk_run_gears},
     {"report", "all of it as one page", "FILE [options]",
-     "Writes one self-contained HTML page: findings in sentences, the machine drawn and moving, diagrams,\n"
-     "forces, gears, cams, dimensions, structure, the equations with their values, and how well it all closes.\n"
-     "It shows the motion of the drives, or of --over, or under the machine's loads for as long as --to says.",
+     "Writes one self-contained HTML page: findings in sentences, the machine drawn and moving, diagrams, "
+     "forces, gears, cams, dimensions, structure, the equations with their values, and the numerical errors. "
+     "It shows the motion of the drives, or that of --over, or the motion under the machine's loads for as long as "
+     "--to says.",
      "yoke report examples/quick-return.yaml -o report.html", yk_run_report},
     {"code", "C for this machine", "FILE [options]",
-     "Prints C11 for this one machine, from the steps by which yoke solves it: positions, velocities, accelerations "
-     "of\n"
-     "coordinates and points, efforts, accelerations of free coordinates, reactions, energies; parameters as a "
-     "struct;\n"
-     "for one pose or arrays of them. The file needs only the C library, allocates nothing, and tests itself when it "
-     "is\n"
-     "compiled with -DPREFIX_TEST.",
+     "Prints C11 for this one machine, from the steps by which yoke solves it: positions, velocities and "
+     "accelerations of coordinates and points, efforts, accelerations of free coordinates, reactions, energies; for "
+     "one pose or for arrays of poses, with the parameters in a struct. The file needs only the C library, allocates "
+     "nothing, and tests itself if it is compiled with -DPREFIX_TEST.",
      "yoke code examples/quick-return.yaml -o quick_return.c", yk_run_code},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };

@@ -1,4 +1,4 @@
-// The batch: many independent poses of one mechanism in one call, as a structure of arrays.
+// The batch: solves many independent poses of one mechanism in one call, as a structure of arrays.
 #ifndef YOKE_BATCH_H
 #define YOKE_BATCH_H
 
@@ -25,8 +25,8 @@ YK_API void yk_batch_free(YkBatch *batch);
 // The arrays must not overlap. Returns the worst status. The results have the bits of yk_state_solve; a force has the
 // same bits in any batch, and is that of yk_dynamics_solve up to rounding. Allocates nothing, except for forces of
 // machines with dry friction, redundant constraints or more than 64 bodies, which are solved pose by pose; use one
-// batch per thread. It has no progress callback: a pose takes about 10 ns a link, and the poses may be split over several
-// calls without changing a bit.
+// batch per thread. It has no progress callback: a pose takes about 10 ns for each link, and the poses may be split over
+// several calls without changing a bit.
 YK_API YkStatus yk_batch_run(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
                              size_t count);
 

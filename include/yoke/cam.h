@@ -1,4 +1,4 @@
-// Cams: the motion program of a law, the profile that produces it, and what a designer asks about both.
+// Cams: the motion program of a law, the profile that produces it, and the results that a designer needs from both.
 //
 // A cam is pinned to a carrier (the ground or another body) that also guides the follower: along a line (translating)
 // or about a pin (oscillating). The law gives the follower's lift over the cam's angle, both as the joints measure

@@ -1,5 +1,5 @@
 // Derivations: the machine's equations in symbols, as an engineer would write them by hand, printed for people and
-// programs; and proofs: is an equation true of this machine?
+// programs; and proofs that say whether an equation is true for this machine.
 #ifndef YOKE_DERIVE_H
 #define YOKE_DERIVE_H
 
@@ -12,29 +12,31 @@ extern "C" {
 
 typedef struct YkDerivation YkDerivation;
 
-// Starts a derivation: symbols for all that the model speaks of. The model and the mechanism must outlive it. NULL with
-// a problem added when out of memory, or where the file's numbers are too large to be exact. One thread at a time.
-// Cost linear in the number of bodies, some microseconds each; everything else is derived when it is first asked for.
+// Starts a derivation, with symbols for everything in the model. The model and the mechanism must outlive it. Returns
+// NULL with a problem added when out of memory, or if the file's numbers are too large to be exact. Use it in one thread
+// at a time. Cost: linear in the number of bodies, some microseconds each; everything else is derived when it is first
+// needed.
 YK_API YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
 YK_API void yk_derivation_free(YkDerivation *derivation);
-// Lets `progress` watch the pages and checks that follow (<yoke/progress.h>). One that is stopped leaves the derivation
-// spent: it answers YK_STOPPED, or that the equation could not be read, from then on.
+// Lets `progress` watch the pages and checks that follow (<yoke/progress.h>). After one of them was stopped, the
+// derivation cannot be used again: pages return YK_STOPPED, and checks say that the equation could not be read.
 YK_API void yk_derivation_set_progress(YkDerivation *derivation, YkProgress progress);
 
-// The sections of a page, in their order: "loops", "jacobian", ...; with the heading under which each stands.
+// The sections of a page, in their order: "loops", "jacobian", ...; and the heading of each.
 YK_API size_t yk_derivation_section_count(void);
 YK_API const char *yk_derivation_section_name(size_t section);
 YK_API const char *yk_derivation_section_title(size_t section);
 YK_API size_t yk_derivation_section_find(const char *name); // YK_NOT_FOUND if there is none
-// Has the machine what the section is about? One without gears has no section on them; "all" leaves it out.
+// Returns whether the machine has what the section is about: a machine without gears has no section on gears. "all"
+// leaves such sections out.
 YK_API bool yk_derivation_has_section(const YkDerivation *derivation, size_t section);
 
 typedef enum YkPageFormat {
-    YK_PAGE_TEXT,   // for people, a formula a line
+    YK_PAGE_TEXT,   // for people, one formula on each line
     YK_PAGE_LATEX,  // a whole document
     YK_PAGE_MATHML, // a whole HTML document
     YK_PAGE_JSON,
-    YK_PAGE_C, // a function a section
+    YK_PAGE_C, // one function for each section
     YK_PAGE_FORMATS
 } YkPageFormat;
 YK_API YkPageFormat yk_page_format_find(const char *name); // "text", "latex", ...; YK_PAGE_FORMATS if there is none
@@ -44,20 +46,21 @@ typedef struct YkPageOptions {
     const bool *sections; // [yk_derivation_section_count()]: which are wanted; NULL: all that the machine has
     const YkState *state; // puts values at this pose beside the symbols; NULL: symbols alone
     YkDynamics *dynamics; // solved at that pose: values of forces; may be NULL
-    // Takes the page as it grows, in pieces of whole lines, so that a large page needs little memory; false ends it.
-    // Values and C need the whole page first. NULL: it is kept, for yk_derivation_text.
+    // Receives the page while it grows, in pieces of whole lines, so that a large page needs little memory; returns
+    // false to end it. With values, and for C, it receives the page only when all of it is there. NULL: the page is
+    // kept for yk_derivation_text.
     bool (*write)(void *context, const char *text, size_t length);
     void *context;
 } YkPageOptions;
 YK_API YkPageOptions yk_default_page_options(void); // text, all sections, no values
-// Derives and prints a page. options may be NULL. YK_OK; YK_BAD_MODEL where a section cannot be derived exactly
-// (products too long, numbers too large: the problem names it), YK_STOPPED where `write` or the progress said so,
-// YK_NO_MEMORY, YK_BAD_ARGUMENT.
+// Derives and prints a page. options may be NULL. Returns YK_OK; YK_BAD_MODEL if a section cannot be derived exactly
+// (products too long, numbers too large: the problem names it); YK_STOPPED if `write` or the progress ended it;
+// YK_NO_MEMORY; YK_BAD_ARGUMENT.
 YK_API YkStatus yk_derivation_page(YkDerivation *derivation, const YkPageOptions *options, YkProblems *problems);
 YK_API const char *yk_derivation_text(const YkDerivation *derivation); // of the last page; lives until the next
 
-// A verdict, by ways that support each other: as an identity; by numbers at random poses; exactly, at random points of
-// the machine's motion over a prime field; and by numbers on machines with other dimensions.
+// The kinds of verdict. A verdict rests on several tests: as an identity; by numbers at random poses; exactly, at random
+// points of the machine's motion over a prime field; and by numbers on machines with other dimensions.
 typedef enum YkCheckKind {
     YK_CHECK_TRUE,        // for all dimensions
     YK_CHECK_TRUE_HERE,   // with this file's numbers; the verdict says what is known about others

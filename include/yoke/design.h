@@ -1,4 +1,4 @@
-// Design questions that a mechanism's kinematics answers.
+// Results for the designer that follow from kinematics: four-bars, strokes, time ratios.
 #ifndef YOKE_DESIGN_H
 #define YOKE_DESIGN_H
 

@@ -13,7 +13,7 @@ typedef struct YkDrawOptions {
     bool labels;                 // names of joints and bodies, default true
     const size_t *traced_points; // model points whose path is drawn
     size_t traced_count;
-    size_t traced_hidden; // moving: the last ones, so many, begin hidden, with class off
+    size_t traced_hidden; // moving: this many of the last paths are hidden at first, with class off
     bool moving; // the poses are one motion: the machine is drawn once, at the last pose, in groups that can be moved
 } YkDrawOptions;
 YK_API YkDrawOptions yk_default_draw_options(void);
@@ -26,11 +26,11 @@ YK_API void yk_drawing_free(YkDrawing *drawing);
 YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);  // adds a pose
 YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state); // adds only the traced points' positions
 YK_API const char *yk_drawing_svg(YkDrawing *drawing); // a whole SVG document; NULL when out of memory
-// Returns the drawing, made with options.moving, as it stands at a pose. What belongs to body 3 has class b3; the
+// Returns the drawing, made with options.moving, at a pose. The elements of body 3 have class b3; the
 // names of joint 2 and body 3 have classes j2 and n3. Returns NULL when out of memory.
 YK_API const char *yk_drawing_frame(YkDrawing *drawing, size_t pose);
-// Returns the poses one after the other in a loop of so many seconds, animated by CSS alone; to_and_fro: the motion
-// goes back as well. Returns NULL when out of memory.
+// Returns the poses one after the other in a loop that lasts `seconds`, animated by CSS alone; to_and_fro: the motion
+// also goes back. Returns NULL when out of memory.
 YK_API const char *yk_drawing_animation(YkDrawing *drawing, double seconds, bool to_and_fro);
 
 #ifdef __cplusplus

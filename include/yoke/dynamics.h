@@ -1,8 +1,8 @@
 // Dynamics at a pose: joint reactions, efforts of drives, accelerations of free coordinates, energies.
 //
 // Every input of the mechanism is either *prescribed* (the state gives its acceleration, and its effort is sought) or
-// *free* (`efforts:` and other loads give its effort, and its acceleration is sought). Inverse dynamics: all are
-// prescribed. Forward dynamics: some are free.
+// *free* (`efforts:` and other loads give its effort, and its acceleration is sought). In inverse dynamics all inputs
+// are prescribed; in forward dynamics some are free.
 #ifndef YOKE_DYNAMICS_H
 #define YOKE_DYNAMICS_H
 
@@ -19,7 +19,7 @@ typedef struct YkDynamics YkDynamics;
 // thread. Returns NULL with a problem added when out of memory.
 YK_API YkDynamics *yk_dynamics_new(const YkMechanism *mech, YkProblems *problems);
 YK_API void yk_dynamics_free(YkDynamics *dynamics);
-// Returns whether the machine has any mass or load. Without, all forces are 0.
+// Returns whether the machine has any mass or load. If it has none, all forces are 0.
 YK_API bool yk_dynamics_has_loads(const YkDynamics *dynamics);
 YK_API void yk_dynamics_prescribe(YkDynamics *dynamics, size_t input, bool is_prescribed);
 YK_API bool yk_dynamics_is_prescribed(const YkDynamics *dynamics, size_t input);
@@ -64,17 +64,16 @@ YK_API bool yk_dynamics_contact_pulls(const YkDynamics *dynamics, size_t contact
 // that of the drive for a prescribed input, otherwise that of `efforts:`.
 YK_API double yk_dynamics_effort(const YkDynamics *dynamics, size_t coordinate);
 // A joint at rest under dry friction holds within an interval, so the effort that a drive must exert there is not
-// unique: every effort from low to high holds the machine, each input's taken by itself. The ends may be infinite: the
-// joints jam. is_known is false if the interval was not found (then it is from -infinity to infinity). Otherwise
-// is_single is true, and yk_dynamics_effort is the answer; within an interval it gives the effort without friction in
-// the
-// joints at rest. docs/mathematics.md, section 10, says exactly what is computed.
+// unique: every effort from low to high holds the machine, for each input by itself. The ends may be infinite: then the
+// joints jam. is_known is false if the interval was not found (then it is from -infinity to infinity). If the effort is
+// unique, is_single is true and yk_dynamics_effort gives it; within an interval that function gives the effort without
+// friction in the joints at rest. docs/mathematics.md, section 10, says exactly what is computed.
 typedef struct YkEffortRange {
     bool is_single, is_known;
     double low, high; // N m or N
 } YkEffortRange;
 YK_API YkEffortRange yk_dynamics_effort_range(const YkDynamics *dynamics, size_t coordinate);
-// Returns whether dry friction at rest leaves forces open. Reactions that depend on it are reported as not
+// Returns whether dry friction at rest leaves forces undetermined. Reactions that depend on it are reported as not
 // determinate, with the values they have without that friction.
 YK_API bool yk_dynamics_is_held_by_friction(const YkDynamics *dynamics);
 // Returns whether there is an effort along a coordinate at all: a prescribed input's, or one of `efforts:`.
@@ -96,8 +95,9 @@ typedef struct YkBalance {
     double residual;
 } YkBalance;
 YK_API YkBalance yk_dynamics_balance(const YkDynamics *dynamics, size_t body);
-// The count of a textbook: force and moment equations of every body with mass (without moments that are trivial), of
-// pins that join three bodies or more as massless junctions, and two acceleration equations per loop.
+// The equations counted as a textbook does: force and moment equations of every body with mass (without trivial
+// moments), those of massless junctions at pins that join three bodies or more, and two acceleration equations for each
+// loop.
 typedef struct YkEquationCount {
     size_t force, moment, acceleration, unknown_reactions, unknown_accelerations, unknown_efforts;
     bool ran_out; // out of memory: nothing was counted

@@ -1,4 +1,4 @@
-// The mechanism: the same machine by number - its graph, its loops, its freedom, and the order in which it is solved.
+// The mechanism: the compiled machine - its graph, its loops, its freedom, and the order in which it is solved.
 // A mechanism is constant once compiled and may be shared between threads.
 #ifndef YOKE_MECHANISM_H
 #define YOKE_MECHANISM_H

@@ -51,7 +51,7 @@ YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
 // Returns the index of a name, YK_NOT_FOUND if there is none. The name of a point is "body.point".
 YK_API size_t yk_model_find_body(const YkModel *model, const char *name);
 YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_point);
-// What acts on the machine, as the file gives it. Gravity counts if it is given and not zero.
+// The numbers of masses and loads in the file. Gravity counts if it is given and not zero.
 typedef struct YkLoadCounts {
     bool has_gravity;
     size_t masses; // number of bodies with mass or inertia
@@ -60,8 +60,7 @@ typedef struct YkLoadCounts {
 } YkLoadCounts;
 YK_API YkLoadCounts yk_model_loads(const YkModel *model);
 YK_API double yk_model_body_mass(const YkModel *model, size_t body); // kg; 0 if the file gives none
-// The quantity of a value with units in the model's own terms, as the command line takes them
-// ("30deg", "a1/2", "0.5 rad/s").
+// The kind of quantity that a text such as "30deg", "a1/2" or "0.5 rad/s" stands for.
 typedef enum YkQuantity {
     YK_QUANTITY_NUMBER,
     YK_QUANTITY_ANGLE,

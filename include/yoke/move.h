@@ -15,7 +15,7 @@ typedef struct YkMoveOptions {
                      // size); default 8 deg
     size_t detours;  // number of poses tried for a detour when a limit blocks the straight way of a machine
                      // with several inputs; default 200, 0: none
-    bool (*goes_on)(void *context, double part); // asked at every verified pose with the part of the way that is
+    bool (*goes_on)(void *context, double part); // called at every verified pose with the part of the way that is
                                                  // done, in [0, 1]; false stops the move there. NULL: never stops
     void *context;
 } YkMoveOptions;
@@ -54,8 +54,7 @@ YK_API YkStatus yk_state_guess(YkState *state, const YkState *from);
 // Puts a state in the pose of another one of the same machine whose mechanism was compiled with other inputs: same
 // coordinates, with turns counted, at the same time. Inputs take the positions of their coordinates; their rates are
 // those of the drives and of `start:`. Returns YK_OK, ...; YK_NO_ASSEMBLY if the pose is not found again; YK_SINGULAR
-// if
-// it is a dead point with these inputs, where two branches meet and either may be meant.
+// if it is a dead point with these inputs, where two branches meet and either may be meant.
 YK_API YkStatus yk_state_adopt(YkState *state, const YkState *from);
 // Carries the assembly of a state of yk_variant_mechanism(variant) along while the parameters move straight from
 // from[count] to to[count], in the order of yk_variant_new, and the inputs from their present values to

@@ -24,7 +24,7 @@ typedef struct YkProblem {
     YkPlace place;
     const char *message; // one sentence without a final full stop; never contains control characters
     const char *hint;    // what to do about it, or NULL
-    const char *where;   // of a machine made by calls (builder.h): "body `crank`, point `A`"; NULL: `place` tells it
+    const char *where;   // for a machine made by calls (builder.h): "body `crank`, point `A`"; NULL: see `place`
 } YkProblem;
 
 typedef struct YkProblems YkProblems;

@@ -1,4 +1,4 @@
-// The report: all that Yoke knows of a machine on one page, an HTML document that needs nothing else.
+// The report: everything about a machine on one page, an HTML document that needs nothing else.
 #ifndef YOKE_REPORT_H
 #define YOKE_REPORT_H
 
@@ -26,7 +26,7 @@ YK_API YkReportOptions yk_default_report_options(void);
 typedef struct YkReportPage YkReportPage;
 // Gathers everything from a state whose inputs are set: its pose or, without one, the configuration nearest to the
 // guesses. Chooses a motion, goes through it and solves the forces. A machine that cannot be assembled has a report too
-// (yk_report_status tells). The state's model and mechanism must outlive it. Returns NULL with a problem added when out
+// (see yk_report_status). The state's model and mechanism must outlive it. Returns NULL with a problem added when out
 // of memory, or if it was stopped: what watches the state (yk_state_set_progress) watches this call and yk_report_html.
 // Cost: that of some hundred poses.
 YK_API YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkProblems *problems);
@@ -42,8 +42,8 @@ YK_API const char *yk_report_finding(const YkReportPage *report, size_t index);
 // NULL with a problem added when out of memory or stopped; after a stop it may be asked again.
 YK_API const char *yk_report_html(YkReportPage *report, YkProblems *problems);
 // Returns the drawing of the motion's poses, one for each row, which belongs to the report; NULL if nothing can be
-// drawn or without options.pose_rate > 0. yk_report_seconds is the time of one pass on a screen, s;
-// yk_report_goes_back tells whether the motion goes back before it repeats.
+// drawn or without options.pose_rate > 0. yk_report_seconds returns the time of one pass on a screen, s;
+// yk_report_goes_back says whether the motion goes back before it repeats.
 YK_API YkDrawing *yk_report_drawing(YkReportPage *report);
 YK_API double yk_report_seconds(const YkReportPage *report);
 YK_API bool yk_report_goes_back(const YkReportPage *report);

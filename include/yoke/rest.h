@@ -42,9 +42,9 @@ typedef struct YkEquilibrium {
     double force;      // residual: largest effort that would be needed, over the largest load
     bool is_reachable; // after yk_rest_reach: the machine can get there from its start in its own assembly
 } YkEquilibrium;
-// Finds out which equilibria the machine can get to from its start without being taken apart: it moves there, also
-// through dead points, and round in either sense. Returns YK_OK, YK_NO_MEMORY or YK_STOPPED. Those it could not reach
-// are reported as not reachable.
+// Finds out which equilibria the machine can reach from its start without being taken apart, by moving it there, also
+// through dead points, and in both directions. Returns YK_OK, YK_NO_MEMORY or YK_STOPPED. Equilibria that it could not
+// reach are reported as not reachable.
 YK_API YkStatus yk_rest_reach(YkRest *rest);
 YK_API YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index);
 // Returns the pose itself, valid until the next call. Its forces come from yk_dynamics_solve with a dynamics of its

@@ -21,10 +21,10 @@ typedef struct YkSimulationOptions {
     double tolerance; // relative error per step, and absolute in the coordinate's size; default 1e-9
     double step;      // RK4: its fixed step, s
     double start;     // initial time, s
-    double horizon;   // the last time that will be asked for, s: lets steps pass the rows (0: each row ends a step)
+    double horizon;   // the last time that will be requested, s: lets steps pass the rows (0: each row ends a step)
     size_t steps_max; // largest number of accepted steps and events, in all (0: no limit)
     bool (*goes_on)(void *context,
-                    double time); // asked after every step (NULL: yes); false ends yk_simulation_advance there
+                    double time); // called after every step (NULL: goes on); false ends yk_simulation_advance there
     void *context;
     const YkStartValue *values; // replace those of `start:`
     size_t value_count;
@@ -42,18 +42,19 @@ typedef struct YkSimulation YkSimulation;
 // that the options point to, must outlive the simulation.
 YK_API YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions *options, YkProblems *problems);
 YK_API void yk_simulation_free(YkSimulation *simulation);
-// Also reports zero crossings of a channel minus a value, as events called `name` (copied). direction: +1, -1, 0: both.
+// Also reports the times at which a channel passes a value, as events called `name` (copied). direction: +1 rising, -1
+// falling, 0 both.
 YK_API YkStatus yk_simulation_watch(YkSimulation *simulation, const char *name, YkChannel channel, double value,
                                     int direction);
 // Replaces the effort that `efforts:` gives along a coordinate by a constant; only before the first advance. From then
 // on yk_simulation_act_effort may change it at any time.
 YK_API YkStatus yk_simulation_set_effort(YkSimulation *simulation, const char *coordinate, double effort);
-// Advances to time `to`. The state then stands exactly at `to` (dense output, loops closed by the position solver). On
-// failure it stands at the last good time and the status is below 0: YK_LIMIT (also if a drive goes past a stop),
+// Advances to time `to`. The state is then exactly at `to` (dense output, loops closed by the position solver). On
+// failure it is at the last good time and the status is below 0: YK_LIMIT (also if a drive goes past a stop),
 // YK_NOT_CONVERGED (step too small, too many steps), YK_NO_MEMORY. The report says why, with a status of its own:
-// YK_SINGULAR if a dead point or a freedom without inertia stopped it. YK_BAD_ARGUMENT for a time that is past or not
-// finite, which changes nothing. If options.goes_on said no, the status is YK_OK and yk_simulation_time tells how far
-// it came.
+// YK_SINGULAR if a dead point or a freedom without inertia stopped it. Returns YK_BAD_ARGUMENT, and changes nothing, if
+// the time is in the past or not finite. If options.goes_on returned false, the status is YK_OK, and yk_simulation_time
+// gives the time reached.
 YK_API YkStatus yk_simulation_advance(YkSimulation *simulation, double to);
 YK_API double yk_simulation_time(const YkSimulation *simulation);
 // State, mechanism and dynamics are valid until the next advance, which may choose other coordinates. Coordinates,
@@ -66,15 +67,15 @@ YK_API const YkReport *yk_simulation_report(const YkSimulation *simulation);
 // Advances by a span of time, s >= 0.
 YK_API YkStatus yk_simulation_step(YkSimulation *simulation, double span);
 
-// Acting on the machine, between advances and in a control. What is set holds from the time at which the simulation
-// stands until it is set again; the state and the forces there are those before it. The integrator begins anew at
-// that time, and only where something has changed. Coordinates and bodies by number (yk_coordinate_find). Each returns
-// YK_BAD_ARGUMENT, and changes nothing, where there is no such thing or a number is not finite.
+// Acting on the machine, between advances and in a control. What is set holds from the simulation's present time until
+// it is set again; the state and the forces at that time are those before the change. The integrator starts anew at
+// that time, but only if something has changed. Coordinates and bodies are given by number (yk_coordinate_find). Each
+// function returns YK_BAD_ARGUMENT, and changes nothing, if there is no such thing or a number is not finite.
 
 // Sets the effort along a coordinate, N m or N: one that `efforts:` or yk_simulation_set_effort names.
 YK_API YkStatus yk_simulation_act_effort(YkSimulation *simulation, size_t coordinate, double effort);
-// Takes over a driven coordinate: it goes on from where it stands, at the rate that it has, with this acceleration
-// (rad/s^2 or m/s^2), in place of its drive.
+// Takes over a driven coordinate: it continues from its present position and rate with this acceleration (rad/s^2 or
+// m/s^2), in place of its drive.
 YK_API YkStatus yk_simulation_act_drive(YkSimulation *simulation, size_t coordinate, double acceleration);
 // A force on a point of a body: force + stiffness (target - point) - damping (velocity of the point), world axes. With
 // a stiffness it is the spring by which a mouse pulls. It is evaluated within the steps, and its work counts as that of
@@ -90,30 +91,30 @@ typedef struct YkPull {
 // Sets pull number `index`, which is below options.pulls; NULL lets go.
 YK_API YkStatus yk_simulation_act_pull(YkSimulation *simulation, size_t index, const YkPull *pull);
 
-// Calls `control` now and after every further `period`, s, exactly then: the integrator ends a step there, and the
-// state stands at that time. What the control sets is held until the next sample. Returning false ends the advance
-// there, as options.goes_on does. The control must not advance, reset, restore or free the simulation. One at a time;
-// NULL: none. YK_BAD_ARGUMENT for a period that is not positive.
+// Calls `control` now and after every further `period`, s, exactly at these times: the integrator ends a step there,
+// and the state is at that time. What the control sets is held until the next sample. If it returns false, the advance
+// ends there, as with options.goes_on. The control must not advance, reset, restore or free the simulation. There is one
+// control at a time; NULL removes it. Returns YK_BAD_ARGUMENT for a period that is not positive.
 typedef bool (*YkControl)(void *context, YkSimulation *simulation, double time);
 YK_API YkStatus yk_simulation_set_control(YkSimulation *simulation, double period, YkControl control, void *context);
-// How often the control was called, and when: sample `index` of the control that is set.
+// The number of calls of the present control, and the time of call `index`.
 YK_API size_t yk_simulation_sample_count(const YkSimulation *simulation);
 YK_API double yk_simulation_sample_time(const YkSimulation *simulation, size_t index);
 
-// Goes back to the start: nothing has happened, nothing was set since the first advance. Efforts named before it,
+// Goes back to the start, as if nothing had happened or been set since the first advance. Efforts set before it,
 // watches and the control stay; the control's samples begin at the start again. What follows has the same bits as the
 // first time. On failure (YK_NO_MEMORY) nothing changes.
 YK_API YkStatus yk_simulation_reset(YkSimulation *simulation);
-// A second simulation in the same condition, which goes on with the same bits. It takes the options and the control as
-// they are, with their contexts. NULL when out of memory.
+// Makes a second simulation in the same condition, which goes on with the same bits. It has the same options and the
+// same control, with their contexts. Returns NULL when out of memory.
 YK_API YkSimulation *yk_simulation_clone(YkSimulation *simulation);
-// Writes the simulation as bytes, at most `capacity` of them, and returns how many it needs; writes nothing where they
-// do not fit. The bytes carry a format version, the machine's fingerprint and a checksum.
+// Writes the simulation as bytes, at most `capacity` of them, and returns how many it needs; writes nothing if they
+// do not fit. The bytes contain a format version, the machine's fingerprint and a checksum.
 YK_API size_t yk_simulation_save(YkSimulation *simulation, void *bytes, size_t capacity);
-// Puts a simulation of the same machine where another one was saved: its options, acts, watches and results, but not
-// the callbacks, which stay those of `simulation`. It goes on with the same bits as the one that was saved.
-// YK_BAD_ARGUMENT: the bytes are damaged, incomplete, or of another version; YK_BAD_MODEL: of another machine.
-// On failure nothing changes.
+// Brings a simulation of the same machine to the point at which another one was saved: its options, acts, watches and
+// results, but not the callbacks, which stay those of `simulation`. It goes on with the same bits as the saved one.
+// Returns YK_BAD_ARGUMENT if the bytes are damaged, incomplete, or of another version; YK_BAD_MODEL if they belong to
+// another machine. On failure nothing changes.
 YK_API YkStatus yk_simulation_restore(YkSimulation *simulation, const void *bytes, size_t count);
 
 typedef enum YkHappeningKind {
@@ -122,7 +123,7 @@ typedef enum YkHappeningKind {
     YK_HAPPENING_STICK,
     YK_HAPPENING_SLIP,
     YK_HAPPENING_CHANGE_POINT, // of a block: two branches meet, and momentum carries through
-    YK_HAPPENING_DEAD_POINT,   // of the one coordinate that the machine was started by: it reverses, the rest goes on
+    YK_HAPPENING_DEAD_POINT,   // of the coordinate that started the machine: it reverses while the others continue
     YK_HAPPENING_CROSSING
 } YkHappeningKind;
 typedef struct YkHappening {
@@ -142,8 +143,8 @@ typedef struct YkSimulationSummary {
     double energy_start, energy_end;
 } YkSimulationSummary;
 YK_API YkSimulationSummary yk_simulation_summary(const YkSimulation *simulation);
-// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops): its
-// name, and J.
+// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops): the
+// name of the load, and the work in J.
 YK_API size_t yk_simulation_work_count(const YkSimulation *simulation);
 YK_API const char *yk_simulation_work_name(const YkSimulation *simulation, size_t index);
 YK_API double yk_simulation_work(const YkSimulation *simulation, size_t index);

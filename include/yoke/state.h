@@ -27,7 +27,7 @@ YK_API const YkMechanism *yk_state_mechanism(const YkState *state);
 YK_API YkStatus yk_state_copy(YkState *to, const YkState *from); // both of the same mechanism; allocates nothing
 // Lets `progress` watch the long calls on this state from now on (<yoke/progress.h>): assembling, visiting all
 // configurations, moves, carrying, sweeps, closing ranges, dragging, reports. One that is stopped returns YK_STOPPED
-// and leaves the state as it stood before the call. A single solution (yk_state_solve) is short and is not watched. A copy
+// and leaves the state as it was before the call. A single solution (yk_state_solve) is short and is not watched. A copy
 // of the state is not watched. Returns YK_OK, or YK_NO_MEMORY.
 YK_API YkStatus yk_state_set_progress(YkState *state, YkProgress progress);
 
@@ -35,7 +35,7 @@ YK_API YkStatus yk_state_set_progress(YkState *state, YkProgress progress);
 YK_API YkStatus yk_state_set_time(YkState *state, double time, YkProblems *problems);
 YK_API double yk_state_time(const YkState *state);
 YK_API void yk_state_set_input(YkState *state, size_t input, YkMotion motion);
-// Does the same number by number, which is faster: a structure just filled would have to go through memory.
+// Does the same with three numbers, which is faster, since a structure just filled would have to go through memory.
 YK_API void yk_state_set_input_to(YkState *state, size_t input, double position, double velocity, double acceleration);
 YK_API YkMotion yk_state_input(const YkState *state, size_t input);
 // Sets one order of an input (0 position, 1 velocity, 2 acceleration) and keeps it at every later
@@ -64,12 +64,12 @@ YK_API void yk_state_set_branch(YkState *state, size_t block, int branch);
 // Writes "A+ C-": every block with a branch. Returns the length needed.
 YK_API size_t yk_state_label(const YkState *state, char *text, size_t capacity);
 
-// Answers. Indices are those of the model and the mechanism.
+// The results. Indices are those of the model and the mechanism.
 YK_API bool yk_state_has_pose(const YkState *state); // false until it is assembled
 YK_API bool yk_state_has_rates(const YkState *state);
 YK_API YkMotion yk_state_coordinate(const YkState *state, size_t coordinate);
 YK_API YkMotion yk_state_body(const YkState *state, size_t body); // angle to the ground
-// Writes the motion of every body at once, as yk_state_body tells it: motions[body]. Cost linear in their number.
+// Writes the motion of every body at once, as yk_state_body returns it: motions[body]. Cost: linear in their number.
 YK_API void yk_state_bodies(const YkState *state, YkMotion *motions);
 YK_API YkPointMotion yk_state_point(const YkState *state, size_t point);
 YK_API double yk_state_channel(const YkState *state, YkChannel channel);

@@ -14,7 +14,7 @@ extern "C" {
 #define YK_API __attribute__((visibility("default")))
 #endif
 
-// What a search by name answers where there is no such thing.
+// The result of a search by name if the name is unknown.
 #define YK_NOT_FOUND ((size_t)-1)
 
 typedef enum YkStatus {

@@ -22,8 +22,8 @@ typedef struct YkStudyOptions {
     // compiled with them, at whose inputs each design starts. NULL: the state itself. Its mechanism must outlive the
     // study.
     const YkState *start;
-    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is asked on the thread that makes the
-    // call, whatever the number of threads, with the part of the designs (or parameters) that is done.
+    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is called on the thread that makes
+    // the call, whatever the number of threads, with the part of the designs (or parameters) that is done.
     YkProgress progress;
 } YkStudyOptions;
 
@@ -59,12 +59,12 @@ typedef struct YkStudyCase {
 // the file's machine or, with groups, nearest to it, within 0.5 rad and half its size.
 YK_API YkStatus yk_study_run(YkStudy *study, const YkStudyCase *asked, double *const *outputs, signed char *status);
 
-// Least, largest and mean value of a channel over the valid poses of one design.
+// The least, largest and mean value of a channel over the valid poses of one design.
 typedef struct YkExtent {
     double least, largest, mean;
 } YkExtent;
 // Does the same without keeping the poses: extents[channel * design_count + design], the worst status of each
-// design, and its number of valid poses (may be NULL). If it has none, the extent is 0 and the status tells why.
+// design, and its number of valid poses (may be NULL). If it has none, the extent is 0 and the status says why.
 YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExtent *extents, signed char *status,
                                 size_t *standing);
 

@@ -15,7 +15,7 @@ typedef struct YkSweepOptions {
     size_t steps;    // n steps give n + 1 poses
     double turn_max; // largest turn of any body between verified poses, rad (or this times the machine's size / 1 s):
                      // default 2 deg
-    YkDynamics *dynamics; // answers the channels that need forces (inverse and forward dynamics at every row); NULL if
+    YkDynamics *dynamics; // computes the channels that need forces (inverse and forward dynamics at every row); NULL if
                           // there are none
     YkMethod method;
     void (*visit)(void *context, const YkState *state); // called at the pose of every row, in order; may be NULL
@@ -48,7 +48,7 @@ YK_API double yk_sweep_value(const YkSweep *sweep, size_t row, size_t channel);
 YK_API YkStatus yk_sweep_row_status(const YkSweep *sweep,
                                     size_t row); // OK, SINGULAR (rates are 0 and must not be shown), CHANGE_POINT
 YK_API size_t yk_sweep_event_count(const YkSweep *sweep);
-// Returns how many events there were in all; only the first 10,000 are kept.
+// Returns the number of all events; only the first 10,000 are kept.
 YK_API size_t yk_sweep_event_total(const YkSweep *sweep);
 YK_API YkEvent yk_sweep_event(const YkSweep *sweep, size_t index);
 // Returns a channel's value at an event; NaN if it is undetermined there (rates at dead points and change points).

@@ -40,7 +40,7 @@ YK_API void yk_train_free(YkTrain *train);
 typedef enum YkTrainStatus {
     YK_TRAIN_STATUS_OK,           // every body's speed is determined
     YK_TRAIN_STATUS_FREE,         // nothing drives it: there are relations, but no speeds
-    YK_TRAIN_STATUS_UNDETERMINED, // some bodies' speeds stay open: the message names them
+    YK_TRAIN_STATUS_UNDETERMINED, // the speeds of some bodies are not determined: the message names them
     YK_TRAIN_STATUS_LOCKED        // constraints and drives contradict each other: the message names them
 } YkTrainStatus;
 YK_API YkTrainStatus yk_train_status(const YkTrain *train);
@@ -150,7 +150,7 @@ typedef struct YkTrainTorque {
     double torque;    // N m
     double power;     // into the train, W
 } YkTrainTorque;
-YK_API size_t yk_train_torque_count(const YkTrain *train); // 0: not asked for, or not determined (a problem said why)
+YK_API size_t yk_train_torque_count(const YkTrain *train); // 0: not requested, or not determined (a problem says why)
 YK_API YkTrainTorque yk_train_torque(const YkTrain *train, size_t torque);
 typedef struct YkTrainPower {
     bool is_known;

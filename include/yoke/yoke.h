@@ -1,14 +1,15 @@
-// Yoke: the workbench for planar machines. This header is the whole door of libyoke.
+// Yoke: the workbench for planar machines. This header includes the whole public interface of libyoke.
 //
 //   model file --yk_model_load--> YkModel --yk_mechanism_compile--> YkMechanism --yk_state_new--> YkState --> answers
 //
 // Conventions of all these headers:
 // - Numbers are in SI units and radians. Times are in seconds.
-// - Whoever calls yk_x_new (or _load, _compile, _run) frees the result with yk_x_free, which takes NULL. A `const char
-// *` belongs to the object that it was asked of and lives as long, unless its function says otherwise. - A YkStatus
-// below 0 is a failure. A constructor that fails returns NULL and adds a problem that says why. - Indices are size_t
-// and count from 0. A search by name returns YK_NOT_FOUND if the name is unknown. A member of a struct that may
-// have no index is an int, and then -1.
+// - Whoever calls yk_x_new (or _load, _compile, _run) frees the result with yk_x_free, which takes NULL.
+// - A returned `const char *` belongs to the object that was passed in and lives as long as that object, unless the
+//   function says otherwise.
+// - A YkStatus below 0 is a failure. A constructor that fails returns NULL and adds a problem that says why.
+// - Indices are size_t and count from 0. A search by name returns YK_NOT_FOUND if the name is unknown. A member of a
+//   struct that may have no index is an int; it is -1 if there is none.
 // - Options come from yk_default_x_options() and are changed from there; NULL in their place means the defaults.
 // - Enumerators begin with the name of their type; only the statuses (YK_OK, YK_LIMIT, ...) stand alone.
 // - Constant objects (models, mechanisms) may be shared between threads; all others belong to one thread at a time.

@@ -148,7 +148,7 @@ void yk_file_write_types(YkFile *file)
               "enum {\n"
               "    @_OK = 0,\n"
               "    @_SINGULAR = 3,       /* a dead point, or a freedom without inertia: positions are valid, rates and "
-              "forces do not */\n"
+              "forces are not */\n"
               "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
               "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n"
               "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n"

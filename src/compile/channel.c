@@ -206,8 +206,7 @@ YkStatus yk_channel_parse(const YkMechanism *mech, const char *name, YkChannel *
         memcpy(copy, name, n + 1);
         if (parse(mech, copy, channel)) return YK_OK;
     }
-    yk_problem(problems, YK_CODE_UNKNOWN_CHANNEL, (YkPlace){0}, "%q names nothing that can be asked of this machine",
-               name);
+    yk_problem(problems, YK_CODE_UNKNOWN_CHANNEL, (YkPlace){0}, "this machine has nothing called %q", name);
     suggest(mech, name, problems);
     return YK_BAD_ARGUMENT;
 }

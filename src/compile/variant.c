@@ -155,7 +155,7 @@ static bool check_phases(const YkVariant *v, const YkMechanism *mech, YkProblems
     for (size_t k = 0; good && k < mech->relation_count; k++) {
         if (constants[k] == mech->relations[k].constant) continue;
         yk_problem(problems, YK_CODE_CANNOT_VARY, place_of(mech->model, &mech->relations[k]),
-                   "a parameter that varies enters the phase of %q, by what `start:` and drives give",
+                   "a parameter that varies enters the phase of %q, through the values of `start:` and drives",
                    mech->relations[k].name);
         yk_redesign_hint(problems);
         good = false;
@@ -198,8 +198,8 @@ YkVariant *yk_variant_new(const YkMechanism *mech, const char *const *names, siz
         if (v->is_of_file)
             yk_problem(
                 problems, YK_CODE_SPECIAL_VALUES, (YkPlace){0},
-                "with parameters a little beside their values the machine has other constraints, or is solved in "
-                "another order: what is 0 or cancels at these values is taken to stay so");
+                "with slightly different parameters the machine has other constraints or another order of solution: "
+                "whatever is 0 or cancels at these values is assumed to stay so");
         return v;
     }
     yk_variant_free(v);

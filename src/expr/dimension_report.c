@@ -152,7 +152,7 @@ void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension d
                "%s: the file names no unit of force, so a bare number is in %s here, which is %e %s",
                describe(dims, dims->current), yk_text_get(&unit), size, yk_text_get(&usual));
     yk_problem_hint(dims->problems,
-                    "say `force: N` under `units:`, which makes it %s, or write the unit behind the number",
+                    "say `force: N` under `units:`, which makes it %s, or write the unit after the number",
                     yk_text_get(&usual));
     dims->failed |= unit.failed || usual.failed;
     yk_text_free(&unit);

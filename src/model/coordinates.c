@@ -117,8 +117,8 @@ static bool is_first_time(YkLoader *loader, unsigned char *seen, int32_t coordin
     bool is_first = !(seen[coordinate] & bit);
     seen[coordinate] |= bit;
     if (!is_first) {
-        yk_problem(loader->problems, YK_CODE_GIVEN_TWICE, key->place, "%q is given here a second time, by another name",
-                   loader->model->coordinates[coordinate].name);
+        yk_problem(loader->problems, YK_CODE_GIVEN_TWICE, key->place,
+                   "%q is given here a second time, under another name", loader->model->coordinates[coordinate].name);
     }
     return is_first;
 }

@@ -49,7 +49,7 @@ static void hold_coordinate(const Engaging *e, int32_t coordinate)
     }
     if (!start && has_loops) {
         yk_problem(e->loader->problems, YK_CODE_BAD_LOCK, e->lock->place,
-                   "lock %q holds %q, and nothing says where: loops may place it", e->lock->name, c->name);
+                   "lock %q holds %q, but its value is not given and may depend on the loops", e->lock->name, c->name);
         yk_problem_hint(e->loader->problems, "give `%s` a value under `start:`", c->name);
         return;
     }

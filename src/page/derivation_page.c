@@ -98,11 +98,11 @@ static YkStatus cannot(YkDerivation *d, const YkPage *page, YkProblems *problems
         yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "%s (%q): %s", yk_derive_sections[section].title,
                    page->section, yk_ring_status_text(why));
     if (why == YK_RING_SIZE)
-        yk_problem_hint(problems, "other sections may be had, as `loops` and `jacobian`: products of long sums do "
-                                  "not occur in them");
+        yk_problem_hint(problems, "other sections, such as `loops` and `jacobian`, contain no products of long sums; "
+                                  "they can still be derived");
     if (why == YK_RING_OVERFLOW)
-        yk_problem_hint(problems, "numbers of many digits can be given as `parameters:`, which are symbols; other "
-                                  "sections may be had");
+        yk_problem_hint(problems, "give numbers of many digits as `parameters:`, which are symbols; other sections can "
+                                  "still be derived");
     if (why == YK_RING_STOPPED) return YK_STOPPED;
     return why == YK_RING_MEMORY ? YK_NO_MEMORY : YK_BAD_MODEL;
 }

@@ -175,9 +175,9 @@ static const YkForm *unknown_name(YkEquationReader *reader, size_t start, const 
     if (near)
         yk_problem_hint(reader->problems, "did you mean %q?", near);
     else
-        yk_problem_hint(reader->problems, "known are the file's parameters and coordinates, rates as theta1' or "
-                                          "theta1.rate, crank.angle, crank.A.x, T and V, and forces as `--what "
-                                          "free-bodies` names them");
+        yk_problem_hint(reader->problems, "an equation may contain the file's parameters and coordinates, rates as "
+                                          "theta1' or theta1.rate, crank.angle, crank.A.x, T and V, and forces as "
+                                          "`--what free-bodies` names them");
     return NULL;
 }
 

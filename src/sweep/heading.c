@@ -1,17 +1,15 @@
 // Remembers the direction in which a motion came to a pose, for the next one that begins there. Exactly at a change point
 // the signs of the blocks are those of the side that it came from: going on passes the change point, turning back does
 // not.
-#include "sweep/path.h"
+#include "sweep/walk.h"
 
-// Returns how input i moves along the path, per unit of it; only its share in the sum of all counts.
-static double rate_of(const YkPath *path, size_t i)
+// Returns how input i moves along the path, on that side of its last place; only its share in the sum of all counts.
+static double rate_of(const YkPath *path, size_t i, double side)
 {
+    if (path->input < 0 && !path->is_line) return side * yk_path_heads(path, i, path->last, side); // it may rest there
     const YkState *s = path->state;
     bool is_distance = s->mech->coordinates[s->mech->inputs[i]].is_distance;
-    double rate = path->is_line       ? path->goal[3 * i] - path->others[3 * i]
-                  : path->input >= 0  ? (double)((size_t)path->input == i)
-                  : s->is_held[3 * i] ? 0
-                                      : s->input[3 * i + 1];
+    double rate = path->is_line ? path->goal[3 * i] - path->others[3 * i] : (double)((size_t)path->input == i);
     return is_distance ? rate / s->mech->size : rate;
 }
 
@@ -21,16 +19,26 @@ double yk_path_heading(const YkPath *path)
     double sum = 0;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         if (s->arrival[i] != s->valid_input[3 * i]) return 0; // it has been put elsewhere since
-        sum += s->heading[i] * rate_of(path, i);
+        sum += s->heading[i] * rate_of(path, i, 1);
     }
     return (sum > 0) - (sum < 0);
 }
 
-void yk_path_arrive(const YkPath *path, double way)
+// Returns whether the signs of a block are already those beyond the change point at which the walk has stopped.
+static bool has_passed(const YkWalk *w)
 {
-    YkState *s = path->state;
+    for (size_t k = 0; k < w->margin_count; k++)
+        if (yk_walk_was_flipped_near(w, k, w->path.last)) return true;
+    return false;
+}
+
+void yk_walk_arrive(const YkWalk *w, double way)
+{
+    YkState *s = w->path.state;
+    bool is_there_still = yk_path_way(&w->path, w->from, w->path.last) < 1e-4; // the drives rest
+    double side = has_passed(w) ? -1 : 1; // as if it had come from beyond: turning back passes it
     for (size_t i = 0; i < s->mech->input_count; i++) {
         s->arrival[i] = s->valid_input[3 * i];
-        s->heading[i] = way * rate_of(path, i);
+        if (!is_there_still) s->heading[i] = side * way * rate_of(&w->path, i, -way);
     }
 }

@@ -61,7 +61,7 @@ static YkStatus go(Mover *m, YkWalk *w, double from, double to)
     ok = ok && at >= 0 && yk_walk_go(w, at, to);
     keep_passes(m->move, w, from, to);
     if (w->failed) return YK_NO_MEMORY;
-    if (ok) yk_path_arrive(&w->path, to > from ? 1 : -1);
+    if (ok) yk_walk_arrive(w, to > from ? 1 : -1);
     if (ok) return yk_path_probe(&w->path, to, false);
     m->move->part = (w->path.last - from) / (to - from);
     m->move->block = w->limit_block;

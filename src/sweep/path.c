@@ -10,7 +10,7 @@ bool yk_path_start(YkPath *path, YkState *state, int coordinate)
 {
     size_t n = 3 * state->mech->input_count;
     *path = (YkPath){.state = state, .input = coordinate < 0 ? -1 : state->mech->coordinates[coordinate].input};
-    path->others = malloc((n + 1) * sizeof *path->others);
+    path->others = malloc((2 * n + state->mech->input_count + 1) * sizeof *path->others);
     if (!path->others) return false;
     memcpy(path->others, state->input, n * sizeof *path->others);
     path->last = path->input < 0 ? state->time : state->valid_input[3 * path->input];

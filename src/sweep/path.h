@@ -10,7 +10,7 @@ typedef struct YkPath {
     bool is_line;        // from `others` (at 0) to `goal` (at 1)
     double last, way;    // place of the last pose that closed; +1 or -1: the direction of motion to it; 0: unknown
     double passed, side; // the last change point, and the side of it on which the signs hold (0: none yet)
-    double *others;      // the inputs at the start: [3 * input + k]
+    double *others;      // the inputs at the start: [3 * input + k]; behind them near.c has its scratch
     const double *goal;  // [3 * input + k], owned by the caller
 } YkPath;
 
@@ -22,8 +22,6 @@ void yk_path_end(YkPath *path);
 // heading.c: returns the direction on the path, +1 or -1, in which an earlier motion has come to where the path starts;
 // 0: across it, or none has.
 double yk_path_heading(const YkPath *path);
-// Notes that a motion has ended at the state's pose, going in this direction of the path.
-void yk_path_arrive(const YkPath *path, double way);
 // Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
 // YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
@@ -36,6 +34,17 @@ void yk_path_refer_state(YkState *state);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);
 // Returns how far the inputs go between two places: rad, or machine sizes; over time an estimate from samples.
 double yk_path_length(YkPath *path, double from, double to);
+// near.c: distances by how far the inputs go, rad or machine sizes. yk_path_way returns the farthest that an input gets
+// from where it is at `a`, on the way to `b`; infinite where a drive has no value.
+double yk_path_way(const YkPath *path, double a, double b);
+// Returns the place about `distance` from `at`, before it (way -1) or behind it (+1); NaN if the inputs never get that far.
+double yk_path_off(const YkPath *path, double at, double way, double distance);
+// Returns the place between a and b at which this part of the inputs' way is done.
+double yk_path_between(const YkPath *path, double a, double b, double part);
+// Returns how far an input goes from `at` over the next 1e-5 of the path in that direction; 0 if nothing moves there.
+double yk_path_heads(const YkPath *path, size_t input, double at, double way);
+// Returns whether the inputs, which have come to `at`, turn back there or rest for good.
+bool yk_path_turns_back(const YkPath *path, double at);
 // Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends
 // there.
 double yk_path_limit(YkPath *path, double good, double bad);

@@ -110,10 +110,11 @@ static int touching_block(const YkSweep *w, const double *margins)
     return -1;
 }
 
-// At its start the sweep may also turn back at a change point: the signs then hold that the machine came with.
+// A drive may turn back at a change point, and so may the sweep at its start: the signs then hold that the machine came
+// with.
 static bool passes(const YkSweep *w, size_t row, double way)
 {
-    return row > 0 || w->walk.path.way == way;
+    return row > 0 ? !yk_path_turns_back(&w->walk.path, w->at[row]) : w->walk.path.way == way;
 }
 
 void yk_sweep_try_change_row(YkSweep *w)

@@ -20,13 +20,14 @@ static double sine_at(YkWalk *w, size_t block, double at)
 double yk_walk_refine_touch(YkWalk *w, size_t block, double at, double reach)
 {
     static const double sides[] = {2e-4, 2e-4, 1e-5};
-    double scale = yk_path_scale(&w->path);
     for (int k = 0; k < 3; k++) {
-        double d = sides[k] * scale, before = sine_at(w, block, at - d), after = sine_at(w, block, at + d);
+        double a = yk_path_off(&w->path, at, -1, sides[k]), b = yk_path_off(&w->path, at, 1, sides[k]);
+        if (!isfinite(a) || !isfinite(b)) return at;
+        double before = sine_at(w, block, a), after = sine_at(w, block, b);
         if (!(before + after > 0)) return at;
-        double moved = d * (before - after) / (before + after);
-        if (fabs(moved) > fmin(reach * scale, 0.2 * d)) return at;
-        at += moved;
+        double moved = yk_path_between(&w->path, a, b, before / (before + after));
+        if (yk_path_way(&w->path, at, moved) > fmin(reach, 0.2 * sides[k])) return at;
+        at = moved;
     }
     return at;
 }

@@ -77,19 +77,30 @@ bool yk_walk_is_stopped(YkWalk *w)
 
 bool yk_walk_was_flipped_near(const YkWalk *w, size_t block, double at)
 {
-    return fabs(w->flipped_at[block] - at) < 1e-4 * yk_path_scale(&w->path); // false for NaN
+    return yk_path_way(&w->path, w->flipped_at[block], at) < 1e-4;
 }
 
+// Returns whether a place is still at the change point that was passed last, or at the one where the walk began with the
+// signs to go on from there.
+static bool is_decided(const YkWalk *w, size_t block, double at)
+{
+    return yk_walk_was_flipped_near(w, block, at) || yk_path_way(&w->path, w->from, at) < 1e-4;
+}
+
+// Passes the change point near `at` with the other sign. Returns false if the motion turns back there, which keeps the
+// sign.
 // way: the direction of the motion, +1 or -1.
-static void flip(YkWalk *w, size_t block, double at, double way)
+static bool flip(YkWalk *w, size_t block, double at, double way)
 {
     YkState *s = w->path.state;
+    if (yk_path_turns_back(&w->path, at)) return false;
     at = yk_walk_refine_touch(w, block, at, 1.2e-6);
     w->path.passed = at;
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
     yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
+    return true;
 }
 
 static bool advance(YkWalk *w, double a, double b, size_t depth);
@@ -103,7 +114,7 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
     YkState *s = w->path.state;
     if (yk_walk_is_stopped(w)) return false;
     w->limit_block = s->report.block;
-    double at = yk_path_limit(&w->path, good, bad), beyond = at + copysign(2e-5 * yk_path_scale(&w->path), bad - at);
+    double at = yk_path_limit(&w->path, good, bad), beyond = yk_path_off(&w->path, at, copysign(1, bad - at), 2e-5);
     bool fits =
         fabs(beyond - at) < fabs(bad - at) && w->margin_count == s->mech->block_count && depth + 1 < WALK_DEPTH_MAX;
     double *margins = yk_walk_margins(w, depth, 0);
@@ -113,8 +124,9 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
         s->branch[k] = (signed char)-s->branch[k];
         bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
         s->branch[k] = (signed char)-s->branch[k];
-        if (!passes) continue;
-        flip(w, k, yk_walk_touch(at, margins[k], beyond, s->space.block_margin[k]), copysign(1, bad - at));
+        if (!passes ||
+            !flip(w, k, yk_walk_touch(at, margins[k], beyond, s->space.block_margin[k]), copysign(1, bad - at)))
+            continue;
         yk_path_probe(&w->path, beyond, true);
         yk_walk_read_margins(w, yk_walk_margins(w, depth + 1, 0));
         return advance(w, beyond, bad, depth + 1);
@@ -127,9 +139,9 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
 static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 {
     double at, way = copysign(1, b - a);
-    if (w->margin_count != w->path.state->mech->block_count || yk_walk_was_flipped_near(w, block, b)) return false;
+    if (w->margin_count != w->path.state->mech->block_count || is_decided(w, block, b)) return false;
     bool has_passed = yk_walk_has_just_passed(w, block, b, way, &at);
-    if (has_passed) flip(w, block, at, way);
+    has_passed = has_passed && flip(w, block, at, way);
     w->path.last = a; // it is reached from there
     yk_path_try(&w->path, b, true);
     return has_passed;
@@ -142,16 +154,16 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
     const double *ma = yk_walk_margins(w, depth, 0), *mm = yk_walk_margins(w, depth, 1),
                  *mb = yk_walk_margins(w, depth, 2);
-    bool narrow = fabs(b - a) < 4e-7 * yk_path_scale(&w->path) || depth + 1 >= WALK_DEPTH_MAX, touched = false;
+    bool narrow = yk_path_way(&w->path, a, b) < 4e-7 || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k)) continue;
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
             touched |= mb[k] <= YK_SINGULAR_MARGIN && flip_at_end(w, k, a, b);
             continue;
         }
+        if (is_decided(w, k, b)) continue;
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
-        if (yk_walk_was_flipped_near(w, k, b)) continue;
         flip(w, k, yk_walk_touch(a, ma[k], b, mb[k]), copysign(1, b - a));
         touched = true;
     }
@@ -161,7 +173,8 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
 // Returns whether the machine closes a little ahead; the state is at a again.
 static bool closes_ahead(YkWalk *w, double a, double way)
 {
-    bool closes = yk_path_try(&w->path, a + way * 2e-5 * yk_path_scale(&w->path), true) >= 0;
+    double ahead = yk_path_off(&w->path, a, way, 2e-5);
+    bool closes = !isfinite(ahead) || yk_path_try(&w->path, ahead, true) >= 0;
     w->path.last = a - way; // so that it comes to a in its own direction
     yk_path_try(&w->path, a, true);
     return closes;
@@ -182,15 +195,15 @@ static void unflip(YkWalk *w, double a, size_t events, size_t more)
 
 void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
 {
-    if (a == w->from || w->margin_count != w->path.state->mech->block_count) return;
+    if (w->margin_count != w->path.state->mech->block_count) return;
     double way = w->path.way;
-    size_t events = w->event_count, more = w->more_events, flips = 0;
+    size_t events = w->event_count, more = w->more_events, tried = 0, flips = 0;
     for (size_t k = 0; k < w->margin_count; k++) {
-        if (!yk_walk_has_margin(w, k) || margins[k] > YK_SINGULAR_MARGIN || yk_walk_was_flipped_near(w, k, a)) continue;
-        flip(w, k, a, way);
-        flips++;
+        if (!yk_walk_has_margin(w, k) || margins[k] > YK_SINGULAR_MARGIN || is_decided(w, k, a)) continue;
+        tried++;
+        flips += flip(w, k, a, way);
     }
-    if (flips > 0 && !closes_ahead(w, a, way)) unflip(w, a, events, more);
+    if (tried > 0 && !closes_ahead(w, a, way) && flips > 0) unflip(w, a, events, more);
 }
 
 // Returns whether, over time, the drives go farther between a and b than the path may go unchecked.
@@ -263,7 +276,8 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
 bool yk_walk_go(YkWalk *w, double a, double b)
 {
     double last = a, way = b > a ? 1 : -1;
-    if (a == w->from && w->path.way == way) w->from = NAN; // it goes on as it came: a change point there is passed
+    bool is_singular = w->path.state->space.margin[0] <= YK_SINGULAR_MARGIN;
+    if (a == w->from && (w->path.way == way || !is_singular)) w->from = NAN; // it goes on as it came: it passes there
     while (last != b) {
         double stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w), left = fabs(b - last);
         double next = left <= stride * (1 + 1e-9) ? b : last + way * left / ceil(left / stride);

@@ -55,6 +55,9 @@ double yk_walk_touch(double a, double ma, double b, double mb); // a double zero
 double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach);
 // Returns whether b, where the margin is almost zero, lies a little beyond a double zero, and puts that in `at`.
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
+// Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
+// heading.c: notes that the walk has ended at the state's pose, going in this direction of its path.
+void yk_walk_arrive(const YkWalk *walk, double way);
 
 #endif

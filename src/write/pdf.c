@@ -105,7 +105,7 @@ bool yk_print_pdf(const char *html, YkText *output, YkProblems *problems)
         yk_text_clear(&path);
         yk_text_format(&path, "%s/page.pdf", yk_text_get(&folder));
         if (good && !read_file(yk_text_get(&path), output)) {
-            yk_problem(problems, YK_CODE_PROGRAM_FAILED, (YkPlace){0}, "%s failed: no page came of it", purpose);
+            yk_problem(problems, YK_CODE_PROGRAM_FAILED, (YkPlace){0}, "%s failed and wrote no page", purpose);
             good = false;
         }
         remove_tree(yk_text_get(&folder));

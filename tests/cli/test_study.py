@@ -168,6 +168,22 @@ class Study(Case):
         self.assertEqual(run.code, 1)
         self.assertIn("W0826", run.err)
 
+    def test_a_design_that_makes_no_machine_says_why(self):
+        run = Run("study", os.path.join(EXAMPLES, "epicyclic.yaml"), "--vary", "N1=27:28:3", "--of", "theta4")
+        self.assertEqual(run.code, 0)
+        self.assertIn("design 1 (N1 = 27.5) makes no machine: ", run.err)
+        self.assertIn("27.5 is not a number of teeth", run.err)
+        self.assertIn("[E0462]", run.err)
+
+    def test_a_parameter_of_a_drive_is_refused_at_its_place(self):
+        path = self.write("driven.yaml", "parameters: {w: 10}\nbodies: {arm: {points: {P: [1, 0]}}}\n"
+                         "joints: {O: {pin: [ground, arm], angle: q}}\ndrives: {q: 1 + w*t}\n")
+        run = Run("study", path, "--vary", "w=1:2:3", "--of", "arm.P.x")
+        self.assertEqual(run.code, 2)
+        self.assertIn("driven.yaml:4:", run.err)
+        self.assertIn("drives: {q: 1 + w*t}\n", run.err)
+        self.assertIn("[E0508]", run.err)
+
     def test_npy_is_what_csv_says(self):
         path = os.path.join(self.folder, "out.npy")
         self.good("study", self.four_bar, "--vary", "a=20:300:7", "--of", "theta3", "-o", path, "-q")

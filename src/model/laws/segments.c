@@ -173,7 +173,7 @@ static const SegmentKind *kind_of(YkLawReader *reader, const YkNode *node)
     reader->source->is_bad = true;
     if (count == 0 && strange > 0) return NULL; // a misspelt key, which is reported
     yk_problem(reader->loader->problems, YK_CODE_LAW_SEGMENT, node->place,
-               count ? "a segment of law %q is two things at once" : "a segment of law %q does not say what it is",
+               count ? "a segment of law %q has two kinds" : "a segment of law %q does not say which kind it is",
                reader->law->name);
     yk_problem_hint(
         reader->loader->problems,

@@ -48,7 +48,7 @@ static const YkNode *body_of(YkLoader *loader, const YkNode *node, const YkSubje
     if (!on) return yk_load_require(loader, node, "body", subject);
     if (!yk_node_get(node, "body")) return on;
     yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, yk_load_key(node, "on")->place,
-               "%s has a `body`, so `on`, which means the same, is too much", yk_load_subject(loader, subject));
+               "%s has a `body`; leave out `on`, which means the same", yk_load_subject(loader, subject));
     return NULL;
 }
 

@@ -57,12 +57,12 @@ static bool keys_agree(YkLoader *loader, int32_t index, const YkNode *node)
             refuse(loader, node, keys[i], YK_CODE_GROUND_KEY, "%q is fixed and has no %s", name);
     } else if (yk_node_get(node, "rod")) {
         if (!yk_node_get(node, "mass")) {
-            refuse(loader, node, "rod", YK_CODE_NEEDS_MASS, "%q has no mass, so `%s` says nothing", name);
+            refuse(loader, node, "rod", YK_CODE_NEEDS_MASS, "%q has no mass, so `%s` has no meaning", name);
         }
         refuse(loader, node, "center", YK_CODE_RIVAL_KEYS, "%q is a rod: its `%s` follows from that", name);
         refuse(loader, node, "inertia", YK_CODE_RIVAL_KEYS, "%q is a rod: its `%s` follows from that", name);
     } else if (!yk_node_get(node, "mass")) {
-        refuse(loader, node, "center", YK_CODE_NEEDS_MASS, "%q has no mass, so `%s` says nothing", name);
+        refuse(loader, node, "center", YK_CODE_NEEDS_MASS, "%q has no mass, so `%s` has no meaning", name);
     }
     return yk_problems_count(loader->problems) == before;
 }

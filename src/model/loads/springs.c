@@ -32,7 +32,7 @@ static bool read_place(YkLoader *loader, YkSpring *spring, const YkNode *node, F
     *form = BETWEEN;
     if (along && between) {
         yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, yk_load_key(node, "between")->place,
-                   "spring %q lies along a coordinate already, it cannot lie between points too", spring->name);
+                   "spring %q acts along a coordinate already; it cannot act between points as well", spring->name);
         return false;
     }
     if (!along) between = yk_load_require(loader, node, "between", &subject);
@@ -102,6 +102,21 @@ static void read_force(YkLoader *loader, YkSpring *spring, const YkNode *node, F
                spring->name, key);
 }
 
+// Warns about a free length or angle that has no effect: only `stiffness` acts from it.
+static void check_free(YkLoader *loader, const YkSpring *spring, const YkNode *node, Form form)
+{
+    const char *key = form == ALONG_ANGLE ? "angle" : "length";
+    const YkNode *given = yk_node_get(node, key);
+    if (!given || yk_node_get(node, "stiffness")) return;
+    yk_problem(loader->problems, YK_CODE_FREE_UNUSED, given->place,
+               "the free %s of spring %q has no effect, since the spring has no `stiffness`", key, spring->name);
+    if (yk_node_get(node, form == ALONG_ANGLE ? "torque" : "force"))
+        yk_problem_hint(loader->problems, "let the spring's own law contain it, as in `%s - %s`", key,
+                        form == ALONG_ANGLE ? "phi0" : "l0");
+    else
+        yk_problem_hint(loader->problems, "give a `stiffness`, or remove `%s`", key);
+}
+
 static void read_spring(YkLoader *loader, YkSpring *spring, const YkNode *node)
 {
     static const char *const keys[] = {"between", "along", "stiffness", "length", "angle",
@@ -114,6 +129,7 @@ static void read_spring(YkLoader *loader, YkSpring *spring, const YkNode *node)
     read_free(loader, spring, node, form);
     read_rates(loader, spring, node, form);
     read_force(loader, spring, node, form);
+    check_free(loader, spring, node, form);
 }
 
 void yk_load_springs(YkLoader *loader)

@@ -82,7 +82,7 @@ static void check_ring(YkLoader *loader, const YkGear *gear)
     yk_problem(loader->problems, YK_CODE_RING_TOO_SMALL, gear->place,
                "gears %q: the ring has %d teeth, the gear inside it %d; the ring needs more", gear->name,
                (int)gear->teeth[1], (int)gear->teeth[0]);
-    yk_problem_hint(loader->problems, "of an internal pair the second is the ring");
+    yk_problem_hint(loader->problems, "in an internal pair the second body is the ring");
 }
 
 static void check_sizes(YkLoader *loader, YkGear *gear)

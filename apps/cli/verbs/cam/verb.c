@@ -53,7 +53,7 @@ static bool read_limit(YkCamAnswer *answer, const char *word)
                           is_pressure ? YK_QUANTITY_ANGLE : YK_QUANTITY_LENGTH, value))
         return false;
     if (*value > 0 || (is_curvature && *value == 0)) return true;
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "a limit is greater than zero: %q", word);
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "a limit must be greater than zero, not %q", word);
 }
 
 static bool read_limits(YkCamAnswer *answer)

@@ -88,7 +88,7 @@ static YkSketch *load(YkSession *session, YkProblems *problems)
 static int answer(YkSession *session, const YkSketch *sketch)
 {
     if (session->request->format == YK_FORMAT_CSV) {
-        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--sketch is told as text or json, not %q", "csv");
+        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--sketch writes text or json, not %q", "csv");
         return YK_EXIT_WRONG;
     }
     if (session->request->format == YK_FORMAT_JSON)

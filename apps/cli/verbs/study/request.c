@@ -22,7 +22,7 @@ static bool refuse_vary(YkSession *session, const char *text)
 
 static bool read_value(YkSession *session, const char *name, const char *text, double *value)
 {
-    YkProblems *problems = yk_problems_new();
+    YkProblems *problems = yk_session_file_problems(session);
     bool good = problems && yk_model_parameter_read(session->model, name, text, value, problems) == YK_OK;
     yk_tell_problems(session, problems);
     yk_problems_free(problems);
@@ -209,8 +209,7 @@ static bool check_request(YkStudyAnswer *answer)
     if (request->vary.count == 0 && !request->sample)
         return missing(session, "--vary or --sample", "as in --vary l2=0.9m:1.1m:200, or --sample tolerance.yaml");
     if (request->vary.count > 0 && request->sample)
-        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "--vary and --sample are two studies: give one%s",
-                                 "");
+        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "give either --vary or --sample, not both%s", "");
     if (!request->of || !*request->of) return missing(session, "--of", "as in --of theta4,coupler.P.y");
     return read_format(answer);
 }
@@ -220,7 +219,7 @@ static bool make_study(YkStudyAnswer *answer)
     YkSession *session = answer->session;
     YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
     const char **names = calloc(answer->axis_count + 1, sizeof *names);
-    YkProblems *problems = yk_problems_new();
+    YkProblems *problems = yk_session_file_problems(session);
     for (size_t c = 0; channels && c < answer->column_count; c++) channels[c] = answer->columns[c].channel;
     for (size_t k = 0; names && k < answer->axis_count; k++) names[k] = answer->axes[k].name;
     YkStudyOptions options = {.parameters = names,

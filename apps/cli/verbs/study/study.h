@@ -54,6 +54,9 @@ bool yk_partial_add(YkStudyAnswer *answer, size_t from, size_t to); // rows [fro
 void yk_partial_close(bool is_finished);                            // finished: removes it
 void yk_partial_tell(YkProblems *problems);                         // where it is, if it is: a hint to the last problem
 
+// why.c: if designs make no machine, says why the first of them does not, as a hint to the last problem.
+void yk_study_tell_why(const YkStudyAnswer *answer);
+
 // Places in a row.
 static inline double *yk_study_row(const YkStudyAnswer *a, size_t design)
 {

@@ -147,9 +147,11 @@ static size_t tell_failed(YkStudyAnswer *a)
         failed += yk_study_status(a, d) < 0;
         none += yk_study_row(a, d)[a->axis_count + 1] == 0;
     }
-    if (failed > 0)
+    if (failed > 0) {
         yk_problem(a->session->problems, YK_CODE_STUDY_FAILED_DESIGNS, (YkPlace){0}, "%z of %z designs are not valid%s",
                    failed, a->done, a->over.name ? " at every pose" : "");
+        yk_study_tell_why(a);
+    }
     return none;
 }
 
