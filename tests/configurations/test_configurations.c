@@ -119,7 +119,7 @@ static void test_platforms_with_slides_are_whole(void **unused)
 }
 
 // Laman's three-prism as a platform with these lengths has all of its 24 configurations real.
-// Source: the lengths of issue 18; the count by Capco et al. 2018 and earlier ones.
+// Source: the count of the three-prism, 24, Capco et al. 2018; the lengths are ours.
 static const char prism[] = "bodies:\n"
                             "  ground: {points: {a: [0, 0], b: [2, 0]}}\n"
                             "  ac: {points: {a: [0, 0], c: [2, 0]}}\n"
