@@ -25,7 +25,7 @@ const YkOption yk_options[] = {
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
      "every assembly configuration at the requested pose, not only the machine's own"},
     {"within", 0, YK_OPTION_WORD, FIELD(within), "TIME", " solve synthesize ",
-     "with --all: stop after this time and show what is proved by then"},
+     "with --all: stop after this time and say what is proved by then"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
      "say what the machine still needs before it can move; the file need not be finished"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},

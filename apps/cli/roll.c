@@ -103,7 +103,8 @@ static bool enter(void *context, YkState *state)
     Writer *w = context;
     size_t count = yk_coordinate_count(yk_state_mechanism(state));
     Entry entry = {yk_label_of(state), calloc(count + 1, sizeof(double))};
-    w->failed |= !entry.positions || entry.label.failed || !YK_ROOM(w->roll->entries, w->roll->count, w->roll->capacity);
+    w->failed |=
+        !entry.positions || entry.label.failed || !YK_ROOM(w->roll->entries, w->roll->count, w->roll->capacity);
     if (w->failed) {
         free(entry.positions);
         yk_text_free(&entry.label);

@@ -13,17 +13,17 @@
 extern "C" {
 #endif
 
-// What enumerating has learnt about a mechanism: the generic systems of its groups. Keep it from pose to pose: the first
-// pose costs most. Use one per thread; the mechanism must outlive it. NULL when out of memory.
+// What enumerating has learnt about a mechanism: the generic systems of its groups. Keep it from pose to pose: the
+// first pose costs most. Use one per thread; the mechanism must outlive it. NULL when out of memory.
 typedef struct YkConfigurations YkConfigurations;
 YK_API YkConfigurations *yk_configurations_new(const YkMechanism *mech);
 YK_API void yk_configurations_free(YkConfigurations *configurations);
 
 // Why there are no others.
 typedef enum YkCompleteReason {
-    YK_INCOMPLETE,        // there may be others
+    YK_INCOMPLETE,              // there may be others
     YK_COMPLETE_BY_CLOSED_FORM, // dyads only
-    YK_COMPLETE_BY_COUNT      // and groups with as many distinct proved complex solutions as their count
+    YK_COMPLETE_BY_COUNT        // and groups with as many distinct proved complex solutions as their count
 } YkCompleteReason;
 YK_API const char *yk_complete_reason_name(YkCompleteReason reason); // "none", "closed form", "counted"
 
@@ -42,15 +42,15 @@ typedef struct YkConfigurationsOptions {
     // Visits what yk_state_each visits first, in its order, and then the others. It costs that search, at every pose.
     // Otherwise the solutions of a group are sorted by its unknowns.
     bool in_search_order;
-    // Asked as <yoke/progress.h> says while groups are solved. Once it returns false no more paths are followed: what is
-    // proved so far is visited, and the report is not complete. (What watches the state ends the whole call.)
+    // Asked as <yoke/progress.h> says while groups are solved. Once it returns false no more paths are followed; what
+    // is proved by then is visited, and the report is not complete. (What watches the state ends the whole call.)
     YkProgress enough;
 } YkConfigurationsOptions;
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
 // Visits every configuration at the state's inputs, each as its pose. visit (may be NULL) returns false to stop; the
 // state returns to the configuration it had. options may be NULL. Groups that are no such systems (with gears, cams or
-// constraints that repeat others, or of more than seven loops) are searched as yk_state_each does, and the report is not
+// constraints that repeat others, or of more than 7 loops) are searched as yk_state_each does, and the report is not
 // complete. Returns YK_OK, YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.
 // Cost: the paths of all complex solutions of each group at each combination of earlier blocks.
 YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState *state,

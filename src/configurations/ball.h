@@ -14,7 +14,7 @@ typedef struct YkBall {
     double radius;
 } YkBall;
 
-#define YK_BALL_UNIT 0x1p-52                    // twice the rounding of one operation
+#define YK_BALL_UNIT 0x1p-52                                      // twice the rounding of one operation
 #define YK_BALL_OUT(radius) ((radius) * (1 + 0x1p-48) + 0x1p-900) // also covers underflow
 
 static inline YkBall yk_ball(YkVec at, double radius)

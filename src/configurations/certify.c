@@ -9,9 +9,9 @@ typedef struct Proof {
     const YkShape *shape;
     const YkVec *coefficients;
     const YkVec *x;
-    double size[N_MAX];         // of x_k
-    YkVec Y[N_MAX * N_MAX];     // an approximate inverse of the Jacobian at x
-    double miss[N_MAX];         // upper bounds of |Y F(x)|
+    double size[N_MAX];     // of x_k
+    YkVec Y[N_MAX * N_MAX]; // an approximate inverse of the Jacobian at x
+    double miss[N_MAX];     // upper bounds of |Y F(x)|
 } Proof;
 
 static double size_of(const YkShape *shape, const YkVec *x, size_t k)

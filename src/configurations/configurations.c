@@ -25,7 +25,7 @@ struct YkConfigurations {
     YkConfigurationsOptions options;
     YkConfigurationsReport report;
     size_t lacking; // solutions that the group of the report lacks
-    bool out_of_memory, is_running, is_cut_short;
+    bool out_of_memory, is_running, is_cut_short, is_left;
     YkPace enough;
     bool (*visit)(void *, YkState *);
     void *context;
@@ -151,12 +151,12 @@ static void note(YkConfigurations *all, size_t index, const Member *m, YkGroupSt
 {
     YkConfigurationsReport *r = &all->report;
     const YkGroupSolutions *s = &m->solutions;
-    size_t lacking = s->is_complete                ? 0
-                     : status == YK_GROUP_OUTSIDE  ? SIZE_MAX
-                     : !s->is_counted              ? SIZE_MAX - 1
+    size_t lacking = s->is_complete                  ? 0
+                     : status == YK_GROUP_OUTSIDE    ? SIZE_MAX
+                     : !s->is_counted                ? SIZE_MAX - 1
                      : s->expected > s->proved_count ? s->expected - s->proved_count
                                                      : 1;
-    bool is_first = r->block < 0, is_worse = lacking > all->lacking;
+    bool is_first = r->block<0, is_worse = lacking> all->lacking;
     if (!is_first && !is_worse && !(lacking == all->lacking && s->proved_count > r->proved)) return;
     all->lacking = lacking;
     r->block = (int)index;
@@ -193,7 +193,9 @@ static bool show(void *context, YkState *state)
 {
     YkConfigurations *all = context;
     all->report.count++;
-    return !all->visit || all->visit(all->context, state);
+    if (!all->visit || all->visit(all->context, state)) return true;
+    all->is_left = true;
+    return false;
 }
 
 static void tell(YkConfigurations *all, bool whole, size_t lost)
@@ -210,19 +212,21 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
     else if (!whole)
         yk_text_puts(&text, "not all combinations of branches were visited");
     else if (all->is_cut_short)
-        yk_text_format(&text, "stopped before all paths were followed; %z complex solutions of the group of joint `%s` are proved",
-                       r->proved, label);
+        yk_text_format(
+            &text, "stopped before all paths were followed; %z complex solutions of the group of joint `%s` are proved",
+            r->proved, label);
     else if (all->lacking == SIZE_MAX)
         yk_text_format(&text, "the group of joint `%s` was searched, not enumerated: %s", label,
                        reason_outside(all->members[r->block].kept.outside));
     else if (all->lacking == SIZE_MAX - 1)
-        yk_text_format(&text, "the group of joint `%s` was enumerated, but not counted: %z complex solutions are proved",
+        yk_text_format(&text,
+                       "the group of joint `%s` was enumerated, but not counted: %z complex solutions are proved",
                        label, r->proved);
     else if (all->lacking == 0)
         yk_text_format(&text, "%z proved solutions do not close in the machine's own steps", lost);
     else
-        yk_text_format(&text, "%z of %z complex solutions of the group of joint `%s` are proved", r->proved, r->expected,
-                       label);
+        yk_text_format(&text, "%z of %z complex solutions of the group of joint `%s` are proved", r->proved,
+                       r->expected, label);
     all->out_of_memory |= text.failed;
     const char *words = text.failed ? "" : yk_text_get(&text);
     size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;
@@ -242,14 +246,14 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
     all->options = options ? *options : yk_default_configurations_options();
     all->report = (YkConfigurationsReport){.block = -1};
     all->lacking = 0;
-    all->out_of_memory = all->is_cut_short = false;
+    all->out_of_memory = all->is_cut_short = all->is_left = false;
     all->is_running = true;
     yk_pace_begin(&all->enough, all->options.enough);
     all->visit = visit;
     all->context = context;
     YkStatus status = yk_search_each(state, &lister, show, all, &whole);
     all->is_running = false;
-    tell(all, whole && status != YK_STOPPED && !all->out_of_memory, lister.lost);
+    tell(all, whole && !all->is_left && status != YK_STOPPED && !all->out_of_memory, lister.lost);
     if (all->out_of_memory && status != YK_STOPPED) {
         status = YK_NO_MEMORY;
         all->report.complete = false;

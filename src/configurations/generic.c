@@ -6,16 +6,19 @@
 #include "base/mix.h"
 #include "num/complex.h"
 
-enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX, TRIANGLES_MAX = 200, IDLE_MAX = 8, UNKNOWN_MAX = 4000 };
+enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX, TRIANGLES_MAX = 80, IDLE_MAX = 12, UNKNOWN_MAX = 4000 };
+#define SPREAD_MIN 0.5 // of the moduli of right-hand sides
+#define SPREAD_MAX 5.0
 
-static YkVec random_complex(uint64_t *seed)
+// Returns a number of modulus between e^-spread and e^spread.
+static YkVec random_complex(uint64_t *seed, double spread)
 {
-    double size = 0.5 + yk_mix_unit(seed);
+    double size = yk_exp(spread * (2 * yk_mix_unit(seed) - 1));
     return yk_scale(size, yk_unit(2 * YK_PI * yk_mix_unit(seed)));
 }
 
 // Invents a vector of the space of these loops, its constant 1. Returns false if there is none.
-static bool invent(const YkShape *shape, const YkVec *loops, uint64_t *seed, YkVec *x)
+static bool invent(const YkShape *shape, const YkVec *loops, uint64_t *seed, double spread, YkVec *x)
 {
     size_t width = shape->unknowns + 1, order[N_MAX + 1];
     YkVec A[YK_SYSTEM_LOOPS_MAX * (N_MAX + 1)], kernel[(N_MAX + 1) * (N_MAX + 1)];
@@ -23,7 +26,7 @@ static bool invent(const YkShape *shape, const YkVec *loops, uint64_t *seed, YkV
     size_t free_count = width - yk_complex_kernel(shape->loops, width, A, order, 1e-12, kernel);
     for (size_t k = 0; k < width; k++) x[k] = yk_vec(0, 0);
     for (size_t j = 0; j < free_count; j++) {
-        YkVec share = random_complex(seed);
+        YkVec share = random_complex(seed, spread);
         for (size_t k = 0; k < width; k++) x[k] = yk_add_product(x[k], share, kernel[k * free_count + j]);
     }
     for (size_t k = 0; k < width; k++)
@@ -59,89 +62,124 @@ static void fit(const YkShape *shape, const YkVec *x, const YkVec *y, YkVec *sca
     }
 }
 
-static bool is_known(const YkGeneric *start, const YkShape *shape, const YkVec *x)
+static bool is_known(const YkGeneric *generic, const YkShape *shape, const YkVec *x)
 {
     YkVec off[N_MAX];
-    for (size_t s = 0; s < start->count; s++) {
-        const YkVec *known = start->solutions + s * shape->unknowns;
+    for (size_t s = 0; s < generic->count; s++) {
+        const YkVec *known = generic->solutions + s * shape->unknowns;
         for (size_t k = 0; k < shape->unknowns; k++) off[k] = yk_sub(x[k], known[k]);
         if (yk_relative_change(shape, known, off) < 1e-7) return true;
     }
     return false;
 }
 
-static bool keep(YkGeneric *start, const YkShape *shape, const YkVec *x)
+static bool keep(YkGeneric *generic, const YkShape *shape, const YkVec *x)
 {
     size_t n = shape->unknowns;
-    if (start->count == start->capacity) {
-        size_t capacity = 2 * start->capacity + 16;
-        YkVec *solutions = realloc(start->solutions, capacity * n * sizeof *solutions);
+    if (generic->count == generic->capacity) {
+        size_t capacity = 2 * generic->capacity + 16;
+        YkVec *solutions = realloc(generic->solutions, capacity * n * sizeof *solutions);
         if (!solutions) return false;
-        start->solutions = solutions;
-        start->capacity = capacity;
+        generic->solutions = solutions;
+        generic->capacity = capacity;
     }
-    memcpy(start->solutions + start->count++ * n, x, n * sizeof *x);
+    memcpy(generic->solutions + generic->count++ * n, x, n * sizeof *x);
     return true;
 }
 
-// Sends all solutions round a triangle of right-hand sides. Returns false when out of memory or stopped.
-static bool go_round(YkGeneric *start, const YkShape *shape, const YkVec *pose, YkVec *corners, uint64_t *seed,
-                     size_t wanted, YkPace *pace)
-{
-    size_t n = shape->unknowns, all = 2 * yk_coefficient_count(shape);
-    YkVec scale[N_MAX], x[N_MAX];
-    for (int corner = 0; corner < 2; corner++) {
-        for (size_t k = 0; k < n; k++) scale[k] = random_complex(seed);
-        scale_conjugates(shape, pose, scale, corners + (size_t)corner * all);
-    }
-    for (size_t s = 0; s < start->count && start->count != wanted && start->count < UNKNOWN_MAX; s++) {
-        memcpy(x, start->solutions + s * n, n * sizeof *x);
-        bool arrived = yk_path_follow(shape, start->coefficients, corners, x, pace) &&
-                       yk_path_follow(shape, corners, corners + all, x, pace) &&
-                       yk_path_follow(shape, corners + all, start->coefficients, x, pace);
-        if (yk_pace_is_stopped(pace)) return false;
-        if (arrived && !is_known(start, shape, x) && !keep(start, shape, x)) return false;
-    }
-    return true;
-}
+// What one search works with.
+typedef struct Search {
+    const YkShape *shape;
+    const YkVec *pose; // coefficients
+    YkVec *corners;    // of the present triangle, two
+    size_t all;        // coefficients of one system
+    size_t wanted;
+    uint64_t seed;
+    double spread; // of right-hand sides: it grows, since some solutions only permute round far ones
+    YkPace *pace;
+} Search;
 
-// Makes the coefficients and the first solution.
-static bool begin(YkGeneric *start, const YkShape *shape, const YkVec *coefficients, uint64_t *seed)
+// Invents a solution, and the right-hand sides for which it is one, as coefficients. Returns false if there is none:
+// the space has no vector of which no coordinate vanishes.
+static bool invent_solution(Search *search, YkVec *coefficients, YkVec *solution)
 {
-    YkVec x[N_MAX + 1], y[N_MAX + 1], scale[N_MAX], solution[N_MAX];
+    YkVec x[N_MAX + 1], y[N_MAX + 1], scale[N_MAX];
+    const YkVec *conjugates = search->pose + search->all / 2;
     bool found = false;
     for (int k = 0; k < 20 && !found; k++)
-        found = invent(shape, coefficients, seed, x) &&
-                invent(shape, coefficients + yk_coefficient_count(shape), seed, y);
-    if (!found) return true; // no vector of the spaces has all coordinates: there is no solution
-    fit(shape, x, y, scale, solution);
-    scale_conjugates(shape, coefficients, scale, start->coefficients);
-    return keep(start, shape, solution);
+        found = invent(search->shape, search->pose, &search->seed, search->spread, x) &&
+                invent(search->shape, conjugates, &search->seed, search->spread, y);
+    if (!found) return false;
+    fit(search->shape, x, y, scale, solution);
+    scale_conjugates(search->shape, search->pose, scale, coefficients);
+    return true;
 }
 
-YkGenericStatus yk_generic_make(YkGeneric *start, const YkShape *shape, const YkVec *coefficients, size_t wanted,
-                            YkPace *pace)
+// Keeps what a path has led to, if it is new. Returns false when out of memory or stopped.
+static bool arrive(YkGeneric *generic, const Search *search, bool arrived, const YkVec *x)
 {
-    uint64_t seed = 1;
-    size_t all = 2 * yk_coefficient_count(shape), idle = 0;
-    YkVec *corners = calloc(2 * all, sizeof *corners);
-    *start = (YkGeneric){.coefficients = calloc(all, sizeof *start->coefficients)};
-    bool ok = corners && start->coefficients && begin(start, shape, coefficients, &seed);
-    for (int k = 0; ok && k < TRIANGLES_MAX && start->count > 0 && start->count != wanted && idle < IDLE_MAX; k++) {
-        size_t before = start->count;
-        ok = go_round(start, shape, coefficients, corners, &seed, wanted, pace);
-        idle = start->count > before || wanted > 0 ? 0 : idle + 1;
-        if (wanted > 0 && k > 40 && start->count == before) idle = IDLE_MAX;
+    if (yk_pace_is_stopped(search->pace)) return false;
+    return !arrived || is_known(generic, search->shape, x) || keep(generic, search->shape, x);
+}
+
+// Sends all solutions round a triangle of right-hand sides, after one more was invented elsewhere and led here. Returns
+// false when out of memory or stopped.
+static bool go_round(YkGeneric *generic, Search *search)
+{
+    const YkShape *shape = search->shape;
+    size_t n = shape->unknowns;
+    YkVec scale[N_MAX], x[N_MAX], *first = search->corners, *second = first + search->all;
+    if (invent_solution(search, first, x)) {
+        bool arrived = yk_path_follow(shape, first, generic->coefficients, x, search->pace);
+        if (!arrive(generic, search, arrived, x)) return false;
     }
-    free(corners);
-    if (ok) return start->count == wanted ? YK_GENERIC_FULL : YK_GENERIC_SHORT;
-    yk_generic_free(start);
+    for (int corner = 0; corner < 2; corner++) {
+        for (size_t k = 0; k < n; k++) scale[k] = random_complex(&search->seed, search->spread);
+        scale_conjugates(shape, search->pose, scale, corner == 0 ? first : second);
+    }
+    for (size_t s = 0; s < generic->count && generic->count != search->wanted && generic->count < UNKNOWN_MAX; s++) {
+        memcpy(x, generic->solutions + s * n, n * sizeof *x);
+        bool arrived = yk_path_follow(shape, generic->coefficients, first, x, search->pace) &&
+                       yk_path_follow(shape, first, second, x, search->pace) &&
+                       yk_path_follow(shape, second, generic->coefficients, x, search->pace);
+        if (!arrive(generic, search, arrived, x)) return false;
+    }
+    return true;
+}
+
+static bool search_all(YkGeneric *generic, Search *search)
+{
+    YkVec solution[N_MAX];
+    if (!invent_solution(search, generic->coefficients, solution)) return true;
+    if (!keep(generic, search->shape, solution)) return false;
+    int idle_max = search->wanted > 0 ? TRIANGLES_MAX : IDLE_MAX;
+    for (int k = 0, idle = 0; k < TRIANGLES_MAX && generic->count != search->wanted && idle < idle_max; k++) {
+        size_t before = generic->count;
+        search->spread = fmin(SPREAD_MAX, SPREAD_MIN + 0.1 * k);
+        if (!go_round(generic, search)) return false;
+        idle = generic->count > before ? 0 : idle + 1;
+    }
+    return true;
+}
+
+YkGenericStatus yk_generic_make(YkGeneric *generic, const YkShape *shape, const YkVec *coefficients, size_t wanted,
+                                YkPace *pace)
+{
+    size_t all = 2 * yk_coefficient_count(shape);
+    Search search = {.shape = shape, .pose = coefficients, .all = all, .wanted = wanted, .seed = 1, .pace = pace};
+    search.spread = SPREAD_MIN;
+    search.corners = calloc(2 * all, sizeof *search.corners);
+    *generic = (YkGeneric){.coefficients = calloc(all, sizeof *generic->coefficients)};
+    bool ok = search.corners && generic->coefficients && search_all(generic, &search);
+    free(search.corners);
+    if (ok) return generic->count == wanted ? YK_GENERIC_FULL : YK_GENERIC_SHORT;
+    yk_generic_free(generic);
     return yk_pace_is_stopped(pace) ? YK_GENERIC_STOPPED : YK_GENERIC_NO_MEMORY;
 }
 
-void yk_generic_free(YkGeneric *start)
+void yk_generic_free(YkGeneric *generic)
 {
-    free(start->coefficients);
-    free(start->solutions);
-    *start = (YkGeneric){0};
+    free(generic->coefficients);
+    free(generic->solutions);
+    *generic = (YkGeneric){0};
 }

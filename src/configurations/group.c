@@ -68,7 +68,7 @@ static YkGroupStatus prepare(YkGroupKept *kept, const YkVec *coefficients, YkPac
 
 // --- proving
 
-// Keeps a solution if it can be proved and is certainly none of those that are proved. Returns false when out of memory.
+// Keeps a solution if it can be proved and is certainly none of those kept before. Returns false when out of memory.
 static bool prove(const YkShape *shape, const YkVec *coefficients, const YkVec *x, YkGroupSolutions *out)
 {
     YkProved candidate = {0};
@@ -175,8 +175,7 @@ static YkGroupStatus solve_at(YkGroupKept *kept, const YkVec *pose, YkPace *pace
     return status;
 }
 
-YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace,
-                                 YkGroupSolutions *out)
+YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace, YkGroupSolutions *out)
 {
     YkVec pose[COEFFICIENTS_MAX];
     const YkShape *shape = &kept->shape;
@@ -196,7 +195,7 @@ YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t ind
     if (!write_real(shape, run->mech->size, out)) return YK_GROUP_NO_MEMORY;
     out->is_counted = kept->is_counted;
     out->expected = kept->expected;
-    out->is_complete = status == YK_GROUP_SOLVED && kept->is_counted && out->proved_count == kept->expected &&
-                       out->unclear == 0;
+    out->is_complete =
+        status == YK_GROUP_SOLVED && kept->is_counted && out->proved_count == kept->expected && out->unclear == 0;
     return status;
 }

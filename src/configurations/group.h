@@ -24,13 +24,13 @@ typedef struct YkProved { // a complex solution
 typedef struct YkGroupSolutions {
     YkProved *proved;
     size_t proved_count, proved_capacity;
-    double *real;      // [real_count][columns of the group]: angles, rad; distances, m
+    double *real; // [real_count][columns of the group]: angles, rad; distances, m
     size_t real_count, real_capacity;
-    bool is_counted;   // whether `expected` is known
+    bool is_counted; // whether `expected` is known
     size_t expected;
-    bool is_complete;  // all complex solutions are proved, and it is known of each whether it is real
-    size_t unclear;    // how many are proved of which that is not known
-    YkVec *pose;       // the coefficients of this pose, once it is solved; what is solved again is not followed again
+    bool is_complete; // all complex solutions are proved, and it is known of each whether it is real
+    size_t unclear;   // how many are proved of which that is not known
+    YkVec *pose;      // the coefficients of this pose, once it is solved; what is solved again is not followed again
     bool has_pose;
 } YkGroupSolutions;
 
@@ -38,8 +38,8 @@ typedef enum YkGroupStatus { YK_GROUP_SOLVED, YK_GROUP_OUTSIDE, YK_GROUP_STOPPED
 
 void yk_group_kept_end(YkGroupKept *kept);
 void yk_group_solutions_end(YkGroupSolutions *solutions);
-// Solves block `index` at the pose of `run`, in which earlier blocks are solved. kept->outside and kept->shape must have
-// been read.
+// Solves block `index` at the pose of `run`, in which earlier blocks are solved. kept->outside and kept->shape must
+// have been read.
 YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace,
                                  YkGroupSolutions *out);
 

@@ -85,7 +85,8 @@ static void read_loop(const YkShape *shape, const YkRun *run, const YkBlock *blo
         int slide = t.distance == YK_NONE ? -1 : find(mech, shape, block, true, t.distance);
         YkVec v = yk_mul(known_turn(run, t.slot, angle >= 0), t.v);
         // An unknown distance counts sizes, so its direction has no length.
-        if (slide < 0) v = yk_scale(per_size * (t.distance == YK_NONE ? 1 : yk_space_slide(run->space, t.distance).d[0]), v);
+        if (slide < 0)
+            v = yk_scale(per_size * (t.distance == YK_NONE ? 1 : yk_space_slide(run->space, t.distance).d[0]), v);
         size_t column = slide >= 0 ? (size_t)slide : angle >= 0 ? (size_t)angle : shape->unknowns;
         row[column] = yk_add(row[column], v);
     }

@@ -16,9 +16,9 @@ enum { YK_SYSTEM_LOOPS_MAX = 7 }; // beyond this a group has too many solutions 
 
 // The structure, which one topology keeps. Unknown k < angles is an angle, the others are slides.
 typedef struct YkShape {
-    size_t loops, angles, unknowns;            // unknowns = 2 loops
-    int turning[2 * YK_SYSTEM_LOOPS_MAX];      // of a slide: the angle whose line it follows, or -1; of an angle: -1
-    size_t column[2 * YK_SYSTEM_LOOPS_MAX];    // of an unknown: the group's column
+    size_t loops, angles, unknowns;         // unknowns = 2 loops
+    int turning[2 * YK_SYSTEM_LOOPS_MAX];   // of a slide: the angle whose line it follows, or -1; of an angle: -1
+    size_t column[2 * YK_SYSTEM_LOOPS_MAX]; // of an unknown: the group's column
 } YkShape;
 
 // The coefficients of the loops, then of their conjugates: [2][loops][unknowns + 1], the constants last.

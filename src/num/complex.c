@@ -85,8 +85,7 @@ size_t yk_complex_kernel(size_t m, size_t n, YkVec *A, size_t *order, double tol
     for (size_t j = 0; j < free_count; j++) {
         for (size_t i = 0; i < n; i++) kernel[i * free_count + j] = yk_vec(0, 0);
         kernel[order[rank + j] * free_count + j] = yk_vec(1, 0);
-        for (size_t i = 0; i < rank; i++)
-            kernel[order[i] * free_count + j] = yk_scale(-1, A[i * n + rank + j]);
+        for (size_t i = 0; i < rank; i++) kernel[order[i] * free_count + j] = yk_scale(-1, A[i * n + rank + j]);
     }
     return rank;
 }

@@ -1,5 +1,6 @@
 // Findings on structure: freedom, redundant constraints, four-bars.
 #include <stdlib.h>
+#include <yoke/configurations.h>
 #include <yoke/design.h>
 #include "report/report.h"
 
@@ -106,18 +107,20 @@ static bool count_one(void *context, YkState *state)
 static void find_configurations(YkReportPage *report, YkText *text)
 {
     Count count = {0};
-    bool complete = false;
+    YkConfigurationsReport found = {.complete = false};
     if (report->status < 0 || yk_block_count(report->mech) > 10) return;
     YkState *state = yk_report_new_state(report);
     YkStatus status = state ? yk_state_copy(state, report->start) : YK_NO_MEMORY;
-    if (status >= 0) status = yk_state_each(state, count_one, &count, &complete);
+    YkConfigurations *all = status >= 0 ? yk_configurations_new(report->mech) : NULL;
+    if (status >= 0) status = all ? yk_configurations_each(all, state, NULL, count_one, &count, &found) : YK_NO_MEMORY;
+    yk_configurations_free(all);
     yk_report_note(report, status);
     if (status >= 0 && count.count > 1) {
         char label[128];
         yk_state_label(report->start, label, sizeof label);
         yk_text_format(
             text, "At its start it can be assembled in %s%z ways; this page shows the one nearest to its start values",
-            complete ? "" : "at least ", count.count);
+            found.complete ? "" : "at least ", count.count);
         if (*label) yk_text_format(text, " (%s)", label);
         yk_text_puts(text, ".");
         yk_report_find(report, YK_FINDING_FACT, text);

@@ -29,8 +29,10 @@ static void test_discs_enclose(void **unused)
         YkBall a = yk_ball(random_vec(&seed, 2), ra), b = yk_ball(random_vec(&seed, 2), rb);
         if (yk_norm(a.at) < 0.01 || yk_norm(b.at) < 0.01) continue;
         double s = check_uniform(&seed, 0, 2 * YK_PI), t = check_uniform(&seed, 0, 2 * YK_PI);
-        long double ax = a.at.x + (long double)ra * 0.999999L * cosl(s), ay = a.at.y + (long double)ra * 0.999999L * sinl(s);
-        long double bx = b.at.x + (long double)rb * 0.999999L * cosl(t), by = b.at.y + (long double)rb * 0.999999L * sinl(t);
+        long double ax = a.at.x + (long double)ra * 0.999999L * cosl(s),
+                    ay = a.at.y + (long double)ra * 0.999999L * sinl(s);
+        long double bx = b.at.x + (long double)rb * 0.999999L * cosl(t),
+                    by = b.at.y + (long double)rb * 0.999999L * sinl(t);
         assert_true(holds(yk_ball_add(a, b), ax + bx, ay + by));
         assert_true(holds(yk_ball_mul(a, b), ax * bx - ay * by, ax * by + ay * bx));
         long double square = ax * ax + ay * ay;
