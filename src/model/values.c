@@ -100,7 +100,7 @@ static void replace_name(void *context, const YkExpr *name)
     bool is_other = strcmp(own->name, own->means) != 0 && yk_names_find(&model->coordinate_names, own->name) != YK_NONE;
     if (is_parameter || is_other) {
         yk_problem(meaning->loader->problems, YK_CODE_REPEATED_NAME, name->place,
-                   "%q is the spring's own here, and also the name of a %s", own->name,
+                   "%q is %s here, and also the name of a %s", own->name, own->whose,
                    is_parameter ? "parameter" : "coordinate");
         yk_problem_hint(meaning->loader->problems, "rename the %s", is_parameter ? "parameter" : "coordinate");
     }
