@@ -189,6 +189,7 @@ static void what_no_follower_can_touch_is_refused(void **state)
     fixture_refused(ARCS("arcs: {nose: 5 mm, lift: 20 mm, flank: 31 mm}"), YK_CODE_CAM_ARCS, 2, 55, "no flank");
     fixture_refused(ARCS("arcs: {nose: 5 mm, lift: 20 mm}"), YK_CODE_CAM_ARCS, 2, 55, "the angle of action");
     fixture_refused(ARCS("arcs: {nose: 5 mm, lift: 0, angle: 90 deg}"), YK_CODE_CAM_ARCS, 2, 74, "`lift`");
+    fixture_refused(ARCS("arcs: [{center: [0, 0], radius: -30 mm}]"), YK_CODE_CAM_ARCS, 2, 56, "hollow");
     fixture_refused(ARCS("arcs: []"), YK_CODE_CAM_ARCS, 2, 55, "no arcs");
 #undef ARCS
 }

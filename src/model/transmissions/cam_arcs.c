@@ -104,7 +104,8 @@ YkCamArcsFault yk_cam_arcs_surface(const YkCam *cam, const YkCamArc *items, size
     for (size_t i = 0; i < count; i++) {
         bool is_hollow = !items[i].is_line && items[i].radius < 0;
         *culprit = i;
-        if (is_hollow && (cam->face == YK_CAM_FACE_FLAT || -items[i].radius <= cam->roller)) return YK_CAM_ARCS_HOLLOW;
+        bool fits = cam->face != YK_CAM_FACE_FLAT && -items[i].radius > cam->roller && count > 1;
+        if (is_hollow && !fits) return YK_CAM_ARCS_HOLLOW;
         if (items[i].is_line && (count < 3 || items[(i + 1) % count].is_line)) return YK_CAM_ARCS_LINE;
         surface[i] = (YkCamSurface){.is_line = items[i].is_line, .center = items[i].center, .radius = items[i].radius};
         if (count == 1) continue;

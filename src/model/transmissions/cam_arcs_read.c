@@ -114,7 +114,7 @@ static void report(YkLoader *loader, const YkCam *cam, const YkCamArc *items, si
         [YK_CAM_ARCS_HOLLOW] = "the follower does not fit into this hollow: a roller must be smaller, and a flat face "
                                "cannot enter one",
         [YK_CAM_ARCS_REACH] = "the follower cannot touch the end of this arc",
-        [YK_CAM_ARCS_ORDER] = "the follower does not touch every arc in its turn: it would rest on two at once",
+        [YK_CAM_ARCS_ORDER] = "the follower does not touch every arc in turn: it would rest on two at once",
         [YK_CAM_ARCS_FLANK] = "no flank joins this base circle and this nose"};
     if (fault == YK_CAM_ARCS_APART) {
         report_apart(loader, cam, &items[culprit], &items[(culprit + 1) % count]);
@@ -135,12 +135,12 @@ static bool check_sizes(YkLoader *loader, const YkCam *cam)
     if (!bad) return true;
     yk_problem(loader->problems, YK_CODE_CAM_ARCS, bad->place,
                bad == arcs->lift_expr ? "cam %q: the `lift` of its arcs must be greater than zero"
-                                      : "cam %q: the radius of the `nose` is not negative",
+                                      : "cam %q: the radius of the `nose` must not be negative",
                cam->name);
     return false;
 }
 
-// Reports where the lift itself jumps: between the arcs the follower would have to go another way than its own.
+// Reports where the lift itself jumps: the surface turns so steep there that the follower cannot follow it.
 static bool report_jam(YkLoader *loader, const YkCam *cam, const YkModelLaw *law)
 {
     enum { JUMPS_MAX = 100 };
@@ -166,8 +166,9 @@ static void make_law(YkLoader *loader, const YkCam *cam, const YkCamSurface *sur
     if (fault == YK_LAW_NO_MEMORY)
         loader->failed = true;
     else if (fault != YK_LAW_OK)
-        yk_problem(loader->problems, YK_CODE_CAM_ARCS, cam->arcs->place, "cam %q: the follower cannot touch it at %s",
-                   cam->name, yk_load_law_place(loader->model, law, yk_law_builder_trouble(builder)).text);
+        yk_problem(loader->problems, YK_CODE_CAM_ARCS, cam->arcs->place,
+                   "cam %q: the follower cannot touch the surface at %s", cam->name,
+                   yk_load_law_place(loader->model, law, yk_law_builder_trouble(builder)).text);
     yk_law_builder_free(builder);
     if (law->law && report_jam(loader, cam, law)) return;
     if (law->law) yk_load_law_report_jumps(loader, law);
