@@ -107,7 +107,7 @@ YK_API YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimit
 
 // The program: segments as the file gives them, and strokes (from rest to the next turning point).
 typedef struct YkCamSegment {
-    const char *kind; // "polynomial", "dwell", "rise", ...
+    const char *kind; // "polynomial", "dwell", "rise", "formula", "arc", ...
     double from, to;
     size_t condition_count;
     double condition_number; // of the linear system that was solved; 0 if none was

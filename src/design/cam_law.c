@@ -10,7 +10,8 @@ size_t yk_cam_segment_count(const YkCamDesign *design)
 
 YkCamSegment yk_cam_segment(const YkCamDesign *design, size_t segment)
 {
-    static const char *const kinds[] = {"polynomial", "spline", "dwell", "rise", "fall", "constant-velocity", "table"};
+    static const char *const kinds[] = {"polynomial",        "spline", "dwell",   "rise", "fall",
+                                        "constant-velocity", "table",  "formula", "arc"};
     YkLawSegment s = yk_law_segment(design->law->law, segment);
     return (YkCamSegment){.kind = kinds[s.kind],
                           .from = s.from,

@@ -81,16 +81,17 @@ static YkCamPoint at(const Finder *finder, double angle)
     return yk_cam_shape_at(finder->shape, angle, d);
 }
 
-static YkCamExtreme radius_of(YkCamExtreme curvature, double sign)
+// A curvature of rounding is none: beside a straight flank.
+static YkCamExtreme radius_of(YkCamExtreme curvature, double sign, double size)
 {
-    if (!(curvature.value > 0)) return (YkCamExtreme){sign * (double)INFINITY, 0};
+    if (!(curvature.value > 1e-9 / size)) return (YkCamExtreme){sign * (double)INFINITY, 0};
     return (YkCamExtreme){sign / curvature.value, curvature.angle};
 }
 
 // A parallel curve is sharpest where its pitch curve is. A flat face cannot make a hollow cam.
 static void find_curvature(const Finder *finder, YkCamSummary *summary)
 {
-    const double plus = 1, minus = -1, roller = finder->shape->roller;
+    const double plus = 1, minus = -1, roller = finder->shape->roller, size = finder->shape->base + roller;
     const YkCamExtreme none = {-(double)INFINITY, 0};
     if (finder->shape->face == YK_CAM_FACE_FLAT) {
         YkCamExtreme least = yk_cam_greatest(finder->samples, finder->shape, convex_flat, NULL);
@@ -99,8 +100,9 @@ static void find_curvature(const Finder *finder, YkCamSummary *summary)
         summary->pitch_hollow = summary->surface_hollow = none;
         return;
     }
-    summary->pitch_convex = radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &plus), 1);
-    summary->pitch_hollow = radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &minus), -1);
+    summary->pitch_convex = radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &plus), 1, size);
+    summary->pitch_hollow =
+        radius_of(yk_cam_greatest(finder->samples, finder->shape, pitch_curvature, &minus), -1, size);
     summary->surface_convex = summary->pitch_convex;
     summary->surface_convex.value -= roller;
     summary->surface_hollow = summary->pitch_hollow;

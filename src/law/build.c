@@ -38,6 +38,11 @@ size_t yk_law_builder_culprit(const YkLawBuilder *builder)
     return builder->culprit;
 }
 
+double yk_law_builder_trouble(const YkLawBuilder *builder)
+{
+    return builder->trouble;
+}
+
 bool yk_law_add_piece(YkLawBuilder *builder, const YkPiece *frame, const double *numbers)
 {
     size_t count = frame->terms + 3u * frame->waves, first = builder->number_count;

@@ -23,7 +23,9 @@ typedef enum YkLawFault {
     YK_LAW_UNORDERED,     // points of a table whose x do not ascend
     YK_LAW_NOT_FILLED,    // the segments end before the period
     YK_LAW_OVERFILLED,    // the segments continue beyond the period
-    YK_LAW_NOT_FINITE     // values so large, or a segment so short, that the law overflows
+    YK_LAW_NOT_FINITE,    // values so large, or a segment so short, that the law overflows
+    YK_LAW_NO_VALUE,      // a function without a finite value or derivative at one place
+    YK_LAW_ROUGH          // a function that no row of smooth pieces follows
 } YkLawFault;
 
 typedef struct YkLawBuilder YkLawBuilder;
@@ -36,6 +38,8 @@ double yk_law_builder_at(const YkLawBuilder *builder);
 double yk_law_builder_value(const YkLawBuilder *builder);
 // Return the index, in the list that was given, of the condition or point at fault in the last fault.
 size_t yk_law_builder_culprit(const YkLawBuilder *builder);
+// Returns where a function had no value, or was too rough, in the last fault.
+double yk_law_builder_trouble(const YkLawBuilder *builder);
 
 // Segments. After a fault the builder is unchanged.
 YkLawFault yk_law_add_dwell(YkLawBuilder *builder, double to);
@@ -51,6 +55,15 @@ YkLawFault yk_law_add_polynomial(YkLawBuilder *builder, const YkLawCondition *co
 // that the conditions determine it; at most `degree` conditions at one place. Source: de Boor 2001, ch. XIII; for cams:
 // Norton 2009, ch. 5; Rothbart 2004, ch. 5.
 YkLawFault yk_law_add_spline(YkLawBuilder *builder, const YkLawCondition *conditions, size_t count, int degree);
+
+// Computes a value and its four derivatives at x, at a kink those just after it; returns false if it has none.
+typedef bool (*YkLawFunction)(const void *context, double x, double d[YK_LAW_ORDER + 1]);
+// Follows a function until `to`, by as many polynomial pieces as it takes to agree with it to rounding: relative to the
+// largest in the segment, 1e-13 in the value, 1e-12, 1e-11, 1e-10 and 1e-8 in the derivatives, or its own rounding, compared at 49 places of
+// each piece. Kinks and steps become joints of pieces, located to 4e-13 of the segment; something narrower than a 48th
+// of a piece may be missed. Cost about 120 evaluations a piece. Source: Trefethen 2013, ch. 3 and 19.
+YkLawFault yk_law_add_function(YkLawBuilder *builder, double to, YkLawKind kind, YkLawFunction function,
+                               const void *context);
 
 // The library of rises. Sources: Norton 2009, Cam Design and Manufacturing Handbook, ch. 3-4; Rothbart 2004, Cam Design
 // Handbook, ch. 2-3; modified trapezoid and modified sine: Neklutin 1952, Freudenstein 1960.

@@ -33,6 +33,7 @@ struct YkLawBuilder {
     YkLawCondition *conditions; // of all segments, contiguous; in the finished law the segments point to them
     size_t condition_count, condition_capacity;
     size_t culprit;
+    double trouble;
 };
 
 // eval.c: computes the value and derivatives of one piece with respect to x, at any x.

@@ -49,7 +49,9 @@ typedef enum YkLawKind {
     YK_LAW_RISE,
     YK_LAW_FALL,
     YK_LAW_CONSTANT_VELOCITY,
-    YK_LAW_TABLE
+    YK_LAW_TABLE,
+    YK_LAW_FORMULA,
+    YK_LAW_ARC // a cam's surface is an arc of a circle or a straight line
 } YkLawKind;
 
 // One condition: the derivative of this order (0: the value) at x is `value`.

@@ -6,6 +6,7 @@
 
 typedef struct Values {
     const YkModel *model;
+    const char *variable; // the name that has the value t: the time, or the argument of a law
     double t;
 } Values;
 
@@ -13,7 +14,7 @@ static bool lookup(const void *context, const YkExpr *name, YkJet *jet)
 {
     const Values *values = context;
     *jet = (YkJet){{0}};
-    if (strcmp(name->name, "t") == 0) {
+    if (strcmp(name->name, values->variable) == 0) {
         jet->d[0] = values->t;
         jet->d[1] = 1;
         return true;
@@ -39,11 +40,18 @@ static void report(const YkModel *model, const YkExpr *fault, const char *why, Y
 
 bool yk_load_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems)
 {
-    Values values = {.model = model, .t = t};
+    Values values = {.model = model, .variable = "t", .t = t};
     const char *why = "no value";
     const YkExpr *fault = yk_expr_eval(expr, lookup, &values, jet, &why);
     if (fault) report(model, fault, why, problems);
     return !fault;
+}
+
+const YkExpr *yk_load_eval_of(const YkModel *model, const YkExpr *expr, const char *variable, double x, YkJet *jet,
+                              const char **why)
+{
+    Values values = {.model = model, .variable = variable, .t = x};
+    return yk_expr_eval(expr, lookup, &values, jet, why);
 }
 
 YkStatus yk_model_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems)
@@ -78,7 +86,7 @@ YkStatus yk_model_drive(const YkModel *model, size_t drive, double t, YkJet *jet
 double yk_model_drive_rounding(const YkModel *model, size_t drive, double t)
 {
     const YkDrive *d = &model->drives[drive];
-    Values values = {.model = model, .t = t};
+    Values values = {.model = model, .variable = "t", .t = t};
     double rounding = yk_expr_rounding(d->expr, lookup, &values), law[YK_LAW_ORDER + 1];
     YkJet argument;
     if (d->law == YK_NONE || !(rounding < INFINITY)) return rounding;

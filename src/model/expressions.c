@@ -1,6 +1,7 @@
 // The second pass over expressions: checks the names in them, infers their dimensions, computes their values.
 #include <math.h>
 #include <string.h>
+#include "model/laws/laws.h"
 #include "model/load.h"
 
 typedef struct NameCheck {
@@ -28,6 +29,18 @@ static void fix_once(YkLoader *loader, const char *name, YkDimension dimension)
     }
 }
 
+// Fixes the dimension of a law's argument in its formula; returns false if this is none.
+static bool is_argument(YkLoader *loader, const char *name)
+{
+    size_t length = strlen(YK_LAW_ARGUMENT);
+    if (strncmp(name, YK_LAW_ARGUMENT, length) != 0) return false;
+    for (size_t i = 0; i < loader->model->law_count; i++) {
+        const YkModelLaw *law = &loader->model->laws[i];
+        if (strcmp(name + length, law->name) == 0) fix_once(loader, name, law->of);
+    }
+    return true;
+}
+
 static void check_coordinate(NameCheck *check, const YkExpr *name)
 {
     YkLoader *loader = check->loader;
@@ -36,6 +49,7 @@ static void check_coordinate(NameCheck *check, const YkExpr *name)
         fix_once(loader, name->name, YK_DIM_NUMBER);
         return;
     }
+    if (is_argument(loader, name->name)) return;
     int own = yk_model_own_name(name->name);
     if (own != YK_NONE) {
         fix_once(loader, name->name, own == 0 ? YK_DIM_LENGTH : YK_DIM_SPEED);
@@ -128,9 +142,16 @@ void yk_load_eval_uses(YkLoader *loader)
 void yk_load_keep_uses(YkLoader *loader)
 {
     YkModel *model = loader->model;
-    model->uses = YK_NEW(loader->arena, YkModelUse, loader->use_count + 1);
+    size_t formulas = 0;
+    for (size_t i = 0; i < model->law_count; i++) formulas += model->laws[i].source->part_count;
+    model->uses = YK_NEW(loader->arena, YkModelUse, loader->use_count + formulas + 1);
     for (size_t i = 0; model->uses && i < loader->use_count; i++) {
         const YkUse *use = &loader->uses[i];
         if (use->target) model->uses[model->use_count++] = (YkModelUse){use->expr, use->target};
     }
+    for (size_t i = 0; model->uses && i < model->law_count; i++)
+        for (size_t k = 0; k < model->laws[i].source->part_count; k++) {
+            YkLawPart *part = &model->laws[i].source->parts[k];
+            if (part->formula) model->uses[model->use_count++] = (YkModelUse){part->formula, &part->formula_value};
+        }
 }

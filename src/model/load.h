@@ -44,6 +44,7 @@ typedef struct YkSubject {
 // A name that means something else in one value alone: `length` of a spring in its force.
 typedef struct YkOwnName {
     const char *name, *means;
+    const char *whose; // for messages
 } YkOwnName;
 
 typedef struct YkWant {
@@ -173,6 +174,10 @@ void yk_load_mass(YkLoader *loader, int32_t body, const YkNode *node);
 void yk_load_joints(YkLoader *loader);
 void yk_load_laws(YkLoader *loader);                       // after the joints, before everything that uses laws
 int32_t yk_load_law(YkLoader *loader, const YkNode *node); // a law by name; YK_NONE, reported
+// Adds a law over an angle that is not of the file, to be made later; YK_NONE when out of memory.
+int32_t yk_load_make_law(YkLoader *loader, const char *name, YkPlace place);
+void yk_load_cam_arcs(YkLoader *loader, YkCam *cam, const YkNode *node); // cam_arcs_read.c: reads them
+void yk_load_finish_cam_arcs(YkLoader *loader, const YkCam *cam);        // makes the law of the lift
 void yk_load_cams(YkLoader *loader);                       // after the laws
 // free_joints.c: joints that leave all three freedoms.
 size_t yk_load_count_free(YkLoader *loader);
@@ -244,5 +249,8 @@ void yk_load_pass_on(YkProblems *problems, const YkProblems *found, const char *
 // Evaluates an expression at time t with the values of the model. Reports a fault unless it comes from a parameter
 // without a value (reported already). Returns false if there is no value.
 bool yk_load_eval(const YkModel *model, const YkExpr *expr, double t, YkJet *jet, YkProblems *problems);
+// Evaluates an expression of one variable, which has the value x, with derivatives by it; returns as yk_expr_eval.
+const YkExpr *yk_load_eval_of(const YkModel *model, const YkExpr *expr, const char *variable, double x, YkJet *jet,
+                              const char **why);
 
 #endif

@@ -247,6 +247,8 @@ typedef struct YkCam {
     double other_arm, other_angle; // oscillating: its arm, m, and the angle from the first arm to it, rad
     YkExpr *base_expr, *roller_expr, *offset_expr, *arm_expr, *centers_expr; // NULL if not given
     YkExpr *other_roller_expr, *other_span_expr, *other_arm_expr, *other_angle_expr;
+    struct YkCamArcs
+        *arcs; // transmissions/cam_arcs.h: the surface, of which the law is made; NULL if the file gives a law
     // Results of the joints' places, in the carrier's axes:
     double turn;  // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
     double swing; // the same for an oscillating follower

@@ -100,8 +100,7 @@ static void replace_name(void *context, const YkExpr *name)
     bool is_other = strcmp(own->name, own->means) != 0 && yk_names_find(&model->coordinate_names, own->name) != YK_NONE;
     if (is_parameter || is_other) {
         yk_problem(meaning->loader->problems, YK_CODE_REPEATED_NAME, name->place,
-                   "%q is %s own here, and also the name of a %s", own->name,
-                   strcmp(own->means, YK_OWN_ARGUMENT) == 0 ? "the function's" : "the spring's",
+                   "%q is %s here, and also the name of a %s", own->name, own->whose,
                    is_parameter ? "parameter" : "coordinate");
         yk_problem_hint(meaning->loader->problems, "rename the %s", is_parameter ? "parameter" : "coordinate");
     }

@@ -4,6 +4,7 @@
 #include "program/program.h"
 #include "graph/function.h"
 #include "model/laws/laws.h"
+#include "model/transmissions/cam_arcs.h"
 
 // --- expressions
 
@@ -127,10 +128,22 @@ static void fix_law(YkProgram *p, const YkLawSource *law)
         const YkLawNumber *numbers[] = {&part->to, &part->by, &part->v, &part->blend,
                                         &part->b,  &part->c,  &part->d, &part->degree};
         for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) fix_number(p, numbers[i]);
+        fix(p, part->formula);
         for (size_t i = 0; i < part->given_count; i++) fix_given(p, &part->given[i]);
     }
     for (size_t k = 0; k < law->point_count; k++)
         for (int i = 0; i < 2; i++) fix_number(p, &law->points[k][i]);
+}
+
+static void fix_arcs(YkProgram *p, const YkCamArcs *arcs)
+{
+    fix(p, arcs->from_expr);
+    fix(p, arcs->nose_expr);
+    fix(p, arcs->lift_expr);
+    fix(p, arcs->angle_expr);
+    fix(p, arcs->flank_expr);
+    for (size_t k = 0; k < arcs->count; k++)
+        for (int i = 0; i < 3; i++) fix(p, arcs->items[k].exprs[i]);
 }
 
 static void fix_wheels(YkProgram *p)
@@ -151,6 +164,7 @@ static void fix_wheels(YkProgram *p)
                                c->arm_expr,        c->centers_expr,   c->other_roller_expr,
                                c->other_span_expr, c->other_arm_expr, c->other_angle_expr};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) fix(p, all[i]);
+        if (c->arcs) fix_arcs(p, c->arcs);
     }
 }
 

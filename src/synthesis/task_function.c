@@ -5,7 +5,7 @@
 
 static void read_formula(YkTaskReader *reader, const YkNode *of)
 {
-    static const YkOwnName own[] = {{"x", YK_OWN_ARGUMENT}, {NULL, NULL}};
+    static const YkOwnName own[] = {{"x", YK_OWN_ARGUMENT, "the function's argument"}, {0}};
     YkLoader *loader = reader->loader;
     YkFunctionTask *function = &reader->task->function;
     YkWant want = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "function", .part = "of"}, .own = own};

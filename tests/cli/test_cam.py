@@ -65,6 +65,57 @@ class Oracle(Cam):
         self.assertNotIn("conditions", answer["segments"][1])
 
 
+class Arcs(Cam):
+    def test_every_jump_of_the_acceleration_is_told_with_its_size(self):
+        """Where a straight flank leaves the base circle, a jumps by base and roller together."""
+        run = self.good("check", example("arc-cam"))
+        self.assertEqual(run.err.count("[N0460]"), 4)
+        answer = self.answer("arc-cam")
+        self.assertEqual([segment["kind"] for segment in answer["segments"]], ["arc"] * 4)
+        sizes = [jump["size"] for jump in answer["jumps"]]
+        self.near(sizes[0], 0.035, 1e-12)
+        self.near(sizes[3], -0.035, 1e-12)
+
+    def test_a_study_makes_the_surface_anew(self):
+        """A parameter of the arcs: the lift of the middle of the nose is what `lift` says."""
+        with open(example("arc-cam"), encoding="utf-8") as file:
+            text = file.read().replace("lift: 12,", "lift: h,").replace("units:", "parameters: {h: 12 mm}\nunits:")
+        path = self.write("arcs.yaml", text)
+        top = math.acos(14 / 26.5)  # of the nose for h = 12.5 mm
+        rows = self.good("study", path, "--vary", "h=12mm:12.5mm:2", "--of", "s", "--at", "theta=%.17g rad" % top, "--format", "csv", "-q").out.splitlines()
+        off = math.acos(14 / 26) - top
+        for row, want in zip(rows[1:], (26 * math.cos(off) + math.sqrt(21**2 - (26 * math.sin(off))**2) - 35, 12.5)):
+            self.near(1000 * float(row.split(",")[-1]), want, 1e-12)
+        self.assertEqual(len(rows), 3)
+
+
+class Formula(Cam):
+    def test_kinks_are_told_where_they_are(self):
+        text = """name: kinks
+laws: {lift: {period: 360 deg, segments: [{formula: {s: "10 mm * max(0, sin(angle))^2 + 5 mm * abs(sin(angle / 2))", of: angle, to: 360 deg}}]}}
+cams: {c: {cam: shaft, follower: tappet, law: lift, roller: 5 mm, base: 40 mm}}
+bodies: {shaft: {}, tappet: {}}
+joints: {K: {pin: [ground, shaft], angle: theta}, T: {slide: [ground, tappet], along: y, distance: s}}
+"""
+        answer = self.answer(self.write("kinks.yaml", text), "--steps", "180")
+        jumps = [(round(jump["angle"], 9), jump["order"], round(jump["size"], 9)) for jump in answer["jumps"]]
+        self.assertIn((0.0, 1, 0.005), jumps)                            # |sin(x / 2)| turns round: v from -0.0025 to 0.0025
+        self.assertIn((round(math.pi, 9), 2, -0.02), jumps)              # max(0, sin)^2: a from 0.02 to 0
+        for row in self.rows(answer):
+            x = row["angle"]
+            self.near(row["s"], 0.01 * max(0, math.sin(x))**2 + 0.005 * abs(math.sin(x / 2)), 1e-12)
+
+    def test_a_name_of_its_own_may_not_be_a_parameter(self):
+        text = """parameters: {x: 2 mm}
+laws: {lift: {period: 360 deg, segments: [{formula: {s: 10 mm * (1 - cos(x)), to: 360 deg}}]}}
+cams: {c: {cam: shaft, follower: tappet, law: lift, base: 40 mm}}
+bodies: {shaft: {}, tappet: {}}
+joints: {K: {pin: [ground, shaft], angle: theta}, T: {slide: [ground, tappet], along: y, distance: s}}
+"""
+        run = self.wrong(405, "check", self.write("own.yaml", text))
+        self.assertIn("the law's argument", run.err)
+
+
 class Figures(Cam):
     def published(self, name):
         with open(os.path.join(ROOT, "tests", "validation", "cases.json"), encoding="utf-8") as file:

@@ -11,12 +11,12 @@ import re
 import unittest
 from collections import Counter
 
-from harness import ROOT, Case, Run
+from harness import ROOT, Case, Run, third
 from page import AMOUNT, NUMBER, Reader, amount, data_of, size_of
 
 FULL = "YOKE_FULL" in os.environ
 EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
-SAMPLE = EXAMPLES[2::3] + [os.path.join(ROOT, "examples", name + ".yaml") for name in ("valve-cam", "change-point-four-bar", "excavator")]
+SAMPLE = third(EXAMPLES, 2) + [os.path.join(ROOT, "examples", name + ".yaml") for name in ("valve-cam", "change-point-four-bar", "excavator")]
 TURN = 2 * math.pi
 LEAST = {  # of each kind that is checked: on all examples, on a third of them
     "four-bar": (29, 5), "turn": (41, 8), "range": (9, 1), "change point": (6, 1), "turning": (100, 20), "ratio": (37, 8),

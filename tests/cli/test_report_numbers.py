@@ -9,7 +9,7 @@ import os
 import re
 import unittest
 
-from harness import ROOT, Case, Run
+from harness import ROOT, Case, Run, third
 from page import AMOUNT, NUMBER, Reader, amount, data_of, size_of
 
 EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
@@ -307,7 +307,8 @@ class Page(Case):
 
     def test_every_number_of_the_page_is_what_the_verbs_say(self):
         with_forces = findings = labels = meshes = rows = 0
-        for k, path in enumerate(EXAMPLES):
+        sample = EXAMPLES if FULL else third(EXAMPLES, 0)
+        for path in EXAMPLES:
             with self.subTest(os.path.basename(path)):
                 text = Run("report", path, "-q").out
                 page, data = Reader(text), data_of(text)
@@ -320,7 +321,7 @@ class Page(Case):
                 rows += self.check_cams(path, page)
                 if data:
                     labels += self.check_labels(page, data)
-                if FULL or k % 3 == 0:
+                if path in sample:
                     findings += self.check_motion(path, page, data)
         self.assertGreater(with_forces, 20) # nothing was left out by a change of words
         self.assertGreater(meshes, 10)

@@ -18,6 +18,11 @@
 #define solve solve_spline
 #include "../../src/law/spline.c"
 #undef solve
+#define follow follow_function
+#define by_size by_size_of_rough
+#include "../../src/law/function.c"
+#undef follow
+#undef by_size
 #define fill fill_table
 #define rise rise_between
 #include "../../src/law/table.c"
@@ -40,6 +45,20 @@ static bool make_segments(YkLawBuilder *builder)
         assert_int_equal(faults[i], YK_LAW_OK);
     }
     return true;
+}
+
+static bool rising(const void *context, double x, double d[YK_LAW_ORDER + 1])
+{
+    (void)context;
+    for (int m = 0; m <= YK_LAW_ORDER; m++) d[m] = exp(x);
+    return true;
+}
+
+static bool make_function(YkLawBuilder *builder)
+{
+    YkLawFault fault = yk_law_add_function(builder, 20, YK_LAW_FORMULA, rising, NULL);
+    if (fault != YK_LAW_NO_MEMORY) assert_int_equal(fault, YK_LAW_OK);
+    return fault == YK_LAW_OK;
 }
 
 static bool make_table(YkLawBuilder *builder)
@@ -86,11 +105,18 @@ static void tables_survive_the_failure_of_any_allocation(void **state)
     fail_each(make_table);
 }
 
+static void functions_survive_the_failure_of_any_allocation(void **state)
+{
+    (void)state;
+    fail_each(make_function);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(segments_survive_the_failure_of_any_allocation),
         cmocka_unit_test(tables_survive_the_failure_of_any_allocation),
+        cmocka_unit_test(functions_survive_the_failure_of_any_allocation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

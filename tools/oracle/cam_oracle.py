@@ -8,7 +8,7 @@ import json
 import os
 import sys
 
-from mpmath import atan2, diff, exp, findroot, j as i, mp, mpf, pi, sin, sqrt
+from mpmath import acos, atan2, cos, diff, exp, findroot, j as i, mp, mpf, pi, sin, sqrt
 
 mp.dps = 60
 DEG = pi / 180
@@ -61,8 +61,10 @@ def roller_row(center, roller, direction, x):
     surface = c - roller * normal
     push = exp(i * x) * normal
     angle = atan2((direction(x).conjugate() * push).imag, (direction(x).conjugate() * push).real)
-    return {"pressure_angle": angle, "pitch_radius": 1 / curvature, "surface_radius": 1 / curvature - roller,
-            "x": surface.real, "y": surface.imag, "pitch.x": c.real, "pitch.y": c.imag}
+    row = {"pressure_angle": angle, "x": surface.real, "y": surface.imag, "pitch.x": c.real, "pitch.y": c.imag}
+    if abs(curvature * c) > mpf(10)**-20:  # not on a straight flank
+        row.update({"pitch_radius": 1 / curvature, "surface_radius": 1 / curvature - roller})
+    return row
 
 
 def flat_row(distance, x):
@@ -88,6 +90,21 @@ def swing(lift, base, roller, pivot, arm):
                                 lambda t: i * exp(i * (start + lift(t))), x)
 
 
+def between_two_discs(base, nose, apart, axis, roller):
+    """A roller above the hull of two discs, which is the union of the discs between them; the nearest one is found from its slope."""
+    k = (base - nose) / apart
+    slope = k / sqrt(1 - k * k)
+
+    def gap(at):
+        u, v = (at * exp(-i * axis)).real, abs((at * exp(-i * axis)).imag)
+        share = min(max((u - v * slope) / apart, mpf(0)), mpf(1))
+        return abs(u - share * apart + i * v) - (base + share * (nose - base))
+
+    def lift(x):
+        return findroot(lambda y: gap(i * y * exp(-i * x)) - roller, (base + roller, base + roller + apart), solver="anderson") - base - roller
+    return lift
+
+
 def document(name, cam, lift, row, angles):
     rows = []
     for degrees in angles:
@@ -107,6 +124,10 @@ def documents():
     inch = mpf(254) / 10 * mm
     disc = up_down(inch, 90, 180, 270, cycloidal, cycloidal)
     yield "flat-faced-cam", "disc", disc, lambda x: flat_row(lambda t: mpf(1893) / 1000 * inch + disc(t), x)
+    fourier = lambda x: 12 * mm * (3 - 4 * cos(x) + cos(2 * x)) / 8
+    yield "formula-cam", "heart", fourier, slide(fourier, 30 * mm, 6 * mm, 4 * mm)
+    tangent = between_two_discs(20 * mm, 6 * mm, 26 * mm, pi / 2 - acos(mpf(14) / 26), 15 * mm)
+    yield "arc-cam", "inlet", tangent, slide(tangent, 20 * mm, 15 * mm)
     rocker = up_down(20 * DEG, 120, 160, 280, modified_sine, poly345)
     yield "swing-cam", "rocker-cam", rocker, swing(rocker, 45 * mm, 10 * mm, -90 * mm + i * 40 * mm, sqrt(mpf(90)**2 + 15**2) * mm)
 

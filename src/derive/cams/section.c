@@ -124,7 +124,8 @@ static void write(YkRing *ring, const YkPoisson *a, YkText *text)
 
 static void put_heading(YkDeriveLaw *law, const YkLawPart *part)
 {
-    static const char *const names[] = {"polynomial", "spline", "dwell", "rise", "fall", "constant velocity", "table"};
+    static const char *const names[] = {"polynomial",        "spline", "dwell",   "rise", "fall",
+                                        "constant velocity", "table",  "formula", "arc"};
     YkLawSegment segment = yk_law_segment(law->law->law, law->index);
     char from[YK_NUMBER_SIZE], to[YK_NUMBER_SIZE];
     yk_number_write_digits(segment.from, 6, from);
@@ -171,6 +172,14 @@ static void put_velocity(YkDeriveLaw *law, const YkLawPart *part)
     law->at = to;
 }
 
+// Writes a formula as the file has it: no other form of it would be exact in general.
+static void put_formula(YkDeriveLaw *law, const YkLawPart *part)
+{
+    yk_page_words(law->page, "The formula of the file: s = %s, where %s is %s. `yoke cam` and `sweep` give its values.",
+                  part->written, part->called, law->theta_name);
+    law->at = law->value = NULL;
+}
+
 // Splines are many polynomials, so only the points that they go through are written.
 static void put_spline(YkDeriveLaw *law, const YkLawPart *part)
 {
@@ -190,6 +199,8 @@ static void put_segment(YkDeriveLaw *law, const YkLawPart *part)
         put_dwell(law, part);
     else if (part->kind == YK_LAW_CONSTANT_VELOCITY)
         put_velocity(law, part);
+    else if (part->kind == YK_LAW_FORMULA)
+        put_formula(law, part);
     else if (has_formula(part))
         yk_derive_put_rise(law, part);
     else
@@ -249,6 +260,8 @@ static void put_law(YkDerivation *d, YkPage *page, size_t index, size_t *number,
     put_names(&law);
     law.at = source->from.expr ? yk_derive_given(d, source->from.expr) : yk_ring_rational(d->ring, 0, 1);
     law.value = yk_ring_rational(d->ring, 0, 1);
+    if (source->is_made)
+        yk_page_words(page, "It follows from the arcs of the cam's surface: `yoke cam` and `sweep` give its values.");
     if (source->points)
         yk_page_words(page, "A table of %z points: `yoke cam` and `sweep` give its values.", source->point_count);
     for (size_t k = 0; k < source->part_count; k++) {

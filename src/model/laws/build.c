@@ -66,6 +66,21 @@ static YkLawFault add_rise(YkLawWork *work)
                                      : yk_law_add_fall(work->builder, part->to.value, part->by.value, &rise);
 }
 
+typedef struct Formula {
+    const YkModel *model;
+    const YkLawPart *part;
+} Formula;
+
+static bool formula_at(const void *context, double x, double d[YK_LAW_ORDER + 1])
+{
+    const Formula *formula = context;
+    YkJet jet;
+    const char *why;
+    if (yk_load_eval_of(formula->model, formula->part->formula, formula->part->argument, x, &jet, &why)) return false;
+    for (int m = 0; m <= YK_LAW_ORDER; m++) d[m] = jet.d[m];
+    return true;
+}
+
 static YkLawFault add_part(YkLawWork *work)
 {
     const YkLawPart *part = work->part;
@@ -82,6 +97,9 @@ static YkLawFault add_part(YkLawWork *work)
         return yk_law_add_dwell(work->builder, part->to.value);
     case YK_LAW_CONSTANT_VELOCITY:
         return yk_law_add_velocity(work->builder, part->to.value, part->v.value);
+    case YK_LAW_FORMULA:
+        return yk_law_add_function(work->builder, part->to.value, YK_LAW_FORMULA, formula_at,
+                                   &(Formula){work->loader->model, part});
     default:
         return add_rise(work);
     }
@@ -191,7 +209,7 @@ static bool is_sound(const YkLawWork *work)
 static void build(YkLoader *loader, YkModelLaw *law)
 {
     YkLawWork work = {.loader = loader, .law = law, .source = law->source};
-    if (!is_sound(&work)) return;
+    if (law->source->is_made || !is_sound(&work)) return;
     work.builder = yk_law_builder_new(start_of(law->source), 0);
     work.failed = !work.builder;
     if (!work.failed && (law->source->points ? add_table(&work) : add_parts(&work))) law->law = finish(&work);

@@ -42,7 +42,8 @@ void yk_load_law_report_jumps(YkLoader *loader, const YkModelLaw *law)
     YkLawJump jumps[JUMPS_MAX];
     size_t count = yk_law_jumps(law->law, jumps, JUMPS_MAX);
     bool moves = yk_dimension_equal(law->value, YK_DIM_LENGTH) || yk_dimension_equal(law->value, YK_DIM_ANGLE);
-    bool is_judged = moves && law->source->part_count > 0; // corners of a table are intended, and a force may have any
+    bool is_judged = moves && (law->source->part_count > 0 ||
+                               law->source->is_made); // corners of a table are intended, and a force may have any
     for (size_t i = 0; i < count && i < JUMPS_MAX; i++) {
         if (i > 0 && jumps[i].x == jumps[i - 1].x) continue; // the lowest order suffices
         if (jumps[i].order == 0)

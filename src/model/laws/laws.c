@@ -116,11 +116,13 @@ static void read_law(YkLoader *loader, const YkNodePair *pair, YkModelLaw *law)
 
 void yk_load_laws(YkLoader *loader)
 {
-    const YkNode *section = yk_load_section(loader, "laws");
+    const YkNode *section = yk_load_section(loader, "laws"), *cams = yk_node_get(loader->root, "cams");
     YkModel *model = loader->model;
-    if (!section || section->count == 0) return;
-    model->laws = YK_NEW(loader->arena, YkModelLaw, section->count);
-    if (!model->laws) return;
+    size_t made = cams && cams->kind == YK_NODE_MAP ? cams->count : 0; // room for yk_load_make_law
+    size_t given = section ? section->count : 0;
+    if (given + made == 0) return;
+    model->laws = YK_NEW(loader->arena, YkModelLaw, given + made);
+    if (!model->laws || given == 0) return;
     for (size_t i = 0; i < section->count; i++) {
         const YkNodePair *pair = &section->pairs[i];
         YkModelLaw *law = &model->laws[i];
@@ -139,9 +141,19 @@ int32_t yk_load_law(YkLoader *loader, const YkNode *node)
     const YkModel *model = loader->model;
     if (!yk_load_expect(loader, node, YK_NODE_SCALAR, &(YkSubject){.noun = "law"})) return YK_NONE;
     for (size_t i = 0; i < model->law_count; i++) {
-        if (strcmp(model->laws[i].name, node->text) == 0) return (int32_t)i;
+        if (!model->laws[i].source->is_made && strcmp(model->laws[i].name, node->text) == 0) return (int32_t)i;
     }
     yk_problem(loader->problems, YK_CODE_UNKNOWN_LAW, node->place, "there is no law %q", node->text);
     yk_load_hint_nearest(loader->problems, node->text, model->laws, model->law_count, sizeof *model->laws);
     return YK_NONE;
+}
+
+int32_t yk_load_make_law(YkLoader *loader, const char *name, YkPlace place)
+{
+    YkModel *model = loader->model;
+    YkLawSource *source = YK_NEW(loader->arena, YkLawSource, 1);
+    if (!model->laws || !source) return YK_NONE;
+    source->is_made = true;
+    model->laws[model->law_count] = (YkModelLaw){.name = name, .place = place, .of = YK_DIM_ANGLE, .source = source};
+    return (int32_t)model->law_count++;
 }

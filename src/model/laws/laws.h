@@ -25,10 +25,19 @@ typedef struct YkLawPart { // a segment
     bool is_spline;    // rise, fall: `law: spline`
     YkLawGiven *given; // conditions of a polynomial or spline; points that a spline rise passes through
     size_t given_count;
+    const YkExpr *formula; // of the law's argument, which is called `argument` in it
+    const char *argument;
+    const char *written, *called; // the formula and its argument as the file has them
+    double formula_value; // where a change of the formula's parameters is seen; holds no value
 } YkLawPart;
 
+// Begins the name that a law's argument has in its formulas; the law's own name follows.
+#define YK_LAW_ARGUMENT "argument of law "
+
+
 typedef struct YkLawSource {
-    bool is_bad; // has a mistake that is reported: is not built
+    bool is_bad;  // has a mistake that is reported: is not built
+    bool is_made; // not of the file: the lift of a cam whose surface is given by arcs
     YkLawNumber from, period;
     YkLawPart *parts; // of `segments`
     size_t part_count;

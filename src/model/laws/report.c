@@ -78,6 +78,25 @@ static void report_shape(const YkLawWork *work)
     yk_load_law_report(work, YK_CODE_LAW_SHAPE, number->place, what);
 }
 
+// Reports where a formula has no value, with the reason and its place in the formula; or that it is too rough.
+static void report_formula(const YkLawWork *work, YkLawFault fault)
+{
+    const YkLawPart *part = work->part;
+    const YkModel *model = work->loader->model;
+    double x = yk_law_builder_trouble(work->builder);
+    const char *why = "its value or a derivative is not finite";
+    YkJet jet;
+    const YkExpr *culprit = yk_load_eval_of(model, part->formula, part->argument, x, &jet, &why);
+    YkAmount at = amount_at(work, x);
+    if (fault == YK_LAW_NO_VALUE) {
+        yk_problem(work->loader->problems, YK_CODE_LAW_FORMULA, (culprit ? culprit : part->formula)->place,
+                   "law %q has no value or no derivative at %s: %s", work->law->name, at.text, why);
+    } else {
+        yk_problem(work->loader->problems, YK_CODE_LAW_FORMULA, part->formula->place,
+                   "law %q: near %s the formula is not smooth anywhere", work->law->name, at.text);
+    }
+}
+
 void yk_load_law_report_part(const YkLawWork *work, YkLawFault fault)
 {
     const YkLawPart *part = work->part;
@@ -103,6 +122,10 @@ void yk_load_law_report_part(const YkLawWork *work, YkLawFault fault)
     case YK_LAW_CONTRADICTION:
     case YK_LAW_UNDETERMINED:
         report_condition(work, fault);
+        break;
+    case YK_LAW_NO_VALUE:
+    case YK_LAW_ROUGH:
+        report_formula(work, fault);
         break;
     case YK_LAW_SHAPE:
         report_shape(work);

@@ -56,6 +56,38 @@ static void read_velocity(YkLawReader *reader, const YkNode *node, YkLawPart *pa
     yk_load_law_required(reader, node, "v", yk_dimension_times(law->value, law->of, -1), &part->v);
 }
 
+// Reads {s: expression of x, to: ..., of: x}; `of` names the argument.
+static void read_formula(YkLawReader *reader, const YkNode *node, YkLawPart *part)
+{
+    static const char *const keys[] = {"to", "s", "of", NULL};
+    YkLoader *loader = reader->loader;
+    const YkModelLaw *law = reader->law;
+    if (!yk_load_law_expect(reader, node, YK_NODE_MAP, "formula")) return;
+    yk_load_check_keys(loader, node, keys, &(YkSubject){.noun = "formula", .owner = law->name});
+    yk_load_law_required(reader, node, "to", law->of, &part->to);
+    const YkNode *of = yk_node_get(node, "of"), *s = yk_node_get(node, "s");
+    if (!s) {
+        YkLawNumber missing;
+        yk_load_law_required(reader, node, "s", law->value, &missing);
+        return;
+    }
+    if (of && (!yk_load_law_expect(reader, of, YK_NODE_SCALAR, "of") || !yk_load_symbol_name(loader, of, "argument"))) {
+        reader->source->is_bad = true;
+        return;
+    }
+    yk_text_clear(&loader->text);
+    yk_text_format(&loader->text, "%s%s", YK_LAW_ARGUMENT, law->name);
+    const char *argument = yk_arena_copy(loader->arena, yk_text_get(&loader->text), loader->text.length);
+    if (!argument) return;
+    const YkOwnName own[] = {{of ? of->text : "x", argument, "the law's argument"}, {0}};
+    YkWant want = {.dimension = law->value, .subject = {.noun = "formula", .owner = law->name}, .own = own};
+    part->formula = yk_load_value(loader, s, &want, NULL);
+    part->argument = argument;
+    part->written = s->kind == YK_NODE_SCALAR ? yk_arena_copy(loader->arena, s->text, s->length) : NULL;
+    part->called = yk_arena_copy(loader->arena, own[0].name, strlen(own[0].name));
+    if (!part->formula) reader->source->is_bad = true;
+}
+
 static void wrong_word(YkLawReader *reader, const YkNode *node, const char *wanted, const char *const *words)
 {
     yk_problem(reader->loader->problems, YK_CODE_WRONG_WORD, node->place, "%s, not %q", wanted, node->text);
@@ -145,10 +177,11 @@ static const SegmentKind kinds[] = {
     {"rise", YK_LAW_RISE, read_rise},
     {"fall", YK_LAW_FALL, read_rise},
     {"constant-velocity", YK_LAW_CONSTANT_VELOCITY, read_velocity},
+    {"formula", YK_LAW_FORMULA, read_formula},
 };
 enum { KIND_COUNT = sizeof kinds / sizeof *kinds };
-static const char *const segment_keys[] = {"polynomial",        "spline", "dwell", "rise", "fall",
-                                           "constant-velocity", "degree", NULL};
+static const char *const segment_keys[] = {"polynomial",        "spline",  "dwell",  "rise", "fall",
+                                           "constant-velocity", "formula", "degree", NULL};
 
 static bool is_segment_key(const char *key)
 {
@@ -177,8 +210,8 @@ static const SegmentKind *kind_of(YkLawReader *reader, const YkNode *node)
                reader->law->name);
     yk_problem_hint(
         reader->loader->problems,
-        "a segment is one of polynomial, spline, dwell, rise, fall, constant-velocity, each between its own "
-        "braces, as in {dwell: {to: 90 deg}}");
+        "a segment is one of polynomial, spline, dwell, rise, fall, constant-velocity, formula, each between its "
+        "own braces, as in {dwell: {to: 90 deg}}");
     return NULL;
 }
 

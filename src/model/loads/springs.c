@@ -89,9 +89,10 @@ static void read_force(YkLoader *loader, YkSpring *spring, const YkNode *node, F
         return;
     const YkNode *force = yk_node_get(node, key);
     const char *along = form == BETWEEN ? NULL : loader->model->coordinates[spring->coordinate].name;
-    const YkOwnName own[] = {{form == ALONG_ANGLE ? "angle" : "length", along ? along : YK_OWN_LENGTH},
-                             {"rate", along ? yk_load_rate_name(loader, along) : YK_OWN_RATE},
-                             {NULL, NULL}};
+    const char *whose = "the spring's own";
+    const YkOwnName own[] = {{form == ALONG_ANGLE ? "angle" : "length", along ? along : YK_OWN_LENGTH, whose},
+                             {"rate", along ? yk_load_rate_name(loader, along) : YK_OWN_RATE, whose},
+                             {NULL, NULL, NULL}};
     YkWant want = {.dimension = form == ALONG_ANGLE ? YK_DIM_TORQUE : YK_DIM_FORCE,
                    .scope = YK_SCOPE_STATE,
                    .subject = {.noun = key, .owner = spring->name},

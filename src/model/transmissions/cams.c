@@ -159,17 +159,24 @@ static void read_sizes(YkLoader *loader, YkCam *cam, const YkNode *map)
 
 static void read_cam(YkLoader *loader, YkCam *cam, const YkNode *map)
 {
-    static const char *const keys[] = {"cam",    "follower", "law", "carrier", "face",   "roller",    "base",
-                                       "offset", "arm",      "at",  "centers", "groove", "conjugate", NULL};
+    static const char *const keys[] = {"cam",    "follower", "law", "arcs",    "carrier", "face",      "roller", "base",
+                                       "offset", "arm",      "at",  "centers", "groove",  "conjugate", NULL};
     const YkSubject subject = {.noun = "cam", .part = cam->name};
     if (!yk_load_expect(loader, map, YK_NODE_MAP, &subject)) return;
     yk_load_check_keys(loader, map, keys, &subject);
     const YkNode *body = yk_load_require(loader, map, "cam", &subject);
     const YkNode *follower = yk_load_require(loader, map, "follower", &subject);
-    const YkNode *law = yk_load_require(loader, map, "law", &subject);
+    const YkNode *arcs = yk_node_get(map, "arcs");
+    const YkNode *law = arcs ? yk_node_get(map, "law") : yk_load_require(loader, map, "law", &subject);
     if (body) cam->cam = yk_load_body(loader, body);
     if (follower) cam->follower = yk_load_body(loader, follower);
     if (law) cam->law = yk_load_law(loader, law);
+    if (arcs && law) {
+        yk_problem(loader->problems, YK_CODE_CAM_KEY, yk_load_key(map, "arcs")->place,
+                   "cam %q has both a `law` and `arcs`: the lift follows from one of them", cam->name);
+    } else if (arcs) {
+        yk_load_cam_arcs(loader, cam, arcs);
+    }
     read_face(loader, cam, map);
     read_carrier(loader, cam, map);
     read_sizes(loader, cam, map);

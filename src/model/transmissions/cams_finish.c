@@ -154,11 +154,12 @@ static void finish(YkLoader *loader, YkCam *cam)
 {
     bool good = check_signs(loader, cam) && is_known(cam);
     if (cam->carrier == YK_NONE) return;
-    if (cam->law != YK_NONE) check_law(loader, cam);
+    if (cam->law != YK_NONE && !cam->arcs) check_law(loader, cam);
     yk_cam_place(loader->model, cam);
     if (!good) return;
     if (cam->is_conjugate && !cam->other_roller_expr) cam->other_roller = cam->roller;
     check_centers(loader, cam);
+    if (cam->arcs && yk_cam_fault(cam, 0) == YK_CAM_FITS) yk_load_finish_cam_arcs(loader, cam);
     check_fit(loader, cam);
 }
 
