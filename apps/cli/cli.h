@@ -52,7 +52,8 @@ typedef struct YkRequest {
     YkFormat format;
     bool sensitivities, fresh; // study
     const char *within, *task; // synthesize, new
-    bool defects;              // synthesize
+    const char *fluctuation;   // balance
+    bool defects, centers;     // synthesize, solve
     const char *prefix;        // code
     bool single, kinematics;   // code
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
@@ -123,6 +124,8 @@ int yk_run_report(YkSession *session);
 int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
 int yk_run_synthesize(YkSession *session);
+int yk_run_cognates(YkSession *session);
+int yk_run_balance(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
 // if the linker cannot tell.
