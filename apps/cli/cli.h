@@ -53,7 +53,8 @@ typedef struct YkRequest {
     bool sensitivities, fresh; // study
     const char *within;        // solve --all, synthesize
     const char *task;          // new
-    bool defects;              // synthesize
+    const char *fluctuation;   // balance
+    bool defects, centers;     // synthesize, solve
     const char *prefix;        // code
     bool single, kinematics;   // code
     const char *port;          // studio
@@ -128,6 +129,8 @@ int yk_run_study(YkSession *session);
 int yk_run_code(YkSession *session);
 int yk_run_synthesize(YkSession *session);
 int yk_run_studio(YkSession *session);
+int yk_run_cognates(YkSession *session);
+int yk_run_balance(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
 // if the linker cannot tell.

@@ -22,12 +22,13 @@ static const Special specials[] = {
     {"steps", " report ", "N", "the number of steps (default: as many as the machine needs)"},
     {"method", " simulate ", "NAME", "dop853 (default), sdirk4 for stiff machines, rk4 with a fixed step"},
     {"output", " synthesize ", "DIR", "write the machines' files, a picture and task.json into this new folder"},
-    {"format", " synthesize ", "text|json", "text for people; json in SI and radians"},
+    {"output", " cognates balance ", "DIR", "write the models' files and the answer into this new folder"},
+    {"format", " synthesize cognates balance ", "text|json", "text for people; json in SI and radians"},
+    {"trace", " cognates ", "BODY.POINT", "the coupler's point (default: the first that is not a joint's)"},
+    {"steps", " balance ", "N", "the number of poses of a cycle (default 360)"},
     {"seed", " synthesize ", "N", "the seed of the samples where a task leaves a choice (default 1)"},
-    {"output", " synthesize ", "FOLDER", "write the machines' files into this new folder"},
     {"output", " studio ", "FILE", "write the page with the machine in it as one HTML file"},
     {"within", " synthesize ", "TIME", "end the search after this time with the best so far, as in 60s"},
-    {"seed", " synthesize ", "N", "the seed of the samples of free choices (default 1)"},
     {"lock", " gears ", "NAME", "engage one of locks: (default: a table of all)"},
 };
 

@@ -5,7 +5,7 @@
 #define POSE " solve sweep draw derive report study "
 #define START " solve sweep draw simulate derive report study "
 #define FORCES " solve sweep simulate gears derive "
-#define MODEL " check solve sweep draw simulate cam gears rest derive code report study "
+#define MODEL " check solve sweep draw simulate cam gears rest derive code report study cognates balance "
 #define LOCKS " check solve sweep draw simulate gears rest derive code report study "
 #define FIELD(name) offsetof(YkRequest, name)
 
@@ -26,12 +26,14 @@ const YkOption yk_options[] = {
      "every assembly configuration at the requested pose, not only the machine's own"},
     {"within", 0, YK_OPTION_WORD, FIELD(within), "TIME", " solve synthesize ",
      "with --all: stop after this time and say what is proved by then"},
+    {"centers", 0, YK_OPTION_SWITCH, FIELD(centers), NULL, " solve ",
+     "also the instant centres of all bodies, in the order in which Kennedy's theorem finds them"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
      "say what the machine still needs before it can move; the file need not be finished"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},
     {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report study ",
      "the coordinate, or t for the time, that moves through a range"},
-    {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report study ",
+    {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report study balance ",
      "the number of steps, one less than the rows (default 36)"},
     {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " solve sweep simulate study ",
      "columns, separated by commas: coordinates, bodies, points, forces, each with .rate or .accel where it has one, "
@@ -40,7 +42,8 @@ const YkOption yk_options[] = {
     {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam ",
      "draw the columns: FILE.svg, .pdf or .png (needs gnuplot)"},
     {"poses", 0, YK_OPTION_WORD, FIELD(poses), "N", " draw ", "with --over: N poses, faint, as a stroboscope"},
-    {"trace", 0, YK_OPTION_WORDS, FIELD(trace), "BODY.POINT", " draw report ", "draw a point's path; repeatable"},
+    {"trace", 0, YK_OPTION_WORDS, FIELD(trace), "BODY.POINT", " draw report cognates ",
+     "draw a point's path; repeatable"},
     {"animate", 0, YK_OPTION_WORD, FIELD(animate), "FILE", " draw ",
      "the motion as FILE.svg, .gif, .mp4 or .webm (the last three need rsvg-convert and ffmpeg)"},
     {"plain", 0, YK_OPTION_SWITCH, FIELD(plain), NULL, " report ",
@@ -49,7 +52,7 @@ const YkOption yk_options[] = {
     {"output", 'o', YK_OPTION_WORD, FIELD(output), "FILE", MODEL "new synthesize studio ",
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
-     " check solve sweep simulate gears rest cam derive code report study synthesize ",
+     " check solve sweep simulate gears rest cam derive code report study synthesize cognates balance ",
      "text for people; json and csv in SI and radians"},
     {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at the start (default 0)"},
     {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at the end, as in 10s"},
@@ -102,6 +105,8 @@ const YkOption yk_options[] = {
      "how many threads (default: as many as there are processors); the results do not depend on it"},
     {"fresh", 0, YK_OPTION_SWITCH, FIELD(fresh), NULL, " study ",
      "start again instead of continuing an interrupted study"},
+    {"fluctuation", 0, YK_OPTION_WORD, FIELD(fluctuation), "NUMBER", " balance ",
+     "what the flywheel allows: (largest - least speed) / mean (default 0.05)"},
     {"defects", 0, YK_OPTION_SWITCH, FIELD(defects), NULL, " synthesize ",
      "also show the machines that were left out, each with its reason"},
     {"task", 0, YK_OPTION_WORD, FIELD(task), "KIND", " new ", "a task file to begin with: motion, function or stroke"},

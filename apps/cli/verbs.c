@@ -94,6 +94,17 @@ const YkVerb yk_verbs[] = {
      "with a secret word in it; Ctrl-C ends it. With -o, writes the page with the machine in it as one HTML file\n"
      "that opens from disk and needs no server.",
      "yoke studio examples/four-bar.yaml -o four-bar.html", yk_run_studio},
+    {"cognates", "other machines with the same coupler curve", "FILE [options]",
+     "Finds the two other four-bars, or the other slider-crank, whose couplers trace the same curve (Roberts), and\n"
+     "measures with the engine how far the curves lie apart. --trace BODY.POINT names the coupler's point. -o DIR\n"
+     "writes a model file for each and a picture of all.",
+     "yoke cognates examples/four-bar.yaml -o cognates", yk_run_cognates},
+    {"balance", "counterweights and flywheel", "FILE [options]",
+     "Tells how a machine with masses shakes its frame over a cycle - force, moment, torque - and finds the\n"
+     "counterweights that keep its centre of mass still, or move it least where that cannot be; shaking and torque\n"
+     "with them, measured by the engine; and the flywheel for a given fluctuation of speed. -o DIR writes the model\n"
+     "with its counterweights.",
+     "yoke balance examples/watt-with-masses.yaml", yk_run_balance},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };
 

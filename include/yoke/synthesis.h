@@ -109,6 +109,21 @@ YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate,
 // of memory.
 YK_API const char *yk_synthesis_picture(YkSynthesis *synthesis);
 
+// Cognates: other machines that trace the same coupler curve. A four-bar has two, a slider-crank one. Source: Roberts
+// 1875; Hartenberg & Denavit 1964, ch. 6.
+typedef struct YkCognates YkCognates;
+// Finds the cognates for a point of the coupler (YK_NOT_FOUND: its first point that is not a joint's). The state is
+// assembled. Returns NULL with a problem if the machine has no four-bar or slider-crank on the ground with such a point.
+YK_API YkCognates *yk_cognates_new(const YkState *state, size_t point, YkProblems *problems);
+YK_API void yk_cognates_free(YkCognates *cognates);
+YK_API size_t yk_cognates_count(const YkCognates *cognates); // without the machine itself
+YK_API size_t yk_cognates_point(const YkCognates *cognates); // the model's point
+// Returns a cognate as a candidate: its file and dimensions; `worst` is the largest distance between the curves as the
+// engine measured it over the motion, m. Index YK_NOT_FOUND: the machine itself, without a file.
+YK_API YkCandidate yk_cognates_at(const YkCognates *cognates, size_t index);
+// The machine and its cognates drawn over one another, with the curve, as SVG. NULL when out of memory.
+YK_API const char *yk_cognates_picture(YkCognates *cognates);
+
 #ifdef __cplusplus
 }
 #endif

@@ -36,6 +36,8 @@
 #include <yoke/rest.h>
 #include <yoke/design.h>
 #include <yoke/synthesis.h>
+#include <yoke/centers.h>
+#include <yoke/balancing.h>
 #include <yoke/derive.h>
 #include <yoke/train.h>
 #include <yoke/cam.h>

@@ -31,7 +31,7 @@ YkDyad yk_synthesis_dyad(const YkSynthesis *s, size_t index)
     return s && index < s->dyad_count ? s->dyads[index] : (YkDyad){.length = NAN};
 }
 
-static YkCandidate candidate_of(const YkFound *found)
+YkCandidate yk_found_candidate(const YkFound *found)
 {
     const YkDesign *design = &found->design;
     YkCandidate c = {.file = found->file, .model = found->model, .defect = found->defect};
@@ -64,7 +64,8 @@ size_t yk_synthesis_count(const YkSynthesis *s)
 
 YkCandidate yk_synthesis_candidate(const YkSynthesis *s, size_t index)
 {
-    return index < yk_synthesis_count(s) ? candidate_of(&s->candidates.items[index]) : (YkCandidate){.file = NULL};
+    return index < yk_synthesis_count(s) ? yk_found_candidate(&s->candidates.items[index])
+                                         : (YkCandidate){.file = NULL};
 }
 
 size_t yk_synthesis_left_out(const YkSynthesis *s, YkDefect reason)
@@ -79,7 +80,8 @@ size_t yk_synthesis_defect_count(const YkSynthesis *s)
 
 YkCandidate yk_synthesis_defect(const YkSynthesis *s, size_t index)
 {
-    return index < yk_synthesis_defect_count(s) ? candidate_of(&s->defects.items[index]) : (YkCandidate){.file = NULL};
+    return index < yk_synthesis_defect_count(s) ? yk_found_candidate(&s->defects.items[index])
+                                                : (YkCandidate){.file = NULL};
 }
 
 const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_t index, double *value)

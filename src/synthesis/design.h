@@ -20,8 +20,10 @@ typedef struct YkDesign {
 
 // What a design has to do, in terms of its input.
 typedef struct YkJourney {
-    const YkTask *task;
-    double *input; // [count] absolute angles, each reached from the one before by moving straight, rad
+    const YkTask *task;        // NULL for a machine that no task asked for, which then has:
+    const YkModel *sheet;      // its units
+    const char *name, *origin; // its name, and a comment that tells where it comes from
+    double *input;             // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
     bool turns;           // goes round as a whole
     const YkPose *pose;   // [count] of the body, or NULL

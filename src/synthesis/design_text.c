@@ -3,44 +3,59 @@
 #include "base/number.h"
 #include "synthesis/design.h"
 
-enum { DIGITS = 12 }; // of lengths and angles
+enum { DIGITS = 12, ALL_DIGITS = 17 }; // of lengths and angles: of a search; of a formula
 
 typedef struct Writer {
     YkText *text;
     double unit; // of length, m
+    int digits;
 } Writer;
 
-static void add_number(YkText *text, double value)
+static void add_number(const Writer *w, double value)
 {
     char digits[YK_NUMBER_SIZE];
-    size_t length = yk_number_write_digits(value == 0 ? 0 : value, DIGITS, digits);
-    yk_text_add(text, digits, length);
+    size_t length = yk_number_write_digits(value == 0 ? 0 : value, w->digits, digits);
+    yk_text_add(w->text, digits, length);
 }
 
 static void add_length(const Writer *w, const char *before, double value)
 {
     yk_text_puts(w->text, before);
-    add_number(w->text, value / w->unit);
+    add_number(w, value / w->unit);
 }
 
 static void add_angle(const Writer *w, const char *before, double value, const char *after)
 {
     yk_text_puts(w->text, before);
-    add_number(w->text, value * 180 / YK_PI);
+    add_number(w, value * 180 / YK_PI);
     yk_text_puts(w->text, after);
 }
 
-static void add_head(const Writer *w, const YkDesign *design, const YkTask *task)
+static void add_name(const Writer *w, const YkText *name)
+{
+    YkNode scalar = {.kind = YK_NODE_SCALAR, .text = yk_text_get(name), .length = name->length};
+    yk_text_puts(w->text, "name: ");
+    yk_doc_write_scalar(&scalar, w->text);
+    if (name->failed) yk_text_fail(w->text);
+}
+
+static void add_head(const Writer *w, const YkDesign *design, const YkJourney *journey)
 {
     bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
+    const YkTask *task = journey->task;
     YkText name = {0};
+    if (!task) {
+        yk_text_puts(&name, journey->name);
+        yk_text_format(w->text, "# %s\n", journey->origin);
+        add_name(w, &name);
+        yk_text_free(&name);
+        return;
+    }
     yk_text_format(&name, "%s, %s", yk_task_name(task), is_four_bar ? "four-bar" : "slider-crank");
     if (design->dyad[0] >= 0) yk_text_format(&name, " of dyads %d and %d", design->dyad[0] + 1, design->dyad[1] + 1);
-    YkNode scalar = {.kind = YK_NODE_SCALAR, .text = yk_text_get(&name), .length = name.length};
-    yk_text_format(w->text, "# Found by `yoke synthesize` for a task of the kind %s. Lengths are parameters.\nname: ",
+    yk_text_format(w->text, "# Found by `yoke synthesize` for a task of the kind %s. Lengths are parameters.\n",
                    yk_task_kind(task));
-    yk_doc_write_scalar(&scalar, w->text);
-    if (name.failed) yk_text_fail(w->text);
+    add_name(w, &name);
     yk_text_free(&name);
 }
 
@@ -99,6 +114,7 @@ static void add_joints(const Writer *w, const YkDesign *design)
 // A crank turns steadily; any other input swings between the ends of its way, in a second each.
 static void add_drive(const Writer *w, const YkDesign *design, const YkJourney *journey)
 {
+    if (journey->count == 0) return;
     double first = journey->input[0], low = first, high = first, last = journey->input[journey->count - 1];
     if (journey->turns || yk_design_turns(design)) {
         add_angle(w, "drives: {theta: ", first, last < first ? " deg - 60 rpm * t}\n" : " deg + 60 rpm * t}\n");
@@ -118,13 +134,18 @@ static void add_drive(const Writer *w, const YkDesign *design, const YkJourney *
 void yk_design_write(const YkDesign *design, const YkJourney *journey, YkText *text)
 {
     Writer writer = {.text = text}, *w = &writer;
-    const char *unit = yk_task_unit(journey->task, YK_QUANTITY_LENGTH, &writer.unit);
-    add_head(w, design, journey->task);
+    const YkModel *sheet = journey->task ? journey->task->sheet : journey->sheet;
+    const char *unit = yk_model_unit(sheet, YK_QUANTITY_LENGTH, &writer.unit);
+    writer.digits = journey->task ? DIGITS : ALL_DIGITS;
+    add_head(w, design, journey);
     add_parameters(w, design);
     add_bodies(w, design, journey);
     add_joints(w, design);
     add_drive(w, design, journey);
-    add_angle(w, "start: {phi: ", yk_remainder(design->angle[1] - design->angle[0], 2 * YK_PI), "");
+    if (journey->count == 0) add_angle(w, "start: {theta: ", design->angle[0], ", phi: ");
+    add_angle(w,
+              journey->count == 0 ? "" : "start: {phi: ", yk_remainder(design->angle[1] - design->angle[0], 2 * YK_PI),
+              "");
     if (design->kind == YK_DESIGN_FOUR_BAR)
         add_angle(w, ", psi: ", design->angle[2], "}\n");
     else {

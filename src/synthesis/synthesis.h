@@ -54,6 +54,9 @@ void yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *tex
 // Counts one that did not.
 void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict);
 
+// Returns what a caller sees of a machine (answers.c).
+YkCandidate yk_found_candidate(const YkFound *found);
+
 // The kinds of tasks, one file each. They return false with a problem where nothing can be sought.
 bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems);
 bool yk_synthesise_function(YkSynthesis *s, YkProblems *problems);

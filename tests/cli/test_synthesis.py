@@ -97,6 +97,46 @@ class Synthesis(Case):
         self.wrong(840, "synthesize", self.write("path.yaml", "synthesis: path\n"))
         self.wrong(806, "new", "--task", "dance")
 
+    def test_cognates_share_the_curve(self):
+        for name, count in (("four-bar", 2), ("hoeken", 2), ("chebyshev", 2)):
+            folder = self.path(name)
+            path = os.path.join(ROOT, "examples", name + ".yaml")
+            answer = self.good("cognates", path, "--format", "json", "-o", folder).json()
+            self.assertEqual(len(answer["cognates"]), count)
+            for cognate in answer["cognates"]:
+                size = max(cognate["lengths"].values())
+                self.assertLess(cognate["apart"], 1e-7 * size)
+                self.good("check", os.path.join(folder, cognate["file"]))
+            self.assertIn("cognates.svg", os.listdir(folder))
+        self.wrong(846, "cognates", path, "-o", folder)
+        self.wrong(815, "cognates", path, "--trace", "coupler.nothing")
+        self.assertEqual(Run("cognates", os.path.join(ROOT, "examples", "pendulum.yaml")).code, 1)
+
+    def test_balancing(self):
+        path = os.path.join(ROOT, "examples", "watt-with-masses.yaml")
+        folder = self.path("balanced")
+        answer = self.good("balance", path, "--format", "json", "-o", folder).json()
+        self.assertTrue(answer["full"])
+        self.assertGreater(answer["before"]["force"], 0)
+        self.assertLess(answer["after"]["force"], 1e-8 * answer["before"]["force"])
+        self.assertEqual(sorted(os.listdir(folder)), ["balance.json", "balanced.yaml"])
+        self.good("check", os.path.join(folder, "balanced.yaml"))
+        self.assertIn("shaking force", self.good("balance", path).out)
+        self.wrong(806, "balance", path, "--fluctuation", "much")
+        self.wrong(806, "balance", path, "--format", "csv")
+        self.assertEqual(Run("balance", os.path.join(ROOT, "examples", "double-pendulum.yaml")).code, 1)
+
+    def test_instant_centres(self):
+        path = os.path.join(ROOT, "examples", "four-bar.yaml")
+        answer = self.good("solve", path, "--centers", "--format", "json").json()["configurations"][0]
+        self.assertEqual((len(answer["centers"]), answer["stalled"]), (6, 0))
+        self.assertEqual([c["source"] for c in answer["centers"]], ["joint"] * 4 + ["kennedy"] * 2)
+        self.assertIn("lines by", self.good("solve", path, "--centers").out)
+        butterfly = self.good("solve", os.path.join(ROOT, "examples", "double-butterfly.yaml"), "--centers")
+        self.assertIn("stalled", butterfly.out)
+        self.wrong(806, "solve", path, "--centers", "--format", "csv")
+        self.assertEqual(Run("solve", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
+
     def test_new_writes_tasks_that_work(self):
         for kind in ("motion", "function", "stroke"):
             path = self.write(kind + ".yaml", self.good("new", "--task", kind).out)

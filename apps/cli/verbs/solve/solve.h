@@ -14,6 +14,9 @@ void yk_solve_of_text(YkSession *session, const YkState *state);
 void yk_solve_of_json(YkSession *session, YkJson *json, const YkState *state); // "of": {name: value}
 void yk_solve_of_csv_head(YkSession *session);
 void yk_solve_of_csv(YkSession *session, const YkState *state); // one row a configuration
+// Write the instant centres (--centers); a machine without them gets a problem, and nothing is written.
+void yk_centers_text(YkSession *session, const YkState *state);
+void yk_centers_json(YkSession *session, YkJson *json, const YkState *state);
 // Write the forces of the configuration if session->dynamics has them.
 void yk_forces_text(YkSession *session, const YkState *state);
 void yk_forces_json(YkSession *session, YkJson *json, const YkState *state);

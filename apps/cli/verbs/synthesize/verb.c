@@ -44,7 +44,7 @@ static bool find(YkSynthesisAnswer *answer)
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
     YkSynthesisOptions options = yk_default_synthesis_options();
-    size_t seed = 1, errors;
+    size_t seed = 1;
     double within = 0;
     YkProblems *problems = yk_problems_new();
     if (!problems) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
@@ -57,9 +57,7 @@ static bool find(YkSynthesisAnswer *answer)
         answer->synthesis = yk_synthesis_run(answer->task, &options, problems);
     }
     yk_tell_problems(session, problems);
-    errors = yk_problems_error_count(problems);
     yk_problems_free(problems);
-    (void)errors;
     return answer->synthesis != NULL;
 }
 

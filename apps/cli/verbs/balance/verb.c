@@ -1,0 +1,175 @@
+// yoke balance: counterweights and flywheel.
+#include <math.h>
+#include <string.h>
+#include "answer.h"
+#include "base/number.h"
+#include "reach.h"
+#include "write/file_set.h"
+#include "write/folder.h"
+#include "write/table.h"
+
+// --- text
+
+static void add_peaks(const YkSession *session, YkTable *table, const char *name, YkShakingPeaks peaks)
+{
+    yk_table_word(table, name);
+    yk_table_number(table, yk_shown(session, peaks.force, YK_QUANTITY_FORCE), YK_DIGITS);
+    yk_table_number(table, yk_shown(session, peaks.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
+    yk_table_number(table, yk_shown(session, peaks.torque, YK_QUANTITY_TORQUE), YK_DIGITS);
+}
+
+static void write_shaking(YkSession *session, const YkBalancing *b)
+{
+    YkTable *table = yk_table_new(4);
+    YkShakingPeaks before = yk_balancing_before(b);
+    yk_scale_begin(session);
+    yk_scale_add(session, before.force, YK_QUANTITY_FORCE);
+    yk_table_head(table, "largest over the cycle", NULL);
+    yk_table_head(table, "shaking force", yk_unit_of(session, YK_QUANTITY_FORCE));
+    yk_table_head(table, "shaking moment", yk_unit_of(session, YK_QUANTITY_TORQUE));
+    yk_table_head(table, "effort", yk_unit_of(session, YK_QUANTITY_TORQUE));
+    add_peaks(session, table, "before", before);
+    add_peaks(session, table, "with counterweights", yk_balancing_after(b));
+    yk_text_puts(&session->out, "\n");
+    yk_table_write(table, 2, &session->out);
+    yk_table_free(table);
+}
+
+static void write_weights(YkSession *session, const YkBalancing *b)
+{
+    YkTable *table = yk_table_new(6);
+    yk_table_head(table, "counterweight on", NULL);
+    yk_table_head(table, "about", NULL);
+    yk_table_head(table, "mass x radius", "kg m");
+    yk_table_head(table, "angle", yk_unit_of(session, YK_QUANTITY_ANGLE));
+    yk_table_head(table, "as mass", "kg");
+    yk_table_head(table, "at radius", yk_unit_of(session, YK_QUANTITY_LENGTH));
+    for (size_t k = 0; k < yk_balancing_count(b); k++) {
+        YkCounterweight w = yk_balancing_at(b, k);
+        yk_table_word(table, yk_model_body_name(session->model, w.body));
+        yk_table_word(table, yk_model_joint_name(session->model, w.joint));
+        yk_table_number(table, w.product, YK_DIGITS);
+        yk_table_number(table, yk_shown(session, w.angle, YK_QUANTITY_ANGLE), YK_DIGITS);
+        yk_table_number(table, w.mass, YK_DIGITS);
+        yk_table_number(table, yk_shown(session, w.radius, YK_QUANTITY_LENGTH), YK_DIGITS);
+    }
+    yk_text_puts(&session->out, "\n");
+    yk_table_write(table, 2, &session->out);
+    yk_table_free(table);
+}
+
+static void write_text(YkSession *session, const YkBalancing *b, double fluctuation)
+{
+    YkText *out = &session->out;
+    double flywheel = yk_balancing_flywheel(b);
+    yk_text_format(out, "%s: %s\n", yk_model_name(session->model),
+                   yk_balancing_is_full(b) ? "counterweights keep the centre of mass still"
+                                           : "no counterweights keep the centre of mass still; these move it least");
+    if (yk_balancing_count(b) > 0) write_weights(session, b);
+    write_shaking(session, b);
+    if (isfinite(flywheel))
+        yk_text_format(out, "\nA flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n", flywheel,
+                       fluctuation);
+}
+
+// --- JSON
+
+static void add_peaks_json(YkJson *json, const char *key, YkShakingPeaks peaks)
+{
+    yk_json_object(json, key, YK_JSON_INLINE);
+    yk_json_number(json, "force", peaks.force);
+    yk_json_number(json, "moment", peaks.moment);
+    yk_json_number(json, "torque", peaks.torque);
+    yk_json_end(json);
+}
+
+static void write_json(const YkSession *session, const YkBalancing *b, double fluctuation, YkText *text)
+{
+    YkJson json = {.text = text};
+    yk_json_object(&json, NULL, YK_JSON_LINES);
+    yk_json_string(&json, "model", yk_model_name(session->model));
+    yk_json_string(&json, "status", "ok");
+    yk_json_bool(&json, "full", yk_balancing_is_full(b));
+    add_peaks_json(&json, "before", yk_balancing_before(b));
+    add_peaks_json(&json, "after", yk_balancing_after(b));
+    yk_json_list(&json, "counterweights", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_balancing_count(b); k++) {
+        YkCounterweight w = yk_balancing_at(b, k);
+        yk_json_object(&json, NULL, YK_JSON_INLINE);
+        yk_json_string(&json, "on", yk_model_body_name(session->model, w.body));
+        yk_json_string(&json, "at", yk_model_joint_name(session->model, w.joint));
+        yk_json_number(&json, "product", w.product);
+        yk_json_number(&json, "angle", w.angle);
+        yk_json_number(&json, "mass", w.mass);
+        yk_json_number(&json, "radius", w.radius);
+        yk_json_end(&json);
+    }
+    yk_json_end(&json);
+    yk_json_object(&json, "flywheel", YK_JSON_INLINE);
+    yk_json_number(&json, "inertia", yk_balancing_flywheel(b));
+    yk_json_number(&json, "fluctuation", fluctuation);
+    yk_json_end(&json);
+    yk_json_string(&json, "balanced", yk_balancing_model(b));
+    yk_json_end(&json);
+}
+
+// --- the verb
+
+static bool write_files(YkSession *session, const YkBalancing *b, double fluctuation)
+{
+    YkFileEntry files[2] = {{.name = "balanced.yaml"}, {.name = "balance.json"}};
+    yk_text_puts(&files[0].text, yk_balancing_model(b));
+    write_json(session, b, fluctuation, &files[1].text);
+    bool good = yk_files_write(session->request->output, files, 2, session->problems);
+    for (size_t k = 0; k < 2; k++) yk_text_free(&files[k].text);
+    return good;
+}
+
+static bool read_options(YkSession *session, YkBalancingOptions *options)
+{
+    enum { STEPS_MAX = 20000 };
+    const YkRequest *request = session->request;
+    const char *word = request->fluctuation;
+    *options = yk_default_balancing_options();
+    if (request->format == YK_FORMAT_CSV)
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+    if (word && (yk_number_read(word, strlen(word), &options->fluctuation) != strlen(word) ||
+                 !(options->fluctuation > 0) || options->fluctuation >= 2))
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--fluctuation takes a number between 0 and 2, not %q",
+                                 word);
+    if (!yk_session_count(session, "--steps", request->steps, STEPS_MAX, options->steps, &options->steps)) return false;
+    return !request->output || yk_folder_is_free(request->output, session->problems);
+}
+
+static int write_answer(YkSession *session, const YkBalancing *b, double fluctuation)
+{
+    const YkRequest *request = session->request;
+    YkRequest own = *request;
+    if (request->output && !write_files(session, b, fluctuation)) return YK_EXIT_WRONG;
+    if (request->format == YK_FORMAT_JSON)
+        write_json(session, b, fluctuation, &session->out);
+    else
+        write_text(session, b, fluctuation);
+    own.output = NULL; // it named the folder
+    session->request = &own;
+    int exit_code = yk_session_finish(session, YK_EXIT_DONE);
+    session->request = request;
+    return exit_code;
+}
+
+int yk_run_balance(YkSession *session)
+{
+    YkBalancingOptions options;
+    if (!read_options(session, &options) || !yk_session_load(session, NULL) || !yk_session_inputs(session))
+        return YK_EXIT_WRONG;
+    YkStatus status = yk_session_reach(session, NULL);
+    if (status < 0) {
+        yk_reach_tell(session, status);
+        return yk_status_exit(status);
+    }
+    YkBalancing *b = yk_balancing_new(session->state, &options, session->problems);
+    if (!b) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
+    int exit_code = write_answer(session, b, options.fluctuation);
+    yk_balancing_free(b);
+    return exit_code;
+}

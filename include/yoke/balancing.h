@@ -1,0 +1,54 @@
+// Balancing: counterweights that keep a machine's centre of mass still, and the flywheel that evens out its torque.
+#ifndef YOKE_BALANCING_H
+#define YOKE_BALANCING_H
+
+#include <yoke/dynamics.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct YkBalancingOptions {
+    size_t steps;       // poses of a cycle, default 360
+    double fluctuation; // of the speed, (largest - least) / mean: for the flywheel; default 0.05
+} YkBalancingOptions;
+YK_API YkBalancingOptions yk_default_balancing_options(void);
+
+// Peaks over the cycle: the force on the frame (N) and its moment about the input's pivot (N m), both of inertia alone;
+// the input's effort (N m or N), of everything in the file.
+typedef struct YkShakingPeaks {
+    double force, moment, torque;
+} YkShakingPeaks;
+
+// A counterweight on a body: its mass times its distance from the body's pivot, and its direction in the body's axes.
+typedef struct YkCounterweight {
+    size_t body;
+    size_t joint;   // the pin about which it is measured
+    double product; // kg m
+    double angle;   // rad
+    double mass;    // kg, as written into the model: at `radius`, m
+    double radius;
+} YkCounterweight;
+
+typedef struct YkBalancing YkBalancing;
+// Finds counterweights: on the bodies pinned to the ground, and where these do not suffice on others. The state is solved
+// and has one input, whose rate, or 1, is that of the cycle. Least squares over the cycle's poses decide; they are exact
+// where a full balance of force exists. Returns NULL with a problem otherwise. Source: Berkof & Lowen 1969 (four-bars);
+// Tepper & Lowen 1972 (when a full balance exists).
+YK_API YkBalancing *yk_balancing_new(const YkState *state, const YkBalancingOptions *options, YkProblems *problems);
+YK_API void yk_balancing_free(YkBalancing *balancing);
+YK_API bool yk_balancing_is_full(const YkBalancing *balancing); // the centre of mass stands still
+YK_API size_t yk_balancing_count(const YkBalancing *balancing);
+YK_API YkCounterweight yk_balancing_at(const YkBalancing *balancing, size_t index);
+YK_API YkShakingPeaks yk_balancing_before(const YkBalancing *balancing);
+YK_API YkShakingPeaks yk_balancing_after(const YkBalancing *balancing); // as the engine measures the model below
+// The moment of inertia of a flywheel on the input, kg m^2, before the counterweights; NaN if the input does not turn through.
+YK_API double yk_balancing_flywheel(const YkBalancing *balancing);
+// The model with its counterweights, as bodies welded to theirs. Belongs to the balancing.
+YK_API const char *yk_balancing_model(const YkBalancing *balancing);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

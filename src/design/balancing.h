@@ -1,0 +1,40 @@
+// The inside of balancing: a cycle of poses, and what the engine tells of each.
+#ifndef DESIGN_BALANCING_H
+#define DESIGN_BALANCING_H
+#include <yoke/balancing.h>
+#include "base/text.h"
+#include "loads/loads.h"
+
+enum { YK_WEIGHTS_MAX = 16 };
+
+// A cycle of the input, `count` poses: once round, or most of the way between its limits.
+typedef struct YkCycle {
+    double from, step, rate;
+    size_t count;
+    bool turns;
+} YkCycle;
+
+struct YkBalancing {
+    YkCounterweight weight[YK_WEIGHTS_MAX];
+    size_t count;
+    bool is_full;
+    YkShakingPeaks before, after;
+    double flywheel;
+    YkText model;
+};
+
+// Finds the cycle. Returns YK_BAD_ARGUMENT where there is none.
+YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle);
+// Moves a state to pose k of the cycle, at its rate. Returns its status.
+YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k);
+// Measures shaking over the cycle; torques[count] (or NULL) receives the input's effort.
+YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques);
+// Returns the energy that flows in and out of the machine about a steady torque, J.
+double yk_cycle_swing(const YkCycle *cycle, const double *torques);
+
+// balancing_weights.c: finds the counterweights.
+YkStatus yk_balancing_weigh(const YkCycle *cycle, const YkState *state, YkBalancing *balancing);
+// balancing_model.c: adds the model of the state with the counterweights as text. False when it cannot be written.
+bool yk_balancing_write(const YkModel *model, YkBalancing *balancing);
+
+#endif
