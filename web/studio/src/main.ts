@@ -51,7 +51,7 @@ const nameField = byId<HTMLInputElement>("name");
 let server: Server | null = null;
 
 function load(text: string, name: string): void {
-  motion.stop();
+  motion.begin();
   session.name = name || words.untitled;
   nameField.value = session.name;
   session.selection = null;

@@ -7,6 +7,8 @@ import { decimal } from "./document/numbers";
 import type { Session } from "./session";
 import { words } from "./words";
 
+const SPEEDS = [["1", "1×"], ["0.5", "½×"], ["0.25", "¼×"], ["0.1", "⅒×"], ["0.01", "1/100×"]];
+const SHORTEST = 0.6; // s, of a turn that can be seen
 const STEPS = 240; // of the slider, of a trace
 const STIFFNESS = 200; // N/m for each kilogram or so: the string of the pointer
 
@@ -16,13 +18,14 @@ export class Motion {
   private turn: { index: number; from: number; rate: number } | null = null; // the driven angle that a period belongs to
   private state: "still" | "playing" | "free" = "still";
   private isAsking = false;
+  private isNew = true;
   private last = 0;
   private pulled: Parameters<Hand["onPull"]>[0] = null;
   private traced = new Set<string>();
   private play = el("button", { class: "play", onclick: () => this.toggle() });
   private slider = el("input", { type: "range", min: 0, max: STEPS, step: "any", value: "0", "aria-label": words.motion.time });
   private now = el("output", { class: "now" });
-  private speed = el("select", { "aria-label": words.motion.speed }, ...[["1", "1×"], ["0.5", "½×"], ["0.25", "¼×"], ["0.1", "⅒×"], ["0.01", "1/100×"]].map(([value, text]) => el("option", { value }, text)));
+  private speed = el("select", { "aria-label": words.motion.speed }, ...SPEEDS.map(([value, text]) => el("option", { value }, text)));
   private free = el("button", { class: "text", title: words.motion.releaseHow, "aria-pressed": "false", onclick: () => void this.letGo() }, words.motion.release);
   private ghosts = el("button", { title: `${words.motion.ghosts} (O)`, "aria-label": words.motion.ghosts, "aria-pressed": "false", onclick: () => void this.toggleGhosts() }, icon("ghosts"));
 
@@ -44,7 +47,12 @@ export class Motion {
     this.tell();
   }
 
-  get isPlaying(): boolean { return this.state === "playing"; }
+  // Another machine comes: its speed is chosen so that a turn can be seen.
+  begin(): void {
+    this.stop();
+    this.isNew = true;
+    this.time = 0;
+  }
 
   // Finds how long one turn takes: of the first driven angle, if it turns evenly.
   private async measure(): Promise<void> {
@@ -59,6 +67,8 @@ export class Motion {
       }
     }
     this.period = this.turn ? (2 * Math.PI) / Math.abs(this.turn.rate) : 5;
+    if (this.isNew) this.speed.value = SPEEDS.find(([value]) => this.period / Number(value) >= SHORTEST)?.[0] ?? "0.01";
+    this.isNew = false;
     this.tell();
     await this.retrace();
   }

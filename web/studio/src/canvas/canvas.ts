@@ -49,6 +49,8 @@ export class Canvas {
   // Shows another machine: it is fitted into the canvas once it is there.
   begin(): void {
     this.isFitted = false;
+    this.looked = 0;
+    void this.session.ask(() => this.session.core.look(0)); // as large as it is: the view follows it
   }
 
   get step(): number {
