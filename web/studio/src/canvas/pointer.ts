@@ -3,13 +3,12 @@
 import type { Session } from "../session";
 import type { Place } from "../document/gestures";
 import { decimal } from "../document/numbers";
-import { words } from "../words";
 import type { Canvas } from "./canvas";
 import { bearing, distance, frameOf, toBody } from "./frames";
 import type { Point } from "./frames";
 import { snap } from "./snap";
 import type { Spot } from "./snap";
-import { TOOLS, toolOf } from "./tools";
+import { reshape, TOOLS, toolOf } from "./tools";
 import type { Tool, ToolId } from "./tools";
 
 type Drag = { kind: "pan" } | { kind: "body"; body: string; point: [number, number] } | { kind: "shape"; spot: Spot } | { kind: "tool" } | { kind: "pinch"; span: number };
@@ -122,13 +121,9 @@ export class Hand {
     if (!this.hasMoved && drag.kind !== "pinch" && distance(at, this.pressed) < 4) return;
     this.hasMoved = true;
     if (drag.kind === "pinch") {
-      const middle = (): [number, number] => {
-        const [a, b] = Array.from(this.fingers.values());
-        return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-      };
-      const old = middle();
+      const old = middle(this.fingers);
       this.fingers.set(event.pointerId, at);
-      const now = middle(), [a, b] = Array.from(this.fingers.values()), span = Math.max(1, distance(a, b));
+      const now = middle(this.fingers), [a, b] = Array.from(this.fingers.values()), span = Math.max(1, distance(a, b));
       view.pan(now[0] - old[0], now[1] - old[1]);
       view.zoom(span / drag.span, now);
       drag.span = span;
@@ -171,7 +166,7 @@ export class Hand {
     this.drag = null;
     this.endPull();
     if (drag?.kind === "tool") await this.release(() => this.spot(at, event), this.hasMoved && distance(at, this.pressed) > 12);
-    else if (drag?.kind === "shape" && this.hasMoved) await this.reshape(drag.spot, this.target(at, event));
+    else if (drag?.kind === "shape" && this.hasMoved) await this.reshape(drag.spot, this.target(at, event).world);
     else if (!this.hasMoved && drag && drag.kind !== "pinch") this.select(this.spot(at, event));
     this.canvas.redraw();
   }
@@ -227,11 +222,10 @@ export class Hand {
     this.preview(this.spots[0]);
   }
 
-  private async reshape(spot: Spot, target: Spot): Promise<void> {
-    let stays: string | null = null;
-    await this.session.edit((draft) => { stays = draft.movePoint(spot.all, target.world); }, this.canvas.resolution);
+  private async reshape(spot: Spot, world: Point): Promise<void> {
+    const problem = await reshape(this.session, spot, world, this.canvas.resolution);
     this.canvas.shown.sketching = null;
-    if (stays) this.session.emit("said", words.say.expression(stays));
+    if (problem) this.session.emit("said", problem);
   }
 
   hover(spot: Spot | null): void {
@@ -257,4 +251,9 @@ export class Hand {
     this.canvas.onView();
     this.canvas.redraw();
   }
+}
+
+function middle(fingers: Map<number, [number, number]>): [number, number] {
+  const [a, b] = Array.from(fingers.values());
+  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 }

@@ -171,4 +171,10 @@ export const TOOLS: Tool[] = [
   },
 ];
 
+// Moves a point of all bodies that have it; returns a sentence where an expression says where it is.
+export async function reshape(session: Session, spot: Spot, world: Point, resolution: number): Promise<string | null> {
+  const stays = await draw(session, resolution, (draft) => draft.movePoint(spot.all, world));
+  return stays ? words.say.expression(stays) : null;
+}
+
 export const toolOf = (id: ToolId): Tool => TOOLS.find((tool) => tool.id === id)!;
