@@ -35,13 +35,11 @@ install(DIRECTORY ${YOKE_STUDIO_BUILT}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yok
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke/examples COMPONENT doc FILES_MATCHING PATTERN "*.yaml" PATTERN "README.md"
   PATTERN "*.c" PATTERN "*.cpp"
   PATTERN "expected" EXCLUDE)
-# Studio's page comes from the preset `wasm`; the target `studio` makes it and puts it where the command finds it.
+# The target `studio` builds that preset.
 add_custom_target(studio
   COMMAND ${CMAKE_COMMAND} --preset wasm
   COMMAND ${CMAKE_COMMAND} --build --preset wasm
-  COMMAND ${CMAKE_COMMAND} -E copy_directory ${CMAKE_SOURCE_DIR}/build/wasm/studio ${YOKE_STUDIO_BUILT}
   WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} USES_TERMINAL VERBATIM)
-install(DIRECTORY ${CMAKE_BINARY_DIR}/studio DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke COMPONENT runtime OPTIONAL)
 install(FILES schema/yoke.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/yoke COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc FILES_MATCHING PATTERN "*.md")
 install(FILES completions/yoke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME yoke COMPONENT runtime OPTIONAL)
