@@ -8,6 +8,10 @@ import { Worker } from "node:worker_threads";
 
 const [, , library, script, small, whole, examples] = process.argv;
 const { startCore, Overtaken, CoreLost } = await import(pathToFileURL(resolve(library)).href);
+if (!startCore) {
+  console.log("skipped: npm could not get esbuild");
+  process.exit(77);
+}
 const bytes = (path) => new Uint8Array(readFileSync(path));
 const machine = (name) => readFileSync(join(examples, name + ".yaml"), "utf8");
 

@@ -132,6 +132,13 @@ typedef struct Page {
     char nonce[YK_TOKEN_SIZE];
 } Page;
 
+static void add_whole_script(YkText *html, const char *nonce, const YkAsset *script)
+{
+    yk_text_format(html, "<script nonce=\"%s\">\n", nonce);
+    add_script(html, &script->data);
+    yk_text_puts(html, "\n</script>\n");
+}
+
 // Puts what a line refers to in the place of the line.
 static void add_line(Page *page, const char *line, size_t size)
 {
@@ -150,11 +157,11 @@ static void add_line(Page *page, const char *line, size_t size)
         yk_text_join(page->html, &style->data);
         yk_text_puts(page->html, "\n</style>\n");
     } else if (script) {
-        yk_text_format(&page->scripts, "<script nonce=\"%s\">\n", page->nonce);
-        add_script(&page->scripts, &script->data);
-        yk_text_puts(&page->scripts, "\n</script>\n");
+        add_whole_script(&page->scripts, page->nonce, script);
     } else if (between(line, size, "</body", ">", &length)) {
+        const YkAsset *plot = yk_assets_find(page->assets, "plot.js"); // which the page otherwise fetches when it plots
         add_inline(page->html, page->assets, page->served, page->nonce);
+        if (plot) add_whole_script(page->html, page->nonce, plot);
         yk_text_join(page->html, &page->scripts);
         yk_text_puts(page->html, "</body>\n");
     } else {
