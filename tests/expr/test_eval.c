@@ -55,6 +55,10 @@ static void derivatives_match_closed_forms(void **state)
         check_jet("t^5", t, (double[]){pow(t, 5), 5 * pow(t, 4), 20 * pow(t, 3), 60 * t * t, 120 * t});
         check_jet("1/t", t, (double[]){1 / t, -pow(t, -2), 2 * pow(t, -3), -6 * pow(t, -4), 24 * pow(t, -5)});
         check_jet("log(t)", t, (double[]){log(t), 1 / t, -pow(t, -2), 2 * pow(t, -3), -6 * pow(t, -4)});
+        const double decade = log(10);
+        check_jet("log10(t)", t,
+                  (double[]){log10(t), 1 / t / decade, -pow(t, -2) / decade, 2 * pow(t, -3) / decade,
+                             -6 * pow(t, -4) / decade});
         check_jet("sqrt(t)", t,
                   (double[]){sqrt(t), 0.5 * pow(t, -0.5), -0.25 * pow(t, -1.5), 0.375 * pow(t, -2.5),
                              -0.9375 * pow(t, -3.5)});
@@ -123,6 +127,8 @@ static long double naive(const YkExpr *expr, long double t)
         return expl(a);
     case YK_LOG:
         return logl(a);
+    case YK_LOG10:
+        return log10l(a);
     case YK_ABS:
         return fabsl(a);
     case YK_SIGN:

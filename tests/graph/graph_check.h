@@ -7,12 +7,12 @@
 
 static inline double graph_function(YkFunction function, double a, double b)
 {
-    const double of[] = {[YK_SIN] = sin(a),        [YK_COS] = cos(a),    [YK_TAN] = tan(a),
-                         [YK_ASIN] = asin(a),      [YK_ACOS] = acos(a),  [YK_ATAN] = atan(a),
-                         [YK_SINH] = sinh(a),      [YK_COSH] = cosh(a),  [YK_TANH] = tanh(a),
-                         [YK_SQRT] = sqrt(a),      [YK_EXP] = exp(a),    [YK_LOG] = log(a),
-                         [YK_ATAN2] = atan2(a, b), [YK_ABS] = fabs(a),   [YK_SIGN] = (a > 0) - (a < 0),
-                         [YK_MIN] = fmin(a, b),    [YK_MAX] = fmax(a, b)};
+    const double of[] = {
+        [YK_SIN] = sin(a),     [YK_COS] = cos(a),        [YK_TAN] = tan(a),   [YK_ASIN] = asin(a),
+        [YK_ACOS] = acos(a),   [YK_ATAN] = atan(a),      [YK_SINH] = sinh(a), [YK_COSH] = cosh(a),
+        [YK_TANH] = tanh(a),   [YK_SQRT] = sqrt(a),      [YK_EXP] = exp(a),   [YK_LOG] = log(a),
+        [YK_LOG10] = log10(a), [YK_ATAN2] = atan2(a, b), [YK_ABS] = fabs(a),  [YK_SIGN] = (a > 0) - (a < 0),
+        [YK_MIN] = fmin(a, b), [YK_MAX] = fmax(a, b)};
     return of[function];
 }
 
