@@ -208,7 +208,8 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
     if (r->complete && r->block < 0)
         yk_text_puts(&text, "every dyad is solved in closed form");
     else if (r->complete)
-        yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved", r->expected, label);
+        yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved%s", r->expected, label,
+                       r->count == 0 ? ", and none closes the machine" : "");
     else if (!whole)
         yk_text_puts(&text, "not all combinations of branches were visited");
     else if (all->is_cut_short)

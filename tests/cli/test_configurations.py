@@ -51,6 +51,7 @@ class Configurations(Case):
         self.assertEqual(answer["configurations"], [])
         self.assertIs(answer["complete"], True)
         self.assertEqual(answer["complex"], {"proved": 6, "counted": 6})
+        self.assertIn("none closes the machine", answer["because"])
 
     def test_a_time_that_is_too_short_claims_nothing(self):
         answer = Run("solve", example("double-butterfly"), "--all", "--within", "1e-9 s", "--format", "json").json()
