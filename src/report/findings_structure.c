@@ -93,35 +93,60 @@ static void find_four_bars(YkReportPage *report, YkText *text)
     }
 }
 
+enum { LABEL_SIZE = 128 };
+
+// The configurations at the start, and which of those that share its label the machine's own is.
 typedef struct Count {
-    size_t count;
+    const YkState *start;
+    char label[LABEL_SIZE];
+    size_t count, namesakes, own; // own: from 1 among the namesakes
 } Count;
+
+static bool is_same_pose(const YkState *a, const YkState *b)
+{
+    const YkMechanism *mech = yk_state_mechanism(a);
+    const double full_turn = 2 * YK_PI, same = 1e-6; // rad, or lengths over the size
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+        double off = yk_state_coordinate(a, c).position - yk_state_coordinate(b, c).position;
+        bool is_distance = yk_coordinate_info(mech, c).is_distance;
+        off = is_distance ? off / yk_mechanism_size(mech) : off - full_turn * rint(off / full_turn);
+        if (!(fabs(off) < same)) return false;
+    }
+    return true;
+}
 
 static bool count_one(void *context, YkState *state)
 {
     Count *count = context;
-    (void)state;
+    char label[LABEL_SIZE];
+    yk_state_label(state, label, sizeof label);
+    if (strcmp(label, count->label) == 0) count->namesakes++;
+    if (is_same_pose(state, count->start)) count->own = count->namesakes;
     return ++count->count < 4096;
 }
 
 static void find_configurations(YkReportPage *report, YkText *text)
 {
-    Count count = {0};
+    Count count = {.start = report->start};
     YkConfigurationsReport found = {.complete = false};
+    YkConfigurationsOptions options = yk_default_configurations_options();
     if (report->status < 0 || yk_block_count(report->mech) > 10) return;
+    options.in_search_order = true; // in which `yoke solve` numbers those with one label
+    yk_state_label(report->start, count.label, sizeof count.label);
     YkState *state = yk_report_new_state(report);
     YkStatus status = state ? yk_state_copy(state, report->start) : YK_NO_MEMORY;
     YkConfigurations *all = status >= 0 ? yk_configurations_new(report->mech) : NULL;
-    if (status >= 0) status = all ? yk_configurations_each(all, state, NULL, count_one, &count, &found) : YK_NO_MEMORY;
+    if (status >= 0)
+        status = all ? yk_configurations_each(all, state, &options, count_one, &count, &found) : YK_NO_MEMORY;
     yk_configurations_free(all);
     yk_report_note(report, status);
     if (status >= 0 && count.count > 1) {
-        char label[128];
-        yk_state_label(report->start, label, sizeof label);
         yk_text_format(
             text, "At its start it can be assembled in %s%z ways; this page shows the one nearest to its start values",
             found.complete ? "" : "at least ", count.count);
-        if (*label) yk_text_format(text, " (%s)", label);
+        if (*count.label) yk_text_format(text, " (%s", count.label);
+        if (*count.label && count.namesakes > 1) yk_text_format(text, ".%z", count.own);
+        if (*count.label) yk_text_puts(text, ")");
         yk_text_puts(text, ".");
         yk_report_find(report, YK_FINDING_FACT, text);
     }

@@ -24,7 +24,9 @@ static void read_symmetrical(YkLoader *loader, const YkCam *cam, const YkNode *m
     const YkNode *angle = yk_node_get(map, "angle"), *flank = yk_node_get(map, "flank");
     yk_load_check_keys(loader, map, keys, &subject);
     arcs->is_symmetrical = true;
-    arcs->is_bad = !yk_load_require(loader, map, "nose", &subject) | !yk_load_require(loader, map, "lift", &subject);
+    bool has_nose = yk_load_require(loader, map, "nose", &subject),
+         has_lift = yk_load_require(loader, map, "lift", &subject);
+    arcs->is_bad = !has_nose || !has_lift;
     arcs->nose_expr = read(loader, cam, map, "nose", YK_DIM_LENGTH, &arcs->nose);
     arcs->lift_expr = read(loader, cam, map, "lift", YK_DIM_LENGTH, &arcs->lift);
     arcs->from_expr = read(loader, cam, map, "from", YK_DIM_ANGLE, &arcs->from);
