@@ -51,8 +51,9 @@ void yk_gradient_end(YkElimination *e, const YkGradientColumns *columns, YkGradi
     gradient->piece_count = (uint32_t)e->piece_count - gradient->first_piece;
     gradient->node_count = (uint32_t)e->node_count - gradient->first_node;
     gradient->columns = (uint32_t)columns->count;
-    gradient->is_plain = gradient->node_count == 0 && gradient->piece_count == gradient->columns &&
-                         make_plain(e->pieces + gradient->first_piece, gradient->piece_count);
+    gradient->is_plain =
+        gradient->node_count == 0 && gradient->piece_count == gradient->columns &&
+        (gradient->piece_count == 0 || make_plain(e->pieces + gradient->first_piece, gradient->piece_count));
 }
 
 bool yk_gradient_add_term(YkElimination *e, YkGradientColumns *columns, YkTerm term, int32_t root, int32_t root_column,
