@@ -1,5 +1,5 @@
 # The Python package `yoke` (python/): its extension module by cffi, beside the modules, in build/PRESET/python. Built where Debian's
-# python3 has cffi, NumPy and its headers; without them there is no package, and nothing else changes.
+# python3 has cffi, NumPy and its headers. Otherwise the package is left out and everything else is built as usual.
 find_program(YOKE_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(YOKE_PYTHON AND NOT DEFINED YOKE_PYTHON_INCLUDE)
   execute_process(COMMAND ${YOKE_PYTHON} -c "import cffi, numpy, sysconfig, os

@@ -1,5 +1,5 @@
 # Studio's page, a static site in the folder `studio` of the build: the bundle of web/studio, the core's modules, the gallery. Without Node
-# and npm, or if npm cannot get its packages, there is no page, and the build says so.
+# and npm, or if npm cannot get its packages, the build skips the page and prints a message.
 if(NOT (YOKE_WEB AND YOKE_NODE AND YOKE_NPM))
   message(STATUS "No node and npm: the page of Studio is not built")
   return()

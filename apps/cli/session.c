@@ -293,7 +293,7 @@ static void look_at_digits(YkSession *session, const char *name, double angle)
     char number[YK_NUMBER_SIZE];
     yk_number_write_digits(rounding, 2, number);
     yk_problem(session->problems, YK_CODE_DRIVE_UNSURE, nowhere,
-               "--at %s: after so many turns an angle is known only to %s rad", name, number);
+               "--at %s: after this many turns the angle is accurate only to %s rad", name, number);
     yk_problem_hint(session->problems,
                     "leave out whole turns: the configuration is the same after each of them, unless "
                     "gears or change points are passed");

@@ -1,4 +1,4 @@
-// Every configuration of a machine at its inputs, with the proof that there are no others.
+// Every configuration of a machine at its inputs, with a proof that the list is complete.
 //
 // Dyads have two, in closed form. A larger group is a system of polynomials in e^(i angle) and distances; all its
 // complex solutions are followed from those of a generic system of the same structure, each is proved by interval

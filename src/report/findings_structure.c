@@ -105,11 +105,11 @@ typedef struct Count {
 static bool is_same_pose(const YkState *a, const YkState *b)
 {
     const YkMechanism *mech = yk_state_mechanism(a);
-    const double full_turn = 2 * YK_PI, same = 1e-6; // rad, or lengths over the size
+    const double same = 1e-6; // rad, or lengths over the size
     for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
         double off = yk_state_coordinate(a, c).position - yk_state_coordinate(b, c).position;
         bool is_distance = yk_coordinate_info(mech, c).is_distance;
-        off = is_distance ? off / yk_mechanism_size(mech) : off - full_turn * rint(off / full_turn);
+        off = is_distance ? off / yk_mechanism_size(mech) : yk_nearest_turn(off, 0);
         if (!(fabs(off) < same)) return false;
     }
     return true;

@@ -57,7 +57,7 @@ static void add_difference(Checking *checking, YkText *text, const YkCheckShown 
     yk_text_puts(text, "\n");
 }
 
-// Says what the verdict covers: how many poses, of which machines.
+// Reports the extent of the verdict: the number of poses, and the machines that they belong to.
 static void say_true_here(Checking *checking, const YkCheckVerdict *verdict)
 {
     YkText *out = &checking->session->out;

@@ -5,7 +5,7 @@
 #include "doc/node.h"
 #include "verbs/studio/studio.h"
 
-// FNV-1a of 64 bits: tells one text from another, and is no secret.
+// FNV-1a, 64 bits: a fingerprint that distinguishes texts. It is not cryptographic.
 static void make_version(YkServed *served)
 {
     uint64_t hash = 14695981039346656037u;

@@ -137,7 +137,8 @@ static Result answer_machine(Connection *connection, Server *server, const char 
     const char *token = MHD_lookup_connection_value(connection, MHD_GET_ARGUMENT_KIND, "token");
     if (!yk_guard_token(token, server->token)) return refuse(connection, MHD_HTTP_FORBIDDEN, "wrong token\n");
     if (!reads && !saves) return refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "GET or PUT\n");
-    if (!server->served->path) return refuse(connection, MHD_HTTP_NOT_FOUND, "there is no file\n");
+    if (!server->served->path)
+        return refuse(connection, MHD_HTTP_NOT_FOUND, "Studio was opened without a machine file\n");
     YkProblems *problems = yk_problems_new();
     Result result = !problems ? fail(connection, NULL)
                     : reads   ? read_machine(connection, server, problems)
@@ -156,7 +157,7 @@ static Result answer(Connection *connection, Server *server, const char *url, co
         return refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "GET\n");
     const char *path = strcmp(url, "/") == 0 ? "index.html" : url + (*url == '/');
     const YkAsset *asset = yk_assets_find(server->assets, path);
-    if (!asset) return refuse(connection, MHD_HTTP_NOT_FOUND, "there is no such file\n");
+    if (!asset) return refuse(connection, MHD_HTTP_NOT_FOUND, "not found\n");
     return give(connection, MHD_HTTP_OK, yk_assets_type(path), yk_text_get(&asset->data), asset->data.length, true);
 }
 
