@@ -51,7 +51,7 @@ void yk_reach_word_stop(YkSession *session)
 
 const char *yk_reach_message(const YkSession *session)
 {
-    if (session->reach_message.length > 0) return yk_text_get(&session->reach_message);
+    if (yk_text_has_some(&session->reach_message)) return yk_text_get(&session->reach_message);
     return yk_state_report(session->state)->message;
 }
 
@@ -148,7 +148,7 @@ static void hint_others(YkSession *session, const YkState *asked, YkText *text)
 void yk_reach_tell(YkSession *session, YkStatus status)
 {
     YkText hint = {0};
-    if (session->request->assembly && session->reach_message.length > 0) return; // told, with the names that there are
+    if (session->request->assembly && yk_text_has_some(&session->reach_message)) return; // told, with the names that there are
     yk_tell_status(session, status, yk_reach_message(session));
     YkState *asked = status == YK_LIMIT || status == YK_STOPPED ? asked_state(session) : NULL;
     if (!asked || session->request->assembly) {

@@ -18,6 +18,11 @@ const char *yk_text_get(const YkText *text)
     return text->failed ? yk_text_lost : text->data ? text->data : "";
 }
 
+bool yk_text_has_some(const YkText *text)
+{
+    return text->length > 0 || text->failed;
+}
+
 void yk_text_clear(YkText *text)
 {
     text->length = 0;

@@ -21,6 +21,7 @@ extern const char yk_text_lost[];
 
 void yk_text_free(YkText *text);             // frees and zeroes; a zeroed YkText is an empty text
 const char *yk_text_get(const YkText *text); // never NULL; `yk_text_lost` if the text failed
+bool yk_text_has_some(const YkText *text);   // whether there is anything to hand on: content, or a failure
 void yk_text_clear(YkText *text);            // empties the text; keeps its memory and its failed state
 void yk_text_fail(YkText *text);             // marks the text failed: something that should have been added is missing
 // Makes room for `extra` more bytes and the final NUL. Returns false when out of memory, now or before: a text with a

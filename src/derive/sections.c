@@ -65,5 +65,5 @@ bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
     bool is_written = entry->write(d, page);
     yk_derive_put_constants(d, page, false);
     if (entry->has_masses) yk_derive_put_constants(d, page, true);
-    return is_written && !page->failed && yk_derivation_is_well(d);
+    return is_written && !page->failed && !yk_arena_failed(page->arena) && yk_derivation_is_well(d);
 }

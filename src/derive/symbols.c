@@ -22,7 +22,7 @@ enum { FORMS_MAX = 20 }; // of a name in use: NAME, NAME_, NAME__, ...
 static int32_t enter(YkDerivation *d, const char *name, YkRingClass kind, bool is_angle)
 {
     size_t length = strlen(name);
-    char *form = yk_arena_take(d->arena, length + FORMS_MAX);
+    char *form = name == yk_text_lost ? NULL : yk_arena_take(d->arena, length + FORMS_MAX);
     int32_t symbol = -1;
     for (size_t k = 0; form && k < length; k++) form[k] = fits(name[k]) ? name[k] : '_';
     for (size_t more = 0; form && more < FORMS_MAX && symbol < 0 && yk_ring_status(d->ring) == YK_RING_OK; more++) {

@@ -313,6 +313,7 @@ static const char *write(YkRing *ring, const YkPoisson *over, const YkPoisson *u
     if (yk_train_quotient(ring, is_inverse ? under : over, is_inverse ? over : under, &quotient) &&
         yk_train_write_quotient(&quotient, &text))
         return yk_train_keep(arena, &text);
+    if (text.failed) yk_arena_fail(arena);
     yk_text_free(&text);
     return NULL;
 }

@@ -126,6 +126,7 @@ static void smooth(Quotient *q, Factors *factors)
             q->content = yk_ring_negate(q->ring, q->content);
         }
     }
+    if (text.failed) yk_ring_fail(q->ring, YK_RING_MEMORY);
     yk_text_free(&text);
 }
 
@@ -190,10 +191,10 @@ static bool write_fraction(const Quotient *q, YkText *text)
         yk_text_format(text, is_sum ? "(%s)" : "%s", yk_text_get(&over));
         yk_text_format(text, below_count > 1 ? "/(%s)" : "/%s", yk_text_get(&under));
     }
-    good = good && !over.failed && !under.failed && !text->failed;
+    if (over.failed || under.failed) yk_text_fail(text);
     yk_text_free(&over);
     yk_text_free(&under);
-    return good;
+    return good && !text->failed;
 }
 
 const YkPoisson *yk_train_quotient_sum(const YkTrainQuotient *q)

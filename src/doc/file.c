@@ -81,6 +81,7 @@ char *yk_doc_read_file(const char *path, size_t *length, YkProblems *problems)
     bool is_input = strcmp(path, "-") == 0;
     const char *name = is_input ? "standard input" : path;
     if (problems) yk_problems_set_source(problems, name, NULL, 0);
+    if (problems && yk_problems_ran_out(problems)) return NULL;
     FILE *file = is_input ? stdin : fopen(path, "rb");
     if (!file) {
         refuse_open(path, errno, problems);

@@ -15,7 +15,7 @@ bool yk_model_find_lock(const YkModel *model, const char *name, const YkLock **l
     YkText text = {0};
     for (size_t i = 0; i < model->lock_count && i < 20; i++)
         yk_text_format(&text, "%s`%s`", i ? ", " : "", model->locks[i].name);
-    if (text.length) yk_problem_hint(problems, "it has %s", yk_text_get(&text));
+    if (yk_text_has_some(&text)) yk_problem_hint(problems, "it has %s", yk_text_get(&text));
     yk_text_free(&text);
     return false;
 }

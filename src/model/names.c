@@ -87,11 +87,19 @@ static bool hint(YkProblems *problems, const char *nearest)
     return nearest != NULL;
 }
 
+// Returns room for names, or NULL with E0100: a message without its hint is not the right one.
+static const char **names_new(YkProblems *problems, size_t count)
+{
+    const char **names = malloc(count * sizeof *names);
+    if (!names) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for similar names");
+    return names;
+}
+
 bool yk_load_hint_nearest(YkProblems *problems, const char *name, const void *items, size_t count, size_t size)
 {
     if (!is_worth_a_hint(problems, name) || count == 0) return false;
     size_t room = count < NEAREST_MAX ? count : NEAREST_MAX;
-    const char **names = malloc(room * sizeof *names);
+    const char **names = names_new(problems, room);
     if (!names) return false;
     bool found = hint(problems, yk_nearest(name, names, gather(names, room, items, count, size)));
     free(names);
@@ -114,7 +122,7 @@ void yk_load_hint_nearest_symbol(YkLoader *loader, const char *name)
 {
     const YkModel *model = loader->model;
     if (!is_worth_a_hint(loader->problems, name)) return;
-    const char **names = malloc(2 * NEAREST_MAX * sizeof *names);
+    const char **names = names_new(loader->problems, 2 * NEAREST_MAX);
     if (!names) return;
     size_t count = gather(names, NEAREST_MAX, model->parameters, model->parameter_count, sizeof *model->parameters);
     count +=

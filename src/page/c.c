@@ -384,7 +384,7 @@ static void put_all(Code *code, YkText *text)
         yk_text_puts(text, ";\n");
     }
     yk_text_puts(text, "\n// What depends on parameters alone.\nvoid machine_constants(Machine *m)\n{\n");
-    yk_text_format(text, "%s%s}\n", code->words.length > 0 ? "" : "    (void)m;\n", yk_text_get(&code->words));
+    yk_text_format(text, "%s%s}\n", yk_text_has_some(&code->words) ? "" : "    (void)m;\n", yk_text_get(&code->words));
     for (size_t k = 0; k < code->function_count; k++) put_function(code, &code->functions[k], text);
 }
 

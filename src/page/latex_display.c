@@ -161,12 +161,12 @@ static void put_boxes(const YkLatexBoxes *boxes, YkText *text)
             yk_text_clear(&line);
             width = 0;
         }
-        if (line.length > 0) yk_text_puts(&line, " ,\\quad ");
+        if (yk_text_has_some(&line)) yk_text_puts(&line, " ,\\quad ");
         yk_text_format(&line, "\\boxed{%z} = ", k + 1);
         yk_text_add(&line, part->text, part->length);
         width += own;
     }
-    if (line.length > 0) put_display(yk_text_get(&line), text);
+    if (yk_text_has_some(&line)) put_display(yk_text_get(&line), text);
     yk_text_free(&line);
 }
 

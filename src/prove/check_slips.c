@@ -60,6 +60,7 @@ static bool is_true_with(YkCheck *check, const char *text, size_t length)
     YkEquation equation;
     YkProblems *problems = yk_problems_new();
     bool is_read = problems && yk_equation_read(check->d, text, length, (YkPlace){1, 1, 0}, problems, &equation);
+    check->failed |= !problems || yk_problems_ran_out(problems);
     yk_problems_free(problems);
     if (!is_read) return false;
     return is_true(check, yk_form_subtract(check->d->ring, equation.left, equation.right));
@@ -101,6 +102,7 @@ static const char *find_function(YkCheck *check)
         yk_text_add(&text, check->text, at);
         yk_text_puts(&text, word);
         yk_text_add(&text, check->text + at + 3, check->length - at - 3);
+        check->failed |= text.failed;
         bool found = !text.failed && is_true_with(check, yk_text_get(&text), text.length);
         yk_text_clear(&text);
         if (found) {
@@ -133,6 +135,7 @@ static const char *find_angle(YkCheck *check, const YkDeriveCoordinate *c)
         at += strlen(c->name) - 1;
         count++;
     }
+    check->failed |= text.failed;
     bool found = count > 0 && !text.failed && is_true_with(check, yk_text_get(&text), text.length);
     yk_text_clear(&text);
     if (found)

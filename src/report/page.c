@@ -58,7 +58,7 @@ static void add_contents(YkText *const *parts, YkText *html)
 {
     yk_text_puts(html, "<nav aria-label=\"Contents\"><ul>\n");
     for (size_t k = 0; k < SECTIONS; k++)
-        if (parts[k]->length > 0)
+        if (yk_text_has_some(parts[k]))
             yk_text_format(html, "<li><a href=\"#%s\">%s</a></li>\n", sections[k].id, sections[k].title);
     yk_text_puts(html, "</ul></nav>\n<main>\n");
 }

@@ -12,7 +12,10 @@ static void add_outline(const YkCamDesign *design, const YkCamSize *size, YkText
 {
     YkCamPicture picture;
     YkText svg = {0}, told = {0};
-    if (!yk_cam_picture_take(&picture, design, outline_tolerance * fmax(size->base, 1e-6), 0)) return;
+    if (!yk_cam_picture_take(&picture, design, outline_tolerance * fmax(size->base, 1e-6), 0)) {
+        if (picture.ran_out) yk_text_fail(html);
+        return;
+    }
     yk_cam_picture_svg(&picture, &svg);
     yk_cam_picture_free(&picture);
     yk_text_format(&told, "Outline of the cam %s to scale, with its base circle and its follower at cam angle 0",

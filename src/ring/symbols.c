@@ -82,18 +82,23 @@ static int32_t add_named(YkRing *ring, const char *name, YkRingSymbol symbol)
     return add_symbol(ring, yk_arena_copy(ring->arena, name, strlen(name)), symbol);
 }
 
+// A name that could not be written for lack of memory is not a malformed one.
+static int32_t refuse_name(YkRing *ring, const char *name)
+{
+    yk_ring_fail(ring, name == yk_text_lost ? YK_RING_MEMORY : YK_RING_NAME);
+    return -1;
+}
+
 int32_t yk_ring_symbol(YkRing *ring, const char *name, YkRingClass kind)
 {
     if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = kind});
-    yk_ring_fail(ring, YK_RING_NAME);
-    return -1;
+    return refuse_name(ring, name);
 }
 
 int32_t yk_ring_angle(YkRing *ring, const char *name)
 {
     if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = YK_RING_COORDINATE, .is_angle = true});
-    yk_ring_fail(ring, YK_RING_NAME);
-    return -1;
+    return refuse_name(ring, name);
 }
 
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over)

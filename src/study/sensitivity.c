@@ -77,7 +77,7 @@ static YkStatus by_difference(YkStudy *study, size_t parameter, double *derivati
 typedef struct Linear { // the loops and inputs at the pose, as equations of dx
     const YkMechanism *mech;
     size_t variables, rows;
-    double *x, *J, *b, *dx, *tau, *work; // work: of the explicit functions
+    double *x, *J, *b, *dx, *tau, *work, *stages; // work: of the explicit functions; stages: [loop equation][STAGES]
     size_t *order;
     YkVec *origin; // [body]
     double *angle; // [body] of its orientation
@@ -111,12 +111,13 @@ static bool start_linear(Linear *l, const YkMechanism *mech)
     size_t n = yk_variable_count(mech), loops = 2 * mech->loop_count, m = loops + mech->input_count;
     size_t bodies = mech->model->body_count;
     *l = (Linear){.mech = mech, .variables = n, .rows = m};
-    l->x = calloc(5 * n + m * n + 2 * m + 2 * loops + bodies + 8, sizeof *l->x);
+    l->x = calloc(5 * n + m * n + 2 * m + (2 + STAGES) * loops + bodies + 8, sizeof *l->x);
     l->order = calloc(n + 1, sizeof *l->order);
     l->origin = calloc(bodies, sizeof *l->origin);
     if (!l->x || !l->order || !l->origin) return false;
     l->dx = l->x + n, l->tau = l->dx + n, l->J = l->tau + n, l->b = l->J + m * n, l->work = l->b + m;
-    l->angle = l->work + 2 * loops + n;
+    l->stages = l->work + 2 * loops + n;
+    l->angle = l->stages + STAGES * loops;
     return true;
 }
 
@@ -204,8 +205,8 @@ static bool residual_at(YkStudy *study, Linear *l, size_t parameter, double valu
 static bool directions(YkStudy *study, Linear *l, size_t parameter)
 {
     size_t n = 2 * l->mech->loop_count;
-    double own = study->own[parameter], h = step_of(study, parameter), *stages = calloc(n * STAGES + 1, sizeof *stages);
-    bool good = stages != NULL;
+    double own = study->own[parameter], h = step_of(study, parameter), *stages = l->stages;
+    bool good = true;
     for (size_t stage = 0; good && stage < STAGES; stage++, h /= 2) {
         good = residual_at(study, l, parameter, own + h, l->b);
         for (size_t k = 0; good && k < n; k++) l->work[k] = l->b[k];
@@ -214,7 +215,6 @@ static bool directions(YkStudy *study, Linear *l, size_t parameter)
             stages[k * STAGES + stage] = (l->work[k] - l->b[k]) / ((own + h) - (own - h));
     }
     for (size_t k = 0; good && k < l->rows; k++) l->b[k] = k < n ? -extrapolate(stages + k * STAGES, STAGES) : 0;
-    free(stages);
     if (good) yk_qr_solve(l->rows, l->variables, l->J, l->order, l->tau, l->rank, l->b, l->dx);
     return good;
 }

@@ -31,7 +31,10 @@ static bool solve(const YkDerivePolynomial *p, YkExactSystem *system)
 {
     int32_t n = (int32_t)p->count, rights = 0;
     for (size_t k = 0; k < p->count; k++) rights += has_value(p, k);
-    if (!yk_exact_new(system, n, n, rights)) return false;
+    if (!yk_exact_new(system, n, n, rights)) {
+        p->law->d->failed = true;
+        return false;
+    }
     rights = 0;
     for (int32_t i = 0; i < n; i++) {
         const YkPolynomialCondition *condition = &p->conditions[i];

@@ -48,7 +48,7 @@ static void add_words(YkText *words, const char *const *path, size_t depth)
 {
     for (size_t i = 0; i < depth; i++) {
         const char *noun = i + 1 < depth ? noun_of(path[i]) : NULL;
-        if (words->length > 0) yk_text_puts(words, ", ");
+        if (yk_text_has_some(words)) yk_text_puts(words, ", ");
         if (noun)
             yk_text_format(words, "%s %q", noun, path[++i]);
         else

@@ -36,7 +36,8 @@ static bool look_at_loads(YkCheckAnswer *answer)
     answer->has_loads = yk_dynamics_has_loads(dynamics);
     if (answer->has_loads) answer->equations = yk_dynamics_count(dynamics);
     yk_dynamics_free(dynamics);
-    return true;
+    if (answer->equations.ran_out) yk_session_run_out(session);
+    return !answer->equations.ran_out;
 }
 
 static int answer_check(YkCheckAnswer *answer)

@@ -154,7 +154,7 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
     if (session->request->all) {
         yk_text_format(&session->out, "\nConfiguration %z: %s%s\n", index + 1, yk_text_get(&label),
                        session->is_start ? " (the machine's own)" : "");
-    } else if (label.length > 0) {
+    } else if (yk_text_has_some(&label)) {
         yk_text_format(&session->out, "Configuration %s%s\n", yk_text_get(&label),
                        session->is_chosen ? " (chosen)" : "");
     }

@@ -120,7 +120,7 @@ void yk_sweep_text(const YkSweepAnswer *answer)
 {
     YkText *out = &answer->session->out;
     yk_text_format(out, "%s: sweep over %s", yk_model_name(answer->session->model), answer->over.name);
-    if (answer->label.length > 0) yk_text_format(out, ", configuration %s", yk_text_get(&answer->label));
+    if (yk_text_has_some(&answer->label)) yk_text_format(out, ", configuration %s", yk_text_get(&answer->label));
     yk_text_puts(out, "\n");
     find_scale(answer);
     add_rows(answer);
