@@ -43,7 +43,7 @@ int main(int argc, char **argv)
     YkSession session = {.request = &request, .problems = yk_problems_new()};
     int exit_code = YK_EXIT_WRONG;
     if (request.arena && session.problems) {
-        yk_problems_set_source(session.problems, "yoke", NULL, 0);
+        yk_problems_set_teller(session.problems, "yoke");
         yk_options_read(argc, argv, &request, session.problems);
         exit_code = run(&session);
         if (!session.is_told) yk_tell_problems(&session, session.problems);

@@ -72,16 +72,22 @@ static void add_name(const char **names, size_t *count, const char *name)
     names[(*count)++] = name;
 }
 
-// Compiles with the coordinates that are set as inputs: the swept one, then in the given order.
-YkProblems *yk_session_file_problems(const YkSession *session)
+// Makes places that problems tell places in the model file.
+static void name_file(const YkSession *session, YkProblems *problems)
 {
-    YkProblems *problems = yk_problems_new();
     const char *text = yk_model_text(session->model);
     const char *name = strcmp(session->request->file, "-") == 0 ? "standard input" : session->request->file;
     yk_problems_set_source(problems, name, text, text ? strlen(text) : 0);
+}
+
+YkProblems *yk_session_file_problems(const YkSession *session)
+{
+    YkProblems *problems = yk_problems_new();
+    name_file(session, problems);
     return problems;
 }
 
+// Compiles with the coordinates that are set as inputs: the swept one, then in the given order.
 static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *problems)
 {
     const YkRequest *request = session->request;
@@ -144,6 +150,7 @@ static bool load(YkSession *session, bool compiles, const char *swept)
     if (!problems) return run_out(session);
     session->model = yk_session_load_model(session, true, problems);
     if (session->model && compiles) session->mech = compile(session, swept, problems);
+    if (session->model) name_file(session, session->problems); // a drive may have no value later
     const YkRequest *request = session->request;
     if (session->mech && (swept || request->at.count + request->rate.count + request->accel.count > 0))
         find_base(session);

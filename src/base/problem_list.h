@@ -13,6 +13,7 @@ struct YkProblems {
     YkProblem *last;            // the problem added last, NULL if it was left out
     YkArena *arena;             // messages and hints
     char *source_name, *source; // NULL when unknown
+    char *teller;               // of problems without a place; NULL: the source
     size_t source_length;
     YkNamePlace name_place; // or NULL
     YkText printed;

@@ -13,8 +13,8 @@ static const Colours ansi = {"\033[1m", {"\033[1;36m", "\033[1;35m", "\033[1;31m
 // Prints what it is about, or "file:line:col: " as far as it is known.
 static void print_place(YkText *text, const YkProblems *problems, const YkProblem *problem)
 {
-    const char *name = problems->source_name;
     YkPlace place = problem->place;
+    const char *name = place.line == 0 && problems->teller ? problems->teller : problems->source_name;
     if (problem->where) {
         yk_text_format(text, "%s: ", problem->where);
         return;

@@ -25,6 +25,7 @@ void yk_problems_free(YkProblems *problems)
     yk_arena_free(problems->arena);
     free(problems->source_name);
     free(problems->source);
+    free(problems->teller);
     yk_text_free(&problems->printed);
     free(problems);
 }
@@ -54,6 +55,14 @@ void yk_problems_set_source(YkProblems *problems, const char *name, const char *
     problems->name_place = NULL;
     if ((name && !problems->source_name) || (text && !problems->source))
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "%s", ran_out);
+}
+
+void yk_problems_set_teller(YkProblems *problems, const char *name)
+{
+    if (!problems) return;
+    free(problems->teller);
+    problems->teller = copy_bytes(name, name ? strlen(name) : 0);
+    if (name && !problems->teller) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "%s", ran_out);
 }
 
 // Formats into the arena and escapes control characters; NULL when out of memory.

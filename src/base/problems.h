@@ -10,6 +10,8 @@
 enum { YK_PROBLEMS_MAX = 200 }; // after so many, one last problem says that there are more
 // Names the source and keeps a copy of its text for quoting lines (text may be NULL).
 void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length);
+// Names who tells the problems that have no place, instead of the source (a program; NULL: the source again).
+void yk_problems_set_teller(YkProblems *problems, const char *name);
 // Says in words of what a place in the source is; false where it does not know.
 typedef bool (*YkNamePlace)(const char *source, size_t length, YkPlace place, YkText *words);
 // From now on problems say so in `where`, until another source is set.

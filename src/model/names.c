@@ -91,7 +91,8 @@ static bool hint(YkProblems *problems, const char *nearest)
 static const char **names_new(YkProblems *problems, size_t count)
 {
     const char **names = malloc(count * sizeof *names);
-    if (!names) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for similar names");
+    if (!names)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for similar names");
     return names;
 }
 

@@ -32,6 +32,23 @@ static void a_problem_prints_place_message_code_line_caret_and_hint(void **state
     yk_problems_free(problems);
 }
 
+static void a_teller_names_what_has_no_place(void **state)
+{
+    (void)state;
+    YkProblems *problems = yk_problems_new();
+    yk_problems_set_teller(problems, "yoke");
+    yk_problems_set_source(problems, "m.yaml", "a: b\n", 5);
+    yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){1, 4, 1}, "bad");
+    yk_problem(problems, YK_CODE_MORE_PROBLEMS, (YkPlace){0}, "more");
+    assert_string_equal(yk_problems_text(problems, 0), "yoke: note: more [N0101]\n"
+                                                       "m.yaml:1:4: error: bad [E0100]\n"
+                                                       "    a: b\n"
+                                                       "       ^\n");
+    yk_problems_set_teller(problems, NULL);
+    assert_non_null(strstr(yk_problems_text(problems, 0), "m.yaml: note: more"));
+    yk_problems_free(problems);
+}
+
 static void colours_surround_words_and_change_nothing_else(void **state)
 {
     (void)state;
@@ -206,6 +223,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_problem_prints_place_message_code_line_caret_and_hint),
+        cmocka_unit_test(a_teller_names_what_has_no_place),
         cmocka_unit_test(colours_surround_words_and_change_nothing_else),
         cmocka_unit_test(what_is_not_known_is_left_out),
         cmocka_unit_test(the_caret_stands_right_after_tabs_wide_and_combining_text),

@@ -99,6 +99,17 @@ class Mistakes(Case):
         self.assertIn("did you mean `coupler`?", run.err)
         self.assertIn("^", run.err)
 
+    def test_a_drive_without_a_value_is_quoted_from_the_file(self):
+        path = self.write("drive.yaml", "bodies: {ground: {points: {A: [0, 0]}}, arm: {points: {A: [0, 0]}}}\n"
+                          "joints: {A: {pin: [ground, arm], angle: theta}}\ndrives: {theta: 1 rad * sqrt(1 - t/(2 s))}\n")
+        for words in (["solve", path, "--time", "3s"], ["draw", path, "--time", "3s"],
+                      ["sweep", path, "--over", "t=0:3s", "--steps", "3"]):
+            run = Run(*words)
+            self.assertEqual(run.code, 2, words)
+            self.assertRegex(run.err, r"drive\.yaml:3:25: error: .*square root", words)
+            self.assertIn("\n    drives: {theta: 1 rad * sqrt(1 - t/(2 s))}\n" + " " * 28 + "^", run.err)
+        self.assertIn("yoke: error: bad-model: t goes no further than 2 s: beyond, a drive has no value", run.err)
+
     def test_words_with_control_characters_come_out_escaped(self):
         run = Run("solve", self.four_bar, "--at", "th\x1b[31m=3")
         self.assertEqual(run.code, 2)

@@ -120,7 +120,7 @@ static void add_equilibrium(const YkRestAnswer *answer, size_t index)
     const YkState *state = yk_rest_state(answer->rest, index);
     yk_text_format(out, "\nEquilibrium %z: %s, potential energy ", index + 1, yk_stability_word(rest.stability));
     yk_add_value(session, out, rest.potential, YK_QUANTITY_ENERGY, YK_DIGITS);
-    yk_text_puts(out, rest.is_reachable ? "\n" : "; not reachable from the start without taking the machine apart\n");
+    yk_text_puts(out, rest.is_reachable ? "\n" : "; not reachable from the start in its own assembly\n");
     add_coordinates(answer, state, false);
     add_coordinates(answer, state, true);
     add_modes(answer, index);

@@ -84,6 +84,7 @@ static void word_limit(YkSweepAnswer *answer)
         if (event.kind != YK_EVENT_LIMIT) continue;
         yk_text_format(text, "%s goes no further than ", answer->over.name);
         yk_add_value(answer->session, text, event.at, answer->over.quantity, 12);
+        if (answer->status == YK_BAD_MODEL) yk_text_puts(text, ": beyond, a drive has no value, rate or acceleration");
         if (event.block < 0) return;
         YkBlockInfo block = yk_block_info(answer->session->mech, (size_t)event.block);
         yk_text_format(text, ": beyond, joint %q (%s) does not close", block.label, yk_block_kind_name(block.kind));
@@ -167,7 +168,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
         return write_answer(answer);
     } else if (!run(answer, steps)) {
         return YK_EXIT_WRONG;
-    } else if (answer->status == YK_LIMIT) {
+    } else if (answer->status == YK_LIMIT || answer->status == YK_BAD_MODEL) {
         word_limit(answer);
     } else if (answer->status != YK_OK) {
         yk_text_puts(&answer->message, yk_state_report(session->state)->message);

@@ -68,11 +68,12 @@ static void tell_none(const YkSynthesisAnswer *answer)
     for (int k = 1; k < YK_DEFECT_COUNT; k++) {
         size_t count = yk_synthesis_left_out(answer->synthesis, (YkDefect)k);
         if (count > 0)
-            yk_text_format(&reasons, "%s%z %s", yk_text_has_some(&reasons) ? ", " : "", count, yk_defect_name((YkDefect)k));
+            yk_text_format(&reasons, "%s%z %s", yk_text_has_some(&reasons) ? ", " : "", count,
+                           yk_defect_name((YkDefect)k));
     }
     yk_problem(answer->session->problems, YK_CODE_NO_MACHINE, (YkPlace){0},
                yk_text_has_some(&reasons) ? "no machine does what the task asks; left out: %s"
-                                  : "no machine does what the task asks%s",
+                                          : "no machine does what the task asks%s",
                yk_text_get(&reasons));
     yk_problem_hint(answer->session->problems, "`--defects` shows those that were left out");
     yk_text_free(&reasons);
