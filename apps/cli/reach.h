@@ -22,8 +22,6 @@ void yk_reach_tell(YkSession *session, YkStatus status);
 // out of memory. The file's own configuration is carried over if --param gives other parameters.
 YkState *yk_reach_start(YkSession *session, YkStatus *status);
 
-// Returns whether these are the same configuration, up to whole turns.
-bool yk_same_configuration(const YkState *a, const YkState *b);
 // Returns a configuration's name among those that close at the pose: its label, with a number (`J+.2`) if several have
 // the same label, counted in their order at the start. The caller frees it.
 YkText yk_configuration_name(YkSession *session, const YkState *state);

@@ -1,25 +1,10 @@
 // Takes configurations by name: --assembly LABEL, nearest or K; and tells which of several is the machine's own.
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
 #include "reach.h"
 #include "roll.h"
 #include "stop.h"
-
-static const double full_turn = 6.28318530717958647692, same = 1e-6; // rad, or lengths over the size
-
-bool yk_same_configuration(const YkState *a, const YkState *b)
-{
-    const YkMechanism *mech = yk_state_mechanism(a);
-    double size = yk_mechanism_size(mech);
-    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
-        double off = yk_state_coordinate(a, c).position - yk_state_coordinate(b, c).position;
-        off = yk_coordinate_info(mech, c).is_distance ? off / size : off - full_turn * rint(off / full_turn);
-        if (!(fabs(off) < same)) return false;
-    }
-    return true;
-}
 
 // --- choosing
 
@@ -69,7 +54,7 @@ static bool is_own(YkSession *session, const YkState *chosen)
 {
     YkState *state = yk_reach_own(session);
     session->ran_out |= yk_memory_ran_out();
-    bool own = state && yk_same_configuration(state, chosen);
+    bool own = state && yk_state_is_at(state, chosen);
     yk_state_free(state);
     return own;
 }

@@ -1,9 +1,9 @@
 // Keeps the configurations at the asked pose and where the machine was assembled, and names them.
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
 #include "base/memory.h"
+#include "solve/gap.h"
 #include "reach.h"
 #include "roll.h"
 #include "stop.h"
@@ -143,12 +143,10 @@ static YkStatus make_roll(YkSession *session, Roll *roll, YkState *state)
 
 static bool is_entry(const YkSession *session, const Entry *entry, const YkState *state)
 {
-    const double full_turn = 6.28318530717958647692, same = 1e-6; // rad, or lengths over the size
-    double size = yk_mechanism_size(session->mech);
+    const double same = 1e-6; // rad, or lengths over the size
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
         double off = yk_state_coordinate(state, c).position - entry->positions[c];
-        off = yk_coordinate_info(session->mech, c).is_distance ? off / size : off - full_turn * rint(off / full_turn);
-        if (!(fabs(off) < same)) return false;
+        if (!(yk_gap(session->mech, yk_coordinate_info(session->mech, c).is_distance, off) < same)) return false;
     }
     return true;
 }

@@ -67,6 +67,9 @@ YK_API size_t yk_state_label(const YkState *state, char *text, size_t capacity);
 
 // The results. Indices are those of the model and the mechanism.
 YK_API bool yk_state_has_pose(const YkState *state); // false until it is assembled
+// Returns whether both states of one mechanism stand in the same pose: angles up to whole turns and to 1e-6 rad,
+// distances to 1e-6 of the machine's size. False without a pose.
+YK_API bool yk_state_is_at(const YkState *state, const YkState *other);
 YK_API bool yk_state_has_rates(const YkState *state);
 YK_API YkMotion yk_state_coordinate(const YkState *state, size_t coordinate);
 YK_API YkMotion yk_state_body(const YkState *state, size_t body); // angle to the ground

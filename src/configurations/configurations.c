@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "configurations/group.h"
 #include "solve/assemble.h"
+#include "solve/gap.h"
 #include "solve/state.h"
 
 // The group of one block: what is kept of it, its solutions at this pose, and room for the options of its level.
@@ -104,15 +105,8 @@ static bool is_listed(const YkConfigurations *all, const YkBlock *block, const d
 {
     const double same = 1e-7;
     size_t n = block->column_count;
-    for (size_t s = 0; s < count; s++) {
-        double off = 0;
-        for (size_t k = 0; k < n; k++) {
-            bool is_distance = all->mech->group_columns[block->first_column + k].is_distance;
-            double d = x[k] - options[s * n + k];
-            off = fmax(off, is_distance ? fabs(d) / all->mech->size : fabs(yk_nearest_turn(d, 0)));
-        }
-        if (off < same) return true;
-    }
+    for (size_t s = 0; s < count; s++)
+        if (yk_group_gap(all->mech, block, x, options + s * n) < same) return true;
     return false;
 }
 

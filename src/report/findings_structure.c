@@ -102,26 +102,13 @@ typedef struct Count {
     size_t count, namesakes, own; // own: from 1 among the namesakes
 } Count;
 
-static bool is_same_pose(const YkState *a, const YkState *b)
-{
-    const YkMechanism *mech = yk_state_mechanism(a);
-    const double same = 1e-6; // rad, or lengths over the size
-    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
-        double off = yk_state_coordinate(a, c).position - yk_state_coordinate(b, c).position;
-        bool is_distance = yk_coordinate_info(mech, c).is_distance;
-        off = is_distance ? off / yk_mechanism_size(mech) : yk_nearest_turn(off, 0);
-        if (!(fabs(off) < same)) return false;
-    }
-    return true;
-}
-
 static bool count_one(void *context, YkState *state)
 {
     Count *count = context;
     char label[LABEL_SIZE];
     yk_state_label(state, label, sizeof label);
     if (strcmp(label, count->label) == 0) count->namesakes++;
-    if (is_same_pose(state, count->start)) count->own = count->namesakes;
+    if (yk_state_is_at(state, count->start)) count->own = count->namesakes;
     return ++count->count < 4096;
 }
 

@@ -5,6 +5,7 @@
 #include <yoke/move.h>
 #include "base/problems.h"
 #include "num/dense.h"
+#include "solve/gap.h"
 #include "solve/relations.h"
 
 YkRestOptions yk_default_rest_options(void)
@@ -62,15 +63,8 @@ static bool descend(YkRest *rest)
 // Returns whether the pose was found before. Angles modulo a turn.
 static bool is_known(const YkRest *rest, const double *coordinates)
 {
-    const YkMechanism *mech = rest->mech;
-    for (size_t p = 0; p < rest->count; p++) {
-        double off = 0;
-        for (size_t c = 0; c < mech->coordinate_count; c++) {
-            double d = coordinates[c] - rest->points[p].coordinates[c];
-            off = fmax(off, fabs(mech->coordinates[c].is_distance ? d / mech->size : yk_nearest_turn(d, 0)));
-        }
-        if (off < 1e-5) return true;
-    }
+    for (size_t p = 0; p < rest->count; p++)
+        if (yk_pose_gap(rest->mech, coordinates, rest->points[p].coordinates) < 1e-5) return true;
     return false;
 }
 

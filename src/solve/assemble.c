@@ -4,6 +4,7 @@
 #include <string.h>
 #include "compile/closure.h"
 #include "solve/coincidence.h"
+#include "solve/gap.h"
 #include "solve/relations.h"
 
 // Limits of the search: configurations seen; blocks opened before the first configuration was found, and after it
@@ -160,7 +161,7 @@ static double coordinate_cost(const YkState *s, size_t k)
     const YkTreeCoordinate *c = &s->mech->coordinates[k];
     if (c->input != YK_NONE) return 0;
     double q = yk_coordinate_in(s, &s->spare, k).position, off = q - s->guess[k];
-    off = c->is_distance ? off / s->mech->size : yk_nearest_turn(off, 0);
+    off = yk_gap(s->mech, c->is_distance, off);
     return (s->is_guessed[k] ? 1 : 1e-8) * off * off;
 }
 

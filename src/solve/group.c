@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "num/dense.h"
+#include "solve/gap.h"
 #include "solve/relations.h"
 #include "solve/run.h"
 
@@ -381,14 +382,8 @@ int yk_group_sign(const YkRun *run, size_t index)
 
 static bool is_new(const YkGroupWork *w, const Group *g, size_t count)
 {
-    for (size_t s = 0; s < count; s++) {
-        double off = 0;
-        for (size_t k = 0; k < g->n; k++) {
-            double d = g->x[k] - w->solutions[s * g->n + k];
-            off = fmax(off, g->columns[k].is_distance ? fabs(d) / g->mech->size : fabs(yk_nearest_turn(d, 0)));
-        }
-        if (off < 1e-7) return false;
-    }
+    for (size_t s = 0; s < count; s++)
+        if (yk_group_gap(g->mech, g->block, g->x, w->solutions + s * g->n) < 1e-7) return false;
     return true;
 }
 

@@ -6,6 +6,7 @@
 #include <yoke/move.h>
 #include "base/problems.h"
 #include "rest/rest.h"
+#include "solve/gap.h"
 
 enum { WAYS_MAX = 16, PLACES_MAX = 48 };
 static const double SAME = 1e-6; // rad, or machine sizes
@@ -27,8 +28,7 @@ static bool is_near(const YkMechanism *mech, const YkState *s, const double *coo
 {
     for (size_t c = 0; c < mech->coordinate_count; c++) {
         double off = yk_state_coordinate(s, c).position - coordinates[c];
-        off = mech->coordinates[c].is_distance ? off / mech->size : yk_nearest_turn(off, 0);
-        if (!(fabs(off) <= near)) return false;
+        if (!(yk_gap(mech, mech->coordinates[c].is_distance, off) <= near)) return false;
     }
     return true;
 }

@@ -298,6 +298,38 @@ static void test_setting_the_other_branch_solves_the_other_assembly(void **unuse
     machine_free(&m);
 }
 
+static void turn_crank(YkState *state, double by)
+{
+    YkMotion in = yk_state_input(state, 0);
+    in.position += by;
+    yk_state_set_input(state, 0, in);
+    assert_int_equal(yk_state_solve(state), YK_OK);
+}
+
+static void test_poses_are_compared_up_to_whole_turns(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("four-bar"), slider = machine_load("slider-crank");
+    YkState *other = yk_state_new(m.mech);
+    assert_non_null(other);
+    assert_false(yk_state_is_at(m.state, other)); // it has no pose
+    assert_false(yk_state_is_at(NULL, m.state));
+    assert_false(yk_state_is_at(m.state, slider.state));
+    assert_int_equal(yk_state_copy(other, m.state), YK_OK);
+    assert_true(yk_state_is_at(m.state, other));
+    turn_crank(other, 2 * YK_PI);
+    assert_true(yk_state_is_at(m.state, other));
+    turn_crank(other, 1e-5);
+    assert_false(yk_state_is_at(m.state, other));
+    turn_crank(other, -1e-5);
+    yk_state_set_branch(other, 0, -yk_state_branch(other, 0));
+    assert_int_equal(yk_state_solve(other), YK_OK);
+    assert_false(yk_state_is_at(m.state, other)); // the other assembly
+    yk_state_free(other);
+    machine_free(&slider);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,6 +341,7 @@ int main(void)
         cmocka_unit_test(test_time_sets_the_drives_with_their_derivatives),
         cmocka_unit_test(test_held_coordinates_start_with_their_values_and_rates),
         cmocka_unit_test(test_setting_the_other_branch_solves_the_other_assembly),
+        cmocka_unit_test(test_poses_are_compared_up_to_whole_turns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

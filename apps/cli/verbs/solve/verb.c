@@ -72,7 +72,7 @@ static bool visit(void *context, YkState *state)
     Writer *writer = context;
     YkSession *session = writer->session;
     yk_state_copy(writer->scratch, state);
-    session->is_start = writer->own && yk_same_configuration(writer->own, state);
+    session->is_start = writer->own && yk_state_is_at(writer->own, state);
     session->is_chosen = !session->is_start;
     yk_note_status(session, find_forces(writer, writer->scratch));
     write_one(writer, writer->scratch);

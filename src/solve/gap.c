@@ -1,0 +1,39 @@
+// How far apart two poses are.
+#include "solve/gap.h"
+#include <math.h>
+#include <yoke/state.h>
+#include "solve/state.h"
+
+double yk_gap(const YkMechanism *mech, bool is_distance, double difference)
+{
+    return fabs(is_distance ? difference / mech->size : yk_nearest_turn(difference, 0));
+}
+
+double yk_pose_gap(const YkMechanism *mech, const double *a, const double *b)
+{
+    double gap = 0;
+    for (size_t c = 0; c < mech->coordinate_count; c++) {
+        double one = yk_gap(mech, mech->coordinates[c].is_distance, a[c] - b[c]);
+        if (!(one <= gap)) gap = one; // NaN stays
+    }
+    return gap;
+}
+
+double yk_group_gap(const YkMechanism *mech, const YkBlock *group, const double *a, const double *b)
+{
+    double gap = 0;
+    for (size_t k = 0; k < group->column_count; k++)
+        gap = fmax(gap, yk_gap(mech, mech->group_columns[group->first_column + k].is_distance, a[k] - b[k]));
+    return gap;
+}
+
+bool yk_state_is_at(const YkState *state, const YkState *other)
+{
+    const double same = 1e-6;
+    if (!state || !other || state->mech != other->mech || !state->has_pose || !other->has_pose) return false;
+    for (size_t c = 0; c < state->mech->coordinate_count; c++) {
+        double off = yk_state_coordinate(state, c).position - yk_state_coordinate(other, c).position;
+        if (!(yk_gap(state->mech, state->mech->coordinates[c].is_distance, off) < same)) return false;
+    }
+    return true;
+}
