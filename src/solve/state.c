@@ -195,11 +195,29 @@ YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
     return s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
 }
 
+// Exchanges two spaces 16 bytes at a time: through a whole copy it took a tenth of the time of a pose.
+static inline void exchange(YkSpace *a, YkSpace *b)
+{
+    typedef struct Pair {
+        uint64_t words[2];
+    } Pair;
+    enum { PAIRS = sizeof(YkSpace) / sizeof(Pair), REST = sizeof(YkSpace) % sizeof(Pair) };
+    unsigned char *p = (unsigned char *)a, *q = (unsigned char *)b, rest[REST + 1];
+    for (size_t k = 0; k < PAIRS; k++, p += sizeof(Pair), q += sizeof(Pair)) {
+        Pair x, y;
+        memcpy(&x, p, sizeof x);
+        memcpy(&y, q, sizeof y);
+        memcpy(p, &y, sizeof y);
+        memcpy(q, &x, sizeof x);
+    }
+    memcpy(rest, p, REST);
+    memcpy(p, q, REST);
+    memcpy(q, rest, REST);
+}
+
 void yk_state_accept(YkState *s)
 {
-    YkSpace space = s->space;
-    s->space = s->spare;
-    s->spare = space;
+    exchange(&s->space, &s->spare);
     memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
     if (s->mech->column_count > 0) memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
     s->has_pose = true;
