@@ -45,6 +45,9 @@ typedef struct YkConfigurationsOptions {
     // Asked as <yoke/progress.h> says while groups are solved. Once it returns false no more paths are followed; what
     // is proved by then is visited, and the report is not complete. (What watches the state ends the whole call.)
     YkProgress enough;
+    // Names (yk_configurations_name) are asked for while it visits: what they need is enumerated before, once for the
+    // same inputs.
+    bool with_names;
 } YkConfigurationsOptions;
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
@@ -57,6 +60,16 @@ YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState
                                        const YkConfigurationsOptions *options,
                                        bool (*visit)(void *context, YkState *state), void *context,
                                        YkConfigurationsReport *report);
+
+// Names the configuration that a state with a pose stands in, among those at its inputs: its label and, if several have
+// the same label, a number, as in `J+.2`. They are counted in the order of the search at the start, where the machine
+// was assembled, so that the name stays while the machine moves; `J+.x2` counts them at these inputs, if this one
+// cannot move back. *name belongs to `configurations` until the next call. Options as above, or NULL. Returns YK_OK,
+// YK_STOPPED or YK_NO_MEMORY (*name is then ""), or YK_BAD_ARGUMENT: another machine's state, or asked for during a
+// visit without `with_names`. Cost: the configurations at these inputs, and at the start if labels repeat, once for the
+// same inputs; a move to the start for each name with a number.
+YK_API YkStatus yk_configurations_name(YkConfigurations *configurations, const YkState *state,
+                                       const YkConfigurationsOptions *options, const char **name);
 
 #ifdef __cplusplus
 }

@@ -1,14 +1,13 @@
 """Configurations: all that close at a pose, and the one that is meant."""
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from ._native import ffi, lib
 from ._pose import Pose
-from ._problems import PoseError, refusal
+from ._problems import PoseError, refusal, text_of
 from ._reach import Plan, Slot
-from ._start import label_of, message_of, new_state, pose_error
+from ._start import message_of, new_state, pose_error
 from ._values import CData
 from ._watch import check, keep
 
@@ -17,20 +16,22 @@ if TYPE_CHECKING:
 
 
 class Configurations(list):  # type: ignore[type-arg]
-    """The poses of all configurations; `complete` is False where a larger group was searched, not enumerated."""
+    """The poses of all configurations. `complete`: there are no others; `reason` and `because` tell why, or what is missing."""
 
     complete: bool = True
+    reason: Optional[str] = None
+    because: str = ""
 
     def __reduce__(self) -> Any:
-        return _again, (list(self), self.complete)
+        return _again, (list(self), self.complete, self.reason, self.because)
 
     def _repr_html_(self) -> str:
         return "".join(pose._repr_html_() for pose in self)
 
 
-def _again(poses: "list[Pose]", complete: bool) -> Configurations:
+def _again(poses: "list[Pose]", complete: bool, reason: Optional[str], because: str) -> Configurations:
     result = Configurations(poses)
-    result.complete = complete
+    result.complete, result.reason, result.because = complete, reason, because
     return result
 
 
@@ -45,29 +46,20 @@ def yk_host_visit(context: CData, state: CData) -> bool:
     return True
 
 
-def states(plan: Plan, time: float) -> tuple[list[CData], bool, int]:
-    """Returns the states of all configurations at the asked pose, whether these are all, and the status."""
+def states(plan: Plan, time: float) -> tuple[list[CData], CData]:
+    """Returns the states of all configurations at the asked pose, in the command's order, and the library's report."""
     state = new_state(plan.mech)
     plan.ask(state, time)
     found: list[CData] = []
-    complete = ffi.new("bool *", True)
+    report = ffi.new("YkConfigurationsReport *")
+    options = ffi.new("YkConfigurationsOptions *", lib.yk_default_configurations_options())
+    options.in_search_order = True
     handle = ffi.new_handle((found, plan.mech))
-    status: int = lib.yk_state_each(state, lib.yk_host_visit, handle, complete)
+    status: int = lib.yk_configurations_each(plan.configurations, state, options, lib.yk_host_visit, handle, report)
     check()
     if status in (lib.YK_NO_MEMORY, lib.YK_STOPPED):
         raise pose_error(status, message_of(state))
-    return found, bool(complete[0]), status
-
-
-def same(plan: Plan, one: CData, other: CData) -> bool:
-    """Tells whether two poses are the same configuration, up to whole turns."""
-    size = lib.yk_mechanism_size(plan.mech)
-    for c in plan.coordinates.values():
-        off = lib.yk_state_coordinate(one, c.number).position - lib.yk_state_coordinate(other, c.number).position
-        off = off / size if c.is_distance else math.remainder(off, 2 * math.pi)
-        if not abs(off) < 1e-6:
-            return False
-    return True
+    return found, report
 
 
 def own(plan: Plan, time: float) -> Optional[CData]:
@@ -85,20 +77,21 @@ def own(plan: Plan, time: float) -> Optional[CData]:
 def is_own(plan: Plan, state: CData, time: float) -> bool:
     """Tells whether a configuration is the one that the machine gets to."""
     mine = own(plan, time)
-    return mine is not None and same(plan, mine, state)
+    return mine is not None and bool(lib.yk_state_is_at(mine, state))
 
 
 def find(machine: "Machine", plan: Plan, time: float, request: Any) -> Configurations:
     """Returns the poses of all configurations, with their forces."""
     mine = own(plan, time)
-    found, complete, _ = states(plan, time)
+    found, report = states(plan, time)
     result = Configurations()
-    result.complete = complete
+    result.complete, result.because = bool(report.complete), text_of(report.message)
+    result.reason = text_of(lib.yk_complete_reason_name(report.reason)) if result.complete else None
     for k, state in enumerate(found):
         slot = Slot(plan, False)
         if lib.yk_state_copy(slot.state, state) < 0:
             raise MemoryError("out of memory")
-        is_start = mine is not None and same(plan, mine, state)
+        is_start = mine is not None and bool(lib.yk_state_is_at(mine, state))
         pose = machine._posed(plan, slot, request, 0, lib.YK_METHOD_REDUCED, is_start)
         pose.index = k
         result.append(pose)
@@ -113,8 +106,8 @@ def choose(plan: Plan, state: CData, time: float, word: Union[str, int]) -> int:
         if status < 0:
             raise pose_error(status, message_of(state))
         return status
-    found, _, _ = states(plan, time)
-    labels = [label_of(one) for one in found]
+    found, _ = states(plan, time)
+    labels = [plan.name_of(one) for one in found]
     chosen = [k for k, label in enumerate(labels) if k + 1 == word or label == word or str(k + 1) == word]
     there = "; ".join(f"{k + 1}: {label}" for k, label in enumerate(labels))
     if len(chosen) != 1:

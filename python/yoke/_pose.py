@@ -9,7 +9,6 @@ from ._core import channels_of
 from ._native import ffi, lib
 from ._problems import Problem, status_name, text_of
 from ._reach import Plan, Slot
-from ._start import label_of
 from ._values import CData, number, unit_of
 
 if TYPE_CHECKING:
@@ -99,8 +98,9 @@ class Pose:
 
     @property
     def label(self) -> str:
-        """The configuration, as "A+ C-"."""
-        return label_of(self._slot.state)
+        """The configuration, as "A+ C-", or "J+.2" where several at these inputs share a label."""
+        with self.machine._lock:
+            return self._plan.name_of(self._slot.state)
 
     @property
     def time(self) -> float:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 from ._native import ffi, lib
 from ._problems import Problem, Problems, RequestError, refusal, text_of
-from ._start import label_of, message_of, new_dynamics, new_state, pose_error
+from ._start import label_of, message_of, new_configurations, new_dynamics, new_state, pose_error
 from ._values import CData, shown
 from ._watch import check
 
@@ -56,6 +56,7 @@ class Plan:
         self.entry: CData = None
         self.entry_status = 0
         self.channels: dict[str, Any] = {}
+        self._configurations: CData = None
         self._enter()
 
     def _input(self, name: str) -> int:
@@ -63,6 +64,21 @@ class Plan:
         if found < 0:
             raise refusal(RequestError, "E0813", f"no freedom is left to set `{name}`: the others fix it")
         return found
+
+    @property
+    def configurations(self) -> CData:
+        """What enumerating has learnt about this mechanism."""
+        if self._configurations is None:
+            self._configurations = new_configurations(self.mech)
+        return self._configurations
+
+    def name_of(self, state: CData) -> str:
+        """Returns a configuration's name: its label, with a number where several at its inputs share one ("J+.2")."""
+        name = ffi.new("char **")
+        status = lib.yk_configurations_name(self.configurations, state, ffi.NULL, name)
+        if status < 0:
+            raise pose_error(status, message_of(state))
+        return text_of(name[0])
 
     def new_dynamics(self, all_prescribed: bool = False) -> CData:
         """Returns dynamics in which accelerations that are set, or all, are prescribed; None without loads."""

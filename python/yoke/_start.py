@@ -46,6 +46,18 @@ def new_dynamics(mech: CData) -> CData:
     return dynamics if lib.yk_dynamics_has_loads(dynamics) else None
 
 
+def new_configurations(mech: CData) -> CData:
+    """Returns what enumerating learns about a mechanism, for as many poses as there are."""
+    all_of = lib.yk_configurations_new(mech)
+    if all_of == ffi.NULL:
+        raise MemoryError("out of memory")
+
+    def free(c: CData, keep: CData = mech) -> None:
+        lib.yk_configurations_free(c)
+
+    return ffi.gc(all_of, free)
+
+
 def message_of(state: CData) -> str:
     """Returns what a state's report says."""
     return text_of(lib.yk_state_report(state).message)

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "configurations/group.h"
+#include "configurations/namesakes.h"
 #include "solve/assemble.h"
 #include "solve/gap.h"
 #include "solve/state.h"
@@ -21,6 +22,7 @@ typedef struct Member {
 struct YkConfigurations {
     const YkMechanism *mech;
     Member *members; // [block]
+    YkNamesakes namesakes;
     // of the present call:
     YkState *state;
     YkConfigurationsOptions options;
@@ -71,6 +73,7 @@ void yk_configurations_free(YkConfigurations *all)
         free(m->costs);
         free(m->order);
     }
+    yk_namesakes_end(&all->namesakes);
     free(all->members);
     free(all);
 }
@@ -235,6 +238,10 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
 {
     if (report) *report = (YkConfigurationsReport){.block = -1};
     if (!all || !state || state->mech != all->mech || all->is_running) return YK_BAD_ARGUMENT;
+    if (options && options->with_names && !yk_namesakes_are_ready(&all->namesakes, state)) {
+        YkStatus status = yk_namesakes_prepare(&all->namesakes, all, state, options);
+        if (status < 0) return status;
+    }
     YkLister lister = {list, all, 0};
     bool whole = false;
     all->state = state;
@@ -255,5 +262,18 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
         all->report.reason = YK_INCOMPLETE;
     }
     if (report) *report = all->report;
+    return status;
+}
+
+YkStatus yk_configurations_name(YkConfigurations *all, const YkState *state, const YkConfigurationsOptions *options,
+                                const char **name)
+{
+    if (name) *name = "";
+    if (!name || !all || !state || state->mech != all->mech || !state->has_pose) return YK_BAD_ARGUMENT;
+    bool is_ready = yk_namesakes_are_ready(&all->namesakes, state);
+    if (!is_ready && all->is_running) return YK_BAD_ARGUMENT;
+    YkStatus status = is_ready ? YK_OK : yk_namesakes_prepare(&all->namesakes, all, state, options);
+    if (status >= 0) status = yk_namesakes_write(&all->namesakes, state);
+    if (status >= 0) *name = yk_text_get(&all->namesakes.name);
     return status;
 }

@@ -93,50 +93,36 @@ static void find_four_bars(YkReportPage *report, YkText *text)
     }
 }
 
-enum { LABEL_SIZE = 128 };
-
-// The configurations at the start, and which of those that share its label the machine's own is.
-typedef struct Count {
-    const YkState *start;
-    char label[LABEL_SIZE];
-    size_t count, namesakes, own; // own: from 1 among the namesakes
-} Count;
-
 static bool count_one(void *context, YkState *state)
 {
-    Count *count = context;
-    char label[LABEL_SIZE];
-    yk_state_label(state, label, sizeof label);
-    if (strcmp(label, count->label) == 0) count->namesakes++;
-    if (yk_state_is_at(state, count->start)) count->own = count->namesakes;
-    return ++count->count < 4096;
+    (void)state;
+    return ++*(size_t *)context < 4096;
 }
 
 static void find_configurations(YkReportPage *report, YkText *text)
 {
-    Count count = {.start = report->start};
+    size_t count = 0;
+    const char *name = "";
     YkConfigurationsReport found = {.complete = false};
     YkConfigurationsOptions options = yk_default_configurations_options();
     if (report->status < 0 || yk_block_count(report->mech) > 10) return;
-    options.in_search_order = true; // in which `yoke solve` numbers those with one label
-    yk_state_label(report->start, count.label, sizeof count.label);
+    options.in_search_order = true;
     YkState *state = yk_report_new_state(report);
     YkStatus status = state ? yk_state_copy(state, report->start) : YK_NO_MEMORY;
     YkConfigurations *all = status >= 0 ? yk_configurations_new(report->mech) : NULL;
     if (status >= 0)
         status = all ? yk_configurations_each(all, state, &options, count_one, &count, &found) : YK_NO_MEMORY;
-    yk_configurations_free(all);
+    if (status >= 0) status = yk_configurations_name(all, state, &options, &name);
     yk_report_note(report, status);
-    if (status >= 0 && count.count > 1) {
+    if (status >= 0 && count > 1) {
         yk_text_format(
             text, "At its start it can be assembled in %s%z ways; this page shows the one nearest to its start values",
-            found.complete ? "" : "at least ", count.count);
-        if (*count.label) yk_text_format(text, " (%s", count.label);
-        if (*count.label && count.namesakes > 1) yk_text_format(text, ".%z", count.own);
-        if (*count.label) yk_text_puts(text, ")");
+            found.complete ? "" : "at least ", count);
+        if (*name) yk_text_format(text, " (%s)", name);
         yk_text_puts(text, ".");
         yk_report_find(report, YK_FINDING_FACT, text);
     }
+    yk_configurations_free(all);
     yk_state_free(state);
 }
 
