@@ -56,7 +56,7 @@ def solve_cost() -> tuple[float, float]:
     program = ffi.new("double[]", angles)
 
     def native() -> None:
-        lib.yk_host_time_solve(slot.state, plan.entry, plan.holds, plan.goal, plan.move, program, len(angles))
+        lib.yk_host_time_solve(slot.state, plan.entry, plan.holds, plan.move, program, len(angles))
 
     return best(python) / len(angles), best(native) / len(angles)
 

@@ -62,13 +62,6 @@ typedef struct YkRequest {
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
-// One order (0 position, 1 rate, 2 acceleration) of an input, set by --at, --rate or --accel.
-typedef struct YkSetInput {
-    size_t input;
-    int order;
-    double value;
-} YkSetInput;
-
 // One run: the request and its results so far.
 struct YkSession {
     const YkRequest *request;
@@ -78,7 +71,7 @@ struct YkSession {
     YkMechanism *base; // compiled without the command line's inputs, if those differ; otherwise NULL
     YkModel *own;      // the file with its own parameters, if --param gives others; otherwise NULL
     YkState *state;
-    YkSetInput *holds; // [hold_count]
+    YkInputHold *holds; // [hold_count]: what --at, --rate and --accel set
     size_t hold_count;
     YkMotion *bodies;               // yk_session_bodies keeps them here
     double time;                    // --time, s

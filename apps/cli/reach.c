@@ -128,45 +128,11 @@ static void note_way(YkSession *session)
                yk_block_info(session->mech, (size_t)move->passes[0].block).label);
 }
 
-// Moves all inputs at once to the values at which they are held.
-static YkStatus go_straight(YkSession *session)
-{
-    YkState *state = session->state;
-    size_t count = yk_input_count(session->mech);
-    YkMotion *goal = calloc(count + 1, sizeof *goal);
-    if (!goal) return run_out(session);
-    yk_session_hold(session, state);
-    for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(state, i);
-    YkStatus status = yk_state_move_to(state, goal, NULL, &session->move);
-    free(goal);
-    return status;
-}
-
-// Moves along the drives to --time; keeps the events of the way so far.
-static YkStatus go_in_time(YkSession *session)
-{
-    YkMove before = session->move;
-    YkStatus status = yk_state_move_time(session->state, session->time, NULL, &session->move, session->problems);
-    if (before.pass_count > 0) {
-        session->move.passes[0] = before.passes[0];
-        session->move.pass_count += before.pass_count;
-    }
-    session->move.is_detour |= before.is_detour;
-    return status;
-}
-
-static YkStatus move(YkSession *session)
-{
-    YkStatus status = yk_state_report(session->state)->status;
-    if (session->hold_count > 0) status = go_straight(session);
-    return status < 0 || session->time == 0 ? status : go_in_time(session);
-}
-
 // Returns whether the way leaves the start's pose.
 static bool moves(const YkSession *session)
 {
     for (size_t k = 0; k < session->hold_count; k++) {
-        const YkSetInput *hold = &session->holds[k];
+        const YkInputHold *hold = &session->holds[k];
         if (hold->order == 0 && hold->value != yk_state_input(session->state, hold->input).position) return true;
     }
     return session->time != 0 || session->request->over != NULL;
@@ -209,7 +175,9 @@ static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus st
 {
     status = stand(session, start, status);
     if (status < 0) return status;
-    status = move(session);
+    status = yk_state_reach(session->state, session->holds, session->hold_count, session->time, NULL, &session->move,
+                            session->problems);
+    if (status == YK_NO_MEMORY) return run_out(session);
     session->is_start = status >= 0;
     if (status < 0) yk_reach_word_stop(session);
     return status;
@@ -264,7 +232,7 @@ static void hold_range(YkSession *session, const YkOver *over)
 {
     if (over && over->coordinate >= 0) {
         int input = yk_coordinate_info(session->mech, (size_t)over->coordinate).input;
-        session->holds[session->hold_count++] = (YkSetInput){(size_t)input, 0, over->from};
+        session->holds[session->hold_count++] = (YkInputHold){(size_t)input, 0, over->from};
     } else if (over) {
         session->time = over->from;
     }

@@ -310,7 +310,7 @@ static void look_at_digits(YkSession *session, const char *name, double angle)
 static bool read_holds(YkSession *session, const char *option, const YkAssignments *pairs, int order)
 {
     for (size_t i = 0; i < pairs->count; i++) {
-        YkSetInput hold = {.order = order};
+        YkInputHold hold = {.order = order};
         bool is_distance = false;
         const YkAssignment *pair = &pairs->items[i];
         if (!find_input(session, pair->name, &hold.input, &is_distance)) return false;

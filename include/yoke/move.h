@@ -49,6 +49,17 @@ YK_API YkStatus yk_state_move_to(YkState *state, const YkMotion *goal, const YkM
 // drive keep their values. Also returns YK_BAD_MODEL if a drive has no value on the way.
 YK_API YkStatus yk_state_move_time(YkState *state, double time, const YkMoveOptions *options, YkMove *move,
                                    YkProblems *problems);
+// An input that is held at a value: its position (order 0), rate (1) or acceleration (2), in SI units.
+typedef struct YkInputHold {
+    size_t input;
+    int order;
+    double value;
+} YkInputHold;
+// Goes from a state's pose to the one that a request asks for, as every verb of the command does: sets the inputs that
+// are held, moves straight to them (yk_state_move_to), then along the drives to `time`, s. `move` has the events of
+// both ways, each with its part of its own way. Returns what these return.
+YK_API YkStatus yk_state_reach(YkState *state, const YkInputHold *holds, size_t hold_count, double time,
+                               const YkMoveOptions *options, YkMove *move, YkProblems *problems);
 // Takes the coordinates of another state of the machine as the guesses from which yk_state_assemble chooses.
 YK_API YkStatus yk_state_guess(YkState *state, const YkState *from);
 // Puts a state in the pose of another one of the same machine whose mechanism was compiled with other inputs: same

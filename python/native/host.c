@@ -37,31 +37,11 @@ YkProgress yk_host_progress(void)
 
 // --- a pose
 
-static void keep_first(YkMove *move, const YkMove *before)
+YkStatus yk_host_reach(YkState *state, const YkState *entry, const YkInputHold *holds, size_t count, double time,
+                       YkMove *move, YkProblems *problems)
 {
-    if (before->pass_count > 0) move->passes[0] = before->passes[0];
-    move->pass_count += before->pass_count;
-    move->is_detour |= before->is_detour;
-}
-
-YkStatus yk_host_reach(YkState *state, const YkState *entry, const YkHostHold *holds, size_t count, double time,
-                       YkMotion *goal, YkMove *move, YkProblems *problems)
-{
-    *move = (YkMove){.part = 1, .block = -1};
     YkStatus status = yk_state_copy(state, entry);
-    if (status < 0) return status;
-    status = yk_state_report(state)->status;
-    for (size_t k = 0; k < count; k++) yk_state_hold_input(state, holds[k].input, holds[k].order, holds[k].value);
-    if (count > 0) {
-        size_t inputs = yk_input_count(yk_state_mechanism(state));
-        for (size_t i = 0; i < inputs; i++) goal[i] = yk_state_input(state, i);
-        status = yk_state_move_to(state, goal, NULL, move);
-    }
-    if (status < 0 || time == 0) return status;
-    YkMove before = *move;
-    status = yk_state_move_time(state, time, NULL, move, problems);
-    keep_first(move, &before);
-    return status;
+    return status < 0 ? status : yk_state_reach(state, holds, count, time, NULL, move, problems);
 }
 
 static bool is_rate(YkChannel channel)
@@ -160,12 +140,12 @@ void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t pa
     for (size_t k = 0; k < count; k++) values[k] = yk_distribution_draw(distribution, seed, k, parameter);
 }
 
-void yk_host_time_solve(YkState *state, const YkState *entry, YkHostHold *holds, YkMotion *goal, YkMove *move,
-                        const double *values, size_t count)
+void yk_host_time_solve(YkState *state, const YkState *entry, YkInputHold *holds, YkMove *move, const double *values,
+                        size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         holds[0].value = values[k];
-        yk_host_reach(state, entry, holds, 1, 0, goal, move, NULL);
+        yk_host_reach(state, entry, holds, 1, 0, move, NULL);
     }
 }
 

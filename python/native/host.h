@@ -6,15 +6,9 @@
 bool yk_host_goes_on(void *context, double part);
 YkProgress yk_host_progress(void);
 
-typedef struct YkHostHold {
-    size_t input;
-    int order;
-    double value;
-} YkHostHold;
-// Puts `state` where the machine was assembled (`entry`), holds the inputs and moves it to `time`, as the command does:
-// straight in all inputs at once, then along the drives. goal: room for all inputs. Returns the status of the way.
-YkStatus yk_host_reach(YkState *state, const YkState *entry, const YkHostHold *holds, size_t count, double time,
-                       YkMotion *goal, YkMove *move, YkProblems *problems);
+// Puts `state` where the machine was assembled (`entry`) and goes from there (yk_state_reach).
+YkStatus yk_host_reach(YkState *state, const YkState *entry, const YkInputHold *holds, size_t count, double time,
+                       YkMove *move, YkProblems *problems);
 
 // Writes NaN over the rates of rows at dead points, where they are undefined.
 void yk_host_blank_rates(YkSweep *sweep, const YkChannel *channels, size_t count);
@@ -54,6 +48,6 @@ YkStatus yk_host_step_many(const YkHostMany *many, size_t begin, size_t end);
 void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t parameter, double *values, size_t count);
 
 // For the bench: the library's own part of `count` calls of solve, and of step.
-void yk_host_time_solve(YkState *state, const YkState *entry, YkHostHold *holds, YkMotion *goal, YkMove *move,
+void yk_host_time_solve(YkState *state, const YkState *entry, YkInputHold *holds, YkMove *move,
                         const double *values, size_t count);
 void yk_host_time_steps(YkSimulation *simulation, double span, size_t count);

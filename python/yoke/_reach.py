@@ -41,14 +41,13 @@ class Plan:
         self.coordinates: dict[str, Coordinate] = core.coordinates_of(self.mech)
         order = [(name, 0) for name in at] + [(name, 1) for name in rate] + [(name, 2) for name in accel]
         order += [(swept, 0)] if swept else []
-        self.holds = ffi.new("YkHostHold[]", len(order) + 1)
+        self.holds = ffi.new("YkInputHold[]", len(order) + 1)
         self.hold_count = len(order)
         for k, (name, derivative) in enumerate(order):
             self.holds[k].input, self.holds[k].order = self._input(name), derivative
         self.quantities = [self.coordinates[name].quantity(derivative) for name, derivative in order]
         self.prescribed = [self._input(name) for name in accel]
         self.inputs = lib.yk_input_count(self.mech)
-        self.goal = ffi.new("YkMotion[]", self.inputs + 1)
         self.move = ffi.new("YkMove *")
         self.has_free = False
         self.pool: list[Slot] = []
@@ -120,8 +119,7 @@ class Plan:
             if self.entry is None or self.entry_status < 0 or is_dead:
                 return self._reach_otherwise(state, time)
         problems = Problems().c if time else ffi.NULL
-        status: int = lib.yk_host_reach(state, self.entry, self.holds, self.hold_count, time, self.goal, self.move,
-                                        problems)
+        status: int = lib.yk_host_reach(state, self.entry, self.holds, self.hold_count, time, self.move, problems)
         if status < 0:
             raise pose_error(status, self._word_stop(state), self._hint(state, status, time))
         move = self.move

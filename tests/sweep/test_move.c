@@ -283,6 +283,55 @@ static void test_a_parallelogram_passes_its_change_points(void **unused)
     }
 }
 
+// A request sets inputs and then lets time pass; change points of both ways are told, in their order.
+static void test_a_request_is_two_ways(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("parallelogram"); // theta2 = 60 deg + 1 turn/s * t
+    YkMove move;
+    YkInputHold rate = {0, 1, 7.0}, hold = {0, 0, YK_PI + 0.5};
+    assert_int_equal(yk_state_reach(m.state, NULL, 0, 0.25, NULL, &move, NULL), YK_OK); // 150 deg
+    CHECK_NEAR(machine_ask(&m, "theta4"), YK_PI * 5 / 6, 1e-9);
+    assert_int_equal(move.pass_count, 0);
+    assert_int_equal(yk_state_reach(m.state, NULL, 0, 1.0, NULL, &move, NULL), YK_OK); // past 180 and 360 deg
+    CHECK_NEAR(machine_ask(&m, "theta4"), YK_PI * 7 / 3, 1e-9);
+    assert_int_equal(move.pass_count, 2);
+    assert_int_equal(yk_state_reach(m.state, &hold, 1, 1.0, NULL, &move, NULL), YK_OK); // back over 360 deg
+    CHECK_NEAR(machine_ask(&m, "theta4"), YK_PI + 0.5, 1e-9);
+    assert_int_equal(move.pass_count, 1);
+    assert_int_equal(yk_state_reach(m.state, &rate, 1, 2.0, NULL, &move, NULL), YK_OK); // held: time moves nothing
+    CHECK_NEAR(machine_ask(&m, "theta4"), YK_PI + 0.5, 1e-9);
+    CHECK_NEAR(machine_ask(&m, "theta4.rate"), 7, 1e-9);
+    machine_free(&m);
+
+    m = machine_load("five-bar"); // one input is set, past its change points none; the other goes with time
+    size_t inputs = yk_input_count(m.mech);
+    YkMotion first = yk_state_input(m.state, 0);
+    YkInputHold both[] = {{0, 0, first.position + 0.1}, {0, 1, 0}};
+    assert_true(inputs == 2);
+    assert_true(yk_state_reach(m.state, both, 2, 0.01, NULL, &move, NULL) >= 0);
+    assert_true(yk_state_input(m.state, 0).position == first.position + 0.1);
+    assert_true(yk_state_time(m.state) == 0.01);
+    assert_int_equal(yk_state_reach(NULL, NULL, 0, 0, NULL, NULL, NULL), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_state_reach(m.state, NULL, 1, 0, NULL, NULL, NULL), YK_BAD_ARGUMENT);
+    machine_free(&m);
+}
+
+// The events of the way through the inputs stand before those of the way in time.
+static void test_events_of_both_ways_are_in_order(void **unused)
+{
+    (void)unused;
+    FourBar f = {2, 4, 2, 4};
+    Machine m = four_bar_machine(f, 1, four_bar_pose(f, 1, 1).coupler < 1e-9 ? 1 : -1);
+    YkInputHold hold = {0, 0, 1 + 2 * YK_PI};
+    YkMove move;
+    assert_true(yk_state_reach(m.state, &hold, 1, 3.0, NULL, &move, NULL) >= 0);
+    assert_int_equal(move.pass_count, 2);
+    CHECK_NEAR(1 + move.passes[0].part * 2 * YK_PI, YK_PI, 1e-7);
+    CHECK_NEAR(1 + move.passes[1].part * 2 * YK_PI, 2 * YK_PI, 1e-7);
+    machine_free(&m);
+}
+
 // Where a base vanishes the pose a little before stands for the one that was asked; the input is the one asked, to the
 // last bit.
 static void test_an_input_ends_exactly_where_a_base_vanishes(void **unused)
@@ -417,6 +466,8 @@ int main(void)
         cmocka_unit_test(test_another_input_makes_room),
         cmocka_unit_test(test_a_pose_where_nothing_closes_is_out_of_reach),
         cmocka_unit_test(test_a_parallelogram_passes_its_change_points),
+        cmocka_unit_test(test_a_request_is_two_ways),
+        cmocka_unit_test(test_events_of_both_ways_are_in_order),
         cmocka_unit_test(test_an_input_ends_exactly_where_a_base_vanishes),
         cmocka_unit_test(test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure),
         cmocka_unit_test(test_a_move_can_be_stopped),
