@@ -3,13 +3,6 @@
 #include <stdlib.h>
 #include "base/memory.h"
 
-// A sanitizer would stop at requests that malloc rightly refuses.
-const char *__asan_default_options(void);
-const char *__asan_default_options(void)
-{
-    return "allocator_may_return_null=1";
-}
-
 static void alignment_is_16_below_64_bytes_and_64_from_there(void **state)
 {
     (void)state;

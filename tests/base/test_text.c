@@ -49,13 +49,6 @@ static void clearing_keeps_the_memory(void **state)
     yk_text_free(&text);
 }
 
-// A sanitizer would stop at requests that malloc rightly refuses.
-const char *__asan_default_options(void);
-const char *__asan_default_options(void)
-{
-    return "allocator_may_return_null=1";
-}
-
 static void an_impossible_length_fails_for_good(void **state)
 {
     (void)state;

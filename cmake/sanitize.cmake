@@ -1,0 +1,25 @@
+# The address and undefined-behaviour sanitizers. The tests start thousands of programs, so what each start, end and link costs counts.
+add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
+add_link_options(-fsanitize=address,undefined)
+if(YOKE_FUZZ)
+  return() # libFuzzer comes with a runtime of its own
+endif()
+
+# clang links its runtime into every program unless told otherwise. As a shared library it is linked once, and its tables, 10 MB
+# that the leak checker would read at the end of every program, stand apart from the program's own data (cmake/sanitizer.c).
+if(CMAKE_C_COMPILER_ID MATCHES "Clang")
+  execute_process(COMMAND ${CMAKE_C_COMPILER} -print-file-name=libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so
+    OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(EXISTS ${runtime})
+    get_filename_component(folder ${runtime} DIRECTORY)
+    add_link_options(-shared-libasan LINKER:-rpath,${folder})
+  endif()
+endif()
+add_library(yoke_sanitizer_options OBJECT cmake/sanitizer.c)
+link_libraries($<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:$<TARGET_OBJECTS:yoke_sanitizer_options>>)
+
+# lld links such programs in half the time of ld.
+check_linker_flag(C -fuse-ld=lld YOKE_HAS_LLD)
+if(YOKE_HAS_LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
