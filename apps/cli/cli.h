@@ -130,6 +130,7 @@ int yk_run_code(YkSession *session);
 int yk_run_synthesize(YkSession *session);
 int yk_run_studio(YkSession *session);
 int yk_run_cognates(YkSession *session);
+int yk_run_map(YkSession *session);
 int yk_run_balance(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
