@@ -57,6 +57,7 @@ typedef struct YkRequest {
     bool defects, centers;     // synthesize, solve
     const char *prefix;        // code
     bool single, kinematics;   // code
+    YkAssignments pose, reach; // map
     const char *port;          // studio
     bool no_browser;           // studio
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;

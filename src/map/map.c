@@ -200,6 +200,7 @@ static void find_start(YkMap *map, const YkState *start)
         return;
     }
     read_start(map, start, own);
+    map->start_at = own[0];
     map->start_leaf = yk_map_find_leaf(map, own, own + map->width);
     free(own);
 }

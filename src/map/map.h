@@ -40,6 +40,7 @@ struct YkMap {
     size_t *branch_of;      // [leaf strand]: in `lines`
     size_t circuit_count;
     bool has_start;
+    double start_at;   // the mapped coordinate there
     size_t start_leaf; // the one that contains the machine's own configuration, or YK_NOT_FOUND
     YkMapLine *lines;
     size_t line_count, line_capacity;

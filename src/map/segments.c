@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "num/complex.h"
 
 enum { DEPTH_MAX = 120 };
 
@@ -54,6 +55,25 @@ static bool keep_real(YkTracer *t, YkSegment *segment, YkStrand *strand)
     }
     segment->real[segment->count++] = strand;
     return true;
+}
+
+// Returns whether a solution is the conjugate of another, whose way mirrors its own.
+static bool is_conjugate(const YkPiece *piece, const YkVec *x, const YkVec *y)
+{
+    const double near = 1e-9;
+    for (size_t k = 0; k < piece->shape.unknowns; k++) {
+        YkVec mirrored = k < piece->shape.angles ? yk_inverse(yk_conj(y[k])) : yk_conj(y[k]);
+        if (!(yk_norm(yk_sub(x[k], mirrored)) < near * yk_piece_size(piece, x, k))) return false;
+    }
+    return true;
+}
+
+// Returns whether the conjugate of a solution is among those before it.
+static bool is_mirrored(const YkPiece *piece, const YkGroupSolutions *all, size_t index)
+{
+    for (size_t k = 0; k < index; k++)
+        if (is_conjugate(piece, all->proved[index].x, all->proved[k].x)) return true;
+    return false;
 }
 
 // Returns whether a solution is on its way to infinity: of a real one every |z| is 1.
@@ -137,7 +157,10 @@ static void cover(Search *s, double low, double high, int depth)
     if (depth == DEPTH_MAX || !enumerate(s, low, high, &at)) return; // a gap, which who joins the segments judges
     const YkGroupSolutions *all = &t->solutions[s->below->level];
     YkSegment segment = {.from = low, .to = high};
-    for (size_t k = 0; k < all->proved_count && !t->out_of_memory; k++) follow_both(s, &all->proved[k], at, &segment);
+    for (size_t k = 0; k < all->proved_count && !t->out_of_memory; k++) {
+        bool is_real = all->proved[k].certificate.reality == YK_REAL;
+        if (is_real || !is_mirrored(&t->pieces[s->below->level], all, k)) follow_both(s, &all->proved[k], at, &segment);
+    }
     if (!(segment.from < segment.to)) {
         for (size_t k = 0; k < segment.count; k++) yk_strand_free(segment.real[k]);
         free(segment.real);

@@ -73,6 +73,32 @@ class Map(Case):
             for event in circuit["events"]:
                 self.assertEqual(event["coordinates"]["theta2"], 2.2)
 
+    def test_what_can_be_reached(self):
+        file = example("non-grashof")
+        answer = self.answer(file, "--pose", "theta2=0.5", "--pose", "theta3=%r" % self.theta3(file, 0.5, 0),
+                             "--reach", "theta2=0.5", "--reach", "theta3=%r" % self.theta3(file, 0.5, 1))
+        self.assertIs(answer["reachable"], True)
+        self.assertEqual(len(answer["way"]), 3)
+        column = answer["coordinates"].index("theta2")
+        self.assertAlmostEqual(abs(answer["way"][1][column]), math.radians(116.103881137), 7)
+        run = Run("map", example("four-bar"), "--reach", "theta2=100deg", "--reach",
+                  "theta4=%r rad" % self.other_rocker(math.radians(100)), "--format", "json")
+        self.assertEqual((run.code, run.json()["reachable"]), (1, False))
+        self.assertIn("circuit 2", run.json()["reason"])
+        far = Run("map", file, "--reach", "theta2=170deg")
+        self.assertEqual(far.code, 1)
+        self.assertIn("no configuration closes", far.out)
+        self.wrong(818, "map", file, "--pose", "theta2=0.5")
+        self.wrong(818, "map", file, "--pose", "theta3=0.5", "--reach", "theta2=1")
+
+    def theta3(self, file, at, index):
+        answer = self.good("solve", file, "--at", f"theta2={at}", "--all", "--format", "json").json()
+        return answer["configurations"][index]["coordinates"]["theta3"]["position"]
+
+    def other_rocker(self, at):
+        answer = self.good("solve", example("four-bar"), "--at", f"theta2={at}", "--all", "--format", "json").json()
+        return next(c["coordinates"]["theta4"]["position"] for c in answer["configurations"] if not c["is_start"])
+
     def test_refusals(self):
         for name in ("swing-cam", "three-crank-parallelogram", "geared-five-bar"):
             run = Run("map", example(name))

@@ -410,6 +410,65 @@ static void test_what_cannot_be_mapped_is_refused(void **unused)
     machine_free(&m);
 }
 
+// --- ways
+
+// Returns the configuration at u whose coordinate is nearest to a value.
+static YkMapPlace nearest_place(YkMap *map, const Machine *m, double u, const char *name, double value)
+{
+    YkMapPlace places[ALL_MAX], best = {0, 0, 0};
+    double row[COORDINATES_MAX], nearest = INFINITY;
+    size_t coordinate = yk_coordinate_find(m->mech, name), count = yk_map_places(map, u, places, ALL_MAX);
+    assert_true(count > 0 && count <= ALL_MAX);
+    for (size_t k = 0; k < count; k++) {
+        assert_true(yk_map_coordinates_at(map, places[k], row));
+        double off = fabs(yk_nearest_turn(row[coordinate] - value, 0));
+        if (off >= nearest) continue;
+        nearest = off;
+        best = places[k];
+    }
+    return best;
+}
+
+static void test_the_other_branch_is_reached_over_a_limit(void **unused)
+{
+    (void)unused;
+    Machine m = open_over("non-grashof", NULL);
+    YkMap *map = map_of(&m);
+    YkMapPlace way[8], a = nearest_place(map, &m, 0.5, "theta3", -1), b = nearest_place(map, &m, 0.5, "theta3", 1);
+    assert_true(a.strand != b.strand);
+    assert_int_equal(yk_map_way(map, a, b, way, 8), 3);
+    assert_true(way[0].strand == a.strand && way[2].strand == b.strand);
+    CHECK_NEAR(fabs(way[1].at), yk_map_range(map, 0, 0).to, 1e-8); // beside the limit
+    assert_int_equal(yk_map_way(map, a, a, way, 8), 2);
+    YkMapPlace start = yk_map_start(map);
+    assert_true(start.circuit == 0 && start.strand != YK_NOT_FOUND);
+    YkMapPlace wrong = {0, 99, 0.5};
+    double row[COORDINATES_MAX];
+    assert_int_equal(yk_map_way(map, a, wrong, way, 8), 0);
+    assert_false(yk_map_coordinates_at(map, wrong, row));
+    assert_int_equal(yk_map_places(map, 3.1, way, 8), 0); // beyond the limits
+    yk_map_free(map);
+    machine_free(&m);
+}
+
+// A way exists exactly where a sweep there and back, over every limit, meets both: here by circuits in closed form.
+static void test_no_way_leads_to_another_circuit(void **unused)
+{
+    (void)unused;
+    Machine m = open_over("four-bar", NULL);
+    YkMap *map = map_of(&m);
+    uint64_t seed = 5;
+    for (int k = 0; k < 50; k++) {
+        double u = check_uniform(&seed, -3, 3), v = check_uniform(&seed, -3, 3);
+        YkMapPlace up = nearest_place(map, &m, u, "theta4", 1.6), down = nearest_place(map, &m, u, "theta4", -1.6);
+        YkMapPlace other = nearest_place(map, &m, v, "theta4", 1.6);
+        assert_int_equal(yk_map_way(map, up, other, NULL, 0), 2);
+        assert_int_equal(yk_map_way(map, down, other, NULL, 0), 0);
+    }
+    yk_map_free(map);
+    machine_free(&m);
+}
+
 static void test_wrong_indices_get_nothing(void **unused)
 {
     (void)unused;
@@ -444,6 +503,8 @@ int main(void)
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
         cmocka_unit_test(test_dead_points_are_limits_of_the_drive),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
+        cmocka_unit_test(test_the_other_branch_is_reached_over_a_limit),
+        cmocka_unit_test(test_no_way_leads_to_another_circuit),
         cmocka_unit_test(test_wrong_indices_get_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -17,25 +17,32 @@ static bool read_vertical(const YkMapAnswer *answer, size_t *coordinate)
     return true;
 }
 
-bool yk_map_plot(const YkMapAnswer *answer, const char *path)
+bool yk_map_plan(YkMapAnswer *answer)
 {
     YkSession *session = answer->session;
     size_t count = session->request->trace.count;
-    size_t *points = calloc(count + 1, sizeof *points);
+    if (!session->request->plot) return true;
+    answer->points = calloc(count + 1, sizeof *answer->points);
+    if (!answer->points) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return read_vertical(answer, &answer->vertical) &&
+           (count == 0 || yk_session_points(session, &session->request->trace, answer->points));
+}
+
+bool yk_map_plot(const YkMapAnswer *answer, const char *path)
+{
+    YkSession *session = answer->session;
     YkText picture = {0};
-    YkMapPicture options = {.points = points, .point_count = count};
-    options.angle_unit = yk_unit_of(session, YK_QUANTITY_ANGLE);
-    options.length_unit = yk_unit_of(session, YK_QUANTITY_LENGTH);
-    options.angle = yk_shown(session, 1, YK_QUANTITY_ANGLE);
-    options.length = yk_shown(session, 1, YK_QUANTITY_LENGTH);
-    bool good = points != NULL || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    good = good && read_vertical(answer, &options.coordinate) &&
-           (count == 0 || yk_session_points(session, &session->request->trace, points));
-    const char *svg = good ? yk_map_picture(answer->map, &options) : NULL;
-    if (good && !svg) good = yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    YkMapPicture options = {.coordinate = answer->vertical,
+                            .points = answer->points,
+                            .point_count = session->request->trace.count,
+                            .angle_unit = yk_unit_of(session, YK_QUANTITY_ANGLE),
+                            .length_unit = yk_unit_of(session, YK_QUANTITY_LENGTH),
+                            .angle = yk_shown(session, 1, YK_QUANTITY_ANGLE),
+                            .length = yk_shown(session, 1, YK_QUANTITY_LENGTH)};
+    const char *svg = yk_map_picture(answer->map, &options);
+    bool good = svg || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     good = good && yk_convert_svg(svg, yk_file_kind(path), &picture, session->problems) &&
            yk_file_write(path, yk_text_get(&picture), picture.length, session->problems);
     yk_text_free(&picture);
-    free(points);
     return good;
 }

@@ -108,7 +108,8 @@ static int answer_map(YkMapAnswer *answer, size_t coordinate)
     answer->map = yk_map_new(session->state, coordinate, session->problems);
     if (!answer->map) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
     if (!find_dead_points(answer)) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
-    return write_answer(answer);
+    if (session->request->reach.count > 0) return yk_map_reach(answer);
+    return yk_map_plan(answer) ? write_answer(answer) : YK_EXIT_WRONG;
 }
 
 static bool is_asked_well(YkSession *session)
@@ -124,12 +125,19 @@ static bool is_asked_well(YkSession *session)
                                  request->trace.items[0]);
     if (!request->plot && request->of)
         return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--of says what --plot FILE draws: %q", request->of);
+    if (request->pose.count > 0 && request->reach.count == 0)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--pose %s needs --reach NAME=VALUE as well",
+                                 request->pose.items[0].name);
+    if (request->plot && request->reach.count > 0)
+        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "--reach answers in words, without --plot %q",
+                                 request->plot);
     return true;
 }
 
 int yk_run_map(YkSession *session)
 {
-    const char *over = session->request->over;
+    const YkRequest *request = session->request;
+    const char *over = request->over ? request->over : request->reach.count > 0 ? request->reach.items[0].name : NULL;
     size_t coordinate;
     if (!is_asked_well(session) || !yk_session_load(session, over)) return YK_EXIT_WRONG;
     if (over && !yk_session_coordinate(session, over, &coordinate)) return YK_EXIT_WRONG;
@@ -156,5 +164,6 @@ int yk_run_map(YkSession *session)
     YkMapAnswer answer = {.session = session, .name = info.name, .quantity = yk_quantity_of(info.is_distance, 0)};
     int exit_code = answer_map(&answer, coordinate);
     yk_map_free(answer.map);
+    free(answer.points);
     return exit_code;
 }
